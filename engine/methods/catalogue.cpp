@@ -16,8 +16,7 @@
 namespace taut {
 namespace {
 
-/// Terms of the method's family, with the citations of its own paper, plus walls and, with initial neighbours,
-/// self-contact.
+/// Terms of the family with the method's citations, plus walls and, with initial neighbours, self-contact.
 std::vector<TermInfo> terms(const Formulation& m) {
   std::vector<TermInfo> all = row_of(m.family).terms(m);
   for (TermInfo& term : all) {
@@ -31,15 +30,14 @@ std::vector<TermInfo> terms(const Formulation& m) {
   return all;
 }
 
-/// Contact laws available with searched or with initial neighbours. `sph` needs searched neighbours; `surface` needs
-/// initial ones, because its faces move with them.
+/// `sph` needs searched neighbours; `surface` needs initial ones, because its faces move with them.
 std::vector<ContactLaw> contact_laws_of(bool searches) {
   std::vector<ContactLaw> all;
   for (const ContactLawRow& row : contact_laws)
     if (row.between == ContactBetween::particles ||
         (row.between == ContactBetween::all_neighbors) == searches)
       all.push_back(row.law);
-  if (!searches)  // the simplest law first
+  if (!searches)  // simplest first
     std::ranges::stable_partition(all, [](ContactLaw law) { return law == ContactLaw::penalty; });
   return all;
 }
@@ -52,7 +50,7 @@ std::string joined(const std::vector<ContactLaw>& laws) {
   return names;
 }
 
-/// Elastic laws available for a method; its default first.
+/// Available laws; the default first.
 std::vector<LawChoice> laws(const ElasticSwitches* m) {
   std::vector<LawChoice> all;
   if (!m) return all;
@@ -93,7 +91,7 @@ std::vector<MethodInfo> table() {
   return all;
 }
 
-/// Law chosen in the settings, or the method's default. Throws UsageError if the method lacks the chosen law.
+/// Law in the settings, or the default. Throws UsageError if unavailable.
 const LawChoice& chosen_law(const MethodInfo& method, const Settings& settings) {
   for (const LawChoice& choice : method.laws)
     if (settings.law.empty() || choice.name == settings.law) return choice;

@@ -25,55 +25,53 @@ struct LawChoice {
 
 /// Meaning of the reported strain energy.
 enum class StrainEnergy {
-  potential,  // potential of the forces: a change of the total energy is an error or dissipation of the method
-  of_stress,  // computed from an integrated stress; no potential of the forces
-  recovered,  // computed from a stress that is recovered for display; no force uses it
+  potential,  // of the forces; changes of total energy are then due to the method
+  of_stress,  // of an integrated stress; not a potential
+  recovered,  // of a stress recovered for display only
 };
 StrainEnergy strain_energy(const Formulation& m);
 
-/// Description of a method for `list` and `describe`, derived from its Formulation.
+/// Description of a method for `list` and `describe`.
 struct MethodInfo {
   const Formulation& formulation;
   std::string_view name;
   std::string_view paper;
   std::string_view summary;
   std::string_view material_law;  // reference to compare with: "2d_deviator" or "neo_hookean"
-  std::vector<LawChoice> laws;    // available elastic laws; the first is the published one
-  Law law;                        // published elastic law; none: the stress is integrated
+  std::vector<LawChoice> laws;    // available elastic laws; the published one first
+  Law law;                        // published; none: the stress is integrated
   std::string_view conserves;
   std::vector<TermInfo> terms;
   std::vector<MethodConstant> constants;  // in 2D
   double cfl;                             // default acoustic CFL number
-  ContactLaw contact;                     // published law
-  std::vector<ContactLaw> contact_laws;   // available laws
-  bool keeps_neighbors;    // see FamilyRow; if true, contact also acts between parts of one body
-  bool several_materials;  // several materials allowed in a scene
+  ContactLaw contact;                     // published
+  std::vector<ContactLaw> contact_laws;   // available
+  bool keeps_neighbors;                   // see FamilyRow; if true, a body's parts can touch
+  bool several_materials;                 // allowed in a scene
 };
 
 /// All methods, in listing order.
 std::span<const MethodInfo> methods();
 /// Returns nullptr for an unknown name.
 const MethodInfo* find_method(std::string_view name);
-/// User-settable constants with their defaults in dimension `dim`.
+/// User-settable constants with defaults.
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim);
-/// Values of the constants from the settings, otherwise the defaults. `dp`: particle spacing, m.
+/// Values from the settings or defaults. `dp`: m.
 ConstantValues constant_values(const Formulation& m, int dim, double dp, const Settings& settings);
 
 /// All elastic laws.
 std::span<const LawRow> laws();
-/// Elastic law of the run; nullptr if the method has none. Throws UsageError if the method lacks the law in the
-/// settings.
+/// Law of the run; nullptr if none. Throws UsageError if unavailable for the method.
 const LawRow* law_row(const MethodInfo& method, const Settings& settings);
-/// Returns why the method cannot use the law with this name (LawRow::choice); empty if it can.
+/// Returns why the method cannot use this law (LawRow::choice); empty if it can.
 std::string reason_against_law(const MethodInfo& method, std::string_view law);
-/// Reference to compare the run with. Throws UsageError if the method lacks the law in the settings.
+/// Reference for the run. Throws UsageError if the law is unavailable for the method.
 std::string_view material_law(const MethodInfo& method, const Settings& settings, int dim = 2);
 /// All contact laws, in listing order.
 std::span<const ContactLawRow> contact_rows();
-/// Contact law of a run; never `published`. Throws SceneError if the method cannot use the scene's law.
+/// Law of a run, never `published`. Throws SceneError if the method cannot use the scene's law.
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method);
-/// Contact law for `published`: the method's own, or `penalty` if that is `surface` and the scene has bodies without
-/// faces.
+/// Law for `published`: the method's, or `penalty` instead of `surface` if bodies have no faces.
 ContactLaw published_contact(const Scene& scene, const MethodInfo& method);
 
 }  // namespace taut

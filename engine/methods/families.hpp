@@ -14,18 +14,17 @@
 
 namespace taut {
 
-/// Properties and functions of a family.
 struct FamilyRow {
   Family family;
-  bool keeps_neighbors;  // a body's particles keep their initial neighbours
+  bool keeps_neighbors;  // a body's particles keep initial neighbours
   std::vector<TermInfo> (*terms)(const Formulation& m);
   std::vector<MethodConstant> (*constants)(const Formulation& m, int dim);
   const ElasticSwitches* (*elastic)(const Formulation& m);  // null: the stress is integrated
-  bool (*carries_stress)(const Formulation& m);             // the forces use an integrated stress
+  bool (*carries_stress)(const Formulation& m);             // forces use an integrated stress
   std::unique_ptr<Simulation> (*make)(const SolverInput& input);
 };
 
-/// Row of the family with formulation type `F`. Families on the initial configuration have an elastic law.
+/// Families on the initial configuration have an elastic law.
 template <class F, auto terms, auto constants>
 constexpr FamilyRow family_row(std::unique_ptr<Simulation> (*make)(const SolverInput& input)) {
   constexpr bool elastic = std::is_base_of_v<ElasticSwitches, F>;
@@ -54,7 +53,7 @@ constexpr FamilyRow family_row(std::unique_ptr<Simulation> (*make)(const SolverI
           .make = make};
 }
 
-/// All families. Each has a folder beside this file, an enumerator of Family and a row here.
+/// All families: a folder, an enumerator and a row each.
 inline constexpr std::array families{
     family_row<UlSplitFormulation, ul_split::terms, ul_split::constants>(ul_split::make),
     family_row<UlCauchyFormulation, ul_cauchy::terms, ul_cauchy::constants>(ul_cauchy::make),

@@ -11,13 +11,13 @@
 
 namespace taut {
 
-/// Algorithm of a method; each is a folder of engine/methods/.
+/// Algorithm of a method: a folder of engine/methods/.
 enum class Family : std::uint8_t {
-  ul_split,         // updated Lagrangian, pressure and shear stress act separately; [Zhang2024] §5
-  ul_cauchy,        // updated Lagrangian, divergence of the whole stress σ = −pI + s; [Khayyer2024] Eq. 9
-  bonded,           // energy of bonds between initial neighbours; ours, terms/bond.hpp
-  tl_displacement,  // first Piola–Kirchhoff stress on initial pairs, F from positions; [Lee2016] Eq. 29c
-  tl_mixed,         // like tl_displacement, but F is an unknown; [Lee2016] §3.3.2
+  ul_split,         // updated Lagrangian, separate pressure and shear; [Zhang2024] §5
+  ul_cauchy,        // updated Lagrangian, divergence of σ = −pI + s; [Khayyer2024] Eq. 9
+  bonded,           // energy of bonds between initial neighbours; terms/bond.hpp
+  tl_displacement,  // total Lagrangian, F from positions; [Lee2016] Eq. 29c
+  tl_mixed,         // total Lagrangian, F is an unknown; [Lee2016] §3.3.2
 };
 
 /// Share of the trace removed from the strain rate; two different materials in plane strain.
@@ -26,38 +26,37 @@ enum class Deviator : std::uint8_t {
   plane_strain,  // 1/3, [Khayyer2024] Eq. 6: in-plane bulk modulus K + G/3
 };
 
-/// Data of every method. Families derive structs that add their switches. Only named values of these structs are
-/// instantiated.
+/// Data of every method; families add switches.
 struct Formulation {
   std::string_view name;
   std::string_view paper;
   std::string_view summary;
   std::string_view conserves;
   Family family = Family::ul_split;
-  int greatest_dim = 3;                      // maximum dimension of scenes
-  std::span<const Citation> citations = {};  // where the paper differs from the family's paper
+  int greatest_dim = 3;                      // of scenes
+  std::span<const Citation> citations = {};  // overrides the family's
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
-  ContactLaw contact = ContactLaw::sph;  // published law
-  double contact_stiffness = 1;          // of the penalty, see terms/penalty_contact.hpp
-  bool several_materials = false;        // several materials allowed in a scene
+  ContactLaw contact = ContactLaw::sph;  // published
+  double contact_stiffness = 1;          // see terms/penalty_contact.hpp
+  bool several_materials = false;        // allowed in a scene
   double h_over_dp = 1.3;                // smoothing length over spacing
-  double h_over_dp_3d = 0;               // 0: the same as in 2D
+  double h_over_dp_3d = 0;               // 0: as in 2D
   double cfl = 0.4;                      // acoustic, [Zhang2024] Eq. 22
 };
 
-/// Casts the method to the type `F` of its family; null if it belongs to another family.
+/// Returns null for a method of another family.
 template <class F>
 constexpr const F* as(const Formulation& m) {
   return m.family == F::own_family ? static_cast<const F*>(&m) : nullptr;
 }
 
-/// Checks the common data; families add checks of their switches by overloads.
+/// Families overload this to check their switches.
 constexpr bool consistent(const Formulation& m) {
   return m.h_over_dp > 0 && m.h_over_dp_3d >= 0 && m.cfl > 0 && !m.name.empty();
 }
 
-/// Methods of one family; inconsistent ones fail to compile.
+/// Inconsistent methods do not compile.
 template <const auto&... M>
 struct MethodList {
   static_assert(((consistent(static_cast<const Formulation&>(M)) && consistent(M) &&

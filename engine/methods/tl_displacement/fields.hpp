@@ -8,7 +8,6 @@
 
 namespace taut {
 
-/// Data of the methods whose only unknowns are positions, for their passes.
 template <int Dim>
 struct TlDisplacementFields {
   using V = Vec<double, Dim>;

@@ -6,7 +6,6 @@
 
 namespace taut {
 
-/// Loops of a method, documented in passes.hpp.
 template <int Dim>
 struct TlDisplacementKernels {
   using Fields = TlDisplacementFields<Dim>;

@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// [TranDuc2023] on the initial configuration, with its kernel (§2.1) and penalty contact.
+/// Kernel of §2.1.
 inline constexpr TlDisplacementFormulation icb{
     {
         .name = "icb",
@@ -34,8 +34,7 @@ inline constexpr TlDisplacementFormulation tl{
     {.law = Law::neo_hookean, .others = OtherLaws::all},
     {}};
 
-/// [Zhang2020] states neither h, nor the cut-off of the Gaussian, nor contact constants. h = dp is the smallest h
-/// with lattice sums accurate to 1e-3.
+/// [Zhang2020] states neither h, cut-off nor contact constants. h = dp: smallest with lattice sums accurate to 1e-3.
 inline constexpr TlDisplacementFormulation tl_small_strain{
     {
         .name = "tl-small-strain",

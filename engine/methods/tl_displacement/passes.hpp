@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Advances x by `dt` and computes u.
+/// Advances x and computes u.
 template <const TlDisplacementFormulation&, int Dim>
 void drift(const TlDisplacementFields<Dim>& f, double dt, const Threads& threads) {
   parallel_for(f.groups(), threads, [&](int group) {
@@ -17,7 +17,7 @@ void drift(const TlDisplacementFields<Dim>& f, double dt, const Threads& threads
   });
 }
 
-/// F = I + ∇u of four particles.
+/// F = I + ∇u.
 template <int Dim>
 Mat<Pack, Dim> deformation(const TlDisplacementFields<Dim>& f, int group) {
   Mat<Pack, Dim> F = product(f.pairs.difference_sum(f.displacement, group), f.sites[group].B);
@@ -25,7 +25,7 @@ Mat<Pack, Dim> deformation(const TlDisplacementFields<Dim>& f, int group) {
   return F;
 }
 
-/// Computes V P(F) B of every particle.
+/// V P(F) B.
 template <const TlDisplacementFormulation& M, int Dim>
 void stress_pass(const TlDisplacementFields<Dim>& f, const Threads& threads) {
   f.laws.template visit<M>([&]<class L>(const L* of_materials) {
@@ -39,7 +39,7 @@ void stress_pass(const TlDisplacementFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Applies internal and contact forces to v, then moves x by the second half step. Returns the maximum v², m²/s².
+/// Advances v by all forces, then x by half a step. Returns maximum v², m²/s².
 template <const TlDisplacementFormulation&, int Dim>
 double force_pass(const TlDisplacementFields<Dim>& f, const Kick<Dim>& kick, const Threads& threads) {
   if (kick.impulse)
@@ -55,7 +55,6 @@ double force_pass(const TlDisplacementFields<Dim>& f, const Kick<Dim>& kick, con
   });
 }
 
-/// Computes F of the listed groups into `out`.
 template <const TlDisplacementFormulation&, int Dim>
 void deform(const TlDisplacementFields<Dim>& f, const int* groups, int count, Mat<Pack, Dim>* out,
             const Threads& threads) {

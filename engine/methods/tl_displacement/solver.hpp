@@ -6,9 +6,9 @@
 
 namespace taut {
 
-/// Total-Lagrangian methods whose only unknowns are positions: F is computed from them in each step. [Lee2016] Eq.
-/// 34, [TranDuc2023] §2.3, [Zhang2020]. The forces derive from an energy unless the law has none. Position Verlet,
-/// the leap-frog of [Zhang2020] Eq. 10, 11 with forces at mid-step, keeps the energy free of drift. No dissipation.
+/// F comes from the positions in each step: [Lee2016] Eq. 34, [TranDuc2023] §2.3, [Zhang2020]. Position Verlet, the
+/// leap-frog of [Zhang2020] Eq. 10, 11 with forces at mid-step: no energy drift if the law has an energy. No
+/// dissipation.
 template <int Dim>
 class TlDisplacement final : public Scheme<Dim> {
  public:
@@ -36,7 +36,7 @@ class TlDisplacement final : public Scheme<Dim> {
   PairLanes<Dim> pair_lanes_;
   Columns<Dim> displacement_;
   Columns<Dim * Dim> stress_;
-  TlDisplacementFields<Dim> f_;  // pointers to the members above
+  TlDisplacementFields<Dim> f_;
 };
 
 }  // namespace taut

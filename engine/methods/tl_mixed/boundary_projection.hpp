@@ -9,39 +9,34 @@
 
 namespace taut {
 
-/// A particle with prescribed velocity components and its interpolation by the corrected kernel, f(X_B) = Σ_a V_a
-/// W̃_a(X_B) f_a, which is exact for linear f. [Lee2016] Eq. 23, Appendix B
+/// A particle with prescribed velocity components; f(X_B) = Σ_a V_a W̃_a(X_B) f_a. [Lee2016] Eq. 23
 struct BoundaryPoint {
-  std::vector<std::pair<int, double>> w;  // index a in the projection; V_a W̃_a(X_B)
-  unsigned axes = 0;                      // bit k: component k is prescribed
+  std::vector<std::pair<int, double>> w;  // local index a; V_a W̃_a(X_B)
+  unsigned axes = 0;                      // bit k: prescribed component
   Point velocity{};                       // m/s
 };
 
-/// Changes velocities least, in the mass-weighted mean square, such that the interpolated velocity has the prescribed
-/// value at each point and both momenta are unchanged:
+/// Least change of v, weighted by mass, to prescribed interpolated velocities and unchanged momenta:
 ///   v̂_a = v_a + Σ_B V_a/m_a W̃_a(X_B) β_B + β_lin + β_ang × Z_a,
 ///   (i) v̂(X_B) = v_B,   (ii) Σ m_a v̂_a = Σ m_a v_a,   (iii) Σ m_a Z_a × v̂_a = Σ m_a Z_a × v_a.
-/// [Lee2016] Appendix B, with the missing B.6; its V_B β_B is β_B/ρ0 here. Boundary particles must receive their own
-/// prescribed velocities first, because the projection conserves momentum.
-///
-/// The matrices of (i), one per component, are sparse, depend on the reference configuration only and are factored
-/// once. A Schur complement gives the 6 unknowns of (ii), (iii) in each call.
+/// [Lee2016] Appendix B; V_B β_B is β_B/ρ0 here. Boundary particles must already have their prescribed velocities.
+/// The constant matrices of (i) are factored once; a Schur complement gives (ii), (iii).
 class BoundaryProjection {
  public:
-  /// Takes particles of one body with masses m, kg. Throws SceneError if the points are linearly dependent.
+  /// Particles of one body with masses m, kg. Throws SceneError for linearly dependent points.
   BoundaryProjection(std::vector<BoundaryPoint> points, std::vector<double> m);
   ~BoundaryProjection();
   BoundaryProjection(BoundaryProjection&&) noexcept;
 
-  /// Projects the velocities `v`, m/s, of particles at Z, m.
+  /// Projects `v`, m/s, of particles at Z, m.
   void operator()(std::vector<Point>& v, std::vector<Point> Z) const;
-  /// Points, with mutable prescribed velocities.
+  /// Prescribed velocities may be changed.
   std::vector<BoundaryPoint>& points() { return points_; }
   /// Σ V_a W̃_a(X_B) f_a.
   Point interpolated(const BoundaryPoint& point, const std::vector<Point>& f) const;
 
  private:
-  struct Factor;  // for one component
+  struct Factor;
 
   std::vector<BoundaryPoint> points_;
   std::vector<double> m_;

@@ -8,21 +8,20 @@
 
 namespace taut {
 
-/// Weights w_ij of the Laplacian L[f]_i = Σ_j w_ij (f_j − f_i) on initial pairs, multiplied by `scale`, m²:
+/// Weights of L[f]_i = Σ_j w_ij (f_j − f_i) times `scale`, m²:
 ///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²),   r_ij = X_i − X_j,            [Lee2016] Eq. A.1, A.2
-/// α and β make L of a linear field 0 and L of |X − X_i|² equal to 2 Dim (A.3–A.5, printed for 3D).
-/// ΔW = W″ + (Dim − 1) W′/r. β is 0 where the neighbours hardly distinguish |X − X_i|² from a linear field, as
-/// at corners of (jittered) lattices; the step would otherwise become tiny. Not symmetric: Σ V_i L[f]_i ≠ 0.
+/// L is exact for linear fields and |X − X_i|² (A.3–A.5); ΔW = W″ + (Dim − 1) W′/r. β = 0 where neighbours hardly
+/// distinguish these, as at corners: the step would be tiny.
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
                                         double h, double scale, int threads = 1) {
   constexpr int N = Dim + 1;
-  // minimum share of Σ V r⁴ that no linear field represents; lattices have 0.03 at corners and 1 inside
+  // minimum non-linear share of Σ V r⁴; lattice corners have 0.03
   constexpr double least_told = 0.02;
   std::vector<double> w(pairs.j.size());
   parallel_for(pairs.size(), threads, [&](int i) {
-    // lengths in h scale the rows alike; the last column is the right-hand side
+    // lengths in h; last column: right-hand side
     double A[N][N + 1] = {};
     A[Dim][N] = 2 * Dim;
     const auto basis = [&](int p, double(&r)[N]) {
@@ -71,7 +70,7 @@ inline constexpr TermInfo corrected_laplacian_info{
     "methods/tl_mixed/corrected_laplacian.hpp:corrected_laplacian",
     "corrected Laplacian: 0 of linear fields, 2 d of the square of the distance, at surfaces too"};
 
-/// Weights V_j w_ji/V_i of the adjoint L*[f]_i = Σ_j (V_j w_ji/V_i f_j − w_ij f_i):
+/// L*[f]_i = Σ_j (V_j w_ji/V_i f_j − w_ij f_i):
 ///   Σ V_i g_i L[f]_i = Σ V_i f_i L*[g]_i.
 template <int Dim>
 std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
@@ -87,7 +86,7 @@ std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::v
   return adjoint;
 }
 
-/// Pair constants k_ij, w_ij and the neighbour's weight in the second Laplacian: adjoint, or w_ij for `adjoint` = 0.
+/// Lanes of k_ij, w_ij and the adjoint weight (`adjoint` = 0: w_ij).
 template <int Dim>
 using LaplacianLanes = PairLanes<Dim, Dim + 2>;
 template <int Dim>
@@ -105,7 +104,7 @@ LaplacianLanes<Dim> with_laplacian(const InitialPairs<Dim>& pairs, const std::ve
           }};
 }
 
-/// Σ_j (f_j − f_i) ⊗ k_ij of the first Dim fields, and L of all fields.
+/// Σ_j (f_j − f_i) ⊗ k_ij of the first Dim fields; L of all.
 template <int Dim, int N>
 struct DifferencesAndLaplacian {
   Mat<Pack, Dim> differences;
@@ -141,8 +140,7 @@ Vec<Pack, N> second_laplacian(const LaplacianView<Dim>& pairs, const ColumnsView
   return sum;
 }
 
-/// Spectral radius of dp⁴ L*[L[·]] by 100 power iterations, one or two per cent low. It is 40 inside a cubic lattice
-/// with 26 neighbours. Independent of the number of threads.
+/// Spectral radius of dp⁴ L*[L[·]] by power iteration, 1 to 2 % low; 40 inside a cubic lattice.
 template <int Dim>
 double biharmonic_spectral_radius(const LaplacianView<Dim>& pairs, int particles, int threads) {
   constexpr int fields = 2;

@@ -6,28 +6,27 @@
 #include "engine/solver/initial_pairs.hpp"
 #include "engine/solver/sites.hpp"
 
-/// Data of the mixed total-Lagrangian methods, for their passes.
 namespace taut {
 
-/// Unknowns other than position and velocity, or their rates, in groups of four particles.
+/// Unknowns or their rates, four particles each.
 template <int Dim>
 struct Strains {
   Mat<Pack, Dim>* F;
-  AlignedPack* J;     // volume ratio; null if it is no unknown
-  Mat<Pack, Dim>* H;  // cofactor of F; null if it is no unknown
+  AlignedPack* J;     // may be null
+  Mat<Pack, Dim>* H;  // cofactor of F; may be null
 };
 
-/// External actions on particle i in the stages of a step; see Common. Null functions have no effect.
+/// External actions on particle i; null functions do nothing.
 template <int Dim>
 struct StageActions {
   using V = Vec<double, Dim>;
 
   void* of;
-  /// Adds the acceleration by loads to `a`.
+  /// Adds loads to `a`.
   void (*load)(void* of, int i, V& a);
-  /// Replaces `v` after the first stage if a drive or guide prescribes it.
+  /// Prescribes `v` after the first stage.
   void (*steer)(void* of, int i, V& v);
-  /// Replaces `v` at the end of a step of `dt` that began with `before`; adds the work of loads and drives.
+  /// Prescribes `v` at the end of the step from `before` and counts work.
   void (*close)(void* of, int i, double dt, const V& before, V& v);
 };
 
@@ -45,14 +44,14 @@ struct TlMixedFields {
   const Sites<Dim>* sites;
   LawsInUse laws;
   double wave_speed;                              // c_p, m/s
-  PairLanesView<Dim> pairs;                       // k_ij; without dissipation
-  PairLanesView<Dim, Dim + 2> dissipating_pairs;  // k_ij, w_ij dp² and the adjoint weight; with dissipation
-  Strains<Dim> now, start, rate;  // at the stage, at the start of the step; rates at the stage
-  ColumnsView<Dim + 1> flow;      // v, m/s, and J
-  ColumnsView<Dim * Dim> stress;  // V P B, row by row
-  ColumnsView<Dim + 1> once;      // dp² L of (v, J)
-  ColumnsView<Dim> a, a_start;    // internal, without contact and loads; total at the start, m/s²
-  ColumnsView<1> dissipation_J;   // 1/s
+  PairLanesView<Dim> pairs;                       // k_ij
+  PairLanesView<Dim, Dim + 2> dissipating_pairs;  // k_ij, w_ij dp², adjoint weight
+  Strains<Dim> now, start, rate;                  // at the stage, at the start; rates
+  ColumnsView<Dim + 1> flow;                      // v, m/s, and J
+  ColumnsView<Dim * Dim> stress;                  // V P B, row by row
+  ColumnsView<Dim + 1> once;                      // dp² L of (v, J)
+  ColumnsView<Dim> a, a_start;                    // without contact and loads; total at the start, m/s²
+  ColumnsView<1> dissipation_J;                   // 1/s
 
   int groups() const { return (size + lanes - 1) / lanes; }
 };

@@ -6,11 +6,10 @@
 
 namespace taut {
 
-/// Unknowns integrated beside the positions.
 enum class Unknowns : std::uint8_t {
-  v_F,      // velocity and deformation gradient: {p, F}, [Lee2016] §3.3.2
-  v_F_J,    // and volume ratio: {p, F, J}
-  v_F_H_J,  // and cofactor: {p, F, H, J}
+  v_F,      // {p, F}, [Lee2016] §3.3.2
+  v_F_J,    // {p, F, J}
+  v_F_H_J,  // {p, F, H, J}
 };
 
 struct TlMixedSwitches {
@@ -23,14 +22,13 @@ struct TlMixedFormulation : Formulation, ElasticSwitches, TlMixedSwitches {
 };
 
 struct TlMixedConstants : Constants {
-  double eps_v2 = 0, eps_v4 = 0;   // harmonic and biharmonic dissipation of momentum
-  double eps_J2 = 0, eps_J4 = 0;   // harmonic and biharmonic dissipation of J
-  double adjoint = 0;              // 1: adjoint biharmonic term, 0: as printed
+  double eps_v2 = 0, eps_v4 = 0;   // harmonic, biharmonic; momentum
+  double eps_J2 = 0, eps_J4 = 0;   // of J
+  double adjoint = 0;              // 1: adjoint, 0: as printed
   double projection = 0;           // 1: conserves momenta
-  double boundary_projection = 0;  // 1: also prescribes interpolated velocities
+  double boundary_projection = 0;  // 1: prescribes interpolated velocities
 };
 
-/// True if J has its own evolution equation.
 constexpr bool follows_volume_ratio(const TlMixedFormulation& m) { return m.unknowns != Unknowns::v_F; }
 
 constexpr bool consistent(const TlMixedFormulation& m) {

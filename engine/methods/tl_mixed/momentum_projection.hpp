@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Sums of torque and inertia over four particles at a time; scalars in 2D.
+/// Torque and inertia of four particles.
 template <int Dim>
 struct Turning;
 template <>
@@ -43,12 +43,10 @@ inline Pack volumes_of_four(const double* V, int i, int last) {
   return four;
 }
 
-/// Projects the accelerations of one body, particles first … last − 1 of one density, onto zero force and torque:
+/// Least change of a body's accelerations, weighted by volume, to zero force and torque:
 ///   Σ V a = 0,  Σ V Z × a = 0.                                                           [Lee2016] Eq. 45–48
-/// The result a_i − ω × (Z_i − Z̄) − ā is the nearest in the volume-weighted mean square. Means refer to the volume;
-/// ω is torque over inertia about Z̄, which decouples the paper's system (Eq. 48). `share` < 1 applies part of the
-/// change. The order of summation does not depend on threads or storage. `a` must allow a pack that begins at the
-/// last particle.
+/// As a_i − ω × (Z_i − Z̄) − ā, ω is torque over inertia. One density; particles first … last − 1; `a` is padded by a
+/// pack. `share` < 1: part of the change. Independent of threads and storage.
 template <int Dim>
 void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, const double* V, int first,
                         int last, double share = 1) {
@@ -63,7 +61,7 @@ void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, co
   }
   const Pack per_volume = filled<Pack>(1 / sum(volume));
   const Vec<Pack, Dim> mean_a = per_volume * spread(sum(sum_a)), mean_Z = per_volume * spread(sum(sum_Z));
-  Turning<Dim> turning;  // divided by the density
+  Turning<Dim> turning;  // over the density
   for (int i = first; i < last; i += lanes)
     turning.add(volumes_of_four(V, i, last), places(i) - mean_Z, vector_at<Dim>(a, i));
   const auto omega = turning.rate();
@@ -77,7 +75,7 @@ void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, co
         for (int lane = 0; lane < last - i; ++lane) a[k][i + lane] = left[k][lane];
   }
 }
-/// Subtracts the volume-weighted mean of a body from f. [Lee2016] Eq. 51
+/// Removes the volume-weighted mean. [Lee2016] Eq. 51
 inline void subtract_mean(const ColumnsView<1>& f, const double* V, int first, int last, double share) {
   Pack volume{}, total{};
   for (int i = first; i < last; i += lanes) {

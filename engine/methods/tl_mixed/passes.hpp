@@ -11,14 +11,13 @@
 
 namespace taut {
 
-/// Access to the unknowns of method M.
 template <const TlMixedFormulation& M, int Dim>
 struct UnknownsOf {
   using Mat = taut::Mat<Pack, Dim>;
 
   static constexpr bool has_J = follows_volume_ratio(M);
   static constexpr bool has_H = M.unknowns == Unknowns::v_F_H_J && Dim == 3;
-  static constexpr int fields = Dim + has_J;  // number of dissipated fields
+  static constexpr int fields = Dim + has_J;  // dissipated
 
   static Pack volume_ratio(const Strains<Dim>& u, int group) {
     if constexpr (has_J)
@@ -45,13 +44,13 @@ struct UnknownsOf {
     else
       return f.pairs;
   }
-  /// Columns of (v, J) that method M uses.
+  /// Columns of (v, J) in use.
   static ColumnsView<fields> own(const ColumnsView<Dim + 1>& columns) {
     return {columns.all, columns.length};
   }
 };
 
-/// Initial F, J and H of displaced bodies: F is the kernel gradient of the positions. `flow` contains x − X.
+/// Initial F, J and H of displaced bodies. `flow`: x − X.
 template <const TlMixedFormulation& M, int Dim>
 void start_gradients(const TlMixedFields<Dim>& f) {
   using U = UnknownsOf<M, Dim>;
@@ -62,7 +61,7 @@ void start_gradients(const TlMixedFields<Dim>& f) {
   }
 }
 
-/// Upper bound of ρ0 c² of the fastest wave in the strained bodies, Pa.
+/// Upper bound of ρ0 c² in the strained bodies, Pa.
 template <const TlMixedFormulation& M, int Dim>
 double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -76,7 +75,7 @@ double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Computes the same bound per particle into out[group].
+/// The same bound per particle.
 template <const TlMixedFormulation& M, int Dim>
 void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   using U = UnknownsOf<M, Dim>;
@@ -89,7 +88,7 @@ void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   });
 }
 
-/// Fills the gathered columns (v, J) and V P B.
+/// Fills (v, J) and V P B.
 template <const TlMixedFormulation& M, int Dim>
 void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -136,7 +135,7 @@ inline constexpr TermInfo cofactor_info{
     "methods/tl_mixed/passes.hpp:gather_pass",
     "mixed: in 3D a block and a ball that collide, and a clamped block hit on its clamp"};
 
-/// Adds D(U) = c_p dp ε₂ L[U] − c_p dp³ ε₄ L*[L[U]] of v and J. [Lee2016] Eq. 35–38
+/// Adds D(U) = c_p dp ε₂ L[U] − c_p dp³ ε₄ L*[L[U]]. [Lee2016] Eq. 35–38
 template <const TlMixedFormulation& M, int Dim>
 void dissipation_pass(const TlMixedFields<Dim>& f, const TlMixedConstants& c, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -156,22 +155,21 @@ void dissipation_pass(const TlMixedFields<Dim>& f, const TlMixedConstants& c, co
   }
 }
 
-/// Projects the accelerations of a body to zero force and torque (Eq. 45–49), and the dissipation of J to zero sum
-/// (Eq. 51).
+/// Removes force, torque (Eq. 45–49) and the sum of J's dissipation (Eq. 51).
 template <const TlMixedFormulation& M, int Dim>
 void project(const TlMixedFields<Dim>& f, const TlMixedConstants& c, int first, int last) {
   project_on_momenta(f.a, f.x, f.V0, first, last, c.projection);
   if constexpr (UnknownsOf<M, Dim>::has_J) subtract_mean(f.dissipation_J, f.V0, first, last, c.projection);
 }
 
-/// Calls `use(i)` for the existing particles of a group.
+/// Calls use(i) for particles in a group.
 template <int Dim, class F>
 [[gnu::always_inline]] inline void each_of(const TlMixedFields<Dim>& f, int group, const F& use) {
   const int first = lanes * group, last = std::min(first + lanes, f.size);
   for (int i = first; i < last; ++i) use(i);
 }
 
-/// Adds the impulse of a stage, half the step, for reaction probes.
+/// Impulse of a stage, half the step.
 template <int Dim>
 [[gnu::noinline]] void watch(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, int group,
                              Vec<Pack, Dim> a) {
@@ -195,7 +193,7 @@ template <int Dim>
   return f.sites[group].mobile * a;
 }
 
-/// First stage. Driven particles receive their velocity at the end of the step.
+/// First stage. Driven particles get their final velocity.
 template <const TlMixedFormulation& M, int Dim>
 void predict(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActions<Dim>& actions,
              const Threads& threads) {
@@ -221,7 +219,7 @@ void predict(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActi
   });
 }
 
-/// Second stage and mean, ½ (U + U* + Δt U̇(U*)). Returns the maximum v², m²/s².
+/// Second stage: ½ (U + U* + Δt U̇(U*)). Returns maximum v², m²/s².
 template <const TlMixedFormulation& M, int Dim>
 double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActions<Dim>& actions,
                const Threads& threads) {
@@ -251,7 +249,7 @@ double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageAc
   });
 }
 
-/// Updates F, J and H for a displacement of `dt` times `flow`.
+/// Advances F, J, H by `dt` times `flow`.
 template <const TlMixedFormulation& M, int Dim>
 void follow(const TlMixedFields<Dim>& f, double dt, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Weights V_a W̃_a(X_i) of particle i and its initial neighbours. W̃ = α (1 + β·(X_i − X_a)) W satisfies
+/// V_a W̃_a(X_i) of i and initial neighbours. W̃ = α (1 + β·(X_i − X_a)) W satisfies
 /// Σ V_a W̃_a = 1 and Σ V_a W̃_a (X_i − X_a) = 0. [Lee2016] Eq. 23
 template <class K, int Dim>
 std::vector<std::pair<int, double>> corrected_kernel(const InitialPairs<Dim>& pairs,
@@ -38,14 +38,13 @@ std::vector<std::pair<int, double>> corrected_kernel(const InitialPairs<Dim>& pa
   return w;
 }
 
-/// Particles with prescribed velocities and the projections of their bodies.
+/// Prescribed particles and projections per body.
 template <class K, int Dim>
 class PrescribedBoundary {
  public:
   using V = Vec<double, Dim>;
 
-  /// Sets the prescribed particles; `axes`: bit k of [i] marks component k of particle i. V0: volumes, m^Dim; m:
-  /// masses, kg.
+  /// `axes`: bit k of [i] prescribes component k. V0: m^Dim; m: kg.
   void prescribe(std::vector<unsigned char> axes, const InitialPairs<Dim>& pairs, const std::vector<V>& X,
                  const std::vector<double>& V0, const std::vector<double>& m, const std::vector<int>& first,
                  double h) {
@@ -74,7 +73,7 @@ class PrescribedBoundary {
     }
   }
 
-  /// Sets the prescribed components of `v(i)` to `given(i)` and projects the velocities of their neighbours.
+  /// Prescribes `v(i)` as `given(i)` and projects around.
   template <class Velocity, class Given, class Place>
   void project(const Velocity& v, const Given& given, const Place& x) {
     for (Body& body : bodies_) {
@@ -99,7 +98,7 @@ class PrescribedBoundary {
 
  private:
   struct Body {
-    std::vector<int> points, particles;  // indices of particles
+    std::vector<int> points, particles;  // indices
     BoundaryProjection projection;
   };
   static Point point_of(const V& v) {

@@ -14,9 +14,9 @@
 namespace taut {
 namespace {
 
-/// A wave speed beyond this multiple of c_p means that the run has diverged.
+/// over c_p; beyond, the run has diverged
 constexpr double greatest_wave_ratio = 100;
-using K = Kernel<KernelName::wendland_c2>;  // of all methods of the family
+using K = Kernel<KernelName::wendland_c2>;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ TlMixed<Dim>::TlMixed(Common<Dim>& common, const SolverInput& input, const Kerne
   make_pairs(input);
   flow_.resize(p_.size());
   stress_.resize(p_.size());
-  a_.resize(p_.size() + lanes), a_start_.resize(p_.size());  // packs of a body may begin at any particle
+  a_.resize(p_.size() + lanes), a_start_.resize(p_.size());  // packs may begin anywhere
   dissipation_J_.resize(p_.size() + lanes);
   make_strains();
   f_ = {.size = p_.size(),
@@ -79,7 +79,7 @@ void TlMixed<Dim>::make_pairs(const SolverInput& input) {
   if (c_.boundary_projection == 0)
     pairs = {};
   else
-    pairs.k = std::vector<V>();  // frees the memory; {} would not
+    pairs.k = std::vector<V>();  // frees memory, unlike {}
 }
 
 template <int Dim>
@@ -100,7 +100,7 @@ void TlMixed<Dim>::set_start_gradients() {
   kernels_.start_gradients(f_);
 }
 
-/// Time step limit of the dissipation for two Runge–Kutta stages, s: 2 over its maximum rate, less a tenth for waves.
+/// Time step, s: 2 over the maximum dissipation rate, less a tenth for waves.
 template <int Dim>
 double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
   const double square = biharmonic_spectral_radius(dissipating_lanes_.view(), p_.size(), threads),
@@ -109,21 +109,18 @@ double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
   return 0.9 * 2 * c_.dp / (body_.wave_speed * rate);
 }
 
-/// Time step, s; in 3D α_CFL h/c_p with the fastest wave in the strained bodies, relative to the initial spacing.
-/// [Lee2016] Eq. 44, Algorithm 1, step 2.
-///
-/// Differs from the paper, which has dp for h: 0.3 dp/c_p exceeds the stability limit 0.25 of zigzags at free faces.
-/// In 2D the wave speed is the initial one plus the maximum particle speed.
+/// Time step, s; in 3D α_CFL h/c_p with the fastest wave in the strained body. [Lee2016] Eq. 44 Differs from the
+/// paper, which has dp for h: 0.3 dp/c_p is unstable at free faces.
 template <int Dim>
 double TlMixed<Dim>::step_size() const {
   if (Dim == 2) return common_.fixed_or(std::min(body_.step_size(), dissipation_limit_));
   const double fastest = std::sqrt(kernels_.greatest_stiffness(f_, common_.threads_now()) / c_.rho0);
-  const double at_least = body_.wave_speed;  // a softened body may stiffen again
+  const double at_least = body_.wave_speed;  // softening may be temporary
   if (!(fastest <= greatest_wave_ratio * at_least)) crushed();
   return common_.fixed_or(std::min(c_.cfl * c_.h / std::max(fastest, at_least), dissipation_limit_));
 }
 
-/// Throws NumericalError with the lowest id among the particles with too fast waves.
+/// Reports the lowest id with too fast waves.
 template <int Dim>
 void TlMixed<Dim>::crushed() const {
   const double limit = greatest_wave_ratio * body_.wave_speed;
@@ -140,7 +137,7 @@ void TlMixed<Dim>::crushed() const {
                   culprit, greatest_wave_ratio));
 }
 
-/// U* = U + Δt U̇(U), U** = U* + Δt U̇(U*), result ½ (U + U**). [Lee2016] Eq. 43
+/// U* = U + Δt U̇(U), U** = U* + Δt U̇(U*), then ½ (U + U**). [Lee2016] Eq. 43
 template <int Dim>
 void TlMixed<Dim>::step(double dt) {
   if (common_.contact.prepare(p_, common_.vmax * dt)) common_.show_contacts_to_probes();
@@ -149,8 +146,7 @@ void TlMixed<Dim>::step(double dt) {
   find_rates(dt);
   kernels_.predict(f_, kick, outside, common_.threads_now());
   project_on_boundary(dt);
-  // The mean velocity of both ends conserves both momenta, as stage forces sum to 0 about x at these ends. Clamped
-  // particles stay, although the boundary projection gives them a velocity.
+  // the mean of both ends conserves momenta; clamped particles stay
   parallel_for(p_.size(), common_.threads_now(),
                [&](int i) { p_.x[i] += (0.5 * dt * p_.mobile[i]) * (v_start_[i] + p_.v[i]); });
   find_rates(dt);
@@ -160,12 +156,12 @@ void TlMixed<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Computes the rates without contact and loads. [Lee2016] Algorithm 1, steps 4–8
+/// Rates without contact and loads. [Lee2016] Algorithm 1, steps 4–8
 template <int Dim>
 void TlMixed<Dim>::find_rates(double dt) {
   const int threads = common_.threads_now();
   kernels_.set_columns(f_, threads);
-  common_.contact.evaluate(p_, 0.5 * dt, threads);  // each stage is half the step
+  common_.contact.evaluate(p_, 0.5 * dt, threads);  // half per stage
   kernels_.gather(f_, threads);
   if (method_.jst) kernels_.dissipate(f_, c_, threads);
   if (c_.projection == 0) return;
@@ -181,7 +177,7 @@ StageActions<Dim> TlMixed<Dim>::actions() {
   const bool loaded = external.loads.active(), steered = external.drives.active() || external.guides.active();
   const auto load = [](void* of, int i, V& a) {
     Of& all = *static_cast<Of*>(of);
-    if (all.external.drives.moves(all.particles.id[i])) return;  // loads do no work on driven particles
+    if (all.external.drives.moves(all.particles.id[i])) return;  // driven particles ignore loads
     a = a + all.external.loads.acceleration(all.particles, i);
   };
   const auto steer = [](void* of, int i, V& v) {
@@ -207,8 +203,7 @@ StageActions<Dim> TlMixed<Dim>::actions() {
           .close = loaded || steered ? +close : nullptr};
 }
 
-/// Projects the bodies with clamped, guided or driven particles. [Lee2016] Algorithm 1, step 9. The added energy is
-/// not counted as work.
+/// [Lee2016] Algorithm 1, step 9; the added energy is not work.
 template <int Dim>
 void TlMixed<Dim>::project_on_boundary(double ahead) {
   if (c_.boundary_projection == 0) return;
@@ -229,9 +224,8 @@ void TlMixed<Dim>::project_on_boundary(double ahead) {
                     [&](int i) { return p_.x[i] + ahead * v_start_[i]; });
 }
 
-/// Stops approach under the impulse law. Moves x by the mean velocity change and updates F, J and H alike. x follows
-/// the mean of start and first stage, so a repeatedly stopped particle creeps by dt²/4 times the difference of the
-/// two accelerations per step. Removing this creep would violate angular momentum.
+/// Updates x, F, J and H for impulses. As x follows start and first stage only, stopped particles creep; correcting
+/// this would change angular momentum.
 template <int Dim>
 void TlMixed<Dim>::stop_approach(double dt) {
   bool stopped = false;
@@ -245,7 +239,6 @@ void TlMixed<Dim>::stop_approach(double dt) {
   if (stopped) kernels_.follow(f_, 0.5 * dt, common_.threads_now());
 }
 
-/// Calls take(i, F, J) for each particle of a group.
 template <int Dim>
 template <class Take>
 void TlMixed<Dim>::with_strains(int group, const Take& take) const {

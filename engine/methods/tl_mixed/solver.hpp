@@ -13,19 +13,16 @@
 
 namespace taut {
 
-/// Mixed total-Lagrangian methods, [Lee2016] Algorithm 1. Unknowns are velocity p/ρ0 and F, optionally J and the
-/// cofactor H, with Jameson–Schmidt–Turkel dissipation. In plane strain H is linear in F, so {p, F, H, J} runs as
-/// {p, F, J}.
+/// [Lee2016] Algorithm 1 with velocity p/ρ0 and Jameson–Schmidt–Turkel dissipation. In plane strain H is linear in F,
+/// so H is no unknown.
 ///
 /// Differs from the paper:
-/// - The biharmonic term is L*[L[U]] with the adjoint of L instead of L[L[U]] (Eq. 37b; `adjoint` = 0). L is not
-///   symmetric at surfaces, where L[L[U]] can add energy. The adjoint form always dissipates: −Σ V |L[U]|².
-/// - Boundary conditions act on particles (step 8); on interpolated velocities (step 9) only with
-///   `boundary_projection` = 1.
-/// - Contact forces and loads act outside the projection, evaluated at its Z, where central forces have no moment.
-/// - The sum of internal force and dissipation is projected, which equals projecting each (Eq. 49).
+/// - L*[L[U]] with the adjoint replaces L[L[U]] (Eq. 37b; `adjoint` = 0), which can add energy at surfaces.
+/// - Interpolated velocities (step 9) are prescribed only with `boundary_projection` = 1.
+/// - Contact and loads act outside the projection at its Z, where central forces have no moment.
+/// - Force and dissipation are projected as a sum (Eq. 49).
 ///
-/// External actions are StageActions instead of a Kick, because both stages share a step.
+/// StageActions replace Kick, as stages share a step.
 template <int Dim>
 class TlMixed final : public Scheme<Dim> {
  public:
@@ -45,7 +42,6 @@ class TlMixed final : public Scheme<Dim> {
  private:
   template <class Take>
   void with_strains(int group, const Take& take) const;
-  /// Storage of Strains.
   struct StrainArrays {
     std::vector<Mat<Pack, Dim>> F, H;
     std::vector<AlignedPack> J;
@@ -84,7 +80,7 @@ class TlMixed final : public Scheme<Dim> {
   Columns<1> dissipation_J_;
   double dissipation_limit_ = std::numeric_limits<double>::infinity();  // time step limit, s
   PrescribedBoundary<Kernel<KernelName::wendland_c2>, Dim> boundary_;
-  TlMixedFields<Dim> f_{};  // pointers to the members above
+  TlMixedFields<Dim> f_{};
 };
 
 }  // namespace taut

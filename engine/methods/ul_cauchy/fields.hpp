@@ -4,7 +4,6 @@
 #include "engine/kernels/kernel.hpp"
 #include "engine/methods/ul_cauchy/formulation.hpp"
 
-/// Data of the methods with the whole Cauchy stress, for their passes.
 namespace taut {
 
 /// Velocity (u or û), density, volume, position.
@@ -43,7 +42,7 @@ Motion<Dim> gather_motion(const MotionRow<Dim>* rows, const int* j) {
   gather<MotionRow<Dim>::width>(rows[0].c, j, column);
   return motion_of<Dim>(column, true);
 }
-/// Gathers all but the position.
+/// Without position.
 template <int Dim>
 Motion<Dim> gather_motion_only(const MotionRow<Dim>* rows, const int* j) {
   constexpr int width = Row<Dim + 2>::width;
@@ -58,7 +57,7 @@ Motion<Dim> spread_motion(const MotionRow<Dim>& row) {
   return motion_of<Dim>(column, true);
 }
 
-/// Row gathered by the stress pass; unused columns are omitted.
+/// Row gathered by the stress pass, without unused columns.
 template <const UlCauchyFormulation& M, int Dim>
 struct StressRow {
   static constexpr bool riemann = M.viscosity == Viscosity::riemann;
@@ -72,7 +71,6 @@ struct StressRow {
   static constexpr int width = row_width(columns);
   alignas(row_alignment(columns)) double c[width] = {};
 
-  /// Columns of four rows.
   template <class Columns>
   struct Values : Columns {
     using Columns::column;
@@ -80,7 +78,7 @@ struct StressRow {
     Vec<Pack, Dim> v() const { return vector(v_at); }
     Pack rho() const { return column(rho_at); }
     Pack V() const { return column(V_at); }
-    /// Weight of a neighbour: V or m.
+    /// V or m.
     Pack weight() const { return M.pair_stress == PairStress::squares ? Pack(rho() * V()) : V(); }
     Mat<Pack, Dim> T() const { return matrix(T_at); }  // σ·L, σ or σ/ρ²
     Sym<Pack, Dim> D() const {                         // symmetric part of ∇u
@@ -115,7 +113,7 @@ struct StressRow {
     Pack column(int k) const { return spread[k]; }
   };
 
-  /// Neighbours' values, loaded column by column on use, because they exceed the registers.
+  /// Columns are loaded on use, because all exceed the registers.
   [[gnu::always_inline]] static Values<RowsOfFour> gather(const StressRow* rows, const int* j) {
     return {RowsOfFour(rows[0].c, width, j)};
   }
@@ -137,7 +135,7 @@ struct StressRow {
   }
 };
 
-/// −σ⁺ in the form of StressRow::T; separate, because only some particles need it.
+/// −σ⁺ in the form of StressRow::T; not always needed.
 template <int Dim>
 struct RepulsionRow : Row<Dim * Dim> {
   using Row<Dim * Dim>::c;
@@ -156,21 +154,20 @@ struct RepulsionRow : Row<Dim * Dim> {
   }
 };
 
-/// Results of the gradient pass for a particle.
 template <int Dim>
 struct Gradients {
-  Sym<double, Dim> L{};         // correction of the kernel gradient
+  Sym<double, Dim> L{};         // kernel gradient correction
   Sym<double, Dim> D{};         // symmetric part of ∇u, 1/s
   Vec<double, Dim> grad_rho{};  // kg/m⁴
-  double colour = 0;            // colour function Σ W V
+  double colour = 0;            // Σ W V
 };
 
-/// True if the method uses W itself, not only ∇W.
+/// The method uses W itself.
 constexpr bool needs_kernel(const UlCauchyFormulation& m) {
   return m.artificial_stress || m.transport_velocity;
 }
 
-/// Fields of all particles and pairs; unused arrays are null.
+/// Unused arrays are null.
 template <int Dim>
 struct UlCauchyFields {
   using V = Vec<double, Dim>;
@@ -186,12 +183,12 @@ struct UlCauchyFields {
   MotionRow<Dim>* motion;       // at the start of the step
   MotionRow<Dim>* moved;        // with the new velocity
   MotionRow<Dim>* transported;  // with û
-  void* stress;                 // StressRow of each particle
+  void* stress;                 // StressRows
   RepulsionRow<Dim>* repulsion;
-  const int *begin, *j;                // neighbours that interact as within a body, see Neighbors
-  AlignedPack* w;                      // w(q) of kernels/kernel.hpp, if needs_kernel
-  const AlignedPack* of_one_material;  // 1 or 0; null means all 1
-  // rigid motion of each body since the last neighbour search
+  const int *begin, *j;                // see Neighbors
+  AlignedPack* w;                      // w(q), if needs_kernel
+  const AlignedPack* of_one_material;  // 1 or 0; null: 1
+  // rigid motion of bodies since the last search
   const V *drift, *centre;  // m/s, m
   const double* spin;       // 1/s
 
@@ -201,7 +198,7 @@ struct UlCauchyFields {
   }
   const int* pack(int b) const { return j + static_cast<std::ptrdiff_t>(lanes) * b; }
   const Elasticity& material_of(int i) const { return materials[material[i]]; }
-  /// x_i − x_j of the neighbours in pack `b` at the start of the step, m; exactly opposite for (i, j) and (j, i).
+  /// x_i − x_j at the start of the step, m; exactly opposite for (j, i).
   [[gnu::always_inline]] Vec<Pack, Dim> apart(int i, int b) const {
     const RowsOfFour rows(motion[0].c, MotionRow<Dim>::width, pack(b));
     Vec<Pack, Dim> d;

@@ -5,19 +5,18 @@
 
 namespace taut {
 
-/// Contribution of a pair to (1/ρ) ∇·σ.
+/// Pair term of (1/ρ) ∇·σ.
 enum class PairStress : std::uint8_t {
   product,  // m_j (σ_i + σ_j)/(ρ_i ρ_j), [Khayyer2024] Eq. 9
   squares,  // m_j (σ_i/ρ_i² + σ_j/ρ_j²), [TranDuc2023] Eq. 2.3
 };
 
-/// Form of the density rate.
+/// Density rate.
 enum class Continuity : std::uint8_t {
   velocity_gradient,  // −ρ tr ∇û, [Khayyer2024] Eq. 8, 29
   masses,             // Σ m_j u_ij·∇W, [TranDuc2023] §2.2
 };
 
-/// Damping of pair velocities.
 enum class Viscosity : std::uint8_t {
   none,
   artificial,  // [Khayyer2024] Eq. 15, 16
@@ -41,28 +40,28 @@ struct UlCauchyFormulation : Formulation, UlCauchySwitches {
 };
 
 struct UlCauchyConstants : Constants {
-  double alpha = 0;                      // artificial viscosity
-  double riemann_factor = 0;             // dissipation of the second-order Riemann term
-  double geometry = 0;                   // point of the step at which ∇u is taken: 0 start, 1 end
-  double xsph = 0;                       // share of the local mean in the transport velocity
-  double delta = 0;                      // density diffusion
-  double epsilon = 0, exponent = 0;      // artificial stress
-  double surface_colour = 0;             // colour function limit of surface particles
-  double vicinity = 0;                   // reach of the surface, in spacings
-  double surface_artificial_stress = 0;  // its share where TIC is off
-  double step_speed = 0;                 // wave speed in the step limit, m/s
+  double alpha = 0;
+  double riemann_factor = 0;  // second-order dissipation
+  double geometry = 0;        // ∇u at 0: start of the step, 1: end
+  double xsph = 0;            // XSPH share
+  double delta = 0;
+  double epsilon = 0, exponent = 0;
+  double surface_colour = 0;             // limit at surfaces
+  double vicinity = 0;                   // of surfaces, spacings
+  double surface_artificial_stress = 0;  // share of it without TIC
+  double step_speed = 0;                 // wave speed for steps, m/s
 };
 
-/// True: forces of all methods use the stored stress.
+/// Forces use the stored stress.
 constexpr bool carries_stress(const UlCauchyFormulation&) { return true; }
 
 constexpr bool consistent(const UlCauchyFormulation& m) {
-  // second-order terms and TIC need corrected gradients
+  // these need corrected gradients
   const bool second_order = m.density_diffusion || m.viscosity == Viscosity::riemann || m.tensile_control;
   return m.artificial_stress == (m.epsilon > 0) && (m.corrected || !second_order) &&
-         (!m.tensile_control || m.artificial_stress) &&             // TIC keeps it at surfaces
-         (m.pair_stress == PairStress::product || !m.corrected) &&  // no paper has both
-         m.greatest_dim == 2;                                       // limit of the passes
+         (!m.tensile_control || m.artificial_stress) &&             // used at surfaces
+         (m.pair_stress == PairStress::product || !m.corrected) &&  // not in any paper
+         m.greatest_dim == 2;                                       // of the passes
 }
 
 }  // namespace taut

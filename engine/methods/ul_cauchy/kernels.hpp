@@ -8,14 +8,13 @@
 
 namespace taut {
 
-/// Loops of a method, documented in passes.hpp.
 template <int Dim>
 struct UlCauchyKernels {
   using Fields = UlCauchyFields<Dim>;
 
-  double support;          // of the kernel, in h
+  double support;          // in h
   std::size_t stress_row;  // bytes of a StressRow
-  bool needs_kernel;       // the method uses W itself
+  bool needs_kernel;
   void (*gradients)(const Fields& f, const UlCauchyConstants& c, const Threads& threads);
   double (*stresses)(const Fields& f, const UlCauchyConstants& c, const Kick<Dim>& kick,
                      const Threads& threads);

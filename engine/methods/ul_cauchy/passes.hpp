@@ -17,10 +17,10 @@
 #include "engine/terms/velocity_gradient.hpp"
 #include "engine/terms/xsph.hpp"
 
-/// Loops over neighbours. They gather over i, so results do not depend on the number of threads.
+/// All loops gather over i, so results do not depend on the number of threads.
 namespace taut {
 
-/// Geometry of four pairs (i, j) at the start of the step. Padding has w′/q = 0 and r beyond the support.
+/// Geometry of pairs at the start of the step. Padding: w′/q = 0, r beyond the support.
 template <int Dim>
 struct CauchyPair {
   Vec<Pack, Dim> d;  // x_i − x_j, m
@@ -28,8 +28,8 @@ struct CauchyPair {
   Pack dw_per_q;     // w′(q)/q of kernels/kernel.hpp
 };
 
-/// Scales of W and ∇W. The terms expect ∂W/∂r, r and e_ij. To avoid a division, the passes give them w′/q, `one` and
-/// x_i − x_j instead and scale the sums: ∇_i W = α/h^(Dim+2) w′/q (x_i − x_j).
+/// Scales of W and ∇W. To avoid divisions, terms get w′/q, `one` and x_i − x_j for ∂W/∂r, r and e_ij; sums are scaled
+/// by α/h^(Dim+2).
 template <const UlCauchyFormulation& M, int Dim>
 struct KernelScale {
   using K = Kernel<M.kernel>;
@@ -49,7 +49,7 @@ struct KernelScale {
   }
 };
 
-/// Sets the StressRow of particle i and its artificial stress R.
+/// Fills the StressRow and R.
 template <const UlCauchyFormulation& M, int Dim>
 void set_stress(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, int i, const Gradients<Dim>& g) {
   using Row = StressRow<M, Dim>;
@@ -79,7 +79,7 @@ void set_stress(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, int i,
   if constexpr (M.tensile_control) row.put(Row::surface_at, g.colour < c.surface_colour);
 }
 
-/// Computes ∇u, ∇ρ, the colour function and L_i of every particle, W of the pairs, and the stress rows.
+/// Computes gradients, colour, L_i and W, then stress rows.
 template <const UlCauchyFormulation& M, int Dim>
 void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Threads& threads) {
   using K = Kernel<M.kernel>;
@@ -112,14 +112,14 @@ void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Artificial stress of particle i, in units of ∇W.
+/// In units of ∇W.
 template <const UlCauchyFormulation& M, int Dim>
 class Repulsion {
  public:
   explicit Repulsion(const UlCauchyConstants& c)
       : scale_(c.h), per_w_dp_(1 / K::w(c.dp / c.h)), exponent_(c.exponent) {}
 
-  /// Sum over the neighbours in pack `b` with geometry `pair`.
+  /// For the neighbours in pack `b`.
   Vec<Pack, Dim> term(const UlCauchyFields<Dim>& f, const Mat<Pack, Dim>& R_i, int b,
                       const CauchyPair<Dim>& pair, const Pack& weight) const {
     const Pack close = power(Pack(per_w_dp_ * f.w[b].value), exponent_);  // (W/W(dp))ⁿ
@@ -141,8 +141,7 @@ class Repulsion {
   double per_w_dp_, exponent_;
 };
 
-/// Computes dv/dt and density diffusion, kg/(m³ s), of every particle and advances v by the whole step. Returns the
-/// maximum v², m²/s².
+/// Advances v and computes density diffusion, kg/(m³ s). Returns maximum v², m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Kick<Dim>& kick,
                    const Threads& threads) {
@@ -203,9 +202,8 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Computes û from the new velocities. [Khayyer2024] Eq. 14. Clamped, guided and driven particles keep their
-/// prescribed velocity. Positions in `transported` are `ahead`, s, of the start of the step. Returns the maximum
-/// squared velocity relative to the rigid motion of the body, m²/s².
+/// Computes û, [Khayyer2024] Eq. 14, and positions `ahead`, s, of the start. Constrained particles keep prescribed
+/// velocities. Returns the maximum squared velocity relative to rigid motion, m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
                       double ahead, const Threads& threads) {
@@ -238,8 +236,7 @@ double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, 
   });
 }
 
-/// Advances densities, stresses and positions with ∇û and the geometry in `transported`. [Khayyer2024] Eq. 8, 13, 27,
-/// 29
+/// Advances densities, stresses and positions with ∇û. [Khayyer2024] Eq. 8, 13, 27, 29
 template <const UlCauchyFormulation& M, int Dim>
 void rate_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, double dt, const Threads& threads) {
   using K = Kernel<M.kernel>;

@@ -9,11 +9,10 @@
 
 namespace taut {
 
-/// Updated-Lagrangian methods with the divergence of the whole Cauchy stress σ = −pI + s: [Khayyer2024] and, in the
-/// current configuration, [TranDuc2023].
+/// Divergence of the whole σ = −pI + s: [Khayyer2024] and, in the current configuration, [TranDuc2023].
 ///
-/// Neighbour lists reach a skin beyond the kernel. They are valid until a particle has moved half the skin relative
-/// to the rigid motion of its body. Particles beyond the support have zero weight.
+/// Neighbour lists include a skin and stay valid until a particle has moved half of it relative to its body's rigid
+/// motion.
 template <int Dim>
 class UlCauchy final : public Scheme<Dim> {
  public:
@@ -31,7 +30,7 @@ class UlCauchy final : public Scheme<Dim> {
   void load(Loader& loader) override { serialize(loader); }
 
  private:
-  /// In spacings; a longer skin means fewer searches and more pairs.
+  /// In spacings; longer: fewer searches, more pairs.
   static constexpr double skin = 0.25;
   struct alignas(64) CacheLine {
     double c[8];
@@ -61,7 +60,7 @@ class UlCauchy final : public Scheme<Dim> {
   CellGrid<Dim> grid_;
   NeighborSearch<Dim> search_;
 
-  // arrays of UlCauchyFields
+  // see UlCauchyFields
   std::vector<double> rho_, drho_;
   std::vector<S> s_;
   std::vector<MotionRow<Dim>> motion_, moved_, transported_;
@@ -69,12 +68,12 @@ class UlCauchy final : public Scheme<Dim> {
   std::vector<RepulsionRow<Dim>> repulsion_;
   Neighbors near_;
   std::vector<AlignedPack> w_, of_one_material_;
-  // rigid motion of each body since the last search; 0 with sph_contact_
+  // rigid motion at the last search; 0 with sph_contact_
   std::vector<V> drift_;      // m/s
   std::vector<double> spin_;  // 1/s
-  std::vector<V> centre_;     // position after drift, m
-  double way_ = 0;            // maximum distance moved relative to this motion, m
-  UlCauchyFields<Dim> f_{};   // pointers to the members above
+  std::vector<V> centre_;     // drifted position, m
+  double way_ = 0;            // maximum distance relative to it, m
+  UlCauchyFields<Dim> f_{};
 };
 
 }  // namespace taut

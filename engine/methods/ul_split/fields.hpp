@@ -5,10 +5,9 @@
 #include "engine/core/rows.hpp"
 #include "engine/methods/ul_split/formulation.hpp"
 
-/// Data of the updated-Lagrangian methods with separate pressure and shear, for their passes.
 namespace taut {
 
-/// Row of a neighbour that every pass gathers: velocity (or another vector), pressure, volume.
+/// Velocity (or another vector), pressure and volume, gathered by every pass.
 template <int Dim>
 struct FlowRow : Row<Dim + 2> {
   using Row<Dim + 2>::c;
@@ -25,7 +24,7 @@ struct Flow {
   T V;            // m^Dim
 };
 
-/// Gathered symmetric tensor and scalar of a particle.
+/// Symmetric tensor and scalar, gathered by passes.
 template <int Dim>
 struct TensorRow : Row<Sym<double, Dim>::size + 1> {
   using Row<Sym<double, Dim>::size + 1>::c;
@@ -90,20 +89,18 @@ struct PairGeometry {
   Pack inverse_distance;    // (1/r)/(∂W/∂r); 0 between bodies: no shear
 };
 
-/// Geometry of all pairs, cached until the next rebuild; 0 in padding lanes. Gradients of (i, j) and (j, i) are
-/// exactly opposite. In 3D the cache saves memory by single precision, in kernel units, which fit its range for any
-/// spacing. Sums over pairs are in double precision.
+/// Geometry of all pairs, cached until the next rebuild; 0 in padding. Gradients of (i, j) and (j, i) are exactly
+/// opposite. In 3D, single precision saves memory; kernel units fit its range.
 template <int Dim>
 struct PairCache {
   static constexpr bool halved = Dim == 3;
   using Kept = std::conditional_t<halved, HalfPack, AlignedPack>;
-  /// Lower bound of −r ∂W/∂r in these units. Below it, at the edge of the kernel or at coincident particles, the
-  /// geometry is 0, because its inverses would overflow.
+  /// Minimum −r ∂W/∂r in kernel units; below it the geometry is 0, because inverses would overflow.
   static constexpr double least = halved ? 1e-30 : 0;
 
   Kept* gradients;  // Dim per pack
   Kept *inverse_slopes, *inverse_distances;
-  Kept* closeness_of;        // with artificial stress only
+  Kept* closeness_of;        // for artificial stress
   double steepness, length;  // kernel units, 1/m^(Dim+1), m; 1 unless halved
 
   void set(int b, const PairGeometry<Dim>& pairs) const {
@@ -132,12 +129,12 @@ struct PairCache {
   }
 };
 
-/// A pack of neighbours of i with particles of other bodies that interact with i as with its own body's.
+/// A pack of neighbours of i with particles of another body, if these interact with i.
 struct MixedPack {
   int i, pack;
 };
 
-/// Fields of all particles and pairs; unused arrays are null.
+/// Unused arrays are null.
 template <int Dim>
 struct UlSplitFields {
   using V = Vec<double, Dim>;
@@ -151,19 +148,18 @@ struct UlSplitFields {
   double *rho, *drho;     // kg/m³ and its rate
   V *a_shear, *da_shear;  // accumulated shear acceleration, m/s², and its rate
   S *s, *ds;              // deviatoric stress, Pa, and its rate
-  bool sph_contact;       // particles interact across bodies as in one body
+  bool sph_contact;       // bodies interact as one
 
-  // gathered by the passes
   FlowRow<Dim>* flow;         // mid-step v, p, V
   FlowRow<Dim>* flow_new;     // with the new velocity
   TensorRow<Dim>* stress;     // s
-  TensorRow<Dim>* repulsion;  // artificial stress R and mass
-  // kernel gradient correction and volume at the last rebuild, for recovered stress
+  TensorRow<Dim>* repulsion;  // artificial stress and mass
+  // gradient correction and volume at the last rebuild
   TensorRow<Dim>* recovery;
 
   // from the last rebuild
   const int *begin, *j;  // neighbours, see Neighbors
-  int* meets;            // 1: i has neighbours in other bodies
+  int* meets;            // 1: has neighbours in other bodies
   PairCache<Dim> pairs;
   const MixedPack* mixed;
   int mixed_count;

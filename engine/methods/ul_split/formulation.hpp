@@ -5,19 +5,18 @@
 
 namespace taut {
 
-/// Action of the shear stress on the velocity.
 enum class Shear : std::uint8_t {
-  nested_stress,  // ∇·s, s from the Jaumann rate of the velocity gradient; [Zhang2024] Eq. 7, 13, 14
-  laplacian_velocity,  // ∫ G/ρ ∇²v dt with the operator that conserves angular momentum; [Zhang2024] Eq. 19, 20
-  laplacian_velocity_nonconservative,  // with the plain operator; [Zhang2024] Eq. 18
+  nested_stress,       // ∇·s, Jaumann rate; [Zhang2024] Eq. 7, 13, 14
+  laplacian_velocity,  // ∫ G/ρ ∇²v dt, conserves angular momentum; [Zhang2024] Eq. 19, 20
+  laplacian_velocity_nonconservative,  // plain operator; [Zhang2024] Eq. 18
 };
 
 struct UlSplitSwitches {
   Shear shear = Shear::nested_stress;
   bool artificial_stress = false;    // Gray's
   double epsilon = 0, exponent = 0;  // of the artificial stress
-  double beta_least = 1;       // of the dissipation in P*: 1 = linear, 0 = limited; see terms/riemann.hpp
-  double cfl_advection = 0.2;  // [Zhang2024] Eq. 21
+  double beta_least = 1;             // dissipation in P*: 1 linear, 0 limited; see terms/riemann.hpp
+  double cfl_advection = 0.2;        // [Zhang2024] Eq. 21
 };
 
 struct UlSplitFormulation : Formulation, UlSplitSwitches {
@@ -25,24 +24,23 @@ struct UlSplitFormulation : Formulation, UlSplitSwitches {
 };
 
 struct UlSplitConstants : Constants {
-  double zeta = 0;                             // factor of the Laplacian, [Zhang2024] Eq. 19
+  double zeta = 0;                             // of the Laplacian, [Zhang2024] Eq. 19
   double epsilon = 0, exponent = 0;            // of the artificial stress
   double riemann_limiter = 0, beta_least = 1;  // β = min(max(limiter · (U_L − U_R)/c0, β_least), 1)
   double pressure_diffusion = 0;               // share of (p_i − p_j)/(2 ρ0 c0) in U*: 0 or 1
   double cfl_advection = 0;
-  double step_speed = 0;  // wave speed in the step limit, m/s
+  double step_speed = 0;  // wave speed for steps, m/s
 };
 
-/// True if forces use the stored stress, false if it is recovered for display only.
+/// False if stress is only recovered for display.
 constexpr bool carries_stress(const UlSplitFormulation& m) { return m.shear == Shear::nested_stress; }
 
-/// True if neighbours strain clamped particles. Stress is then continuous across the clamp; otherwise `oas` tears off
-/// it. Without stored stress, clamps are rigid with constant density; strained clamps would make `enog` too stiff
-/// there. [Zhang2024] does not specify this.
+/// If true, stress is continuous across clamps; otherwise `oas` tears off. Clamps without stress are rigid: strained,
+/// they would make `enog` too stiff. [Zhang2024] does not specify this.
 constexpr bool strains_what_is_held(const UlSplitFormulation& m) { return carries_stress(m); }
 
 constexpr bool consistent(const UlSplitFormulation& m) {
-  return (!m.artificial_stress || carries_stress(m)) &&  // the artificial stress is computed from the stress
+  return (!m.artificial_stress || carries_stress(m)) &&  // which it is computed from
          m.artificial_stress == (m.epsilon > 0) && m.cfl_advection > 0;
 }
 

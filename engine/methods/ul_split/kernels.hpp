@@ -6,12 +6,11 @@
 
 namespace taut {
 
-/// Loops of a method, documented in passes.hpp.
 template <int Dim>
 struct UlSplitKernels {
   using Fields = UlSplitFields<Dim>;
 
-  double support;  // of the kernel, in h
+  double support;  // in h
   double (*steepness)(const UlSplitConstants& c);
   void (*geometry)(const Fields& f, const UlSplitConstants& c, const Threads& threads);
   void (*contact_geometry)(const Fields& f, const UlSplitConstants& c);

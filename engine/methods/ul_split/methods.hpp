@@ -2,8 +2,8 @@
 
 #include "engine/methods/ul_split/formulation.hpp"
 
-/// Methods of [Zhang2024] and those it compares with. The paper names the artificial stress without equations or
-/// values; these are from Gray, Monaghan, Swift (2001).
+/// Methods compared in [Zhang2024]. Its artificial stress lacks equations and values; these are from Gray, Monaghan,
+/// Swift (2001).
 namespace taut {
 
 inline constexpr UlSplitFormulation og{

@@ -14,10 +14,9 @@
 #include "engine/terms/stress_rate.hpp"
 #include "engine/terms/velocity_gradient.hpp"
 
-/// All loops over neighbours. They gather over i, so results do not depend on the number of threads.
+/// All loops gather over i, so results do not depend on the number of threads.
 namespace taut {
 
-/// Computes the geometry of pairs.
 template <const UlSplitFormulation& M, int Dim>
 class PairKernel {
  public:
@@ -31,7 +30,7 @@ class PairKernel {
   /// α/h^(Dim+1)
   static double steepness(const UlSplitConstants& c) { return K::alpha(Dim) / power<Dim + 1>(c.h); }
 
-  /// Geometry for x_i − x_j = d; 0 for coincident particles, which include padding.
+  /// For x_i − x_j = d; 0 for coincident particles and padding.
   PairGeometry<Dim> geometry(const Vec<Pack, Dim>& d) const {
     Pack slope_per_distance;
     return geometry(d, slope_per_distance);
@@ -42,7 +41,7 @@ class PairKernel {
     const Pack dW = alpha_ * K::dw(Pack(per_h_ * r));
     const Pack product = r * dW;
     const PackIndex acting = product < -least_;
-    const Pack inverse = 1 / (acting ? product : filled<Pack>(1));  // one division for both inverses
+    const Pack inverse = 1 / (acting ? product : filled<Pack>(1));  // one division
     const Pack inv_r = inverse * dW, inv_dW = inverse * r, none{};
     slope_per_distance = acting ? Pack(dW * inv_r) : none;
     return {slope_per_distance * d, acting ? inv_dW : none, acting ? inverse : none};
@@ -57,10 +56,9 @@ class PairKernel {
   double per_h_, alpha_, least_, per_w_dp_, exponent_;
 };
 
-/// Computes the geometry of all pairs.
 template <const UlSplitFormulation& M, int Dim>
 void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Threads& threads) {
-  // rows of position, body and volume, ready to be gathered
+  // position, body, volume
   parallel_for(s.size, threads, [&](int i) { s.flow[i].set(s.x[i], s.body[i], s.m[i] / s.rho[i]); });
   parallel_pass(s.size, threads, [&, kernel = PairKernel<M, Dim>(c)](int i) {
     const Flow<Dim, Pack> here = spread_flow(s.flow[i]);
@@ -88,9 +86,8 @@ void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const
   });
 }
 
-/// Updates the geometry of pairs of two bodies in each step. With stale gradients, bodies would separate on steeper
-/// gradients than they met on, and stick. Differs from [Zhang2024] §5, which caches all pairs between advection
-/// steps.
+/// Updates pairs of two bodies in each step; otherwise bodies separate on steeper gradients than they met on, and
+/// stick. Differs from [Zhang2024] §5, which caches all pairs between advection steps.
 template <const UlSplitFormulation& M, int Dim>
 void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c) {
   const PairKernel<M, Dim> kernel(c);
@@ -113,7 +110,7 @@ void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& 
   }
 }
 
-/// ∇_i W of pairs within a body, 0 for pairs of two bodies.
+/// ∇_i W; 0 for pairs of two bodies.
 template <int Dim>
 Vec<Pack, Dim> gradient_inside(const UlSplitFields<Dim>& s, int i, int b) {
   Vec<Pack, Dim> g = s.pairs.gradient(b);
@@ -122,9 +119,8 @@ Vec<Pack, Dim> gradient_inside(const UlSplitFields<Dim>& s, int i, int b) {
   return g;
 }
 
-/// Computes dv/dt from shear and the Riemann pressure of each pair, then v over the whole step (Eq. 24) and x to its
-/// end (Eq. 25). The terms expect ∂W/∂r and e_ij; they get `one` and the product ∇_i W instead. Returns the maximum
-/// v², m²/s².
+/// Advances v by pressure and shear over the step (Eq. 24), then x to its end (Eq. 25). Terms get `one` and ∇_i W for
+/// ∂W/∂r and e_ij. Returns maximum v², m²/s².
 template <const UlSplitFormulation& M, int Dim>
 double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Kick<Dim>& kick,
                      const Threads& threads) {
@@ -134,7 +130,7 @@ double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, con
     [[maybe_unused]] Tensor<Dim> s_i, R_i;
     if constexpr (carries_stress(M)) s_i = spread_tensor(s.stress[i]);
     if constexpr (M.artificial_stress) R_i = spread_tensor(s.repulsion[i]);
-    Vec<Pack, Dim> force{};  // per volume, N/m³
+    Vec<Pack, Dim> force{};  // N/m³
     [[maybe_unused]] Vec<Pack, Dim> repulsion{};
     for (int b = s.begin[i]; b < s.begin[i + 1]; ++b) {
       const int* j = s.pack(b);
@@ -162,8 +158,7 @@ double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, con
   });
 }
 
-/// Force of body `b` on body `a` in the last momentum_pass, N (per metre depth in 2D), for bodies that interact as
-/// one. Shear acts only within a body.
+/// Force of body `b` on `a` in the last momentum_pass, N (per metre depth in 2D). No shear acts between bodies.
 template <const UlSplitFormulation& M, int Dim>
 Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const UlSplitConstants& c, int a, int b) {
   const Dissipation dissipation{c.rho0 * c.c0, c.riemann_limiter / c.c0, c.beta_least};
@@ -188,8 +183,7 @@ Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const UlSplitConstan
   return total;
 }
 
-/// Computes the rates of density and of stress or shear acceleration from the new velocities, and applies them over
-/// `dt`, the second half step (Eq. 25).
+/// Advances density and stress or shear acceleration by `dt`, the second half step (Eq. 25).
 template <const UlSplitFormulation& M, int Dim, bool pressure_diffusion>
 void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Steering<Dim>& steering,
                double dt, const Threads& threads) {
@@ -219,8 +213,7 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
     s.drho[i] = s.rho[i] * sum(compression);
     if constexpr (!strains_what_is_held(M)) s.drho[i] *= s.mobile[i];
     if constexpr (M.shear == Shear::nested_stress) s.ds[i] = jaumann_rate<M.deviator>(sum(L), s.s[i], c.G);
-    // G/ρ is inside the time integral. Outside, as in [Zhang2024] Eq. 20, m_i/ρ_i and V_j would belong to different
-    // times, and linear momentum would drift.
+    // G/ρ is inside the time integral; outside, as in [Zhang2024] Eq. 20, linear momentum would drift.
     const double inv_rho = s.flow_new[i].c[Dim + 1] / s.m[i];
     if constexpr (M.shear == Shear::laplacian_velocity)
       s.da_shear[i] = (c.zeta * c.G * inv_rho) * sum(laplacian);
@@ -244,12 +237,9 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
     rate_pass<M, Dim, true>(s, c, steering, dt, threads);
 }
 
-/// Recovers the current stress into out[k] for particle particles[k], or k if `particles` is null, for methods whose
-/// forces do not use it. `displacement` d since the last recovery gives s += 2G dev ε(d) + rotation, with the
-/// corrected gradient. [Zhang2024] Eq. 6–8, 26, 27
-///
-/// As the pair geometry is constant meanwhile, this equals the integral over all steps. Differs from the paper, which
-/// uses current volumes and corrections; here they are cached too.
+/// Recovers the current stress of particles[k], or k if null, into out[k] from the displacement d since the last
+/// recovery: s += 2G dev ε(d) + rotation. [Zhang2024] Eq. 6–8, 26, 27 Since pair geometry is cached, this equals the
+/// integral over steps. Differs from the paper in cached volumes and corrections.
 template <const UlSplitFormulation& M, int Dim>
 void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const FlowRow<Dim>* displacement,
                     const int* particles, int count, Sym<double, Dim>* out, const Threads& threads) {
@@ -268,7 +258,7 @@ void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, cons
   });
 }
 
-/// Advances positions, densities and shear by `dt`, the first half step, Eq. 23.
+/// First half step, Eq. 23.
 template <const UlSplitFormulation& M, int Dim>
 void half_drift(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double dt, const Threads& threads) {
   parallel_pass(s.size, threads, [&](int i) {

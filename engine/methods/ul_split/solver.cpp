@@ -16,7 +16,7 @@ UlSplitConstants split_constants(const SolverInput& input) {
   const auto& method = *as<UlSplitFormulation>(input.method);
   UlSplitConstants c =
       constants_of(ul_split::constants(method, input.scene.dim), input.constants, input.values);
-  constexpr double known = 0.75;  // G/K for ν = 0.2; softer materials are stable with c0
+  constexpr double known = 0.75;  // G/K for ν = 0.2; `enog` needs shorter steps above
   c.step_speed = c.zeta > 0 ? step_speed(input, c.zeta, known) : step_speed(input);
   return c;
 }
@@ -50,17 +50,16 @@ UlSplit<Dim>::UlSplit(Common<Dim>& common, const SolverInput& input, const Kerne
   greatest_speed_ = common_.vmax;
 }
 
-/// Time step, s, [Zhang2024] Eq. 22, with a faster wave speed if the material is stiffer in shear than the paper's.
+/// s, [Zhang2024] Eq. 22, but faster waves for materials stiff in shear.
 template <int Dim>
 double UlSplit<Dim>::step_size() const {
   return common_.fixed_or(c_.cfl * c_.h / (c_.step_speed + common_.vmax));
 }
 
-/// One acoustic step, [Zhang2024] Eq. 22–25.
+/// [Zhang2024] Eq. 22–25.
 template <int Dim>
 void UlSplit<Dim>::step(double dt) {
-  // Eq. 21 as a distance at the maximum speed since the start. This covers bodies that accelerate within an advection
-  // step or are at a turning point.
+  // Eq. 21 as a distance at the maximum speed since the start, which is safe at turning points
   if (stepping_ == Stepping::single ? common_.run.steps > 0 : advected_ >= c_.cfl_advection * c_.h) rebuild();
   common_.contact.prepare(p_, common_.vmax * dt);
   kernels_.half_drift(f_, c_, 0.5 * dt, common_.threads_now());
@@ -72,7 +71,7 @@ void UlSplit<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Computes velocities over the whole step, Eq. 24, and positions at its end, Eq. 25.
+/// Velocities (Eq. 24) and positions (Eq. 25) at the end.
 template <int Dim>
 void UlSplit<Dim>::accelerate(double dt) {
   const Kick<Dim> kick = common_.kick(dt, common_.run.time + dt);
@@ -85,13 +84,13 @@ void UlSplit<Dim>::accelerate(double dt) {
   greatest_speed_ = std::max(greatest_speed_, common_.vmax);
 }
 
-/// Computes densities and shear at the end of the step from the new velocities, Eq. 25.
+/// Densities and shear at the end, Eq. 25.
 template <int Dim>
 void UlSplit<Dim>::close_rates(double dt) {
   kernels_.rates(f_, c_, common_.external.steering(), dt, common_.threads_now());
 }
 
-/// Updates the configuration: particle order by cell, neighbours, pair geometry.
+/// Sorts particles by cell; updates neighbours and pair geometry.
 template <int Dim>
 void UlSplit<Dim>::rebuild() {
   const int threads = common_.threads_now();
@@ -109,7 +108,7 @@ void UlSplit<Dim>::rebuild() {
   common_.probes.rebuilt(p_, near_, common_.run.support);
   advected_ = 0;
   if (!at_start) return;
-  // rates at t = 0 for the first half step
+  // initial rates for the first half step
   for (int i = 0; i < p_.size(); ++i) flow_new_[i].set(p_.v[i], 0, p_.m[i] / rho_[i]);
   close_rates(0);
 }
@@ -167,7 +166,7 @@ void UlSplit<Dim>::bind_fields() {
         .mixed_count = static_cast<int>(mixed_.size())};
 }
 
-/// Displacements since the last stress recovery, with the volumes of that time.
+/// Since the last recovery, with its volumes.
 template <int Dim>
 std::vector<FlowRow<Dim>> UlSplit<Dim>::displacements() const {
   std::vector<FlowRow<Dim>> rows(p_.x.size());
@@ -197,7 +196,7 @@ void UlSplit<Dim>::show(Snapshot& out, std::span<const int> groups) const {
   });
 }
 
-/// With contact `sph`, bodies interact by pressure and artificial stress.
+/// Under `sph`, bodies interact by pressure and artificial stress.
 template <int Dim>
 auto UlSplit<Dim>::contact_force(const Probe& probe, double dt) const -> V {
   if (probe.wall >= 0 || !sph_contact_) return common_.contact_force(probe, dt);
