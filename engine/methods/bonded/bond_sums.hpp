@@ -8,17 +8,16 @@
 
 namespace taut {
 
-/// Sums over the bonds of four particles.
 template <int Dim>
 struct BondSums {
   Mat<Pack, Dim> A{};      // Σ_j (x_j − x_i) ⊗ a_ij
   Vec<Pack, Dim> force{};  // N
-  Pack energy{};           // J; if requested
+  Pack energy{};           // J, if requested
   Pack stiffest{};         // maximum s + 1/(4s²)
 };
 
-/// Returns the sums with damping. `places`: x and x + 3 τ v; the product of their differences over r0² is s + 3 τ q̇,
-/// which replaces s in 3 φ′/λ = s − ¾ − 1/(4s²). r² is at least `least_r2`, m².
+/// `places`: x and x + 3 τ v. With s + 3 τ q̇ for s, 3 φ′/λ = s − ¾ − 1/(4s²) includes damping. Lower limit of r²:
+/// `least_r2`, m².
 template <bool WithEnergy, int Dim, class Storage>
 [[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBondsView<Dim, Storage>& bonds,
                                                       const ColumnsView<2 * Dim>& places, int group,
@@ -59,7 +58,7 @@ inline constexpr TermInfo bonded_damping_info{
     "methods/bonded/bond_sums.hpp:bond_sums",
     "oenog: the damping takes a zigzag away and leaves the first mode alone"};
 
-/// Adds Σ_j (Q_i + Q_j) a_ij to the forces on four particles.
+/// Adds Σ_j (Q_i + Q_j) a_ij.
 template <int Dim, class Storage>
 [[gnu::always_inline]] inline void add_stress_force(const PackedBondsView<Dim, Storage>& bonds,
                                                     const ColumnsView<Dim * Dim>& Q, int group,

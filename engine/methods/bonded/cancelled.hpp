@@ -13,32 +13,31 @@
 
 namespace taut {
 
-/// Cancellation for four particles on axis-aligned lattices with rectangular cells, where e ⊗ e of diagonals differ
-/// only in signs.
+/// On axis-aligned lattices, e ⊗ e of diagonals differ only in signs.
 template <int Dim>
 struct alignas(sizeof(Pack)) CancelledOnLattice {
   static constexpr int faces = Dim == 2 ? 1 : 3;
   struct Face {
-    Pack aa, bb, ab;  // e ⊗ e of the diagonal with e_a e_b > 0, for axes a < b
+    Pack aa, bb, ab;  // diagonal with e_a e_b > 0, axes a < b
     Pack third[2];    // ⅓ G V0_i w_ij, J; e_a e_b > 0 and < 0
   };
   struct Across {
-    Sym<Pack, 3> dyad;  // e ⊗ e of the diagonal with positive products
+    Sym<Pack, 3> dyad;  // diagonal with positive products
     Pack third[4];      // all products > 0; only xy, xz or yz > 0
   };
   Pack axis[Dim];  // ⅓ G V0_i w_ij, J
   Face face[faces];
   Across across;  // in 3D
 
-  /// Adds a bond of a lane's particle; merges parallel bonds. Returns false if it does not fit the lattice.
+  /// Merges parallel bonds. Returns false for bonds off the lattice.
   bool add(int lane, const Sym<double, Dim>& dyad, double Gw);
-  /// Returns G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e for C.
+  /// G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e.
   Sym<Pack, Dim> slopes(const Sym<Pack, Dim>& C) const;
 
  private:
-  /// Axes of the n-th face.
+  /// Axes of face n.
   static constexpr std::array<int, 2> plane(int n) { return {n == 2 ? 1 : 0, n == 0 ? 1 : 2}; }
-  /// Stores the first value of a lane; returns false for a different value.
+  /// Returns false if the lane has a different value.
   static bool can_store(Pack& known, int lane, double value) {
     if (known[lane] == 0) known[lane] = value;
     return std::abs(known[lane] - value) < 1e-12;
@@ -106,18 +105,18 @@ Sym<Pack, Dim> CancelledOnLattice<Dim>::slopes(const Sym<Pack, Dim>& C) const {
   return S;
 }
 
-/// Cancellation of bonds (THEORY.md, Energy) for groups of four particles. It depends on C only, since s° = e·C e,
-/// and merges opposite bonds. Storage as in PackedBonds.
+/// Cancellation (THEORY.md, Energy) in groups of four particles; opposite bonds are merged. Storage as in
+/// PackedBonds.
 template <int Dim, class Storage = AlignedPack>
 struct CancelledView {
   static constexpr int dyad_size = Sym<Pack, Dim>::size - 1;
-  /// e ⊗ e of a bond without the last component, since the trace is 1.
+  /// e ⊗ e without the last component, since the trace is 1.
   struct Dyad {
     Storage c[dyad_size];
   };
   class Stretch;
   struct GroupRows {
-    int dyad, third, count;  // first indices; count is even, padded with strength 0
+    int dyad, third, count;  // first indices; even count
     int on_lattice;          // −1 if off-lattice
   };
 
@@ -126,20 +125,19 @@ struct CancelledView {
   const Storage* thirds = nullptr;  // ⅓ G V0_i w_ij, J
   const CancelledOnLattice<Dim>* on_lattice = nullptr;
 
-  /// Returns G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e, J, for C = Fᵀ F.
+  /// G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e, J.
   Sym<Pack, Dim> slopes(int group, const Sym<Pack, Dim>& C) const;
-  /// Returns G V0_i Σ_j w_ij φ_c(s°), J.
+  /// G V0_i Σ_j w_ij φ_c(s°), J.
   Pack energy(int group, const Sym<Pack, Dim>& C) const;
 };
 
-/// Storage of CancelledView.
 template <int Dim, class Storage = AlignedPack>
 class CancelledBonds {
  public:
   using View = CancelledView<Dim, Storage>;
 
   CancelledBonds() = default;
-  /// `terms_of(i)` returns the CancelledTerms of particle i < n; called on several threads.
+  /// `terms_of(i)`: CancelledTerms of particle i < n; called on several threads.
   template <class TermsOf>
   CancelledBonds(int n, int threads, const TermsOf& terms_of);
 
@@ -160,7 +158,7 @@ class CancelledBonds {
   SharedRows<CancelledOnLattice<Dim>> on_lattice_;
 };
 
-/// Linear function of e ⊗ e that returns s°.
+/// s° as a linear function of e ⊗ e.
 template <int Dim, class Storage>
 class CancelledView<Dim, Storage>::Stretch {
  public:

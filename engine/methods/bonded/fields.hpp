@@ -8,15 +8,12 @@
 #include "engine/methods/bonded/shown_stress.hpp"
 #include "engine/terms/bond.hpp"
 
-/// Data of the bonded family for its passes.
 namespace taut {
 
-/// Default law of four particles.
 struct alignas(sizeof(Pack)) GroupLaw {
-  Pack V;  // m^Dim, weights the energy; 0 in padding and without F
+  Pack V;  // m^Dim; 0 in padding and without F
   ClosedNeoHookean<Pack> law;
 };
-/// Indices of a group's constants.
 struct GroupRows {
   int law, B;
 };
@@ -34,20 +31,20 @@ struct BondedFields {
   int size;                     // particles
   V* x;                         // m
   const V* v;                   // m/s
-  ColumnsView<2 * Dim> places;  // x, x + 3 τ v; clamp places after the particles
+  ColumnsView<2 * Dim> places;  // x, x + 3 τ v; clamp places last
   ColumnsView<Dim * Dim> Q;     // T B, row by row
-  const double* mobility;       // 1/m, 0 if constrained, 1/kg
+  const double* mobility;       // 1/kg; 0 if constrained
   Vec<Pack, Dim>* bond_force;   // [group] N
   double lead;                  // 3 τ of the bonds, s
-  double least_r2;              // lower limit of r², m²
+  double least_r2;              // minimum r², m²
   bool own_law;                 // GroupLaw instead of `laws`
   LawsInUse laws;
-  const int* material;  // padded to full groups
+  const int* material;  // padded
   const GroupRows* groups;
   const GroupLaw* group_laws;
   const Mat<Pack, Dim>* B;
   BondsView<Dim, AlignedPack> bonds;
-  BondsView<Dim, HalfPack> halved_bonds;  // off-lattice in 3D: nothing is shared, so constants are halved
+  BondsView<Dim, HalfPack> halved_bonds;  // off-lattice 3D
   bool halved;
 
   int group_count() const { return (size + lanes - 1) / lanes; }
@@ -56,7 +53,7 @@ struct BondedFields {
   void set_place(int i) const {
     for (int k = 0; k < Dim; ++k) places[k][i] = x[i][k], places[Dim + k][i] = x[i][k] + lead * v[i][k];
   }
-  /// Calls pass(bonds) with the bonds in use.
+  /// Calls pass(bonds).
   template <class Pass>
   auto with_bonds(const Pass& pass) const {
     if constexpr (Dim == 3)
@@ -65,7 +62,6 @@ struct BondedFields {
   }
 };
 
-/// A group of four particles in a snapshot.
 template <int Dim>
 struct alignas(sizeof(Pack)) ShownGroup {
   ShownStress<Pack, Dim> stress;

@@ -6,7 +6,6 @@
 
 namespace taut {
 
-/// See passes.hpp.
 template <int Dim>
 struct BondedKernels {
   using Fields = BondedFields<Dim>;

@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// One bond of each of four particles; 0 in padding.
+/// One bond per lane; 0 in padding.
 template <class Storage>
 struct alignas(sizeof(Pack)) Spring {
   Pack third_of_k;       // k/3, N/m (per metre depth in 2D)
@@ -29,7 +29,7 @@ struct alignas(sizeof(Pack)) Spring {
   Pack half_inverse(const Pack& r2) const { return half_r0_squared / r2; }
 };
 
-/// Halved storage. 1/r0² stays in double precision, so that a bond at rest has no force.
+/// 1/r0² stays in double precision, so that bonds at rest have no force.
 template <>
 struct Spring<HalfPack> {
   HalfPack third_of_k;
@@ -49,19 +49,17 @@ struct Spring<HalfPack> {
   }
 };
 
-/// A bond that ends at a clamp place.
 struct BondToClamp {
   int group, lane, bond, place;
 };
 
-/// Bonds of groups of four contiguous particles with their constants. Each particle sums over its bonds in storage
-/// order of the neighbours, bonds with an a_ij first. Storage is AlignedPack, or HalfPack if groups share no
-/// constants.
+/// Groups of four particles. Sums follow the storage order of neighbours, bonds with a_ij first. HalfPack if groups
+/// share no constants.
 template <int Dim, class Storage>
 struct PackedBondsView {
-  struct GroupRows {  // first indices of the group's bonds
+  struct GroupRows {  // first indices
     int slot, count, spring, scale;
-    int a, a_count;  // only the first bonds have an a_ij
+    int a, a_count;  // first bonds only
   };
 
   const GroupRows* groups = nullptr;
@@ -74,18 +72,17 @@ struct PackedBondsView {
   const LaneSlot* slots(const GroupRows& own) const { return all_slots + own.slot; }
   const Spring<Storage>* springs(const GroupRows& own) const { return all_springs + own.spring; }
   const Vec<Storage, Dim>* a_ij(const GroupRows& own) const { return all_a_ij + own.a; }
-  /// Energy scales G V0_i w_ij, J.
+  /// G V0_i w_ij, J.
   const Storage* energy_scales(const GroupRows& own) const { return all_energy_scales + own.scale; }
 };
 
-/// Storage of PackedBondsView.
 template <int Dim, class Storage>
 class PackedBonds {
  public:
   using View = PackedBondsView<Dim, Storage>;
 
   PackedBonds() = default;
-  /// `ids`: particle ids in storage order.
+  /// `ids` in storage order.
   PackedBonds(const BondedSetup& setup, const std::vector<int>& ids, int threads = 1);
 
   View view() const {
@@ -112,19 +109,18 @@ class PackedBonds {
   std::vector<typename View::GroupRows> groups_;
   SharedRows<LaneSlot> slots_;
   SharedRows<Spring<Storage>> springs_;
-  SharedRows<Vec<Storage, Dim>> a_ij_;  // up to a factor that B removes
+  SharedRows<Vec<Storage, Dim>> a_ij_;  // B removes its factor
   SharedRows<Storage> energy_scales_;
   std::vector<BondToClamp> bonds_to_clamp_;
 };
 
-/// Inverts `ids`.
 inline std::vector<int> stored_places(const std::vector<int>& ids) {
   std::vector<int> where(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) where[ids[i]] = static_cast<int>(i);
   return where;
 }
 
-/// Clamp places are stored after all groups.
+/// Clamp places follow all groups.
 template <int Dim, class Storage>
 PackedBonds<Dim, Storage>::PackedBonds(const BondedSetup& setup, const std::vector<int>& ids, int threads) {
   const int n = static_cast<int>(ids.size()), groups = (n + lanes - 1) / lanes, size = groups * lanes;

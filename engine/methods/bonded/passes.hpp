@@ -10,24 +10,23 @@
 
 namespace taut {
 
-/// Groups per block. Separate loops over a block overlap the latencies of roots and laws.
+/// Groups per loop; separate loops overlap latencies of roots and laws.
 inline constexpr int groups_of_block = 8;
 template <int Dim>
 int block_count(const BondedFields<Dim>& f) {
   return (f.group_count() + groups_of_block - 1) / groups_of_block;
 }
 
-/// Strain of four particles.
 template <int Dim>
 struct StrainOfFour {
   Mat<Pack, Dim> F;      // 0 where V is 0
   Vec<Pack, Dim> force;  // of the bonds, N
-  Pack energy;           // of the bonds, J; if requested
-  Pack stiffest;         // maximum stiffness of bonds and particles, relative to rest
-  Pack root;             // J^(−1/3), default law only
+  Pack energy;           // of the bonds, J, if requested
+  Pack stiffest;         // maximum, relative to rest
+  Pack root;             // J^(−1/3), default law
 };
 
-/// Advances x by `dt`, half a step, and updates the columns.
+/// Half a step `dt`.
 template <const BondedFormulation&, int Dim>
 void half_drift(const BondedFields<Dim>& f, double dt, const Threads& threads) {
   parallel_for(f.group_count(), threads, [&](int group) {
@@ -37,7 +36,7 @@ void half_drift(const BondedFields<Dim>& f, double dt, const Threads& threads) {
       return;
     }
     Pack x_rows[Dim], v_rows[Dim], x[Dim], v[Dim];
-    double* const x_at = reinterpret_cast<double*>(&f.x[first]);  // of `lanes` particles, row by row
+    double* const x_at = reinterpret_cast<double*>(&f.x[first]);  // of `lanes` particles
     const double* const v_at = reinterpret_cast<const double*>(&f.v[first]);
 #pragma GCC unroll 3
     for (int k = 0; k < Dim; ++k) {
@@ -68,7 +67,7 @@ void strain(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, in
   out.stiffest = max(Pack(sums.stiffest + bond_stiffness_offset), closing);
 }
 
-/// Returns V_i W(F_i) minus the cancellation, J.
+/// V_i W(F_i) minus cancellation, J.
 template <const BondedFormulation& M, int Dim, class Storage>
 Pack energy_of_four(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, int group,
                     const Mat<Pack, Dim>& F) {
@@ -88,7 +87,7 @@ template <const BondedFormulation& M, int Dim>
       [&](const auto* laws) { return closed_piola(laws, f.material + lanes * group, F); });
 }
 
-/// Stores Q = T B.
+/// Q = T B.
 template <const BondedFormulation& M, int Dim, class Storage>
 void set_stress(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, int group,
                 const StrainOfFour<Dim>& now) {
@@ -104,7 +103,7 @@ void set_stress(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds
     for (int k = 0; k < Dim; ++k) store(Q(a, k), f.Q[a * Dim + k] + lanes * group);
 }
 
-/// Computes bond forces and Q. Returns the maximum stiffness of bonds and particles, relative to rest.
+/// Bond forces and Q. Returns maximum stiffness relative to rest.
 template <const BondedFormulation& M, int Dim>
 double stress_pass(const BondedFields<Dim>& f, const Threads& threads) {
   return f.with_bonds([&](const auto& bonds) {
@@ -125,7 +124,7 @@ double stress_pass(const BondedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Returns the bond forces plus Σ_j (Q_i + Q_j) a_ij, N.
+/// Bond forces plus Σ_j (Q_i + Q_j) a_ij, N.
 template <int Dim, class Storage>
 [[gnu::always_inline]] inline Vec<Pack, Dim> inner_force(const BondedFields<Dim>& f,
                                                          const BondsView<Dim, Storage>& bonds, int group) {
@@ -134,7 +133,7 @@ template <int Dim, class Storage>
   return force;
 }
 
-/// Advances v by all forces and x by the second half step. Returns the maximum v², m²/s².
+/// Advances v, then x by half a step. Returns maximum v², m²/s².
 template <const BondedFormulation&, int Dim>
 double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threads& threads) {
   return f.with_bonds([&](const auto& bonds) {
@@ -158,7 +157,7 @@ double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threa
   });
 }
 
-/// Computes the internal forces, N.
+/// N.
 template <const BondedFormulation&, int Dim>
 void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threads& threads) {
   f.with_bonds([&](const auto& bonds) {
@@ -170,7 +169,7 @@ void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threa
   });
 }
 
-/// Sets F and returns the energy at `places`, J.
+/// Sets F; returns energy, J.
 template <const BondedFormulation& M, int Dim>
 Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>& now) {
   return f.with_bonds([&](const auto& bonds) {
@@ -179,7 +178,7 @@ Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>&
   });
 }
 
-/// Energies of all groups, J.
+/// In J, per group.
 template <const BondedFormulation& M, int Dim>
 void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& threads) {
   parallel_pass(f.group_count(), threads, [&](int group) {
@@ -188,7 +187,7 @@ void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& th
   });
 }
 
-/// Stress from F; 0 for rigid particles.
+/// 0 for rigid particles.
 template <const BondedFormulation& M, int Dim>
 ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, const Mat<Pack, Dim>& F) {
   if (f.own_law) return shown_neo_hookean(f.law(group).law.K, f.law(group).law.G, F);
@@ -205,7 +204,7 @@ ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, con
   return all;
 }
 
-/// Computes energies at `places` and stresses, with the displacements u, m, of the listed groups into `out`.
+/// At `places`, with displacements u, m.
 template <const BondedFormulation& M, int Dim>
 void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const AlignedPack* u,
                const int* groups, int count, ShownGroup<Dim>* out, const Threads& threads) {
@@ -213,10 +212,10 @@ void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const
     const int group = groups[k];
     StrainOfFour<Dim> now;
     out[k].energy = strain_and_energy<M>(f, group, now);
-    // not rigid particles and weakly bonded tips
+    // rigid particles and tips lack F
     const PackIndex has_own = f.law(group).V > 0;
     for (int a = 0; a < Dim; ++a) now.F(a, a) = has_own ? now.F(a, a) : filled<Pack>(1);
-    // in 3D no force controls the recovered volume, which is wrong near incompressibility
+    // recovered volumes are wrong near incompressibility
     Mat<Pack, Dim> F = recovered_deformations<Dim>(recovered, u, f.size, lanes * group, now.F);
     if constexpr (Dim == 3)
       keep_volume(recovered, f.size, lanes * group, F, has_own ? determinant(now.F) : determinant(F));

@@ -37,9 +37,9 @@ Bonded<Dim>::Bonded(Common<Dim>& common, const SolverInput& input, const Kernels
   common_.go_to_start();
   f_.lead = setup.damping_lead;
   make_columns(setup);
-  // thin or nearly incompressible 3D lattices have modes faster than the solid's
+  // thin or nearly incompressible 3D lattices have faster modes
   if (setup.bonds.off_lattice || Dim == 3) find_layout_frequency();
-  // by column, because uniform stress leaves forces at corners
+  // corners have forces under uniform stress
   if (has_loads(input.scene))
     loads.act_on_faces(input.scene, with_rigid_held(common_.initial, setup.bonds), FaceRule::by_column,
                        surface(setup.bonds), common_.run.support);
@@ -127,8 +127,8 @@ void Bonded<Dim>::bind_fields() {
     if (const auto* halved = std::get_if<1>(&bonds_)) f_.halved_bonds = halved->view();
 }
 
-/// Time step, s (THEORY.md, Stability limit). It decreases once stiffening and the layout exceed most of the margin
-/// between `cfl` = 0.64 and 0.97.
+/// s; shorter if stiffening and layout exceed most of the margin from `cfl` = 0.64 to 0.97 (THEORY.md, Stability
+/// limit).
 template <int Dim>
 double Bonded<Dim>::step_size() const {
   constexpr double spare = 1.5;
@@ -138,7 +138,7 @@ double Bonded<Dim>::step_size() const {
 
 template <int Dim>
 void Bonded<Dim>::find_layout_frequency() {
-  constexpr double small = 1e-5, limit = 0.97;  // in spacings; stability limit of a lattice
+  constexpr double small = 1e-5, limit = 0.97;  // in spacings; cfl limit of lattices
   const int n = p_.size(), threads = common_.threads_now();
   const std::vector<double> mobility(mobility_[0], mobility_[0] + n);
   std::vector<V> displaced = p_.x;
@@ -174,7 +174,7 @@ void Bonded<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Adds the reaction forces of bonds into clamps to the rigid particles, for drives and reaction probes.
+/// Reaction forces of clamped bonds, for drives and probes.
 template <int Dim>
 void Bonded<Dim>::pull_at_clamps() {
   const auto pull_at = [&](int i, const V& pull) {
@@ -187,7 +187,7 @@ void Bonded<Dim>::pull_at_clamps() {
 
 template <int Dim>
 void Bonded<Dim>::renew_recovered() const {
-  std::vector<int> drive = common_.initial.drive;  // −1 once the drive has ended
+  std::vector<int> drive = common_.initial.drive;  // −1 after its end
   long released = 0;
   for (std::size_t id = 0; id < drive.size(); ++id)
     if (drive[id] >= 0 && !common_.external.drives.moves(static_cast<int>(id))) drive[id] = -1, ++released;
@@ -197,7 +197,7 @@ void Bonded<Dim>::renew_recovered() const {
                                   common_.run.threads, f_.halved);
 }
 
-/// Returns the fields with current `places`; those of the step lag by half a step.
+/// With current `places`; those of the step lag by half.
 template <int Dim>
 BondedFields<Dim> Bonded<Dim>::fields_now(Columns<2 * Dim>& places) const {
   places.resize(places_.size());
@@ -233,7 +233,7 @@ void Bonded<Dim>::show(Snapshot& out, std::span<const int> groups) const {
   out.strain_energy.resize(out.size());
   Columns<2 * Dim> places;
   const BondedFields<Dim> now = fields_now(places);
-  std::vector<AlignedPack> displacements(p_.x.size());  // unused lanes are 0
+  std::vector<AlignedPack> displacements(p_.x.size());  // padding is 0
   parallel_for(p_.size(), threads, [&](int i) {
     for (int k = 0; k < Dim; ++k) displacements[i].value[k] = p_.x[i][k] - common_.initial.x[p_.id[i]][k];
   });

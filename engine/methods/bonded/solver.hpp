@@ -14,7 +14,6 @@
 
 namespace taut {
 
-/// Storage of BondsView.
 template <int Dim, class Storage>
 struct StoredBonds {
   PackedBonds<Dim, Storage> packed;
@@ -23,12 +22,10 @@ struct StoredBonds {
   BondsView<Dim, Storage> view() const { return {packed.view(), cancelled.view()}; }
 };
 
-/// Bodies of bonds (THEORY.md) with a contact law and position Verlet.
-///
-/// Each step has two passes over groups of four particles. The stress pass computes F_i, bond forces and Q_i = T_i
+/// Position Verlet with a contact law (THEORY.md). Per step, the stress pass computes F_i, bond forces and Q_i = T_i
 /// B_i. With g_ij = B_i a_ij and a_ij = −a_ji the force pass computes
 ///   Σ_j (T_i g_ij − T_j g_ji) = Σ_j (Q_i + Q_j) a_ij,
-/// so both passes share one vector per bond.
+/// so both share one vector per bond.
 template <int Dim>
 class Bonded final : public Scheme<Dim> {
  public:
@@ -69,13 +66,13 @@ class Bonded final : public Scheme<Dim> {
   Particles<Dim>& p_;
   const Constants& c_;
   std::vector<Elasticity> materials_;
-  bool own_law_;  // GroupLaw is used
+  bool own_law_;
   Materials laws_;
-  std::vector<int> material_;  // [stored], padded to full groups
+  std::vector<int> material_;  // [stored], padded
   Constraints constraints_;    // [id]
   double wave_speed_;          // m/s, see BondedSetup
-  double layout_ = 1;          // highest ω² at the start relative to a lattice, at least 1
-  double stiffest_ = 1;        // maximum stiffness in the last step, relative to rest
+  double layout_ = 1;          // ω² relative to a lattice, ≥ 1
+  double stiffest_ = 1;        // relative to rest
   SharedRows<GroupLaw> group_laws_;
   SharedRows<Mat<Pack, Dim>> B_;
   std::vector<GroupRows> groups_;
@@ -86,10 +83,10 @@ class Bonded final : public Scheme<Dim> {
   Columns<Dim * Dim> Q_;
   Columns<1> mobility_;
   std::vector<Vec<Pack, Dim>> bond_force_;
-  BondedFields<Dim> f_{};  // pointers to the members above
-  // computed for the first snapshot and after each end of a drive
+  BondedFields<Dim> f_{};
+  // for the first snapshot and after drives end
   mutable RecoveredGradient recovered_;
-  mutable long released_ = 0;  // released particles in recovered_
+  mutable long released_ = 0;  // in recovered_
 };
 
 }  // namespace taut

@@ -7,8 +7,7 @@
 
 namespace taut {
 
-/// Changes the a_ij, then the w_ij, of 2D bodies as little as possible, such that homogeneous strain leaves no force
-/// inside (THEORY.md, Balance).
+/// Balances a_ij, then w_ij, of 2D bodies (THEORY.md, Balance).
 void balance(const InitialParticles& initial, const Constraints& constraints,
              const std::vector<bool>& irregular, Bonds& bonds, int threads);
 

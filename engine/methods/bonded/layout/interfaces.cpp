@@ -19,7 +19,6 @@ using Square = Eigen::Matrix3d;
 Place column(const Point& p) { return Eigen::Map<const Place>(p.data()); }
 Point point(const Place& v) { return {v[0], v[1], v[2]}; }
 
-/// A term of a one-sided gradient.
 struct SideGradient {
   int j;
   Place g;  // 1/m
@@ -50,7 +49,7 @@ class InterfaceMaker {
 
  private:
   bool is_across(int i, int j) const { return taut::is_across(bonds_, initial_, materials_, i, j); }
-  /// Returns nothing unless i is bonded to exactly one other material and no clamp.
+  /// None unless exactly one, without clamps.
   std::optional<int> other_material(int i) const {
     std::optional<int> other;
     if (bonds_.is_rigid(i) || !(bonds_.B[i][0][0] > 0)) return {};
@@ -63,9 +62,9 @@ class InterfaceMaker {
     }
     return other;
   }
-  /// Normal of the plane through the midpoints of the bonds across, of i and its neighbours; nothing if not planar.
+  /// Of the plane through midpoints of bonds across near i; none if not planar.
   std::optional<Place> normal(int i, int other) const {
-    // maximum variance ratio across/along the plane; discs failed with 0.15
+    // variance ratio; discs fail with 0.15
     constexpr double flat = 0.08;
     std::vector<Place> middles;
     Place mean = Place::Zero(), towards = Place::Zero();
@@ -96,10 +95,9 @@ class InterfaceMaker {
     const Place N{axis[0], axis[1], initial_.dim == 2 ? 0 : axis[2]};
     return N.dot(towards) < 0 ? -N : N;
   }
-  /// Gradient at i from its own material; nothing if poorly determined: steep gradients leave the energy without
-  /// minimum.
+  /// From the own material; empty if poorly determined: the energy would lack a minimum.
   std::vector<SideGradient> own_gradient(int i) const {
-    constexpr double least = 0.5;  // det A relative to isotropic A; flat sides have 0.84
+    constexpr double least = 0.5;  // relative to isotropic A; flat sides: 0.84
     Square A = Square::Zero();
     std::vector<SideGradient> entries;
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
@@ -122,7 +120,7 @@ class InterfaceMaker {
     Place m = Place::Zero();
     std::map<int, double> beta;
     double weights = 0;
-    std::vector<std::pair<double, std::vector<SideGradient>>> beyond;  // gradients at neighbours across
+    std::vector<std::pair<double, std::vector<SideGradient>>> beyond;  // at neighbours across
     std::vector<int> of;
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
       const int k = bonds_.j[b];
@@ -151,14 +149,13 @@ class InterfaceMaker {
     for (const auto& [j, weight] : beta) out_.j.push_back(j), out_.weight.push_back(weight);
     out_.begin.push_back(static_cast<int>(out_.j.size()));
   }
-  /// Estimates the wave speed from row sums of site stiffness over mass. On a lattice the root of a row sum is wave
-  /// speed times dimension over spacing.
+  /// Estimate by row sums of stiffness over mass: on lattices √sum = speed · dimension/spacing.
   double wave_speed() const {
     std::vector<double> stiffness(bonds_.begin.size() - 1);  // N/m
     for (std::size_t s = 0; s < out_.sites.size(); ++s) {
       const Interfaces::Site& site = out_.sites[s];
       const Place m = column(site.m), beyond = m - column(site.N);
-      std::map<int, std::pair<Place, Place>> slopes;  // derivatives of both deformations along N by each x_p
+      std::map<int, std::pair<Place, Place>> slopes;  // of both deformations along N by x_p
       const auto add = [&](int j, const Place& own, const Place& other) {
         for (const auto& [p, sign] : {std::pair{j, 1.0}, std::pair{site.id, -1.0}}) {
           auto& of = slopes.try_emplace(p, Place::Zero(), Place::Zero()).first->second;

@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Returns balanced 2D bonds before cutting at clamps, without volumes and masses. Lengths in m.
+/// Balanced 2D bonds, not cut at clamps, without volumes and masses; m.
 Bonds layout_bonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
                    int threads);
 

@@ -13,7 +13,7 @@
 namespace taut {
 namespace {
 
-/// Unit vectors about 15 degrees apart.
+/// About 15 degrees apart.
 std::vector<Eigen::Vector3d> make_directions() {
   std::vector<Eigen::Vector3d> all;
   for (int x = -2; x <= 2; ++x)
@@ -23,8 +23,7 @@ std::vector<Eigen::Vector3d> make_directions() {
   return all;
 }
 
-/// Maximum eigenvalue of the bond energy as a quadratic form of strain; of_bond(e) is the strain along e in the basis
-/// where the isotropic solid is the identity.
+/// Of the bonds' energy as a quadratic form; of_bond(e): strain along e, isotropic solid = identity.
 template <int Strains, int Dim, class OfBond>
 double greatest_ratio(const std::vector<Eigen::Vector<double, Dim>>& X, const std::vector<double>& w,
                       const OfBond& of_bond) {
@@ -37,7 +36,7 @@ double greatest_ratio(const std::vector<Eigen::Vector<double, Dim>>& X, const st
   return Eigen::SelfAdjointEigenSolver<Square>(ratio, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
-/// True if two neighbours have equal distance, as in regular layouts.
+/// As in regular layouts.
 bool has_equal_neighbors(const InitialParticles& initial, std::span<const int> near, int i, double spacing) {
   constexpr double alike = 1e-11, farthest = 1.5;  // in spacings
   constexpr double ulps = 8;                       // of coordinates
@@ -68,7 +67,7 @@ std::vector<bool> irregular_bodies(const InitialParticles& initial, const Constr
     const auto rigid = std::count_if(&constraints[first], &constraints[first] + (end - first), is_rigid);
     const auto free = end - first - rigid,
                equal = std::count(&regular[first], &regular[first] + (end - first), 1) - rigid;
-    // in layered hollow balls only half of the particles have equal neighbours
+    // layered balls have only half
     irregular.push_back((initial.dim == 3 ? 10 : 2) * equal < free);
   }
   return irregular;

@@ -27,7 +27,7 @@ constexpr double greatest_cost = 8;                                      // 1/dp
 template <int Dim>
 struct Neighbor {
   int id;
-  Eigen::Vector<double, Dim> X;  // from i, in dp
+  Eigen::Vector<double, Dim> X;  // from i, dp
 };
 template <int Dim>
 using Neighborhood = std::vector<Neighbor<Dim>>;
@@ -53,8 +53,7 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
 }
 
 constexpr int rigid = 1;
-/// Motion of each particle: 0 free, 1 rigid, else a number per drive and guide, because the gradient jumps at these
-/// regions. Their outermost particles take the freest motion of neighbours of their material.
+/// 0 free, 1 rigid, else per drive and guide. Outermost particles take the freest neighbouring motion.
 template <int Dim>
 std::vector<int> motions(const InitialParticles& initial, const Constraints& constraints,
                          const std::vector<int>& drive, double spacing, int threads) {
@@ -85,7 +84,7 @@ std::vector<int> motions(const InitialParticles& initial, const Constraints& con
   return motion;
 }
 
-/// Neighbours with the material and motion of i. X is rounded to 2^-40 dp for equal bits on lattices.
+/// Same material and motion as i. X is rounded to 2^-40 dp for equal bits.
 template <int Dim>
 Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>& motion, int i,
                         std::span<const int> near, double spacing) {
@@ -101,7 +100,7 @@ Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>&
   return some;
 }
 
-/// True if the own gradient averages two materials or motions.
+/// In another material or motion.
 template <int Dim>
 bool has_other_side(const InitialParticles& initial, const std::vector<int>& motion, int i,
                     std::span<const int> near, double reach) {
@@ -114,7 +113,7 @@ bool has_other_side(const InitialParticles& initial, const std::vector<int>& mot
   });
 }
 
-/// True if each neighbour has an opposite one.
+/// Each neighbour has an opposite one.
 template <int Dim>
 bool is_symmetric(const Neighborhood<Dim>& near) {
   constexpr double alike = 1e-6;
@@ -128,13 +127,12 @@ bool is_symmetric(const Neighborhood<Dim>& near) {
   });
 }
 
-/// Returns g_j, 1/dp, one column each, of the fit with the first `terms` of X, X ⊗ X; empty if undetermined or too
-/// sensitive.
+/// g_j, 1/dp, one column each, with `terms` of X, X ⊗ X; empty if undetermined or too sensitive.
 template <int Dim>
 Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, int terms) {
   const auto n = static_cast<Eigen::Index>(near.size());
   if (n < terms) return {};
-  Eigen::MatrixXd P(terms, n);  // times the root of the weight
+  Eigen::MatrixXd P(terms, n);  // times √weight
   for (Eigen::Index b = 0; b < n; ++b) {
     const auto& X = near[b].X;
     int term = 0;
@@ -143,7 +141,7 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
       for (int c = a; c < Dim; ++c) P(term++, b) = X[a] * X[c];
     P.col(b) /= X.squaredNorm();
   }
-  // first rows of the pseudo-inverse of Pᵀ
+  // pseudo-inverse of Pᵀ, first rows
   Eigen::Matrix<double, Dim, Eigen::Dynamic> g;
   const Gram G = P.lazyProduct(P.transpose());
   if (const Gram fast = solved_by_gram(G, Gram::Identity(terms, Dim)); fast.size() > 0) {
@@ -159,7 +157,7 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
   return g;
 }
 
-/// Makes the rows; in 3D equal rows are shared.
+/// In 3D equal rows are shared.
 template <int Dim>
 class Rows {
  public:
@@ -227,7 +225,7 @@ class Rows {
     }
     return true;
   }
-  /// Returns the start of the row.
+  /// Returns the row's start.
   template <class Number>
   int append(std::vector<Number>& list, const Row& row, std::size_t done) {
     make_room(list, row.g.size(), done, id_.size());
@@ -254,7 +252,7 @@ class Rows {
   NeighborsOfOne<Dim> own_;
   double own_reach_;  // dp
   NeighborsOfOne<Dim> wide_;
-  std::unordered_multimap<std::size_t, int> known_;  // hash → first number of a row
+  std::unordered_multimap<std::size_t, int> known_;  // hash → row
   RecoveredGradient out_;
 };
 

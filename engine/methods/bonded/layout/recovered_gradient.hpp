@@ -6,24 +6,22 @@
 
 namespace taut {
 
-/// Data of a RecoveredGradient for passes.
 struct RecoveredView {
   const int *begin, *j, *row;
   const double* g;
-  const float* halved;           // replaces g; or null
+  const float* halved;           // or null: replaces g
   const unsigned char* between;  // null: none
 };
 
-/// Gradients on the initial layout for snapshots, exact for quadratic fields up to the surface, where the own
-/// gradient is not (THEORY.md, Recovered gradient):
+/// Exact for quadratic fields where the own gradient is not (THEORY.md, Recovered gradient):
 ///   ∇f at i = Σ_j (f_j − f_i) ⊗ g_ij,   Σ_j X_ij ⊗ g_ij = I,   Σ_j X_ij ⊗ X_ij ⊗ g_ij = 0.
 struct RecoveredGradient {
-  std::vector<int> begin;  // [n + 1] first entry of each particle; without entries the own gradient is used
+  std::vector<int> begin;  // [n + 1]; own gradient if empty
   std::vector<int> j;
-  std::vector<int> row;                // [n] first index in `g`; equal neighbourhoods share it
-  std::vector<double> g;               // 1/m, dim numbers each
-  std::vector<float> halved;           // replaces g if requested
-  std::vector<unsigned char> between;  // [n] 1: the own gradient averages two sides; may be empty
+  std::vector<int> row;                // [n] in `g`; may be shared
+  std::vector<double> g;               // 1/m, dim each
+  std::vector<float> halved;           // replaces g
+  std::vector<unsigned char> between;  // [n] 1: the own gradient averages two sides
   int dim = 0;
 
   bool empty() const { return begin.empty(); }
@@ -35,12 +33,11 @@ struct RecoveredGradient {
             halved.empty() ? nullptr : halved.data(),
             between.empty() ? nullptr : between.data()};
   }
-  /// Returns g_ij for b from begin[i] to begin[i + 1] − 1; not if halved.
+  /// g_ij, begin[i] ≤ b < begin[i + 1].
   const double* of(int i, int b) const { return &g[row[i] + dim * (b - begin[i])]; }
 };
 
-/// `id`: particle ids in storage order of the result. `drive`: −1 once ended. `reach`: of the own gradient, m.
-/// `halved`: for layouts without shared rows.
+/// `id` in storage order; `drive`: −1 after its end; `reach`: of the own gradient, m; `halved`: no shared rows.
 RecoveredGradient recovered_gradient(const InitialParticles& initial, const Constraints& constraints,
                                      const std::vector<int>& drive, const std::vector<int>& id,
                                      double spacing, double reach, int threads = 1, bool halved = false);

@@ -19,14 +19,14 @@ namespace {
 
 constexpr std::size_t whole = 26;
 
-/// w of a bond of the cubic lattice, `r` in spacings (THEORY.md, Three dimensions); off-lattice the target.
+/// `r` in spacings (THEORY.md, Three dimensions).
 double lattice_weight(double r) {
   constexpr double t = 3.0 / 8;
   static const double axis = rounded_weight(0.5 + 4 * t / 9), face = rounded_weight(1 - 8 * t / 9);
   return r < 1.2 ? axis : r < 1.58 ? face : t;
 }
 
-/// Makes bonds step by step; geometry_ computes them.
+/// geometry_ computes the bonds.
 class SolidBonds {
  public:
   SolidBonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
@@ -52,9 +52,9 @@ class SolidBonds {
   }
 
  private:
-  struct Selection {  // of one particle
+  struct Selection {
     std::vector<Eigen::Vector3d> X;
-    std::vector<std::size_t> of;  // neighbour indices
+    std::vector<std::size_t> of;  // of neighbours
     std::vector<double> w;        // lattice weights
   };
 
@@ -68,7 +68,7 @@ class SolidBonds {
     }
     return out;
   }
-  /// Extends the reach of inner off-lattice particles to the minimum with right weights.
+  /// Off-lattice inner particles get the least reach with right weights.
   void extend_reach(double h, int threads) {
     const int n = initial_.size();
     std::vector<unsigned char> further(n);
@@ -106,8 +106,8 @@ class SolidBonds {
     }
     near_ = std::move(chosen);
   }
-  /// Returns w of each neighbour; empty for lattice weights. Inner particles have right moments. Off-lattice surface
-  /// weights are reduced to the stiffness of the solid, otherwise the energy may have no minimum.
+  /// Empty for lattice weights. Inner moments are right. Off-lattice surfaces are no stiffer than the solid: the
+  /// energy needs a minimum.
   std::vector<double> own_weights(int i) const {
     static const Moments<3> moments;
     Selection own = selection(i);
@@ -120,7 +120,7 @@ class SolidBonds {
       const double too_stiff = excess(own.X, own.w);
       for (double& w : own.w) w /= std::max(1.0, too_stiff);
     }
-    std::vector<double> weights(near_[i].size());  // 0 if only the other end selected the bond
+    std::vector<double> weights(near_[i].size());  // 0: selected by the other end
     for (std::size_t b = 0; b < own.of.size(); ++b) weights[own.of[b]] = rounded_weight(own.w[b]);
     return weights == of_lattice ? std::vector<double>() : weights;
   }
@@ -135,9 +135,9 @@ class SolidBonds {
       weights.insert(weights.end(), w.begin(), w.end());
     });
   }
-  /// Uses all bonds, by both ends, where the nearest neighbours hardly determine the gradient, as at tips.
+  /// Poorly determined gradients use all bonds, at both ends.
   void choose_gradients(int threads) {
-    // minimum det A relative to isotropic A
+    // relative to isotropic A
     constexpr double least = 0.5, least_of_irregular = 0.7;
     using enum SolidGeometry::Gradient;
     geometry_.gradient.assign(initial_.size(), of_axes);
@@ -157,15 +157,15 @@ class SolidBonds {
 
   const InitialParticles& initial_;
   double spacing_;
-  NeighborLists near_;  // by id
+  NeighborLists near_;
   std::vector<bool> irregular_bodies_;
-  std::vector<double> reach_;  // [n] m; empty: all neighbours
+  std::vector<double> reach_;  // [n] m; empty: all
   SolidGeometry geometry_;
 };
 
 }  // namespace
 
-/// Rounds X to 2^-40 spacings, so that lattice bonds have equal bits.
+/// X to 2^-40 spacings, for equal bits.
 ReferenceBond SolidGeometry::bond(int i, int j, std::size_t k) const {
   const Point &from = x[i], &to = x[j];
   ReferenceBond one{};

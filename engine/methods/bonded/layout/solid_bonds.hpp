@@ -7,23 +7,23 @@
 
 namespace taut {
 
-/// Computes 3D bonds on request, because stored bonds take 1.5 kB per particle.
+/// Computed on request; storage would be 1.5 kB per particle.
 struct SolidGeometry {
-  /// Decay of a_ij with distance (THEORY.md, Gradient).
+  /// See THEORY.md, Gradient.
   enum class Gradient : unsigned char { of_axes, steep, even };
 
   std::vector<Point> x;        // [n] m
   double spacing;              // m
-  std::vector<int> irregular;  // [n] first index in `weights`; −1: lattice weights
+  std::vector<int> irregular;  // [n] in `weights`; −1: of lattices
   std::vector<double> weights;
   std::vector<Gradient> gradient;  // [n]
-  bool off_lattice = false;        // some bonds are not (nearly) those of a cubic lattice
+  bool off_lattice = false;        // some bonds are not (nearly) cubic
 
-  /// Returns the bond from i to j, the k-th neighbour of i.
+  /// j is the k-th neighbour of i.
   ReferenceBond bond(int i, int j, std::size_t k) const;
 };
 
-/// Returns 3D bonds before cutting at clamps, without volumes and masses. h in m.
+/// Not cut at clamps, without volumes and masses. h: m.
 Bonds solid_bonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
                   int threads);
 
