@@ -30,7 +30,7 @@ std::vector<TermInfo> terms(const Formulation& m) {
   return all;
 }
 
-/// `sph` needs searched neighbours; `surface` needs initial ones, because its faces move with them.
+/// `sph` requires searched neighbours; `surface` requires initial ones, because its faces move with them.
 std::vector<ContactLaw> contact_laws_of(bool searches) {
   std::vector<ContactLaw> all;
   for (const ContactLawRow& row : contact_laws)
@@ -91,7 +91,7 @@ std::vector<MethodInfo> table() {
   return all;
 }
 
-/// Law in the settings, or the default. Throws UsageError if unavailable.
+/// Returns the law in the settings, otherwise the default. Throws UsageError if unavailable.
 const LawChoice& chosen_law(const MethodInfo& method, const Settings& settings) {
   for (const LawChoice& choice : method.laws)
     if (settings.law.empty() || choice.name == settings.law) return choice;

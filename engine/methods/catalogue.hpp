@@ -25,9 +25,9 @@ struct LawChoice {
 
 /// Meaning of the reported strain energy.
 enum class StrainEnergy {
-  potential,  // of the forces; changes of total energy are then due to the method
-  of_stress,  // of an integrated stress; not a potential
-  recovered,  // of a stress recovered for display only
+  potential,  // of the forces; only the method itself changes the total energy
+  of_stress,  // computed from an integrated stress; no potential of the forces
+  recovered,  // computed from a stress that is recovered for display
 };
 StrainEnergy strain_energy(const Formulation& m);
 
@@ -38,7 +38,7 @@ struct MethodInfo {
   std::string_view paper;
   std::string_view summary;
   std::string_view material_law;  // reference to compare with: "2d_deviator" or "neo_hookean"
-  std::vector<LawChoice> laws;    // available elastic laws; the published one first
+  std::vector<LawChoice> laws;    // the published one first
   Law law;                        // published; none: the stress is integrated
   std::string_view conserves;
   std::vector<TermInfo> terms;
@@ -46,7 +46,7 @@ struct MethodInfo {
   double cfl;                             // default acoustic CFL number
   ContactLaw contact;                     // published
   std::vector<ContactLaw> contact_laws;   // available
-  bool keeps_neighbors;                   // see FamilyRow; if true, a body's parts can touch
+  bool keeps_neighbors;                   // see FamilyRow; if true, contact also acts within a body
   bool several_materials;                 // allowed in a scene
 };
 
@@ -54,24 +54,24 @@ struct MethodInfo {
 std::span<const MethodInfo> methods();
 /// Returns nullptr for an unknown name.
 const MethodInfo* find_method(std::string_view name);
-/// User-settable constants with defaults.
+/// Constants that a user may set, with defaults for `dim`.
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim);
-/// Values from the settings or defaults. `dp`: m.
+/// Returns the settings' constants, otherwise the defaults. `dp` in m.
 ConstantValues constant_values(const Formulation& m, int dim, double dp, const Settings& settings);
 
 /// All elastic laws.
 std::span<const LawRow> laws();
-/// Law of the run; nullptr if none. Throws UsageError if unavailable for the method.
+/// Elastic law of a run, or nullptr. Throws UsageError if the method lacks the law in the settings.
 const LawRow* law_row(const MethodInfo& method, const Settings& settings);
 /// Returns why the method cannot use this law (LawRow::choice); empty if it can.
 std::string reason_against_law(const MethodInfo& method, std::string_view law);
-/// Reference for the run. Throws UsageError if the law is unavailable for the method.
+/// Reference to compare a run with. Throws UsageError if the method lacks the law in the settings.
 std::string_view material_law(const MethodInfo& method, const Settings& settings, int dim = 2);
 /// All contact laws, in listing order.
 std::span<const ContactLawRow> contact_rows();
-/// Law of a run, never `published`. Throws SceneError if the method cannot use the scene's law.
+/// Contact law of a run, never `published`. Throws SceneError if the method cannot use the scene's law.
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method);
-/// Law for `published`: the method's, or `penalty` instead of `surface` if bodies have no faces.
+/// Resolves `published`: the method's law, but `penalty` instead of `surface` if bodies have no faces.
 ContactLaw published_contact(const Scene& scene, const MethodInfo& method);
 
 }  // namespace taut

@@ -21,11 +21,12 @@ inline double compression_wave_speed(const Elasticity& m) {
   return std::sqrt((m.K + 4.0 / 3 * m.G) / m.rho0);
 }
 
-/// SI units. With several materials: the first body's, but the maximum c0. Families add their constants.
+/// Constants of a run in SI units. With several materials, those of the first body, but with the maximum c0. Families
+/// derive their own structs.
 struct Constants : Elasticity {
   double dp = 0;                 // particle spacing, m
   double h = 0;                  // smoothing length, m
-  double contact_stiffness = 1;  // over K1 K2/(K1 + K2), see terms/
+  double contact_stiffness = 1;  // relative to K1 K2/(K1 + K2), see terms/
   double cfl = 0;
   double step = 0;  // fixed time step, s; 0: by cfl
 };
@@ -37,10 +38,10 @@ struct MethodConstant {
   double low, high;
   std::string_view help;
   bool in_spacings = false;  // `value` is in spacings
-  bool at_set_up = false;    // fixed after set-up
+  bool at_set_up = false;    // cannot change during a run
 };
 
-/// A constant and its member.
+/// A constant and the member that it sets.
 template <class C>
 struct ConstantRow {
   double C::*member;

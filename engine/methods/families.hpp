@@ -24,7 +24,7 @@ struct FamilyRow {
   std::unique_ptr<Simulation> (*make)(const SolverInput& input);
 };
 
-/// Families on the initial configuration have an elastic law.
+/// Methods on the initial configuration have an elastic law.
 template <class F, auto terms, auto constants>
 constexpr FamilyRow family_row(std::unique_ptr<Simulation> (*make)(const SolverInput& input)) {
   constexpr bool elastic = std::is_base_of_v<ElasticSwitches, F>;
@@ -53,7 +53,7 @@ constexpr FamilyRow family_row(std::unique_ptr<Simulation> (*make)(const SolverI
           .make = make};
 }
 
-/// All families: a folder, an enumerator and a row each.
+/// Every family has a folder, an enumerator and a row here.
 inline constexpr std::array families{
     family_row<UlSplitFormulation, ul_split::terms, ul_split::constants>(ul_split::make),
     family_row<UlCauchyFormulation, ul_cauchy::terms, ul_cauchy::constants>(ul_cauchy::make),

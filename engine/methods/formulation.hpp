@@ -11,7 +11,7 @@
 
 namespace taut {
 
-/// Algorithm of a method: a folder of engine/methods/.
+/// Algorithm of a method, a folder of engine/methods/.
 enum class Family : std::uint8_t {
   ul_split,         // updated Lagrangian, separate pressure and shear; [Zhang2024] §5
   ul_cauchy,        // updated Lagrangian, divergence of σ = −pI + s; [Khayyer2024] Eq. 9
@@ -26,15 +26,15 @@ enum class Deviator : std::uint8_t {
   plane_strain,  // 1/3, [Khayyer2024] Eq. 6: in-plane bulk modulus K + G/3
 };
 
-/// Data of every method; families add switches.
+/// Data that every method has. Families derive structs that add switches.
 struct Formulation {
   std::string_view name;
   std::string_view paper;
   std::string_view summary;
   std::string_view conserves;
   Family family = Family::ul_split;
-  int greatest_dim = 3;                      // of scenes
-  std::span<const Citation> citations = {};  // overrides the family's
+  int greatest_dim = 3;                      // maximum dimension of scenes
+  std::span<const Citation> citations = {};  // replace those of the family
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
   ContactLaw contact = ContactLaw::sph;  // published
@@ -45,13 +45,13 @@ struct Formulation {
   double cfl = 0.4;                      // acoustic, [Zhang2024] Eq. 22
 };
 
-/// Returns null for a method of another family.
+/// Returns the method as type F, or null if it belongs to another family.
 template <class F>
 constexpr const F* as(const Formulation& m) {
   return m.family == F::own_family ? static_cast<const F*>(&m) : nullptr;
 }
 
-/// Families overload this to check their switches.
+/// Families may overload this to check their switches.
 constexpr bool consistent(const Formulation& m) {
   return m.h_over_dp > 0 && m.h_over_dp_3d >= 0 && m.cfl > 0 && !m.name.empty();
 }

@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Kernel of §2.1.
+/// [TranDuc2023] §2.3 with the kernel of §2.1.
 inline constexpr TlDisplacementFormulation icb{
     {
         .name = "icb",
@@ -34,7 +34,8 @@ inline constexpr TlDisplacementFormulation tl{
     {.law = Law::neo_hookean, .others = OtherLaws::all},
     {}};
 
-/// [Zhang2020] states neither h, cut-off nor contact constants. h = dp: smallest with lattice sums accurate to 1e-3.
+/// [Zhang2020] states neither h, the cut-off nor contact constants. h = dp is the least with lattice sums accurate to
+/// 1e-3.
 inline constexpr TlDisplacementFormulation tl_small_strain{
     {
         .name = "tl-small-strain",

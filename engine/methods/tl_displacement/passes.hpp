@@ -25,7 +25,7 @@ Mat<Pack, Dim> deformation(const TlDisplacementFields<Dim>& f, int group) {
   return F;
 }
 
-/// V P(F) B.
+/// Computes V P(F) B.
 template <const TlDisplacementFormulation& M, int Dim>
 void stress_pass(const TlDisplacementFields<Dim>& f, const Threads& threads) {
   f.laws.template visit<M>([&]<class L>(const L* of_materials) {
@@ -39,7 +39,7 @@ void stress_pass(const TlDisplacementFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Advances v by all forces, then x by half a step. Returns maximum v², m²/s².
+/// Advances v by all forces, then x by half a step. Returns the maximum v², m²/s².
 template <const TlDisplacementFormulation&, int Dim>
 double force_pass(const TlDisplacementFields<Dim>& f, const Kick<Dim>& kick, const Threads& threads) {
   if (kick.impulse)

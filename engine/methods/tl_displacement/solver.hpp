@@ -6,9 +6,9 @@
 
 namespace taut {
 
-/// F comes from the positions in each step: [Lee2016] Eq. 34, [TranDuc2023] §2.3, [Zhang2020]. Position Verlet, the
-/// leap-frog of [Zhang2020] Eq. 10, 11 with forces at mid-step: no energy drift if the law has an energy. No
-/// dissipation.
+/// Total-Lagrangian methods that compute F from the positions in each step. [Lee2016] Eq. 34, [TranDuc2023] §2.3,
+/// [Zhang2020]. Position Verlet is the leap-frog of [Zhang2020] Eq. 10, 11 with forces at mid-step. Energy does not
+/// drift if the law has one; there is no dissipation.
 template <int Dim>
 class TlDisplacement final : public Scheme<Dim> {
  public:

@@ -33,7 +33,7 @@ void refer_to_centroid(std::vector<Point>& Z, const std::vector<double>& m) {
 
 }  // namespace
 
-/// For one component: K_BB′ = Σ_a w_a(X_B) w_a(X_B′)/m_a.
+/// Points with one prescribed component, and the factored K_BB′ = Σ_a w_a(X_B) w_a(X_B′)/m_a.
 struct BoundaryProjection::Factor {
   std::vector<int> points;
   Sparse w;  // w_a(X_B), a column per point
@@ -75,7 +75,7 @@ Point BoundaryProjection::interpolated(const BoundaryPoint& point, const std::ve
   return sum;
 }
 
-/// With the sums C of (ii), (iii) over w_B and A over rigid motions:
+/// C contains the sums of (ii), (iii) over w_B, A those over rigid motions:
 ///   K β + C δ = r,   Cᵀ β + A δ = 0   →   (A − Cᵀ K⁻¹ C) δ = −Cᵀ K⁻¹ r,   β = K⁻¹ (r − C δ).
 void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z) const {
   refer_to_centroid(Z, m_);  // (iii) holds about any origin
@@ -106,7 +106,7 @@ void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z)
     S -= C.transpose() * solved[k].rightCols<6>();
     right -= C.transpose() * solved[k].col(0);
   }
-  // minimum-norm: S is singular if every motion is prescribed
+  // minimum-norm solution, as S is singular if every motion is prescribed
   const Eigen::Matrix<double, 6, 1> delta = least_squares(S, right).x;
   for (std::size_t a = 0; a < v.size(); ++a) {
     const Eigen::Vector3d rigid = delta.head<3>() + turns(vector(Z[a])) * delta.tail<3>();

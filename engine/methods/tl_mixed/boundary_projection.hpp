@@ -9,28 +9,29 @@
 
 namespace taut {
 
-/// A particle with prescribed velocity components; f(X_B) = Σ_a V_a W̃_a(X_B) f_a. [Lee2016] Eq. 23
+/// A particle with prescribed velocity components. The corrected kernel interpolates there:
+/// f(X_B) = Σ_a V_a W̃_a(X_B) f_a. [Lee2016] Eq. 23
 struct BoundaryPoint {
   std::vector<std::pair<int, double>> w;  // local index a; V_a W̃_a(X_B)
   unsigned axes = 0;                      // bit k: prescribed component
   Point velocity{};                       // m/s
 };
 
-/// Least change of v, weighted by mass, to prescribed interpolated velocities and unchanged momenta:
+/// Changes v least, weighted by mass, so that interpolated velocities are as prescribed and momenta stay:
 ///   v̂_a = v_a + Σ_B V_a/m_a W̃_a(X_B) β_B + β_lin + β_ang × Z_a,
 ///   (i) v̂(X_B) = v_B,   (ii) Σ m_a v̂_a = Σ m_a v_a,   (iii) Σ m_a Z_a × v̂_a = Σ m_a Z_a × v_a.
-/// [Lee2016] Appendix B; V_B β_B is β_B/ρ0 here. Boundary particles must already have their prescribed velocities.
-/// The constant matrices of (i) are factored once; a Schur complement gives (ii), (iii).
+/// [Lee2016] Appendix B with the missing B.6; V_B β_B is β_B/ρ0 here. Boundary particles must have their prescribed
+/// velocities before. The constant matrices of (i) are factored once.
 class BoundaryProjection {
  public:
-  /// Particles of one body with masses m, kg. Throws SceneError for linearly dependent points.
+  /// Takes particles of one body, m in kg. Throws SceneError for linearly dependent points.
   BoundaryProjection(std::vector<BoundaryPoint> points, std::vector<double> m);
   ~BoundaryProjection();
   BoundaryProjection(BoundaryProjection&&) noexcept;
 
   /// Projects `v`, m/s, of particles at Z, m.
   void operator()(std::vector<Point>& v, std::vector<Point> Z) const;
-  /// Prescribed velocities may be changed.
+  /// Points; their velocities may change.
   std::vector<BoundaryPoint>& points() { return points_; }
   /// Σ V_a W̃_a(X_B) f_a.
   Point interpolated(const BoundaryPoint& point, const std::vector<Point>& f) const;

@@ -8,20 +8,20 @@
 
 namespace taut {
 
-/// Weights of L[f]_i = Σ_j w_ij (f_j − f_i) times `scale`, m²:
+/// Weights of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale`, m²:
 ///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²),   r_ij = X_i − X_j,            [Lee2016] Eq. A.1, A.2
-/// L is exact for linear fields and |X − X_i|² (A.3–A.5); ΔW = W″ + (Dim − 1) W′/r. β = 0 where neighbours hardly
-/// distinguish these, as at corners: the step would be tiny.
+/// L is exact for linear fields and |X − X_i|² (A.3–A.5), with ΔW = W″ + (Dim − 1) W′/r. β is 0 where the
+/// neighbours hardly distinguish these, as at corners; steps would be tiny. L is not symmetric.
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
                                         double h, double scale, int threads = 1) {
   constexpr int N = Dim + 1;
-  // minimum non-linear share of Σ V r⁴; lattice corners have 0.03
+  // minimum share of Σ V r⁴ without linear part; lattice corners have 0.03
   constexpr double least_told = 0.02;
   std::vector<double> w(pairs.j.size());
   parallel_for(pairs.size(), threads, [&](int i) {
-    // lengths in h; last column: right-hand side
+    // lengths in h; the last column is the right-hand side
     double A[N][N + 1] = {};
     A[Dim][N] = 2 * Dim;
     const auto basis = [&](int p, double(&r)[N]) {
@@ -70,8 +70,7 @@ inline constexpr TermInfo corrected_laplacian_info{
     "methods/tl_mixed/corrected_laplacian.hpp:corrected_laplacian",
     "corrected Laplacian: 0 of linear fields, 2 d of the square of the distance, at surfaces too"};
 
-/// L*[f]_i = Σ_j (V_j w_ji/V_i f_j − w_ij f_i):
-///   Σ V_i g_i L[f]_i = Σ V_i f_i L*[g]_i.
+/// Weights V_j w_ji/V_i of the adjoint L*[f]_i = Σ_j (V_j w_ji/V_i f_j − w_ij f_i).
 template <int Dim>
 std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
                                     const std::vector<double>& V, int threads) {
@@ -86,7 +85,7 @@ std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::v
   return adjoint;
 }
 
-/// Lanes of k_ij, w_ij and the adjoint weight (`adjoint` = 0: w_ij).
+/// Lanes of k_ij, w_ij and the adjoint weight (w_ij for `adjoint` = 0).
 template <int Dim>
 using LaplacianLanes = PairLanes<Dim, Dim + 2>;
 template <int Dim>
@@ -104,7 +103,7 @@ LaplacianLanes<Dim> with_laplacian(const InitialPairs<Dim>& pairs, const std::ve
           }};
 }
 
-/// Σ_j (f_j − f_i) ⊗ k_ij of the first Dim fields; L of all.
+/// Σ_j (f_j − f_i) ⊗ k_ij of the first Dim fields, and L of all.
 template <int Dim, int N>
 struct DifferencesAndLaplacian {
   Mat<Pack, Dim> differences;

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Unknowns or their rates, four particles each.
+/// Unknowns or their rates in groups of four particles.
 template <int Dim>
 struct Strains {
   Mat<Pack, Dim>* F;
@@ -16,7 +16,7 @@ struct Strains {
   Mat<Pack, Dim>* H;  // cofactor of F; may be null
 };
 
-/// External actions on particle i; null functions do nothing.
+/// External actions on particle i; a null function means no action.
 template <int Dim>
 struct StageActions {
   using V = Vec<double, Dim>;
@@ -24,9 +24,9 @@ struct StageActions {
   void* of;
   /// Adds loads to `a`.
   void (*load)(void* of, int i, V& a);
-  /// Prescribes `v` after the first stage.
+  /// Sets a prescribed `v` after the first stage.
   void (*steer)(void* of, int i, V& v);
-  /// Prescribes `v` at the end of the step from `before` and counts work.
+  /// Sets a prescribed `v` after a step from `before`, and counts the work of loads and drives.
   void (*close)(void* of, int i, double dt, const V& before, V& v);
 };
 
@@ -46,11 +46,11 @@ struct TlMixedFields {
   double wave_speed;                              // c_p, m/s
   PairLanesView<Dim> pairs;                       // k_ij
   PairLanesView<Dim, Dim + 2> dissipating_pairs;  // k_ij, w_ij dp², adjoint weight
-  Strains<Dim> now, start, rate;                  // at the stage, at the start; rates
+  Strains<Dim> now, start, rate;                  // at the stage, at the start of the step; rates
   ColumnsView<Dim + 1> flow;                      // v, m/s, and J
   ColumnsView<Dim * Dim> stress;                  // V P B, row by row
   ColumnsView<Dim + 1> once;                      // dp² L of (v, J)
-  ColumnsView<Dim> a, a_start;                    // without contact and loads; total at the start, m/s²
+  ColumnsView<Dim> a, a_start;                    // internal; total at the start, m/s²
   ColumnsView<1> dissipation_J;                   // 1/s
 
   int groups() const { return (size + lanes - 1) / lanes; }

@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Torque and inertia of four particles.
+/// Torque and inertia summed in lanes.
 template <int Dim>
 struct Turning;
 template <>
@@ -43,10 +43,10 @@ inline Pack volumes_of_four(const double* V, int i, int last) {
   return four;
 }
 
-/// Least change of a body's accelerations, weighted by volume, to zero force and torque:
+/// Changes the accelerations of a body least, weighted by volume, to zero force and torque:
 ///   Σ V a = 0,  Σ V Z × a = 0.                                                           [Lee2016] Eq. 45–48
-/// As a_i − ω × (Z_i − Z̄) − ā, ω is torque over inertia. One density; particles first … last − 1; `a` is padded by a
-/// pack. `share` < 1: part of the change. Independent of threads and storage.
+/// The result is a_i − ω × (Z_i − Z̄) − ā with ω = torque/inertia. The body is particles first … last − 1, of one
+/// density; `a` needs padding for a pack. `share` < 1 applies a part. Independent of threads and storage.
 template <int Dim>
 void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, const double* V, int first,
                         int last, double share = 1) {
@@ -61,7 +61,7 @@ void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, co
   }
   const Pack per_volume = filled<Pack>(1 / sum(volume));
   const Vec<Pack, Dim> mean_a = per_volume * spread(sum(sum_a)), mean_Z = per_volume * spread(sum(sum_Z));
-  Turning<Dim> turning;  // over the density
+  Turning<Dim> turning;  // divided by density
   for (int i = first; i < last; i += lanes)
     turning.add(volumes_of_four(V, i, last), places(i) - mean_Z, vector_at<Dim>(a, i));
   const auto omega = turning.rate();

@@ -17,7 +17,7 @@ struct UnknownsOf {
 
   static constexpr bool has_J = follows_volume_ratio(M);
   static constexpr bool has_H = M.unknowns == Unknowns::v_F_H_J && Dim == 3;
-  static constexpr int fields = Dim + has_J;  // dissipated
+  static constexpr int fields = Dim + has_J;  // that dissipate
 
   static Pack volume_ratio(const Strains<Dim>& u, int group) {
     if constexpr (has_J)
@@ -50,7 +50,7 @@ struct UnknownsOf {
   }
 };
 
-/// Initial F, J and H of displaced bodies. `flow`: x − X.
+/// Initial F, J and H of displaced bodies; `flow` contains x − X.
 template <const TlMixedFormulation& M, int Dim>
 void start_gradients(const TlMixedFields<Dim>& f) {
   using U = UnknownsOf<M, Dim>;
@@ -155,21 +155,21 @@ void dissipation_pass(const TlMixedFields<Dim>& f, const TlMixedConstants& c, co
   }
 }
 
-/// Removes force, torque (Eq. 45–49) and the sum of J's dissipation (Eq. 51).
+/// Removes force and torque (Eq. 45–49), and the sum of the dissipation of J (Eq. 51).
 template <const TlMixedFormulation& M, int Dim>
 void project(const TlMixedFields<Dim>& f, const TlMixedConstants& c, int first, int last) {
   project_on_momenta(f.a, f.x, f.V0, first, last, c.projection);
   if constexpr (UnknownsOf<M, Dim>::has_J) subtract_mean(f.dissipation_J, f.V0, first, last, c.projection);
 }
 
-/// Calls use(i) for particles in a group.
+/// Calls use(i) for each particle of a group.
 template <int Dim, class F>
 [[gnu::always_inline]] inline void each_of(const TlMixedFields<Dim>& f, int group, const F& use) {
   const int first = lanes * group, last = std::min(first + lanes, f.size);
   for (int i = first; i < last; ++i) use(i);
 }
 
-/// Impulse of a stage, half the step.
+/// Adds the impulse of a stage, half the step.
 template <int Dim>
 [[gnu::noinline]] void watch(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, int group,
                              Vec<Pack, Dim> a) {
@@ -193,7 +193,7 @@ template <int Dim>
   return f.sites[group].mobile * a;
 }
 
-/// First stage. Driven particles get their final velocity.
+/// First stage. Driven particles get their velocity at the step's end.
 template <const TlMixedFormulation& M, int Dim>
 void predict(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActions<Dim>& actions,
              const Threads& threads) {
@@ -219,7 +219,7 @@ void predict(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActi
   });
 }
 
-/// Second stage: ½ (U + U* + Δt U̇(U*)). Returns maximum v², m²/s².
+/// Second stage, ½ (U + U* + Δt U̇(U*)). Returns the maximum v², m²/s².
 template <const TlMixedFormulation& M, int Dim>
 double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActions<Dim>& actions,
                const Threads& threads) {
@@ -249,7 +249,7 @@ double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageAc
   });
 }
 
-/// Advances F, J, H by `dt` times `flow`.
+/// Advances F, J and H by `dt` times `flow`.
 template <const TlMixedFormulation& M, int Dim>
 void follow(const TlMixedFields<Dim>& f, double dt, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// V_a W̃_a(X_i) of i and initial neighbours. W̃ = α (1 + β·(X_i − X_a)) W satisfies
+/// V_a W̃_a(X_i) of particle i and its initial neighbours. W̃ = α (1 + β·(X_i − X_a)) W satisfies
 /// Σ V_a W̃_a = 1 and Σ V_a W̃_a (X_i − X_a) = 0. [Lee2016] Eq. 23
 template <class K, int Dim>
 std::vector<std::pair<int, double>> corrected_kernel(const InitialPairs<Dim>& pairs,
@@ -38,13 +38,13 @@ std::vector<std::pair<int, double>> corrected_kernel(const InitialPairs<Dim>& pa
   return w;
 }
 
-/// Prescribed particles and projections per body.
+/// Prescribed particles and the projection of each body.
 template <class K, int Dim>
 class PrescribedBoundary {
  public:
   using V = Vec<double, Dim>;
 
-  /// `axes`: bit k of [i] prescribes component k. V0: m^Dim; m: kg.
+  /// `axes`: bit k of [i] prescribes component k of particle i. V0 in m^Dim, m in kg.
   void prescribe(std::vector<unsigned char> axes, const InitialPairs<Dim>& pairs, const std::vector<V>& X,
                  const std::vector<double>& V0, const std::vector<double>& m, const std::vector<int>& first,
                  double h) {
@@ -73,7 +73,7 @@ class PrescribedBoundary {
     }
   }
 
-  /// Prescribes `v(i)` as `given(i)` and projects around.
+  /// Sets prescribed components of `v(i)` to `given(i)` and projects neighbours.
   template <class Velocity, class Given, class Place>
   void project(const Velocity& v, const Given& given, const Place& x) {
     for (Body& body : bodies_) {
@@ -98,7 +98,7 @@ class PrescribedBoundary {
 
  private:
   struct Body {
-    std::vector<int> points, particles;  // indices
+    std::vector<int> points, particles;  // particle indices
     BoundaryProjection projection;
   };
   static Point point_of(const V& v) {

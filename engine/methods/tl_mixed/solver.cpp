@@ -14,7 +14,7 @@
 namespace taut {
 namespace {
 
-/// over c_p; beyond, the run has diverged
+/// multiple of c_p beyond which the run has diverged
 constexpr double greatest_wave_ratio = 100;
 using K = Kernel<KernelName::wendland_c2>;
 
@@ -32,7 +32,7 @@ TlMixed<Dim>::TlMixed(Common<Dim>& common, const SolverInput& input, const Kerne
   make_pairs(input);
   flow_.resize(p_.size());
   stress_.resize(p_.size());
-  a_.resize(p_.size() + lanes), a_start_.resize(p_.size());  // packs may begin anywhere
+  a_.resize(p_.size() + lanes), a_start_.resize(p_.size());  // packs of a body may begin anywhere
   dissipation_J_.resize(p_.size() + lanes);
   make_strains();
   f_ = {.size = p_.size(),
@@ -100,7 +100,7 @@ void TlMixed<Dim>::set_start_gradients() {
   kernels_.start_gradients(f_);
 }
 
-/// Time step, s: 2 over the maximum dissipation rate, less a tenth for waves.
+/// Time step limit, s: 2 over the maximum dissipation rate, less a tenth for waves.
 template <int Dim>
 double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
   const double square = biharmonic_spectral_radius(dissipating_lanes_.view(), p_.size(), threads),
@@ -109,18 +109,18 @@ double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
   return 0.9 * 2 * c_.dp / (body_.wave_speed * rate);
 }
 
-/// Time step, s; in 3D α_CFL h/c_p with the fastest wave in the strained body. [Lee2016] Eq. 44 Differs from the
-/// paper, which has dp for h: 0.3 dp/c_p is unstable at free faces.
+/// Time step, s; in 3D α_CFL h/c_p with the fastest wave in the strained bodies. Differs from [Lee2016] Eq. 44, which
+/// has dp for h: 0.3 dp/c_p is unstable at free faces.
 template <int Dim>
 double TlMixed<Dim>::step_size() const {
   if (Dim == 2) return common_.fixed_or(std::min(body_.step_size(), dissipation_limit_));
   const double fastest = std::sqrt(kernels_.greatest_stiffness(f_, common_.threads_now()) / c_.rho0);
-  const double at_least = body_.wave_speed;  // softening may be temporary
+  const double at_least = body_.wave_speed;  // softened bodies may stiffen again
   if (!(fastest <= greatest_wave_ratio * at_least)) crushed();
   return common_.fixed_or(std::min(c_.cfl * c_.h / std::max(fastest, at_least), dissipation_limit_));
 }
 
-/// Reports the lowest id with too fast waves.
+/// Throws NumericalError with the lowest id that has too fast waves.
 template <int Dim>
 void TlMixed<Dim>::crushed() const {
   const double limit = greatest_wave_ratio * body_.wave_speed;
@@ -146,7 +146,7 @@ void TlMixed<Dim>::step(double dt) {
   find_rates(dt);
   kernels_.predict(f_, kick, outside, common_.threads_now());
   project_on_boundary(dt);
-  // the mean of both ends conserves momenta; clamped particles stay
+  // the mean of both stages conserves momenta; clamped particles stay
   parallel_for(p_.size(), common_.threads_now(),
                [&](int i) { p_.x[i] += (0.5 * dt * p_.mobile[i]) * (v_start_[i] + p_.v[i]); });
   find_rates(dt);
@@ -156,12 +156,12 @@ void TlMixed<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Rates without contact and loads. [Lee2016] Algorithm 1, steps 4–8
+/// Computes rates without contact and loads. [Lee2016] Algorithm 1, steps 4–8
 template <int Dim>
 void TlMixed<Dim>::find_rates(double dt) {
   const int threads = common_.threads_now();
   kernels_.set_columns(f_, threads);
-  common_.contact.evaluate(p_, 0.5 * dt, threads);  // half per stage
+  common_.contact.evaluate(p_, 0.5 * dt, threads);  // each stage has half the step
   kernels_.gather(f_, threads);
   if (method_.jst) kernels_.dissipate(f_, c_, threads);
   if (c_.projection == 0) return;
@@ -203,7 +203,7 @@ StageActions<Dim> TlMixed<Dim>::actions() {
           .close = loaded || steered ? +close : nullptr};
 }
 
-/// [Lee2016] Algorithm 1, step 9; the added energy is not work.
+/// [Lee2016] Algorithm 1, step 9. The added energy does not count as work.
 template <int Dim>
 void TlMixed<Dim>::project_on_boundary(double ahead) {
   if (c_.boundary_projection == 0) return;
@@ -224,8 +224,8 @@ void TlMixed<Dim>::project_on_boundary(double ahead) {
                     [&](int i) { return p_.x[i] + ahead * v_start_[i]; });
 }
 
-/// Updates x, F, J and H for impulses. As x follows start and first stage only, stopped particles creep; correcting
-/// this would change angular momentum.
+/// Moves x, F, J and H with the impulses. x follows start and first stage only, so stopped particles creep.
+/// Correcting this would change angular momentum.
 template <int Dim>
 void TlMixed<Dim>::stop_approach(double dt) {
   bool stopped = false;

@@ -42,7 +42,6 @@ Motion<Dim> gather_motion(const MotionRow<Dim>* rows, const int* j) {
   gather<MotionRow<Dim>::width>(rows[0].c, j, column);
   return motion_of<Dim>(column, true);
 }
-/// Without position.
 template <int Dim>
 Motion<Dim> gather_motion_only(const MotionRow<Dim>* rows, const int* j) {
   constexpr int width = Row<Dim + 2>::width;
@@ -57,7 +56,7 @@ Motion<Dim> spread_motion(const MotionRow<Dim>& row) {
   return motion_of<Dim>(column, true);
 }
 
-/// Row gathered by the stress pass, without unused columns.
+/// Row gathered by the stress pass; unused columns are omitted.
 template <const UlCauchyFormulation& M, int Dim>
 struct StressRow {
   static constexpr bool riemann = M.viscosity == Viscosity::riemann;
@@ -135,7 +134,7 @@ struct StressRow {
   }
 };
 
-/// −σ⁺ in the form of StressRow::T; not always needed.
+/// −σ⁺ in the form of StressRow::T; needed by some particles only.
 template <int Dim>
 struct RepulsionRow : Row<Dim * Dim> {
   using Row<Dim * Dim>::c;
@@ -162,7 +161,6 @@ struct Gradients {
   double colour = 0;            // Σ W V
 };
 
-/// The method uses W itself.
 constexpr bool needs_kernel(const UlCauchyFormulation& m) {
   return m.artificial_stress || m.transport_velocity;
 }
@@ -185,9 +183,9 @@ struct UlCauchyFields {
   MotionRow<Dim>* transported;  // with û
   void* stress;                 // StressRows
   RepulsionRow<Dim>* repulsion;
-  const int *begin, *j;                // see Neighbors
-  AlignedPack* w;                      // w(q), if needs_kernel
-  const AlignedPack* of_one_material;  // 1 or 0; null: 1
+  const int *begin, *j;                // neighbours, see Neighbors
+  AlignedPack* w;                      // w(q) of neighbours
+  const AlignedPack* of_one_material;  // 1 or 0; null: all 1
   // rigid motion of bodies since the last search
   const V *drift, *centre;  // m/s, m
   const double* spin;       // 1/s

@@ -5,13 +5,12 @@
 
 namespace taut {
 
-/// Pair term of (1/ρ) ∇·σ.
+/// Stress term of a pair in (1/ρ) ∇·σ.
 enum class PairStress : std::uint8_t {
   product,  // m_j (σ_i + σ_j)/(ρ_i ρ_j), [Khayyer2024] Eq. 9
   squares,  // m_j (σ_i/ρ_i² + σ_j/ρ_j²), [TranDuc2023] Eq. 2.3
 };
 
-/// Density rate.
 enum class Continuity : std::uint8_t {
   velocity_gradient,  // −ρ tr ∇û, [Khayyer2024] Eq. 8, 29
   masses,             // Σ m_j u_ij·∇W, [TranDuc2023] §2.2
@@ -41,27 +40,26 @@ struct UlCauchyFormulation : Formulation, UlCauchySwitches {
 
 struct UlCauchyConstants : Constants {
   double alpha = 0;
-  double riemann_factor = 0;  // second-order dissipation
-  double geometry = 0;        // ∇u at 0: start of the step, 1: end
-  double xsph = 0;            // XSPH share
+  double riemann_factor = 0;  // factor of the dissipation
+  double geometry = 0;        // evaluates ∇u at 0: start, 1: end of the step
+  double xsph = 0;            // ε of XSPH
   double delta = 0;
   double epsilon = 0, exponent = 0;
-  double surface_colour = 0;             // limit at surfaces
-  double vicinity = 0;                   // of surfaces, spacings
-  double surface_artificial_stress = 0;  // share of it without TIC
+  double surface_colour = 0;             // upper limit at surfaces
+  double vicinity = 0;                   // of a surface, in spacings
+  double surface_artificial_stress = 0;  // share of artificial stress without TIC
   double step_speed = 0;                 // wave speed for steps, m/s
 };
 
-/// Forces use the stored stress.
 constexpr bool carries_stress(const UlCauchyFormulation&) { return true; }
 
 constexpr bool consistent(const UlCauchyFormulation& m) {
-  // these need corrected gradients
+  // second-order terms need corrected gradients
   const bool second_order = m.density_diffusion || m.viscosity == Viscosity::riemann || m.tensile_control;
   return m.artificial_stress == (m.epsilon > 0) && (m.corrected || !second_order) &&
-         (!m.tensile_control || m.artificial_stress) &&             // used at surfaces
+         (!m.tensile_control || m.artificial_stress) &&             // TIC keeps it at surfaces
          (m.pair_stress == PairStress::product || !m.corrected) &&  // not in any paper
-         m.greatest_dim == 2;                                       // of the passes
+         m.greatest_dim == 2;                                       // limit of the passes
 }
 
 }  // namespace taut

@@ -20,7 +20,7 @@
 /// All loops gather over i, so results do not depend on the number of threads.
 namespace taut {
 
-/// Geometry of pairs at the start of the step. Padding: w′/q = 0, r beyond the support.
+/// Geometry of pairs at the start of the step. In padding, w′/q is 0 and r is beyond the support.
 template <int Dim>
 struct CauchyPair {
   Vec<Pack, Dim> d;  // x_i − x_j, m
@@ -28,8 +28,8 @@ struct CauchyPair {
   Pack dw_per_q;     // w′(q)/q of kernels/kernel.hpp
 };
 
-/// Scales of W and ∇W. To avoid divisions, terms get w′/q, `one` and x_i − x_j for ∂W/∂r, r and e_ij; sums are scaled
-/// by α/h^(Dim+2).
+/// Scales of W and ∇W. To avoid divisions, terms get w′/q, `one` and x_i − x_j for ∂W/∂r, r and e_ij. Their sums are
+/// scaled by α/h^(Dim+2).
 template <const UlCauchyFormulation& M, int Dim>
 struct KernelScale {
   using K = Kernel<M.kernel>;
@@ -49,7 +49,7 @@ struct KernelScale {
   }
 };
 
-/// Fills the StressRow and R.
+/// Fills the StressRow and the artificial stress.
 template <const UlCauchyFormulation& M, int Dim>
 void set_stress(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, int i, const Gradients<Dim>& g) {
   using Row = StressRow<M, Dim>;
@@ -79,7 +79,6 @@ void set_stress(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, int i,
   if constexpr (M.tensile_control) row.put(Row::surface_at, g.colour < c.surface_colour);
 }
 
-/// Computes gradients, colour, L_i and W, then stress rows.
 template <const UlCauchyFormulation& M, int Dim>
 void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Threads& threads) {
   using K = Kernel<M.kernel>;
@@ -112,14 +111,13 @@ void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// In units of ∇W.
+/// Artificial stress of particle i, in units of ∇W.
 template <const UlCauchyFormulation& M, int Dim>
 class Repulsion {
  public:
   explicit Repulsion(const UlCauchyConstants& c)
       : scale_(c.h), per_w_dp_(1 / K::w(c.dp / c.h)), exponent_(c.exponent) {}
 
-  /// For the neighbours in pack `b`.
   Vec<Pack, Dim> term(const UlCauchyFields<Dim>& f, const Mat<Pack, Dim>& R_i, int b,
                       const CauchyPair<Dim>& pair, const Pack& weight) const {
     const Pack close = power(Pack(per_w_dp_ * f.w[b].value), exponent_);  // (W/W(dp))ⁿ
@@ -141,7 +139,7 @@ class Repulsion {
   double per_w_dp_, exponent_;
 };
 
-/// Advances v and computes density diffusion, kg/(m³ s). Returns maximum v², m²/s².
+/// Advances v and computes density diffusion, kg/(m³ s). Returns the maximum v², m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Kick<Dim>& kick,
                    const Threads& threads) {
@@ -202,8 +200,8 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Computes û, [Khayyer2024] Eq. 14, and positions `ahead`, s, of the start. Constrained particles keep prescribed
-/// velocities. Returns the maximum squared velocity relative to rigid motion, m²/s².
+/// Computes û, [Khayyer2024] Eq. 14, and the positions `ahead`, s, after the start. Clamped, guided and driven
+/// particles keep their velocity. Returns the maximum squared velocity relative to rigid motion, m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
                       double ahead, const Threads& threads) {

@@ -9,9 +9,10 @@
 
 namespace taut {
 
-/// Divergence of the whole σ = −pI + s: [Khayyer2024] and, in the current configuration, [TranDuc2023].
+/// Updated-Lagrangian methods with the whole stress σ = −pI + s: [Khayyer2024] and, in the current configuration,
+/// [TranDuc2023].
 ///
-/// Neighbour lists include a skin and stay valid until a particle has moved half of it relative to its body's rigid
+/// Neighbour lists include a skin. They are valid until a particle has moved half of it relative to its body's rigid
 /// motion.
 template <int Dim>
 class UlCauchy final : public Scheme<Dim> {
@@ -30,7 +31,7 @@ class UlCauchy final : public Scheme<Dim> {
   void load(Loader& loader) override { serialize(loader); }
 
  private:
-  /// In spacings; longer: fewer searches, more pairs.
+  /// In spacings; a longer skin means fewer searches and more pairs.
   static constexpr double skin = 0.25;
   struct alignas(64) CacheLine {
     double c[8];
@@ -68,11 +69,11 @@ class UlCauchy final : public Scheme<Dim> {
   std::vector<RepulsionRow<Dim>> repulsion_;
   Neighbors near_;
   std::vector<AlignedPack> w_, of_one_material_;
-  // rigid motion at the last search; 0 with sph_contact_
+  // rigid motion at the last search; 0 under sph_contact_
   std::vector<V> drift_;      // m/s
   std::vector<double> spin_;  // 1/s
   std::vector<V> centre_;     // drifted position, m
-  double way_ = 0;            // maximum distance relative to it, m
+  double way_ = 0;            // maximum distance moved relative to it, m
   UlCauchyFields<Dim> f_{};
 };
 

@@ -90,17 +90,17 @@ struct PairGeometry {
 };
 
 /// Geometry of all pairs, cached until the next rebuild; 0 in padding. Gradients of (i, j) and (j, i) are exactly
-/// opposite. In 3D, single precision saves memory; kernel units fit its range.
+/// opposite. In 3D, single precision saves memory, in kernel units that fit its range.
 template <int Dim>
 struct PairCache {
   static constexpr bool halved = Dim == 3;
   using Kept = std::conditional_t<halved, HalfPack, AlignedPack>;
-  /// Minimum −r ∂W/∂r in kernel units; below it the geometry is 0, because inverses would overflow.
+  /// Least −r ∂W/∂r, in kernel units; below it the geometry is 0, because inverses would overflow.
   static constexpr double least = halved ? 1e-30 : 0;
 
   Kept* gradients;  // Dim per pack
   Kept *inverse_slopes, *inverse_distances;
-  Kept* closeness_of;        // for artificial stress
+  Kept* closeness_of;        // with artificial stress
   double steepness, length;  // kernel units, 1/m^(Dim+1), m; 1 unless halved
 
   void set(int b, const PairGeometry<Dim>& pairs) const {
@@ -129,7 +129,7 @@ struct PairCache {
   }
 };
 
-/// A pack of neighbours of i with particles of another body, if these interact with i.
+/// A pack of neighbours of i that contains particles of another body.
 struct MixedPack {
   int i, pack;
 };

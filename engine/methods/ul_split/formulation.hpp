@@ -6,9 +6,9 @@
 namespace taut {
 
 enum class Shear : std::uint8_t {
-  nested_stress,       // ∇·s, Jaumann rate; [Zhang2024] Eq. 7, 13, 14
-  laplacian_velocity,  // ∫ G/ρ ∇²v dt, conserves angular momentum; [Zhang2024] Eq. 19, 20
-  laplacian_velocity_nonconservative,  // plain operator; [Zhang2024] Eq. 18
+  nested_stress,       // ∇·s with the Jaumann rate; [Zhang2024] Eq. 7, 13, 14
+  laplacian_velocity,  // ∫ G/ρ ∇²v dt, conserving angular momentum; [Zhang2024] Eq. 19, 20
+  laplacian_velocity_nonconservative,  // with the plain operator; [Zhang2024] Eq. 18
 };
 
 struct UlSplitSwitches {
@@ -24,7 +24,7 @@ struct UlSplitFormulation : Formulation, UlSplitSwitches {
 };
 
 struct UlSplitConstants : Constants {
-  double zeta = 0;                             // of the Laplacian, [Zhang2024] Eq. 19
+  double zeta = 0;                             // factor of the Laplacian, [Zhang2024] Eq. 19
   double epsilon = 0, exponent = 0;            // of the artificial stress
   double riemann_limiter = 0, beta_least = 1;  // β = min(max(limiter · (U_L − U_R)/c0, β_least), 1)
   double pressure_diffusion = 0;               // share of (p_i − p_j)/(2 ρ0 c0) in U*: 0 or 1
@@ -32,15 +32,15 @@ struct UlSplitConstants : Constants {
   double step_speed = 0;  // wave speed for steps, m/s
 };
 
-/// False if stress is only recovered for display.
+/// Returns false if stress is only recovered for display.
 constexpr bool carries_stress(const UlSplitFormulation& m) { return m.shear == Shear::nested_stress; }
 
-/// If true, stress is continuous across clamps; otherwise `oas` tears off. Clamps without stress are rigid: strained,
-/// they would make `enog` too stiff. [Zhang2024] does not specify this.
+/// Stress is then continuous across a clamp; otherwise `oas` tears off it. Clamps of the other methods are rigid,
+/// because strained ones make `enog` too stiff. [Zhang2024] does not specify this.
 constexpr bool strains_what_is_held(const UlSplitFormulation& m) { return carries_stress(m); }
 
 constexpr bool consistent(const UlSplitFormulation& m) {
-  return (!m.artificial_stress || carries_stress(m)) &&  // which it is computed from
+  return (!m.artificial_stress || carries_stress(m)) &&  // needed for artificial stress
          m.artificial_stress == (m.epsilon > 0) && m.cfl_advection > 0;
 }
 

@@ -2,8 +2,8 @@
 
 #include "engine/methods/ul_split/formulation.hpp"
 
-/// Methods compared in [Zhang2024]. Its artificial stress lacks equations and values; these are from Gray, Monaghan,
-/// Swift (2001).
+/// Methods of [Zhang2024] and those it compares with. The artificial stress is from Gray, Monaghan, Swift (2001), as
+/// the paper has no equations or values.
 namespace taut {
 
 inline constexpr UlSplitFormulation og{

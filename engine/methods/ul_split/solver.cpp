@@ -16,7 +16,7 @@ UlSplitConstants split_constants(const SolverInput& input) {
   const auto& method = *as<UlSplitFormulation>(input.method);
   UlSplitConstants c =
       constants_of(ul_split::constants(method, input.scene.dim), input.constants, input.values);
-  constexpr double known = 0.75;  // G/K for ν = 0.2; `enog` needs shorter steps above
+  constexpr double known = 0.75;  // G/K for ν = 0.2; above it `enog` fails at c0
   c.step_speed = c.zeta > 0 ? step_speed(input, c.zeta, known) : step_speed(input);
   return c;
 }
@@ -50,16 +50,16 @@ UlSplit<Dim>::UlSplit(Common<Dim>& common, const SolverInput& input, const Kerne
   greatest_speed_ = common_.vmax;
 }
 
-/// s, [Zhang2024] Eq. 22, but faster waves for materials stiff in shear.
+/// Time step, s, [Zhang2024] Eq. 22, but shorter for materials stiffer in shear.
 template <int Dim>
 double UlSplit<Dim>::step_size() const {
   return common_.fixed_or(c_.cfl * c_.h / (c_.step_speed + common_.vmax));
 }
 
-/// [Zhang2024] Eq. 22–25.
+/// One acoustic step, [Zhang2024] Eq. 22–25.
 template <int Dim>
 void UlSplit<Dim>::step(double dt) {
-  // Eq. 21 as a distance at the maximum speed since the start, which is safe at turning points
+  // Eq. 21 as a distance, at the maximum speed since the start, so turning points need no care
   if (stepping_ == Stepping::single ? common_.run.steps > 0 : advected_ >= c_.cfl_advection * c_.h) rebuild();
   common_.contact.prepare(p_, common_.vmax * dt);
   kernels_.half_drift(f_, c_, 0.5 * dt, common_.threads_now());
@@ -71,7 +71,7 @@ void UlSplit<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Velocities (Eq. 24) and positions (Eq. 25) at the end.
+/// Advances velocities (Eq. 24) and positions (Eq. 25).
 template <int Dim>
 void UlSplit<Dim>::accelerate(double dt) {
   const Kick<Dim> kick = common_.kick(dt, common_.run.time + dt);
@@ -84,13 +84,13 @@ void UlSplit<Dim>::accelerate(double dt) {
   greatest_speed_ = std::max(greatest_speed_, common_.vmax);
 }
 
-/// Densities and shear at the end, Eq. 25.
+/// Advances densities and shear, Eq. 25.
 template <int Dim>
 void UlSplit<Dim>::close_rates(double dt) {
   kernels_.rates(f_, c_, common_.external.steering(), dt, common_.threads_now());
 }
 
-/// Sorts particles by cell; updates neighbours and pair geometry.
+/// Sorts particles by cell and updates neighbours and pair geometry.
 template <int Dim>
 void UlSplit<Dim>::rebuild() {
   const int threads = common_.threads_now();
@@ -166,7 +166,7 @@ void UlSplit<Dim>::bind_fields() {
         .mixed_count = static_cast<int>(mixed_.size())};
 }
 
-/// Since the last recovery, with its volumes.
+/// Displacements since the last recovery, with its volumes.
 template <int Dim>
 std::vector<FlowRow<Dim>> UlSplit<Dim>::displacements() const {
   std::vector<FlowRow<Dim>> rows(p_.x.size());

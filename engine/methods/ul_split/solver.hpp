@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// [Zhang2024] with position Verlet and dual-criteria time stepping (§5).
+/// Updated-Lagrangian methods of [Zhang2024] with position Verlet and dual-criteria time stepping (§5).
 template <int Dim>
 class UlSplit final : public Scheme<Dim> {
  public:
@@ -53,7 +53,7 @@ class UlSplit final : public Scheme<Dim> {
   std::vector<double> rho_, drho_;
   std::vector<V> a_shear_, da_shear_;
   std::vector<S> s_, ds_;
-  std::vector<V> x_recovered_;  // at the last stress recovery, m
+  std::vector<V> x_recovered_;  // positions at the last stress recovery, m
   std::vector<FlowRow<Dim>> flow_, flow_new_;
   std::vector<TensorRow<Dim>> stress_, repulsion_, recovery_;
   std::vector<int> meets_;
