@@ -16,8 +16,8 @@ struct BondSums {
   Pack stiffest{};         // maximum s + 1/(4s²)
 };
 
-/// `places`: x and x + 3 τ v. With s + 3 τ q̇ for s, 3 φ′/λ = s − ¾ − 1/(4s²) includes damping. Lower limit of r²:
-/// `least_r2`, m².
+/// `places` contains x and x + 3 τ v, so that s + 3 τ q̇ replaces s in 3 φ′/λ = s − ¾ − 1/(4s²): this is the damping.
+/// r² is at least `least_r2`, m².
 template <bool WithEnergy, int Dim, class Storage>
 [[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBondsView<Dim, Storage>& bonds,
                                                       const ColumnsView<2 * Dim>& places, int group,
@@ -58,7 +58,7 @@ inline constexpr TermInfo bonded_damping_info{
     "methods/bonded/bond_sums.hpp:bond_sums",
     "oenog: the damping takes a zigzag away and leaves the first mode alone"};
 
-/// Adds Σ_j (Q_i + Q_j) a_ij.
+/// Adds Σ_j (Q_i + Q_j) a_ij to `f`.
 template <int Dim, class Storage>
 [[gnu::always_inline]] inline void add_stress_force(const PackedBondsView<Dim, Storage>& bonds,
                                                     const ColumnsView<Dim * Dim>& Q, int group,

@@ -13,31 +13,30 @@
 
 namespace taut {
 
-/// On axis-aligned lattices, e ⊗ e of diagonals differ only in signs.
+/// Cancellation on axis-aligned lattices, where e ⊗ e of diagonals differ only in signs.
 template <int Dim>
 struct alignas(sizeof(Pack)) CancelledOnLattice {
   static constexpr int faces = Dim == 2 ? 1 : 3;
   struct Face {
-    Pack aa, bb, ab;  // diagonal with e_a e_b > 0, axes a < b
+    Pack aa, bb, ab;  // e ⊗ e of the diagonal with e_a e_b > 0, a < b
     Pack third[2];    // ⅓ G V0_i w_ij, J; e_a e_b > 0 and < 0
   };
   struct Across {
-    Sym<Pack, 3> dyad;  // diagonal with positive products
+    Sym<Pack, 3> dyad;  // e ⊗ e of the diagonal with positive products
     Pack third[4];      // all products > 0; only xy, xz or yz > 0
   };
   Pack axis[Dim];  // ⅓ G V0_i w_ij, J
   Face face[faces];
   Across across;  // in 3D
 
-  /// Merges parallel bonds. Returns false for bonds off the lattice.
+  /// Adds a bond of a lane; parallel bonds are merged. Returns false if it does not fit the lattice.
   bool add(int lane, const Sym<double, Dim>& dyad, double Gw);
-  /// G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e.
+  /// Returns G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e.
   Sym<Pack, Dim> slopes(const Sym<Pack, Dim>& C) const;
 
  private:
-  /// Axes of face n.
   static constexpr std::array<int, 2> plane(int n) { return {n == 2 ? 1 : 0, n == 0 ? 1 : 2}; }
-  /// Returns false if the lane has a different value.
+  /// Stores the first value; returns false for a different one.
   static bool can_store(Pack& known, int lane, double value) {
     if (known[lane] == 0) known[lane] = value;
     return std::abs(known[lane] - value) < 1e-12;
@@ -105,18 +104,17 @@ Sym<Pack, Dim> CancelledOnLattice<Dim>::slopes(const Sym<Pack, Dim>& C) const {
   return S;
 }
 
-/// Cancellation (THEORY.md, Energy) in groups of four particles; opposite bonds are merged. Storage as in
-/// PackedBonds.
+/// Cancellation (THEORY.md, Energy) of four particles at a time. Opposite bonds are merged.
 template <int Dim, class Storage = AlignedPack>
 struct CancelledView {
   static constexpr int dyad_size = Sym<Pack, Dim>::size - 1;
-  /// e ⊗ e without the last component, since the trace is 1.
+  /// e ⊗ e without its last component; the trace is 1.
   struct Dyad {
     Storage c[dyad_size];
   };
   class Stretch;
   struct GroupRows {
-    int dyad, third, count;  // first indices; even count
+    int dyad, third, count;  // first indices; the count is even
     int on_lattice;          // −1 if off-lattice
   };
 
@@ -125,9 +123,9 @@ struct CancelledView {
   const Storage* thirds = nullptr;  // ⅓ G V0_i w_ij, J
   const CancelledOnLattice<Dim>* on_lattice = nullptr;
 
-  /// G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e, J.
+  /// Returns G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e, J.
   Sym<Pack, Dim> slopes(int group, const Sym<Pack, Dim>& C) const;
-  /// G V0_i Σ_j w_ij φ_c(s°), J.
+  /// Returns G V0_i Σ_j w_ij φ_c(s°), J.
   Pack energy(int group, const Sym<Pack, Dim>& C) const;
 };
 
@@ -137,7 +135,7 @@ class CancelledBonds {
   using View = CancelledView<Dim, Storage>;
 
   CancelledBonds() = default;
-  /// `terms_of(i)`: CancelledTerms of particle i < n; called on several threads.
+  /// `terms_of(i)` returns CancelledTerms of particle i < n; several threads call it.
   template <class TermsOf>
   CancelledBonds(int n, int threads, const TermsOf& terms_of);
 
@@ -158,7 +156,7 @@ class CancelledBonds {
   SharedRows<CancelledOnLattice<Dim>> on_lattice_;
 };
 
-/// s° as a linear function of e ⊗ e.
+/// Computes s° from e ⊗ e.
 template <int Dim, class Storage>
 class CancelledView<Dim, Storage>::Stretch {
  public:

@@ -6,10 +6,10 @@
 
 namespace taut {
 
-/// Continuation below J = ½ as in ClosedNeoHookean: c replaces det F in shear, plus (K + 4G/3)(1 − 2J)³; laws of F
-/// alone get only this.
+/// Continues a law below J = ½, as ClosedNeoHookean: c replaces det F in shear, and (K + 4G/3)(1 − 2J)³ is added.
+/// Laws of F alone have the latter only.
 struct Closing {
-  double J, c, per_J;  // det F; c, dc/dJ
+  double J, c, per_J;  // det F; its replacement; dc/dJ
   double shut;         // 1 − 2J, or 0
 
   explicit Closing(double det) : J(det), c(det), per_J(1), shut(0) {
@@ -29,7 +29,7 @@ double closed_energy(const L& law, const Mat<double, Dim>& F) {
     return law.energy(F, at.J) + closing;
 }
 
-/// ∂closed_energy/∂F.
+/// Returns ∂closed_energy/∂F.
 template <class L, int Dim>
 Mat<double, Dim> closed_piola(const L& law, const Mat<double, Dim>& F) {
   const Closing at(determinant(F));
@@ -44,7 +44,6 @@ Mat<double, Dim> closed_piola(const L& law, const Mat<double, Dim>& F) {
   }
 }
 
-/// For four particles.
 template <class L, int Dim>
 Pack closed_energy(const L* laws, const int* material, const Mat<Pack, Dim>& F) {
   Pack energy{};

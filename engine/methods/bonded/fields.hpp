@@ -31,7 +31,7 @@ struct BondedFields {
   int size;                     // particles
   V* x;                         // m
   const V* v;                   // m/s
-  ColumnsView<2 * Dim> places;  // x, x + 3 τ v; clamp places last
+  ColumnsView<2 * Dim> places;  // x, x + 3 τ v; clamp places after the particles
   ColumnsView<Dim * Dim> Q;     // T B, row by row
   const double* mobility;       // 1/kg; 0 if constrained
   Vec<Pack, Dim>* bond_force;   // [group] N
@@ -39,12 +39,12 @@ struct BondedFields {
   double least_r2;              // minimum r², m²
   bool own_law;                 // GroupLaw instead of `laws`
   LawsInUse laws;
-  const int* material;  // padded
+  const int* material;  // padded to whole groups
   const GroupRows* groups;
   const GroupLaw* group_laws;
   const Mat<Pack, Dim>* B;
   BondsView<Dim, AlignedPack> bonds;
-  BondsView<Dim, HalfPack> halved_bonds;  // off-lattice 3D
+  BondsView<Dim, HalfPack> halved_bonds;  // for off-lattice 3D
   bool halved;
 
   int group_count() const { return (size + lanes - 1) / lanes; }
@@ -53,7 +53,6 @@ struct BondedFields {
   void set_place(int i) const {
     for (int k = 0; k < Dim; ++k) places[k][i] = x[i][k], places[Dim + k][i] = x[i][k] + lead * v[i][k];
   }
-  /// Calls pass(bonds).
   template <class Pass>
   auto with_bonds(const Pass& pass) const {
     if constexpr (Dim == 3)

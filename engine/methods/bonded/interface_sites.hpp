@@ -14,7 +14,7 @@
 
 namespace taut {
 
-/// Default or chosen law.
+/// The family's default law or the chosen one.
 struct LawOfOne {
   const std::vector<Elasticity>& materials;
   bool own;
@@ -32,7 +32,7 @@ struct LawOfOne {
   }
 };
 
-/// Interfaces in storage order (THEORY.md, Interfaces).
+/// Sites of Interfaces in storage order (THEORY.md, Interfaces).
 template <int Dim>
 class InterfaceSites {
  public:
@@ -40,14 +40,14 @@ class InterfaceSites {
   using Square = Mat<double, Dim>;
 
   InterfaceSites() = default;
-  /// `ids` in storage order.
+  /// `ids`: storage order.
   InterfaceSites(const BondedSetup& setup, const std::vector<int>& ids);
 
-  /// Replaces Q at sites and adds kink forces.
+  /// Replaces Q of sites and adds the forces of kinks.
   template <class Column, class Law>
   void pass(const Column& x, const Law& law, int threads, Columns<Dim * Dim>& Q,
             std::vector<Vec<Pack, Dim>>& bond_force);
-  /// Energy of i minus its energy without interface, J.
+  /// Returns the energy of particle i minus its energy without interface, J.
   template <class Column, class Law>
   double energy_of_kink(int i, const Column& x, const Law& law) const;
 
@@ -57,7 +57,7 @@ class InterfaceSites {
     Direction g, e;                 // 1/m; initial direction
     double per_r0_squared;          // 1/m²
     double strength, own_strength;  // J, see SiteBond
-    int pull;                       // in pulls_ if across, else −1
+    int pull;                       // index in pulls_ if across, else −1
   };
   struct Kink {
     int j;
@@ -68,7 +68,7 @@ class InterfaceSites {
     double V, share;
     Direction N, m;
     Square B;
-    int bond, bonds, kink, kinks;  // first, past the last
+    int bond, bonds, kink, kinks;  // first; one past the last
   };
   struct Deformations {
     Square mean, own, other, across;
@@ -80,7 +80,7 @@ class InterfaceSites {
   struct GroupShares {
     int group, begin, end;
   };
-  /// Energy and derivatives by s, s° of F_across and s° of F_own.
+  /// Energy and its derivatives by s, s° of F_across and s° of F_own.
   struct AcrossEnergy {
     double energy, of_s, of_across, of_own;
   };
@@ -102,7 +102,7 @@ class InterfaceSites {
   std::vector<int> site_of_;  // [stored] or −1
   std::vector<StoredSiteBond> bonds_;
   std::vector<Kink> kinks_;
-  std::vector<Direction> pulls_;  // ∂E/∂b per site, J; forces across, N
+  std::vector<Direction> pulls_;  // ∂E/∂b of each site, J; forces along bonds across, N
   std::vector<PullShare> shares_;
   std::vector<GroupShares> affected_;
 };
@@ -142,7 +142,7 @@ InterfaceSites<Dim>::InterfaceSites(const BondedSetup& setup, const std::vector<
   share_out();
 }
 
-/// Sorts by group, for one thread per group.
+/// Sorts shares by group, so that one thread adds to a group.
 template <int Dim>
 void InterfaceSites<Dim>::share_out() {
   struct Part {
@@ -189,7 +189,7 @@ auto InterfaceSites<Dim>::deformations(const StoredSite& site, const Column& x) 
   return of;
 }
 
-/// Without the spring's φ(s).
+/// Excludes φ(s), the energy of the spring.
 template <int Dim>
 auto InterfaceSites<Dim>::energy_across(const StoredSiteBond& bond, double s, double across, double own)
     -> AcrossEnergy {

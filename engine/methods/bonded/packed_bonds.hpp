@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// One bond per lane; 0 in padding.
+/// One bond of each lane; 0 in padding.
 template <class Storage>
 struct alignas(sizeof(Pack)) Spring {
   Pack third_of_k;       // k/3, N/m (per metre depth in 2D)
@@ -29,7 +29,7 @@ struct alignas(sizeof(Pack)) Spring {
   Pack half_inverse(const Pack& r2) const { return half_r0_squared / r2; }
 };
 
-/// 1/r0² stays in double precision, so that bonds at rest have no force.
+/// 1/r0² stays double, so that bonds at rest have no force.
 template <>
 struct Spring<HalfPack> {
   HalfPack third_of_k;
@@ -53,13 +53,13 @@ struct BondToClamp {
   int group, lane, bond, place;
 };
 
-/// Groups of four particles. Sums follow the storage order of neighbours, bonds with a_ij first. HalfPack if groups
-/// share no constants.
+/// Bonds of groups of four particles. Sums follow the storage order of neighbours; bonds with a_ij come first.
+/// HalfPack is used if groups share no constants.
 template <int Dim, class Storage>
 struct PackedBondsView {
   struct GroupRows {  // first indices
     int slot, count, spring, scale;
-    int a, a_count;  // first bonds only
+    int a, a_count;  // a prefix of the bonds has a_ij
   };
 
   const GroupRows* groups = nullptr;
@@ -72,7 +72,6 @@ struct PackedBondsView {
   const LaneSlot* slots(const GroupRows& own) const { return all_slots + own.slot; }
   const Spring<Storage>* springs(const GroupRows& own) const { return all_springs + own.spring; }
   const Vec<Storage, Dim>* a_ij(const GroupRows& own) const { return all_a_ij + own.a; }
-  /// G V0_i w_ij, J.
   const Storage* energy_scales(const GroupRows& own) const { return all_energy_scales + own.scale; }
 };
 
@@ -82,7 +81,7 @@ class PackedBonds {
   using View = PackedBondsView<Dim, Storage>;
 
   PackedBonds() = default;
-  /// `ids` in storage order.
+  /// `ids`: storage order.
   PackedBonds(const BondedSetup& setup, const std::vector<int>& ids, int threads = 1);
 
   View view() const {
@@ -91,7 +90,7 @@ class PackedBonds {
   const std::vector<BondToClamp>& bonds_to_clamp() const { return bonds_to_clamp_; }
 
  private:
-  struct LaneBond : BondConstants {};  // j: stored index
+  struct LaneBond : BondConstants {};  // j is a stored index
   using BondsOfFour = std::array<std::vector<LaneBond>, lanes>;
   struct PackedGroup {
     std::vector<LaneSlot> slots;
@@ -109,7 +108,7 @@ class PackedBonds {
   std::vector<typename View::GroupRows> groups_;
   SharedRows<LaneSlot> slots_;
   SharedRows<Spring<Storage>> springs_;
-  SharedRows<Vec<Storage, Dim>> a_ij_;  // B removes its factor
+  SharedRows<Vec<Storage, Dim>> a_ij_;  // up to a factor that B removes
   SharedRows<Storage> energy_scales_;
   std::vector<BondToClamp> bonds_to_clamp_;
 };
@@ -120,7 +119,7 @@ inline std::vector<int> stored_places(const std::vector<int>& ids) {
   return where;
 }
 
-/// Clamp places follow all groups.
+/// Clamp places are stored after all groups.
 template <int Dim, class Storage>
 PackedBonds<Dim, Storage>::PackedBonds(const BondedSetup& setup, const std::vector<int>& ids, int threads) {
   const int n = static_cast<int>(ids.size()), groups = (n + lanes - 1) / lanes, size = groups * lanes;

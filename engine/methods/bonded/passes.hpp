@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Groups per loop; separate loops overlap latencies of roots and laws.
+/// Groups per block; its separate loops overlap the latencies of root and law.
 inline constexpr int groups_of_block = 8;
 template <int Dim>
 int block_count(const BondedFields<Dim>& f) {
@@ -22,11 +22,11 @@ struct StrainOfFour {
   Mat<Pack, Dim> F;      // 0 where V is 0
   Vec<Pack, Dim> force;  // of the bonds, N
   Pack energy;           // of the bonds, J, if requested
-  Pack stiffest;         // maximum, relative to rest
-  Pack root;             // J^(−1/3), default law
+  Pack stiffest;         // maximum stiffness relative to rest
+  Pack root;             // J^(−1/3) for the default law
 };
 
-/// Half a step `dt`.
+/// Advances x by `dt`, half a step.
 template <const BondedFormulation&, int Dim>
 void half_drift(const BondedFields<Dim>& f, double dt, const Threads& threads) {
   parallel_for(f.group_count(), threads, [&](int group) {
@@ -67,7 +67,7 @@ void strain(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, in
   out.stiffest = max(Pack(sums.stiffest + bond_stiffness_offset), closing);
 }
 
-/// V_i W(F_i) minus cancellation, J.
+/// Returns V_i W(F_i) minus the cancellation, J.
 template <const BondedFormulation& M, int Dim, class Storage>
 Pack energy_of_four(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, int group,
                     const Mat<Pack, Dim>& F) {
@@ -87,7 +87,7 @@ template <const BondedFormulation& M, int Dim>
       [&](const auto* laws) { return closed_piola(laws, f.material + lanes * group, F); });
 }
 
-/// Q = T B.
+/// Stores Q = T B.
 template <const BondedFormulation& M, int Dim, class Storage>
 void set_stress(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, int group,
                 const StrainOfFour<Dim>& now) {
@@ -103,7 +103,7 @@ void set_stress(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds
     for (int k = 0; k < Dim; ++k) store(Q(a, k), f.Q[a * Dim + k] + lanes * group);
 }
 
-/// Bond forces and Q. Returns maximum stiffness relative to rest.
+/// Computes bond forces and Q. Returns the maximum stiffness relative to rest.
 template <const BondedFormulation& M, int Dim>
 double stress_pass(const BondedFields<Dim>& f, const Threads& threads) {
   return f.with_bonds([&](const auto& bonds) {
@@ -124,7 +124,7 @@ double stress_pass(const BondedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Bond forces plus Σ_j (Q_i + Q_j) a_ij, N.
+/// Returns bond forces plus Σ_j (Q_i + Q_j) a_ij, N.
 template <int Dim, class Storage>
 [[gnu::always_inline]] inline Vec<Pack, Dim> inner_force(const BondedFields<Dim>& f,
                                                          const BondsView<Dim, Storage>& bonds, int group) {
@@ -133,7 +133,7 @@ template <int Dim, class Storage>
   return force;
 }
 
-/// Advances v, then x by half a step. Returns maximum v², m²/s².
+/// Advances v, then x by half a step. Returns the maximum v², m²/s².
 template <const BondedFormulation&, int Dim>
 double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threads& threads) {
   return f.with_bonds([&](const auto& bonds) {
@@ -157,7 +157,7 @@ double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threa
   });
 }
 
-/// N.
+/// Computes forces inside bodies, N.
 template <const BondedFormulation&, int Dim>
 void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threads& threads) {
   f.with_bonds([&](const auto& bonds) {
@@ -169,7 +169,7 @@ void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threa
   });
 }
 
-/// Sets F; returns energy, J.
+/// Sets F and returns the energy, J.
 template <const BondedFormulation& M, int Dim>
 Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>& now) {
   return f.with_bonds([&](const auto& bonds) {
@@ -178,7 +178,7 @@ Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>&
   });
 }
 
-/// In J, per group.
+/// Computes the energy of each group, J.
 template <const BondedFormulation& M, int Dim>
 void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& threads) {
   parallel_pass(f.group_count(), threads, [&](int group) {
@@ -187,7 +187,6 @@ void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& th
   });
 }
 
-/// 0 for rigid particles.
 template <const BondedFormulation& M, int Dim>
 ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, const Mat<Pack, Dim>& F) {
   if (f.own_law) return shown_neo_hookean(f.law(group).law.K, f.law(group).law.G, F);
@@ -204,7 +203,7 @@ ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, con
   return all;
 }
 
-/// At `places`, with displacements u, m.
+/// Computes energies and stresses at `places`, with the displacements u, m.
 template <const BondedFormulation& M, int Dim>
 void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const AlignedPack* u,
                const int* groups, int count, ShownGroup<Dim>* out, const Threads& threads) {
@@ -212,10 +211,10 @@ void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const
     const int group = groups[k];
     StrainOfFour<Dim> now;
     out[k].energy = strain_and_energy<M>(f, group, now);
-    // rigid particles and tips lack F
+    // rigid particles and weakly bonded tips have no F
     const PackIndex has_own = f.law(group).V > 0;
     for (int a = 0; a < Dim; ++a) now.F(a, a) = has_own ? now.F(a, a) : filled<Pack>(1);
-    // recovered volumes are wrong near incompressibility
+    // the recovered volume is wrong near incompressibility
     Mat<Pack, Dim> F = recovered_deformations<Dim>(recovered, u, f.size, lanes * group, now.F);
     if constexpr (Dim == 3)
       keep_volume(recovered, f.size, lanes * group, F, has_own ? determinant(now.F) : determinant(F));

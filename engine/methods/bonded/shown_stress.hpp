@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// For snapshots, without continuation below J = ½. T: one particle or four.
+/// Stress for snapshots, without continuation below J = ½. T: one particle or four.
 template <class T, int Dim>
 struct alignas(alignment_of<T>) ShownStress {
   T J, p;         // Pa
@@ -17,7 +17,7 @@ struct alignas(alignment_of<T>) ShownStress {
   T s_zz;         // out of plane
 };
 
-/// p = −K (J − 1), s = G J^(−5/3) dev(F Fᵀ), (F Fᵀ)_zz = 1 in 2D, J ≥ 0.05.
+/// Returns p = −K (J − 1), s = G J^(−5/3) dev(F Fᵀ) with (F Fᵀ)_zz = 1 in 2D and J ≥ 0.05.
 template <int Dim>
 ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat<Pack, Dim>& F) {
   const Pack J = determinant(F), root = inverse_cube_root(max(J, filled<Pack>(0.05)));
@@ -30,7 +30,7 @@ ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat
   return {J, -K * (J - 1), shear * b, shear * (1 - mean)};
 }
 
-/// Below J = 0.05 only the pressure −K (J − 1).
+/// Returns only the pressure −K (J − 1) below J = 0.05.
 template <class L, int Dim>
 ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   const double J = determinant(F);
@@ -66,10 +66,10 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const Alig
   return F;
 }
 
-/// Scales F to volume ratio J, unless the own gradient averages two sides.
+/// Scales F to the volume ratio J, unless the own gradient averages two sides.
 template <int Dim>
 void keep_volume(const RecoveredView& recovered, int size, int first, Mat<Pack, Dim>& F, const Pack& J) {
-  const Pack least = filled<Pack>(0.05);  // crushed or inverted
+  const Pack least = filled<Pack>(0.05);  // crushed or inverted particles
   const Pack ratio = max(J, least) / max(determinant(F), least);
   const Pack root = inverse_cube_root(ratio);
   Pack scale = ratio * root * root;

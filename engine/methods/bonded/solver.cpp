@@ -37,9 +37,9 @@ Bonded<Dim>::Bonded(Common<Dim>& common, const SolverInput& input, const Kernels
   common_.go_to_start();
   f_.lead = setup.damping_lead;
   make_columns(setup);
-  // thin or nearly incompressible 3D lattices have faster modes
+  // thin or nearly incompressible 3D lattices have faster modes than solids
   if (setup.bonds.off_lattice || Dim == 3) find_layout_frequency();
-  // corners have forces under uniform stress
+  // by column, because corners have forces under uniform stress
   if (has_loads(input.scene))
     loads.act_on_faces(input.scene, with_rigid_held(common_.initial, setup.bonds), FaceRule::by_column,
                        surface(setup.bonds), common_.run.support);
@@ -127,8 +127,7 @@ void Bonded<Dim>::bind_fields() {
     if (const auto* halved = std::get_if<1>(&bonds_)) f_.halved_bonds = halved->view();
 }
 
-/// s; shorter if stiffening and layout exceed most of the margin from `cfl` = 0.64 to 0.97 (THEORY.md, Stability
-/// limit).
+/// Time step, s (THEORY.md, Stability limit). Stiffening and layout shorten it if they exceed most of the margin.
 template <int Dim>
 double Bonded<Dim>::step_size() const {
   constexpr double spare = 1.5;
@@ -138,7 +137,7 @@ double Bonded<Dim>::step_size() const {
 
 template <int Dim>
 void Bonded<Dim>::find_layout_frequency() {
-  constexpr double small = 1e-5, limit = 0.97;  // in spacings; cfl limit of lattices
+  constexpr double small = 1e-5, limit = 0.97;  // in spacings; `cfl` limit of a lattice
   const int n = p_.size(), threads = common_.threads_now();
   const std::vector<double> mobility(mobility_[0], mobility_[0] + n);
   std::vector<V> displaced = p_.x;
@@ -174,7 +173,7 @@ void Bonded<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Reaction forces of clamped bonds, for drives and probes.
+/// Adds the reaction forces at clamps to rigid particles, for drives and probes.
 template <int Dim>
 void Bonded<Dim>::pull_at_clamps() {
   const auto pull_at = [&](int i, const V& pull) {
@@ -197,7 +196,7 @@ void Bonded<Dim>::renew_recovered() const {
                                   common_.run.threads, f_.halved);
 }
 
-/// With current `places`; those of the step lag by half.
+/// Returns fields with current `places`; those of steps lag by half a step.
 template <int Dim>
 BondedFields<Dim> Bonded<Dim>::fields_now(Columns<2 * Dim>& places) const {
   places.resize(places_.size());

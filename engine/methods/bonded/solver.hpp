@@ -22,10 +22,10 @@ struct StoredBonds {
   BondsView<Dim, Storage> view() const { return {packed.view(), cancelled.view()}; }
 };
 
-/// Position Verlet with a contact law (THEORY.md). Per step, the stress pass computes F_i, bond forces and Q_i = T_i
-/// B_i. With g_ij = B_i a_ij and a_ij = −a_ji the force pass computes
+/// Bonded bodies (THEORY.md) with position Verlet and contact. The stress pass of a step computes F_i, bond forces
+/// and Q_i = T_i B_i. With g_ij = B_i a_ij and a_ij = −a_ji, the force pass computes
 ///   Σ_j (T_i g_ij − T_j g_ji) = Σ_j (Q_i + Q_j) a_ij,
-/// so both share one vector per bond.
+/// so both passes share one vector per bond.
 template <int Dim>
 class Bonded final : public Scheme<Dim> {
  public:
@@ -68,11 +68,11 @@ class Bonded final : public Scheme<Dim> {
   std::vector<Elasticity> materials_;
   bool own_law_;
   Materials laws_;
-  std::vector<int> material_;  // [stored], padded
+  std::vector<int> material_;  // [stored], padded to whole groups
   Constraints constraints_;    // [id]
   double wave_speed_;          // m/s, see BondedSetup
-  double layout_ = 1;          // ω² relative to a lattice, ≥ 1
-  double stiffest_ = 1;        // relative to rest
+  double layout_ = 1;          // highest ω² over that of a lattice, ≥ 1
+  double stiffest_ = 1;        // maximum stiffness relative to rest
   SharedRows<GroupLaw> group_laws_;
   SharedRows<Mat<Pack, Dim>> B_;
   std::vector<GroupRows> groups_;
@@ -84,9 +84,9 @@ class Bonded final : public Scheme<Dim> {
   Columns<1> mobility_;
   std::vector<Vec<Pack, Dim>> bond_force_;
   BondedFields<Dim> f_{};
-  // for the first snapshot and after drives end
+  // recomputed after a drive ends
   mutable RecoveredGradient recovered_;
-  mutable long released_ = 0;  // in recovered_
+  mutable long released_ = 0;  // particles whose drives have ended
 };
 
 }  // namespace taut

@@ -19,13 +19,13 @@ namespace {
 using Vector = Eigen::Vector2d;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Relative to a bond force at strain 1; less is round-off.
+/// Relative residual force at strain 1; less is round-off.
 constexpr double balanced = 1e-12;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Vector vector(const Point& p) { return {p[0], p[1]}; }
 
-/// N = A Ω Aᵀ as an operator.
+/// The operator N = A Ω Aᵀ.
 class NormalMatrix {
  public:
   NormalMatrix(const Rows& A, const Eigen::VectorXd& omega, int threads)
@@ -61,8 +61,8 @@ class NormalMatrix {
   Eigen::VectorXd between_;
 };
 
-/// Solves A Ω Aᵀ α = r by conjugate gradients, with a Cholesky preconditioner, or the diagonal if large. Inconsistent
-/// rows may let r grow; returns the best α.
+/// Solves A Ω Aᵀ α = r by conjugate gradients with a Cholesky preconditioner (diagonal if large). Round-off can make
+/// rows inconsistent, so r may grow; returns the best α.
 Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen::VectorXd r, int threads) {
   constexpr Eigen::Index largest_factor = 12000;
   NormalMatrix N(A, omega, threads);
@@ -102,13 +102,13 @@ Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen:
 
 constexpr int far = 12;                        // bonds
 constexpr int strains = 3;                     // in the plane
-double stretch(int strain, const Vector& e) {  // e·H e; ε_xx, ε_yy, ε_xy
+double stretch(int strain, const Vector& e) {  // e·H e for unit ε_xx, ε_yy, ε_xy
   return strain == 0 ? e[0] * e[0] : strain == 1 ? e[1] * e[1] : e[0] * e[1];
 }
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-/// Bonds of one body; rotated images share unknowns.
+/// Bonds of one body; bonds that a rotation maps onto each other share unknowns.
 class Sector {
  public:
   Sector(const InitialParticles& initial, const Constraints& constraints, Bonds& bonds, int body,
@@ -125,7 +125,7 @@ class Sector {
     find_inside();
   }
 
-  /// a_ij = (1 + ξ) α X + η α X⊥.
+  /// Changes to a_ij = (1 + ξ) α X + η α X⊥.
   void balance_areas() {
     find_faces();
     std::vector<int> owner(2 * classes_, first_);
@@ -136,11 +136,11 @@ class Sector {
                  [&](int i, int row, Entries& entries, std::vector<double>& target) {
                    add_area_rows(i, row, entries, target);
                  });
-    // relative; more makes corrected volumes negative
+    // relative change; more makes corrected volumes negative
     constexpr double greatest = 6, greatest_irregular = 2.25;
     const double most = change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0;
     if (!irregular_ && most > greatest) return;
-    // larger changes work worse
+    // squared, since larger changes work worse
     if (irregular_ && most > greatest_irregular) change *= std::pow(greatest_irregular / most, 2);
     parallel_for(end() - begin(), threads_, [&](int k) {
       const int b = begin() + k;
@@ -175,7 +175,7 @@ class Sector {
   }
   int begin() const { return bonds_.begin[first_]; }
   int end() const { return bonds_.begin[last_]; }
-  /// Bond of i to j, or −1.
+  /// Returns the bond of i to j, or −1.
   int find(int i, int j) const {
     const auto from = bonds_.j.begin() + bonds_.begin[i], to = bonds_.j.begin() + bonds_.begin[i + 1];
     const auto found = std::lower_bound(from, to, j);
@@ -194,7 +194,7 @@ class Sector {
       const int i = first_ + k;
       for_each_bond(i, [&](int b) { image[b - begin()] = find(turned_[i], turned_[bonds_.j[b]]); });
     });
-    if (std::ranges::count(image, -1) > 0) {  // lost by round-off
+    if (std::ranges::count(image, -1) > 0) {  // round-off removed a bond
       std::iota(turned_.begin(), turned_.end(), 0);
       std::iota(image.begin(), image.end(), begin());
     }
@@ -226,7 +226,7 @@ class Sector {
       inside_[k] = inside;
     });
   }
-  /// Flat faces: nearby surfaces S_j are parallel; their sum is the normal.
+  /// Finds flat faces, where nearby surfaces S_j are parallel.
   void find_faces() {
     const int n = last_ - first_;
     along_face_.assign(n, Vector::Zero());
@@ -270,7 +270,8 @@ class Sector {
     B << bonds_.B[i][0][0], bonds_.B[i][0][1], bonds_.B[i][1][0], bonds_.B[i][1][1];
     return initial_.V0[i] * B;
   }
-  /// Keeps Σ_j a_ij ⊗ X_ij; inside Σ_j (V_i B_i + V_j B_j) a_ij = 0, near faces its tangential part.
+  /// Adds rows that keep Σ_j a_ij ⊗ X_ij and, inside, make Σ_j (V_i B_i + V_j B_j) a_ij = 0; near faces only its
+  /// tangential part.
   void add_area_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     const Eigen::Matrix2d mine = area_of_unit(i);
     const double scale = mine.trace() / (2 * initial_.V0[i]);  // of B
@@ -297,8 +298,7 @@ class Sector {
     if (inside) target.insert(target.end(), {-left_over[0], -left_over[1]});
     if (near_face) target.push_back(-along_face.dot(left_over));
   }
-  /// Zero force on i by bonds and cancellation, over G and spacing; regular bodies: inside only, irregular: off the
-  /// surface.
+  /// Adds rows for zero force of bonds and cancellation on i, in regular bodies only inside.
   void add_force_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     if (irregular_ ? at_surface_[i - first_] : !inside_[i - first_]) return;
     const double spacing = std::sqrt(initial_.V0[i]);
@@ -323,7 +323,7 @@ class Sector {
     });
     target.insert(target.end(), 2 * strains, 0.0);
   }
-  /// Bonds to the nearest of `particles`, at most `far`.
+  /// Returns the number of bonds to the nearest of `particles`, at most `far`.
   std::vector<int> steps_from(const std::vector<int>& particles) const {
     std::vector<int> steps(last_ - first_, far), edge = particles, next;
     for (const int i : edge) steps[i - first_] = 0;
@@ -337,8 +337,8 @@ class Sector {
     }
     return steps;
   }
-  /// Satisfies rows near unsatisfied ones by minimum Σ (Δx)²/ω. `add_rows(i, first row, entries, targets)`: unknowns
-  /// of i and neighbours; `owner`: a particle per unknown. No change if the residual does not decrease.
+  /// Changes x by minimum Σ (Δx)²/ω to satisfy the rows of `add_rows(i, first row, entries, targets)`, which may use
+  /// unknowns of i and neighbours. `owner` is a particle of each unknown. Keeps x if the residual does not decrease.
   template <class AddRows>
   void least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, const std::vector<int>& owner,
                     const AddRows& add_rows) const {
@@ -372,7 +372,7 @@ class Sector {
     const Eigen::VectorXd change = omega.asDiagonal() * (A.transpose() * solve_normal(A, omega, r, threads_));
     if (change.allFinite() && (r - A * change).cwiseAbs().maxCoeff() < before) x += change;
   }
-  /// First of a pair's two unknowns.
+  /// First of the two unknowns of a pair.
   int pair(int b) const { return 2 * std::min(class_[b - begin()], class_[reverse_[b - begin()] - begin()]); }
 
   const InitialParticles& initial_;
@@ -386,8 +386,8 @@ class Sector {
   int classes_ = 0;
   // [particle − first_]
   std::vector<unsigned char> at_surface_, inside_;
-  std::vector<Vector> along_face_;  // near flat faces, else 0
-  std::vector<int> chosen_;         // one per orbit
+  std::vector<Vector> along_face_;  // unit tangent near flat faces, else 0
+  std::vector<int> chosen_;         // one particle per orbit of the rotation
 };
 
 }  // namespace

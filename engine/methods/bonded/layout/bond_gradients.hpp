@@ -25,13 +25,13 @@ Point point_of(const Eigen::Vector<double, Dim>& v) {
   return p;
 }
 
-/// By bits: GCC 12 removes casts in vectorised loops.
+/// Rounds by bits, because GCC 12 removes casts in vectorised loops.
 inline double single_precision(double a) {
   constexpr std::uint64_t dropped = 1ULL << 29;
   return std::bit_cast<double>((std::bit_cast<std::uint64_t>(a) + dropped / 2) & ~(dropped - 1));
 }
 
-/// B of n particles; 0 where gradients would be too steep.
+/// Returns B of n particles, or 0 if gradients would be too steep.
 template <int Dim>
 std::vector<InverseMoment> inverse_moments(const Bonds& bonds, int n, int threads) {
   std::vector<InverseMoment> B(n);
@@ -50,7 +50,7 @@ std::vector<InverseMoment> inverse_moments(const Bonds& bonds, int n, int thread
   return B;
 }
 
-/// S_j (bonds.hpp) for volumes V, m^dim.
+/// Returns S_j (bonds.hpp) for volumes V, m^dim.
 inline std::vector<Point> surface_of(const Bonds& bonds, const std::vector<InverseMoment>& B,
                                      const std::vector<double>& V) {
   std::vector<Point> S(V.size());

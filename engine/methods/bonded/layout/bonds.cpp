@@ -14,14 +14,14 @@
 namespace taut {
 namespace {
 
-/// c |X|²/V0 of THEORY.md, Faces.
+/// Returns c |X|²/V0 (THEORY.md, Faces).
 double lacking_along_free_face(const Material& material) {
   const double G = material.shear_modulus(), lambda = material.bulk_modulus() - 2.0 / 3 * G,
                thinner = lambda / (lambda + 2 * G);
   return 1.1 * 5 / 16 * (1.5 - thinner - 1.5 * thinner * thinner);
 }
 
-/// Neighbour in direction d, or −1.
+/// Returns the neighbour in direction d, or −1.
 int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
   constexpr double nearly = 0.99;  // cosine
   int found = -1;
@@ -32,7 +32,7 @@ int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
   return found;
 }
 
-/// For particles with five of the eight nearest, away from other materials.
+/// Face terms of particles with five of the eight nearest, away from other materials.
 std::vector<FaceTerm> make_face_terms(const Scene& scene, const InitialParticles& initial, const Bonds& uncut,
                                       const std::vector<Point>& S) {
   constexpr int inside = 8, at_face = 5;
@@ -94,7 +94,7 @@ class BondFinisher {
   bool is_on_faces(int i) const { return scene_.bodies[initial_.body[i]].on_boundary; }
   bool is_deformable(int i) const { return !is_rigid(constraints_[i]) || is_on_faces(i); }
 
-  /// V_k = V0_k + Σ_j D_j²/divisor S_j · (g_jk − δ_jk Σ_l g_jl); D_j: cell edge.
+  /// Returns V_k = V0_k + Σ_j D_j²/divisor S_j · (g_jk − δ_jk Σ_l g_jl), D_j: edge of the cell.
   std::vector<double> with_end_correction(const Bonds& bonds, const std::vector<InverseMoment>& B,
                                           const std::vector<Point>& S, const EndCorrection& by) const {
     std::vector<double> V = initial_.V0;
@@ -129,7 +129,7 @@ class BondFinisher {
       out.begin.push_back(static_cast<int>(out.j.size()));
     }
   }
-  /// Appends bonds of i, shortened at clamps; a_ij grows so that F_i stays exact.
+  /// Appends the bonds of i, shortened at clamps. a_ij grows, so that F_i stays exact.
   void cut(const Bonds& uncut, int i, Bonds& out) const {
     if (!is_deformable(i)) return;
     uncut.for_each(i, [&](int j, ReferenceBond bond) {
@@ -145,7 +145,7 @@ class BondFinisher {
       out.rows.push_back(bond);
     });
   }
-  /// Share of X outside the rigid region.
+  /// Returns the share of X outside the rigid region.
   double share_before_clamp(int i, const Point& X) const {
     const Body& body = scene_.bodies[initial_.body[i]];
     const auto is_in_clamp = [&](const Point& x) {
@@ -160,7 +160,7 @@ class BondFinisher {
       for (int k = 0; k < Dim; ++k) x[k] += share * X[k];
       (is_in_clamp(x) ? inside : free) = share;
     }
-    constexpr double shortest = 0.4;  // spacings; shorter bonds need shorter steps
+    constexpr double shortest = 0.4;  // in spacings; shorter bonds need shorter steps
     return std::min(1.0, std::max(inside, shortest * scene_.spacing / vector_of<Dim>(X).norm()));
   }
 

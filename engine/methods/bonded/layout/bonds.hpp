@@ -12,17 +12,17 @@
 
 namespace taut {
 
-/// Seen from its end i.
+/// A bond in the reference configuration, seen from end i.
 struct ReferenceBond {
-  Point X;        // m; to j or the clamp's face
-  double weight;  // w_ij; 0 if selected by j only
-  Point area;     // a_ij = −a_ji over the share of X_ij; off-lattice 3D: float
+  Point X;        // from i to j or to the face of a clamp, m
+  double weight;  // w_ij; 0 if only j selected the bond
+  Point area;     // a_ij = −a_ji over the share of X_ij; float if off-lattice in 3D
 };
 
-/// B = (Σ_j a_ij ⊗ X_ij)⁻¹ by columns.
+/// B = (Σ_j a_ij ⊗ X_ij)⁻¹, column by column.
 using InverseMoment = std::array<Point, 3>;
 
-/// g_ij = B a_ij, 1/m.
+/// Returns g_ij = B a_ij, 1/m.
 inline Point gradient_of(const InverseMoment& B, const ReferenceBond& bond) {
   Point g{};
   for (std::size_t k = 0; k < g.size(); ++k)
@@ -30,7 +30,7 @@ inline Point gradient_of(const InverseMoment& B, const ReferenceBond& bond) {
   return g;
 }
 
-/// Cancelled by particle i like a bond along t (THEORY.md, Faces).
+/// Cancellation of particle i as for a bond along t (THEORY.md, Faces).
 struct FaceTerm {
   int i;
   Point t;
@@ -39,23 +39,22 @@ struct FaceTerm {
 
 struct SolidGeometry;
 
-/// Pairs of one body, seen from both ends. Clamped particles have no bonds except on a clamp's face.
+/// Pairs of one body, seen from both ends. Clamped particles have bonds only on the face of a clamp.
 struct Bonds {
-  std::vector<int> begin;                      // [n + 1]
+  std::vector<int> begin;                      // [n + 1] first bonds
   std::vector<int> j;                          // neighbour
   std::vector<ReferenceBond> rows;             // contiguous per particle
-  std::vector<int> row;                        // [n]; −1: use `solid`; empty: as `begin`
+  std::vector<int> row;                        // [n] first of `rows`; −1: use `solid`; empty: as `begin`
   std::shared_ptr<const SolidGeometry> solid;  // in 3D
-  bool off_lattice = false;                    // estimate the highest frequency
+  bool off_lattice = false;                    // the highest frequency must be estimated
   Constraints constraints;                     // [n]
-  std::vector<InverseMoment> B;                // [n]; 0 if collinear
-  std::vector<double> volume;                  // [n] m^dim, for energy
-  std::vector<double> mass;                    // [n] m^dim, over density
+  std::vector<InverseMoment> B;                // [n]; 0 for collinear bonds
+  std::vector<double> volume;                  // [n] m^dim, for the energy
+  std::vector<double> mass;                    // [n] mass over density, m^dim
   std::vector<FaceTerm> face_terms;            // sorted by particle; 2D
 
   int size() const { return static_cast<int>(begin.size()) - 1; }
   bool is_rigid(int i) const { return taut::is_rigid(constraints[i]); }
-  /// Bond b of particle i.
   ReferenceBond of(int i, int b) const {
     return row.empty() ? rows[b] : row[i] < 0 ? in_solid(i, b) : rows[row[i] + b - begin[i]];
   }
@@ -63,9 +62,9 @@ struct Bonds {
     return {std::ranges::lower_bound(face_terms, i, {}, &FaceTerm::i),
             std::ranges::upper_bound(face_terms, i, {}, &FaceTerm::i)};
   }
-  /// g_ij, 1/m: ∇f = Σ_j (f_j − f_i) g_ij.
+  /// Returns g_ij, 1/m: ∇f = Σ_j (f_j − f_i) g_ij.
   Point gradient(int i, int b) const { return gradient_of(B[i], of(i, b)); }
-  /// Calls f(j, bond).
+  /// Calls f(j, bond) for each bond of i.
   template <class F>
   void for_each(int i, const F& f) const {
     for (int b = begin[i]; b < begin[i + 1]; ++b) f(j[b], of(i, b));
@@ -81,13 +80,13 @@ inline Bonds make_bonds(const Scene& scene, const InitialParticles& initial, dou
   return make_bonds(scene, initial, make_constraints(scene, initial), h);
 }
 
-/// G in bonds, Pa (terms/bond.hpp).
+/// Returns the modulus used as G in bonds, Pa (terms/bond.hpp).
 double modulus_of_bonds(int dim, const Elasticity& m);
-/// G of bond b, Pa: harmonic mean, as springs in series. Rigid ends take the other's.
+/// Returns G of bond b, Pa: harmonic mean of the ends, as springs in series. A rigid end takes the other's G.
 double modulus_of_bond(const Bonds& bonds, const InitialParticles& initial,
                        const std::vector<Elasticity>& materials, int i, int b);
 
-/// S_j = Σ_i (V_i g_ij − V_j g_ji); 0 inside a lattice.
+/// Returns the surfaces S_j = Σ_i (V_i g_ij − V_j g_ji); 0 inside a lattice.
 std::vector<Point> surface(const Bonds& bonds);
 
 inline constexpr double least_bond_reach = 2, wide_bond_reach = 2.625;  // in h

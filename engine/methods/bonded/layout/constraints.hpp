@@ -7,17 +7,16 @@
 namespace taut {
 
 enum class Constraint : unsigned char {
-  free,     // also driven temporarily, or driven on a face
+  free,     // also temporarily driven, or driven on a face
   pinned,   // fixed, but the body can rotate
   clamped,  // fixed
-  driven    // until the end of the run
+  driven    // driven until the end of the run
 };
 using Constraints = std::vector<Constraint>;  // by id
 
-/// See THEORY.md, Clamps.
 inline bool is_rigid(Constraint c) { return c == Constraint::clamped || c == Constraint::driven; }
 
-/// Pins: see THEORY.md, Clamps.
+/// THEORY.md (Clamps) explains pins.
 Constraints make_constraints(const Scene& scene, const InitialParticles& initial);
 
 }  // namespace taut

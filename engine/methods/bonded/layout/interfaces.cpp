@@ -49,7 +49,7 @@ class InterfaceMaker {
 
  private:
   bool is_across(int i, int j) const { return taut::is_across(bonds_, initial_, materials_, i, j); }
-  /// None unless exactly one, without clamps.
+  /// Returns the only other material bonded to i; nothing near clamps.
   std::optional<int> other_material(int i) const {
     std::optional<int> other;
     if (bonds_.is_rigid(i) || !(bonds_.B[i][0][0] > 0)) return {};
@@ -62,9 +62,9 @@ class InterfaceMaker {
     }
     return other;
   }
-  /// Of the plane through midpoints of bonds across near i; none if not planar.
+  /// Normal of the plane through midpoints of bonds across near i, if planar.
   std::optional<Place> normal(int i, int other) const {
-    // variance ratio; discs fail with 0.15
+    // maximum ratio of variances; discs fail at 0.15
     constexpr double flat = 0.08;
     std::vector<Place> middles;
     Place mean = Place::Zero(), towards = Place::Zero();
@@ -86,7 +86,7 @@ class InterfaceMaker {
     for (const Place& one : middles)
       for (int a = 0; a < 3; ++a)
         for (int c = a; c < 3; ++c) spread(a, c) += (one - mean)[a] * (one - mean)[c];
-    if (initial_.dim == 2) spread(2, 2) = 2 * (spread(0, 0) + spread(1, 1));  // not the normal
+    if (initial_.dim == 2) spread(2, 2) = 2 * (spread(0, 0) + spread(1, 1));  // cannot be the normal
     const Principal axes = principal_axes(spread);
     std::array<int, 3> order{0, 1, 2};
     std::ranges::sort(order, {}, [&](int k) { return axes.value[k]; });
@@ -95,9 +95,9 @@ class InterfaceMaker {
     const Place N{axis[0], axis[1], initial_.dim == 2 ? 0 : axis[2]};
     return N.dot(towards) < 0 ? -N : N;
   }
-  /// From the own material; empty if poorly determined: the energy would lack a minimum.
+  /// Gradient within a material; empty if poorly determined, because the energy would lack a minimum.
   std::vector<SideGradient> own_gradient(int i) const {
-    constexpr double least = 0.5;  // relative to isotropic A; flat sides: 0.84
+    constexpr double least = 0.5;  // det A over isotropic A; flat sides have 0.84
     Square A = Square::Zero();
     std::vector<SideGradient> entries;
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
@@ -120,7 +120,7 @@ class InterfaceMaker {
     Place m = Place::Zero();
     std::map<int, double> beta;
     double weights = 0;
-    std::vector<std::pair<double, std::vector<SideGradient>>> beyond;  // at neighbours across
+    std::vector<std::pair<double, std::vector<SideGradient>>> beyond;  // gradients at neighbours across
     std::vector<int> of;
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
       const int k = bonds_.j[b];
@@ -149,13 +149,13 @@ class InterfaceMaker {
     for (const auto& [j, weight] : beta) out_.j.push_back(j), out_.weight.push_back(weight);
     out_.begin.push_back(static_cast<int>(out_.j.size()));
   }
-  /// Estimate by row sums of stiffness over mass: on lattices √sum = speed · dimension/spacing.
+  /// Estimated from row sums of stiffness over mass, which on lattices are (speed · dimension/spacing)².
   double wave_speed() const {
     std::vector<double> stiffness(bonds_.begin.size() - 1);  // N/m
     for (std::size_t s = 0; s < out_.sites.size(); ++s) {
       const Interfaces::Site& site = out_.sites[s];
       const Place m = column(site.m), beyond = m - column(site.N);
-      std::map<int, std::pair<Place, Place>> slopes;  // of both deformations along N by x_p
+      std::map<int, std::pair<Place, Place>> slopes;  // derivatives of both deformations along N
       const auto add = [&](int j, const Place& own, const Place& other) {
         for (const auto& [p, sign] : {std::pair{j, 1.0}, std::pair{site.id, -1.0}}) {
           auto& of = slopes.try_emplace(p, Place::Zero(), Place::Zero()).first->second;

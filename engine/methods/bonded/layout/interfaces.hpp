@@ -9,20 +9,20 @@ namespace taut {
 
 inline constexpr double greatest_across = 8;  // maximum own G over G_ij
 
-/// Particles with a kink (THEORY.md, Interfaces). Excluded: unclear normals, sides one layer thin, neighbours of
-/// clamps, materials that differ only in density.
+/// Particles with a kink (THEORY.md, Interfaces). Particles with unclear normals, on sides one layer thin or bonded
+/// to clamps have none, nor have materials that differ only in density.
 struct Interfaces {
   struct Site {
-    int id;        // particle
+    int id;
     int other;     // other material
     double share;  // θ
     Point N, m;
   };
   std::vector<Site> sites;
-  std::vector<int> begin;      // [sites + 1]
+  std::vector<int> begin;      // [sites + 1] first β_ij
   std::vector<int> j;          // particle
   std::vector<double> weight;  // β_ij, 1/m
-  double wave_speed = 0;       // m/s, for steps
+  double wave_speed = 0;       // limits the time step, m/s
 };
 Interfaces make_interfaces(const InitialParticles& initial, const std::vector<Elasticity>& materials,
                            const Bonds& bonds, double spacing);
@@ -31,7 +31,7 @@ struct SiteBond {
   int j;
   Point g, e;                     // g_ij, 1/m; initial direction
   double per_r0_squared;          // 1/m²
-  double strength, own_strength;  // G V0_i w_ij, J; with own G, limited
+  double strength, own_strength;  // G V0_i w_ij, J; with the own G, limited
   bool is_across;
 };
 std::vector<SiteBond> site_bonds(const Bonds& bonds, const InitialParticles& initial,

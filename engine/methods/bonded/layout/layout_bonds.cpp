@@ -43,7 +43,7 @@ class LayoutBonds {
   }
 
  private:
-  /// Minimum (V_i w_ij + V_j w_ji)/V_i, about 2 on lattices; w_ij at clamps.
+  /// Minimum (V_i w_ij + V_j w_ji)/V_i, which is about 2 on lattices.
   static constexpr double least_strength = 0.4;
   static constexpr double not_selected = -1;
   static constexpr double greatest_at_surface = 1;  // lattice weight
@@ -70,7 +70,7 @@ class LayoutBonds {
       for (int i = first; i < last; ++i) select(i, moments, own);
     });
   }
-  /// Irregular surfaces: equal weights, nowhere stiffer than the solid.
+  /// Irregular bodies have equal surface weights, nowhere stiffer than the solid.
   void select(int i, const Moments<2>& moments, Selection& own) {
     std::vector<Eigen::Vector2d>& X = own.X;
     std::vector<double>& w = own.w;
@@ -88,12 +88,12 @@ class LayoutBonds {
         return store();
       }
       const bool right = moments.make_right(X, w);
-      if (!right && reach > least) continue;  // else keep the first choice
+      if (!right && reach > least) continue;  // keeps the first choice if none is right
       store();
       if (right) return;
     }
   }
-  /// Within `reach` h, with initial weights.
+  /// Selects neighbours within `reach` h.
   void select_within(double reach, int i, Selection& own) const {
     const std::span<const int> near = near_[i];
     own.X.clear(), own.w.clear(), own.pairs.clear();
@@ -105,7 +105,7 @@ class LayoutBonds {
       own.pairs.push_back(near_.begin[i] + k);
     }
   }
-  /// Creates bonds that either end selected.
+  /// Creates the bonds that either end selected.
   void set_ends() {
     const auto is_selected = [&](std::size_t pair, std::size_t back) {
       return selected_[pair] != not_selected || selected_[back] != not_selected;
@@ -139,7 +139,7 @@ class LayoutBonds {
       }
     });
   }
-  /// After the balance. Irregular bodies are exempt: no balance is worse.
+  /// Returns bodies with weak pairs after the balance. Irregular bodies are exempt: no balance would be worse.
   std::vector<int> bodies_with_pair_below(double least) const {
     std::vector<unsigned char> below(initial_.size());
     parallel_for(initial_.size(), threads_, [&](int i) {
@@ -158,7 +158,7 @@ class LayoutBonds {
       const int* back = std::find(last - (out_.begin[j + 1] - out_.begin[j]), last, i);
       const double of_other = initial_.V0[j] / initial_.V0[i] * out_.rows[back - out_.j.data()].weight;
       const bool enough = is_rigid(constraints_[j])
-                              ? out_.rows[b].weight >= std::min(least, 0.0)  // others carry it
+                              ? out_.rows[b].weight >= std::min(least, 0.0)  // other bonds carry it
                               : out_.rows[b].weight + of_other >= least;
       if (!enough) return true;
     }
@@ -171,7 +171,7 @@ class LayoutBonds {
   int threads_;
   NeighborLists near_;
   std::vector<bool> irregular_;      // [body]
-  std::vector<double> least_reach_;  // [body] h
+  std::vector<double> least_reach_;  // [body] in h
   std::vector<double> selected_;     // [pair] w_ij
   std::vector<double> unbalanced_;
   bool changed_by_balance_ = false;

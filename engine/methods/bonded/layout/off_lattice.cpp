@@ -13,7 +13,7 @@
 namespace taut {
 namespace {
 
-/// About 15 degrees apart.
+/// Unit vectors about 15 degrees apart.
 std::vector<Eigen::Vector3d> make_directions() {
   std::vector<Eigen::Vector3d> all;
   for (int x = -2; x <= 2; ++x)
@@ -23,7 +23,8 @@ std::vector<Eigen::Vector3d> make_directions() {
   return all;
 }
 
-/// Of the bonds' energy as a quadratic form; of_bond(e): strain along e, isotropic solid = identity.
+/// Maximum eigenvalue of the energy of bonds; of_bond(e) is the strain along e in the basis where the isotropic solid
+/// is the identity.
 template <int Strains, int Dim, class OfBond>
 double greatest_ratio(const std::vector<Eigen::Vector<double, Dim>>& X, const std::vector<double>& w,
                       const OfBond& of_bond) {
@@ -36,7 +37,6 @@ double greatest_ratio(const std::vector<Eigen::Vector<double, Dim>>& X, const st
   return Eigen::SelfAdjointEigenSolver<Square>(ratio, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
-/// As in regular layouts.
 bool has_equal_neighbors(const InitialParticles& initial, std::span<const int> near, int i, double spacing) {
   constexpr double alike = 1e-11, farthest = 1.5;  // in spacings
   constexpr double ulps = 8;                       // of coordinates
@@ -67,7 +67,7 @@ std::vector<bool> irregular_bodies(const InitialParticles& initial, const Constr
     const auto rigid = std::count_if(&constraints[first], &constraints[first] + (end - first), is_rigid);
     const auto free = end - first - rigid,
                equal = std::count(&regular[first], &regular[first] + (end - first), 1) - rigid;
-    // layered balls have only half
+    // in layered balls only half are equal
     irregular.push_back((initial.dim == 3 ? 10 : 2) * equal < free);
   }
   return irregular;

@@ -53,7 +53,8 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
 }
 
 constexpr int rigid = 1;
-/// 0 free, 1 rigid, else per drive and guide. Outermost particles take the freest neighbouring motion.
+/// Returns 0 for free particles, 1 for rigid ones, else a number per drive and guide. The outermost take the motion
+/// of their freest neighbour.
 template <int Dim>
 std::vector<int> motions(const InitialParticles& initial, const Constraints& constraints,
                          const std::vector<int>& drive, double spacing, int threads) {
@@ -84,7 +85,7 @@ std::vector<int> motions(const InitialParticles& initial, const Constraints& con
   return motion;
 }
 
-/// Same material and motion as i. X is rounded to 2^-40 dp for equal bits.
+/// Neighbours with the material and motion of i. X is rounded to 2^-40 dp, for equal bits.
 template <int Dim>
 Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>& motion, int i,
                         std::span<const int> near, double spacing) {
@@ -100,7 +101,7 @@ Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>&
   return some;
 }
 
-/// In another material or motion.
+/// True if a neighbour has another material or motion.
 template <int Dim>
 bool has_other_side(const InitialParticles& initial, const std::vector<int>& motion, int i,
                     std::span<const int> near, double reach) {
@@ -113,21 +114,21 @@ bool has_other_side(const InitialParticles& initial, const std::vector<int>& mot
   });
 }
 
-/// Each neighbour has an opposite one.
+/// True if each neighbour has an opposite one.
 template <int Dim>
 bool is_symmetric(const Neighborhood<Dim>& near) {
   constexpr double alike = 1e-6;
   const auto is_opposite = [](const Neighbor<Dim>& one, const Neighbor<Dim>& other) {
     return (one.X + other.X).squaredNorm() < alike * alike;
   };
-  // lattice order is symmetric
+  // in lattice order
   if (std::equal(near.begin(), near.end(), near.rbegin(), is_opposite)) return true;
   return std::ranges::all_of(near, [&](const Neighbor<Dim>& one) {
     return std::ranges::any_of(near, [&](const Neighbor<Dim>& other) { return is_opposite(one, other); });
   });
 }
 
-/// g_j, 1/dp, one column each, with `terms` of X, X ⊗ X; empty if undetermined or too sensitive.
+/// Returns g_j, 1/dp, one column each, of the fit with `terms` of X, X ⊗ X; empty if undetermined or too sensitive.
 template <int Dim>
 Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, int terms) {
   const auto n = static_cast<Eigen::Index>(near.size());
@@ -141,7 +142,7 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
       for (int c = a; c < Dim; ++c) P(term++, b) = X[a] * X[c];
     P.col(b) /= X.squaredNorm();
   }
-  // pseudo-inverse of Pᵀ, first rows
+  // first rows of the pseudo-inverse of Pᵀ
   Eigen::Matrix<double, Dim, Eigen::Dynamic> g;
   const Gram G = P.lazyProduct(P.transpose());
   if (const Gram fast = solved_by_gram(G, Gram::Identity(terms, Dim)); fast.size() > 0) {
@@ -157,7 +158,7 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
   return g;
 }
 
-/// In 3D equal rows are shared.
+/// Makes rows; equal ones are shared in 3D.
 template <int Dim>
 class Rows {
  public:
@@ -225,7 +226,7 @@ class Rows {
     }
     return true;
   }
-  /// Returns the row's start.
+  /// Returns the start of the row.
   template <class Number>
   int append(std::vector<Number>& list, const Row& row, std::size_t done) {
     make_room(list, row.g.size(), done, id_.size());

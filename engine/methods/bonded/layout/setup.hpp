@@ -8,47 +8,46 @@
 
 namespace taut {
 
-/// For one end.
+/// A bond as seen from one end.
 struct BondConstants {
-  int j;          // id; −1 − p: clamp place p
+  int j;          // id; −1 − p means clamp place p
   double k;       // G (V0_i w_ij + V0_j w_ji)/r0², N/m (per metre depth in 2D), exactly equal for both ends
   double r2;      // r0², m²
   double energy;  // G V0_i w_ij, J
   Point area;     // a_ij
 };
 
-/// Bond or face term.
+/// A cancelled bond or face term.
 struct CancelledTerm {
   Point X;
   double strength;  // G V0_i w_ij, J
 };
 
-/// Where a bond enters a clamp.
+/// Point where a bond enters a clamp.
 struct ClampPlace {
   Point x;     // initial, m
-  int behind;  // id of the rigid end
+  int behind;  // id of the rigid particle
 };
 
-/// Numbered by id. `initial` must outlive it.
+/// Set-up of a run, by id. `initial` must outlive it.
 struct BondedSetup {
   const InitialParticles& initial;
   std::vector<Elasticity> materials;
   Bonds bonds;
   std::vector<double> mass;  // [n] kg (per metre depth in 2D)
   Interfaces interfaces;
-  double wave_speed;                     // m/s
-  double damping_lead;                   // 3 τ, s
-  std::vector<ClampPlace> clamp_places;  // by particle
+  double wave_speed;                     // maximum, m/s
+  double damping_lead;                   // 3 τ of the bonds, s
+  std::vector<ClampPlace> clamp_places;  // sorted by particle
   std::vector<int> first_clamp_place;    // [n]
 
   std::vector<BondConstants> bond_constants(int i) const;
   std::vector<CancelledTerm> cancelled_terms(int i) const;
 };
 
-/// `damping`: see BondedConstants.
 BondedSetup make_bonded_setup(const SolverInput& input, double damping);
 
-/// Marks rigid particles as held, for loads.
+/// Marks rigid particles as held, because loads act on the others.
 InitialParticles with_rigid_held(const InitialParticles& initial, const Bonds& bonds);
 
 }  // namespace taut

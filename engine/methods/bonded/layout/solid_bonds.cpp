@@ -19,14 +19,13 @@ namespace {
 
 constexpr std::size_t whole = 26;
 
-/// `r` in spacings (THEORY.md, Three dimensions).
+/// Returns w for `r` in spacings (THEORY.md, Three dimensions).
 double lattice_weight(double r) {
   constexpr double t = 3.0 / 8;
   static const double axis = rounded_weight(0.5 + 4 * t / 9), face = rounded_weight(1 - 8 * t / 9);
   return r < 1.2 ? axis : r < 1.58 ? face : t;
 }
 
-/// geometry_ computes the bonds.
 class SolidBonds {
  public:
   SolidBonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
@@ -54,7 +53,7 @@ class SolidBonds {
  private:
   struct Selection {
     std::vector<Eigen::Vector3d> X;
-    std::vector<std::size_t> of;  // of neighbours
+    std::vector<std::size_t> of;  // indices of neighbours
     std::vector<double> w;        // lattice weights
   };
 
@@ -68,7 +67,7 @@ class SolidBonds {
     }
     return out;
   }
-  /// Off-lattice inner particles get the least reach with right weights.
+  /// Extends the reach inside irregular bodies until right weights exist.
   void extend_reach(double h, int threads) {
     const int n = initial_.size();
     std::vector<unsigned char> further(n);
@@ -106,8 +105,8 @@ class SolidBonds {
     }
     near_ = std::move(chosen);
   }
-  /// Empty for lattice weights. Inner moments are right. Off-lattice surfaces are no stiffer than the solid: the
-  /// energy needs a minimum.
+  /// Returns w of each neighbour, or nothing for lattice weights. Inner moments are right. Off-lattice surfaces are
+  /// not stiffer than the solid, so the energy has a minimum.
   std::vector<double> own_weights(int i) const {
     static const Moments<3> moments;
     Selection own = selection(i);
@@ -120,7 +119,7 @@ class SolidBonds {
       const double too_stiff = excess(own.X, own.w);
       for (double& w : own.w) w /= std::max(1.0, too_stiff);
     }
-    std::vector<double> weights(near_[i].size());  // 0: selected by the other end
+    std::vector<double> weights(near_[i].size());  // 0 if only the other end selected it
     for (std::size_t b = 0; b < own.of.size(); ++b) weights[own.of[b]] = rounded_weight(own.w[b]);
     return weights == of_lattice ? std::vector<double>() : weights;
   }
@@ -135,9 +134,9 @@ class SolidBonds {
       weights.insert(weights.end(), w.begin(), w.end());
     });
   }
-  /// Poorly determined gradients use all bonds, at both ends.
+  /// Uses all bonds, at both ends, where nearest neighbours hardly determine the gradient.
   void choose_gradients(int threads) {
-    // relative to isotropic A
+    // det A over isotropic A
     constexpr double least = 0.5, least_of_irregular = 0.7;
     using enum SolidGeometry::Gradient;
     geometry_.gradient.assign(initial_.size(), of_axes);
@@ -159,13 +158,13 @@ class SolidBonds {
   double spacing_;
   NeighborLists near_;
   std::vector<bool> irregular_bodies_;
-  std::vector<double> reach_;  // [n] m; empty: all
+  std::vector<double> reach_;  // [n] m; empty means all
   SolidGeometry geometry_;
 };
 
 }  // namespace
 
-/// X to 2^-40 spacings, for equal bits.
+/// X is rounded to 2^-40 spacings, for equal bits.
 ReferenceBond SolidGeometry::bond(int i, int j, std::size_t k) const {
   const Point &from = x[i], &to = x[j];
   ReferenceBond one{};
