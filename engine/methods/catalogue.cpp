@@ -16,7 +16,7 @@
 namespace taut {
 namespace {
 
-/// Terms of the family with the method's citations, plus walls and, with initial neighbours, self-contact.
+/// Terms of the family with the method's citations; walls; self-contact.
 std::vector<TermInfo> terms(const Formulation& m) {
   std::vector<TermInfo> all = row_of(m.family).terms(m);
   for (TermInfo& term : all) {
@@ -30,7 +30,7 @@ std::vector<TermInfo> terms(const Formulation& m) {
   return all;
 }
 
-/// `sph` requires searched neighbours; `surface` requires initial ones, because its faces move with them.
+/// `sph` needs searched neighbours; faces move with initial ones.
 std::vector<ContactLaw> contact_laws_of(bool searches) {
   std::vector<ContactLaw> all;
   for (const ContactLawRow& row : contact_laws)
@@ -50,7 +50,7 @@ std::string joined(const std::vector<ContactLaw>& laws) {
   return names;
 }
 
-/// Available laws; the default first.
+/// The default first.
 std::vector<LawChoice> laws(const ElasticSwitches* m) {
   std::vector<LawChoice> all;
   if (!m) return all;
@@ -91,7 +91,7 @@ std::vector<MethodInfo> table() {
   return all;
 }
 
-/// Returns the law in the settings, otherwise the default. Throws UsageError if unavailable.
+/// Law of the settings or the default. Throws UsageError if unavailable.
 const LawChoice& chosen_law(const MethodInfo& method, const Settings& settings) {
   for (const LawChoice& choice : method.laws)
     if (settings.law.empty() || choice.name == settings.law) return choice;

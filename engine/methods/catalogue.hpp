@@ -16,10 +16,9 @@
 
 namespace taut {
 
-/// An elastic law available for a method.
 struct LawChoice {
   std::string_view name;          // "st-venant-kirchhoff"
-  std::string_view material_law;  // reference to compare with
+  std::string_view material_law;  // reference
   Law law;
 };
 
@@ -31,13 +30,12 @@ enum class StrainEnergy {
 };
 StrainEnergy strain_energy(const Formulation& m);
 
-/// Description of a method for `list` and `describe`.
 struct MethodInfo {
   const Formulation& formulation;
   std::string_view name;
   std::string_view paper;
   std::string_view summary;
-  std::string_view material_law;  // reference to compare with: "2d_deviator" or "neo_hookean"
+  std::string_view material_law;  // reference: "2d_deviator" or "neo_hookean"
   std::vector<LawChoice> laws;    // the published one first
   Law law;                        // published; none: the stress is integrated
   std::string_view conserves;
@@ -52,26 +50,25 @@ struct MethodInfo {
 
 /// All methods, in listing order.
 std::span<const MethodInfo> methods();
-/// Returns nullptr for an unknown name.
+/// Returns nullptr for unknown names.
 const MethodInfo* find_method(std::string_view name);
-/// Constants that a user may set, with defaults for `dim`.
+/// User-settable constants, with defaults for `dim`.
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim);
-/// Returns the settings' constants, otherwise the defaults. `dp` in m.
+/// Values in the settings, otherwise the defaults. `dp` in m.
 ConstantValues constant_values(const Formulation& m, int dim, double dp, const Settings& settings);
 
-/// All elastic laws.
 std::span<const LawRow> laws();
-/// Elastic law of a run, or nullptr. Throws UsageError if the method lacks the law in the settings.
+/// Law of a run, or nullptr. Throws UsageError if the method lacks it.
 const LawRow* law_row(const MethodInfo& method, const Settings& settings);
-/// Returns why the method cannot use this law (LawRow::choice); empty if it can.
+/// Reason why the method cannot use a law (LawRow::choice), or "".
 std::string reason_against_law(const MethodInfo& method, std::string_view law);
-/// Reference to compare a run with. Throws UsageError if the method lacks the law in the settings.
+/// Reference of a run. Throws UsageError if the method lacks the law.
 std::string_view material_law(const MethodInfo& method, const Settings& settings, int dim = 2);
-/// All contact laws, in listing order.
+/// In listing order.
 std::span<const ContactLawRow> contact_rows();
-/// Contact law of a run, never `published`. Throws SceneError if the method cannot use the scene's law.
+/// Never `published`. Throws SceneError if the method cannot use the scene's law.
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method);
-/// Resolves `published`: the method's law, but `penalty` instead of `surface` if bodies have no faces.
+/// Law for `published`: the method's, but `penalty` for `surface` if bodies have no faces.
 ContactLaw published_contact(const Scene& scene, const MethodInfo& method);
 
 }  // namespace taut

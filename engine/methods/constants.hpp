@@ -16,13 +16,12 @@ struct Elasticity {
   std::array<double, most_law_parameters> of_law{};  // values of LawRow::parameters
 };
 
-/// Speed of compression waves in plane strain and 3D, m/s.
+/// m/s, in plane strain and 3D.
 inline double compression_wave_speed(const Elasticity& m) {
   return std::sqrt((m.K + 4.0 / 3 * m.G) / m.rho0);
 }
 
-/// Constants of a run in SI units. With several materials, those of the first body, but with the maximum c0. Families
-/// derive their own structs.
+/// SI units. With several materials: of the first body, with the maximum c0.
 struct Constants : Elasticity {
   double dp = 0;                 // particle spacing, m
   double h = 0;                  // smoothing length, m
@@ -31,7 +30,7 @@ struct Constants : Elasticity {
   double step = 0;  // fixed time step, s; 0: by cfl
 };
 
-/// A constant that a user may set ("--set method.zeta=4").
+/// A user-settable constant ("--set method.zeta=4").
 struct MethodConstant {
   std::string_view name;
   double value;  // published
@@ -41,7 +40,6 @@ struct MethodConstant {
   bool at_set_up = false;    // cannot change during a run
 };
 
-/// A constant and the member that it sets.
 template <class C>
 struct ConstantRow {
   double C::*member;

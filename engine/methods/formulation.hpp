@@ -20,13 +20,13 @@ enum class Family : std::uint8_t {
   tl_mixed,         // total Lagrangian, F is an unknown; [Lee2016] §3.3.2
 };
 
-/// Share of the trace removed from the strain rate; two different materials in plane strain.
+/// Share of the trace that is removed from the strain rate.
 enum class Deviator : std::uint8_t {
   in_plane,      // 1/d, [Zhang2024] Eq. 7: in-plane bulk modulus K, s_zz = 0
   plane_strain,  // 1/3, [Khayyer2024] Eq. 6: in-plane bulk modulus K + G/3
 };
 
-/// Data that every method has. Families derive structs that add switches.
+/// Data of every method; families derive structs with switches.
 struct Formulation {
   std::string_view name;
   std::string_view paper;
@@ -45,13 +45,13 @@ struct Formulation {
   double cfl = 0.4;                      // acoustic, [Zhang2024] Eq. 22
 };
 
-/// Returns the method as type F, or null if it belongs to another family.
+/// Returns null for a method of another family.
 template <class F>
 constexpr const F* as(const Formulation& m) {
   return m.family == F::own_family ? static_cast<const F*>(&m) : nullptr;
 }
 
-/// Families may overload this to check their switches.
+/// Families may add overloads.
 constexpr bool consistent(const Formulation& m) {
   return m.h_over_dp > 0 && m.h_over_dp_3d >= 0 && m.cfl > 0 && !m.name.empty();
 }

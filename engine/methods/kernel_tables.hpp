@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Returns Tables::of<M, dim> of the named method, or null.
+/// Returns null for other methods.
 template <class Tables, const auto&... M>
 const void* table_among(int dim, std::string_view method, MethodList<M...>) {
   const void* found = nullptr;

@@ -2,8 +2,7 @@
 
 #include "engine/methods/formulation.hpp"
 
-/// Common data of the methods of [Lee2016]. The paper has no contact: they use the penalty of [TranDuc2023] with the
-/// stiffness of a layer of material.
+/// Common data of the methods of [Lee2016], which has no contact: they use the penalty of [TranDuc2023].
 namespace taut {
 
 constexpr Formulation lee2016(Formulation m) {
@@ -11,11 +10,11 @@ constexpr Formulation lee2016(Formulation m) {
   m.several_materials = m.family != Family::tl_mixed;  // momentum is not smooth where materials meet
   m.contact = ContactLaw::penalty;
   m.contact_stiffness = 2;
-  // [Lee2016] states neither kernel nor h. Short supports (8 neighbours, in 3D 26) are least one-sided at faces. With
-  // h near dp, zigzags hardly decay.
+  // [Lee2016] states neither. Short supports (8 neighbours, in 3D 26) are least one-sided at faces; longer ones
+  // hardly damp zigzags.
   m.h_over_dp = 0.8;
   m.h_over_dp_3d = 0.87;
-  // At 0.3, as in [Lee2016] §5, the bending column fails at ν = 0.499.
+  // [Lee2016] §5 has 0.3; the bending column fails there at ν = 0.499.
   if (m.family == Family::tl_mixed) m.cfl = 0.25;
   return m;
 }

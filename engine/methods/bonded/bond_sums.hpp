@@ -16,8 +16,8 @@ struct BondSums {
   Pack stiffest{};         // maximum s + 1/(4s²)
 };
 
-/// `places` contains x and x + 3 τ v, so that s + 3 τ q̇ replaces s in 3 φ′/λ = s − ¾ − 1/(4s²): this is the damping.
-/// r² is at least `least_r2`, m².
+/// `places` contains x and x + 3 τ v. For damping, s + 3 τ q̇ replaces s in 3 φ′/λ = s − ¾ − 1/(4s²). r² is at least
+/// `least_r2`, m².
 template <bool WithEnergy, int Dim, class Storage>
 [[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBondsView<Dim, Storage>& bonds,
                                                       const ColumnsView<2 * Dim>& places, int group,

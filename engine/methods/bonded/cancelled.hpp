@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// Cancellation on axis-aligned lattices, where e ⊗ e of diagonals differ only in signs.
+/// Cancellation on axis-aligned lattices: e ⊗ e of diagonals differ only in signs.
 template <int Dim>
 struct alignas(sizeof(Pack)) CancelledOnLattice {
   static constexpr int faces = Dim == 2 ? 1 : 3;
@@ -29,14 +29,14 @@ struct alignas(sizeof(Pack)) CancelledOnLattice {
   Face face[faces];
   Across across;  // in 3D
 
-  /// Adds a bond of a lane; parallel bonds are merged. Returns false if it does not fit the lattice.
+  /// Adds a bond of a lane. Returns false if it does not fit the lattice.
   bool add(int lane, const Sym<double, Dim>& dyad, double Gw);
-  /// Returns G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e.
+  /// As CancelledView::slopes.
   Sym<Pack, Dim> slopes(const Sym<Pack, Dim>& C) const;
 
  private:
   static constexpr std::array<int, 2> plane(int n) { return {n == 2 ? 1 : 0, n == 0 ? 1 : 2}; }
-  /// Stores the first value; returns false for a different one.
+  /// Returns false for a second value.
   static bool can_store(Pack& known, int lane, double value) {
     if (known[lane] == 0) known[lane] = value;
     return std::abs(known[lane] - value) < 1e-12;
@@ -104,7 +104,7 @@ Sym<Pack, Dim> CancelledOnLattice<Dim>::slopes(const Sym<Pack, Dim>& C) const {
   return S;
 }
 
-/// Cancellation (THEORY.md, Energy) of four particles at a time. Opposite bonds are merged.
+/// Cancellation (THEORY.md, Energy); opposite bonds are merged.
 template <int Dim, class Storage = AlignedPack>
 struct CancelledView {
   static constexpr int dyad_size = Sym<Pack, Dim>::size - 1;
@@ -135,7 +135,7 @@ class CancelledBonds {
   using View = CancelledView<Dim, Storage>;
 
   CancelledBonds() = default;
-  /// `terms_of(i)` returns CancelledTerms of particle i < n; several threads call it.
+  /// `terms_of(i)` returns CancelledTerms of particle i < n.
   template <class TermsOf>
   CancelledBonds(int n, int threads, const TermsOf& terms_of);
 

@@ -17,7 +17,6 @@ class Clamps {
  public:
   using V = Vec<double, Dim>;
 
-  /// Appends the places, without stress.
   void add_places(const std::vector<ClampPlace>& all, const Particles<Dim>& s, const Drives<Dim>& drives,
                   Columns<2 * Dim>& places, Columns<Dim * Dim>& Q) {
     const std::vector<int> where = stored_places(s.id);
@@ -38,7 +37,7 @@ class Clamps {
 
   bool has_driven() const { return !driven_.empty(); }
 
-  /// Moves places of driven regions; `ahead` in s.
+  /// Moves driven places; `ahead` in s.
   void follow(const Particles<Dim>& s, double ahead, const ColumnsView<2 * Dim>& places) const {
     for (const auto& [place, behind, from_behind] : driven_)
       for (int k = 0; k < Dim; ++k) {

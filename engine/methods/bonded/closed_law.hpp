@@ -6,8 +6,8 @@
 
 namespace taut {
 
-/// Continues a law below J = ½, as ClosedNeoHookean: c replaces det F in shear, and (K + 4G/3)(1 − 2J)³ is added.
-/// Laws of F alone have the latter only.
+/// Continues laws below J = ½: c replaces det F in shear, and (K + 4G/3)(1 − 2J)³ is added. Laws of F alone have the
+/// latter only.
 struct Closing {
   double J, c, per_J;  // det F; its replacement; dc/dJ
   double shut;         // 1 − 2J, or 0

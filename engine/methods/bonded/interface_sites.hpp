@@ -14,7 +14,6 @@
 
 namespace taut {
 
-/// The family's default law or the chosen one.
 struct LawOfOne {
   const std::vector<Elasticity>& materials;
   bool own;
@@ -32,7 +31,7 @@ struct LawOfOne {
   }
 };
 
-/// Sites of Interfaces in storage order (THEORY.md, Interfaces).
+/// See THEORY.md, Interfaces.
 template <int Dim>
 class InterfaceSites {
  public:
@@ -43,11 +42,10 @@ class InterfaceSites {
   /// `ids`: storage order.
   InterfaceSites(const BondedSetup& setup, const std::vector<int>& ids);
 
-  /// Replaces Q of sites and adds the forces of kinks.
   template <class Column, class Law>
   void pass(const Column& x, const Law& law, int threads, Columns<Dim * Dim>& Q,
             std::vector<Vec<Pack, Dim>>& bond_force);
-  /// Returns the energy of particle i minus its energy without interface, J.
+  /// In J, relative to no interface.
   template <class Column, class Law>
   double energy_of_kink(int i, const Column& x, const Law& law) const;
 
@@ -142,7 +140,7 @@ InterfaceSites<Dim>::InterfaceSites(const BondedSetup& setup, const std::vector<
   share_out();
 }
 
-/// Sorts shares by group, so that one thread adds to a group.
+/// Sorts shares by group, for one thread per group.
 template <int Dim>
 void InterfaceSites<Dim>::share_out() {
   struct Part {

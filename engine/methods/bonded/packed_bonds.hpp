@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// One bond of each lane; 0 in padding.
+/// 0 in padding.
 template <class Storage>
 struct alignas(sizeof(Pack)) Spring {
   Pack third_of_k;       // k/3, N/m (per metre depth in 2D)
@@ -53,8 +53,7 @@ struct BondToClamp {
   int group, lane, bond, place;
 };
 
-/// Bonds of groups of four particles. Sums follow the storage order of neighbours; bonds with a_ij come first.
-/// HalfPack is used if groups share no constants.
+/// Bonds with a_ij come first, each part in storage order of the neighbours. HalfPack if groups share no constants.
 template <int Dim, class Storage>
 struct PackedBondsView {
   struct GroupRows {  // first indices
@@ -119,7 +118,7 @@ inline std::vector<int> stored_places(const std::vector<int>& ids) {
   return where;
 }
 
-/// Clamp places are stored after all groups.
+/// Clamp places follow all groups.
 template <int Dim, class Storage>
 PackedBonds<Dim, Storage>::PackedBonds(const BondedSetup& setup, const std::vector<int>& ids, int threads) {
   const int n = static_cast<int>(ids.size()), groups = (n + lanes - 1) / lanes, size = groups * lanes;

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Groups per block; its separate loops overlap the latencies of root and law.
+/// Separate loops over a block overlap latencies.
 inline constexpr int groups_of_block = 8;
 template <int Dim>
 int block_count(const BondedFields<Dim>& f) {
@@ -67,7 +67,7 @@ void strain(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, in
   out.stiffest = max(Pack(sums.stiffest + bond_stiffness_offset), closing);
 }
 
-/// Returns V_i W(F_i) minus the cancellation, J.
+/// V_i W(F_i) minus cancellation, J.
 template <const BondedFormulation& M, int Dim, class Storage>
 Pack energy_of_four(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, int group,
                     const Mat<Pack, Dim>& F) {
@@ -103,7 +103,7 @@ void set_stress(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds
     for (int k = 0; k < Dim; ++k) store(Q(a, k), f.Q[a * Dim + k] + lanes * group);
 }
 
-/// Computes bond forces and Q. Returns the maximum stiffness relative to rest.
+/// Returns the maximum stiffness relative to rest.
 template <const BondedFormulation& M, int Dim>
 double stress_pass(const BondedFields<Dim>& f, const Threads& threads) {
   return f.with_bonds([&](const auto& bonds) {
@@ -124,7 +124,7 @@ double stress_pass(const BondedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Returns bond forces plus Σ_j (Q_i + Q_j) a_ij, N.
+/// In N.
 template <int Dim, class Storage>
 [[gnu::always_inline]] inline Vec<Pack, Dim> inner_force(const BondedFields<Dim>& f,
                                                          const BondsView<Dim, Storage>& bonds, int group) {
@@ -157,7 +157,7 @@ double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threa
   });
 }
 
-/// Computes forces inside bodies, N.
+/// In N.
 template <const BondedFormulation&, int Dim>
 void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threads& threads) {
   f.with_bonds([&](const auto& bonds) {
@@ -169,7 +169,7 @@ void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threa
   });
 }
 
-/// Sets F and returns the energy, J.
+/// In J.
 template <const BondedFormulation& M, int Dim>
 Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>& now) {
   return f.with_bonds([&](const auto& bonds) {
@@ -178,7 +178,7 @@ Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>&
   });
 }
 
-/// Computes the energy of each group, J.
+/// In J.
 template <const BondedFormulation& M, int Dim>
 void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& threads) {
   parallel_pass(f.group_count(), threads, [&](int group) {
@@ -203,7 +203,7 @@ ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, con
   return all;
 }
 
-/// Computes energies and stresses at `places`, with the displacements u, m.
+/// `u` in m.
 template <const BondedFormulation& M, int Dim>
 void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const AlignedPack* u,
                const int* groups, int count, ShownGroup<Dim>* out, const Threads& threads) {

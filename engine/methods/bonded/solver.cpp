@@ -37,7 +37,7 @@ Bonded<Dim>::Bonded(Common<Dim>& common, const SolverInput& input, const Kernels
   common_.go_to_start();
   f_.lead = setup.damping_lead;
   make_columns(setup);
-  // thin or nearly incompressible 3D lattices have faster modes than solids
+  // thin or nearly incompressible 3D lattices have faster modes
   if (setup.bonds.off_lattice || Dim == 3) find_layout_frequency();
   // by column, because corners have forces under uniform stress
   if (has_loads(input.scene))
@@ -127,7 +127,7 @@ void Bonded<Dim>::bind_fields() {
     if (const auto* halved = std::get_if<1>(&bonds_)) f_.halved_bonds = halved->view();
 }
 
-/// Time step, s (THEORY.md, Stability limit). Stiffening and layout shorten it if they exceed most of the margin.
+/// Time step, s (THEORY.md, Stability limit).
 template <int Dim>
 double Bonded<Dim>::step_size() const {
   constexpr double spare = 1.5;
@@ -173,7 +173,7 @@ void Bonded<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Adds the reaction forces at clamps to rigid particles, for drives and probes.
+/// Adds reaction forces to rigid particles, for drives and probes.
 template <int Dim>
 void Bonded<Dim>::pull_at_clamps() {
   const auto pull_at = [&](int i, const V& pull) {
@@ -196,7 +196,7 @@ void Bonded<Dim>::renew_recovered() const {
                                   common_.run.threads, f_.halved);
 }
 
-/// Returns fields with current `places`; those of steps lag by half a step.
+/// With current `places`; those of steps lag by half a step.
 template <int Dim>
 BondedFields<Dim> Bonded<Dim>::fields_now(Columns<2 * Dim>& places) const {
   places.resize(places_.size());

@@ -22,10 +22,10 @@ struct StoredBonds {
   BondsView<Dim, Storage> view() const { return {packed.view(), cancelled.view()}; }
 };
 
-/// Bonded bodies (THEORY.md) with position Verlet and contact. The stress pass of a step computes F_i, bond forces
-/// and Q_i = T_i B_i. With g_ij = B_i a_ij and a_ij = −a_ji, the force pass computes
+/// Bonded bodies (THEORY.md) with position Verlet. The stress pass computes F_i, bond forces and Q_i = T_i B_i. With
+/// g_ij = B_i a_ij and a_ij = −a_ji, the force pass computes
 ///   Σ_j (T_i g_ij − T_j g_ji) = Σ_j (Q_i + Q_j) a_ij,
-/// so both passes share one vector per bond.
+/// so both share one vector per bond.
 template <int Dim>
 class Bonded final : public Scheme<Dim> {
  public:

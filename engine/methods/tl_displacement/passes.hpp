@@ -17,7 +17,6 @@ void drift(const TlDisplacementFields<Dim>& f, double dt, const Threads& threads
   });
 }
 
-/// F = I + ∇u.
 template <int Dim>
 Mat<Pack, Dim> deformation(const TlDisplacementFields<Dim>& f, int group) {
   Mat<Pack, Dim> F = product(f.pairs.difference_sum(f.displacement, group), f.sites[group].B);

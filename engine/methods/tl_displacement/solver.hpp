@@ -6,9 +6,8 @@
 
 namespace taut {
 
-/// Total-Lagrangian methods that compute F from the positions in each step. [Lee2016] Eq. 34, [TranDuc2023] §2.3,
-/// [Zhang2020]. Position Verlet is the leap-frog of [Zhang2020] Eq. 10, 11 with forces at mid-step. Energy does not
-/// drift if the law has one; there is no dissipation.
+/// Computes F from positions: [Lee2016] Eq. 34, [TranDuc2023] §2.3, [Zhang2020]. Position Verlet, as [Zhang2020] Eq.
+/// 10, 11 with forces at mid-step, conserves the energy of laws that have one.
 template <int Dim>
 class TlDisplacement final : public Scheme<Dim> {
  public:

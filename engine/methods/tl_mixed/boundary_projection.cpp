@@ -33,7 +33,7 @@ void refer_to_centroid(std::vector<Point>& Z, const std::vector<double>& m) {
 
 }  // namespace
 
-/// Points with one prescribed component, and the factored K_BB′ = Σ_a w_a(X_B) w_a(X_B′)/m_a.
+/// One component: points and K_BB′ = Σ_a w_a(X_B) w_a(X_B′)/m_a.
 struct BoundaryProjection::Factor {
   std::vector<int> points;
   Sparse w;  // w_a(X_B), a column per point
@@ -106,7 +106,7 @@ void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z)
     S -= C.transpose() * solved[k].rightCols<6>();
     right -= C.transpose() * solved[k].col(0);
   }
-  // minimum-norm solution, as S is singular if every motion is prescribed
+  // minimum-norm, as S may be singular
   const Eigen::Matrix<double, 6, 1> delta = least_squares(S, right).x;
   for (std::size_t a = 0; a < v.size(); ++a) {
     const Eigen::Vector3d rigid = delta.head<3>() + turns(vector(Z[a])) * delta.tail<3>();

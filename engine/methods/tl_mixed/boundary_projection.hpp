@@ -9,31 +9,30 @@
 
 namespace taut {
 
-/// A particle with prescribed velocity components. The corrected kernel interpolates there:
-/// f(X_B) = Σ_a V_a W̃_a(X_B) f_a. [Lee2016] Eq. 23
+/// A particle with prescribed velocity components, and its interpolation f(X_B) = Σ_a V_a W̃_a(X_B) f_a. [Lee2016]
+/// Eq. 23
 struct BoundaryPoint {
   std::vector<std::pair<int, double>> w;  // local index a; V_a W̃_a(X_B)
   unsigned axes = 0;                      // bit k: prescribed component
   Point velocity{};                       // m/s
 };
 
-/// Changes v least, weighted by mass, so that interpolated velocities are as prescribed and momenta stay:
+/// Changes v least, weighted by mass, to prescribed interpolated velocities:
 ///   v̂_a = v_a + Σ_B V_a/m_a W̃_a(X_B) β_B + β_lin + β_ang × Z_a,
 ///   (i) v̂(X_B) = v_B,   (ii) Σ m_a v̂_a = Σ m_a v_a,   (iii) Σ m_a Z_a × v̂_a = Σ m_a Z_a × v_a.
-/// [Lee2016] Appendix B with the missing B.6; V_B β_B is β_B/ρ0 here. Boundary particles must have their prescribed
-/// velocities before. The constant matrices of (i) are factored once.
+/// [Lee2016] Appendix B with the missing B.6; V_B β_B is β_B/ρ0 here. Boundary particles need their prescribed
+/// velocities before.
 class BoundaryProjection {
  public:
-  /// Takes particles of one body, m in kg. Throws SceneError for linearly dependent points.
+  /// m: kg. Throws SceneError for linearly dependent points.
   BoundaryProjection(std::vector<BoundaryPoint> points, std::vector<double> m);
   ~BoundaryProjection();
   BoundaryProjection(BoundaryProjection&&) noexcept;
 
-  /// Projects `v`, m/s, of particles at Z, m.
+  /// `v` in m/s, Z in m.
   void operator()(std::vector<Point>& v, std::vector<Point> Z) const;
   /// Points; their velocities may change.
   std::vector<BoundaryPoint>& points() { return points_; }
-  /// Σ V_a W̃_a(X_B) f_a.
   Point interpolated(const BoundaryPoint& point, const std::vector<Point>& f) const;
 
  private:

@@ -10,14 +10,14 @@ namespace taut {
 
 /// Weights of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale`, m²:
 ///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²),   r_ij = X_i − X_j,            [Lee2016] Eq. A.1, A.2
-/// L is exact for linear fields and |X − X_i|² (A.3–A.5), with ΔW = W″ + (Dim − 1) W′/r. β is 0 where the
-/// neighbours hardly distinguish these, as at corners; steps would be tiny. L is not symmetric.
+/// L is exact for linear fields and |X − X_i|² (A.3–A.5). Where neighbours hardly distinguish these, as at corners, β
+/// = 0 avoids tiny steps. L is not symmetric.
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
                                         double h, double scale, int threads = 1) {
   constexpr int N = Dim + 1;
-  // minimum share of Σ V r⁴ without linear part; lattice corners have 0.03
+  // minimum nonlinear share of Σ V r⁴; lattice corners have 0.03
   constexpr double least_told = 0.02;
   std::vector<double> w(pairs.j.size());
   parallel_for(pairs.size(), threads, [&](int i) {
@@ -70,7 +70,7 @@ inline constexpr TermInfo corrected_laplacian_info{
     "methods/tl_mixed/corrected_laplacian.hpp:corrected_laplacian",
     "corrected Laplacian: 0 of linear fields, 2 d of the square of the distance, at surfaces too"};
 
-/// Weights V_j w_ji/V_i of the adjoint L*[f]_i = Σ_j (V_j w_ji/V_i f_j − w_ij f_i).
+/// Weights V_j w_ji/V_i of the adjoint, L*[f]_i = Σ_j (V_j w_ji/V_i f_j − w_ij f_i).
 template <int Dim>
 std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
                                     const std::vector<double>& V, int threads) {
@@ -139,7 +139,7 @@ Vec<Pack, N> second_laplacian(const LaplacianView<Dim>& pairs, const ColumnsView
   return sum;
 }
 
-/// Spectral radius of dp⁴ L*[L[·]] by power iteration, 1 to 2 % low; 40 inside a cubic lattice.
+/// Spectral radius of dp⁴ L*[L[·]], 1 to 2 % low.
 template <int Dim>
 double biharmonic_spectral_radius(const LaplacianView<Dim>& pairs, int particles, int threads) {
   constexpr int fields = 2;

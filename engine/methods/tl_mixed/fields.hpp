@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Unknowns or their rates in groups of four particles.
+/// Unknowns or rates of four particles.
 template <int Dim>
 struct Strains {
   Mat<Pack, Dim>* F;
@@ -16,7 +16,7 @@ struct Strains {
   Mat<Pack, Dim>* H;  // cofactor of F; may be null
 };
 
-/// External actions on particle i; a null function means no action.
+/// External actions on particle i; may be null.
 template <int Dim>
 struct StageActions {
   using V = Vec<double, Dim>;
@@ -26,7 +26,7 @@ struct StageActions {
   void (*load)(void* of, int i, V& a);
   /// Sets a prescribed `v` after the first stage.
   void (*steer)(void* of, int i, V& v);
-  /// Sets a prescribed `v` after a step from `before`, and counts the work of loads and drives.
+  /// Sets a prescribed `v` after a step and counts work.
   void (*close)(void* of, int i, double dt, const V& before, V& v);
 };
 

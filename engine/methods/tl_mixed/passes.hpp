@@ -50,7 +50,7 @@ struct UnknownsOf {
   }
 };
 
-/// Initial F, J and H of displaced bodies; `flow` contains x − X.
+/// Initial F, J and H; `flow` contains x − X.
 template <const TlMixedFormulation& M, int Dim>
 void start_gradients(const TlMixedFields<Dim>& f) {
   using U = UnknownsOf<M, Dim>;
@@ -61,7 +61,7 @@ void start_gradients(const TlMixedFields<Dim>& f) {
   }
 }
 
-/// Upper bound of ρ0 c² in the strained bodies, Pa.
+/// Maximum bound of ρ0 c², Pa.
 template <const TlMixedFormulation& M, int Dim>
 double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -75,7 +75,7 @@ double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// The same bound per particle.
+/// Bound of each particle.
 template <const TlMixedFormulation& M, int Dim>
 void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   using U = UnknownsOf<M, Dim>;
@@ -88,7 +88,7 @@ void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   });
 }
 
-/// Fills (v, J) and V P B.
+/// Fills `flow` and `stress`.
 template <const TlMixedFormulation& M, int Dim>
 void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -105,7 +105,6 @@ void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Computes dF/dt, dJ/dt, dH/dt, internal force and L[U].
 template <const TlMixedFormulation& M, int Dim>
 void gather_pass(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -162,7 +161,6 @@ void project(const TlMixedFields<Dim>& f, const TlMixedConstants& c, int first, 
   if constexpr (UnknownsOf<M, Dim>::has_J) subtract_mean(f.dissipation_J, f.V0, first, last, c.projection);
 }
 
-/// Calls use(i) for each particle of a group.
 template <int Dim, class F>
 [[gnu::always_inline]] inline void each_of(const TlMixedFields<Dim>& f, int group, const F& use) {
   const int first = lanes * group, last = std::min(first + lanes, f.size);
@@ -193,7 +191,7 @@ template <int Dim>
   return f.sites[group].mobile * a;
 }
 
-/// First stage. Driven particles get their velocity at the step's end.
+/// First stage. Driven particles get their final velocity.
 template <const TlMixedFormulation& M, int Dim>
 void predict(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActions<Dim>& actions,
              const Threads& threads) {

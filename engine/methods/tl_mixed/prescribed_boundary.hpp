@@ -38,13 +38,12 @@ std::vector<std::pair<int, double>> corrected_kernel(const InitialPairs<Dim>& pa
   return w;
 }
 
-/// Prescribed particles and the projection of each body.
 template <class K, int Dim>
 class PrescribedBoundary {
  public:
   using V = Vec<double, Dim>;
 
-  /// `axes`: bit k of [i] prescribes component k of particle i. V0 in m^Dim, m in kg.
+  /// `axes`: bit k of [i] prescribes component k of i. V0 in m^Dim, m in kg.
   void prescribe(std::vector<unsigned char> axes, const InitialPairs<Dim>& pairs, const std::vector<V>& X,
                  const std::vector<double>& V0, const std::vector<double>& m, const std::vector<int>& first,
                  double h) {
@@ -73,7 +72,7 @@ class PrescribedBoundary {
     }
   }
 
-  /// Sets prescribed components of `v(i)` to `given(i)` and projects neighbours.
+  /// Prescribes `v(i)` as `given(i)`, then projects.
   template <class Velocity, class Given, class Place>
   void project(const Velocity& v, const Given& given, const Place& x) {
     for (Body& body : bodies_) {
@@ -98,7 +97,7 @@ class PrescribedBoundary {
 
  private:
   struct Body {
-    std::vector<int> points, particles;  // particle indices
+    std::vector<int> points, particles;  // indices
     BoundaryProjection projection;
   };
   static Point point_of(const V& v) {

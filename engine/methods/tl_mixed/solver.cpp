@@ -32,7 +32,7 @@ TlMixed<Dim>::TlMixed(Common<Dim>& common, const SolverInput& input, const Kerne
   make_pairs(input);
   flow_.resize(p_.size());
   stress_.resize(p_.size());
-  a_.resize(p_.size() + lanes), a_start_.resize(p_.size());  // packs of a body may begin anywhere
+  a_.resize(p_.size() + lanes), a_start_.resize(p_.size());  // packs may begin anywhere
   dissipation_J_.resize(p_.size() + lanes);
   make_strains();
   f_ = {.size = p_.size(),
@@ -120,7 +120,7 @@ double TlMixed<Dim>::step_size() const {
   return common_.fixed_or(std::min(c_.cfl * c_.h / std::max(fastest, at_least), dissipation_limit_));
 }
 
-/// Throws NumericalError with the lowest id that has too fast waves.
+/// Throws NumericalError for the lowest id.
 template <int Dim>
 void TlMixed<Dim>::crushed() const {
   const double limit = greatest_wave_ratio * body_.wave_speed;
@@ -156,7 +156,7 @@ void TlMixed<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Computes rates without contact and loads. [Lee2016] Algorithm 1, steps 4–8
+/// Without contact and loads. [Lee2016] Algorithm 1, steps 4–8
 template <int Dim>
 void TlMixed<Dim>::find_rates(double dt) {
   const int threads = common_.threads_now();
@@ -203,7 +203,7 @@ StageActions<Dim> TlMixed<Dim>::actions() {
           .close = loaded || steered ? +close : nullptr};
 }
 
-/// [Lee2016] Algorithm 1, step 9. The added energy does not count as work.
+/// [Lee2016] Algorithm 1, step 9; not counted as work.
 template <int Dim>
 void TlMixed<Dim>::project_on_boundary(double ahead) {
   if (c_.boundary_projection == 0) return;
@@ -224,8 +224,8 @@ void TlMixed<Dim>::project_on_boundary(double ahead) {
                     [&](int i) { return p_.x[i] + ahead * v_start_[i]; });
 }
 
-/// Moves x, F, J and H with the impulses. x follows start and first stage only, so stopped particles creep.
-/// Correcting this would change angular momentum.
+/// Moves x, F, J and H. x follows start and first stage only, so stopped particles creep; correcting this would
+/// change angular momentum.
 template <int Dim>
 void TlMixed<Dim>::stop_approach(double dt) {
   bool stopped = false;

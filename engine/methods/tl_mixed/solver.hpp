@@ -13,16 +13,16 @@
 
 namespace taut {
 
-/// Mixed total-Lagrangian methods: [Lee2016] Algorithm 1 with velocity p/ρ0. In plane strain H is linear in F, so
-/// {p, F, H, J} runs as {p, F, J}.
+/// [Lee2016] Algorithm 1 with velocity p/ρ0. In plane strain H is linear in F, so {p, F, H, J} runs as
+/// {p, F, J}.
 ///
 /// Differs from the paper:
-/// - L*[L[U]] with the adjoint replaces L[L[U]] (Eq. 37b; `adjoint` = 0), which can add energy at surfaces.
-/// - Interpolated velocities (step 9) are prescribed only with `boundary_projection` = 1.
-/// - Contact forces and loads are not projected. They act at its Z, where central forces have no moment.
+/// - L*[L[U]] with the adjoint replaces L[L[U]] (Eq. 37b), which can add energy at surfaces.
+/// - Interpolated velocities are prescribed only with `boundary_projection` = 1 (step 9).
+/// - Contact and loads are not projected but use its Z, where central forces have no moment.
 /// - The sum of force and dissipation is projected (Eq. 49).
 ///
-/// StageActions replace a Kick because both stages share a step.
+/// Uses StageActions, because both stages share a step.
 template <int Dim>
 class TlMixed final : public Scheme<Dim> {
  public:

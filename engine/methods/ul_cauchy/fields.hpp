@@ -56,7 +56,7 @@ Motion<Dim> spread_motion(const MotionRow<Dim>& row) {
   return motion_of<Dim>(column, true);
 }
 
-/// Row gathered by the stress pass; unused columns are omitted.
+/// Unused columns are omitted.
 template <const UlCauchyFormulation& M, int Dim>
 struct StressRow {
   static constexpr bool riemann = M.viscosity == Viscosity::riemann;
@@ -112,7 +112,7 @@ struct StressRow {
     Pack column(int k) const { return spread[k]; }
   };
 
-  /// Columns are loaded on use, because all exceed the registers.
+  /// Loads columns on use, as all exceed the registers.
   [[gnu::always_inline]] static Values<RowsOfFour> gather(const StressRow* rows, const int* j) {
     return {RowsOfFour(rows[0].c, width, j)};
   }
@@ -134,7 +134,7 @@ struct StressRow {
   }
 };
 
-/// −σ⁺ in the form of StressRow::T; needed by some particles only.
+/// −σ⁺ as StressRow::T.
 template <int Dim>
 struct RepulsionRow : Row<Dim * Dim> {
   using Row<Dim * Dim>::c;

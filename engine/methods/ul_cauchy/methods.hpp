@@ -2,13 +2,13 @@
 
 #include "engine/methods/ul_cauchy/formulation.hpp"
 
-/// Methods of [Khayyer2024] and [TranDuc2023]. AV: artificial viscosity, AS: artificial stress, R: second-order
-/// Riemann term, TIC: tensile instability control, d (δ): density diffusion.
+/// AV: artificial viscosity, AS: artificial stress, R: second-order Riemann term, TIC: tensile instability control, d
+/// (δ): density diffusion.
 namespace taut {
 
 inline constexpr Citation khayyer2024_citations[] = {{"pressure", "[Khayyer2024] Eq. 5", ""}};
 
-/// Common data, [Khayyer2024] §2.
+/// [Khayyer2024] §2.
 constexpr UlCauchyFormulation ladder(Formulation step, UlCauchySwitches switches) {
   step.family = Family::ul_cauchy;
   step.greatest_dim = 2;
@@ -95,7 +95,7 @@ inline constexpr Citation tranduc2023_citations[] = {
      "naive: the current configuration, a clamped plate of two materials and a disc that hits it"},
 };
 
-/// [TranDuc2023] §2.2 with the kernel of §2.1. The paper's "artificial stresses" include viscosity (§3.1).
+/// [TranDuc2023] §2.2, kernel of §2.1. Its "artificial stresses" include viscosity (§3.1).
 constexpr UlCauchyFormulation current_configuration(Formulation m, UlCauchySwitches switches = {}) {
   m.family = Family::ul_cauchy;
   m.greatest_dim = 2;

@@ -20,7 +20,7 @@
 /// All loops gather over i, so results do not depend on the number of threads.
 namespace taut {
 
-/// Geometry of pairs at the start of the step. In padding, w′/q is 0 and r is beyond the support.
+/// At the start of the step. Padding has w′/q = 0 and r beyond the support.
 template <int Dim>
 struct CauchyPair {
   Vec<Pack, Dim> d;  // x_i − x_j, m
@@ -28,8 +28,8 @@ struct CauchyPair {
   Pack dw_per_q;     // w′(q)/q of kernels/kernel.hpp
 };
 
-/// Scales of W and ∇W. To avoid divisions, terms get w′/q, `one` and x_i − x_j for ∂W/∂r, r and e_ij. Their sums are
-/// scaled by α/h^(Dim+2).
+/// To avoid divisions, terms get w′/q, `one` and x_i − x_j for ∂W/∂r, r and e_ij; their sums are scaled by
+/// α/h^(Dim+2).
 template <const UlCauchyFormulation& M, int Dim>
 struct KernelScale {
   using K = Kernel<M.kernel>;
@@ -49,7 +49,6 @@ struct KernelScale {
   }
 };
 
-/// Fills the StressRow and the artificial stress.
 template <const UlCauchyFormulation& M, int Dim>
 void set_stress(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, int i, const Gradients<Dim>& g) {
   using Row = StressRow<M, Dim>;
@@ -111,7 +110,7 @@ void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Artificial stress of particle i, in units of ∇W.
+/// In units of ∇W.
 template <const UlCauchyFormulation& M, int Dim>
 class Repulsion {
  public:
@@ -200,8 +199,8 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Computes û, [Khayyer2024] Eq. 14, and the positions `ahead`, s, after the start. Clamped, guided and driven
-/// particles keep their velocity. Returns the maximum squared velocity relative to rigid motion, m²/s².
+/// Computes û, [Khayyer2024] Eq. 14, and positions `ahead`, s, after the start. Returns the maximum squared velocity
+/// relative to rigid motion, m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
                       double ahead, const Threads& threads) {

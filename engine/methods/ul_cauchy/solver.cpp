@@ -17,7 +17,7 @@
 namespace taut {
 namespace {
 
-/// Maximum riemann_step_speed() of two materials in a body (under `sph`: in the scene), m/s.
+/// Maximum riemann_step_speed() in a body (`sph`: the scene), m/s.
 double riemann_speed(const SolverInput& input) {
   const std::vector<Elasticity>& materials = input.materials;
   const InitialParticles& initial = input.initial;
@@ -68,7 +68,7 @@ UlCauchy<Dim>::UlCauchy(Common<Dim>& common, const SolverInput& input, const Ker
   rebuild();
 }
 
-/// Under `sph`, contact forces are part of the neighbour sums.
+/// Under `sph`, neighbour sums contain the contact forces.
 template <int Dim>
 void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
   for (const Probe& probe : scene.probes)
@@ -86,8 +86,8 @@ double UlCauchy<Dim>::step_size() const {
   return common_.fixed_or(c_.cfl * c_.h / c_.step_speed);
 }
 
-/// Symplectic Euler. Differs from [Khayyer2024] Eq. 22–25, where rates of the old state let waves grow. ∇u is taken
-/// at mid-step (`geometry` = ½); at the start, bodies rotating at ω swell by (ω dt)²/2 per step.
+/// Differs from [Khayyer2024] Eq. 22–25, where rates of the old state let waves grow. ∇u is taken at mid-step
+/// (`geometry` = ½); at the start, bodies rotating at ω swell by (ω dt)²/2 per step.
 template <int Dim>
 void UlCauchy<Dim>::step(double dt) {
   if (2 * way_ > skin * c_.dp) rebuild();
@@ -100,7 +100,6 @@ void UlCauchy<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Advances v by the initial stress and contact.
 template <int Dim>
 void UlCauchy<Dim>::accelerate(double dt) {
   const Kick<Dim> kick = common_.kick(dt, common_.run.time + 0.5 * dt);
@@ -108,19 +107,17 @@ void UlCauchy<Dim>::accelerate(double dt) {
   common_.stop_approach(0, [&](int i, const V&) { moved_[i].put_velocity(p_.v[i]); });
 }
 
-/// Computes û and the distance moved relative to rigid bodies.
 template <int Dim>
 void UlCauchy<Dim>::transport(double dt) {
   const double fastest2 =
       kernels_.transport(f_, c_, common_.external.steering(), c_.geometry * dt, common_.threads_now());
   way_ += dt * std::sqrt(fastest2);
   for (std::size_t body = 0; body < drift_.size(); ++body) centre_[body] += dt * drift_[body];
-  // moving by ω dt along tangents stretches a pair by the square; a quarter per end
+  // a rotation by ω dt stretches a pair by the square; a quarter per end
   const double turn = dt * *std::ranges::max_element(spin_, {}, [](double spin) { return std::abs(spin); });
   way_ += 0.25 * turn * turn * (common_.run.support + skin * c_.dp);
 }
 
-/// Sorts particles by cell and updates neighbours.
 template <int Dim>
 void UlCauchy<Dim>::rebuild() {
   const double reach = common_.run.support + skin * c_.dp;
@@ -167,7 +164,7 @@ void UlCauchy<Dim>::bind_fields() {
         .spin = spin_.data()};
 }
 
-/// Lists contain pairs of two bodies only under `sph`.
+/// Lists contain pairs of bodies only under `sph`.
 template <int Dim>
 void UlCauchy<Dim>::show_neighbors_to_probes() {
   if (!sph_contact_) return common_.show_contacts_to_probes();
@@ -190,7 +187,7 @@ void UlCauchy<Dim>::set_motion() {
   for (int i = 0; i < p_.size(); ++i) motion_[i].set(p_.v[i], rho_[i], p_.m[i] / rho_[i], p_.x[i]);
 }
 
-/// Uses both momenta; other values would only cause more searches.
+/// From momenta; other values would only cause more searches.
 template <int Dim>
 void UlCauchy<Dim>::set_rigid_motion() {
   static_assert(Dim == 2);

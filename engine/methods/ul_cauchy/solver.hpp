@@ -9,11 +9,8 @@
 
 namespace taut {
 
-/// Updated-Lagrangian methods with the whole stress σ = −pI + s: [Khayyer2024] and, in the current configuration,
-/// [TranDuc2023].
-///
-/// Neighbour lists include a skin. They are valid until a particle has moved half of it relative to its body's rigid
-/// motion.
+/// [Khayyer2024] and the current-configuration methods of [TranDuc2023]. Neighbour lists include a skin and are valid
+/// until a particle has moved half of it relative to its body.
 template <int Dim>
 class UlCauchy final : public Scheme<Dim> {
  public:

@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Velocity (or another vector), pressure and volume, gathered by every pass.
+/// Velocity (or another vector), pressure, volume.
 template <int Dim>
 struct FlowRow : Row<Dim + 2> {
   using Row<Dim + 2>::c;
@@ -24,7 +24,6 @@ struct Flow {
   T V;            // m^Dim
 };
 
-/// Symmetric tensor and scalar, gathered by passes.
 template <int Dim>
 struct TensorRow : Row<Sym<double, Dim>::size + 1> {
   using Row<Sym<double, Dim>::size + 1>::c;
@@ -89,13 +88,13 @@ struct PairGeometry {
   Pack inverse_distance;    // (1/r)/(∂W/∂r); 0 between bodies: no shear
 };
 
-/// Geometry of all pairs, cached until the next rebuild; 0 in padding. Gradients of (i, j) and (j, i) are exactly
-/// opposite. In 3D, single precision saves memory, in kernel units that fit its range.
+/// Cached until the next rebuild; 0 in padding. Gradients of (i, j) and (j, i) are exactly opposite. Single precision
+/// saves memory in 3D; kernel units fit its range.
 template <int Dim>
 struct PairCache {
   static constexpr bool halved = Dim == 3;
   using Kept = std::conditional_t<halved, HalfPack, AlignedPack>;
-  /// Least −r ∂W/∂r, in kernel units; below it the geometry is 0, because inverses would overflow.
+  /// Least −r ∂W/∂r in kernel units; below it, inverses would overflow.
   static constexpr double least = halved ? 1e-30 : 0;
 
   Kept* gradients;  // Dim per pack
@@ -129,7 +128,7 @@ struct PairCache {
   }
 };
 
-/// A pack of neighbours of i that contains particles of another body.
+/// A pack of neighbours of i in another body.
 struct MixedPack {
   int i, pack;
 };

@@ -35,8 +35,8 @@ struct UlSplitConstants : Constants {
 /// Returns false if stress is only recovered for display.
 constexpr bool carries_stress(const UlSplitFormulation& m) { return m.shear == Shear::nested_stress; }
 
-/// Stress is then continuous across a clamp; otherwise `oas` tears off it. Clamps of the other methods are rigid,
-/// because strained ones make `enog` too stiff. [Zhang2024] does not specify this.
+/// Keeps stress continuous across a clamp; otherwise `oas` tears off. Rigid clamps suit the other methods: strained
+/// ones make `enog` too stiff. [Zhang2024] does not specify this.
 constexpr bool strains_what_is_held(const UlSplitFormulation& m) { return carries_stress(m); }
 
 constexpr bool consistent(const UlSplitFormulation& m) {

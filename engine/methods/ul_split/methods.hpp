@@ -2,8 +2,7 @@
 
 #include "engine/methods/ul_split/formulation.hpp"
 
-/// Methods of [Zhang2024] and those it compares with. The artificial stress is from Gray, Monaghan, Swift (2001), as
-/// the paper has no equations or values.
+/// [Zhang2024], with the artificial stress of Gray, Monaghan, Swift (2001), since the paper has no equations for it.
 namespace taut {
 
 inline constexpr UlSplitFormulation og{

@@ -30,7 +30,7 @@ class PairKernel {
   /// α/h^(Dim+1)
   static double steepness(const UlSplitConstants& c) { return K::alpha(Dim) / power<Dim + 1>(c.h); }
 
-  /// Geometry for x_i − x_j = d; 0 for coincident particles and padding.
+  /// For x_i − x_j = d; 0 for coincident particles and padding.
   PairGeometry<Dim> geometry(const Vec<Pack, Dim>& d) const {
     Pack slope_per_distance;
     return geometry(d, slope_per_distance);
@@ -86,8 +86,8 @@ void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const
   });
 }
 
-/// Updates pairs of two bodies in each step. Otherwise bodies separate on steeper gradients than they met on, and
-/// stick. Differs from [Zhang2024] §5, which caches all pairs between advection steps.
+/// Differs from [Zhang2024] §5, which caches all pairs: bodies would separate on steeper gradients than they met on,
+/// and stick.
 template <const UlSplitFormulation& M, int Dim>
 void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c) {
   const PairKernel<M, Dim> kernel(c);
@@ -119,8 +119,8 @@ Vec<Pack, Dim> gradient_inside(const UlSplitFields<Dim>& s, int i, int b) {
   return g;
 }
 
-/// Advances v over the step (Eq. 24), then x to its end (Eq. 25). Terms receive `one` and ∇_i W for ∂W/∂r and e_ij.
-/// Returns the maximum v², m²/s².
+/// Advances v (Eq. 24), then x (Eq. 25). Terms receive `one` and ∇_i W for ∂W/∂r and e_ij. Returns the maximum v²,
+/// m²/s².
 template <const UlSplitFormulation& M, int Dim>
 double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Kick<Dim>& kick,
                      const Threads& threads) {
@@ -158,7 +158,7 @@ double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, con
   });
 }
 
-/// Force of body `b` on `a` in the last momentum_pass, N (per metre depth in 2D). Shear acts only within bodies.
+/// Force of body `b` on `a` in the last momentum_pass, N (per metre depth in 2D).
 template <const UlSplitFormulation& M, int Dim>
 Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const UlSplitConstants& c, int a, int b) {
   const Dissipation dissipation{c.rho0 * c.c0, c.riemann_limiter / c.c0, c.beta_least};
@@ -183,7 +183,7 @@ Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const UlSplitConstan
   return total;
 }
 
-/// Advances density and stress, or shear acceleration, by `dt`, the second half step (Eq. 25).
+/// Second half step, Eq. 25, with new rates.
 template <const UlSplitFormulation& M, int Dim, bool pressure_diffusion>
 void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Steering<Dim>& steering,
                double dt, const Threads& threads) {
@@ -213,7 +213,7 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
     s.drho[i] = s.rho[i] * sum(compression);
     if constexpr (!strains_what_is_held(M)) s.drho[i] *= s.mobile[i];
     if constexpr (M.shear == Shear::nested_stress) s.ds[i] = jaumann_rate<M.deviator>(sum(L), s.s[i], c.G);
-    // G/ρ is inside the time integral. Outside, as in [Zhang2024] Eq. 20, linear momentum would drift.
+    // inside the time integral; outside, as in [Zhang2024] Eq. 20, linear momentum would drift
     const double inv_rho = s.flow_new[i].c[Dim + 1] / s.m[i];
     if constexpr (M.shear == Shear::laplacian_velocity)
       s.da_shear[i] = (c.zeta * c.G * inv_rho) * sum(laplacian);
@@ -237,9 +237,9 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
     rate_pass<M, Dim, true>(s, c, steering, dt, threads);
 }
 
-/// Recovers the current stress of particles[k] (k if null) into out[k] from the displacement d since the last
-/// recovery: s += 2G dev ε(d) + rotation. [Zhang2024] Eq. 6–8, 26, 27. This equals the integral over steps, as pair
-/// geometry is cached. Differs from the paper: volumes and correction are cached, too.
+/// Recovers the stress of particles[k] (k if null) into out[k] from the displacement d since the last recovery: s +=
+/// 2G dev ε(d) + rotation. [Zhang2024] Eq. 6–8, 26, 27. Differs from the paper: volumes and correction are cached,
+/// too.
 template <const UlSplitFormulation& M, int Dim>
 void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const FlowRow<Dim>* displacement,
                     const int* particles, int count, Sym<double, Dim>* out, const Threads& threads) {
@@ -258,7 +258,7 @@ void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, cons
   });
 }
 
-/// Advances by the first half step, Eq. 23.
+/// First half step, Eq. 23.
 template <const UlSplitFormulation& M, int Dim>
 void half_drift(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double dt, const Threads& threads) {
   parallel_pass(s.size, threads, [&](int i) {

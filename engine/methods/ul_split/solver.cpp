@@ -59,7 +59,7 @@ double UlSplit<Dim>::step_size() const {
 /// One acoustic step, [Zhang2024] Eq. 22–25.
 template <int Dim>
 void UlSplit<Dim>::step(double dt) {
-  // Eq. 21 as a distance, at the maximum speed since the start, so turning points need no care
+  // Eq. 21 as a distance, at the maximum speed since the start because of turning points
   if (stepping_ == Stepping::single ? common_.run.steps > 0 : advected_ >= c_.cfl_advection * c_.h) rebuild();
   common_.contact.prepare(p_, common_.vmax * dt);
   kernels_.half_drift(f_, c_, 0.5 * dt, common_.threads_now());
@@ -71,7 +71,7 @@ void UlSplit<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Advances velocities (Eq. 24) and positions (Eq. 25).
+/// Advances by Eq. 24 and 25.
 template <int Dim>
 void UlSplit<Dim>::accelerate(double dt) {
   const Kick<Dim> kick = common_.kick(dt, common_.run.time + dt);
@@ -84,13 +84,12 @@ void UlSplit<Dim>::accelerate(double dt) {
   greatest_speed_ = std::max(greatest_speed_, common_.vmax);
 }
 
-/// Advances densities and shear, Eq. 25.
+/// Advances by Eq. 25.
 template <int Dim>
 void UlSplit<Dim>::close_rates(double dt) {
   kernels_.rates(f_, c_, common_.external.steering(), dt, common_.threads_now());
 }
 
-/// Sorts particles by cell and updates neighbours and pair geometry.
 template <int Dim>
 void UlSplit<Dim>::rebuild() {
   const int threads = common_.threads_now();
@@ -166,7 +165,7 @@ void UlSplit<Dim>::bind_fields() {
         .mixed_count = static_cast<int>(mixed_.size())};
 }
 
-/// Displacements since the last recovery, with its volumes.
+/// Since the last recovery, with its volumes.
 template <int Dim>
 std::vector<FlowRow<Dim>> UlSplit<Dim>::displacements() const {
   std::vector<FlowRow<Dim>> rows(p_.x.size());

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Updated-Lagrangian methods of [Zhang2024] with position Verlet and dual-criteria time stepping (§5).
+/// [Zhang2024] with position Verlet and dual-criteria time stepping (§5).
 template <int Dim>
 class UlSplit final : public Scheme<Dim> {
  public:

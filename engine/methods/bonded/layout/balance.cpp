@@ -61,8 +61,7 @@ class NormalMatrix {
   Eigen::VectorXd between_;
 };
 
-/// Solves A Ω Aᵀ α = r by conjugate gradients with a Cholesky preconditioner (diagonal if large). Round-off can make
-/// rows inconsistent, so r may grow; returns the best α.
+/// Solves A Ω Aᵀ α = r by preconditioned conjugate gradients. Inconsistent rows let r grow; returns the best α.
 Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen::VectorXd r, int threads) {
   constexpr Eigen::Index largest_factor = 12000;
   NormalMatrix N(A, omega, threads);
@@ -108,7 +107,7 @@ double stretch(int strain, const Vector& e) {  // e·H e for unit ε_xx, ε_yy, 
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-/// Bonds of one body; bonds that a rotation maps onto each other share unknowns.
+/// Bonds related by a rotation share unknowns.
 class Sector {
  public:
   Sector(const InitialParticles& initial, const Constraints& constraints, Bonds& bonds, int body,
@@ -270,8 +269,7 @@ class Sector {
     B << bonds_.B[i][0][0], bonds_.B[i][0][1], bonds_.B[i][1][0], bonds_.B[i][1][1];
     return initial_.V0[i] * B;
   }
-  /// Adds rows that keep Σ_j a_ij ⊗ X_ij and, inside, make Σ_j (V_i B_i + V_j B_j) a_ij = 0; near faces only its
-  /// tangential part.
+  /// Keeps Σ_j a_ij ⊗ X_ij; inside, Σ_j (V_i B_i + V_j B_j) a_ij = 0; near faces only its tangential part.
   void add_area_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     const Eigen::Matrix2d mine = area_of_unit(i);
     const double scale = mine.trace() / (2 * initial_.V0[i]);  // of B
@@ -298,7 +296,7 @@ class Sector {
     if (inside) target.insert(target.end(), {-left_over[0], -left_over[1]});
     if (near_face) target.push_back(-along_face.dot(left_over));
   }
-  /// Adds rows for zero force of bonds and cancellation on i, in regular bodies only inside.
+  /// Makes the force of bonds and cancellation on i zero.
   void add_force_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     if (irregular_ ? at_surface_[i - first_] : !inside_[i - first_]) return;
     const double spacing = std::sqrt(initial_.V0[i]);
@@ -323,7 +321,7 @@ class Sector {
     });
     target.insert(target.end(), 2 * strains, 0.0);
   }
-  /// Returns the number of bonds to the nearest of `particles`, at most `far`.
+  /// Bonds to the nearest of `particles`, at most `far`.
   std::vector<int> steps_from(const std::vector<int>& particles) const {
     std::vector<int> steps(last_ - first_, far), edge = particles, next;
     for (const int i : edge) steps[i - first_] = 0;
@@ -337,8 +335,8 @@ class Sector {
     }
     return steps;
   }
-  /// Changes x by minimum Σ (Δx)²/ω to satisfy the rows of `add_rows(i, first row, entries, targets)`, which may use
-  /// unknowns of i and neighbours. `owner` is a particle of each unknown. Keeps x if the residual does not decrease.
+  /// Satisfies rows by minimum Σ (Δx)²/ω. `add_rows(i, first row, entries, targets)` may use unknowns of i and
+  /// neighbours; `owner` is a particle of each unknown. Keeps x if the residual does not decrease.
   template <class AddRows>
   void least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, const std::vector<int>& owner,
                     const AddRows& add_rows) const {
@@ -372,7 +370,6 @@ class Sector {
     const Eigen::VectorXd change = omega.asDiagonal() * (A.transpose() * solve_normal(A, omega, r, threads_));
     if (change.allFinite() && (r - A * change).cwiseAbs().maxCoeff() < before) x += change;
   }
-  /// First of the two unknowns of a pair.
   int pair(int b) const { return 2 * std::min(class_[b - begin()], class_[reverse_[b - begin()] - begin()]); }
 
   const InitialParticles& initial_;

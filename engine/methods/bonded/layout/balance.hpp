@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Balances a_ij, then w_ij, in 2D (THEORY.md, Balance).
+/// See THEORY.md, Balance.
 void balance(const InitialParticles& initial, const Constraints& constraints,
              const std::vector<bool>& irregular, Bonds& bonds, int threads);
 

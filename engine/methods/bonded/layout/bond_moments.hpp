@@ -12,7 +12,7 @@
 
 namespace taut {
 
-/// Moments Σ_b w_b e_a e_b e_c e_d and isotropic targets (THEORY.md, Bonds).
+/// Σ_b w_b e_a e_b e_c e_d and isotropic targets (THEORY.md, Bonds).
 template <int Dim>
 class Moments {
  public:
@@ -22,7 +22,7 @@ class Moments {
     for (int m = 0; m < count; ++m) target_[m] = isotropic(powers_[m]);
   }
 
-  /// Changes w least to right moments. Returns false if no such w ≥ 0 exists.
+  /// Least change of w. Returns false if no right w ≥ 0 exists.
   bool make_right(const std::vector<Eigen::Vector<double, Dim>>& X, std::vector<double>& w) const {
     std::vector<Vector> M(X.size());
     for (std::size_t b = 0; b < X.size(); ++b) M[b] = of(X[b].normalized());
@@ -64,7 +64,7 @@ class Moments {
   bool is_right(const std::vector<Vector>& M, const std::vector<double>& w) const {
     return missing(M, w).cwiseAbs().maxCoeff() < 1e-9;
   }
-  /// Solves w = ω ∘ (1 + Mᵀ α), M w = target; sets negative weights to 0 and repeats.
+  /// Solves w = ω ∘ (1 + Mᵀ α), M w = target, without negative weights.
   void correct(const std::vector<Vector>& M, std::vector<double>& omega) const {
     std::vector<double> w(omega.size());
     for (std::size_t round = 0; round <= omega.size(); ++round) {

@@ -21,7 +21,7 @@ double lacking_along_free_face(const Material& material) {
   return 1.1 * 5 / 16 * (1.5 - thinner - 1.5 * thinner * thinner);
 }
 
-/// Returns the neighbour in direction d, or −1.
+/// Returns −1 if none.
 int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
   constexpr double nearly = 0.99;  // cosine
   int found = -1;
@@ -32,7 +32,7 @@ int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
   return found;
 }
 
-/// Face terms of particles with five of the eight nearest, away from other materials.
+/// Particles with five of the eight nearest, away from other materials.
 std::vector<FaceTerm> make_face_terms(const Scene& scene, const InitialParticles& initial, const Bonds& uncut,
                                       const std::vector<Point>& S) {
   constexpr int inside = 8, at_face = 5;
@@ -94,7 +94,7 @@ class BondFinisher {
   bool is_on_faces(int i) const { return scene_.bodies[initial_.body[i]].on_boundary; }
   bool is_deformable(int i) const { return !is_rigid(constraints_[i]) || is_on_faces(i); }
 
-  /// Returns V_k = V0_k + Σ_j D_j²/divisor S_j · (g_jk − δ_jk Σ_l g_jl), D_j: edge of the cell.
+  /// V of THEORY.md, Volumes and masses.
   std::vector<double> with_end_correction(const Bonds& bonds, const std::vector<InverseMoment>& B,
                                           const std::vector<Point>& S, const EndCorrection& by) const {
     std::vector<double> V = initial_.V0;
@@ -129,7 +129,7 @@ class BondFinisher {
       out.begin.push_back(static_cast<int>(out.j.size()));
     }
   }
-  /// Appends the bonds of i, shortened at clamps. a_ij grows, so that F_i stays exact.
+  /// Appends bonds of i, shortened at clamps; a_ij grows to keep F_i exact.
   void cut(const Bonds& uncut, int i, Bonds& out) const {
     if (!is_deformable(i)) return;
     uncut.for_each(i, [&](int j, ReferenceBond bond) {
@@ -145,7 +145,6 @@ class BondFinisher {
       out.rows.push_back(bond);
     });
   }
-  /// Returns the share of X outside the rigid region.
   double share_before_clamp(int i, const Point& X) const {
     const Body& body = scene_.bodies[initial_.body[i]];
     const auto is_in_clamp = [&](const Point& x) {

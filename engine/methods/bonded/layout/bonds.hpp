@@ -30,7 +30,7 @@ inline Point gradient_of(const InverseMoment& B, const ReferenceBond& bond) {
   return g;
 }
 
-/// Cancellation of particle i as for a bond along t (THEORY.md, Faces).
+/// A cancelled bond along t (THEORY.md, Faces).
 struct FaceTerm {
   int i;
   Point t;
@@ -39,7 +39,7 @@ struct FaceTerm {
 
 struct SolidGeometry;
 
-/// Pairs of one body, seen from both ends. Clamped particles have bonds only on the face of a clamp.
+/// Pairs of a body, from both ends. Clamped particles have bonds only on faces of clamps.
 struct Bonds {
   std::vector<int> begin;                      // [n + 1] first bonds
   std::vector<int> j;                          // neighbour
@@ -64,7 +64,6 @@ struct Bonds {
   }
   /// Returns g_ij, 1/m: ∇f = Σ_j (f_j − f_i) g_ij.
   Point gradient(int i, int b) const { return gradient_of(B[i], of(i, b)); }
-  /// Calls f(j, bond) for each bond of i.
   template <class F>
   void for_each(int i, const F& f) const {
     for (int b = begin[i]; b < begin[i + 1]; ++b) f(j[b], of(i, b));
@@ -82,11 +81,11 @@ inline Bonds make_bonds(const Scene& scene, const InitialParticles& initial, dou
 
 /// Returns the modulus used as G in bonds, Pa (terms/bond.hpp).
 double modulus_of_bonds(int dim, const Elasticity& m);
-/// Returns G of bond b, Pa: harmonic mean of the ends, as springs in series. A rigid end takes the other's G.
+/// Harmonic mean of the ends, Pa, as springs in series. A rigid end takes the other's modulus.
 double modulus_of_bond(const Bonds& bonds, const InitialParticles& initial,
                        const std::vector<Elasticity>& materials, int i, int b);
 
-/// Returns the surfaces S_j = Σ_i (V_i g_ij − V_j g_ji); 0 inside a lattice.
+/// S_j (THEORY.md, Volumes and masses).
 std::vector<Point> surface(const Bonds& bonds);
 
 inline constexpr double least_bond_reach = 2, wide_bond_reach = 2.625;  // in h

@@ -16,7 +16,7 @@ using Constraints = std::vector<Constraint>;  // by id
 
 inline bool is_rigid(Constraint c) { return c == Constraint::clamped || c == Constraint::driven; }
 
-/// THEORY.md (Clamps) explains pins.
+/// For pins see THEORY.md, Clamps.
 Constraints make_constraints(const Scene& scene, const InitialParticles& initial);
 
 }  // namespace taut

@@ -49,7 +49,7 @@ class InterfaceMaker {
 
  private:
   bool is_across(int i, int j) const { return taut::is_across(bonds_, initial_, materials_, i, j); }
-  /// Returns the only other material bonded to i; nothing near clamps.
+  /// Returns nothing near clamps or two other materials.
   std::optional<int> other_material(int i) const {
     std::optional<int> other;
     if (bonds_.is_rigid(i) || !(bonds_.B[i][0][0] > 0)) return {};
@@ -62,7 +62,7 @@ class InterfaceMaker {
     }
     return other;
   }
-  /// Normal of the plane through midpoints of bonds across near i, if planar.
+  /// Normal of the plane through midpoints of bonds across, if planar.
   std::optional<Place> normal(int i, int other) const {
     // maximum ratio of variances; discs fail at 0.15
     constexpr double flat = 0.08;
@@ -95,7 +95,7 @@ class InterfaceMaker {
     const Place N{axis[0], axis[1], initial_.dim == 2 ? 0 : axis[2]};
     return N.dot(towards) < 0 ? -N : N;
   }
-  /// Gradient within a material; empty if poorly determined, because the energy would lack a minimum.
+  /// Empty if poorly determined, because the energy would lack a minimum.
   std::vector<SideGradient> own_gradient(int i) const {
     constexpr double least = 0.5;  // det A over isotropic A; flat sides have 0.84
     Square A = Square::Zero();
@@ -149,7 +149,7 @@ class InterfaceMaker {
     for (const auto& [j, weight] : beta) out_.j.push_back(j), out_.weight.push_back(weight);
     out_.begin.push_back(static_cast<int>(out_.j.size()));
   }
-  /// Estimated from row sums of stiffness over mass, which on lattices are (speed · dimension/spacing)².
+  /// From row sums of stiffness over mass, on lattices (speed · dimension/spacing)².
   double wave_speed() const {
     std::vector<double> stiffness(bonds_.begin.size() - 1);  // N/m
     for (std::size_t s = 0; s < out_.sites.size(); ++s) {

@@ -9,8 +9,8 @@ namespace taut {
 
 inline constexpr double greatest_across = 8;  // maximum own G over G_ij
 
-/// Particles with a kink (THEORY.md, Interfaces). Particles with unclear normals, on sides one layer thin or bonded
-/// to clamps have none, nor have materials that differ only in density.
+/// Particles with a kink (THEORY.md, Interfaces), unless normals are unclear, a side is one layer thin, a clamp is
+/// near, or only densities differ.
 struct Interfaces {
   struct Site {
     int id;

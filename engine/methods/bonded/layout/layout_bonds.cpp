@@ -43,7 +43,7 @@ class LayoutBonds {
   }
 
  private:
-  /// Minimum (V_i w_ij + V_j w_ji)/V_i, which is about 2 on lattices.
+  /// Minimum (V_i w_ij + V_j w_ji)/V_i; lattices have 2.
   static constexpr double least_strength = 0.4;
   static constexpr double not_selected = -1;
   static constexpr double greatest_at_surface = 1;  // lattice weight
@@ -70,7 +70,7 @@ class LayoutBonds {
       for (int i = first; i < last; ++i) select(i, moments, own);
     });
   }
-  /// Irregular bodies have equal surface weights, nowhere stiffer than the solid.
+  /// Irregular bodies have equal surface weights.
   void select(int i, const Moments<2>& moments, Selection& own) {
     std::vector<Eigen::Vector2d>& X = own.X;
     std::vector<double>& w = own.w;
@@ -93,7 +93,6 @@ class LayoutBonds {
       if (right) return;
     }
   }
-  /// Selects neighbours within `reach` h.
   void select_within(double reach, int i, Selection& own) const {
     const std::span<const int> near = near_[i];
     own.X.clear(), own.w.clear(), own.pairs.clear();
@@ -105,7 +104,7 @@ class LayoutBonds {
       own.pairs.push_back(near_.begin[i] + k);
     }
   }
-  /// Creates the bonds that either end selected.
+  /// Creates bonds that either end selected.
   void set_ends() {
     const auto is_selected = [&](std::size_t pair, std::size_t back) {
       return selected_[pair] != not_selected || selected_[back] != not_selected;
@@ -139,7 +138,7 @@ class LayoutBonds {
       }
     });
   }
-  /// Returns bodies with weak pairs after the balance. Irregular bodies are exempt: no balance would be worse.
+  /// Irregular bodies are exempt: no balance would be worse.
   std::vector<int> bodies_with_pair_below(double least) const {
     std::vector<unsigned char> below(initial_.size());
     parallel_for(initial_.size(), threads_, [&](int i) {

@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Returns balanced 2D bonds that are not cut at clamps, without volumes and masses. Lengths in m.
+/// Balanced, not cut at clamps, without volumes and masses. Lengths in m.
 Bonds layout_bonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
                    int threads);
 

@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// Bisects for the maximum eigenvalue of a symmetric tridiagonal matrix with off-diagonal `beside`; NaN for NaN.
+/// Of a symmetric tridiagonal matrix with off-diagonal `beside`; NaN for NaN.
 inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside) {
   const std::size_t n = diagonal.size();
   const auto is_above = [&](double lambda) {
@@ -35,7 +35,7 @@ inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std
   return 0.5 * (low + high);
 }
 
-/// Pseudo-random number in −1 … 1 (splitmix64).
+/// Pseudo-random number in −1 … 1.
 inline double scattered(std::uint64_t k) {
   k = (k + 1) * 0x9e3779b97f4a7c15;
   k = (k ^ k >> 30) * 0xbf58476d1ce4e5b9;
@@ -43,7 +43,6 @@ inline double scattered(std::uint64_t k) {
   return static_cast<double>(k ^ k >> 31) * 0x1p-63 - 1;
 }
 
-/// The result does not depend on threads.
 template <int Dim>
 double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double, Dim>>& b, int threads) {
   constexpr int stretch = 1024;
@@ -55,8 +54,8 @@ double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double,
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// Returns the maximum eigenvalue of a symmetric operator apply(u, out), to 0.5 % from below, by Lanczos steps.
-/// Imperfect orthogonality only repeats eigenvalues.
+/// Of a symmetric operator apply(u, out), to 0.5 % from below, by Lanczos steps. Imperfect orthogonality only repeats
+/// eigenvalues.
 template <int Dim, class Apply>
 double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   constexpr int least = 14, most = 30;  // steps
@@ -83,8 +82,8 @@ double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   }
 }
 
-/// Returns the highest ω², 1/s²: maximum eigenvalue of M^(−½) K M^(−½), K from differences of forces. `mobility`:
-/// 1/kg, 0 if constrained; forces(u, out) in N, |u| ≤ `small` in m.
+/// Highest ω², 1/s²: eigenvalue of M^(−½) K M^(−½), K from differences of forces. `mobility`: 1/kg, 0 if constrained;
+/// forces(u, out) in N, |u| ≤ `small` in m.
 template <int Dim, class Forces>
 double highest_frequency_squared(const std::vector<double>& mobility, double small, int threads,
                                  const Forces& forces) {

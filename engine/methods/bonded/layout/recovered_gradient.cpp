@@ -53,8 +53,7 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
 }
 
 constexpr int rigid = 1;
-/// Returns 0 for free particles, 1 for rigid ones, else a number per drive and guide. The outermost take the motion
-/// of their freest neighbour.
+/// 0: free, 1: rigid, else per drive and guide. The outermost particles move as their freest neighbour.
 template <int Dim>
 std::vector<int> motions(const InitialParticles& initial, const Constraints& constraints,
                          const std::vector<int>& drive, double spacing, int threads) {
@@ -85,7 +84,7 @@ std::vector<int> motions(const InitialParticles& initial, const Constraints& con
   return motion;
 }
 
-/// Neighbours with the material and motion of i. X is rounded to 2^-40 dp, for equal bits.
+/// Same material and motion as i; X to 2^-40 dp, for equal bits.
 template <int Dim>
 Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>& motion, int i,
                         std::span<const int> near, double spacing) {
@@ -101,7 +100,6 @@ Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>&
   return some;
 }
 
-/// True if a neighbour has another material or motion.
 template <int Dim>
 bool has_other_side(const InitialParticles& initial, const std::vector<int>& motion, int i,
                     std::span<const int> near, double reach) {
@@ -114,7 +112,6 @@ bool has_other_side(const InitialParticles& initial, const std::vector<int>& mot
   });
 }
 
-/// True if each neighbour has an opposite one.
 template <int Dim>
 bool is_symmetric(const Neighborhood<Dim>& near) {
   constexpr double alike = 1e-6;
@@ -128,7 +125,7 @@ bool is_symmetric(const Neighborhood<Dim>& near) {
   });
 }
 
-/// Returns g_j, 1/dp, one column each, of the fit with `terms` of X, X ⊗ X; empty if undetermined or too sensitive.
+/// g_j, 1/dp, of the fit with `terms` of X, X ⊗ X; empty if undetermined or too sensitive.
 template <int Dim>
 Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, int terms) {
   const auto n = static_cast<Eigen::Index>(near.size());
@@ -158,7 +155,7 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
   return g;
 }
 
-/// Makes rows; equal ones are shared in 3D.
+/// Equal rows are shared in 3D.
 template <int Dim>
 class Rows {
  public:
@@ -226,7 +223,7 @@ class Rows {
     }
     return true;
   }
-  /// Returns the start of the row.
+  /// Returns the row's start.
   template <class Number>
   int append(std::vector<Number>& list, const Row& row, std::size_t done) {
     make_room(list, row.g.size(), done, id_.size());

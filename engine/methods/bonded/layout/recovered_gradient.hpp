@@ -13,10 +13,10 @@ struct RecoveredView {
   const unsigned char* between;  // null: none
 };
 
-/// Gradients, exact for quadratic fields where the own gradient is not (THEORY.md, Recovered gradient):
+/// Exact for quadratic fields (THEORY.md, Recovered gradient):
 ///   ∇f at i = Σ_j (f_j − f_i) ⊗ g_ij,   Σ_j X_ij ⊗ g_ij = I,   Σ_j X_ij ⊗ X_ij ⊗ g_ij = 0.
 struct RecoveredGradient {
-  std::vector<int> begin;  // [n + 1]; particles without entries use their own gradient
+  std::vector<int> begin;  // [n + 1]; empty: own gradient
   std::vector<int> j;
   std::vector<int> row;                // [n] first index in `g`, may be shared
   std::vector<double> g;               // 1/m, dim each

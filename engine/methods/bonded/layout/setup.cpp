@@ -7,7 +7,7 @@
 namespace taut {
 namespace {
 
-/// Returns the bond, or −1 for rigid particles without bonds.
+/// Returns −1 if `from` has no such bond.
 int find_bond(const Bonds& bonds, int from, int to) {
   const int* const last = bonds.j.data() + bonds.begin[from + 1];
   const int* const found = std::find(bonds.j.data() + bonds.begin[from], last, to);

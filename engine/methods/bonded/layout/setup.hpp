@@ -8,16 +8,14 @@
 
 namespace taut {
 
-/// A bond as seen from one end.
 struct BondConstants {
   int j;          // id; −1 − p means clamp place p
-  double k;       // G (V0_i w_ij + V0_j w_ji)/r0², N/m (per metre depth in 2D), exactly equal for both ends
+  double k;       // G (V0_i w_ij + V0_j w_ji)/r0², N/m (per metre depth in 2D)
   double r2;      // r0², m²
   double energy;  // G V0_i w_ij, J
   Point area;     // a_ij
 };
 
-/// A cancelled bond or face term.
 struct CancelledTerm {
   Point X;
   double strength;  // G V0_i w_ij, J
@@ -29,7 +27,7 @@ struct ClampPlace {
   int behind;  // id of the rigid particle
 };
 
-/// Set-up of a run, by id. `initial` must outlive it.
+/// Arrays are by id. `initial` must outlive it.
 struct BondedSetup {
   const InitialParticles& initial;
   std::vector<Elasticity> materials;
@@ -47,7 +45,7 @@ struct BondedSetup {
 
 BondedSetup make_bonded_setup(const SolverInput& input, double damping);
 
-/// Marks rigid particles as held, because loads act on the others.
+/// For loads, which do not act on rigid particles.
 InitialParticles with_rigid_held(const InitialParticles& initial, const Bonds& bonds);
 
 }  // namespace taut

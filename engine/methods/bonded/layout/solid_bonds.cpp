@@ -67,7 +67,7 @@ class SolidBonds {
     }
     return out;
   }
-  /// Extends the reach inside irregular bodies until right weights exist.
+  /// Extends inner off-lattice particles until right weights exist.
   void extend_reach(double h, int threads) {
     const int n = initial_.size();
     std::vector<unsigned char> further(n);
@@ -105,8 +105,8 @@ class SolidBonds {
     }
     near_ = std::move(chosen);
   }
-  /// Returns w of each neighbour, or nothing for lattice weights. Inner moments are right. Off-lattice surfaces are
-  /// not stiffer than the solid, so the energy has a minimum.
+  /// Empty for lattice weights. Off-lattice surfaces must not be stiffer than the solid, else the energy has no
+  /// minimum.
   std::vector<double> own_weights(int i) const {
     static const Moments<3> moments;
     Selection own = selection(i);
@@ -134,7 +134,7 @@ class SolidBonds {
       weights.insert(weights.end(), w.begin(), w.end());
     });
   }
-  /// Uses all bonds, at both ends, where nearest neighbours hardly determine the gradient.
+  /// Uses all bonds where the nearest hardly determine the gradient.
   void choose_gradients(int threads) {
     // det A over isotropic A
     constexpr double least = 0.5, least_of_irregular = 0.7;
@@ -164,7 +164,7 @@ class SolidBonds {
 
 }  // namespace
 
-/// X is rounded to 2^-40 spacings, for equal bits.
+/// X is rounded for equal bits.
 ReferenceBond SolidGeometry::bond(int i, int j, std::size_t k) const {
   const Point &from = x[i], &to = x[j];
   ReferenceBond one{};
