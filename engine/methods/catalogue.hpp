@@ -17,8 +17,8 @@
 namespace taut {
 
 struct LawChoice {
-  std::string_view name;          // "st-venant-kirchhoff"
-  std::string_view material_law;  // reference
+  std::string_view name;  // "st-venant-kirchhoff"
+  std::string_view material_law;
   Law law;
 };
 

@@ -28,7 +28,7 @@ template <int Dim>
 struct BondedFields {
   using V = Vec<double, Dim>;
 
-  int size;                     // particles
+  int size;
   V* x;                         // m
   const V* v;                   // m/s
   ColumnsView<2 * Dim> places;  // x, x + 3 τ v; clamp places after the particles

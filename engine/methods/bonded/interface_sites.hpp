@@ -39,7 +39,6 @@ class InterfaceSites {
   using Square = Mat<double, Dim>;
 
   InterfaceSites() = default;
-  /// `ids`: storage order.
   InterfaceSites(const BondedSetup& setup, const std::vector<int>& ids);
 
   template <class Column, class Law>

@@ -80,7 +80,7 @@ class PackedBonds {
   using View = PackedBondsView<Dim, Storage>;
 
   PackedBonds() = default;
-  /// `ids`: storage order.
+  /// `ids` in storage order.
   PackedBonds(const BondedSetup& setup, const std::vector<int>& ids, int threads = 1);
 
   View view() const {

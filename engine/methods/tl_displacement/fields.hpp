@@ -12,8 +12,8 @@ template <int Dim>
 struct TlDisplacementFields {
   using V = Vec<double, Dim>;
 
-  int size;  // particles
-  V* x;      // m
+  int size;
+  V* x;  // m
   const V *v, *X;
   const int* material;
   const Sites<Dim>* sites;

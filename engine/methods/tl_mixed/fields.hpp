@@ -34,7 +34,7 @@ template <int Dim>
 struct TlMixedFields {
   using V = Vec<double, Dim>;
 
-  int size;  // particles
+  int size;
   V *x, *v;  // m, m/s
   const double* m;
   V* v_start;  // m/s, at the start of the step

@@ -174,7 +174,6 @@ template <int Dim>
   each_of(f, group, [&](int i) { kick.impulse[i] += (0.5 * kick.dt * f.m[i]) * lane_of(a, i % lanes); });
 }
 
-/// Total acceleration dv/dt.
 template <int Dim>
 [[gnu::always_inline]] inline Vec<Pack, Dim> acceleration(const TlMixedFields<Dim>& f, const Kick<Dim>& kick,
                                                           const StageActions<Dim>& actions, int group) {

@@ -124,7 +124,7 @@ double TlMixed<Dim>::step_size() const {
 template <int Dim>
 void TlMixed<Dim>::crushed() const {
   const double limit = greatest_wave_ratio * body_.wave_speed;
-  int culprit = p_.size();  // id
+  int culprit = p_.size();
   std::vector<AlignedPack> bound(groups());
   kernels_.stiffnesses(f_, bound.data());
   for (int i = 0; i < p_.size(); ++i)
@@ -156,7 +156,7 @@ void TlMixed<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Without contact and loads. [Lee2016] Algorithm 1, steps 4–8
+/// Computes rates without contact and loads. [Lee2016] Algorithm 1, steps 4–8
 template <int Dim>
 void TlMixed<Dim>::find_rates(double dt) {
   const int threads = common_.threads_now();

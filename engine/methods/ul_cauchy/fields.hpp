@@ -170,7 +170,7 @@ template <int Dim>
 struct UlCauchyFields {
   using V = Vec<double, Dim>;
 
-  int size;    // particles
+  int size;
   V* x;        // m
   const V* v;  // m/s
   const double *m, *mobile;

@@ -164,7 +164,7 @@ void UlCauchy<Dim>::bind_fields() {
         .spin = spin_.data()};
 }
 
-/// Lists contain pairs of bodies only under `sph`.
+/// Lists contain pairs of two bodies only under `sph`.
 template <int Dim>
 void UlCauchy<Dim>::show_neighbors_to_probes() {
   if (!sph_contact_) return common_.show_contacts_to_probes();

@@ -107,7 +107,6 @@ struct PairCache {
     pack_into(inverse_slopes[b], pairs.inverse_slope * steepness);
     pack_into(inverse_distances[b], pairs.inverse_distance * (steepness * length));
   }
-  /// (W/W(dp))ⁿ
   void set_closeness(int b, const Pack& closeness) const { pack_into(closeness_of[b], closeness); }
   Pack closeness(int b) const { return unpacked(closeness_of[b]); }
   PairGeometry<Dim> operator[](int b) const { return {gradient(b), inverse_slope(b), inverse_distance(b)}; }
@@ -139,7 +138,7 @@ struct UlSplitFields {
   using V = Vec<double, Dim>;
   using S = Sym<double, Dim>;
 
-  int size;    // particles
+  int size;
   V* x;        // m
   const V* v;  // m/s
   const double *m, *mobile;
@@ -156,7 +155,6 @@ struct UlSplitFields {
   // gradient correction and volume at the last rebuild
   TensorRow<Dim>* recovery;
 
-  // from the last rebuild
   const int *begin, *j;  // neighbours, see Neighbors
   int* meets;            // 1: has neighbours in other bodies
   PairCache<Dim> pairs;

@@ -27,7 +27,6 @@ class PairKernel {
         per_w_dp_(1 / K::w(c.dp / c.h)),
         exponent_(c.exponent) {}
 
-  /// α/h^(Dim+1)
   static double steepness(const UlSplitConstants& c) { return K::alpha(Dim) / power<Dim + 1>(c.h); }
 
   /// For x_i − x_j = d; 0 for coincident particles and padding.
@@ -86,8 +85,8 @@ void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const
   });
 }
 
-/// Differs from [Zhang2024] §5, which caches all pairs: bodies would separate on steeper gradients than they met on,
-/// and stick.
+/// Differs from [Zhang2024] §5, which caches these pairs, too: bodies then separate on steeper gradients than they
+/// met on, and stick.
 template <const UlSplitFormulation& M, int Dim>
 void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c) {
   const PairKernel<M, Dim> kernel(c);
@@ -213,7 +212,7 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
     s.drho[i] = s.rho[i] * sum(compression);
     if constexpr (!strains_what_is_held(M)) s.drho[i] *= s.mobile[i];
     if constexpr (M.shear == Shear::nested_stress) s.ds[i] = jaumann_rate<M.deviator>(sum(L), s.s[i], c.G);
-    // inside the time integral; outside, as in [Zhang2024] Eq. 20, linear momentum would drift
+    // G/ρ is inside the time integral; outside, as in [Zhang2024] Eq. 20, linear momentum would drift
     const double inv_rho = s.flow_new[i].c[Dim + 1] / s.m[i];
     if constexpr (M.shear == Shear::laplacian_velocity)
       s.da_shear[i] = (c.zeta * c.G * inv_rho) * sum(laplacian);

@@ -272,7 +272,7 @@ class Sector {
   /// Keeps Σ_j a_ij ⊗ X_ij; inside, Σ_j (V_i B_i + V_j B_j) a_ij = 0; near faces only its tangential part.
   void add_area_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     const Eigen::Matrix2d mine = area_of_unit(i);
-    const double scale = mine.trace() / (2 * initial_.V0[i]);  // of B
+    const double scale = mine.trace() / (2 * initial_.V0[i]);
     const double spacing = std::sqrt(initial_.V0[i]);
     const bool inside = inside_[i - first_];
     const Vector& along_face = along_face_[i - first_];
@@ -356,7 +356,7 @@ class Sector {
       if (residual() > balanced) unbalanced.push_back(i);
     }
     if (unbalanced.empty()) return;
-    for (std::size_t k = 0, n = unbalanced.size(); k < n; ++k)  // and their images
+    for (std::size_t k = 0, n = unbalanced.size(); k < n; ++k)
       for (int i = turned_[unbalanced[k]]; i != unbalanced[k]; i = turned_[i]) unbalanced.push_back(i);
     const std::vector<int> steps = steps_from(unbalanced);
     entries.clear(), target.clear();

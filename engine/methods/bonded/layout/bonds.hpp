@@ -41,17 +41,17 @@ struct SolidGeometry;
 
 /// Pairs of a body, from both ends. Clamped particles have bonds only on faces of clamps.
 struct Bonds {
-  std::vector<int> begin;                      // [n + 1] first bonds
-  std::vector<int> j;                          // neighbour
-  std::vector<ReferenceBond> rows;             // contiguous per particle
-  std::vector<int> row;                        // [n] first of `rows`; −1: use `solid`; empty: as `begin`
-  std::shared_ptr<const SolidGeometry> solid;  // in 3D
-  bool off_lattice = false;                    // the highest frequency must be estimated
-  Constraints constraints;                     // [n]
-  std::vector<InverseMoment> B;                // [n]; 0 for collinear bonds
-  std::vector<double> volume;                  // [n] m^dim, for the energy
-  std::vector<double> mass;                    // [n] mass over density, m^dim
-  std::vector<FaceTerm> face_terms;            // sorted by particle; 2D
+  std::vector<int> begin;  // [n + 1] first bonds
+  std::vector<int> j;
+  std::vector<ReferenceBond> rows;  // contiguous per particle
+  std::vector<int> row;             // [n] first of `rows`; −1: use `solid`; empty: as `begin`
+  std::shared_ptr<const SolidGeometry> solid;
+  bool off_lattice = false;          // the highest frequency must be estimated
+  Constraints constraints;           // [n]
+  std::vector<InverseMoment> B;      // [n]; 0 for collinear bonds
+  std::vector<double> volume;        // [n] m^dim, for the energy
+  std::vector<double> mass;          // [n] mass over density, m^dim
+  std::vector<FaceTerm> face_terms;  // sorted by particle; 2D
 
   int size() const { return static_cast<int>(begin.size()) - 1; }
   bool is_rigid(int i) const { return taut::is_rigid(constraints[i]); }

@@ -14,13 +14,13 @@ inline constexpr double greatest_across = 8;  // maximum own G over G_ij
 struct Interfaces {
   struct Site {
     int id;
-    int other;     // other material
+    int other;
     double share;  // θ
     Point N, m;
   };
   std::vector<Site> sites;
-  std::vector<int> begin;      // [sites + 1] first β_ij
-  std::vector<int> j;          // particle
+  std::vector<int> begin;  // [sites + 1] first β_ij
+  std::vector<int> j;
   std::vector<double> weight;  // β_ij, 1/m
   double wave_speed = 0;       // limits the time step, m/s
 };

@@ -178,7 +178,7 @@ class Rows {
   struct Row {
     std::vector<int> j;
     std::vector<double> g;
-    bool between = false;  // see RecoveredGradient
+    bool between = false;
   };
   /// Thread-safe.
   Row make(int k) const {
@@ -223,7 +223,6 @@ class Rows {
     }
     return true;
   }
-  /// Returns the row's start.
   template <class Number>
   int append(std::vector<Number>& list, const Row& row, std::size_t done) {
     make_room(list, row.g.size(), done, id_.size());

@@ -67,7 +67,7 @@ class SolidBonds {
     }
     return out;
   }
-  /// Extends inner off-lattice particles until right weights exist.
+  /// Extends the reach of inner off-lattice particles until right weights exist.
   void extend_reach(double h, int threads) {
     const int n = initial_.size();
     std::vector<unsigned char> further(n);
