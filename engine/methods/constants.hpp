@@ -21,7 +21,7 @@ inline double compression_wave_speed(const Elasticity& m) {
   return std::sqrt((m.K + 4.0 / 3 * m.G) / m.rho0);
 }
 
-/// In SI units. With several materials, those of the first body, but the maximum c0.
+/// In SI units. With several materials, the first body's constants, but the maximum c0.
 struct Constants : Elasticity {
   double dp = 0;                 // particle spacing, m
   double h = 0;                  // smoothing length, m

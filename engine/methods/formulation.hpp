@@ -34,7 +34,7 @@ struct Formulation {
   std::string_view conserves;
   Family family = Family::ul_split;
   int greatest_dim = 3;                      // maximum dimension of scenes
-  std::span<const Citation> citations = {};  // replace those of the family
+  std::span<const Citation> citations = {};  // override the family's citations
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
   ContactLaw contact = ContactLaw::sph;  // published

@@ -71,7 +71,7 @@ class Bonded final : public Scheme<Dim> {
   std::vector<int> material_;  // [stored], padded to whole groups
   Constraints constraints_;    // [id]
   double wave_speed_;          // m/s, see BondedSetup
-  double layout_ = 1;          // highest ω² over that of a lattice, ≥ 1
+  double layout_ = 1;          // highest ω² relative to a lattice, ≥ 1
   double stiffest_ = 1;        // maximum stiffness relative to rest
   SharedRows<GroupLaw> group_laws_;
   SharedRows<Mat<Pack, Dim>> B_;

@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// Of a symmetric tridiagonal matrix with off-diagonal `beside`; NaN for NaN.
+/// Maximum eigenvalue of the symmetric tridiagonal matrix with off-diagonal `beside`; NaN for NaN.
 inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside) {
   const std::size_t n = diagonal.size();
   const auto is_above = [&](double lambda) {
@@ -54,8 +54,8 @@ double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double,
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// Of a symmetric operator apply(u, out), to 0.5 % from below, by Lanczos steps. Imperfect orthogonality only repeats
-/// eigenvalues.
+/// Maximum eigenvalue of a symmetric operator apply(u, out), to 0.5 % from below, by Lanczos steps. Imperfect
+/// orthogonality only repeats eigenvalues.
 template <int Dim, class Apply>
 double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   constexpr int least = 14, most = 30;  // steps
