@@ -31,7 +31,7 @@ struct LawOfOne {
   }
 };
 
-/// See THEORY.md, Interfaces.
+/// Sites in storage order (THEORY.md, Interfaces).
 template <int Dim>
 class InterfaceSites {
  public:
@@ -44,7 +44,7 @@ class InterfaceSites {
   template <class Column, class Law>
   void pass(const Column& x, const Law& law, int threads, Columns<Dim * Dim>& Q,
             std::vector<Vec<Pack, Dim>>& bond_force);
-  /// In J, relative to no interface.
+  /// Returns the energy of particle i minus its energy without interface, J.
   template <class Column, class Law>
   double energy_of_kink(int i, const Column& x, const Law& law) const;
 

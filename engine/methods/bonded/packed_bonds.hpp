@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// 0 in padding.
+/// One bond of each lane; 0 in padding.
 template <class Storage>
 struct alignas(sizeof(Pack)) Spring {
   Pack third_of_k;       // k/3, N/m (per metre depth in 2D)
@@ -53,7 +53,8 @@ struct BondToClamp {
   int group, lane, bond, place;
 };
 
-/// Bonds with a_ij come first, each part in storage order of the neighbours. HalfPack if groups share no constants.
+/// Bonds of groups of four particles: those with a_ij first, each part in storage order of the neighbours. HalfPack
+/// is used if groups share no constants.
 template <int Dim, class Storage>
 struct PackedBondsView {
   struct GroupRows {  // first indices

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Separate loops over a block overlap latencies.
+/// Groups per block; its separate loops overlap latencies.
 inline constexpr int groups_of_block = 8;
 template <int Dim>
 int block_count(const BondedFields<Dim>& f) {
@@ -67,7 +67,7 @@ void strain(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, in
   out.stiffest = max(Pack(sums.stiffest + bond_stiffness_offset), closing);
 }
 
-/// V_i W(F_i) minus cancellation, J.
+/// Returns V_i W(F_i) minus the cancellation, J.
 template <const BondedFormulation& M, int Dim, class Storage>
 Pack energy_of_four(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, int group,
                     const Mat<Pack, Dim>& F) {
@@ -124,7 +124,7 @@ double stress_pass(const BondedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// In N.
+/// Returns bond and stress forces, N.
 template <int Dim, class Storage>
 [[gnu::always_inline]] inline Vec<Pack, Dim> inner_force(const BondedFields<Dim>& f,
                                                          const BondsView<Dim, Storage>& bonds, int group) {
@@ -157,7 +157,7 @@ double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threa
   });
 }
 
-/// In N.
+/// Computes bond and stress forces, N.
 template <const BondedFormulation&, int Dim>
 void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threads& threads) {
   f.with_bonds([&](const auto& bonds) {
@@ -169,7 +169,7 @@ void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threa
   });
 }
 
-/// In J.
+/// Sets F and returns the energy, J.
 template <const BondedFormulation& M, int Dim>
 Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>& now) {
   return f.with_bonds([&](const auto& bonds) {
@@ -178,7 +178,7 @@ Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>&
   });
 }
 
-/// In J.
+/// Energy of each group, J.
 template <const BondedFormulation& M, int Dim>
 void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& threads) {
   parallel_pass(f.group_count(), threads, [&](int group) {
@@ -203,7 +203,7 @@ ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, con
   return all;
 }
 
-/// `u` in m.
+/// Computes energies and stresses; `u`: displacements, m.
 template <const BondedFormulation& M, int Dim>
 void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const AlignedPack* u,
                const int* groups, int count, ShownGroup<Dim>* out, const Threads& threads) {

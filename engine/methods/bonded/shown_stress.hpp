@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// T: one particle or four.
+/// Stress for snapshots. T: one particle or four.
 template <class T, int Dim>
 struct alignas(alignment_of<T>) ShownStress {
   T J, p;         // Pa
@@ -41,7 +41,7 @@ ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   return {J, p, sigma, zz + p};
 }
 
-/// `u`: displacements, m.
+/// Replaces F by the recovered gradient of u, m.
 template <int Dim>
 Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const AlignedPack* u, int size,
                                       int first, Mat<Pack, Dim> F) {
@@ -66,7 +66,7 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const Alig
   return F;
 }
 
-/// Scales F to J, unless the own gradient averages two sides.
+/// Scales F to the volume ratio J, unless the own gradient averages two sides.
 template <int Dim>
 void keep_volume(const RecoveredView& recovered, int size, int first, Mat<Pack, Dim>& F, const Pack& J) {
   const Pack least = filled<Pack>(0.05);  // crushed or inverted particles

@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// [Lee2016] Algorithm 1 with velocity p/ρ0. In plane strain H is linear in F, so {p, F, H, J} runs as
+/// Methods of [Lee2016] Algorithm 1 with velocity p/ρ0. In plane strain H is linear in F, so {p, F, H, J} runs as
 /// {p, F, J}.
 ///
 /// Differs from the paper:

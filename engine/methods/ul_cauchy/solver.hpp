@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// [Khayyer2024] and the current-configuration methods of [TranDuc2023]. Neighbour lists include a skin and are valid
-/// until a particle has moved half of it relative to its body.
+/// Methods of [Khayyer2024] and, in the current configuration, of [TranDuc2023]. Neighbour lists include a skin. They
+/// are valid until a particle has moved half of it relative to its body's rigid motion.
 template <int Dim>
 class UlCauchy final : public Scheme<Dim> {
  public:

@@ -2,7 +2,8 @@
 
 #include "engine/methods/ul_split/formulation.hpp"
 
-/// [Zhang2024], with the artificial stress of Gray, Monaghan, Swift (2001), since the paper has no equations for it.
+/// Methods of [Zhang2024]. The artificial stress is from Gray, Monaghan, Swift (2001), because the paper has no
+/// equations for it.
 namespace taut {
 
 inline constexpr UlSplitFormulation og{

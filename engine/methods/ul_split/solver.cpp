@@ -84,7 +84,7 @@ void UlSplit<Dim>::accelerate(double dt) {
   greatest_speed_ = std::max(greatest_speed_, common_.vmax);
 }
 
-/// Advances by Eq. 25.
+/// Advances densities and shear by Eq. 25.
 template <int Dim>
 void UlSplit<Dim>::close_rates(double dt) {
   kernels_.rates(f_, c_, common_.external.steering(), dt, common_.threads_now());

@@ -107,7 +107,7 @@ double stretch(int strain, const Vector& e) {  // e·H e for unit ε_xx, ε_yy, 
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-/// Bonds related by a rotation share unknowns.
+/// One body; bonds related by a rotation of the layout share unknowns.
 class Sector {
  public:
   Sector(const InitialParticles& initial, const Constraints& constraints, Bonds& bonds, int body,
@@ -124,7 +124,7 @@ class Sector {
     find_inside();
   }
 
-  /// Changes to a_ij = (1 + ξ) α X + η α X⊥.
+  /// Changes a_ij to (1 + ξ) α X + η α X⊥.
   void balance_areas() {
     find_faces();
     std::vector<int> owner(2 * classes_, first_);
@@ -269,7 +269,8 @@ class Sector {
     B << bonds_.B[i][0][0], bonds_.B[i][0][1], bonds_.B[i][1][0], bonds_.B[i][1][1];
     return initial_.V0[i] * B;
   }
-  /// Keeps Σ_j a_ij ⊗ X_ij; inside, Σ_j (V_i B_i + V_j B_j) a_ij = 0; near faces only its tangential part.
+  /// Adds rows that keep Σ_j a_ij ⊗ X_ij and, inside, make Σ_j (V_i B_i + V_j B_j) a_ij = 0; near faces only its
+  /// tangential part.
   void add_area_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     const Eigen::Matrix2d mine = area_of_unit(i);
     const double scale = mine.trace() / (2 * initial_.V0[i]);
@@ -296,7 +297,7 @@ class Sector {
     if (inside) target.insert(target.end(), {-left_over[0], -left_over[1]});
     if (near_face) target.push_back(-along_face.dot(left_over));
   }
-  /// Makes the force of bonds and cancellation on i zero.
+  /// Adds rows for zero force of bonds and cancellation on i.
   void add_force_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     if (irregular_ ? at_surface_[i - first_] : !inside_[i - first_]) return;
     const double spacing = std::sqrt(initial_.V0[i]);
@@ -321,7 +322,7 @@ class Sector {
     });
     target.insert(target.end(), 2 * strains, 0.0);
   }
-  /// Bonds to the nearest of `particles`, at most `far`.
+  /// Returns the number of bonds to the nearest of `particles`, at most `far`.
   std::vector<int> steps_from(const std::vector<int>& particles) const {
     std::vector<int> steps(last_ - first_, far), edge = particles, next;
     for (const int i : edge) steps[i - first_] = 0;
@@ -335,8 +336,8 @@ class Sector {
     }
     return steps;
   }
-  /// Satisfies rows by minimum Σ (Δx)²/ω. `add_rows(i, first row, entries, targets)` may use unknowns of i and
-  /// neighbours; `owner` is a particle of each unknown. Keeps x if the residual does not decrease.
+  /// Changes x by minimum Σ (Δx)²/ω to satisfy the rows. `add_rows(i, first row, entries, targets)` may use unknowns
+  /// of i and neighbours; `owner` is a particle of each unknown. Keeps x if the residual does not decrease.
   template <class AddRows>
   void least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, const std::vector<int>& owner,
                     const AddRows& add_rows) const {

@@ -25,13 +25,13 @@ Point point_of(const Eigen::Vector<double, Dim>& v) {
   return p;
 }
 
-/// By bits, because GCC 12 removes casts in vectorised loops.
+/// Rounds by bits, because GCC 12 removes casts in vectorised loops.
 inline double single_precision(double a) {
   constexpr std::uint64_t dropped = 1ULL << 29;
   return std::bit_cast<double>((std::bit_cast<std::uint64_t>(a) + dropped / 2) & ~(dropped - 1));
 }
 
-/// B is 0 if gradients would be too steep.
+/// Returns B of n particles; 0 if gradients would be too steep.
 template <int Dim>
 std::vector<InverseMoment> inverse_moments(const Bonds& bonds, int n, int threads) {
   std::vector<InverseMoment> B(n);

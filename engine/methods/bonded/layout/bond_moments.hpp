@@ -12,7 +12,7 @@
 
 namespace taut {
 
-/// Σ_b w_b e_a e_b e_c e_d and isotropic targets (THEORY.md, Bonds).
+/// Moments Σ_b w_b e_a e_b e_c e_d and isotropic targets (THEORY.md, Bonds).
 template <int Dim>
 class Moments {
  public:
@@ -22,7 +22,7 @@ class Moments {
     for (int m = 0; m < count; ++m) target_[m] = isotropic(powers_[m]);
   }
 
-  /// Least change of w. Returns false if no right w ≥ 0 exists.
+  /// Changes w least to right moments. Returns false if no such w ≥ 0 exists.
   bool make_right(const std::vector<Eigen::Vector<double, Dim>>& X, std::vector<double>& w) const {
     std::vector<Vector> M(X.size());
     for (std::size_t b = 0; b < X.size(); ++b) M[b] = of(X[b].normalized());

@@ -81,11 +81,11 @@ inline Bonds make_bonds(const Scene& scene, const InitialParticles& initial, dou
 
 /// Returns the modulus used as G in bonds, Pa (terms/bond.hpp).
 double modulus_of_bonds(int dim, const Elasticity& m);
-/// Harmonic mean of the ends, Pa, as springs in series. A rigid end takes the other's modulus.
+/// Returns the harmonic mean of both ends, Pa, as springs in series. A rigid end takes the other's modulus.
 double modulus_of_bond(const Bonds& bonds, const InitialParticles& initial,
                        const std::vector<Elasticity>& materials, int i, int b);
 
-/// S_j (THEORY.md, Volumes and masses).
+/// Returns S_j (THEORY.md, Volumes and masses).
 std::vector<Point> surface(const Bonds& bonds);
 
 inline constexpr double least_bond_reach = 2, wide_bond_reach = 2.625;  // in h

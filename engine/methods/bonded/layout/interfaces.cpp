@@ -95,7 +95,7 @@ class InterfaceMaker {
     const Place N{axis[0], axis[1], initial_.dim == 2 ? 0 : axis[2]};
     return N.dot(towards) < 0 ? -N : N;
   }
-  /// Empty if poorly determined, because the energy would lack a minimum.
+  /// Returns nothing if the gradient is poorly determined, because the energy would lack a minimum.
   std::vector<SideGradient> own_gradient(int i) const {
     constexpr double least = 0.5;  // det A over isotropic A; flat sides have 0.84
     Square A = Square::Zero();
@@ -149,7 +149,7 @@ class InterfaceMaker {
     for (const auto& [j, weight] : beta) out_.j.push_back(j), out_.weight.push_back(weight);
     out_.begin.push_back(static_cast<int>(out_.j.size()));
   }
-  /// From row sums of stiffness over mass, on lattices (speed · dimension/spacing)².
+  /// Estimates the speed from row sums of stiffness over mass, (speed · dimension/spacing)² on lattices.
   double wave_speed() const {
     std::vector<double> stiffness(bonds_.begin.size() - 1);  // N/m
     for (std::size_t s = 0; s < out_.sites.size(); ++s) {

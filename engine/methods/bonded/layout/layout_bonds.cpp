@@ -138,7 +138,7 @@ class LayoutBonds {
       }
     });
   }
-  /// Irregular bodies are exempt: no balance would be worse.
+  /// Irregular bodies are exempt, because no balance would be worse.
   std::vector<int> bodies_with_pair_below(double least) const {
     std::vector<unsigned char> below(initial_.size());
     parallel_for(initial_.size(), threads_, [&](int i) {

@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// Maximum eigenvalue of the symmetric tridiagonal matrix with off-diagonal `beside`; NaN for NaN.
+/// Returns the maximum eigenvalue of the symmetric tridiagonal matrix with off-diagonal `beside`; NaN for NaN.
 inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside) {
   const std::size_t n = diagonal.size();
   const auto is_above = [&](double lambda) {
@@ -54,8 +54,8 @@ double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double,
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// Maximum eigenvalue of a symmetric operator apply(u, out), to 0.5 % from below, by Lanczos steps. Imperfect
-/// orthogonality only repeats eigenvalues.
+/// Returns the maximum eigenvalue of a symmetric operator apply(u, out), to 0.5 % from below, by Lanczos steps.
+/// Imperfect orthogonality only repeats eigenvalues.
 template <int Dim, class Apply>
 double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   constexpr int least = 14, most = 30;  // steps
@@ -82,8 +82,8 @@ double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   }
 }
 
-/// Highest ω², 1/s²: eigenvalue of M^(−½) K M^(−½), K from differences of forces. `mobility`: 1/kg, 0 if constrained;
-/// forces(u, out) in N, |u| ≤ `small` in m.
+/// Returns the highest ω², 1/s², from M^(−½) K M^(−½) with K from differences of forces. `mobility`: 1/kg, 0 if
+/// constrained; forces(u, out) in N, |u| ≤ `small` in m.
 template <int Dim, class Forces>
 double highest_frequency_squared(const std::vector<double>& mobility, double small, int threads,
                                  const Forces& forces) {

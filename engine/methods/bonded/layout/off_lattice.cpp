@@ -23,7 +23,8 @@ std::vector<Eigen::Vector3d> make_directions() {
   return all;
 }
 
-/// Eigenvalue of the energy; of_bond(e): strain along e in the basis where the isotropic solid is the identity.
+/// Maximum eigenvalue of the bonds' energy; of_bond(e) is the strain along e in the basis where the isotropic solid
+/// is the identity.
 template <int Strains, int Dim, class OfBond>
 double greatest_ratio(const std::vector<Eigen::Vector<double, Dim>>& X, const std::vector<double>& w,
                       const OfBond& of_bond) {
@@ -66,7 +67,7 @@ std::vector<bool> irregular_bodies(const InitialParticles& initial, const Constr
     const auto rigid = std::count_if(&constraints[first], &constraints[first] + (end - first), is_rigid);
     const auto free = end - first - rigid,
                equal = std::count(&regular[first], &regular[first] + (end - first), 1) - rigid;
-    // in layered balls only half of the particles are equal
+    // in layered balls only half of the particles have equal neighbours
     irregular.push_back((initial.dim == 3 ? 10 : 2) * equal < free);
   }
   return irregular;

@@ -10,21 +10,21 @@
 
 namespace taut {
 
-/// Hardly any free particle has two equidistant neighbours. `near` reaches at least 1.5 spacings.
+/// Finds bodies where hardly any free particle has two equidistant neighbours. `near` reaches at least 1.5 spacings.
 std::vector<bool> irregular_bodies(const InitialParticles& initial, const Constraints& constraints,
                                    const NeighborLists& near, double spacing, int threads);
 
-/// a_ij over X_ij by dp/r (THEORY.md, Gradient).
+/// Return a_ij over X_ij as a function of dp/r (THEORY.md, Gradient).
 double steep_share(double per_r);
 double even_share(double per_r);
 
 bool is_on_lattice(const std::vector<Eigen::Vector3d>& X, double spacing);
 
-/// Some direction lacks neighbours within 60 degrees (2D: 50).
+/// Returns whether some direction lacks neighbours within 60 degrees (2D: 50).
 bool is_at_surface(const std::vector<Eigen::Vector2d>& X);
 bool is_at_surface(const std::vector<Eigen::Vector3d>& X);
 
-/// Maximum energy relative to the isotropic solid with λ = μ.
+/// Returns the maximum energy of bonds relative to the isotropic solid with λ = μ.
 double excess(const std::vector<Eigen::Vector2d>& X, const std::vector<double>& w);
 double excess(const std::vector<Eigen::Vector3d>& X, const std::vector<double>& w);
 

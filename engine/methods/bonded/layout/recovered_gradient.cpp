@@ -53,7 +53,8 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
 }
 
 constexpr int rigid = 1;
-/// 0: free, 1: rigid, else per drive and guide. The outermost particles move as their freest neighbour.
+/// Returns 0 for free particles, 1 for rigid ones, else a number per drive and guide. The outermost particles move as
+/// their freest neighbour.
 template <int Dim>
 std::vector<int> motions(const InitialParticles& initial, const Constraints& constraints,
                          const std::vector<int>& drive, double spacing, int threads) {
@@ -84,7 +85,7 @@ std::vector<int> motions(const InitialParticles& initial, const Constraints& con
   return motion;
 }
 
-/// Same material and motion as i; X to 2^-40 dp, for equal bits.
+/// Neighbours with the material and motion of i. X is rounded to 2^-40 dp, for equal bits.
 template <int Dim>
 Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>& motion, int i,
                         std::span<const int> near, double spacing) {
@@ -100,6 +101,7 @@ Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>&
   return some;
 }
 
+/// Returns whether a neighbour has another material or motion.
 template <int Dim>
 bool has_other_side(const InitialParticles& initial, const std::vector<int>& motion, int i,
                     std::span<const int> near, double reach) {
@@ -125,7 +127,7 @@ bool is_symmetric(const Neighborhood<Dim>& near) {
   });
 }
 
-/// g_j, 1/dp, of the fit with `terms` of X, X ⊗ X; empty if undetermined or too sensitive.
+/// Returns g_j, 1/dp, of the fit with `terms` of X, X ⊗ X; empty if undetermined or too sensitive.
 template <int Dim>
 Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, int terms) {
   const auto n = static_cast<Eigen::Index>(near.size());

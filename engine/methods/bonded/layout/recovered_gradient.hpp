@@ -13,7 +13,7 @@ struct RecoveredView {
   const unsigned char* between;  // null: none
 };
 
-/// Exact for quadratic fields (THEORY.md, Recovered gradient):
+/// Gradients for snapshots, exact for quadratic fields (THEORY.md, Recovered gradient):
 ///   ∇f at i = Σ_j (f_j − f_i) ⊗ g_ij,   Σ_j X_ij ⊗ g_ij = I,   Σ_j X_ij ⊗ X_ij ⊗ g_ij = 0.
 struct RecoveredGradient {
   std::vector<int> begin;  // [n + 1]; empty: own gradient

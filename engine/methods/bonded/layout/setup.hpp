@@ -16,8 +16,9 @@ struct BondConstants {
   Point area;     // a_ij
 };
 
+/// A cancelled bond or face term.
 struct CancelledTerm {
-  Point X;
+  Point X;          // direction
   double strength;  // G V0_i w_ij, J
 };
 

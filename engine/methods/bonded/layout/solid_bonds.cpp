@@ -105,8 +105,8 @@ class SolidBonds {
     }
     near_ = std::move(chosen);
   }
-  /// Empty for lattice weights. Off-lattice surfaces must not be stiffer than the solid, else the energy has no
-  /// minimum.
+  /// Returns nothing for lattice weights. Off-lattice surfaces are made no stiffer than the solid; otherwise the
+  /// energy has no minimum.
   std::vector<double> own_weights(int i) const {
     static const Moments<3> moments;
     Selection own = selection(i);
@@ -164,7 +164,7 @@ class SolidBonds {
 
 }  // namespace
 
-/// X is rounded for equal bits.
+/// X is rounded to 2^-40 spacings, for equal bits.
 ReferenceBond SolidGeometry::bond(int i, int j, std::size_t k) const {
   const Point &from = x[i], &to = x[j];
   ReferenceBond one{};

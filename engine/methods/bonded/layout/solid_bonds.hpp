@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Computed on request: storage would be 1.5 kB per particle.
+/// Computes bonds on request, because storage would be 1.5 kB per particle.
 struct SolidGeometry {
   /// Decay of a_ij (THEORY.md, Gradient).
   enum class Gradient : unsigned char { of_axes, steep, even };
@@ -23,7 +23,7 @@ struct SolidGeometry {
   ReferenceBond bond(int i, int j, std::size_t k) const;
 };
 
-/// Not cut at clamps, without volumes and masses. h in m.
+/// Returns 3D bonds, not cut at clamps, without volumes and masses. h in m.
 Bonds solid_bonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
                   int threads);
 
