@@ -30,7 +30,7 @@ std::vector<TermInfo> terms(const Formulation& m) {
   return all;
 }
 
-/// `sph` needs searched neighbours; faces move with initial ones.
+/// `sph` requires searched neighbours, `surface` initial ones, with which its faces move.
 std::vector<ContactLaw> contact_laws_of(bool searches) {
   std::vector<ContactLaw> all;
   for (const ContactLawRow& row : contact_laws)

@@ -9,15 +9,15 @@
 
 namespace taut {
 
-/// A particle with prescribed velocity components, and its interpolation f(X_B) = Σ_a V_a W̃_a(X_B) f_a. [Lee2016]
-/// Eq. 23
+/// A particle with prescribed velocity components, and its interpolation ([Lee2016] Eq. 23):
+/// f(X_B) = Σ_a V_a W̃_a(X_B) f_a.
 struct BoundaryPoint {
   std::vector<std::pair<int, double>> w;  // local index a; V_a W̃_a(X_B)
   unsigned axes = 0;                      // bit k: prescribed component
   Point velocity{};                       // m/s
 };
 
-/// Changes v least, weighted by mass, to prescribed interpolated velocities:
+/// Changes v least, weighted by mass, to prescribed interpolated velocities and unchanged momenta:
 ///   v̂_a = v_a + Σ_B V_a/m_a W̃_a(X_B) β_B + β_lin + β_ang × Z_a,
 ///   (i) v̂(X_B) = v_B,   (ii) Σ m_a v̂_a = Σ m_a v_a,   (iii) Σ m_a Z_a × v̂_a = Σ m_a Z_a × v_a.
 /// [Lee2016] Appendix B with the missing B.6; V_B β_B is β_B/ρ0 here. Boundary particles need their prescribed

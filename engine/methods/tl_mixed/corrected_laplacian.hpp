@@ -10,8 +10,8 @@ namespace taut {
 
 /// Weights of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale`, m²:
 ///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²),   r_ij = X_i − X_j,            [Lee2016] Eq. A.1, A.2
-/// L is exact for linear fields and |X − X_i|² (A.3–A.5). Where neighbours hardly distinguish these, as at corners, β
-/// = 0 avoids tiny steps. L is not symmetric.
+/// L is exact for linear fields and |X − X_i|² (A.3–A.5). Where neighbours hardly distinguish these, as at corners,
+/// β = 0 avoids tiny steps. L is not symmetric.
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,

@@ -120,7 +120,7 @@ double TlMixed<Dim>::step_size() const {
   return common_.fixed_or(std::min(c_.cfl * c_.h / std::max(fastest, at_least), dissipation_limit_));
 }
 
-/// Throws NumericalError for the lowest id.
+/// Throws NumericalError with the lowest id of a crushed particle.
 template <int Dim>
 void TlMixed<Dim>::crushed() const {
   const double limit = greatest_wave_ratio * body_.wave_speed;
@@ -203,7 +203,7 @@ StageActions<Dim> TlMixed<Dim>::actions() {
           .close = loaded || steered ? +close : nullptr};
 }
 
-/// [Lee2016] Algorithm 1, step 9; not counted as work.
+/// [Lee2016] Algorithm 1, step 9. The added energy is not counted as work.
 template <int Dim>
 void TlMixed<Dim>::project_on_boundary(double ahead) {
   if (c_.boundary_projection == 0) return;

@@ -20,7 +20,7 @@
 /// All loops gather over i, so results do not depend on the number of threads.
 namespace taut {
 
-/// At the start of the step. Padding has w′/q = 0 and r beyond the support.
+/// Pair geometry at the start of the step. Padding has w′/q = 0 and r beyond the support.
 template <int Dim>
 struct CauchyPair {
   Vec<Pack, Dim> d;  // x_i − x_j, m
@@ -28,8 +28,8 @@ struct CauchyPair {
   Pack dw_per_q;     // w′(q)/q of kernels/kernel.hpp
 };
 
-/// To avoid divisions, terms get w′/q, `one` and x_i − x_j for ∂W/∂r, r and e_ij; their sums are scaled by
-/// α/h^(Dim+2).
+/// Scales of W and ∇W. To avoid divisions, terms get w′/q, `one` and x_i − x_j for ∂W/∂r, r and e_ij; their sums are
+/// scaled by α/h^(Dim+2).
 template <const UlCauchyFormulation& M, int Dim>
 struct KernelScale {
   using K = Kernel<M.kernel>;
@@ -110,7 +110,7 @@ void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// In units of ∇W.
+/// Artificial stress in units of ∇W.
 template <const UlCauchyFormulation& M, int Dim>
 class Repulsion {
  public:

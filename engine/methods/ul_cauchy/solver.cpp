@@ -86,8 +86,8 @@ double UlCauchy<Dim>::step_size() const {
   return common_.fixed_or(c_.cfl * c_.h / c_.step_speed);
 }
 
-/// Differs from [Khayyer2024] Eq. 22–25, where rates of the old state let waves grow. ∇u is taken at mid-step
-/// (`geometry` = ½); at the start, bodies rotating at ω swell by (ω dt)²/2 per step.
+/// Symplectic Euler step. Differs from [Khayyer2024] Eq. 22–25, where rates of the old state let waves grow. ∇u is
+/// taken at mid-step (`geometry` = ½); at the start, bodies rotating at ω swell by (ω dt)²/2 per step.
 template <int Dim>
 void UlCauchy<Dim>::step(double dt) {
   if (2 * way_ > skin * c_.dp) rebuild();
@@ -187,7 +187,7 @@ void UlCauchy<Dim>::set_motion() {
   for (int i = 0; i < p_.size(); ++i) motion_[i].set(p_.v[i], rho_[i], p_.m[i] / rho_[i], p_.x[i]);
 }
 
-/// From momenta; other values would only cause more searches.
+/// Sets rigid motions from momenta; other values would only cause more searches.
 template <int Dim>
 void UlCauchy<Dim>::set_rigid_motion() {
   static_assert(Dim == 2);

@@ -29,7 +29,7 @@ class PairKernel {
 
   static double steepness(const UlSplitConstants& c) { return K::alpha(Dim) / power<Dim + 1>(c.h); }
 
-  /// For x_i − x_j = d; 0 for coincident particles and padding.
+  /// Geometry for x_i − x_j = d; 0 for coincident particles and padding.
   PairGeometry<Dim> geometry(const Vec<Pack, Dim>& d) const {
     Pack slope_per_distance;
     return geometry(d, slope_per_distance);
@@ -182,7 +182,7 @@ Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const UlSplitConstan
   return total;
 }
 
-/// Second half step, Eq. 25, with new rates.
+/// Advances by the second half step, Eq. 25, with rates of the new velocities.
 template <const UlSplitFormulation& M, int Dim, bool pressure_diffusion>
 void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Steering<Dim>& steering,
                double dt, const Threads& threads) {
@@ -236,9 +236,9 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
     rate_pass<M, Dim, true>(s, c, steering, dt, threads);
 }
 
-/// Recovers the stress of particles[k] (k if null) into out[k] from the displacement d since the last recovery: s +=
-/// 2G dev ε(d) + rotation. [Zhang2024] Eq. 6–8, 26, 27. Differs from the paper: volumes and correction are cached,
-/// too.
+/// Recovers the stress of particles[k] (k if null) into out[k] from the displacement d since the last recovery:
+/// s += 2G dev ε(d) + rotation. [Zhang2024] Eq. 6–8, 26, 27. Differs from the paper: volumes and correction are
+/// cached, too.
 template <const UlSplitFormulation& M, int Dim>
 void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const FlowRow<Dim>* displacement,
                     const int* particles, int count, Sym<double, Dim>* out, const Threads& threads) {
