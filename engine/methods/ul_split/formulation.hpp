@@ -27,7 +27,7 @@ struct UlSplitConstants : Constants {
   double zeta = 0;                             // factor of the Laplacian, [Zhang2024] Eq. 19
   double epsilon = 0, exponent = 0;            // of the artificial stress
   double riemann_limiter = 0, beta_least = 1;  // β = min(max(limiter · (U_L − U_R)/c0, β_least), 1)
-  double pressure_diffusion = 0;               // share of (p_i − p_j)/(2 ρ0 c0) in U*: 0 or 1
+  double pressure_diffusion = 0;               // share of (p_i − p_j)/(2 ρ0 c0) in U*
   double cfl_advection = 0;
   double step_speed = 0;  // wave speed for steps, m/s
 };
