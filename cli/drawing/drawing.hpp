@@ -34,7 +34,7 @@ struct ColorFormula {
                              std::span<const double> x, std::span<const double> x0, double time) const;
 };
 
-/// What pictures show, and how. Open members have defaults: viridis, or a diverging map for signed fields; range and
+/// Content and look of pictures. Open members have defaults: viridis, or a diverging map for signed fields; range and
 /// view of everything shown. A 3D scene has a camera instead of a view.
 struct Drawing {
   const Field* field = find_field("von_mises");  // colours the particles if `formula` is empty

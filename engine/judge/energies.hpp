@@ -16,22 +16,17 @@ struct Excess {
 };
 
 /// Compares the energy of bodies with the energy that they received.
-///
-/// Bodies that may have met form a group: in a frame that moves with one body, the boxes that the two have swept between
-/// two observations come closer than the range of contact. A body that met no other one is a group of its own. A group is
-/// closed unless it has clamped, guided, driven or loaded particles, reached a wall, or is damped.
-///
-/// Energy of a group: kinetic + strain energy, in the frame of its initial momentum if it is closed (with gravity: of
-/// its momentum), else in the frame of the scene. Received energy: energy at the start, for groups that are not closed
-/// plus the greatest work of drives, loads and gravity. Contact energy counts if one group alone has contacts.
-///
-/// A group diverges when
-///   - kinetic, or kinetic + strain energy is above twice its received energy. For methods with searched neighbours
-///     the strain energy counts only while at least a tenth of the received energy moves: their forces do not derive
-///     from it;
-///   - at two observations in a row, its strain energy is below its start by a tenth of the received energy, for methods
-///     with initial neighbours: a law without a minimum of its energy.
-/// Where a group received no more than round-off, the received energy counts as that of a speed of 1e-4 sound speeds.
+/// - Groups: bodies that may have met share one. They may have met if, in a frame that moves with one of them, the boxes
+///   swept between two observations come into the range of contact. A group is closed unless it has clamped, guided,
+///   driven or loaded particles, may have reached a wall, or is damped.
+/// - Energy: kinetic + strain, of closed groups in the frame of their initial momentum (with gravity: of their momentum).
+///   Contact energy counts if only one group has contacts.
+/// - Received energy: initial energy, unless closed plus the greatest work of drives, loads and gravity. If it is
+///   round-off, that of a speed of 1e-4 sound speeds replaces it.
+/// A group diverges when kinetic, or kinetic + strain energy exceeds twice its received energy. For searched neighbours
+/// strain energy counts only while a tenth of the received energy is kinetic: their forces do not derive from it. With
+/// initial neighbours it also diverges when its strain energy lies a tenth of the received energy below its start in two
+/// successive observations: a law without a minimum of its energy.
 class EnergyTest {
  public:
   /// `support`: range of the interaction between particles, m.

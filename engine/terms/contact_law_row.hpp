@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// What a law acts between; determines which methods can run with it.
+/// Partners of a contact law; they determine which methods can run with it.
 enum class ContactBetween {
   particles,      // pairs of two bodies or a fold, less than a spacing apart; all methods
   faces,          // methods with initial neighbours

@@ -122,7 +122,7 @@ void main() {
     float b = (z - depth_at(place - far * way)) / far;
     float weight_a = clamp(2.0 - abs(a), 0.0, 1.0), weight_b = clamp(2.0 - abs(b), 0.0, 1.0);
     slope += 0.25 * (weight_a * a - weight_b * b) / max(weight_a + weight_b, 0.1) * way;
-    // what stands far in front casts less of a shadow than what is next to the pixel
+    // distant occluders shade a pixel less than near ones
     float shadow_a = clamp(a, -1.0, mix(0.5, 1.0, weight_a));
     float shadow_b = clamp(b, -1.0, mix(0.5, 1.0, weight_b));
     hollow += 0.125 * max(shadow_a + shadow_b, 0.0);

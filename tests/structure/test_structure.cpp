@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -9,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/structure/files.hpp"
 #include "tests/structure/room_table.hpp"
 
 using namespace taut::test;
@@ -16,32 +16,7 @@ using namespace taut::test;
 namespace {
 
 namespace fs = std::filesystem;
-using Texts = std::vector<std::string>;
-
-const fs::path top = TAUT_SOURCE_DIR;
 const Texts parts = {"engine", "render", "cli"};
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// Sorted, relative; without hidden files and build folders.
-Texts files_below(const fs::path& folder, const std::set<std::string>& extensions) {
-  Texts files;
-  for (fs::recursive_directory_iterator entry(folder), end; entry != end; ++entry) {
-    const std::string name = entry->path().filename().string();
-    const bool built = entry->is_directory() && fs::exists(entry->path() / "CMakeCache.txt");
-    if (name.starts_with('.') || built)
-      entry.disable_recursion_pending();
-    else if (extensions.contains(entry->path().extension().string()))
-      files.push_back(entry->path().lexically_relative(folder).string());
-  }
-  std::ranges::sort(files);
-  return files;
-}
-
-Texts sources_below(const fs::path& folder) { return files_below(folder, {".cpp", ".hpp"}); }
 
 RoomTable rooms_of(const std::string& part) {
   const auto table = RoomTable::read(text_of(top / part / "README.md"));
@@ -64,13 +39,10 @@ std::size_t lines_of(const fs::path& file) {
   return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }
 
-/// In characters, not bytes.
 std::size_t widest_line(const fs::path& file) {
   std::istringstream lines(text_of(file));
-  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
   std::size_t widest = 0;
-  for (std::string line; std::getline(lines, line);)
-    widest = std::max(widest, static_cast<std::size_t>(std::ranges::count_if(line, begins)));
+  for (std::string line; std::getline(lines, line);) widest = std::max(widest, columns_of(line));
   return widest;
 }
 
