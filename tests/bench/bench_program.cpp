@@ -1,8 +1,7 @@
-// What a user waits for beside the solver, with the program itself:
-//   frames/2d         frames per second of `taut render`: 1280 × 720, the 4 400 particles of the colliding rings,
-//                     its start and the reading of the particles included
-//   start/list        from spawn to exit of `taut list methods`
-//   start/one-step    and of a run of one step, without pictures
+// Speed of the program apart from the solver:
+//   frames/2d         frames per second of `taut render`, 1280 × 720, colliding rings, start-up included
+//   start/list        time from spawn to exit of `taut list methods`
+//   start/one-step    the same for a run of one step without pictures
 
 #include <cerrno>
 #include <cstring>
@@ -25,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 
-/// Waits for its end; what it says is not read.
+/// Waits for the exit and discards the output.
 void run_taut(Arguments arguments) {
   arguments.insert(arguments.begin(), TAUT_PROGRAM);
   std::vector<char*> raw;
@@ -45,7 +44,7 @@ void run_taut(Arguments arguments) {
     throw std::runtime_error(arguments[0] + " " + arguments[1] + " has failed");
 }
 
-/// A folder for runs and frames while the benchmark runs.
+/// A temporary folder for runs and frames.
 class Scratch {
  public:
   Scratch() { fs::create_directories(folder_); }

@@ -23,7 +23,7 @@ using test::unit_bulk;
 
 namespace {
 
-/// Two bodies of three particles with every value different, in 2D or 3D.
+/// Two bodies, three particles, all values different.
 Snapshot lively(int dim) {
   Snapshot now = made_snapshot(dim, {{0.3, 1.1, 0.2}, {-2, 0.7, 1.3}, {1.9, -0.4, -0.6}});
   for (std::size_t k = 0; k < now.v.size(); ++k) now.v[k] = std::sin(1.0 + 3.0 * static_cast<double>(k));
@@ -56,7 +56,7 @@ TEST_SUITE("unit") {
     CHECK(balance(now, scene).kinetic == Approx(0.5 * 6 * 25));
     CHECK(balance(now, scene).strain == Approx(3 * 4 / 2.0));
     now.p = {0};
-    now.s = {0, 2, 0, 0};  // pure shear τ: τ²/2G
+    now.s = {0, 2, 0, 0};  // pure shear: τ²/2G
     CHECK(balance(now, scene).strain == Approx(3 * 4 / (2 * 1.5)));
     now.s = {0, 0, 0, 3};
     CHECK(balance(now, scene).strain == Approx(3 * 9 / (4 * 1.5)));
@@ -118,7 +118,7 @@ TEST_SUITE("unit") {
   }
 
 #if defined(__x86_64__)
-  TEST_CASE("particle loops: the instruction set does not matter") {
+  TEST_CASE("particle loops: sums do not depend on the instruction set") {
     if (!has_x86_64_v3()) return;
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
