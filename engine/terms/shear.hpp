@@ -14,7 +14,7 @@ Vec<T, Dim> nested_shear_term(const Sym<T, Dim>& s_i, const Sym<T, Dim>& s_j, co
 }
 inline constexpr TermInfo nested_shear_info{"shear force", "dv/dt = Σ m_j (s_i + s_j)/(ρ_i ρ_j)·∇W",
                                             "[Zhang2024] Eq. 13", "terms/shear.hpp:nested_shear_term",
-                                            "force: what j does to i, i does to j in the other direction"};
+                                            "force: the forces of j on i and of i on j are opposite"};
 
 /// 2 V_j (e_ij·v_ij)/r_ij ∇_i W: its sum over j times ζ is ∇²v, 1/(m s).             [Zhang2024] Eq. 19
 /// The force acts along e_ij, so that a rigid rotation gives none. In the continuum the operator equals
