@@ -143,7 +143,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("surface contact: a tip that hits a node leaves the face with its initial energy") {
+  TEST_CASE("surface contact: a tip that hits a node gains no energy") {
     constexpr double mm = 0.001;
     Scene scene = scene_of(
         {Box{{-3 * mm, 1.9 * mm, 0}, {3 * mm, 7.9 * mm, 0}}, Box{{-10 * mm, -4 * mm, 0}, {10 * mm, 0, 0}}});

@@ -87,7 +87,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("decay: a steady wave about another mean is measured on one side only") {
+  TEST_CASE("decay: a steady lopsided wave has no decay") {
     const auto lopsided = [](double t) {
       return std::sin(2 * pi * t) * (std::sin(2 * pi * t) > 0 ? 1 : 0.3);
     };

@@ -232,7 +232,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("bonds: bonds beside a clamp keep their length, and none has a negative weight") {
+  TEST_CASE("bonds: particles beside a clamp have at most eight bonds, all of positive weight") {
     const Scene scene = oscillating_plate(0.01, 8);
     const InitialParticles initial = make_initial_particles(scene);
     const Bonds bonds = bonds_of(scene, initial);
