@@ -1,8 +1,8 @@
-// Speed of every method, in 2D on the colliding rings, in 3D on the oscillating plate with three layers:
+// Speed of every method, on the colliding rings in 2D and the oscillating plate with three layers in 3D:
 //   enog/2d/threads:1         particle-steps per second, and seconds per directed pair and step, rebuilds included
-//   enog/2d/to_transcription  speed relative to the transcription of the paper, both on one thread, best of each
+//   enog/2d/to_transcription  speed relative to the transcription, both on one thread, best of each
 // The transcriptions (tests/engine/methods/naive_*.hpp) are straightforward code at -O2: std::vector neighbour lists,
-// small matrices, nothing cached. The transcription of oenog uses explicit forces, not dual numbers.
+// small matrices, nothing cached. oenog's uses explicit forces, not dual numbers.
 
 #include <algorithm>
 #include <chrono>
@@ -33,7 +33,7 @@ struct Motion {
   const char* scene;
   double from, slice;  // s
   int slices;
-  int transcribed;  // steps of the transcription per timing
+  int transcribed;
 };
 // ends before the fragments of a torn ring differ; about 24 steps and one to three rebuilds per slice
 constexpr Motion rings{"colliding-rings", 7e-4, 1e-4, 7, 10};
@@ -49,7 +49,6 @@ SceneFile scene_of(const Subject& subject) {
   return read_scene(find_scene(motion_of(subject.dim).scene), {{"method", subject.method}});
 }
 
-/// A simulation that repeats its measured part.
 class Stretch {
  public:
   Stretch(const Subject& subject, int threads) : motion_(motion_of(subject.dim)) {
@@ -177,7 +176,7 @@ void register_methods() {
           ->Arg(2)
           ->UseRealTime()
           ->Unit(benchmark::kMillisecond);
-      if (dim == 2 || subject.method != "tl-small-strain")  // no transcription in 3D
+      if (dim == 2 || subject.method != "tl-small-strain")
         benchmark::RegisterBenchmark((name + "/to_transcription").c_str(), compare_with_transcription,
                                      subject)
             ->Iterations(dim == 2 ? 5 : 3)

@@ -44,7 +44,6 @@ void run_taut(Arguments arguments) {
     throw std::runtime_error(arguments[0] + " " + arguments[1] + " has failed");
 }
 
-/// A temporary folder for runs and frames.
 class Scratch {
  public:
   Scratch() { fs::create_directories(folder_); }

@@ -2,10 +2,9 @@
 
 #include <Eigen/Core>
 
-/// Eigen functions that are slow to compile.
 namespace taut::test {
 
-/// Eigenvalues of a symmetric matrix, ascending, and unit eigenvectors as columns.
+/// Ascending eigenvalues of a symmetric matrix and unit eigenvectors as columns.
 template <int Dim>
 struct PrincipalAxes {
   Eigen::Matrix<double, Dim, 1> values;

@@ -33,7 +33,6 @@ double angular_change(const Balance& before, const Balance& after) {
   return std::abs(after.angular_momentum[2] - before.angular_momentum[2]) / before.angular_scale;
 }
 
-/// Share of its speed that the first body lost.
 double slowed(const Snapshot& start, const Snapshot& end) {
   double before = 0, after = 0;
   for (std::size_t i = 0; i < start.size(); ++i) {
@@ -92,7 +91,7 @@ TEST_SUITE("conservation") {
           CHECK(linear_change(before, after) < round_off);
         else
           CHECK(linear_change(before, after) > 1e-3);
-        CHECK(slowed(start, simulation->snapshot()) > 0.3);  // the bodies did collide
+        CHECK(slowed(start, simulation->snapshot()) > 0.3);
       }
     }
   }

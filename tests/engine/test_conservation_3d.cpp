@@ -75,7 +75,7 @@ TEST_SUITE("conservation") {
       }
       make_steps(*simulation, steps);
       const Balance after = balance(simulation->snapshot(), scene);
-      CHECK(std::abs(along_x(simulation->snapshot()) / along_x(start) - 1) > 0.1);  // the bodies did collide
+      CHECK(std::abs(along_x(simulation->snapshot()) / along_x(start) - 1) > 0.1);
       CHECK(change(before.linear_momentum, after.linear_momentum) < round_off * before.momentum_scale);
       const double turn = change(before.angular_momentum, after.angular_momentum) / before.angular_scale;
       if (claims(method, "angular momentum"))

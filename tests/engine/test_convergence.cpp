@@ -16,7 +16,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Order of convergence of three results, each at half the step of the one before.
 double rate(const std::array<double, 3>& result) {
   return std::log2(std::abs((result[0] - result[1]) / (result[1] - result[2])));
 }
@@ -47,7 +46,7 @@ TEST_SUITE("convergence") {
       const auto simulation = make_simulation(oscillating_plate(0.001, across), with_method("enog"));
       simulation->advance_to(0.07);
       peak[k] = std::ranges::max(simulation->series().value[0]);
-      CHECK(simulation->series().value[0].back() < peak[k]);  // past its peak
+      CHECK(simulation->series().value[0].back() < peak[k]);
     }
     MESSAGE("order in the spacing: " << rate(peak));
     CHECK(rate(peak) > 0.9);

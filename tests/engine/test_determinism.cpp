@@ -43,7 +43,6 @@ std::vector<Scene> probed_scenes() {
   return scenes;
 }
 
-/// Calls f(scene, method) for both scenes and every method.
 template <class F>
 void for_each_run(const F& f) {
   for (const Scene& scene : probed_scenes()) {
@@ -151,7 +150,7 @@ TEST_SUITE("determinism") {
         CHECK(same(often->series().time, once->series().time));
         CHECK(same(often->series().value[0], once->series().value[0]));
       }
-      CHECK(once->series().time.size() == steps + 1);  // every step and the start
+      CHECK(once->series().time.size() == steps + 1);
     });
   }
 
@@ -176,7 +175,7 @@ TEST_SUITE("determinism") {
         CHECK(difference == 0);  // no geometry is kept between steps
       else
         CHECK(difference > 1e-6 * scene.spacing);  // far beyond round-off
-      CHECK(difference < scene.spacing);           // the same motion
+      CHECK(difference < scene.spacing);
     });
   }
 }

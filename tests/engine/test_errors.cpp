@@ -19,7 +19,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Message of the error E thrown by make_simulation.
 template <class E>
 std::string message(const Scene& scene, const Settings& settings) {
   try {
@@ -73,7 +72,7 @@ TEST_SUITE("unit") {
     settings.constants = {{"zeal", 1}};
     CHECK(contains(usage_error(settings), "'zeal'"));
     CHECK(contains(usage_error(settings), "zeta"));
-    settings.constants = {{"epsilon", 0.3}};  // belongs to another method
+    settings.constants = {{"epsilon", 0.3}};
     CHECK(contains(usage_error(settings), "'epsilon'"));
   }
 
@@ -108,7 +107,7 @@ TEST_SUITE("unit") {
         CAPTURE(std::string(constant.name));
         Scene scene = constant.name == "boundary_projection" ? small_clamped_plate() : small_collision();
         scene.contact = constant.name == "contact_stiffness" ? ContactLaw::penalty : ContactLaw::published;
-        const int steps = constant.name == "contact_stiffness" ? 40 : 20;  // until the bodies touch
+        const int steps = constant.name == "contact_stiffness" ? 40 : 20;
         const Snapshot usual = state_after(steps, scene, plain);
         Settings settings = plain;
         if (constant.name == "riemann_limiter")
@@ -120,7 +119,7 @@ TEST_SUITE("unit") {
         const double middle = 0.5 * (constant.value + low);
         settings.constants[std::string(constant.name)] = middle == constant.value ? constant.high : middle;
         CHECK(state_after(steps, scene, settings).v != same.v);
-        if (constant.name != "riemann_limiter") CHECK(same.v == usual.v);  // the listed default is used
+        if (constant.name != "riemann_limiter") CHECK(same.v == usual.v);
       }
     }
   }
@@ -208,7 +207,7 @@ TEST_SUITE("unit") {
     Scene scene = small_collision();
     scene.materials.push_back(scene.materials[0]);
     scene.bodies[1].material = 1;
-    CHECK_NOTHROW(make_simulation(scene, with_method("enog")));  // the same material twice
+    CHECK_NOTHROW(make_simulation(scene, with_method("enog")));
     scene.materials[1].youngs_modulus *= 2;
     const std::string error = message<SceneError>(scene, with_method("enog"));
     CHECK(contains(error, "'disc'"));
@@ -263,7 +262,7 @@ TEST_SUITE("unit") {
     Scene scene = small_collision();
     const double c0 = scene.materials[0].sound_speed();
     scene.bodies[0].velocity = {};
-    const auto thrown_off = [](const Point& x) { return x[1] > -0.0165; };  // less than half of the body
+    const auto thrown_off = [](const Point& x) { return x[1] > -0.0165; };
     scene.bodies[1].velocity = {[=](const Point& x) { return thrown_off(x) ? 11 * c0 : 0.0; }, {}, {}};
     scene.bodies[1].shapes = {Box{{-0.04, -0.02, 0}, {-0.035, -0.015, 0}}};  // stored before the ring
     for (const MethodInfo& method : methods()) {

@@ -18,7 +18,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Judges the run every half millisecond until `until`.
 Judge judged(const Scene& scene, const std::string& method, double until) {
   const auto simulation = make_simulation(scene, with_method(method));
   Judge judge(scene, *simulation);
@@ -66,7 +65,7 @@ TEST_SUITE("failure") {
     const Judge judge = judged(colliding_rings(), "og", 0.0045);
     CHECK(judge.verdict() == Verdict::fractured);
     CHECK(judge.since().contains(Verdict::fractured));
-    CHECK(judge.since().at(Verdict::fractured) > 0.001);  // only after contact
+    CHECK(judge.since().at(Verdict::fractured) > 0.001);
     CHECK(judge.pieces() > 4);
   }
 
@@ -80,11 +79,11 @@ TEST_SUITE("failure") {
   }
 
   TEST_CASE("plate: the Laplacian without projection resists rotation") {
-    const double quarter_period = 0.065;  // approximate
+    const double quarter_period = 0.065;
     const Series published = tip_until(1.15 * quarter_period, 0.05, "enog");
     const Series plain = tip_until(1.15 * quarter_period, 0.05, "enog-nonconservative");
     const double peak = std::ranges::max(published.value[0]), stiff_peak = std::ranges::max(plain.value[0]);
-    CHECK(published.value[0].back() < peak);  // both have turned back
+    CHECK(published.value[0].back() < peak);
     CHECK(plain.value[0].back() < stiff_peak);
     CHECK(peak == relative(0.114, 0.02));  // finite elements: 0.107 m
     CHECK(stiff_peak > 0.001);
@@ -162,7 +161,6 @@ TEST_SUITE("failure") {
     const Series enog = tip_until(0.0032, 0.001, "enog"), og = tip_until(0.0032, 0.001, "og");
     CHECK(value_at(enog, 0.003) > 0.07 * amplitude);
     CHECK(greatest_distance(enog, og) < 0.002 * amplitude);
-    // another operator would differ
     CHECK(greatest_distance(enog, tip_until(0.0032, 0.001, "enog-nonconservative")) > 0.01 * amplitude);
   }
 

@@ -15,7 +15,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Heap memory in use by this program, bytes.
 double in_use() {
   const auto now = mallinfo2();
   return static_cast<double>(now.uordblks) + static_cast<double>(now.hblkhd);

@@ -52,7 +52,6 @@ double linear_change(const Balance& before, const Balance& after) {
          before.momentum_scale;
 }
 
-/// Final over initial mean velocity of the first body along x.
 double kept_speed(const Snapshot& start, const Snapshot& end) {
   double before = 0, after = 0;
   for (std::size_t i = 0; i < start.size(); ++i) {
@@ -115,11 +114,11 @@ TEST_SUITE("analytic") {
       const double start = total_energy(*simulation, scene);
       simulation->advance_to(quarter);
       const auto& x = simulation->snapshot().x;
-      CHECK(dp - (x[2] - x[0]) == Approx(2 * speed / omega).epsilon(1e-3));  // deepest point
+      CHECK(dp - (x[2] - x[0]) == Approx(2 * speed / omega).epsilon(1e-3));
       CHECK(balance(simulation->snapshot(), scene).kinetic < 1e-3 * start);
       CHECK(total_energy(*simulation, scene) == Approx(start).epsilon(1e-4));
       simulation->advance_to(2.2 * quarter);
-      CHECK(simulation->snapshot().v[0] == Approx(-speed).epsilon(1e-3));  // rebounded
+      CHECK(simulation->snapshot().v[0] == Approx(-speed).epsilon(1e-3));
       CHECK(total_energy(*simulation, scene) == Approx(start).epsilon(1e-4));
     }
   }
@@ -142,7 +141,7 @@ TEST_SUITE("conservation") {
         if (method.conserves.starts_with("linear momentum"))
           CHECK(linear_change(before, after) < round_off);
         else
-          CHECK(linear_change(before, after) < 0.1);  // of the scale
+          CHECK(linear_change(before, after) < 0.1);
         if (method.conserves.find("angular momentum") != std::string_view::npos)
           CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) <
                 round_off * before.angular_scale);
@@ -158,7 +157,7 @@ TEST_SUITE("conservation") {
 TEST_SUITE("conservation") {
   TEST_CASE("impulse contact: faces pressed together do not creep into each other") {
     const double speed = 0.06 * ring_rubber().sound_speed();
-    Scene scene = two_particles(1, speed);  // replaced by two columns of 30 particles
+    Scene scene = two_particles(1, speed);
     scene.bodies[0].shapes = {Box{{-30 * dp, -0.5 * dp, 0}, {0, 0.5 * dp, 0}}};
     scene.bodies[1].shapes = {Box{{0, -0.5 * dp, 0}, {30 * dp, 0.5 * dp, 0}}};
     scene.contact = ContactLaw::impulse;
@@ -217,7 +216,7 @@ TEST_SUITE("unit") {
               return 0.0;
             };
         const Snapshot same = make_simulation(met, with_method(method))->snapshot();
-        double most = 0, off = 0;  // relative to the compression
+        double most = 0, off = 0;
         for (std::size_t i = 0; i < now.size(); ++i) {
           const double rho0 = ring_rubber().density;
           most = std::max(most, std::abs(same.rho[i] / rho0 - 1));

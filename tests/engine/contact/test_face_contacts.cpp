@@ -199,7 +199,7 @@ TEST_SUITE("term") {
     const double k = surface_stiffness(2e7, 3e7, 2, dp), depth = 0.2 * dp, step = 1e-6 * dp;
     CHECK(k == Approx(1.2e10));
     CHECK(surface_stiffness(2e7, 3e7, 2, dp) == surface_stiffness(3e7, 2e7, 2, dp));
-    CHECK(surface_stiffness(2e7, 2e7, 2, dp) == 1e7 / dp);  // a layer of two spacings
+    CHECK(surface_stiffness(2e7, 2e7, 2, dp) == 1e7 / dp);
     CHECK(surface_energy(-1e-9, dp, k) == 0);
     CHECK(surface_force(-1e-9, dp, k) == 0);
     CHECK((surface_energy(depth + step, dp, k) - surface_energy(depth - step, dp, k)) / (2 * step) ==
@@ -207,7 +207,7 @@ TEST_SUITE("term") {
     CHECK(surface_energy(depth, dp, k) == Approx(0.25 * k * dp * depth * depth));
     CHECK(facing_share(-1) == 1);
     CHECK(facing_share(-0.5) == 1);
-    CHECK(facing_share(-0.24) == 0);  // the other side of a corner
+    CHECK(facing_share(-0.24) == 0);
     CHECK(facing_share(-0.375) == Approx(0.5));
     CHECK(facing_share(1) == 0);
   }
@@ -378,7 +378,7 @@ TEST_SUITE("failure") {
           most = std::max(most, crossed(simulation->snapshot(), 2, dp, arm));
         }
         CHECK(most < 0);
-        if (law != ContactLaw::impulse) CHECK(pressed > 0.001);  // the strip did touch itself
+        if (law != ContactLaw::impulse) CHECK(pressed > 0.001);
         const Balance after = balance(simulation->snapshot(), scene);
         CHECK(std::abs(after.linear_momentum[0] - before.linear_momentum[0]) < 1e-12 * before.momentum_scale);
         CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) <
@@ -393,7 +393,6 @@ TEST_SUITE("unit") {
     constexpr double inside = 0.008;  // m; excludes the corners
     CHECK(touching_after<2>([](const V& x) { return V{x[0], 0.5 * x[1]}; }, dp, inside) == 0);
     CHECK(touching_after<2>([](const V& x) { return bent(x, 0.012); }, dp, inside) == 0);
-    // a strip bent to a ring touches itself
     CHECK(touching_after<2>([](const V& x) { return bent(x, -0.003); }, dp, 0) > 0);
   }
 

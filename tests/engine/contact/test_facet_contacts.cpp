@@ -109,10 +109,9 @@ TEST_SUITE("analytic") {
     CHECK(std::abs(blocks.force_on(1)[0]) < 1e-9 * k * depth * area);
     blocks.shift(1, {-depth, 0, 0});
     const V force = blocks.force_on(1);
-    // the outermost facets are covered to less than 0.85
+    // the outermost facets are covered to less than 0.85, varying with depth
     CHECK(force[0] == Approx(1.02 * k * depth * area).epsilon(0.03));
     CHECK(std::hypot(force[1], force[2]) < 1e-9 * force[0]);
-    // their cover varies with the depth
     CHECK(blocks.energy() == Approx(1.01 / 1.02 * 0.5 * depth * force[0]).epsilon(1e-3));
     CHECK(blocks.gap() == Approx(-depth).epsilon(1e-9));
     CHECK(length(blocks.between(1, 0) - force) < 1e-9 * force[0]);
@@ -180,7 +179,7 @@ TEST_SUITE("conservation") {
     struct Case {
       std::string name;
       Pressed<3> bodies;
-      double depth;  // in spacings
+      double depth;
     };
     Case cases[] = {{"balls", two_balls(0.4 * dp, 0.004), 0},
                     {"rims", Pressed<3>(rims), 0.3},
@@ -328,7 +327,7 @@ TEST_SUITE("failure") {
           most = std::max(most, crossed(simulation->snapshot(), 3, dp, arm));
         }
         CHECK(most < 0);
-        if (law != ContactLaw::impulse) CHECK(pressed > 0.001);  // the arms did touch
+        if (law != ContactLaw::impulse) CHECK(pressed > 0.001);
       }
     }
   }
@@ -410,7 +409,6 @@ TEST_SUITE("unit") {
   TEST_CASE("contact of faces: in 3D a body that is pressed or bent but not folded costs no contact") {
     CHECK(touching_after<3>([](const V& x) { return V{x[0], 0.6 * x[1], x[2]}; }, dp, 0) == 0);
     CHECK(touching_after<3>([](const V& x) { return bent(x, 0.012); }, dp, 0) == 0);
-    // a strip bent to a ring touches itself
     CHECK(touching_after<3>([](const V& x) { return bent(x, -0.003); }, dp, 0) > 0);
   }
 

@@ -39,7 +39,6 @@ Scene flying_block() {
   return scene;
 }
 
-/// The flying block and its mirror image.
 Scene two_blocks() {
   Scene scene = flying_block();
   Body image = scene.bodies[0];
@@ -156,7 +155,7 @@ TEST_SUITE("conservation") {
         const Balance before = balance(simulation->snapshot(), scene);
         simulation->advance_to(10 * 0.008 / scene.materials[0].sound_speed());
         const Balance after = balance(simulation->snapshot(), scene);
-        CHECK(after.of_walls.linear[1] > -1.1 * before.linear_momentum[1]);  // the disc moves up again
+        CHECK(after.of_walls.linear[1] > -1.1 * before.linear_momentum[1]);
         const Kept kept = change(before, after);
         if (method.conserves.starts_with("linear momentum")) CHECK(kept.linear < 1e-12);
         if (method.conserves.find("angular momentum") != std::string_view::npos) CHECK(kept.angular < 1e-12);
@@ -172,7 +171,7 @@ TEST_SUITE("conservation") {
 TEST_SUITE("conservation") {
   TEST_CASE("wall: the angular impulse about the origin has the arm to the point of contact") {
     const double speed = 0.02 * ring_rubber().sound_speed();
-    for (const int axis : {0, 1}) {  // axis of the wall's normal
+    for (const int axis : {0, 1}) {
       CAPTURE(axis);
       const std::size_t along = static_cast<std::size_t>(axis), across = 1 - along;
       Scene scene = flying_block();
@@ -240,7 +239,7 @@ TEST_SUITE("unit") {
     scene.walls = {wall("front", {-0.44 * dp, 0, 0}, {-1, 0, 0})};
     CHECK_NOTHROW(make_simulation(scene, with_method("enog")));
     scene.bodies[0] = block;
-    scene.bodies[0].on_boundary = true;  // particles lie on the face
+    scene.bodies[0].on_boundary = true;
     CHECK(begins(0));
     scene.bodies[0].on_boundary = false;
     scene.bodies[0].displacement[0] = constant(-0.3 * dp);

@@ -23,7 +23,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Distinct values without a pattern.
 double scramble(int k) { return std::sin(1.0 + 2.7 * k) + 0.1 * k; }
 
 /// Number of steps on one thread, of 1 ms each, until the team is tried again.
@@ -139,7 +138,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("tensor: a moment times its inverse is the identity in any unit") {
-    for (const double scale : {1e-12, 1.0, 1e9}) {  // any unit
+    for (const double scale : {1e-12, 1.0, 1e9}) {
       const Sym<double, 2> a = scale * Sym<double, 2>{2.0, -0.7, 1.3};
       const Sym<double, 2> b = inverse(a);
       CHECK(a(0, 0) * b(0, 0) + a(0, 1) * b(1, 0) == Approx(1));

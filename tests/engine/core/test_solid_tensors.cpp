@@ -1,4 +1,3 @@
-// Tensors, principal axes and rotations in 3D against Eigen.
 
 #include <algorithm>
 #include <array>
@@ -27,7 +26,6 @@ using Matrix = Eigen::Matrix3d;
 
 class Random {
  public:
-  /// In [−1, 1].
   double number() { return 2 * std::generate_canonical<double, 53>(random_) - 1; }
   Matrix matrix() {
     return Matrix::NullaryExpr([this](Eigen::Index, Eigen::Index) { return number(); });

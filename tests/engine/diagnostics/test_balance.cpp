@@ -23,7 +23,6 @@ using test::unit_bulk;
 
 namespace {
 
-/// Two bodies, three particles, all values different.
 Snapshot lively(int dim) {
   Snapshot now = made_snapshot(dim, {{0.3, 1.1, 0.2}, {-2, 0.7, 1.3}, {1.9, -0.4, -0.6}});
   for (std::size_t k = 0; k < now.v.size(); ++k) now.v[k] = std::sin(1.0 + 3.0 * static_cast<double>(k));
@@ -143,8 +142,8 @@ TEST_SUITE("unit") {
         return sums;
       };
       const auto any = sums_by(InstructionSet::baseline), best = sums_by(InstructionSet::x86_64_v4);
-      CHECK(any[2] > 0);  // stress
-      CHECK(any[7] > 0);  // strain energy
+      CHECK(any[2] > 0);
+      CHECK(any[7] > 0);
       CHECK(std::memcmp(&any, &best, sizeof any) == 0);
     }
   }

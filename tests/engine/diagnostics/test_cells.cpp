@@ -18,7 +18,6 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-/// Particles of one body.
 struct Lattice {
   std::vector<double> x, diameter;
   std::vector<int> body;
@@ -46,7 +45,7 @@ std::vector<double> moved(const std::vector<double>& x, int dim, const std::arra
   std::vector<double> result(x.size());
   const auto d = static_cast<std::size_t>(dim);
   for (std::size_t i = 0; i < x.size(); ++i) {
-    result[i] = 0.7;  // any translation
+    result[i] = 0.7;
     for (std::size_t k = 0; k < d; ++k) result[i] += F[i % d][k] * x[i - i % d + k];
   }
   return result;
@@ -54,7 +53,6 @@ std::vector<double> moved(const std::vector<double>& x, int dim, const std::arra
 
 constexpr std::array<Vector, 3> map_of_space{{{1.2, 0.3, -0.1}, {-0.4, 0.9, 0.2}, {0.1, -0.2, 1.1}}};
 
-/// Area of a parallelogram or volume of a box.
 double measure(const double* e, std::size_t dim) {
   if (dim == 2) return std::abs(e[0] * e[3] - e[1] * e[2]);
   return std::abs(e[0] * (e[4] * e[8] - e[5] * e[7]) - e[1] * (e[3] * e[8] - e[5] * e[6]) +
@@ -67,7 +65,6 @@ double sum_of_measures(const CellShapes& shapes, std::size_t dim) {
   return sum;
 }
 
-/// Returns whether an edge is ± `wanted`.
 bool has_edge(const CellShapes& shapes, std::size_t cell, int dim, const Vector& wanted) {
   const auto d = static_cast<std::size_t>(dim);
   for (std::size_t k = 0; k < d; ++k) {

@@ -61,7 +61,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("conservation: energy drift excludes external work and damping") {
-    Balance start, later;  // at rest
+    Balance start, later;
     later.kinetic = 3;
     later.strain = 2;
     later.work = 4;
@@ -71,7 +71,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(watch.so_far().energy);  // no energy, hence no scale
     watch.follow(later);
     CHECK(*watch.so_far().energy == Approx(0.25));
-    later.damped = 2;  // damped energy is not lost
+    later.damped = 2;
     ConservationWatch damped(Scene(), particle(false));
     damped.follow(start);
     damped.follow(later);

@@ -58,7 +58,7 @@ TEST_SUITE("analytic") {
     for (const double normalised : {0.0, 1.0}) {
       CAPTURE(normalised);
       const Scene scene = square();
-      const Settings settings = with_h(0.45, normalised);  // the Gaussian ends at 1.35 spacings
+      const Settings settings = with_h(0.45, normalised);
       const auto limits = step_limits(scene, settings);
       REQUIRE(limits.size() == 2);
       const double found = critical(scene, settings);

@@ -148,7 +148,7 @@ TEST_SUITE("unit") {
   TEST_CASE("volume_change: the sum over cells between particles is exact for trilinear maps") {
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
-      std::vector<Point> places{{9, 0.5, 0}};  // another body
+      std::vector<Point> places{{9, 0.5, 0}};
       for (int k = 0; k <= (dim == 3 ? 2 : 0); ++k)
         for (int j = 0; j <= 1; ++j)
           for (int i = 0; i <= 3; ++i) places.push_back({0.5 * i, 0.25 * j, 0.125 * k});
@@ -184,7 +184,7 @@ TEST_SUITE("unit") {
     Snapshot now = made_snapshot(2, places);
     now.diameter.assign(now.size(), 0.5);
     CHECK(lattice_volume(now, 0, now.x0) == Approx(2));
-    for (std::size_t i = 9; i < now.size(); ++i) now.x[2 * i] += 1;  // the parts separate
+    for (std::size_t i = 9; i < now.size(); ++i) now.x[2 * i] += 1;
     CHECK(lattice_volume(now, 0, now.x) == Approx(2));
   }
 }

@@ -24,13 +24,11 @@ namespace {
 
 constexpr int hourglass = 0, pressure = 1, von_mises = 2;  // rows of `indicators`
 
-/// A body at rest and its scene.
 struct Sample {
   Scene scene;
   Snapshot start;
 };
 
-/// nx × ny particles of a square lattice about the origin.
 Sample lattice(int nx, int ny, double dp) {
   std::vector<Point> places;
   for (int b = 0; b < ny; ++b)
@@ -293,7 +291,7 @@ TEST_SUITE("unit") {
       Snapshot now = body.start;
       const double multiplicity = component == 1 ? 2 : 1;
       for (std::size_t i = 0; i < now.size(); ++i) {
-        now.s[4 * i] = 3;  // uniform
+        now.s[4 * i] = 3;
         const Point X = {now.x0[2 * i], now.x0[2 * i + 1], 0};
         now.s[4 * i + static_cast<std::size_t>(component)] += 0.5 * sign(X, 0.1, 1, 1);
       }

@@ -63,7 +63,7 @@ TEST_SUITE("unit") {
     scene.references["neo_hookean"] = {"of another measure", {{"other", 1}}};
     CHECK(result(scene, series).why == "the reference 'of another measure' of this law has no value for it");
     scene.references["neo_hookean"] = {"zero", {}, {{"number", {{0, 9}, {{0, 0}}}}}};
-    CHECK_FALSE(result(scene, series).value);  // until = 1
+    CHECK_FALSE(result(scene, series).value);
     CHECK(result(scene, series).reference == 0.0);
     CHECK_FALSE(result(scene, series).error);
     scene.until = 0.95;
@@ -89,7 +89,6 @@ TEST_SUITE("unit") {
     scene.measures[0].scale = 1;
     scene.until = 2;
     CHECK_FALSE(result(scene, series).value);
-    // a step at 0.7 s
     scene.until = 1;
     scene.references["neo_hookean"].solution["number"] = {[](const Point&, double t) { return t > 0.7; }};
     std::vector<double> times;
@@ -104,8 +103,7 @@ TEST_SUITE("unit") {
     scene.references["neo_hookean"] = {
         "table", {}, {{"number", {{0, 0.5, 1, 1.5}, {{0, 0, 0, 9}, {0, 0, 0, 9}}}}}, {}};
     const Series series{{0, 0.5, 0.75, 1.2}, {{0, 3, 90, 5}, {0, 4, 90, 12}}};
-    expect(result(scene, series).value,
-           std::hypot(90 - 85 * 0.25 / 0.45, 90 - 78 * 0.25 / 0.45) / 10);  // at 1 s
+    expect(result(scene, series).value, std::hypot(90 - 85 * 0.25 / 0.45, 90 - 78 * 0.25 / 0.45) / 10);
     CHECK(result(scene, series).reference == 0.0);
     scene.until = 0.75;  // only the row at 0.5 s
     expect(result(scene, series).value, 0.5);
@@ -262,7 +260,7 @@ TEST_SUITE("unit") {
     Scene scene = scene_of("at_rest");
     scene.until = damped(8).time.back();
     expect(result(scene, damped(8)).value, -3, 5e-4);  // e⁻⁸ = 3e-4; moves by 4e-4 in the last tenth
-    CHECK_FALSE(result(scene, damped(6)).value);       // moves by 2e-3
+    CHECK_FALSE(result(scene, damped(6)).value);
     CHECK_FALSE(result(scene, Series{{0, 0.5, 0.9}, {{0, 1, 1}}}).value);
     expect(result(scene, Series{{0, 0.5, scene.until}, {{0, 1, 1}}}).value, 1);
     scene.references["neo_hookean"].name = "exact";

@@ -26,7 +26,6 @@ namespace {
 
 constexpr double E = 650, nu = 0.3, rho = 1000;  // Pa, 1, kg/m³; plane stress
 
-/// Plane stress: Pa, 1, kg/m³.
 struct Elastic {
   double E, nu, rho;
 };
@@ -85,7 +84,6 @@ void add_point(const Elastic& material, const std::array<int, 9>& id, const Eige
   }
 }
 
-/// Free on both circles.
 Grid annulus(const Elastic& material, double inner, double outer) {
   return {material, 24, 3, true, [=](int i, int j) -> Eigen::Vector2d {
             const double r = inner + (outer - inner) * j / 6.0, angle = std::numbers::pi * i / 24;
@@ -116,8 +114,7 @@ std::vector<double> frequencies(const Grid& grid) {
   return f;
 }
 
-/// Frequency in Hz of the first elastic mode u_r = U(r) cos nθ, u_θ = V(r) sin nθ of a free annulus, with U and V
-/// polynomials of degree 8 (Rayleigh–Ritz).
+/// Hz, first elastic mode u_r = U(r) cos nθ, u_θ = V(r) sin nθ of a free annulus by Rayleigh–Ritz; U, V of degree 8.
 double annulus_frequency(const Elastic& material, double inner, double outer, int n) {
   constexpr int degree = 8, terms = degree + 1, points = 2000;
   const auto& [E, nu, rho] = material;
@@ -214,7 +211,7 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("natural frequencies: the spectrum of colliding bodies shows their frequencies") {
     const Scene scene = drop();
-    // the first mode is 4 % low: method, amplitude, resolution and the 0.06 s of spectrum contribute
+    // the first mode is 4 % low due to method, amplitude, resolution and duration
     const auto simulation = make_simulation(scene, with_method("pf-jst"));
     simulation->advance_to(scene.until);
     const std::vector<MeasureResult> found = measure(scene, simulation->series(), "neo_hookean");

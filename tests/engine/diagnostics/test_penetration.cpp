@@ -122,7 +122,7 @@ TEST_SUITE("unit") {
     CHECK(gap({}) == 2);
     CHECK(gap({1}) == 2);
     CHECK(gap({0.5, 0.5 - std::numbers::pi}) == Approx(1));
-    CHECK(gap({3, -3}) == Approx(6 / std::numbers::pi));  // across the cut at π too
+    CHECK(gap({3, -3}) == Approx(6 / std::numbers::pi));
     CHECK(gap({-2, 0, 2}) == Approx(2 - 4 / std::numbers::pi));
   }
 
@@ -161,11 +161,11 @@ TEST_SUITE("unit") {
     CHECK(inside(0.1 * dp, -4 * dp) > 0);
     CHECK(inside(0, -0.99 * depth) == 0);  // also directly behind one particle
     CHECK(inside(0, -1.01 * depth) > 0);
-    CHECK(inside(30 * dp, -2 * dp) == 0);  // beside it
+    CHECK(inside(30 * dp, -2 * dp) == 0);
   }
 
   TEST_CASE("penetration: a body folded into itself penetrates, one folded onto itself does not") {
-    const Snapshot start = hairpin(1e9);  // straight
+    const Snapshot start = hairpin(1e9);
     Penetration penetration(start, dp);
     CHECK(penetration(start) == 0);
     CHECK(penetration(hairpin(2.5 * dp)) == 0);  // halves a spacing apart
@@ -195,7 +195,7 @@ TEST_SUITE("unit") {
     Snapshot now = start;
     int found = 0;
     for (int step = 0; step <= 600; ++step) {
-      put(now, 0.03 * dp * std::sin(0.1 * step), (10 - 0.02 * step) * dp);  // 2 dp deep at the end
+      put(now, 0.03 * dp * std::sin(0.1 * step), (10 - 0.02 * step) * dp);
       for (std::size_t i = 0; i < now.size(); ++i) {  // a common motion, and the lower block stretches
         if (now.body[i] == 0) now.x[2 * i] = (1 + 0.0004 * step) * now.x0[2 * i];
         now.x[2 * i + 1] = (now.body[i] == 0 ? now.x0[2 * i + 1] : now.x[2 * i + 1]) - step * dp;
@@ -246,11 +246,11 @@ TEST_SUITE("unit") {
     CHECK(inside(0.5 * dp, -2 * dp) > 0);
     CHECK(inside(0.1 * dp, -3 * dp) > 0);
     CHECK(inside(0.1 * dp, -3 * dp, 0.5) > 0);
-    CHECK(inside(30 * dp, -2 * dp) == 0);  // beside it
+    CHECK(inside(30 * dp, -2 * dp) == 0);
   }
 
   TEST_CASE("penetration in 3D: a sheet folded into itself penetrates, one folded onto itself does not") {
-    const Snapshot start = folded_sheet(1e9);  // straight
+    const Snapshot start = folded_sheet(1e9);
     Penetration penetration(start, dp);
     CHECK(penetration(start) == 0);
     CHECK(penetration(folded_sheet(2.1 * dp)) == 0);

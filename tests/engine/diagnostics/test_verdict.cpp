@@ -23,7 +23,6 @@ constexpr double dp = 0.1;
 constexpr double support = 2.6 * dp;
 constexpr bool kept = true, searched = false;  // neighbour lists kept or searched anew
 
-/// columns × rows (× layers) particles on a square lattice.
 Snapshot lattice(int dim, int columns, int rows, int layers = 1) {
   std::vector<Point> places;
   for (int k = 0; k < layers; ++k) {
@@ -36,7 +35,6 @@ Snapshot lattice(int dim, int columns, int rows, int layers = 1) {
 
 Scene one_body(int dim) { return made_scene(dim, dp, {unit_bulk()}); }
 
-/// Moves particles initially beyond `x` by `by` along x.
 void part(Snapshot& now, double x, double by) {
   const auto dim = static_cast<std::size_t>(now.dim);
   for (std::size_t i = 0; i < now.size(); ++i)
@@ -83,7 +81,7 @@ TEST_SUITE("unit") {
               x[1] += (i % 2 ? amplitude : -amplitude) * dp;
             }) == (amplitude > 0.03 ? Verdict::hourglass : Verdict::stable));
     }
-    // bent to a half circle about (0, -H/2 - radius), the inner face compressed to at most 0.7
+    // a half circle about (0, -H/2 - radius); the inner face is compressed to 0.7
     CHECK(verdict([&](std::size_t, double x0, double y0, double* x) {
             const double radius = 2 * 1.9 / 3.14159265358979 / 2, angle = x0 / radius;
             x[0] = (radius + y0 - 0.45) * std::sin(angle);
@@ -160,7 +158,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("judge: the ends of a broken bond may be eight bonds apart, not nine") {
     const Scene scene = one_body(2);
-    for (const int bonds : {8, 9}) {  // bonds in a closed chain laid out straight, besides the breaking one
+    for (const int bonds : {8, 9}) {  // in a closed chain laid out straight, besides the breaking one
       const int n = bonds + 1;
       const double turn = 2 * 3.14159265358979 / n, radius = 0.5 * dp / std::sin(0.5 * turn);
       std::vector<Point> places;
@@ -411,7 +409,7 @@ TEST_SUITE("unit") {
     now.v[0] = 1;
     observe(judge, now, scene, 1);
     CHECK(judge.verdict() == Verdict::stable);
-    now.v[0] = 1e-10;  // round-off is no divergence either
+    now.v[0] = 1e-10;
     Judge other(scene, now, support, searched);
     now.v[0] = 1e-9;
     observe(other, now, scene, 1);
@@ -449,7 +447,7 @@ TEST_SUITE("unit") {
     Wall wall;
     wall.normal = {0, 1, 0};
     wall.at = {0, -100, 0};
-    scene.walls = {wall};  // a wall may change the common motion
+    scene.walls = {wall};
     CHECK(verdict(0) == Verdict::diverged);
     CHECK(verdict(3) == Verdict::stable);
   }

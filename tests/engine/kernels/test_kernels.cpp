@@ -15,7 +15,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Every kernel.
 using Kernels =
     std::tuple<Kernel<KernelName::wendland_c2>, Kernel<KernelName::sinc>, Kernel<KernelName::gauss>>;
 
@@ -77,7 +76,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("kernel: w'' is the derivative of w'") {
-    using K = Kernel<KernelName::wendland_c2>;  // the only kernel whose Laplacian is used
+    using K = Kernel<KernelName::wendland_c2>;
     const double step = 1e-5;
     for (double q = 0.01; q < K::support + 0.5; q += 0.07) {
       CAPTURE(q);

@@ -88,7 +88,7 @@ TEST_SUITE("unit") {
     const Scene scene = colliding_rings();
     const InitialParticles rings = make_initial_particles(scene);
     const int n = rings.first[1];
-    const double rounding = 2 * std::numeric_limits<double>::epsilon() * 0.1;  // of a coordinate below 0.1 m
+    const double rounding = 2 * std::numeric_limits<double>::epsilon() * 0.1;
     double asymmetry = 0;
     int different = 0;
     for (int k = 0; k < n; ++k) {
@@ -105,7 +105,7 @@ TEST_SUITE("unit") {
     const InitialParticles ring = make_initial_particles(one_body(2, 0.001, {Ring{{0, 0, 0}, 0.004, 0.008}}));
     int alone = 0;
     for (const Point& x : ring.x) {
-      if (std::abs(x[1]) < 1e-12) continue;  // on the axis
+      if (std::abs(x[1]) < 1e-12) continue;
       alone += std::none_of(ring.x.begin(), ring.x.end(),
                             [&](const Point& y) { return y[0] == x[0] && y[1] == -x[1]; });
     }
@@ -122,7 +122,7 @@ TEST_SUITE("unit") {
       CHECK(static_cast<bool>(plate.held[i]) == (plate.x[i][0] < 0));
       if (plate.held[i]) CHECK(plate.v[i] == Point{});
     }
-    const auto tip = std::max_element(plate.x.begin(), plate.x.end());  // greatest x
+    const auto tip = std::max_element(plate.x.begin(), plate.x.end());
     CHECK((*tip)[0] == relative(0.199));
     CHECK(plate.v[tip - plate.x.begin()][1] == relative(0.05 * 57.035, 0.01));
   }

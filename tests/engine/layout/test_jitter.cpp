@@ -1,4 +1,3 @@
-// Jittered layouts.
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +75,7 @@ TEST_SUITE("unit") {
       CHECK(places(scene) == moved.x);
       scene.jitter.seed = 4;
       CHECK(places(scene) != moved.x);
-      scene.jitter = {0.1 * share, 3};  // the same numbers, scaled
+      scene.jitter = {0.1 * share, 3};
       const InitialParticles less = make_initial_particles(scene);
       CHECK(less.x[5][1] - lattice.x[5][1] == relative(0.1 * (moved.x[5][1] - lattice.x[5][1]), 1e-9));
     }

@@ -45,7 +45,6 @@ std::string error_of(const Scene& scene) {
 
 bool holds(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
-/// Greatest change over all pairs of particles.
 double greatest_change_of_distance(const std::vector<Point>& a, const std::vector<Point>& b) {
   double greatest = 0;
   for (std::size_t i = 0; i < a.size(); ++i)

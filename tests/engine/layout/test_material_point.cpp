@@ -57,7 +57,7 @@ TEST_SUITE("analytic") {
       CHECK(particle < 20);
       CHECK(weight != 0);
     }
-    CHECK(material_point(x, 10, 15, {0, 0, 0}, 2.6 * dp, 2).empty());  // collinear
+    CHECK(material_point(x, 10, 15, {0, 0, 0}, 2.6 * dp, 2).empty());
   }
 
   TEST_CASE("material point: a boundary point is a particle or lies between those of its cell") {

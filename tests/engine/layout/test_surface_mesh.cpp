@@ -120,7 +120,7 @@ TEST_SUITE("unit") {
     const auto check_alike = [&] {
       const SurfaceMesh one = mesh_of(whole), other = mesh_of(pieces);
       CHECK(one.facets.size() == other.facets.size());
-      CHECK(area_of(one) == Approx(area_of(other)).epsilon(0.01));  // rims are cut differently
+      CHECK(area_of(one) == Approx(area_of(other)).epsilon(0.01));
       for (const Point& x : other.x) {
         CHECK(holds(whole.bodies[0], x, 3, 1e-5 * dp));
         CHECK_FALSE(holds(whole.bodies[0], x, 3, -1e-5 * dp));

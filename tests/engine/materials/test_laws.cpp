@@ -77,7 +77,6 @@ Mat<double, Dim> minus(const Mat<double, Dim>& A, const Mat<double, Dim>& B) {
   return combination(1.0, A, -1.0, B);
 }
 
-/// Derivative of `f`(F) by central differences.
 template <int Dim, class Function>
 Mat<double, Dim> slope(const Mat<double, Dim>& F, const Function& f) {
   constexpr double step = 1e-5;
@@ -96,7 +95,6 @@ Mat<double, Dim> slope_of_energy(const L& law, const Mat<double, Dim>& F) {
   return slope(F, [&](const Mat<double, Dim>& at) { return law.energy(at, determinant(at)); });
 }
 
-/// Checks that four particles of two materials have the stress and stiffness of their own laws.
 template <int Dim, class L>
 void check_four(const L& law, const L& other) {
   std::vector<Mat<double, Dim>> F = strained<Dim>();
@@ -127,7 +125,6 @@ void check_rest(const L& law) {
   CHECK(std::abs(law.cauchy(one, 1).zz) < 1e-9 * K);
 }
 
-/// Checks that the response to small strains is Hooke's law, in 2D plane strain.
 template <int Dim, class L>
 void check_small_strain(const L& law) {
   constexpr double small = 1e-6;
@@ -176,10 +173,8 @@ double lack_of_objectivity(const L& law) {
   return lack;
 }
 
-/// diag(F, 1)
 M3 in_space(const M2& F) { return {{{F(0, 0), F(0, 1), 0}, {F(1, 0), F(1, 1), 0}, {0, 0, 1}}}; }
 
-/// Checks that a law in plane strain equals the 3D law with F_zz = 1.
 template <class L>
 void check_plane(const L& law) {
   for (const M2& F : strained<2>()) {
@@ -196,8 +191,8 @@ void check_plane(const L& law) {
 M2 rate_of_cofactor(const M2&, const M2& rate) { return cofactor(rate); }
 M3 rate_of_cofactor(const M3& F, const M3& rate) { return tensor_cross(F, rate); }
 
-/// Checks that H = cof F changes nothing, and that with independent H and J, P is the slope of ψ(F, H, J) along the
-/// rates of [Lee2016] Eq. 33, dH = F ⨯ dF and dJ = H : dF. The mixed methods need this to have an energy.
+/// Checks H = cof F, and that with independent H and J, P is the slope of ψ(F, H, J) along the rates of [Lee2016] Eq.
+/// 33, dH = F ⨯ dF and dJ = H : dF, so that mixed methods have an energy.
 template <int Dim, class L>
 void check_own_cofactor(const L& law) {
   constexpr double step = 1e-6;

@@ -1,4 +1,3 @@
-// The wave speed bound against the acoustic tensor from differences of P.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,6 @@ using Square = Eigen::Matrix<double, Dim, Dim>;
 template <int Dim>
 using Column = Eigen::Vector<double, Dim>;
 
-/// Reproducible random numbers.
 class Dice {
  public:
   double between(double low, double high) {
@@ -127,7 +125,6 @@ Ratio ratio_of(const L& law) {
   return ratio;
 }
 
-/// Checks that the bound is never below the wave stiffness and close to it on average.
 template <class L>
 void check_bound(const L& law, double most = 1.001) {
   for (const Ratio& ratio : {ratio_of<2>(law), ratio_of<3>(law)}) {

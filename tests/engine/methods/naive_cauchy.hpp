@@ -46,7 +46,6 @@ inline Matrix inverse(const Matrix& A) {
 }
 constexpr Matrix identity = {{{1, 0}, {0, 1}}};
 
-/// Components of a method.
 struct Method {
   bool tranduc = false;  // [TranDuc2023]
   bool corrected = false, delta = false, av = false, riemann = false, as = false, tic = false;
@@ -89,7 +88,6 @@ struct Particle {
   Matrix sigma() const { return S + -p() * identity; }                              // Eq. 3
 };
 
-/// How often each term acted.
 struct Counts {
   long tension = 0, compression = 0, viscous = 0, inner = 0, outer = 0, diffused = 0, contacts = 0;
 };
@@ -148,7 +146,7 @@ class Run {
   /// ∇_i w of a pair, which points to j.
   Vector gradient(const Vector& r_ij) const {
     const double r = std::hypot(r_ij[0], r_ij[1]), q = r / h_, half = std::numbers::pi * q / 2;
-    double slope = 0;  // dw/dr
+    double slope = 0;
     if (q < 2 && is_.tranduc)
       slope = 0.710379463738679 / (h_ * h_ * h_) * 5 * std::pow(std::sin(half) / half, 4) *
               (std::cos(half) * half - std::sin(half)) / (half * half) * std::numbers::pi / 2;

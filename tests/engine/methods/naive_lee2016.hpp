@@ -1,8 +1,8 @@
 #pragma once
 
-// Transcription of the mixed methods of [Lee2016], by pairs: Eq. 29c (internal force), 33a–c (F, H, J), 35–38 with
-// A.1–A.5 (dissipation), 43 (time), 45–51 (projections, full system of Eq. 48), 8–12 (stress); penalty contact of
-// [TranDuc2023] Eq. 2.13. p is the momentum per initial volume.
+// Transcription of the mixed methods of [Lee2016], by pairs: Eq. 8–12 (stress), 29c (force), 33a–c (F, H, J), 35–38,
+// A.1–A.5 (dissipation), 43 (time), 45–51 (projections, full Eq. 48); penalty contact of [TranDuc2023] Eq. 2.13. p is
+// the momentum per initial volume.
 
 #include <algorithm>
 #include <array>
@@ -125,7 +125,7 @@ struct Run {
       }
       a.L = M.inverse();
       Eigen::VectorXd terms = solution_if_any(A, right, 1e-10);
-      if (terms.size() == 0) {  // at the corner of a cube
+      if (terms.size() == 0) {
         terms = Field::Zero();
         terms.head<Dim>() = A.template topLeftCorner<Dim, Dim>().llt().solve(right.template head<Dim>());
         ++corners;

@@ -14,7 +14,6 @@
 /// share only this file.
 namespace taut::test {
 
-/// Converts a point to the vector type of a transcription.
 template <class Vector>
 Vector vector_of(const Point& x) {
   Vector v;
@@ -131,7 +130,6 @@ naive_lee::Run<Dim> naive_mixed(const Scene& scene, const Settings& settings) {
   return run;
 }
 
-/// Starts the run if necessary and makes the steps.
 template <class Run>
 Run after_steps(Run run, int steps) {
   if constexpr (requires { run.start(); }) run.start();

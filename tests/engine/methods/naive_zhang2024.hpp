@@ -45,7 +45,7 @@ inline Method method_named(const std::string& name) {
 }
 
 constexpr double h_over_dp = 1.3, cfl_acoustic = 0.4, cfl_advection = 0.2;  // §5, §6
-constexpr double epsilon = 0.3, exponent = 4;                               // artificial stress
+constexpr double epsilon = 0.3, exponent = 4;
 
 template <int Dim>
 struct Particle {
@@ -53,9 +53,9 @@ struct Particle {
   double m = 0, rho = 0, drho = 0, p = 0;
   int body = 0;
   bool held = false;
-  Matrix<Dim> s{}, ds{};              // shear stress (integrated or output only) and its rate
-  Vector<Dim> a_shear{}, da_shear{};  // shear acceleration and its rate
-  Vector<Dim> x_shown{};              // x at the last update of an output-only stress
+  Matrix<Dim> s{}, ds{};  // shear stress (integrated or output only) and its rate
+  Vector<Dim> a_shear{}, da_shear{};
+  Vector<Dim> x_shown{};  // x at the last update of an output-only stress
 };
 
 template <int Dim>
@@ -136,7 +136,6 @@ class Run {
   bool nested() const { return method_ == Method::og || method_ == Method::oas; }
   bool same_body(std::size_t i, std::size_t j) const { return particles[i].body == particles[j].body; }
 
-  /// Wendland's C2 kernel.
   double norm() const {
     return Dim == 2 ? 7 / (4 * std::numbers::pi * h_ * h_) : 21 / (16 * std::numbers::pi * h_ * h_ * h_);
   }
@@ -164,7 +163,6 @@ class Run {
     g.closeness = std::pow(W(g.r) / W(dp_), exponent);
   }
 
-  /// Updates the configuration of an advection step.
   void rebuild() {
     std::vector<Vector> x;
     for (const Particle& a : particles) x.push_back(a.x);
@@ -330,7 +328,7 @@ class Run {
   bool dual_;
   double dp_, h_, rho0_, c0_, G_;
   std::vector<std::vector<PairGeometry>> pairs_;
-  std::vector<double> held_volumes_;  // at the last rebuild
+  std::vector<double> held_volumes_;
   double speed_ = 0, greatest_speed_ = 0, way_ = 0;
 };
 

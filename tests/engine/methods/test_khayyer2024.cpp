@@ -39,8 +39,8 @@ Scene spinning_plate(int across) {
 }
 
 struct Spin {
-  double corner_error;    // at the end, m
-  double angular_change;  // relative change of angular momentum
+  double corner_error;  // at the end, m
+  double angular_change;
 };
 
 Spin spin(const std::string& method, int across, double until, double surface_artificial_stress = 1) {
@@ -56,7 +56,6 @@ Spin spin(const std::string& method, int across, double until, double surface_ar
           std::abs(balance(simulation->snapshot(), scene).angular_momentum[2] / start - 1)};
 }
 
-/// Pressure checkerboard and hourglass error of the spinning plate at 0.15 s.
 struct Noise {
   double pressure, hourglass;
 };
@@ -77,8 +76,8 @@ Noise noise(const std::string& method, int across, const std::map<std::string, d
   return noise(scene, *make_simulation(scene, settings));
 }
 
-/// First tip peak of a plate with five rows over that of finite elements (4th order, neo-Hookean), and whether the
-/// tip has returned through rest by 0.16 s.
+/// First tip peak of a plate with five rows over finite elements (4th order, neo-Hookean), and whether it has
+/// returned through rest by 0.16 s.
 struct Swing {
   double peak_ratio;
   bool back;

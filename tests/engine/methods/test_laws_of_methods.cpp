@@ -1,4 +1,3 @@
-// Laws of elasticity in methods, and oenog below J = ½.
 
 #include <array>
 #include <cmath>
@@ -37,7 +36,6 @@ Elasticity rubber(double share) {
   return {rubber.density, rubber.sound_speed(), rubber.bulk_modulus(), rubber.shear_modulus(), {share}};
 }
 
-/// Calls `visit`(law) for every law, with the constants of e.
 template <class Visit>
 void for_each_law(const Elasticity& e, const Visit& visit) {
   for (const Law law : choices)
@@ -60,8 +58,7 @@ Mat<double, Dim> pressed_strain(double share) {
   return F;
 }
 
-/// A free block with the initial strain F plus `off` times a strain that varies in space; `share` is the part of the
-/// shear modulus due to areas, for laws with such a part.
+/// A free block with initial strain F plus `off` times a varying strain; `share` is the part of G due to areas.
 template <int Dim>
 Scene strained_block(const Mat<double, Dim>& F, double off, double share = 0.4) {
   Scene scene;
@@ -120,7 +117,6 @@ double bonded_volume(const Scene& scene) {
   return volume;
 }
 
-/// Greatest difference of two methods' accelerations over the greatest acceleration.
 double difference(const Snapshot& a, const Snapshot& b) {
   double most = 0, off = 0;
   for (std::size_t k = 0; k < a.v.size(); ++k) {
@@ -130,11 +126,10 @@ double difference(const Snapshot& a, const Snapshot& b) {
   return off / most;
 }
 
-/// Checks P against the energy, in units of G.
 template <int Dim, class L>
 void check_closed(const L& law) {
   constexpr double step = 1e-6;
-  for (const double pressed : {0.9, 0.45, 0.2, -0.15}) {  // approximate J
+  for (const double pressed : {0.9, 0.45, 0.2, -0.15}) {
     const Mat<double, Dim> F = pressed_strain<Dim>(pressed), P = closed_piola(law, F);
     for (int a = 0; a < Dim; ++a) {
       for (int b = 0; b < Dim; ++b) {

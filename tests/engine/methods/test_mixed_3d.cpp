@@ -1,4 +1,3 @@
-// The mixed methods of [Lee2016] in 3D.
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +51,7 @@ struct Cube {
   }
   int neighbors(int i) const { return pairs.begin[i + 1] - pairs.begin[i]; }
   int middle() const {
-    const V3 centre = 0.5 * X.back();  // (n − 1, …) is the last in any order of cells
+    const V3 centre = 0.5 * X.back();
     int best = 0;
     for (int i = 0; i < pairs.size(); ++i) {
       const V3 d = X[i] - centre, to_best = X[best] - centre;
@@ -104,7 +103,6 @@ Scene pressed_block(double lambda) {
   return scene;
 }
 
-/// A block released from a sheared and stretched state.
 Scene sprung_block() {
   Scene scene = pressed_block(1.2);
   scene.bodies[0].displacement[1] = [](const Point& x) { return 0.2 * x[2]; };
@@ -288,7 +286,7 @@ TEST_SUITE("stability") {
 
 TEST_SUITE("stability") {
   TEST_CASE("mixed: a body that is softer everywhere keeps the step at rest for any number of particles") {
-    for (const double side : {4, 5}) {  // 125 particles, and 216, a multiple of four
+    for (const double side : {4, 5}) {
       CAPTURE(side);
       Scene scene = pressed_block(1);
       const double dp = scene.spacing;

@@ -49,7 +49,7 @@ Cached<Dim> cached_at(double dp, const Pack& distance) {
   return {kernel.geometry(d), pairs[0], pairs[1]};
 }
 
-constexpr double edge = 2.6;  // of the kernel, spacings
+constexpr double edge = 2.6;
 const Pack usual{0.3, 0.99, 1.7, 2.4};
 
 }  // namespace

@@ -1,4 +1,3 @@
-// The methods in 3D against transcriptions of their papers.
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +95,6 @@ void check_total_lagrangian(const Scene& scene, const std::string& name) {
   check_field("stress", engine_sigma, sigma);
 }
 
-/// Checks a mixed method with all dissipation and a fixed step.
 void check_mixed(const Scene& scene, const std::string& name, double projection) {
   CAPTURE(name);
   const Material& material = scene.materials[0];
@@ -151,7 +149,6 @@ void check_oenog(Scene scene, bool meets) {
   CHECK(strain == relative(naive.energy(naive.x), 1e-9));
 }
 
-/// The right half is softer and lighter.
 Scene clamped_block_of_two_materials() {
   Scene scene = small_clamped_block();
   scene.bodies.pop_back();

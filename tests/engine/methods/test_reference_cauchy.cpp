@@ -60,7 +60,6 @@ void check_agreement(const Snapshot& engine, const naive_cauchy::Run& run) {
   check_field("s", engine.s, s);
 }
 
-/// Checks that every term of the method acted.
 void check_active(const naive_cauchy::Counts& counts, const std::string& name) {
   const naive_cauchy::Method is = naive_cauchy::method_named(name);
   CHECK(counts.contacts > 20);
@@ -117,8 +116,7 @@ TEST_SUITE("reference") {
 TEST_SUITE("unit") {
   TEST_CASE(
       "particles beside the surface have it within 1.2 spacings, and no other reach gives the same set") {
-    // lattice neighbours are 1 and 1.41 spacings away; in the inner corner of an L some particles reach the surface
-    // only across a cell
+    // in the inner corner of an L some particles reach the surface only across a cell, 1.41 spacings
     Scene scene = small_collision();
     scene.bodies.pop_back();
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.012, 0.012, 0}}, Box{{0.012, 0, 0}, {0.024, 0.006, 0}}};

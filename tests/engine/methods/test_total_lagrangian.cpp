@@ -1,4 +1,3 @@
-// Total-Lagrangian methods: exact fields, rotations, energy.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +30,6 @@ using V2 = Vec<double, 2>;
 using M2 = Mat<double, 2>;
 using Wendland = Kernel<KernelName::wendland_c2>;
 
-/// A ring and a disc apart from each other.
 struct Cloud {
   std::vector<V2> X;
   std::vector<double> V;
@@ -58,7 +56,6 @@ PairLanes<2> four_at_a_time(const InitialPairs<2>& pairs) {
   return {pairs, 1, [&](int p) { return pairs.k[p]; }};
 }
 
-/// ∇u of every particle.
 std::vector<M2> gradients(const InitialPairs<2>& pairs, const std::vector<V2>& u) {
   const PairLanes<2> of_four = four_at_a_time(pairs);
   Columns<2> columns;
@@ -232,7 +229,7 @@ TEST_SUITE("term") {
       a.push_back({std::sin(900 * X[0]) + 1, std::cos(700 * X[0] * X[1]) + 40 * X[0]});
     const std::vector<V2> before = a;
     project_all(a, cloud.X, cloud.V, first, last);
-    CHECK((a[0][0] == before[0][0] && a[0][1] == before[0][1]));  // the other body is unchanged
+    CHECK((a[0][0] == before[0][0] && a[0][1] == before[0][1]));
     V2 force{}, change{};
     double torque = 0, torque_before = 0, along = 0, size = 0;
     for (int i = first; i < last; ++i) {

@@ -37,7 +37,6 @@ Points<Dim> random_points(int n, double side, unsigned seed) {
   return x;
 }
 
-/// Points and neighbour lists in the grid's order.
 template <int Dim>
 struct Found {
   Points<Dim> x;
@@ -101,7 +100,7 @@ long check_against_brute_force(const Points<Dim>& points, double reach = support
 TEST_SUITE("neighbors") {
   TEST_CASE("neighbors: sparse and dense random points have the lists of brute force") {
     for (const unsigned seed : {1u, 2u, 3u}) {
-      for (const double side : {0.2, 1.0, 10.0}) {  // all within reach … most isolated
+      for (const double side : {0.2, 1.0, 10.0}) {
         CAPTURE(seed);
         CAPTURE(side);
         CHECK(check_against_brute_force(random_points<2>(600, side, seed)) > 0);
@@ -280,7 +279,7 @@ TEST_SUITE("neighbors") {
       }
       for (int lane = 0; lane < lanes; ++lane) CHECK(next[lane] == std::ssize(neighbors[lane]));
     }
-    CHECK(in_line > 0.8 * slots);  // of the ring, except where it closes
+    CHECK(in_line > 0.8 * slots);
   }
 
   TEST_CASE("close pairs: the pairs of brute force appear once, in the same order on any number of threads") {

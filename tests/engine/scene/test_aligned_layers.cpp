@@ -29,11 +29,10 @@ double volume_of(const std::vector<InitialSite>& sites) {
                          [](double sum, const InitialSite& site) { return sum + site.V0; });
 }
 
-/// Positions of patches relative to their sites.
 struct Faces {
   double area = 0, outwards = 0;  // m²; ∫ outward distance from site to patch dA, m³
   double aside = 0;               // greatest tangential distance from a patch's site to its centre, m
-  Point sum{};                    // of the area vectors
+  Point sum{};
   explicit Faces(const FacePatches& faces, const std::vector<InitialSite>& sites) {
     for (const FacePatches::Patch& patch : faces.patches) {
       std::array<Point, 4> corner{};

@@ -66,12 +66,10 @@ Chain star(double outer, double inner) {
   }
   return points;
 }
-/// Ten triangles from the centre.
 double area_of_star(double outer, double inner) { return 5 * outer * inner * std::sin(pi / 5); }
 
 Chain square(double half) { return {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}; }
 
-/// Checks length, area and nodes of the closed outline.
 void check_outline(const Scene& scene, double length, double area, double tolerance) {
   const Outline outline = make_outline(scene, make_initial_particles(scene));
   double sum = 0, twice = 0;
@@ -161,7 +159,7 @@ TEST_SUITE("unit") {
     CHECK((*bow)[0] == relative(1));
     CHECK((*bow)[1] == relative(1));
     CHECK(crossing({square(1), {{0.5, 0, 0}, {3, 0, 0}, {3, 0.5, 0}}}));
-    CHECK(crossing({{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}}}));  // back along its own side
+    CHECK(crossing({{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}}}));
   }
 
   TEST_CASE("shapes: a rotated shape has the particles of a rotated body to the bit") {
@@ -242,7 +240,7 @@ TEST_SUITE("unit") {
     double length = 0, low = 0, high = 0;
     for (const Outline::Segment& segment : outline.segments) length += segment.length;
     for (const Point& x : outline.x) low = std::min(low, x[0]), high = std::max(high, x[1]);
-    CHECK(length == relative(0.1, 0.03));  // rounded corners
+    CHECK(length == relative(0.1, 0.03));
     CHECK(low == relative(0, 1e-4).scale(1));
     CHECK(high == relative(0.02, 0.01));
   }

@@ -20,7 +20,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A scene with every kind of state: two touching bodies, one clamped, driven, loaded and beside a wall; probes.
+/// Two touching bodies, one clamped, driven, loaded and beside a wall; probes.
 Scene touching_blocks(int dim) {
   const double dp = 0.001, depth = dim == 3 ? 0.002 : 0;
   Scene scene;
@@ -53,7 +53,7 @@ Scene touching_blocks(int dim) {
   return scene;
 }
 
-/// A body in self-contact: two parts start near each other but lie far apart in the initial configuration.
+/// A body in self-contact: two parts start near each other but are far apart initially.
 Scene folded_block(int dim) {
   Scene scene = touching_blocks(dim);
   scene.name = "folded-block";
@@ -81,7 +81,7 @@ void damage(std::string& bytes, std::size_t at, int kind, int particles) {
     case 2:
       return put(bytes, at, std::numeric_limits<std::int32_t>::max());
     case 3:
-      return put<std::int32_t>(bytes, at, particles);  // one too large
+      return put<std::int32_t>(bytes, at, particles);
     case 4:
       return put<std::int32_t>(bytes, at, 1000000);  // far outside, but often inside the program's memory
     case 5:
@@ -101,7 +101,6 @@ struct Tally {
   long changed = 0, refused = 0, diverged = 0, went_on = 0;
 };
 
-/// Loads `state` and makes some steps, which may diverge.
 void try_state(const std::string& state, const Scene& scene, const Settings& settings, Tally& count) {
   const auto simulation = make_simulation(scene, settings);
   ++count.changed;

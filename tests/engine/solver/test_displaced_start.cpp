@@ -35,7 +35,7 @@ Snapshot at_start(const Scene& scene, std::string_view method) {
 }
 
 /// A square or cube of `n` cells a side vibrating in half a wave, with rollers at the faces through the origin and no
-/// tangential motion on the others: [Lee2016] §8.2 with particles on the faces and a small amplitude.
+/// tangential motion on the others ([Lee2016] §8.2).
 Scene swinging_cube(int dim, int n) {
   const double side = n * dp, amplitude = 1e-5 * side, wave = std::numbers::pi / (2 * side);
   Scene scene = block(side);
@@ -60,8 +60,7 @@ Scene swinging_cube(int dim, int n) {
   return scene;
 }
 
-/// RMS difference from the exact displacement u(X, 0) cos ωt, ω = √dim/2 π/L c_p, over the amplitude, at an eighth of
-/// a period.
+/// RMS difference from u(X, 0) cos ωt, ω = √dim/2 π/L c_p, over the amplitude, at an eighth of a period.
 double swinging_error(int dim, int n, const std::string& method) {
   const Scene scene = swinging_cube(dim, n);
   const Material& rubber = scene.materials[0];
@@ -84,8 +83,7 @@ double swinging_error(int dim, int n, const std::string& method) {
   return std::sqrt(sum / mass) / (1e-5 * n * dp);
 }
 
-/// RMS errors of velocity and stress over the volume and four times in the first period, over the greatest velocity
-/// and pressure.
+/// RMS errors over the volume and four times in the first period, over greatest velocity and pressure.
 struct SwingingErrors {
   double velocity = 0, stress = 0;
 };
@@ -166,7 +164,7 @@ TEST_SUITE("unit") {
       }
     };
     CHECK_FALSE(starts(-0.0425, 0.0085));
-    CHECK(starts(-0.03, 0.0085));  // face to face
+    CHECK(starts(-0.03, 0.0085));
     // a body's displaced start counts
     const double c = std::cos(0.7), s = std::sin(0.7);
     scene.bodies[0].displacement[0] = [=](const Point& x) { return 1.2 * c * x[0] - s * x[1] - x[0]; };

@@ -24,7 +24,6 @@ constexpr double stroke = 2e-5;   // m
 /// Piston speed, m/s; its integral up to `push` is the stroke.
 double piston(double t) { return stroke / push * (1 - std::cos(2 * 3.14159265358979323846 * t / push)); }
 
-/// A bar at rest pushed at its left end.
 Scene pushed_bar() {
   Scene scene;
   scene.name = "pushed-bar";
@@ -68,7 +67,7 @@ TEST_SUITE("analytic") {
         const auto simulation = make_simulation(scene, with_method(method));
         simulation->advance_to(0.6 * push);
         const Snapshot& now = simulation->snapshot();
-        const double way = now.x[0] - now.x0[0];  // displacement of a driven particle
+        const double way = now.x[0] - now.x0[0];
         CHECK(way > 0.5 * stroke);
         for (std::size_t k = 0; k < scene.probes.size(); ++k)
           CHECK(std::abs(simulation->series().value[k].back() - (k % 2 == 0 ? way : 0)) < 1e-12 * dp);
@@ -100,7 +99,7 @@ TEST_SUITE("analytic") {
       CHECK(fine < coarse / 8);
       const auto simulation = make_simulation(scene, settings);
       simulation->advance_to(2 * push);
-      CHECK(simulation->snapshot().v[0] != 0);  // pushed back by the bar
+      CHECK(simulation->snapshot().v[0] != 0);
     }
   }
 }
@@ -121,7 +120,7 @@ TEST_SUITE("conservation") {
       CHECK(energy(driven) < (method.name == "ccb" ? 1.01 : 1.001) * driven.work);
       CHECK(energy(driven) > 0.5 * driven.work);
       simulation->advance_to(2 * push);
-      CHECK(balance(simulation->snapshot(), scene).work == driven.work);  // the drive has ended
+      CHECK(balance(simulation->snapshot(), scene).work == driven.work);
       if (method.conserves.find("energy") == std::string_view::npos) continue;
       CHECK(energy(driven) == Approx(driven.work).epsilon(1e-3));
     }

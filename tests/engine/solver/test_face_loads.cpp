@@ -1,4 +1,3 @@
-// Tractions on bodies with cell-centred particles.
 
 #include <algorithm>
 #include <array>
@@ -96,7 +95,6 @@ Scene thin_bar(int rows, const Point& t, bool both) {
   return scene;
 }
 
-/// Force and moment about the origin.
 std::array<double, 3> sums(const std::vector<FaceShare>& shares, const InitialParticles& initial) {
   std::array<double, 3> sum{};
   for (const auto& [i, f] : shares) {
@@ -197,7 +195,7 @@ TEST_SUITE("unit") {
       CHECK(load.where(initial.x[i]) != 0);
       const double from_corner = std::min(initial.x[i][0], 0.03 - initial.x[i][0]) / scene.spacing;
       const double more = from_corner < 1 ? 1.25 : from_corner < 2 ? -1.5 : from_corner < 3 ? 0.25 : 0;
-      CHECK(f[1] == relative(scene.spacing * (1 + more / 24)));  // end correction
+      CHECK(f[1] == relative(scene.spacing * (1 + more / 24)));
     }
   }
 
@@ -277,7 +275,7 @@ TEST_SUITE("analytic") {
     const Snapshot bent = at_rest(pulled_block(10, L, sigma, omega), "oenog", {});
     for (std::size_t i = 0; i < bent.size(); ++i)
       if (const Point X = bent.initial(i); std::abs(X[0]) < L / 6 && std::abs(X[1]) < 0.3 * H)
-        CHECK(bent.stress(i).xx == relative(sigma(X[1]), 1e-3));  // the bending itself is accurate
+        CHECK(bent.stress(i).xx == relative(sigma(X[1]), 1e-3));
     const double tl_coarse = across("tl", 5), tl_fine = across("tl", 10);
     CHECK(tl_coarse < 0.01);
     CHECK(tl_fine < 0.7 * tl_coarse);

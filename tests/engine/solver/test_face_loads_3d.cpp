@@ -49,7 +49,6 @@ Scene scene_of(Shape shape, double dp, std::vector<Load> loads) {
   return scene;
 }
 
-/// Shares of a load with oenog's bonds.
 std::vector<FaceShare> shares_of(FaceRule rule, const Scene& scene, std::size_t load = 0) {
   const InitialParticles initial = make_initial_particles(scene);
   const double h = oenog.h_over_dp * scene.spacing;
@@ -64,7 +63,7 @@ std::vector<FaceShare> shares_of(FaceRule rule, const Scene& scene, std::size_t 
 }
 
 struct Sum {
-  Point force{}, moment{};  // about the origin
+  Point force{}, moment{};
 };
 Sum sum_of(const std::vector<FaceShare>& shares, const Scene& scene) {
   const InitialParticles initial = make_initial_particles(scene);
@@ -166,7 +165,7 @@ TEST_SUITE("analytic") {
       CAPTURE(std::string(method));
       const Snapshot now = drawn_out(method, sigma);
       const double xx = now.stress(0).xx;
-      CHECK(xx == relative(sigma, 0.01));  // the section has shrunk
+      CHECK(xx == relative(sigma, 0.01));
       for (std::size_t i = 0; i < now.size(); ++i) {
         REQUIRE(now.stress(i).xx == relative(xx, 1e-3));
         REQUIRE(std::abs(now.stress(i).yy) < 1e-3 * xx);

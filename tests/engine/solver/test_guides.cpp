@@ -122,7 +122,7 @@ TEST_SUITE("conservation") {
   TEST_CASE("guides: momentum along a free axis is conserved, momentum across it is not") {
     const Scene scene = bar_on_rollers(false);
     for (const MethodInfo& method : methods()) {
-      if (method.name.ends_with("tic")) continue;  // these do not conserve it
+      if (method.name.ends_with("tic")) continue;
       CAPTURE(std::string(method.name));
       const auto simulation = make_simulation(scene, with_method(std::string(method.name)));
       const Balance before = balance(simulation->snapshot(), scene);

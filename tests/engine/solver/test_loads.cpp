@@ -20,7 +20,6 @@ namespace {
 constexpr double dp = 0.001;                 // m
 constexpr double length = 0.016, H = 0.006;  // m
 
-/// A free bar at rest.
 Scene bar() {
   Scene scene;
   scene.name = "bar";
@@ -93,7 +92,7 @@ TEST_SUITE("analytic") {
       CAPTURE(std::string(name));
       const auto momentum = [&](const Load& one) {
         Scene scene = bar();
-        scene.bodies[0].loads = {one, load(Load::Kind::force, 0, 0.5)};  // loads add up
+        scene.bodies[0].loads = {one, load(Load::Kind::force, 0, 0.5)};
         const auto simulation = make_simulation(scene, with_method(name));
         simulation->advance_to(t);
         const Balance sums = balance(simulation->snapshot(), scene);
@@ -253,7 +252,7 @@ TEST_SUITE("unit") {
     driven.bodies[0].drives = {drive};
     for (const Load::Kind kind : {Load::Kind::force, Load::Kind::force_density, Load::Kind::traction}) {
       driven.bodies[0].loads[0].kind = kind;
-      driven.bodies[0].drives[0].until = driven.until;  // until the end of the run
+      driven.bodies[0].drives[0].until = driven.until;
       refused(driven, "driven to the end");
       driven.bodies[0].drives[0].until = 0.5 * driven.until;
       CHECK_NOTHROW(make_simulation(driven, with_method("tl")));

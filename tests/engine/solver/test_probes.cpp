@@ -39,7 +39,6 @@ Probe at_point(Probe::Kind kind, int body, const Point& at, int axis) {
   return probe;
 }
 
-/// A block about the origin.
 Scene block(const Point& half) {
   Scene scene;
   scene.dim = 3;
@@ -79,7 +78,7 @@ TEST_SUITE("unit") {
       CHECK(series.value[4][k] == relative(-speed));
       CHECK(series.value[5][k] == 0);
     }
-    CHECK(series.time.back() * speed > 0.0001);  // it has moved
+    CHECK(series.time.back() * speed > 0.0001);
   }
 
   TEST_CASE("probes: a point on a face belongs to the body, one in a hole or beside a face does not") {
@@ -156,8 +155,8 @@ TEST_SUITE("unit") {
     CHECK(series.value[0][0] == relative(start));
     double least = start;
     for (const double gap : series.value[0]) least = std::min(least, gap);
-    CHECK(least < 0.5 * start);  // they touched
-    CHECK(least > -0.5 * dp);    // and did not interpenetrate
+    CHECK(least < 0.5 * start);
+    CHECK(least > -0.5 * dp);
   }
 
   TEST_CASE("probes: the gap of distant bodies is the search radius") {
@@ -209,7 +208,7 @@ TEST_SUITE("unit") {
       const Series& series = simulation->series();
       CHECK(series.value[0].front() == relative(0.8 * 0.002, 6e-3));  // in 3D oenog's mass is nearer to faces
       CHECK(series.value[1].front() == relative(0.9));
-      CHECK(series.value[1].back() == relative(0.9, 1e-9));  // no external force
+      CHECK(series.value[1].back() == relative(0.9, 1e-9));
     }
   }
 
@@ -223,7 +222,7 @@ TEST_SUITE("unit") {
     scene.materials[1].name = "stiff", scene.materials[1].youngs_modulus *= 5;
     Body body;
     body.shapes = {Box{{0, 0, 0}, {11 * dp, 20 * dp, 0}}};
-    body.without = {Box{{5 * dp, 2 * dp, 0}, {6 * dp, 21 * dp, 0}}};  // two arms
+    body.without = {Box{{5 * dp, 2 * dp, 0}, {6 * dp, 21 * dp, 0}}};
     body.parts = {{1, [](const Point& x) { return x[0] < 2 * dp ? 1.0 : 0.0; }}};
     body.displacement[1] = [](const Point& x) { return x[0] < 5.5 * dp ? strain * x[1] : 0.0; };
     scene.bodies = {body};
@@ -369,11 +368,11 @@ TEST_SUITE("unit") {
         scene.probes.push_back(make_probe("probe", kind));
         scene.probes.back().at = rotated(turn, at);
       };
-      add(Probe::Kind::displacement, {pitch, 0.9 * pitch, 0});      // a clamped particle
+      add(Probe::Kind::displacement, {pitch, 0.9 * pitch, 0});
       add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});  // the corner: along x and y
       add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});
       scene.probes.back().axis = 1;
-      add(Probe::Kind::stress, {4.3 * pitch, 3.6 * pitch, 0});  // on a free face
+      add(Probe::Kind::stress, {4.3 * pitch, 3.6 * pitch, 0});
       scene.probes.back().part = StressPart::von_mises;
       const auto simulation = make_simulation(scene, with_method("tl"));
       make_steps(*simulation, 40);
@@ -427,7 +426,7 @@ TEST_SUITE("unit") {
     CHECK(simulation->series().value[0].back() < 1e-14);
     CHECK(simulation->series().value[1][0] < 1e-15);
     CHECK(simulation->series().value[1].back() == relative(0.002 * simulation->time(), 1e-6));
-    scene.probes[0].at[0] = 0.0007;  // not a plane of symmetry
+    scene.probes[0].at[0] = 0.0007;
     CHECK_THROWS_AS(make_simulation(scene, with_method("tl")), SceneError);
   }
 

@@ -1,4 +1,3 @@
-// Probes of reactions, contact forces and stresses.
 
 #include <cmath>
 #include <functional>
@@ -82,7 +81,6 @@ void for_each_method(const std::function<void(const std::string&, int)>& f) {
   }
 }
 
-/// A block driven upwards with constant acceleration.
 constexpr double acceleration = 300;  // m/s²
 Scene lifted(std::optional<double> until) {
   Scene scene = hanging(2);
@@ -181,7 +179,7 @@ TEST_SUITE("conservation") {
     CHECK(value[0].back() == relative(weight, 2e-3));
     CHECK(value[1].back() + value[2].back() == relative(value[0].back(), 1e-9));
     CHECK(value[1].back() == relative(value[2].back(), 1e-6));
-    scene.probes[0].axis = 0;  // nothing is constrained along it
+    scene.probes[0].axis = 0;
     CHECK_THROWS_AS(make_simulation(scene, with_method("oenog")), SceneError);
   }
 

@@ -37,8 +37,8 @@ void add_probes(Scene& scene) {
   if (scene.bodies[0].held) scene.probes.push_back(make_probe("clamp", Probe::Kind::reaction));
 }
 
-/// Collisions of two bodies; in the second scene one is clamped, loaded, driven half of the time, with gravity and
-/// damping; in the third it is driven to the end.
+/// Collisions; in the second scene one body is clamped, loaded and driven half of the time, with gravity and damping;
+/// in the third driven to the end.
 std::vector<Scene> watched_scenes() {
   std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
   for (Scene& scene : scenes) add_probes(scene);
@@ -64,7 +64,6 @@ bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// Compares all results of two simulations.
 void check_same(const Simulation& a, const Simulation& b) {
   const Snapshot &x = a.snapshot(), &y = b.snapshot();
   CHECK(x.time == y.time);
@@ -83,7 +82,6 @@ void check_same(const Simulation& a, const Simulation& b) {
     CHECK(same_bytes(a.series().value[k], b.series().value[k]));
 }
 
-/// Runs a simulation with several saves, then resumes each of them to the end.
 void check_restarts(const Scene& scene, const Settings& settings) {
   constexpr std::array<int, 5> saved_at = {0, 1, 17, 31, 50};
   constexpr int steps = 60;
@@ -93,7 +91,7 @@ void check_restarts(const Scene& scene, const Settings& settings) {
   for (const int at : saved_at) {
     make_steps(*saving, at - saving->steps());
     const auto resumed = make_simulation(scene, settings);
-    make_steps(*resumed, 3);  // overwritten by load
+    make_steps(*resumed, 3);
     resumed->load(saving->save());
     CAPTURE(at);
     check_same(*resumed, *saving);
@@ -101,7 +99,7 @@ void check_restarts(const Scene& scene, const Settings& settings) {
     check_same(*resumed, *straight);
   }
   make_steps(*saving, steps - saving->steps());
-  check_same(*saving, *straight);  // saving does not alter a run
+  check_same(*saving, *straight);
 }
 
 template <class T>
@@ -125,7 +123,7 @@ TEST_SUITE("restart") {
     };
     const auto stopped = make_simulation(scene, with_method("enog"));
     stopped->heed(stop);
-    stopped->advance_to(1e9);  // would take years
+    stopped->advance_to(1e9);
     CHECK(stopped->time() < 0.6 * straight->time());
     const long steps = stopped->steps();
     stopped->advance_to(1e9);
@@ -200,7 +198,6 @@ TEST_SUITE("restart") {
     auto copies = std::tuple(map, bits, pairs, full, empty);
     std::apply([&](auto&... value) { saver(value...); }, copies);
     const std::string bytes = saver.take();
-    // previous contents are replaced
     auto found = std::tuple(std::map<int, double>{{1, 1}}, std::vector<bool>(9), decltype(pairs)(5),
                             std::optional<std::vector<double>>(), full);
     Loader loader(bytes);

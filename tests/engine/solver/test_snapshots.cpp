@@ -51,7 +51,6 @@ double greatest(const std::vector<double>& values) {
   return most;
 }
 
-/// Greatest difference of a field over its greatest value.
 double difference(const Snapshot& a, const Snapshot& b, std::vector<double> Snapshot::*field) {
   std::vector<double> d = a.*field;
   for (std::size_t k = 0; k < d.size(); ++k) d[k] -= (b.*field)[k];
@@ -100,8 +99,7 @@ TEST_SUITE("determinism") {
       CHECK(shown.step == exact->steps() + 1);
       for (const auto field : {&Snapshot::x, &Snapshot::v, &Snapshot::rho, &Snapshot::p, &Snapshot::s})
         CHECK(difference(exact->snapshot(), shown, field) < 1e-8);
-      CHECK(difference(exact->snapshot(), shorter->snapshot(), &Snapshot::p) >
-            1e-4);  // one step changes more
+      CHECK(difference(exact->snapshot(), shorter->snapshot(), &Snapshot::p) > 1e-4);
     }
   }
 
@@ -192,7 +190,7 @@ TEST_SUITE("convergence") {
     for (const double share : {0.2, 0.5, 0.9}) {
       const Snapshot now = blend(turn.at(0), turn.at(angle), share * angle);
       const double L = now.x[0] * now.v[1] - now.x[1] * now.v[0];
-      CHECK(1 - L == relative(0.5 * share * (1 - share) * angle * angle, 0.02));  // the loss is of v
+      CHECK(1 - L == relative(0.5 * share * (1 - share) * angle * angle, 0.02));
     }
   }
 }

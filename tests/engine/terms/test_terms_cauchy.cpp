@@ -34,7 +34,7 @@ constexpr double h = 1.3;  // the cloud's spacing is 1
 const Mat2 some_L = {{{0.4, -1.2}, {0.5, 0.9}}};
 
 struct Neighbor {
-  Vec2 e;  // towards the particle at the origin
+  Vec2 e;
   double r, V, dW;
   Vec2 x() const { return (-r) * e; }
 };
@@ -62,7 +62,6 @@ Sym2 correction(const std::vector<Neighbor>& all) {
   return gradient_correction(moment);
 }
 
-/// Checks that a term gives opposite momenta to both particles of the pair.
 template <class Term>
 void check_opposite(const Term& term) {
   const Vec2 on_i = term(first_of_pair, second_of_pair), on_j = term(second_of_pair, first_of_pair);
@@ -126,7 +125,6 @@ TEST_SUITE("term") {
     const Vec2 v_i = first_of_pair.v, v_j = second_of_pair.v;
     const double turn = d_i[0] * v_i[1] - d_i[1] * v_i[0] + d_j[0] * v_j[1] - d_j[1] * v_j[0];
     CHECK(std::abs(turn) < 1e-14 * magnitude(d_i) * magnitude(v_i));
-    // towards the other's velocity
     CHECK(dot(d_i, v_j - v_i) > 0);
     CHECK(xsph_term(Vec2{2, 0}, 3.0, 5.0, 0.5, 0.7)[0] == Approx(-2 * 5 * 0.5 / 8 * 0.7 * 2));
   }

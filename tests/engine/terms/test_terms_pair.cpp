@@ -81,7 +81,7 @@ Vec<double, 2> plain_laplacian_at_origin(Vec<double, 2> (*v)(const Vec<double, 2
   });
 }
 
-constexpr double quadrature_error = 2e-3;  // of the lattice sums
+constexpr double quadrature_error = 2e-3;
 
 }  // namespace
 
@@ -171,10 +171,10 @@ TEST_SUITE("term") {
     CHECK(dissipation_of(1, 0) == Approx(limiter * 1 / c0));
     CHECK(dissipation_of(2, 0) == Approx(limiter * 2 / c0));
     CHECK(dissipation_of(2, 0.7) == Approx(0.7));
-    CHECK(dissipation_of(5, 0) == Approx(1));   // upper limit
+    CHECK(dissipation_of(5, 0) == Approx(1));
     CHECK(dissipation_of(-1, 0) == Approx(0));  // separating pairs are not attracted
     CHECK(dissipation_of(-1, 0.4) == Approx(0.4));
-    CHECK(dissipation_of(0.01, 1) == Approx(1));  // linear
+    CHECK(dissipation_of(0.01, 1) == Approx(1));
     CHECK(dissipation_of(-9, 1) == Approx(1));
     CHECK(riemann_pressure(4.0, 2.0, 0.0, {impedance, limiter / c0, 1}) == Approx(mean));
   }

@@ -113,7 +113,7 @@ TEST_SUITE("term") {
       for (int a = 0; a < 2; ++a) {
         for (int b = 0; b < 2; ++b) CHECK(corrected(a, b) == Approx(some_L(a, b)).epsilon(1e-12));
       }
-      CHECK(std::abs(g.L(0, 1) - some_L(0, 1)) > 0.01);  // there was something to correct
+      CHECK(std::abs(g.L(0, 1) - some_L(0, 1)) > 0.01);
     }
   }
 

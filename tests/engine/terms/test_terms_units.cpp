@@ -20,7 +20,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Units of length, time and mass in SI.
 struct Units {
   double length, time, mass;
 
@@ -35,7 +34,6 @@ struct Units {
 
 const Units others[] = {{10, 1, 1}, {1, 10, 1}, {1, 1, 10}, {3, 0.25, 7}};
 
-/// All results of the terms in the given units.
 struct Results {
   Vec<double, 2> nested, laplacian, plain, repulsion;
   double riemann, compression, diffusion, eos;

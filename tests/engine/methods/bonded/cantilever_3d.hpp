@@ -37,7 +37,6 @@ inline Scene square_cantilever(int across) {
   scene.measures = {period};
   return scene;
 }
-/// Initial velocity as in oscillating_plate.
 inline Scene bending_cantilever(int across) {
   Scene scene = square_cantilever(across);
   scene.bodies[0].velocity[1] = oscillating_plate(0.001, across).bodies[0].velocity[1];

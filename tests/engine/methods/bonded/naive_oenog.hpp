@@ -49,8 +49,8 @@ Dual<Components> operator/(double a, const Dual<Components>& b) {
   return Dual<Components>(a) / b;
 }
 
-/// Transcription of oenog's formulas, particle by particle. Shares only make_bonds and make_interfaces with the
-/// solver. In 2D one body; in 3D several of one material with penalty contact and end-corrected masses.
+/// Transcription of oenog; shares only make_bonds and make_interfaces with the solver. In 2D one body; in 3D several
+/// of one material with penalty contact and end-corrected masses.
 template <int Dim>
 class NaiveOenogIn {
  public:
@@ -135,7 +135,7 @@ class NaiveOenogIn {
       Square T = neo_hookean(i, F);
       for (double& component : T) component *= bonds_.volume[i];
       for (const auto& [X, strength] : cancelled(i)) {
-        Place x{};  // F X
+        Place x{};
         for (int k = 0; k < components; ++k) x[k / Dim] += F[k] * X[k % Dim];
         const double r2 = squared(X), s = squared(x) / r2;
         const double slope = strength / 24 * (4 * s - 3 - 1 / (s * s));  // dφ(λ°)/ds, s = λ°²
@@ -217,8 +217,8 @@ class NaiveOenogIn {
     }
   }
 
-  Places x, v;           // m, m/s
-  bool by_hand = false;  // use force_by_hand
+  Places x, v;  // m, m/s
+  bool by_hand = false;
 
  private:
   const Material& material(int i) const { return scene_.materials[initial_.material[i]]; }
@@ -302,7 +302,6 @@ class NaiveOenogIn {
   bool across(int i, int b) const {
     return material(bonds_.j[b]).youngs_modulus != material(i).youngs_modulus;
   }
-  /// Energy at an interface without bonds.
   Wide of_site(const Places& at, int i) const {
     const Interfaces::Site& site = interfaces_.sites[site_of_[i]];
     const Square F_now = gradient(at, i);
@@ -425,7 +424,7 @@ class NaiveOenogIn {
   InitialParticles initial_;
   Bonds bonds_;
   Interfaces interfaces_;
-  std::vector<int> site_of_;  // −1 if it has none
+  std::vector<int> site_of_;  // −1: none
   double stiffest_ = 1;       // greatest φ″ of the last step
 };
 using NaiveOenog = NaiveOenogIn<2>;

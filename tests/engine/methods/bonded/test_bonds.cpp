@@ -1,4 +1,3 @@
-// oenog's bonds and its energy.
 
 #include <array>
 #include <cmath>
@@ -50,8 +49,8 @@ Gradient gradient(double xx, double xy, double yx, double yy) { return {{{xx, xy
 
 ClosedNeoHookean<double> closed_law() { return {4.6, 1}; }  // over G: ν = 0.4
 
-/// Greatest change of the force on a particle with a homogeneous strain, over G dp, for three strains and particles
-/// deeper than `rows`. Volumes near a face give the forces there: three rows, or nine with bonds of two spacings.
+/// Greatest change of the force on particles deeper than `rows` with a homogeneous strain, over G dp. Volumes near a
+/// face give forces in three rows, or nine with bonds of two spacings.
 double unbalanced(const Scene& scene, const InitialParticles& initial, const std::vector<double>& depth,
                   double rows) {
   constexpr double size = 1e-3;
@@ -77,7 +76,6 @@ double unbalanced(const Scene& scene, const InitialParticles& initial, const std
   return greatest;
 }
 
-/// Moves each particle reproducibly at random, along each axis by up to `share` of half a spacing.
 InitialParticles jittered_by(double share, InitialParticles initial, double dp) {
   std::mt19937 random(1);
   for (Point& x : initial.x)
@@ -109,8 +107,8 @@ std::vector<double> depths(const InitialParticles& initial, const Box& box) {
   return depth;
 }
 
-/// Least stiffness of a square lattice against zigzags, over the stiffness at rest: rows or columns against each
-/// other, or a checkerboard. F is homogeneous, so only the bonds resist.
+/// Least stiffness of a square lattice against zigzags (rows, columns, checkerboard), relative to rest. F is
+/// homogeneous, so only bonds resist.
 double zigzag_stiffness(const Gradient& F) {
   const auto least = [](const Gradient& H) {
     double result = 1e300;
@@ -118,7 +116,7 @@ double zigzag_stiffness(const Gradient& F) {
       double xx = 0, xy = 0, yy = 0;
       for (int x = -1; x <= 1; ++x) {
         for (int y = -1; y <= 1; ++y) {
-          if ((px * x + py * y) % 2 == 0) continue;  // these two move together
+          if ((px * x + py * y) % 2 == 0) continue;
           const double dx = H(0, 0) * x + H(0, 1) * y, dy = H(1, 0) * x + H(1, 1) * y;
           const double r2 = x * x + y * y, s = (dx * dx + dy * dy) / r2, step = 1e-5;
           const double slope = bond_slope(s), rise = (bond_slope(s + step) - bond_slope(s - step)) / step;
@@ -276,7 +274,7 @@ TEST_SUITE("unit") {
     const Bonds bonds = bonds_of(scene, initial);
     double exact = 0, lattice = 0, corrected = 0, V0 = 0, V = 0;
     for (int i = 0; i < initial.size(); ++i) {
-      if (std::abs(initial.x[i][0] - 0.006) > 0.005) continue;  // whole columns
+      if (std::abs(initial.x[i][0] - 0.006) > 0.005) continue;
       const double y2 = initial.x[i][1] * initial.x[i][1], dp2 = scene.spacing * scene.spacing;
       lattice += initial.V0[i] * y2;
       corrected += bonds.volume[i] * y2;
@@ -296,7 +294,7 @@ TEST_SUITE("unit") {
     const Bonds bonds = bonds_of(scene, initial);
     double moment = 0, faces = 0;
     for (int i = 0; i < initial.size(); ++i) {
-      if (std::abs(initial.x[i][0] - 0.006) > 0.003) continue;  // whole columns
+      if (std::abs(initial.x[i][0] - 0.006) > 0.003) continue;
       const double y = initial.x[i][1];
       moment += (bonds.volume[i] - initial.V0[i]) * std::abs(y);
       if (std::abs(y) > 0.0015) faces += scene.spacing;
@@ -450,7 +448,7 @@ TEST_SUITE("conservation") {
       CHECK(std::abs(now.angular_momentum[2]) < 1e-12 * now.angular_scale);
       CHECK(total_energy(*simulation, scene) == Approx(start).epsilon(2e-3));
     }
-    CHECK(least_kinetic < 0.3 * start);  // most of it was elastic in between
+    CHECK(least_kinetic < 0.3 * start);
   }
 
   TEST_CASE("oenog conserves the angular momentum of a fast rotating plate, which stays whole") {

@@ -48,8 +48,8 @@ double turned(const Scene& scene, const char* method, double t) {
   return simulation->series().value[0].back();
 }
 
-/// Reaction force over E A u/L of a bar of 32 × 12 mm (ν = 0) stretched by 10 µm from a clamp or, with `both`, from a
-/// driven end at rest. The ends are released at `until`, s.
+/// Reaction over E A u/L of a bar of 32 × 12 mm (ν = 0), stretched by 10 µm from a clamp or, with `both`, a driven
+/// end at rest; released at `until`, s.
 double resistance(double spacing, bool both, const char* method, std::optional<double> until = {}) {
   constexpr double E = 1e6, clamp = 0.004, width = 0.012, free = 0.032, u = 1e-5;
   Scene scene;
@@ -143,7 +143,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("pins: a bar keeps rotating about one clamped particle, in 3D about a row") {
-    const double t = 0.4;  // several periods of the first bending mode
+    const double t = 0.4;
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
       const Scene scene = bar(dim, 0.3 * dp);

@@ -1,4 +1,3 @@
-// Material interfaces in oenog against exact solutions.
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +40,7 @@ Scene bar(double ratio, double nu_soft, int axis, double spacing, double half = 
   return scene;
 }
 
-/// Greatest force on a particle at least four from every face (beyond the end correction of volumes), over the
-/// traction on one particle.
+/// Greatest force on a particle at least four from every face (end correction), over the traction on one particle.
 double force_left(const Scene& scene, double traction) {
   const Snapshot now = state_after(1, scene, with_method("oenog"));
   const Box box = *scene.bodies[0].shapes[0].as<Box>();
@@ -57,8 +55,8 @@ double force_left(const Scene& scene, double traction) {
   return greatest / (traction * scene.spacing);
 }
 
-/// Lowest frequency in Hz of a free bar with a length L of each material: rod waves with transverse inertia ([Love]
-/// §278), M u″ + ρ ω² (ν r)² u″ …, r² = H²/12, plane strain.
+/// Lowest frequency, Hz, of a free bar of both materials, L each: rod waves with transverse inertia ([Love] §278), M
+/// u″ + ρ ω² (ν r)² u″ …, r² = H²/12, plane strain.
 double lowest_frequency(double ratio) {
   struct Wave {
     double k, Z;  // 1/m; traction over velocity
@@ -174,7 +172,7 @@ TEST_SUITE("analytic") {
                        return std::hypot(x[0] - 6 * dp, x[1] - 6 * dp, x[2] - 6 * dp) < 4 * dp ? 1.0 : 0.0;
                      }}};
     }
-    SUBCASE("half a ring") {  // gradients of a narrow end
+    SUBCASE("half a ring") {
       body.shapes = {Ring{{10 * dp, 7 * dp, 0}, 4 * dp, 9 * dp, RoundLayout::aligned}};
       body.parts = {{1, [](const Point& x) { return x[0] > 10 * dp ? 1.0 : 0.0; }}};
     }

@@ -1,4 +1,3 @@
-// oenog against its transcription, and its conservation laws.
 
 #include <array>
 #include <cmath>
@@ -56,8 +55,8 @@ Scene ring_alone() {
   return scene;
 }
 
-/// Checks particles of a lattice with oblong cells, each with its own bonds and strengths, then one off-lattice. At
-/// rest nothing is subtracted.
+/// Checks a lattice with oblong cells, different bonds and strengths, then one off-lattice. At rest nothing is
+/// subtracted.
 template <int Dim, class Kept>
 void check_cancelled(double precision) {
   using Cancelled = CancelledBonds<Dim, Kept>;
@@ -99,7 +98,6 @@ void check_cancelled(double precision) {
   }
 }
 
-/// Checks that packed strengths and areas of bonds between free particles are equal from both ends.
 template <class Packed, int Dim>
 void check_both_ends(const Scene& scene) {
   CAPTURE(scene.name);
@@ -116,7 +114,7 @@ void check_both_ends(const Scene& scene) {
       {oenog, scene, initial, constants, materials, Law{}, ContactLaw{}, false, {}, 1}, /*damping*/ 0);
   const Packed owner(setup, ids);
   const auto packed = owner.view();
-  std::map<std::pair<int, int>, std::pair<double, Vec<double, Dim>>> seen;  // strength and area
+  std::map<std::pair<int, int>, std::pair<double, Vec<double, Dim>>> seen;
   for (int first = 0; first < initial.size(); first += lanes) {
     const auto& own = packed.of(first / lanes);
     for (int b = 0; b < own.a_count; ++b) {
@@ -198,7 +196,7 @@ TEST_SUITE("term") {
       const Bonds bonds = make_bonds(scene, initial, oenog.h_over_dp * scene.spacing);
       std::map<long, std::array<double, 2>> of_column;  // Σ w, Σ w |y|
       for (const FaceTerm& term : bonds.face_terms) {
-        if (std::abs(term.t[0]) < std::abs(term.t[1])) continue;  // of the ends
+        if (std::abs(term.t[0]) < std::abs(term.t[1])) continue;
         CHECK(std::abs(term.t[1]) < 1e-12 * std::abs(term.t[0]));
         const Point& x = initial.x[term.i];
         auto& sums = of_column[std::lround(x[0] / scene.spacing * 2)];
@@ -316,7 +314,6 @@ Scene straining_block(const Mat<double, 2>& L) {
   return scene;
 }
 
-/// F from three particles at the middle of the block.
 Mat<double, 2> gradient(const Snapshot& now) {
   const auto corner = [&](double X, double Y) {
     for (std::size_t i = 0; i < now.size(); ++i)
@@ -324,7 +321,7 @@ Mat<double, 2> gradient(const Snapshot& now) {
     FAIL("no particle there");
     return now.size();
   };
-  const double half = 0.0005;  // of a spacing
+  const double half = 0.0005;
   const std::size_t low = corner(-half, -half), right = corner(half, -half), up = corner(-half, half);
   Mat<double, 2> F;
   for (int a = 0; a < 2; ++a) {
@@ -348,7 +345,7 @@ TEST_SUITE("analytic") {
   TEST_CASE("oenog: pressure, stress and density shown are the neo-Hookean ones of the deformation") {
     const Material rubber = ring_rubber();
     const double rate = rubber.sound_speed() / 0.01, K = rubber.bulk_modulus(), G = rubber.shear_modulus();
-    Mat<double, 2> drawn, pressed, shut;  // J about 1.2, 0.8 and 0.3
+    Mat<double, 2> drawn, pressed, shut;
     drawn(0, 0) = 0.8, drawn(0, 1) = 0.5, drawn(1, 0) = -0.2, drawn(1, 1) = 0.3;
     pressed(0, 0) = -1, pressed(0, 1) = 0.4, pressed(1, 0) = 0.7, pressed(1, 1) = 0.1;
     shut(0, 0) = -3, shut(1, 1) = -3.5, shut(0, 1) = 0.3, shut(1, 0) = 0.1;

@@ -1,4 +1,3 @@
-// oenog in 3D: its bonds, its energy and its conservation laws.
 
 #include <algorithm>
 #include <array>
@@ -64,7 +63,6 @@ Scene block_with_tip() {
   scene.bodies[0].shapes.push_back(Box{{dp, dp, 3 * dp}, {2 * dp, 2 * dp, 4 * dp}});
   return scene;
 }
-/// A cube that flies into a wall at 0.9 sound speeds.
 Scene cube_at_wall() {
   Scene scene = block(8, 8, 8);
   scene.bodies[0].velocity[0] = constant(-0.9 * scene.materials[0].sound_speed());
@@ -77,7 +75,6 @@ Scene cube_at_wall() {
 }
 Scene ball() { return alone(Disc{{}, 0.0047}); }
 
-/// F X of every particle.
 Naive::Places deformed(const InitialParticles& initial, const Square& F) {
   Naive::Places at;
   for (const Point& X : initial.x) {
@@ -137,7 +134,6 @@ Scene shaken_block() {
   return scene;
 }
 
-/// Two blocks in an off-centre collision.
 Scene two_blocks() {
   const double c0 = ring_rubber().sound_speed();
   Scene scene = small_solid_collision();
@@ -193,7 +189,7 @@ TEST_SUITE("unit") {
     CHECK(std::abs(odd) < 1e-9);
     CHECK(of_axes == 6);
     CHECK(weights[2.0 / 3] == 18);  // along axes and across faces
-    CHECK(weights[3.0 / 8] == 8);   // across the cube
+    CHECK(weights[3.0 / 8] == 8);
   }
 
   TEST_CASE("bonds: in 3D the gradient of a linear field is exact, at surfaces, tips and clamps too") {
@@ -201,7 +197,7 @@ TEST_SUITE("unit") {
       const InitialParticles initial = make_initial_particles(scene);
       const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
       for (int i = 0; i < initial.size(); ++i) {
-        if (initial.held[i] && !scene.bodies[0].on_boundary) continue;  // has no bonds
+        if (initial.held[i] && !scene.bodies[0].on_boundary) continue;
         Square one = Square::Zero();
         for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b)
           one += Eigen::Vector3d(bonds.of(i, b).X.data()) * Eigen::RowVector3d(bonds.gradient(i, b).data());
@@ -220,7 +216,7 @@ TEST_SUITE("unit") {
       CHECK(sum(start.m) == relative(density * sum(initial.V0), 1e-13));
       for (int i = 0; i < initial.size(); ++i) CHECK(start.m[i] == relative(density * bonds.mass[i], 1e-14));
     }
-    // a face's first moment is dp²/15 in volumes and dp²/24 in masses; for particles on faces the layout includes it,
+    // a face's first moment is dp²/15 in volumes, dp²/24 in masses; with particles on faces the layout includes it,
     // and volumes have dp²/25 less
     for (const bool on_faces : {false, true}) {
       CAPTURE(on_faces);
@@ -381,7 +377,7 @@ TEST_SUITE("conservation") {
       CHECK(most_strained > 0.1 * start.kinetic);
       const Balance end = balance(simulation->snapshot(), scene);
       if (damping > 0) CHECK(end.kinetic + end.strain < 0.99 * start.kinetic);
-      CHECK(simulation->snapshot().v[0] < 0.5 * first.v[0]);  // they collided
+      CHECK(simulation->snapshot().v[0] < 0.5 * first.v[0]);
     }
   }
 }
@@ -465,7 +461,7 @@ TEST_SUITE("failure") {
     CHECK(judge.verdict() == Verdict::stable);
     CHECK(judge.pieces() == 1);
     CHECK(most_strained > 0.3 * start);
-    CHECK(balance(simulation->snapshot(), scene).linear_momentum[0] > 0);  // it rebounded
+    CHECK(balance(simulation->snapshot(), scene).linear_momentum[0] > 0);
   }
 }
 

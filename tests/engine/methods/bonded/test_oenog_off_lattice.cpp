@@ -1,4 +1,3 @@
-// oenog off-lattice: jittered, body-centred or listed particles.
 
 #include <algorithm>
 #include <array>
@@ -34,7 +33,6 @@ Scene block(int n) {
   return scene;
 }
 
-/// A square of n × n particles.
 Scene square(int n) {
   Scene scene = small_collision();
   scene.bodies.resize(1);
@@ -58,7 +56,7 @@ Scene body_centred(int n) {
   return scene;
 }
 
-struct Own {  // bonds of one particle
+struct Own {
   std::vector<Eigen::Vector3d> X;
   std::vector<double> w;
 };
@@ -83,7 +81,6 @@ double half_period(const Scene& scene, double until, const Settings& settings = 
   return 0;
 }
 
-/// A ring vibrating in its mode n = 2.
 Scene ringing(double spacing) {
   Scene scene = colliding_rings(0, spacing);
   scene.bodies.pop_back();
@@ -204,7 +201,7 @@ TEST_SUITE("analytic") {
       if (share < 1e-11)
         CHECK(period == relative(lattice, 1e-5));
       else
-        CHECK(period == relative(exact, 0.009));  // 0.8 % too slow
+        CHECK(period == relative(exact, 0.009));
     }
   }
 

@@ -1,4 +1,3 @@
-// oenog's output gradients, exact for quadratic fields up to the surface.
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +38,6 @@ Scene block(int across, double length = L) {
   return scene;
 }
 
-/// The right half is of another material.
 Scene block_of_two() {
   Scene scene = block(10);
   scene.materials.push_back({"soft", 900, 4e6, 0.3});
