@@ -28,7 +28,6 @@ namespace {
 using namespace taut::cli;
 using namespace taut::test;
 
-/// The measured part of a scene's motion, in slices.
 struct Motion {
   const char* scene;
   double from, slice;  // s
@@ -65,7 +64,6 @@ class Stretch {
 
   bool over() const { return done_ == motion_.slices; }
   void go_back() { simulation_->load(start_), done_ = 0; }
-  /// Advances by one slice and returns the number of steps.
   long advance() {
     const long before = simulation_->steps();
     simulation_->advance_to(motion_.from + ++done_ * motion_.slice);

@@ -21,8 +21,8 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double round_off = 1e-13;  // relative to the scale, over all steps
-constexpr double dp = 0.001;         // m
+constexpr double round_off = 1e-13;
+constexpr double dp = 0.001;  // m
 
 /// Two bodies of one particle each, `gap` spacings apart along x.
 Scene two_particles(double gap, double speed) {

@@ -61,7 +61,6 @@ Shape tilted_block(double degrees) {
   return Polygon({corners});
 }
 
-/// Checks that energy is conserved in an undamped collision.
 void check_energy_stays(const Scene& scene) {
   Settings settings = with_method("oenog");
   settings.constants["damping"] = 0;
@@ -114,7 +113,7 @@ void check_slopes(Pressed<2>& bodies, double within) {
 
 TEST_SUITE("conservation") {
   TEST_CASE("surface contact: a disc pressed onto a narrow block stays mirror-symmetric, as the block does") {
-    for (const double half_width : {0.003, 0.004}) {  // the block's corners lie beside the contact
+    for (const double half_width : {0.003, 0.004}) {
       CAPTURE(half_width);
       Scene scene =
           scene_of({Disc{{0, 0.00392, 0}, 0.00382}, Box{{-half_width, -0.006, 0}, {half_width, 0, 0}}});
@@ -336,7 +335,7 @@ TEST_SUITE("conservation") {
   }
 
   TEST_CASE("contact of faces: a round body on a flat one is not pushed aside where corner meets corner") {
-    const double r = 0.02, depth = 0.1 * dp;  // both bodies have a node on the line of symmetry
+    const double r = 0.02, depth = 0.1 * dp;
     Pressed<2> bodies(scene_of(
         {Disc{{0, -r, 0}, r, RoundLayout::spaced}, Box{{-0.03, -depth, 0}, {0.03, 0.006 - depth, 0}}}));
     const std::vector<V> force = bodies.forces();

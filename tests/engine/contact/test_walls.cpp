@@ -24,7 +24,6 @@ constexpr double dp = 0.001;  // m
 
 Wall wall(const char* name, const Point& at, const Point& normal) { return {name, at, normal}; }
 
-/// A block flying to the right, a fifth of a spacing before x = 0.
 Scene flying_block() {
   const double speed = 0.02 * ring_rubber().sound_speed();
   Scene scene;
@@ -88,7 +87,6 @@ TEST_SUITE("term") {
     CHECK(lennard_jones_force(1.1 * dp, dp, 1e7, 2) == 0);
     CHECK(lennard_jones_energy(1.1 * dp, dp, 1e7, 2) == 0);
     for (const int dim : {2, 3}) {
-      // outside the core, inside it, behind the wall
       for (const double r : {0.9 * dp, 0.5 * dp, 0.05 * dp, -0.2 * dp}) {
         CAPTURE(r);
         const double step = 1e-5 * dp;

@@ -24,7 +24,6 @@ double value(const char* key, const Snapshot& now, std::size_t particle = 0) {
   return values[particle];
 }
 
-/// Three particles along each axis, 1 m apart.
 Snapshot block(int dim) {
   std::vector<Point> places;
   for (int i = 0; i < 3; ++i)
@@ -78,7 +77,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("fields: von Mises stress is the tension of a bar and √3 times pure shear") {
-    Snapshot bar = made_snapshot(2, {{0, 0, 0}});  // σ_xx = 6, all other components 0
+    Snapshot bar = made_snapshot(2, {{0, 0, 0}});
     bar.p = {-2};
     bar.s = {4, 0, -2, -2};
     CHECK(value("stress_xx", bar) == 6);

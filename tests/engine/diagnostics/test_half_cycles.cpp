@@ -46,7 +46,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("first_peak: a parabola with unequal steps gives its exact signed peak") {
-    const auto throw_up = [](double t) { return 3 * t * (1 - t); };  // zero at t = 1, top 0.75
+    const auto throw_up = [](double t) { return 3 * t * (1 - t); };
     const std::vector<double> times = {0, 0.1, 0.25, 0.4, 0.58, 0.9, 1.2};
     expect(value("first_peak", sampled(times, throw_up)), 0.75);
     expect(value("first_peak", sampled(times, [&](double t) { return -throw_up(t); })), -0.75);

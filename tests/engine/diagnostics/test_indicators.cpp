@@ -201,7 +201,7 @@ TEST_SUITE("unit") {
     CHECK(hourglass_error(lattice(40, 8, 0.05), bent(0.5)) < 1e-3);
     const Map twisted = [](const Point& X) {
       const double r = std::hypot(X[0], X[1]);
-      const Point x = turned(X, 1 + r);  // each layer slides on the one below by its whole thickness
+      const Point x = turned(X, 1 + r);
       return Point{1.5 * x[0], x[1], 0};
     };
     const double coarse = hourglass_error(ring(0.5, 1, 0.05), twisted);

@@ -127,7 +127,7 @@ TEST_SUITE("unit") {
                                          {[](const Point&, double t) { return std::cos(t); },
                                           [](const Point&, double t) { return std::sin(t); }}}}};
     Series series{unequal_times(1, 1e-2), {{}, {}}};
-    for (const double t : series.time) {  // up to 0.1 ahead at t = 0.5
+    for (const double t : series.time) {
       const double angle = t + 0.1 * std::exp(-100 * (t - 0.5) * (t - 0.5));
       series.value[0].push_back(std::cos(angle));
       series.value[1].push_back(std::sin(angle));

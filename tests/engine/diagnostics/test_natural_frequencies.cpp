@@ -52,7 +52,6 @@ struct Grid {
 Eigen::Vector3d shape(double s) { return {s * (s - 1) / 2, 1 - s * s, s * (s + 1) / 2}; }
 Eigen::Vector3d slope(double s) { return {s - 0.5, -2 * s, s + 0.5}; }
 
-/// Adds one integration point of weight `w` to stiffness and mass.
 void add_point(const Elastic& material, const std::array<int, 9>& id, const Eigen::Matrix<double, 9, 2>& x,
                double s, double t, double w, Eigen::MatrixXd& K, Eigen::MatrixXd& M) {
   const auto& [E, nu, rho] = material;

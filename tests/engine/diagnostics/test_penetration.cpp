@@ -38,7 +38,6 @@ Snapshot two_blocks() {
   return now;
 }
 
-/// Puts body 1 with its lower row at (6 dp + right, up).
 void put(Snapshot& now, double right, double up) {
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now.body[i] == 0) continue;
@@ -79,7 +78,6 @@ Snapshot two_cubes() {
   return now;
 }
 
-/// Puts body 1 with its lower layer at (2 dp + right, 2 dp + right, up).
 void put_cube(Snapshot& now, double right, double up) {
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now.body[i] == 0) continue;
@@ -100,7 +98,6 @@ void turn_all(Snapshot& now, double angle) {
   }
 }
 
-/// The hairpin as a sheet, five particles wide.
 Snapshot folded_sheet(double r) {
   const Snapshot strip = hairpin(r);
   std::vector<Point> places, initial;
@@ -196,7 +193,7 @@ TEST_SUITE("unit") {
     int found = 0;
     for (int step = 0; step <= 600; ++step) {
       put(now, 0.03 * dp * std::sin(0.1 * step), (10 - 0.02 * step) * dp);
-      for (std::size_t i = 0; i < now.size(); ++i) {  // a common motion, and the lower block stretches
+      for (std::size_t i = 0; i < now.size(); ++i) {
         if (now.body[i] == 0) now.x[2 * i] = (1 + 0.0004 * step) * now.x0[2 * i];
         now.x[2 * i + 1] = (now.body[i] == 0 ? now.x0[2 * i + 1] : now.x[2 * i + 1]) - step * dp;
       }

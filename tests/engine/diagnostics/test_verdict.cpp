@@ -221,7 +221,6 @@ TEST_SUITE("unit") {
       const auto drawn = [](double* x) { x[0] *= 3, x[1] *= 0.6; };
       CHECK(verdict(kept, drawn) == Verdict::stable);
       CHECK(verdict(searched, drawn) == Verdict::fractured);
-      // each bond is stretched 1.4 times as much as the one before
       const auto ever_more = [](double* x) { x[0] = dp * (std::pow(1.4, x[0] / dp) - 1) / 0.4; };
       CHECK(verdict(kept, ever_more) == Verdict::stable);
       for (const double opened : {1.3, 1.8}) {  // relative to the bonds around, through the whole body
@@ -300,7 +299,7 @@ TEST_SUITE("unit") {
     Snapshot now = made_snapshot(2, places);
     Judge judge(scene, now, support, searched);
     CHECK(judge.pieces() == 1);
-    for (std::size_t i = 0; i < now.size(); ++i)  // opens at (20 dp, 0) like a jaw
+    for (std::size_t i = 0; i < now.size(); ++i)
       if (now.x0[2 * i + 1] > 0) now.x[2 * i + 1] += 0.1 * (now.x0[2 * i] + 20 * dp);
     observe(judge, now, scene, 1);
     CHECK(judge.pieces() == 1);

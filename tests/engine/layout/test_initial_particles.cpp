@@ -161,7 +161,7 @@ TEST_SUITE("unit") {
     Scene scene = one_body(2, 1, {Box{{0, 0, 0}, {3, 2, 0}}});
     scene.bodies.push_back(scene.bodies[0]);
     scene.bodies[1].name = "other";
-    scene.bodies[1].shapes = {Box{{2.6, 0, 0}, {5.6, 2, 0}}};  // columns at 2.5 and 3.1: 0.6 spacings
+    scene.bodies[1].shapes = {Box{{2.6, 0, 0}, {5.6, 2, 0}}};
     CHECK(make_initial_particles(scene).size() == 12);
     scene.bodies[1].shapes = {Box{{2.4, 0, 0}, {5.4, 2, 0}}};  // 0.4 spacings
     const SceneError error = scene_error([&] { make_initial_particles(scene); });

@@ -34,7 +34,6 @@ bool held_by(const Scene& scene, const Point& x, double tolerance) {
                              [&](const Shape& shape) { return shape->holds(x, 2, tolerance); });
 }
 
-/// Checks the length of the closed faces, that nodes lie on them, and that normals point outwards.
 void check_faces(const Scene& scene, double length) {
   const InitialParticles initial = make_initial_particles(scene);
   const Outline outline = make_outline(scene, initial);
@@ -94,7 +93,6 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("outline: a union has no face where one shape covers another") {
-    // a T whose parts share an edge, and two overlapping boxes with aligned tops
     check_faces(of({Box{{0, 0, 0}, {0.02, 0.006, 0}}, Box{{0.006, -0.01, 0}, {0.014, 0, 0}}}), 0.072);
     check_faces(of({Box{{0, 0, 0}, {0.02, 0.006, 0}}, Box{{0.012, 0, 0}, {0.03, 0.006, 0}}}), 0.072);
   }

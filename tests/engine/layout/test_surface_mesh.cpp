@@ -43,7 +43,6 @@ double area_of(const SurfaceMesh& mesh) {
   return sum;
 }
 
-/// Checks that each node's shares sum to one and reproduce its position.
 void check_shares(const SurfaceMesh& mesh, const InitialParticles& initial) {
   for (int n = 0; n < mesh.size(); ++n) {
     double one = 0, square = 0;
@@ -59,7 +58,6 @@ void check_shares(const SurfaceMesh& mesh, const InitialParticles& initial) {
   }
 }
 
-/// Checks that area vectors cancel and that each facet's normal points out of the body.
 void check_closed(const Scene& scene, const SurfaceMesh& mesh, double tolerance) {
   Point sum{};
   for (const SurfaceMesh::Facet& facet : mesh.facets) {

@@ -87,7 +87,6 @@ class Tangent {
           for (int k = 0; k < Dim; ++k) Q(a, b) += A_(a * Dim + c, b * Dim + k) * n[c] * n[k];
     return eigenvalues(0.5 * (Q + Q.transpose()));
   }
-  /// Maximum over random directions, then over directions near the best.
   double greatest(Dice& dice) const {
     constexpr int first = 60, second = 120;
     double best = 0, reach = 0.3;
@@ -106,7 +105,6 @@ class Tangent {
   Eigen::Matrix<double, Dim * Dim, Dim * Dim> A_;
 };
 
-/// Bound over greatest stiffness, for many strains.
 struct Ratio {
   double least = 1e300, mean = 0;
 };

@@ -247,7 +247,6 @@ class Run {
     return acceleration;
   }
 
-  /// Rates of density and shear from velocities and pair geometry.
   void find_rates(const std::vector<double>& V) {
     for (std::size_t i = 0; i < particles.size(); ++i) {
       Particle& a = particles[i];

@@ -90,7 +90,6 @@ Momenta momenta(const Made& made, const std::vector<Point>& v) {
   return sum;
 }
 
-/// A clamped, cell-centred block on rollers, driven at its far end.
 Scene held_and_driven(int dim) {
   const double dp = 0.001;
   Scene scene;

@@ -88,7 +88,6 @@ double greatest_step(double d, double w) {
   return low;
 }
 
-/// A block of neo-Hookean rubber at rest, stretched by λ along x.
 Scene pressed_block(double lambda) {
   Scene scene;
   scene.name = "pressed-block";

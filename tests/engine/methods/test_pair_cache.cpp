@@ -23,7 +23,6 @@ UlSplitConstants constants_at(double dp) {
   return c;
 }
 
-/// Four pairs at the given distances in spacings, computed and cached.
 template <int Dim>
 struct Cached {
   PairGeometry<Dim> exact, cached, back;  // back: of (j, i)

@@ -28,7 +28,6 @@ const char* const ladder[] = {"ulsph-av-as-uncorrected",
                               "d-ulsph-r-tic"};
 const char* const current_configuration[] = {"ccb", "ccbwat"};
 
-/// A perturbed clamped plate of two materials, hit by a disc beside its clamp.
 Scene two_materials() {
   Scene scene = small_clamped_plate();
   Material stiff = scene.materials[0];

@@ -223,7 +223,6 @@ TEST_SUITE("neighbors") {
   }
 
   TEST_CASE("grid: the order is stable") {
-    // three copies of each point, which share a cell
     const Points<2> once = random_points<2>(200, 1, 9);
     Points<2> thrice;
     for (int copy = 0; copy < 3; ++copy) thrice.insert(thrice.end(), once.begin(), once.end());

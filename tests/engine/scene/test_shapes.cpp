@@ -128,7 +128,6 @@ TEST_SUITE("unit") {
     check_converges(both, 0.5 * of_ring + pi * 1e-4, 0.002);
     check_outline(scene_of(0.0005, {ring}), 2 * pi * 0.03, of_ring, 2e-3);
     check_outline(scene_of(0.0005, {both}), pi * 0.02 + 0.02 + pi * 0.01, 0.5 * of_ring + pi * 1e-4, 5e-3);
-    // the same as a body's own cut-out
     Scene scene = scene_of(0.0005, {Ellipse{{0, 0, 0}, {0.02, 0.02, 1}}});
     scene.bodies[0].without = {small};
     check_outline(scene, 2 * pi * 0.03, of_ring, 2e-3);
@@ -175,7 +174,6 @@ TEST_SUITE("unit") {
       CHECK(make_outline(turned, make_initial_particles(turned)).x ==
             make_outline(body, make_initial_particles(body)).x);
     }
-    // a rotation by 90° is exact to the bit
     const auto quarter = [&](double angle) {
       const Shape box = Box{{-0.01, -0.004, 0}, {0.01, 0.004, 0}};
       std::vector<Point> x =

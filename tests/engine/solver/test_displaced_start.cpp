@@ -101,7 +101,6 @@ SwingingErrors errors_over_period(int n, const Settings& given) {
     const double c = std::cos(omega * now.time), s = std::sin(omega * now.time);
     for (std::size_t i = 0; i < now.size(); ++i) {
       const Point X = now.initial(i), start = displaced(scene.bodies[0], X), v = now.velocity(i);
-      // sines along axes a and b, cosines along the others
       const auto product = [&](int a, int b) {
         double f = 1;
         for (int k = 0; k < 3; ++k) f *= k == a || k == b ? std::sin(wave * X[k]) : std::cos(wave * X[k]);
@@ -152,7 +151,6 @@ TEST_SUITE("unit") {
     Body& small = scene.bodies[1];
     small.name = "small";
     small.shapes = {Box{{0.05, 0, 0}, {0.054, 0.004, 0}}};
-    // half a cell off along both axes
     const auto starts = [&](double dx, double dy) {
       small.displacement = {constant(dx), constant(dy), {}};
       try {

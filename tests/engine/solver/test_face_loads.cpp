@@ -252,7 +252,6 @@ TEST_SUITE("analytic") {
       CAPTURE(std::string(method));
       const Snapshot now = at_rest(pulled_block(6, 1.5 * H, sigma, omega), method);
       for (std::size_t i = 0; i < now.size(); ++i) {
-        // to the order of the strain and of the residual motion
         REQUIRE(now.stress(i).xx == Approx(sigma(0)).epsilon(5e-4));
         REQUIRE(std::abs(now.stress(i).yy) < 5e-4 * sigma(0));
         REQUIRE(std::abs(now.stress(i).xy) < 5e-4 * sigma(0));

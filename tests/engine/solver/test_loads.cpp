@@ -129,7 +129,6 @@ TEST_SUITE("analytic") {
         for (std::size_t i = 0; i < now.size(); ++i) CHECK(now.v[3 * i + 1] == relative(v, 1e-9));
       }
     }
-    // the whole force acts on a part of any mass
     all.where = [](const Point& at) { return at[0] > 0.6 * length ? 1.0 : 0.0; };
     scene.bodies[0].loads = {all};
     for (const std::string method : {"oenog", "tl"}) {

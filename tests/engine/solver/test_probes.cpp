@@ -17,7 +17,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Two discs of different size on a collision course, initially in free flight.
 Scene two_discs(double gap, double speed) {
   const double dp = 0.001;
   Scene scene;
@@ -290,7 +289,6 @@ TEST_SUITE("unit") {
       for (std::size_t k = 0; k < held.size(); ++k) CHECK(driven[k] == relative(held[k]));
       CHECK(driven[0] > 0);
     }
-    // inside a driven body there is no free side
     Scene scene = two_discs(0.01, 0);
     scene.bodies[1].drives = {{.where = constant(1), .velocity = {}, .until = {}}};
     scene.probes = {at_point(Probe::Kind::stress, 1, {0.012, 0, 0}, 0)};
@@ -434,7 +432,7 @@ TEST_SUITE("unit") {
     const Point axis{2.0 / 3, -1.0 / 3, 2.0 / 3}, at{0.003, 0.004, -0.002};
     for (const double omega : {200.0, -200.0}) {
       CAPTURE(omega);
-      Scene scene = block({0.004, 0.004, 0.004});  // a cube rotates freely about any axis
+      Scene scene = block({0.004, 0.004, 0.004});
       for (std::size_t k = 0; k < 3; ++k)
         scene.bodies[0].velocity[k] = [=](const Point& x) {
           return omega * (axis[(k + 1) % 3] * x[(k + 2) % 3] - axis[(k + 2) % 3] * x[(k + 1) % 3]);
@@ -449,7 +447,6 @@ TEST_SUITE("unit") {
       const Series& series = simulation->series();
       CHECK(std::abs(series.value[0].front()) < 1e-15);
       CHECK(series.value[0].back() == relative(omega * series.time.back(), 1e-3));
-      // about z the point moves to and fro
       CHECK(std::abs(series.value[1].back() - omega * series.time.back()) > 0.1);
     }
   }

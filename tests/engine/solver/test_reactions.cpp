@@ -30,7 +30,6 @@ Probe component(Probe::Kind kind, std::vector<int> bodies, int axis) {
   return probe;
 }
 
-/// A block hanging from its clamped uppermost two layers.
 Scene hanging(int dim) {
   Scene scene;
   scene.dim = dim;
@@ -68,7 +67,6 @@ double summed(const Series& series, std::size_t probe) {
   return sum;
 }
 
-/// One method of each family that conserves linear momentum.
 const std::vector<std::string> two_dimensional = {"oas", "enog", "d-ulsph-av-as", "oenog", "tl", "pfj-jst"},
                                three_dimensional = {"enog", "oenog", "tl", "pfj-jst"};
 void for_each_method(const std::function<void(const std::string&, int)>& f) {

@@ -23,7 +23,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Adds every kind of probe; some change only when particles are sorted anew.
 void add_probes(Scene& scene) {
   scene.probes = {make_probe("speed", Probe::Kind::mean_velocity),
                   make_probe("gap", Probe::Kind::gap, {0, 1}),

@@ -69,7 +69,7 @@ TEST_SUITE("determinism") {
         make_steps(*straight, 30);
         const auto shown = make_simulation(scene, with_method(std::string(method.name)));
         for (int k = 1; k <= 7; ++k) {
-          const double t = straight->time() * (k / 7.0);  // the last one is the end of a step
+          const double t = straight->time() * (k / 7.0);
           shown->advance(t, t);
           CHECK(shown->time() < t);
           const long steps = shown->steps();

@@ -39,7 +39,6 @@ struct Neighbor {
   Vec2 x() const { return (-r) * e; }
 };
 
-/// Irregular particles on one side of the origin, as at a surface.
 std::vector<Neighbor> neighbors() {
   using K = Kernel<KernelName::wendland_c2>;
   std::mt19937 generator(5);

@@ -26,7 +26,6 @@ namespace {
 using Mat2 = Mat<double, 2>;
 using Sym2 = Sym<double, 2>;
 
-/// Irregular points around the origin with their volumes.
 struct Cloud {
   std::vector<Vec<double, 2>> x;
   std::vector<double> V;
@@ -51,7 +50,6 @@ struct Gradient {
   Sym2 moment{};
 };
 
-/// Gradient at the origin of the field v(x) = v0 + A x.
 Gradient gradient_of(const Cloud& cloud, const Vec<double, 2>& v0, const Mat2& A) {
   using K = Kernel<KernelName::wendland_c2>;
   const auto field = [&](const Vec<double, 2>& x) {

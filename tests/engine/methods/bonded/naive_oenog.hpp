@@ -258,7 +258,6 @@ class NaiveOenogIn {
       all.emplace_back(term.t, initial_.V0[i] * of_bonds(i) * term.weight);
     return all;
   }
-  /// s° along X with its derivatives by F.
   Number affine(const Point& X, const Duals& F) const {
     Number sum;
     for (int a = 0; a < Dim; ++a) {

@@ -263,7 +263,7 @@ TEST_SUITE("unit") {
         CHECK(std::abs(initial.x[i][0] + bonds.of(i, b).X[0]) < 1e-9 * scene.spacing);
       }
     }
-    CHECK(ends == 3 * 5 - 2);  // five rows; the outermost ones have two
+    CHECK(ends == 3 * 5 - 2);
   }
 
   TEST_CASE("bonds: the volumes add up to the body, and integrate y² better than those of the lattice") {

@@ -1,4 +1,3 @@
-// oenog: bodies that rotate about pinned particles, and clamps, which prevent rotation.
 
 #include <algorithm>
 #include <cmath>

@@ -152,7 +152,6 @@ bool same_bytes(const Snapshot& a, const Snapshot& b) {
          same(a.strain_energy, b.strain_energy);
 }
 
-/// Starts twisting about its axis by a quarter of a sine.
 Scene twisting_cantilever(int across) {
   Scene scene = square_cantilever(across);
   const auto rate = [](const Point& x) { return 5 * std::sin(std::numbers::pi * x[0] / 0.4); };  // rad/s
