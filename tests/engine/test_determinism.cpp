@@ -163,7 +163,7 @@ TEST_SUITE("determinism") {
     });
   }
 
-  TEST_CASE("stepping: dual and single are not the same run") {
+  TEST_CASE("stepping: dual and single stepping give different runs") {
     for_each_run([](const Scene& scene, const std::string& method) {
       const Snapshot dual = state_after(steps, scene, with_method(method, Stepping::dual));
       const Snapshot single = state_after(steps, scene, with_method(method, Stepping::single));

@@ -51,6 +51,6 @@ class BoundaryProjection {
 inline constexpr TermInfo boundary_projection_info{
     "boundary", "velocities nearest to those with v(X_B) = v_B, Σ V v and Σ V Z × v kept, where asked for",
     "[Lee2016] Appendix B", "methods/tl_mixed/boundary_projection.hpp:BoundaryProjection",
-    "boundary projection: velocities at boundary points are as prescribed, and both momenta are conserved"};
+    "boundary projection: boundary points get prescribed velocities, both momenta are conserved"};
 
 }  // namespace taut

@@ -93,7 +93,7 @@ inline constexpr Citation tranduc2023_citations[] = {
     {"artificial viscosity", "[TranDuc2023] §2.2", ""},
     {"artificial stress", "[TranDuc2023] §2.2", ""},
     {"time", "none stated: as in [Khayyer2024]",
-     "naive: updated-Lagrangian methods follow the transcription for a plate of two materials hit by a disc"},
+     "naive: updated-Lagrangian methods follow the transcription for a plate hit by a disc"},
 };
 
 /// The current-configuration methods of [TranDuc2023] §2.2, with its kernel of §2.1 and its penalty contact. The paper

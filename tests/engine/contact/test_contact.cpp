@@ -98,7 +98,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("penalty contact: two particles swing as on a spring, and keep their energy") {
+  TEST_CASE("penalty contact: two particles oscillate as on a spring and conserve their energy") {
     for (const char* method : {"og", "enog", "oenog"}) {
       CAPTURE(std::string(method));
       const double speed = 0.01 * ring_rubber().sound_speed();
@@ -125,8 +125,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE(
-      "contact: every law of every method stops two bodies and keeps their momentum as the method does") {
+  TEST_CASE("contact: every law stops two bodies and conserves their momentum if the method does") {
     Scene scene = small_collision();
     for (const MethodInfo& method : methods()) {
       for (const ContactLaw law : method.contact_laws) {

@@ -95,14 +95,14 @@ TEST_SUITE("unit") {
   TEST_CASE("facet pairs: the search by clusters finds the same pairs as brute force") {
     Bent bent;
     std::vector<int> order = bent.near.order();
-    SUBCASE("of one body") { bent.check<PairsOf::one_body>(order); }
-    SUBCASE("of two bodies") { bent.check<PairsOf::two_bodies>(order); }
-    SUBCASE("of some of the facets") {
+    SUBCASE("within one body") { bent.check<PairsOf::one_body>(order); }
+    SUBCASE("between two bodies") { bent.check<PairsOf::two_bodies>(order); }
+    SUBCASE("for a part of the facets") {
       std::erase_if(order, [](int f) { return f % 3 == 1; });
       bent.check<PairsOf::one_body>(order);
       bent.check<PairsOf::two_bodies>(order);
     }
-    SUBCASE("of those that are asked for") {
+    SUBCASE("for wanted pairs only") {
       const auto wanted = [](int f, int g) { return (f + g) % 2 == 0; };
       bent.check<PairsOf::one_body>(order, wanted);
       bent.check<PairsOf::two_bodies>(order, wanted);

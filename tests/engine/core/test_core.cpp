@@ -169,7 +169,7 @@ TEST_SUITE("unit") {
     CHECK(sum(m)(1, 0) == 10 * 6);
   }
 
-  TEST_CASE("pack: gathers and transposes four rows") {
+  TEST_CASE("pack: four rows are gathered and transposed") {
     check_gather<4>();
     check_gather<8>();
   }

@@ -45,7 +45,7 @@ void scale(std::vector<double>& values, double factor) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("balance: energies of one particle under pressure and shear") {
+  TEST_CASE("balance: one particle under pressure and shear has the exact energies") {
     const Scene scene = made_scene(2, 1, {unit_bulk()});  // K = 1, G = 1.5
     Snapshot now = made_snapshot(2, {{0, 0, 0}});
     now.m = {6};
@@ -109,7 +109,7 @@ TEST_SUITE("unit") {
     CHECK(sums.linear_momentum == Point{8, 10, 12});
   }
 
-  TEST_CASE("balance: sums of both signs keep what a plain sum loses") {
+  TEST_CASE("balance: sums of terms of both signs keep digits that a plain sum loses") {
     const Scene scene = made_scene(2, 1, {unit_bulk()});
     Snapshot now = made_snapshot(2, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}});
     now.v = {1, 0, 1e20, 0, 1, 0, -1e20, 0};

@@ -384,7 +384,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("og zigzags where enog does not [Zhang2024] Figs. 12, 13") {
+  TEST_CASE("og has zigzags where enog has none [Zhang2024] Figs. 12, 13") {
     const Scene scene = test::colliding_rings(0.06, 0.002);
     const auto at_three = [&](const char* method) {
       const auto simulation = make_simulation(scene, test::with_method(method));

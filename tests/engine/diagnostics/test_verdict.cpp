@@ -89,7 +89,7 @@ TEST_SUITE("unit") {
           }) == Verdict::stable);
   }
 
-  TEST_CASE("judge: bent to a radius of one spacing rows read above the threshold, to two far below it") {
+  TEST_CASE("judge: rows bent to a radius of one spacing exceed the threshold, to two stay far below") {
     const Scene scene = one_body(2);
     const auto reading = [&](int rows, double radius) {
       const Snapshot start = lattice(2, 40, rows);

@@ -95,7 +95,7 @@ TEST_SUITE("unit") {
     CHECK(std::ranges::any_of(layout.x, [](const Point& x) { return x[0] > 4 && std::abs(x[1]) < 1; }));
   }
 
-  TEST_CASE("layout: a body is laid on its lattice and then rotated") {
+  TEST_CASE("layout: a body is filled on its lattice and then rotated") {
     Scene scene = one_body(3, 0.5, {Box{{0, 0, 0}, {3, 2, 1}}});
     const InitialParticles straight = make_initial_particles(scene);
     scene.bodies[0].rotation = Rotation{{0, 0, 1}, {0, 0, 0}, 90};
@@ -156,7 +156,7 @@ TEST_SUITE("unit") {
     CHECK(holds(error_of(flat), "give the total force as 'force'"));
   }
 
-  TEST_CASE("layout: with particles on its faces a box has its own volume, centre and moments of inertia") {
+  TEST_CASE("layout: a box with particles on its faces has its exact volume, centre and moments of inertia") {
     for (const int cells : {1, 2, 3, 4, 7}) {
       CAPTURE(cells);
       const double side[3] = {1.0 * cells, 3, 2}, volume = side[0] * 6;

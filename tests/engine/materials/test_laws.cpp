@@ -252,7 +252,7 @@ TEST_SUITE("term") {
     CHECK(greatest(minus(P, slope_of_energy(turned, F))) > 0.1 * greatest(P));
   }
 
-  TEST_CASE("laws: P Fᵀ/J is the Cauchy stress, symmetric") {
+  TEST_CASE("laws: P Fᵀ/J is the symmetric Cauchy stress") {
     const auto check = [](const auto& law) {
       check_cauchy<2>(law);
       check_cauchy<3>(law);

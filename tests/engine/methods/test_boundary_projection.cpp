@@ -145,9 +145,7 @@ double greatest_miss(const Scene& scene, const Snapshot& now, double h) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE(
-      "boundary projection: velocities at boundary points are as prescribed, and both momenta are "
-      "conserved") {
+  TEST_CASE("boundary projection: boundary points get prescribed velocities, both momenta are conserved") {
     for (const int dim : {2, 3}) {
       for (const double jitter : {0.0, 0.15}) {
         CAPTURE(dim);

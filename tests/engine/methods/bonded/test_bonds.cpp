@@ -266,7 +266,7 @@ TEST_SUITE("unit") {
     CHECK(ends == 3 * 5 - 2);
   }
 
-  TEST_CASE("bonds: the volumes add up to the body, and integrate y² better than those of the lattice") {
+  TEST_CASE("bonds: volumes sum to the body's and integrate y² better than lattice volumes") {
     Scene scene = small_clamped_plate();
     scene.bodies.pop_back();
     scene.bodies[0].held = {};
@@ -285,7 +285,7 @@ TEST_SUITE("unit") {
     CHECK(std::abs(corrected - exact) < 0.4 * std::abs(lattice - exact));
   }
 
-  TEST_CASE("bonds: at a face volume goes outwards with a first moment of dp²/24 of the face") {
+  TEST_CASE("bonds: volume is shifted towards faces with a first moment of dp²/24") {
     // the midpoint rule lacks dp²/24 of the slope at each face
     Scene scene = small_clamped_plate();
     scene.bodies.pop_back();
@@ -407,7 +407,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("bond: zigzags of a square lattice are resisted from 0.72 on all sides to a pull of 1.9") {
+  TEST_CASE("bond: zigzags of a square lattice are stiff from a compression to 0.72 to a stretch of 1.9") {
     for (const double lambda : {1.0, 1.2, 1.5, 1.9})
       CHECK(zigzag_stiffness(gradient(lambda, 0, 0, std::pow(lambda, -0.9))) > 0.3);
     for (const double lambda : {0.9, 0.8, 0.72}) {

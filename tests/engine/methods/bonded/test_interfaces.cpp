@@ -114,7 +114,7 @@ TEST_SUITE("analytic") {
     const double strain = 1e-6;  // small enough to neglect second order
     for (const double ratio : {2.0, 10.0}) {
       CAPTURE(ratio);
-      SUBCASE("pulled, one behind the other") {
+      SUBCASE("in series under tension") {
         const double nu = matched(ratio), M = plane_modulus(soft, nu);
         Scene scene = bar(ratio, nu, 0, 0.001);
         const double of_stiff = M / plane_modulus(soft * ratio, nu_stiff);
@@ -124,7 +124,7 @@ TEST_SUITE("analytic") {
         scene.bodies[0].displacement[1] = [=](const Point& x) { return -strain * nu / (1 - nu) * x[1]; };
         CHECK(force_left(scene, strain * M) < 1e-4);
       }
-      SUBCASE("pulled, side by side") {
+      SUBCASE("in parallel under tension") {
         Scene scene = bar(ratio, nu_stiff, 1, 0.001);
         scene.bodies[0].displacement[0] = [=](const Point& x) { return strain * x[0]; };
         scene.bodies[0].displacement[1] = [=](const Point& x) {
@@ -132,7 +132,7 @@ TEST_SUITE("analytic") {
         };
         CHECK(force_left(scene, strain * plane_modulus(soft, nu_stiff)) < 1e-4);
       }
-      SUBCASE("sheared") {
+      SUBCASE("under shear") {
         Scene scene = bar(ratio, 0.3, 0, 0.001);
         const double G = soft / 2 / 1.3, of_stiff = G / (soft * ratio / 2 / (1 + nu_stiff));
         scene.bodies[0].displacement[1] = [=](const Point& x) {

@@ -342,7 +342,7 @@ std::size_t middle_of(const Snapshot& now) {
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("oenog: pressure, stress and density shown are the neo-Hookean ones of the deformation") {
+  TEST_CASE("oenog: output pressure, stress and density are neo-Hookean") {
     const Material rubber = ring_rubber();
     const double rate = rubber.sound_speed() / 0.01, K = rubber.bulk_modulus(), G = rubber.shear_modulus();
     Mat<double, 2> drawn, pressed, shut;
