@@ -67,7 +67,8 @@ const std::map<std::string, double> least_angular_change = {
     {"tl-small-strain", 0.002},
 };
 
-/// Of a collision. ccb is undamped in tension and pf in zigzags; tl-small-strain has the error of the step.
+/// Greatest relative gain in a collision. ccb is undamped in tension, pf in zigzags; tl-small-strain has the step's
+/// error.
 double greatest_energy_gain(std::string_view method) {
   if (method == "ccb") return 0.2;
   if (method == "pf") return 5;

@@ -257,7 +257,7 @@ TEST_SUITE("unit") {
         scene.bodies[1].shapes = {Disc{{centre, 0, 0}, 0.006}};
         return state_after(10, scene, with_method(std::string(method.name))).v;
       };
-      const std::vector<double> beside = velocities(0.0069);  // 2 spacings away, within the kernel's support
+      const std::vector<double> beside = velocities(0.0069);
       const std::vector<double> alone = velocities(0.1);
       double difference = 0;
       for (std::size_t k = 0; k < alone.size(); ++k)

@@ -292,7 +292,6 @@ TEST_SUITE("conservation") {
   }
 
   TEST_CASE("contact of faces: colliding tips neither interpenetrate nor create energy") {
-    // a U whose arms clap shut
     Scene claps = scene_of({Box{{-0.01, -0.02, 0}, {0, 0.02, 0}}});
     claps.bodies[0].shapes.push_back(Box{{0, 0.01, 0}, {0.08, 0.02, 0}});
     claps.bodies[0].shapes.push_back(Box{{0, -0.02, 0}, {0.08, -0.01, 0}});

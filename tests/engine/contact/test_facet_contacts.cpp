@@ -168,7 +168,7 @@ TEST_SUITE("conservation") {
   TEST_CASE("contact of faces: in 3D forces are the slope of the energy, and their sum and moment vanish") {
     const Box low{{-0.004, 0, 0}, {0, 0.006, 0.006}};
     Scene on_edge = scene_of({low, Box{{0, 0.003, 0.0017}, {0.004, 0.007, 0.0057}}});
-    on_edge.bodies[1].rotation = Rotation{{0, 0, 1}, {0, 0.003, 0}, -25};  // one side is 65° from facing
+    on_edge.bodies[1].rotation = Rotation{{0, 0, 1}, {0, 0.003, 0}, -25};
     const Scene rims = scene_of({low, Box{{0, 0.0023, -0.0017}, {0.004, 0.0083, 0.0043}}});
     Scene hard_in_part = rims;
     hard_in_part.materials.push_back(ring_rubber());
@@ -189,7 +189,7 @@ TEST_SUITE("conservation") {
     for (auto& [name, bodies, depth] : cases) {
       CAPTURE(name);
       bodies.shift(1, {-depth * dp, 0, 0});
-      for (V& x : bodies.s.x) {  // breaks all symmetry
+      for (V& x : bodies.s.x) {
         const Point at{x[0], x[1], x[2]}, across{x[1], x[2], x[0]};
         x += 0.03 * dp * V{shake(at, 7 * dp), shake(across, 5 * dp), shake({x[2], x[0], x[1]}, 6 * dp)};
       }
@@ -338,7 +338,7 @@ TEST_SUITE("failure") {
     const double side = 6 * dp, drop = 0.2 * dp, root = 1 / std::sqrt(2.0);
     struct Landing {
       Rotation turn;
-      double reach;  // of the cube below its centre
+      double reach;
     };
     const Landing on_corner{
         {{root, -root, 0}, {0, 0, 0}, std::acos(1 / std::sqrt(3.0)) * 180 / std::numbers::pi},

@@ -149,7 +149,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("tensor: the inverse of a singular tensor is 0") {
-    Sym<double, 2> line{};  // neighbours in one direction only
+    Sym<double, 2> line{};
     add_outer(line, 0.3, Vec<double, 2>{0.6, 0.8});
     for (const Sym<double, 2>& a : {Sym<double, 2>{0, 0, 0}, line}) {
       const Sym<double, 2> b = inverse(a);

@@ -147,8 +147,7 @@ TEST_SUITE("unit") {
       two.diameter.push_back(0.1), two.body.push_back(1);
     }
     std::vector<double> now = two.x;
-    for (std::size_t i = one.x.size(); i < now.size(); i += 2)
-      now[i + 1] += 0.03;  // one body slides along the other
+    for (std::size_t i = one.x.size(); i < now.size(); i += 2) now[i + 1] += 0.03;
     const CellShapes shapes = two.cells(2).at(now);
     for (std::size_t i = 0; i < shapes.particle.size(); ++i) CHECK(has_edge(shapes, i, 2, {0.1, 0, 0}));
   }

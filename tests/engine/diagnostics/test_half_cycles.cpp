@@ -38,7 +38,6 @@ TEST_SUITE("unit") {
   TEST_CASE("period: a step exactly at zero counts once, and a touch does not count") {
     expect(value("period", {0, 1, 2, 3, 4, 5}, {0, 1, 0, -1, 0, 1}), 4);
     expect(value("period", {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 0, 1, -1, 0, -1, 1}), 6.5);
-    // round-off is no crossing either
     expect(value("period", {0, 1, 2, 3, 4, 5, 6}, {-1e-18, 1, -1e-17, 1, 0, -1, 1}), 5.5);
     expect(value("period", {0, 1, 2, 3, 4, 5}, {0, 1, -1, 0.9e-9, 1.1e-9, 1}), 3);
     CHECK_FALSE(value("period", {0, 1, 2, 3}, {0, 0, 0, 0}));

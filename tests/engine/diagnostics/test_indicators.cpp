@@ -167,7 +167,7 @@ TEST_SUITE("unit") {
     shift_right(dp);
     const Map apart = [](const Point& X) { return Point{X[0] + (X[0] > 0 ? 5 * dp : 0), X[1], 0}; };
     CHECK(hourglass_error(body, apart) < 1e-12);
-    shift_right(-dp);  // as one body it is torn
+    shift_right(-dp);
     CHECK(hourglass_error(body, apart) > 0.1);
   }
 
@@ -177,7 +177,7 @@ TEST_SUITE("unit") {
     const auto zigzag = [=](int along_x, int along_y, const Point& e) -> Map {
       return [=](const Point& X) {
         const double s = a * sign(X, dp, along_x, along_y);
-        const Point x = bent(1)(X);  // a smooth background changes nothing
+        const Point x = bent(1)(X);
         return Point{x[0] + s * e[0], x[1] + s * e[1], 0};
       };
     };

@@ -87,7 +87,6 @@ void put_cube(Snapshot& now, double right, double up) {
   }
 }
 
-/// Rotates about x by `angle`, then about z.
 void turn_all(Snapshot& now, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -165,7 +164,7 @@ TEST_SUITE("unit") {
     const Snapshot start = hairpin(1e9);
     Penetration penetration(start, dp);
     CHECK(penetration(start) == 0);
-    CHECK(penetration(hairpin(2.5 * dp)) == 0);  // halves a spacing apart
+    CHECK(penetration(hairpin(2.5 * dp)) == 0);
     CHECK(penetration(hairpin(2.1 * dp)) == 0);
     CHECK(penetration(hairpin(1.2 * dp)) > 0);
   }
@@ -219,7 +218,7 @@ TEST_SUITE("unit") {
           put_cube(now, right, up);
           turn_all(now, turn);
           CHECK(penetration(now) == 0);
-          for (std::size_t i = 0; i < now.size(); ++i) {  // pressed into a bowl of radius 10 dp
+          for (std::size_t i = 0; i < now.size(); ++i) {
             const Point X = start.initial(i);
             now.x[3 * i + 2] += ((X[0] - 0.4) * (X[0] - 0.4) + (X[1] - 0.4) * (X[1] - 0.4)) / (20 * dp);
           }

@@ -113,7 +113,7 @@ TEST_SUITE("unit") {
     Snapshot now = lattice(2, 6, 1);
     Judge judge(scene, now, support, searched);
     CHECK(judge.pieces() == 1);
-    part(now, 2.5 * dp, 1.59 * dp);  // a bond of 2.59 dp
+    part(now, 2.5 * dp, 1.59 * dp);
     observe(judge, now, scene, 1);
     CHECK(judge.pieces() == 1);
     CHECK(judge.verdict() == Verdict::stable);
@@ -243,7 +243,6 @@ TEST_SUITE("unit") {
       CHECK(judge.verdict() == Verdict::fractured);
       CHECK(judge.pieces() == 2);
     }
-    // two particles have no stretched surroundings
     const Scene scene = one_body(2);
     Snapshot two = lattice(2, 2, 1);
     Judge judge(scene, two, support, kept);

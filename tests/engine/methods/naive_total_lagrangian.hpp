@@ -1,8 +1,8 @@
 #pragma once
 
 // Transcriptions of total-Lagrangian methods, by pairs:
-//   tl               [Lee2016] Eq. 21 (corrected gradient), 29c (internal force), 34 (F), 8–12 (neo-Hookean, P by Σ_F,
-//                    Σ_J, H)
+//   tl               [Lee2016] Eq. 21 (corrected gradient), 29c (internal force), 34 (F), 8–12 (neo-Hookean, P by
+//                    Σ_F, Σ_J, H)
 //   icb              [TranDuc2023] §2.3: N, F, ε, σ⁰, iteration for R, acceleration
 //   tl-small-strain  [Zhang2020] Eq. 3, 4, 7–9, sums of Eq. 7 and 9 normalised consistently with an energy
 // In 3D R is the polar rotation by singular values. tl also has the St Venant–Kirchhoff and linear laws. Contact:

@@ -112,7 +112,7 @@ TEST_SUITE("conservation") {
       Settings settings = with_method(std::string(method.name));
       settings.cfl = 0.1;
       const auto simulation = make_simulation(scene, settings);
-      const double at_rest = energy(balance(simulation->snapshot(), scene));  // round-off of strains
+      const double at_rest = energy(balance(simulation->snapshot(), scene));
       simulation->advance_to(push);
       const Balance driven = balance(simulation->snapshot(), scene);
       CHECK(driven.work > 1e9 * at_rest);

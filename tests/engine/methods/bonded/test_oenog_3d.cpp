@@ -50,7 +50,7 @@ Scene clamped_block(int x, int y, int z) {
   scene.bodies[0].held = [](const Point& X) { return X[0] < 0 ? 1.0 : 0.0; };
   return scene;
 }
-/// Particles lie on its faces, of which x = 0 is clamped.
+/// Particles lie on its faces; the face x = 0 is clamped.
 Scene block_on_faces(int x, int y, int z) {
   Scene scene = block(x, y, z);
   scene.bodies[0].on_boundary = true;
