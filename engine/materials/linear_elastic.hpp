@@ -41,7 +41,7 @@ struct LawOf<Law::linear_elastic> : LinearElastic {
       .material_law = "linear_elastic",
       .term = {"stress", "P = 2G dev ε + K tr ε I, ε = ½ (F + Fᵀ) − I", "[Zhang2020] Eq. 3, 4",
                "materials/linear_elastic.hpp:piola",
-               "laws: no stress at rest, Hooke's law for small strains"},
+               "laws: the stress is zero at rest and Hooke's for small strains"},
   };
 };
 

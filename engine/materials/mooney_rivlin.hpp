@@ -113,7 +113,7 @@ struct LawOf<Law::mooney_rivlin> : MooneyRivlin {
       .term = {"stress",
                "P = 2ζ j^(−2/3) F + 3ξ j^(−2) |H| H ⨯ F + (K (J − 1) + Σ_j) H, H = cof F, j = det F",
                "[Lee2016] Eq. 8–12", "materials/mooney_rivlin.hpp:piola",
-               "laws: no stress at rest, Hooke's law for small strains"},
+               "laws: the stress is zero at rest and Hooke's for small strains"},
       .parameters = share,
   };
 };

@@ -73,7 +73,7 @@ struct LawOf<Law::neo_hookean> : NeoHookean {
       .material_law = "neo_hookean",
       .term = {"stress", "P = G j^(−2/3) F + (K (J − 1) − G/3 j^(−5/3) F:F) H, H = cof F, j = det F",
                "[Lee2016] Eq. 8–12", "materials/neo_hookean.hpp:piola",
-               "laws: no stress at rest, Hooke's law for small strains"},
+               "laws: the stress is zero at rest and Hooke's for small strains"},
   };
 };
 

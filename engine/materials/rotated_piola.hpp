@@ -117,7 +117,8 @@ struct LawOf<Law::rotated_piola> : RotatedPiola {
       .choice = "",
       .material_law = "neo_hookean",
       .term = {"stress", "P = R (2G dev E + K tr E I), F = R U, E = ½ (FᵀF − I)", "[TranDuc2023] §2.3",
-               "materials/rotated_piola.hpp:piola", "laws: no stress at rest, Hooke's law for small strains"},
+               "materials/rotated_piola.hpp:piola",
+               "laws: the stress is zero at rest and Hooke's for small strains"},
   };
 };
 

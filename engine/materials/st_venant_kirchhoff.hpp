@@ -42,7 +42,7 @@ struct LawOf<Law::st_venant_kirchhoff> : StVenantKirchhoff {
       .material_law = "st_venant_kirchhoff",
       .term = {"stress", "P = F (2G dev E + K tr E I), E = ½ (FᵀF − I)", "textbook",
                "materials/st_venant_kirchhoff.hpp:piola",
-               "laws: no stress at rest, Hooke's law for small strains"},
+               "laws: the stress is zero at rest and Hooke's for small strains"},
   };
 };
 

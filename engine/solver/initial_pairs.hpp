@@ -114,15 +114,14 @@ class PairLanes {
 inline constexpr TermInfo deformation_info{
     "deformation", "F = I + Σ_j (u_j − u_i) ⊗ k_ij B_i, k_ij = V_i V_j ∇W of the start", "[Lee2016] Eq. 34",
     "solver/initial_pairs.hpp:difference_sum",
-    "pairs of the start: antisymmetric, within a body, gradients of linear fields exact"};
+    "initial pairs: pairs are antisymmetric, within one body, and exact for linear fields"};
 inline constexpr TermInfo deformation_rate_info{
     "deformation", "dF/dt = Σ_j (v_j − v_i) ⊗ k_ij B_i, k_ij = V_i V_j ∇W of the start", "[Lee2016] Eq. 33a",
     "solver/initial_pairs.hpp:difference_sum",
-    "pairs of the start: antisymmetric, within a body, gradients of linear fields exact"};
+    "initial pairs: pairs are antisymmetric, within one body, and exact for linear fields"};
 inline constexpr TermInfo internal_force_info{
     "internal force", "f_i = Σ_j (V_i P_i B_i + V_j P_j B_j) k_ij", "[Lee2016] Eq. 29c",
-    "solver/initial_pairs.hpp:pair_sum",
-    "pairs of the start: the force is minus the derivative of the energy"};
+    "solver/initial_pairs.hpp:pair_sum", "initial pairs: the force is minus the derivative of the energy"};
 
 /// Correction B:
 /// - corrected: B_i = [Σ_j (X_j − X_i) ⊗ k_ij]⁻¹, exact for linear fields. [Lee2016] Eq. 21, [TranDuc2023] §2.3

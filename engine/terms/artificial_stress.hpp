@@ -33,15 +33,15 @@ inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
 inline constexpr TermInfo repulsion_info{
     "artificial stress", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺", "[Khayyer2024] Eq. 17–21",
     "terms/artificial_stress.hpp:positive_part",
-    "artificial stress: the positive part against principal stresses chosen by hand"};
+    "artificial stress: the positive part is that of given principal stresses"};
 inline constexpr TermInfo corrected_repulsion_info{
     "artificial stress", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺",
     "[Khayyer2024] Eq. 18–21, 31", "terms/artificial_stress.hpp:positive_part",
-    "artificial stress: the positive part against principal stresses chosen by hand"};
+    "artificial stress: the positive part is that of given principal stresses"};
 inline constexpr TermInfo surface_repulsion_info{
     "artificial stress, at surfaces", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺",
     "[Khayyer2024] Eq. 18–21, 31", "terms/artificial_stress.hpp:positive_part",
-    "artificial stress: the positive part against principal stresses chosen by hand"};
+    "artificial stress: the positive part is that of given principal stresses"};
 
 /// R = −ε σ⁺/ρ², Pa m⁶/kg²
 template <int Dim>
@@ -58,6 +58,6 @@ Vec<T, Dim> artificial_stress_term(const Sym<T, Dim>& R_i, const Sym<T, Dim>& R_
 inline constexpr TermInfo artificial_stress_info{
     "artificial stress", "dv/dt = Σ m_j (R_i + R_j) (W/W(dp))ⁿ·∇W, R = −ε σ⁺/ρ²",
     "[Zhang2024] §6, Gray et al. 2001", "terms/artificial_stress.hpp:artificial_stress_term",
-    "artificial stress: pushes a stretched pair apart, the more the closer it is"};
+    "artificial stress: a stretched pair is repelled, more strongly when closer"};
 
 }  // namespace taut

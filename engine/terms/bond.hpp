@@ -44,7 +44,7 @@ T bond_slope(const T& s) {
 inline constexpr TermInfo bond_force_info{
     "bond force", "f_i = Σ_j k_ij φ′(λ_ij)/λ_ij (x_j − x_i), φ = (2λ⁴ − 3λ² + λ⁻²)/24",
     "ours, from [Zhang2024] Eq. 20", "terms/bond.hpp:bond_slope",
-    "bond: the slopes are those of the energies, and rise"};
+    "bond: slopes are the derivatives of the energies and increase"};
 
 /// φ″(λ) without the offset; with it φ″ = 1 at rest.
 inline constexpr double bond_stiffness_offset = -0.25;
@@ -141,6 +141,6 @@ struct ClosedNeoHookean {
 };
 inline constexpr TermInfo stress_info{"stress", "f_i = Σ_j (T_i g_ij − T_j g_ji)", "ours",
                                       "terms/bond.hpp:ClosedNeoHookean",
-                                      "bond: the slopes are those of the energies, and rise"};
+                                      "bond: slopes are the derivatives of the energies and increase"};
 
 }  // namespace taut

@@ -15,7 +15,7 @@ void add_gradient_moment(Sym<T, Dim>& M, const T& V_j, const T& dW, const T& r, 
 inline constexpr TermInfo stress_recovery_info{
     "stress shown", "s = ∫ 2G dev D + rotation dt, corrected gradient", "[Zhang2024] Eq. 26, 27",
     "terms/gradient_correction.hpp:add_gradient_moment",
-    "velocity gradient: exact for a linear field after correction, on irregular particles"};
+    "velocity gradient: a linear field on irregular particles is exact after correction"};
 
 /// Least det M/(tr M)^Dim, ¼ (3D: 1/27) inside a lattice: M⁻¹ grows without limit as neighbours become collinear (3D:
 /// coplanar).
@@ -32,6 +32,6 @@ Sym<double, Dim> gradient_correction(const Sym<double, Dim>& M) {
 inline constexpr TermInfo gradient_correction_info{
     "gradient correction", "L = (−Σ V_j r_ij ⊗ ∇W)⁻¹", "[Khayyer2024] §3.1",
     "terms/gradient_correction.hpp:gradient_correction",
-    "gradient correction: exact for a linear field at a surface, and far off without"};
+    "gradient correction: a linear field is exact at a surface, and far off without correction"};
 
 }  // namespace taut

@@ -31,7 +31,7 @@ inline constexpr ContactLawRow penalty_contact{
     .help = "spring with a stiffness from the bulk modulus, [TranDuc2023] Eq. 2.13 to 2.15",
     .term = {"contact", "f = s K1 K2/(K1 + K2) dp^(d−2) (dp − r) between bodies", "[TranDuc2023] Eq. 2.13",
              "terms/penalty_contact.hpp:penalty_force",
-             "penalty contact: none from one spacing on, and the slope of its energy"},
+             "penalty contact: the force is the slope of the energy and vanishes beyond one spacing"},
     .between = ContactBetween::particles,
     .force = penalty_force,
     .energy = penalty_energy,

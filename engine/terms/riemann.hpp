@@ -31,9 +31,9 @@ template <class T>
 T compression_term(const T& V_j, const T& dW, const T& closing_speed) {
   return -V_j * dW * closing_speed;
 }
-inline constexpr TermInfo compression_info{
-    "continuity", "dρ/dt = ρ_i Σ V_j v_ij·∇W", "[Zhang2024] Eq. 11", "terms/riemann.hpp:compression_term",
-    "riemann: what closes grows denser, whatever the order of the pair"};
+inline constexpr TermInfo compression_info{"continuity", "dρ/dt = ρ_i Σ V_j v_ij·∇W", "[Zhang2024] Eq. 11",
+                                           "terms/riemann.hpp:compression_term",
+                                           "riemann: approaching pairs grow denser, whatever their order"};
 
 /// Pressure part of U*, 1/s. [Zhang2024] Eq. 11. By default share = 0, as in the authors' program, since it diffuses
 /// pressure gradients and softens bending.

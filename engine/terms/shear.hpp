@@ -13,7 +13,7 @@ Vec<T, Dim> nested_shear_term(const Sym<T, Dim>& s_i, const Sym<T, Dim>& s_j, co
 }
 inline constexpr TermInfo nested_shear_info{"shear force", "dv/dt = Σ m_j (s_i + s_j)/(ρ_i ρ_j)·∇W",
                                             "[Zhang2024] Eq. 13", "terms/shear.hpp:nested_shear_term",
-                                            "force: what j does to i, i does to j in the other direction"};
+                                            "force: the forces of j on i and of i on j are opposite"};
 
 /// Term j of a sum that times ζ is ∇²v, 1/(m s). [Zhang2024] Eq. 19. Rigid rotation gives 0. In the continuum it is
 /// (∇²v + 2 ∇∇·v)/(d + 2): ζ = d + 2 would be consistent, the published 0.7 d + 2.1 is calibrated, and ∇∇·v adds bulk

@@ -15,14 +15,14 @@ Vec<T, Dim> stress_divergence_term(const Mat<T, Dim>& T_i, const Mat<T, Dim>& T_
 inline constexpr TermInfo stress_divergence_info{
     "stress divergence", "dv/dt = Σ m_j (σ_i + σ_j)/(ρ_i ρ_j)·∇W", "[Khayyer2024] Eq. 9",
     "terms/stress_divergence.hpp:stress_divergence_term",
-    "stress divergence: equal and opposite, and the pull of tension is towards the other"};
+    "stress divergence: forces are opposite, and tension attracts"};
 inline constexpr TermInfo corrected_divergence_info{
     "stress divergence", "dv/dt = Σ m_j (σ_i·L_i + σ_j·L_j)/(ρ_i ρ_j)·∇W", "[Khayyer2024] Eq. 28",
     "terms/stress_divergence.hpp:stress_divergence_term",
-    "stress divergence: equal and opposite, and the pull of tension is towards the other"};
+    "stress divergence: forces are opposite, and tension attracts"};
 inline constexpr TermInfo divergence_of_squares_info{
     "stress divergence", "dv/dt = Σ m_j (σ_i/ρ_i² + σ_j/ρ_j²)·∇W", "[TranDuc2023] Eq. 2.3",
     "terms/stress_divergence.hpp:stress_divergence_term",
-    "stress divergence: equal and opposite, and the pull of tension is towards the other"};
+    "stress divergence: forces are opposite, and tension attracts"};
 
 }  // namespace taut

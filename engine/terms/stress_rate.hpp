@@ -34,9 +34,10 @@ Sym<double, 2> jaumann_rate(const Mat<double, 2>& L, const Sym<double, 2>& s, do
   return {2 * G * (L(0, 0) - mean) + turned, G * (L(0, 1) + L(1, 0)) + 0.5 * spin * (s(1, 1) - s(0, 0)),
           2 * G * (L(1, 1) - mean) - turned};
 }
-inline constexpr TermInfo jaumann_rate_info{"stress rate", "ds/dt = 2G (D − tr D/d I) + ω s − s ω",
-                                            "[Zhang2024] Eq. 7", "terms/stress_rate.hpp:jaumann_rate",
-                                            "stress rate: by hand for stretch and shear, for both deviators"};
+inline constexpr TermInfo jaumann_rate_info{
+    "stress rate", "ds/dt = 2G (D − tr D/d I) + ω s − s ω", "[Zhang2024] Eq. 7",
+    "terms/stress_rate.hpp:jaumann_rate",
+    "stress rate: stretch and shear give the values by hand for both deviators"};
 
 /// Stress after dt, s → R s Rᵀ + 2G (D − tr D/n I) dt, R = (I − ½ dt ω)⁻¹ (I + ½ dt ω). A rigid rotation keeps the
 /// size of s. Departure: with [Khayyer2024] Eq. 24 s grows by 1 + 2 (ω dt)² per step.
@@ -53,6 +54,6 @@ Sym<double, 2> turned_stress(const Mat<double, 2>& L, const Sym<double, 2>& s, d
 inline constexpr TermInfo turned_stress_info{
     "stress rate", "ds/dt = 2G (D − tr D/3 I) + ω s − s ω", "[Khayyer2024] Eq. 6, 7",
     "terms/stress_rate.hpp:turned_stress",
-    "turned stress: a rigid turn of any size in one step turns it and keeps its size"};
+    "rotated stress: a rigid rotation in one step rotates it and keeps its magnitude"};
 
 }  // namespace taut

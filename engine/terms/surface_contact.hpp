@@ -43,7 +43,7 @@ inline constexpr ContactLawRow surface_contact{
         {"contact",
          "f = ½ k δ A on a piece of a face δ behind another face, k = ½ s M1 M2/(M1 + M2)/dp, M = K + 4G/3",
          "ours", "terms/surface_contact.hpp:surface_force",
-         "surface contact: none before faces meet, and the slope of its energy"},
+         "surface contact: the force is zero before faces meet and then the slope of the energy"},
     .between = ContactBetween::faces,
     .touching = 0,
 };

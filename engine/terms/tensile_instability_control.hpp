@@ -15,7 +15,7 @@ T colour_term(const T& W, const T& V_j) {
 inline constexpr TermInfo surface_info{
     "surface", "C = Σ W V_j < 0.9, and particles within 1.2 dp of them", "[Khayyer2024] Eq. 52",
     "terms/tensile_instability_control.hpp:colour_term",
-    "colour function: 1 inside a lattice, below 0.9 on its face, above one row deeper"};
+    "colour function: the value is 1 inside a lattice, below 0.9 on its face, above one row deeper"};
 
 /// Force per volume, N/m³.
 inline Vec<double, 2> tensile_control(const Mat<double, 2>& R_L, const Vec<double, 2>& sum_V_gradient) {
@@ -24,6 +24,6 @@ inline Vec<double, 2> tensile_control(const Mat<double, 2>& R_L, const Vec<doubl
 inline constexpr TermInfo tensile_control_info{
     "tensile control, inside", "dv/dt = Σ m_j 2 R_i·L_i/(ρ_i ρ_j)·∇W, R = −σ⁺", "[Khayyer2024] Eq. 49–51",
     "terms/tensile_instability_control.hpp:tensile_control",
-    "tensile control: turns the sum of equal tensions into their difference"};
+    "tensile control: the sum of equal tensions becomes their difference"};
 
 }  // namespace taut

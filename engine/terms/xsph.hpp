@@ -13,6 +13,6 @@ Vec<T, Dim> xsph_term(const Vec<T, Dim>& v_ij, const T& rho_i, const T& rho_j, c
 inline constexpr TermInfo xsph_info{
     "transport velocity", "û = u + ε Σ 2 m_j/(ρ_i + ρ_j) (u_j − u_i) W", "[Khayyer2024] Eq. 14",
     "terms/xsph.hpp:xsph_term",
-    "xsph: momentum stays, and so does angular momentum, of the transported motion"};
+    "xsph: momentum and the angular momentum of the transported motion are conserved"};
 
 }  // namespace taut

@@ -56,7 +56,7 @@ template <bool WithEnergy, int Dim, class Storage>
 inline constexpr TermInfo bonded_damping_info{
     "damping", "f_i = Σ_j k_ij τ q̇_ij (x_j − x_i), q = ½ (λ² − 1), τ = damping dp √(ρ0/G)", "ours",
     "methods/bonded/bond_sums.hpp:bond_sums",
-    "oenog: the damping takes a zigzag away and leaves the first mode alone"};
+    "oenog: damping removes a zigzag and leaves the first mode unchanged"};
 
 /// Adds Σ_j (Q_i + Q_j) a_ij to `f`.
 template <int Dim, class Storage>

@@ -10,7 +10,7 @@ namespace {
 
 constexpr TermInfo time_info{"time", "position Verlet, one step", "[Zhang2020] Eq. 10, 11",
                              "methods/tl_displacement/solver.cpp:step",
-                             "total Lagrangian: a ring and a disc that collide"};
+                             "total Lagrangian: a colliding ring and disc follow the transcription"};
 
 }  // namespace
 

@@ -46,6 +46,6 @@ class BoundaryProjection {
 inline constexpr TermInfo boundary_projection_info{
     "boundary", "velocities nearest to those with v(X_B) = v_B, Σ V v and Σ V Z × v kept, where asked for",
     "[Lee2016] Appendix B", "methods/tl_mixed/boundary_projection.hpp:BoundaryProjection",
-    "boundary projection: prescribed velocities where the kernel looks, both momenta kept"};
+    "boundary projection: boundary points get prescribed velocities, both momenta are conserved"};
 
 }  // namespace taut

@@ -68,7 +68,7 @@ std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
 inline constexpr TermInfo corrected_laplacian_info{
     "dissipation", "D(U) = c_p dp (ε₂ L[U] − ε₄ dp² L*[L[U]]), L corrected", "[Lee2016] Eq. 36, 37, A.1–A.5",
     "methods/tl_mixed/corrected_laplacian.hpp:corrected_laplacian",
-    "corrected Laplacian: 0 of linear fields, 2 d of the square of the distance, at surfaces too"};
+    "corrected Laplacian: linear fields give 0 and the squared distance 2 d, also at surfaces"};
 
 /// Weights V_j w_ji/V_i of the adjoint, L*[f]_i = Σ_j (V_j w_ji/V_i f_j − w_ij f_i).
 template <int Dim>

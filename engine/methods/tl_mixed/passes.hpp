@@ -128,11 +128,11 @@ void gather_pass(const TlMixedFields<Dim>& f, const Threads& threads) {
 }
 inline constexpr TermInfo volume_ratio_info{
     "volume ratio", "dJ/dt = H : Σ_j (v_j − v_i) ⊗ k_ij B_i, H = cof F", "[Lee2016] Eq. 33c",
-    "methods/tl_mixed/passes.hpp:gather_pass", "mixed: a ring and a disc that collide"};
+    "methods/tl_mixed/passes.hpp:gather_pass", "mixed: a colliding ring and disc follow the transcription"};
 inline constexpr TermInfo cofactor_info{
     "cofactor", "dH/dt = F ⨯ Σ_j (v_j − v_i) ⊗ k_ij B_i; H = cof F in 2D", "[Lee2016] Eq. 33b",
     "methods/tl_mixed/passes.hpp:gather_pass",
-    "mixed: in 3D a block and a ball that collide, and a clamped block hit on its clamp"};
+    "mixed: in 3D collisions and a block hit on its clamp follow the transcription"};
 
 /// Adds D(U) = c_p dp ε₂ L[U] − c_p dp³ ε₄ L*[L[U]]. [Lee2016] Eq. 35–38
 template <const TlMixedFormulation& M, int Dim>

@@ -92,7 +92,7 @@ inline constexpr Citation tranduc2023_citations[] = {
     {"artificial viscosity", "[TranDuc2023] §2.2", ""},
     {"artificial stress", "[TranDuc2023] §2.2", ""},
     {"time", "none stated: as in [Khayyer2024]",
-     "naive: the current configuration, a clamped plate of two materials and a disc that hits it"},
+     "naive: updated-Lagrangian methods follow the transcription for a plate hit by a disc"},
 };
 
 /// [TranDuc2023] §2.2, kernel of §2.1. Its "artificial stresses" include viscosity (§3.1).
