@@ -50,7 +50,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("colours between the stops match the published table") {
-    // of viridis' 256 colours; interpolated stops stay within 3 levels
+    // viridis has 256 colours; interpolated stops stay within 3 levels of them
     struct Entry {
       int index;
       Rgb color;

@@ -174,7 +174,7 @@ TEST_SUITE("term") {
     }
     CHECK(reconstructed_closing_speed(0.7, Sym2{}, Sym2{}, 1.0, Vec2{1, 0}) == 0.7);
     CHECK(riemann_dissipation(0.7, 6.0, 10.0, 1.5, 2.5) == Approx(16.0 / 4 * 0.7));
-    // of equal particles C_ij is the impedance c ρ
+    // C_ij of equal particles is the impedance c ρ
     CHECK(riemann_dissipation(1.0, 3 * 2 * std::sqrt(2.0), 3 * 2 * std::sqrt(2.0), std::sqrt(2.0),
                               std::sqrt(2.0)) == Approx(6));
     check_opposite([&](const PairedParticle& i, const PairedParticle& j) {
