@@ -96,6 +96,54 @@ TEST_SUITE("unit") {
           }) == Verdict::stable);
   }
 
+  TEST_CASE("judge: a zigzag in one patch is found, however large the body is and whatever other bodies do") {
+    const Scene scene = made_scene(2, dp, {unit_bulk(), unit_bulk()});
+    constexpr std::size_t of_first = 60 * 30;  // particles
+    for (const bool bystander : {false, true})
+      for (const double amplitude : {0.12, 0.18}) {
+        CAPTURE(bystander);
+        CAPTURE(amplitude);
+        Snapshot start = lattice(2, 60, bystander ? 60 : 30);
+        for (std::size_t i = of_first; i < start.size(); ++i)
+          start.body[i] = 1, start.x0[2 * i] = start.x[2 * i] += 100;
+        Snapshot now = start;
+        const auto from_centre = [&](std::size_t i) {
+          return std::hypot(now.x0[2 * i] - 30 * dp, now.x0[2 * i + 1] - 15 * dp);
+        };
+        for (std::size_t i = 0; i < of_first; ++i)
+          if (from_centre(i) < 4.5 * dp) now.x[2 * i + 1] += (i % 2 ? amplitude : -amplitude) * dp;
+        const Readings readings = IndicatorGauge(scene, start)(now);
+        Judge judge(scene, start, support, searched);
+        judge.observe(now, balance(now, scene), readings);
+        CHECK(judge.verdict() == (amplitude > 0.15 ? Verdict::hourglass : Verdict::stable));
+        REQUIRE(readings[0].particle >= 0);
+        CHECK(from_centre(static_cast<std::size_t>(readings[0].particle)) < 3 * dp);
+      }
+  }
+
+  TEST_CASE("judge: a soft joint of two rows between stiff halves is drawn out, and a crack in it is found") {
+    Scene scene = one_body(2);
+    scene.materials.push_back({.name = "stiff", .density = 1, .youngs_modulus = 30, .poisson_ratio = 0});
+    // stretches along x: of bonds in the joint, beside it, and in the halves
+    const auto verdict = [&](double joint, double beside, double halves) {
+      constexpr std::size_t columns = 16, soft = 7;
+      Snapshot now = lattice(2, columns, 6);
+      for (std::size_t i = 0; i < now.size(); ++i)
+        now.material[i] = i % columns == soft || i % columns == soft + 1 ? 0 : 1;
+      Judge judge(scene, now, support, kept);
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        double x = 0;
+        for (std::size_t k = 0; k < i % columns; ++k)
+          x += dp * (k == soft ? joint : k + 1 == soft || k == soft + 1 ? beside : halves);
+        now.x[2 * i] = x;
+      }
+      observe(judge, now, scene, 1);
+      return judge.verdict();
+    };
+    CHECK(verdict(2.8, 1.99, 1.18) == Verdict::stable);
+    CHECK(verdict(2.8, 1.2, 1.02) == Verdict::fractured);
+  }
+
   TEST_CASE("judge: rows bent to a radius of one spacing exceed the threshold, to two stay far below") {
     const Scene scene = one_body(2);
     const auto reading = [&](int rows, double radius) {
