@@ -101,14 +101,15 @@ void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& s
 }  // namespace
 
 std::string warning_about_reactions(const Scene& scene, const MethodInfo& method) {
-  const auto is_reaction = [](const Probe& probe) { return probe.kind == Probe::Kind::reaction; };
+  const auto is_force = [](const Probe& probe) { return probe.kind.is_force; };
   // [Khayyer2024] §3.4: pair forces are not equal and opposite
   const auto* cauchy = as<UlCauchyFormulation>(method.formulation);
-  if (!cauchy || !cauchy->tensile_control || std::ranges::none_of(scene.probes, is_reaction)) return "";
+  if (!cauchy || !cauchy->tensile_control || std::ranges::none_of(scene.probes, is_force)) return "";
   return fmt::format(
-      "reaction forces of {} do not balance the loads, since tensile instability control does not conserve "
-      "momentum: "
-      "in a bent bar they are 0.63 to 0.98 of the load (METHODS.md)",
+      "reaction and contact forces of {} do not balance the loads, since tensile instability control does "
+      "not conserve "
+      "momentum: they are 0.63 to 0.98 of the load in a bent bar, 0.95 of the weight of a block on a wall "
+      "(METHODS.md)",
       method.name);
 }
 

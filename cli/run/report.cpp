@@ -44,7 +44,7 @@ std::string indicators_line(const RunRecord& record) {
   for (std::size_t k = 0; k < indicators.size(); ++k) {
     (text += k == 0 ? "" : ", ") += indicators[k].key;
     (text += ' ') += brief(record.indicator[k].greatest());
-    if (k > 0 || record.patch_body.empty()) continue;
+    if (k > 0 || record.patch_body.empty() || record.indicator[k].greatest() <= hourglass_threshold) continue;
     text += " (" + record.patch_body + " at ";
     for (std::size_t axis = 0; axis < record.patch_place.size(); ++axis)
       text += (axis == 0 ? "[" : ", ") + brief(record.patch_place[axis]);

@@ -34,6 +34,17 @@ SceneFile read(const fs::path& scene, const std::string& spacing = {}) {
   return file;
 }
 
+/// Values of the probes of a scene at `until`, s.
+std::vector<double> values_at(double until, const char* name, const char* method) {
+  SceneFile file = read(gallery / name);
+  file.settings.method = method;
+  const auto simulation = make_simulation(file.scene, file.settings);
+  simulation->advance_to(until);
+  std::vector<double> last;
+  for (const std::vector<double>& value : simulation->series().value) last.push_back(value.back());
+  return last;
+}
+
 }  // namespace
 
 TEST_SUITE("cli") {
@@ -56,7 +67,7 @@ TEST_SUITE("cli") {
       make_steps(*simulation, 5);
       CHECK(simulation->time() > 0);
     }
-    CHECK(scenes == 9);
+    CHECK(scenes == 11);
   }
 }
 
@@ -123,6 +134,27 @@ TEST_SUITE("analytic") {
         CHECK(force[i] / (0.04 * piola(stretch[i], thin)(0, 0)) == relative(1, 0.002));
       }
     }
+  }
+}
+
+TEST_SUITE("failure") {
+  TEST_CASE("gallery: tension resists a lateral force with oenog, and hardly with enog") {
+    // a clamped beam under tension, for small strains: E' I = E h³/12/(1 − ν²)
+    const double E = 1e7 / (1 - 0.09), L = 0.4, h = 0.01, strain = 0.05, Q = 55, T = E * h * strain;
+    const double deflection = Q / (2 * T) * ((1 + strain) * L / 4 - std::sqrt(E * h * h * h / 12 / T));
+    CHECK(values_at(0.55, "tensioned-strip.toml", "oenog")[0] == relative(deflection, 0.1));
+    CHECK(values_at(0.55, "tensioned-strip.toml", "enog")[0] > 6 * deflection);
+  }
+
+  TEST_CASE("gallery: a column buckles at Euler's load with oenog, and not with enog") {
+    const double E = 1e7 / (1 - 0.09), L = 0.4, h = 0.02, pi = 3.14159265358979;
+    const double load = 4 * pi * pi * E * h * h * h / 12 / (L * L);  // N/m
+    const std::vector<double> oenog = values_at(0.7, "pressed-column.toml", "oenog"),
+                              enog = values_at(0.7, "pressed-column.toml", "enog");
+    CHECK(oenog[0] > h);
+    CHECK(oenog[1] == relative(load, 0.05));
+    CHECK(enog[0] < 0.01 * h);
+    CHECK(enog[1] > 2 * load);
   }
 }
 

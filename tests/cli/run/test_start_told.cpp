@@ -72,14 +72,15 @@ TEST_SUITE("cli") {
              "youngs_modulus = 1e7\npoisson_ratio = 0.4\n[[body]]\nname = \"a\"\nmaterial = \"rubber\"\n"
              "held = \"x < 0.2\"\nshape = { type = \"rectangle\", low = [0, 0], high = [1, 0.5] }\n"
              "[[probe]]\nname = \"f\"\nbody = \"a\"\ncomponent = \"x\"\nof = \""
-          << probe << "\"\n";
+          << probe << "\"\n[[wall]]\nname = \"floor\"\nat = [0, -1]\nnormal = [0, 1]\n";
       const Outcome outcome = call({"run", folder.str("scene.toml"), "--method", method, "--no-render",
                                     "--quiet", "--out", folder.str("out")});
       CHECK(outcome.code == 0);
-      return outcome.err.find("reaction forces of " + method + " do not balance the loads") !=
+      return outcome.err.find("reaction and contact forces of " + method + " do not balance the loads") !=
              std::string::npos;
     };
     CHECK(is_told("d-ulsph-r-tic", "reaction"));
+    CHECK(is_told("d-ulsph-r-tic", "contact_force\"\nwall = \"floor"));
     CHECK_FALSE(is_told("d-ulsph-r-tic", "mean_velocity"));
     CHECK_FALSE(is_told("d-ulsph-av-as", "reaction"));
     CHECK_FALSE(is_told("oenog", "reaction"));
