@@ -24,6 +24,8 @@ struct Field {
   double (*of_map)(const LinearMap& F) = nullptr;  // instead of `of_state`
   double middle = 0;
   Counted counts = Counted::nothing;
+  std::vector<double> (*of_all)(const Snapshot&) =
+      nullptr;  // instead of `of_state`, for all particles at once
 
   /// For many particles, `evaluate` is faster.
   double value(const Snapshot& now, std::size_t particle) const;

@@ -23,7 +23,7 @@ cd "$runs"
     code=0
     "$taut" ${command#taut } --no-render --quiet --out run >report 2>said || code=$?
     case $code in
-      0 | 3) sed -n '/^  measure /,/^$/{/^$/d;p}; /^  verdict /p; /^  energy /p; /^  law /p' report ;;  # 3: diverged
+      0 | 3) sed -n '/^  measure /,/^$/{/^$/d;p}; /^  verdict /p; /^  energy /p; /^  warning /p; /^  law /p' report ;;  # 3: diverged
       2) sed 's|^[^ ]*/scenes/||' said ;;  # refused
       *) cat said >&2; exit 1 ;;
     esac

@@ -55,7 +55,7 @@ TEST_SUITE("unit") {
       CHECK(keys.insert(field.key).second);
       CHECK(find_field(field.key) == &field);
       CHECK_FALSE(field.name.empty());
-      CHECK(field.unit.empty() == (field.of_map || field.counts != Counted::nothing));
+      CHECK(field.unit.empty() == (field.of_map || field.of_all || field.counts != Counted::nothing));
       CHECK_FALSE(field.help.empty());
     }
     CHECK(keys.size() == fields().size());
@@ -181,6 +181,17 @@ TEST_SUITE("unit") {
           if (field.of_map) CHECK(std::abs(field.value(now, i) - value(field.key.data(), now, i)) < 1e-14);
       }
     }
+  }
+
+  TEST_CASE("fields: zigzag is the amplitude over the spacing, and 0 for rotations and stretches") {
+    std::vector<Point> places;
+    for (int k = 0; k < 64; ++k) places.push_back({1.0 * (k % 8), 1.0 * (k / 8), 0});
+    Snapshot now = made_snapshot(2, places);
+    move(now, [](const Point& X) -> Point { return {2 * X[1] + 3, -0.5 * X[0], 0}; });
+    for (std::size_t i = 0; i < now.size(); ++i) CHECK(value("zigzag", now, i) < 1e-12);
+    for (std::size_t i = 0; i < now.size(); ++i) now.x[2 * i] += i % 2 ? 0.1 : -0.1;
+    CHECK(value("zigzag", now, 27) == relative(0.1, 1e-9));
+    CHECK(value("zigzag", now, 0) == 0);
   }
 
   TEST_CASE("fields: a rotating body has no strain, whatever its neighbour does") {
