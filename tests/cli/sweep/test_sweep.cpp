@@ -274,7 +274,7 @@ tables = { gap_rmse = { file = "tables/gap.csv", column = "gap" } }
     CHECK(program(tiny_sweep(folder, "discs.toml/out", {"--grid", "speed=1"})).code == 4);
   }
 
-  TEST_CASE("single runs write no results; a call without --index does") {
+  TEST_CASE("single runs write no results, and a call without --index does") {
     const TemporaryFolder folder;
     Texts grid{"--grid", "speed=1,2,3"};
     REQUIRE(program(tiny_sweep(folder, "whole", grid)).code == 0);

@@ -141,7 +141,7 @@ TEST_SUITE("unit") {
       return judge.verdict();
     };
     CHECK(verdict(2.8, 1.99, 1.18) == Verdict::stable);
-    CHECK(verdict(2.8, 1.2, 1.02) == Verdict::fractured);
+    CHECK(verdict(2.8, 1.02, 1.0) == Verdict::fractured);
   }
 
   TEST_CASE("judge: rows bent to a radius of one spacing exceed the threshold, to two stay far below") {
