@@ -166,7 +166,7 @@ TEST_SUITE("structure") {
   }
 
   TEST_CASE("rooms and files stay small") {
-    constexpr std::size_t most_units = 20, most_rooms = 13, most_lines = 500;
+    constexpr std::size_t most_units = 20, most_rooms = 14, most_lines = 500;
     constexpr std::size_t most_columns = 122;  // of clang-format 110; raw texts and tables need some more
     std::map<std::string, std::set<std::string>> units;  // a header and its source are one
     std::set<std::string> rooms_of_cli;

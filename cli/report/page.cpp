@@ -1,0 +1,96 @@
+#include "cli/report/page.hpp"
+
+#include <string_view>
+
+#include "cli/report/page_files.hpp"
+#include "cli/system/atomic_file.hpp"
+#include "cli/text/format.hpp"
+#include "engine/error.hpp"
+
+namespace fs = std::filesystem;
+
+namespace taut::cli {
+namespace {
+
+constexpr std::string_view generator = "<meta name=\"generator\" content=\"taut report\">";
+
+bool is_page(const fs::path& file) {
+  const auto text = read_whole(file);
+  return text && text->substr(0, 500).find(generator) != std::string::npos;
+}
+
+/// JSON as a part of a script: no text in it can end the script element of an HTML file.
+std::string script_text(const Json& json) {
+  std::string text;
+  for (const char c : json.dump())
+    if (c == '<')
+      text += "\\u003c";
+    else
+      text += c;
+  return text;
+}
+
+std::string report_script(const PageData& data) {
+  return "globalThis.taut_report = " + script_text(data.report) +
+         ";\nglobalThis.taut_runs = globalThis.taut_runs || {};\n";
+}
+
+std::string run_script(const PageData& data, std::size_t run) {
+  return "globalThis.taut_runs[" + std::to_string(run) + "] = " + script_text(data.runs[run]) + ";\n";
+}
+
+void replace(std::string& text, std::string_view old, const std::string& by) {
+  text.replace(text.find(old), old.size(), by);
+}
+
+std::string script_element(std::string_view script) { return "<script>" + std::string(script) + "</script>"; }
+
+}  // namespace
+
+std::string run_script_name(std::size_t run) { return "runs/" + std::to_string(run) + ".js"; }
+
+void check_page(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) return;
+  if (fs::is_directory(path, error)) {
+    if (fs::is_empty(path, error) || is_page(path / "index.html")) return;
+    throw UsageError("'" + path.string() +
+                     "' contains files that are not from `taut report`; empty it or name another folder "
+                     "with --out");
+  }
+  if (!is_page(path))
+    throw UsageError("'" + path.string() +
+                     "' exists and is not a page of `taut report`; name another file with --out");
+}
+
+void write_page(const fs::path& folder, const PageData& data) {
+  make_folders(folder / "runs");
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "runs", error)) {
+    const auto run = parsed<std::size_t>(entry.path().stem().string());  // of an older page with more runs
+    if (run && (*run >= data.runs.size() || data.runs[*run].is_null())) fs::remove(entry.path(), error);
+  }
+  write_atomically(folder / "taut.css", page::taut_css);
+  write_atomically(folder / "taut.js", page::taut_js);
+  write_atomically(folder / "chart.js", page::chart_js);
+  for (std::size_t run = 0; run < data.runs.size(); ++run)
+    if (!data.runs[run].is_null()) write_atomically(folder / run_script_name(run), run_script(data, run));
+  write_atomically(folder / "data.js", report_script(data));
+  write_atomically(folder / "index.html", page::index_html);
+}
+
+void write_embedded_page(const fs::path& file, const PageData& data) {
+  std::string scripts = report_script(data);
+  for (std::size_t run = 0; run < data.runs.size(); ++run)
+    if (!data.runs[run].is_null()) scripts += run_script(data, run);
+  std::string html(page::index_html);
+  replace(html, "<link rel=\"stylesheet\" href=\"taut.css\">",
+          "<style>" + std::string(page::taut_css) + "</style>");
+  replace(html, "<script src=\"chart.js\"></script>", script_element(page::chart_js));
+  replace(html, "<script src=\"data.js\"></script>", script_element(scripts));
+  replace(html, "<script src=\"taut.js\"></script>", script_element(page::taut_js));
+  make_folder_of(file);
+  write_atomically(file, html);
+}
+
+}  // namespace taut::cli
