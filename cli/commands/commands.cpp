@@ -78,6 +78,7 @@ constexpr Command table[] = {
      "  taut report out/speeds                    table, map and charts of a sweep or study\n"
      "  taut report out/b --baseline out/a        expected pictures, these pictures, and their differences\n"
      "  taut report out/rings --embed             one file: out/rings/report.html\n"
+     "  taut report out/rings --watch             follow a run that goes on\n"
      "The page needs neither server nor network. It shows the results as they are when the command runs.\n",
      declare_report},
     {"compare", "draw runs side by side from their saved particles: one column per run, one row per time",

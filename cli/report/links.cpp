@@ -4,8 +4,9 @@
 
 #include <fmt/core.h>
 
-#include "cli/system/atomic_file.hpp"
-#include "engine/error.hpp"
+#include "cli/report/base64.hpp"
+#include "cli/report/webp.hpp"
+#include "render/image/png.hpp"
 
 namespace fs = std::filesystem;
 
@@ -24,20 +25,6 @@ std::string percent_encoded(std::string_view path) {
   return address;
 }
 
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t k = 0; k < bytes.size(); k += 3) {
-    unsigned group = 0;  // three bytes, four digits
-    for (std::size_t b = 0; b < 3; ++b)
-      group = group << 8 | (k + b < bytes.size() ? static_cast<unsigned char>(bytes[k + b]) : 0u);
-    for (std::size_t d = 0; d < 4; ++d)
-      text += k + d > bytes.size() ? '=' : digits[group >> (18 - 6 * d) & 63u];
-  }
-  return text;
-}
-
 }  // namespace
 
 Links::Links(const fs::path& page, bool embed)
@@ -49,9 +36,7 @@ std::string Links::to(const fs::path& file) const {
 
 std::string Links::to_picture(const fs::path& file) const {
   if (!embed_) return to(file);
-  const auto bytes = read_whole(file);
-  if (!bytes) throw UsageError("cannot read the picture '" + file.string() + "'");
-  return "data:image/png;base64," + base64(*bytes);
+  return "data:image/webp;base64," + base64(webp(render::read_png(file)));
 }
 
 }  // namespace taut::cli

@@ -1,10 +1,11 @@
 #include "cli/report/page.hpp"
 
+#include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "cli/report/page_files.hpp"
 #include "cli/system/atomic_file.hpp"
-#include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
 namespace fs = std::filesystem;
@@ -32,11 +33,23 @@ std::string script_text(const Json& json) {
 
 std::string report_script(const PageData& data) {
   return "globalThis.taut_report = " + script_text(data.report) +
-         ";\nglobalThis.taut_runs = globalThis.taut_runs || {};\n";
+         ";\n"
+         "globalThis.taut_runs = globalThis.taut_runs || {};\n"
+         "globalThis.taut_particles = globalThis.taut_particles || {};\n";
 }
 
-std::string run_script(const PageData& data, std::size_t run) {
-  return "globalThis.taut_runs[" + std::to_string(run) + "] = " + script_text(data.runs[run]) + ";\n";
+/// The scripts that assign the data of the runs, with their names.
+std::vector<std::pair<std::string, std::string>> run_scripts(const PageData& data) {
+  std::vector<std::pair<std::string, std::string>> scripts;
+  const auto add = [&](std::string name, const std::string& target, std::size_t run, const Json& value) {
+    if (!value.is_null())
+      scripts.emplace_back(std::move(name), "globalThis." + target + "[" + std::to_string(run) +
+                                                "] = " + script_text(value) + ";\n");
+  };
+  for (std::size_t k = 0; k < data.runs.size(); ++k) add(run_script_name(k), "taut_runs", k, data.runs[k]);
+  for (std::size_t k = 0; k < data.particles.size(); ++k)
+    add(particle_script_name(k), "taut_particles", k, data.particles[k]);
+  return scripts;
 }
 
 void replace(std::string& text, std::string_view old, const std::string& by) {
@@ -48,6 +61,7 @@ std::string script_element(std::string_view script) { return "<script>" + std::s
 }  // namespace
 
 std::string run_script_name(std::size_t run) { return "runs/" + std::to_string(run) + ".js"; }
+std::string particle_script_name(std::size_t run) { return "runs/" + std::to_string(run) + "-particles.js"; }
 
 void check_page(const fs::path& path) {
   std::error_code error;
@@ -65,24 +79,24 @@ void check_page(const fs::path& path) {
 
 void write_page(const fs::path& folder, const PageData& data) {
   make_folders(folder / "runs");
+  const auto scripts = run_scripts(data);
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "runs", error)) {
-    const auto run = parsed<std::size_t>(entry.path().stem().string());  // of an older page with more runs
-    if (run && (*run >= data.runs.size() || data.runs[*run].is_null())) fs::remove(entry.path(), error);
+    const std::string name = "runs/" + entry.path().filename().string();  // of an older page with more runs
+    const bool used = std::ranges::any_of(scripts, [&](const auto& script) { return script.first == name; });
+    if (!used && entry.path().extension() == ".js") fs::remove(entry.path(), error);
   }
   write_atomically(folder / "taut.css", page::taut_css);
   write_atomically(folder / "taut.js", page::taut_js);
   write_atomically(folder / "chart.js", page::chart_js);
-  for (std::size_t run = 0; run < data.runs.size(); ++run)
-    if (!data.runs[run].is_null()) write_atomically(folder / run_script_name(run), run_script(data, run));
+  for (const auto& [name, script] : scripts) write_atomically(folder / name, script);
   write_atomically(folder / "data.js", report_script(data));
   write_atomically(folder / "index.html", page::index_html);
 }
 
 void write_embedded_page(const fs::path& file, const PageData& data) {
   std::string scripts = report_script(data);
-  for (std::size_t run = 0; run < data.runs.size(); ++run)
-    if (!data.runs[run].is_null()) scripts += run_script(data, run);
+  for (const auto& [name, script] : run_scripts(data)) scripts += script;
   std::string html(page::index_html);
   replace(html, "<link rel=\"stylesheet\" href=\"taut.css\">",
           "<style>" + std::string(page::taut_css) + "</style>");

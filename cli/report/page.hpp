@@ -10,12 +10,14 @@ namespace taut::cli {
 
 /// The data of a page as scripts: assignments, since a page that was opened from a file cannot read other files.
 struct PageData {
-  Json report;             // kind of the page, and everything but the runs
-  std::vector<Json> runs;  // null: this run has no data
+  Json report;                  // kind of the page, and everything but the runs
+  std::vector<Json> runs;       // null: this run has no data
+  std::vector<Json> particles;  // of these runs, may be shorter
 };
 
-/// The script `runs/K.js` relative to the page.
+/// Scripts relative to the page: `runs/K.js`, `runs/K-particles.js`.
 std::string run_script_name(std::size_t run);
+std::string particle_script_name(std::size_t run);
 
 /// Throws UsageError if `path` exists and is not a page of taut: a folder with other files, or another file.
 void check_page(const std::filesystem::path& path);

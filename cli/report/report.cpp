@@ -6,6 +6,7 @@
 #include "cli/report/difference_data.hpp"
 #include "cli/report/links.hpp"
 #include "cli/report/page.hpp"
+#include "cli/report/particle_data.hpp"
 #include "cli/report/run_data.hpp"
 #include "cli/report/sweep_data.hpp"
 #include "cli/run/folder.hpp"
@@ -55,7 +56,7 @@ PageKind kind_of(const ReportRequest& request) {
   return PageKind::sweep;
 }
 
-/// DIR/report or out/report; with `embed`, PATH/report.html or out/report.html.
+/// DIR/report or out/report; with `embed`, DIR/report.html or out/report.html.
 fs::path place_of(const ReportRequest& request) {
   if (request.out) return *request.out;
   fs::path folder = request.paths.size() == 1 ? fs::path(request.paths.front()) : fs::path("out");
@@ -106,6 +107,7 @@ void add_runs(PageData& data, const ReportRequest& request, const Links& links) 
   for (const std::string& path : request.paths) {
     data.runs.push_back(run_data(path, links, most_rows));
     methods.push_back(method_of(data.runs.back()));
+    data.particles.push_back(particle_data(path).value_or(Json()));
   }
   const std::vector<CurveStyle> styles = line_styles(methods);
   for (std::size_t k = 0; k < styles.size(); ++k) data.runs[k]["style"] = to_json(styles[k]);
@@ -118,10 +120,11 @@ void add_sweep(PageData& data, const ReportRequest& request, const Links& links)
     data.runs.push_back(has_run_folder(run) ? run_data(run.folder(), links, most_rows_in_sweep) : Json());
 }
 
-Json scripts_of(const PageData& data, const Links& links) {
+/// Null for a run without such data, and where the page contains it.
+Json scripts_of(const std::vector<Json>& runs, std::string (*name)(std::size_t), const Links& links) {
   Json scripts = Json::array();
-  for (std::size_t k = 0; k < data.runs.size(); ++k)
-    scripts.add(data.runs[k].is_null() || links.embeds() ? Json() : Json(run_script_name(k)));
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    scripts.add(runs[k].is_null() || links.embeds() ? Json() : Json(name(k)));
   return scripts;
 }
 
@@ -146,7 +149,7 @@ WrittenPage write_report(const ReportRequest& request) {
   const fs::path place = place_of(request);
   check_page(place);
   const Links links(request.embed ? fs::absolute(place).parent_path() : place, request.embed);
-  PageData data{.report = {{"taut", build_info.version}, {"kind", name(kind)}}, .runs = {}};
+  PageData data{.report = {{"taut", build_info.version}, {"kind", name(kind)}}, .runs = {}, .particles = {}};
   if (kind == PageKind::difference)
     data.report = data.report.with(difference_page(request, place, links));
   else if (kind == PageKind::sweep)
@@ -155,7 +158,8 @@ WrittenPage write_report(const ReportRequest& request) {
     add_runs(data, request, links);
   const bool running = std::ranges::any_of(data.runs, is_running);
   data.report["running"] = running && !request.embed;
-  data.report["scripts"] = scripts_of(data, links);
+  data.report["scripts"] = scripts_of(data.runs, run_script_name, links);
+  data.report["particle_scripts"] = scripts_of(data.particles, particle_script_name, links);
   if (request.embed)
     write_embedded_page(place, data);
   else

@@ -33,11 +33,12 @@ function show_head(title, about, ...more) {
 
 function show_parts(place, parts) {
   const shown = parts.filter(Boolean);
+  for (const canvas of place.querySelectorAll('canvas')) canvas.plot?.remove();
   place.replaceChildren(...shown);
   for (const part of place.querySelectorAll('section')) part.ready?.();
 }
 
-function run_parts(run) {
+function run_parts(run, index) {
   run.many = false;
   run.style ??= {color: '#0072B2', dash: 1};
   const {clock, box} = players([run]);
@@ -48,7 +49,7 @@ function run_parts(run) {
                 'div', {class: 'two'}, box,
                 element('div', {class: 'stack'}, verdict_section(run), measures_section(run))) :
             element('div', {class: 'two'}, measures_section(run), verdict_section(run)),
-      histories([run], clock), run_details(run)
+      orbit_section(run, index, clock), histories([run], clock), run_details(run)
     ]
   };
 }
@@ -59,7 +60,7 @@ function show_run(run) {
       `${run.record.scene} with ${run.record.method}, ${run.record.particles} particles, ` +
           `dp = ${brief(run.record.spacing)} m`,
       badge(run.record.verdict));
-  return run_parts(run);
+  return run_parts(run, 0);
 }
 
 function show_runs(runs) {
@@ -71,7 +72,11 @@ function show_runs(runs) {
   const scenes = [...new Set(runs.map((run) => run.title || run.record.scene))];
   show_head(scenes.join(' / '), runs.map(name_of_run).join(', '));
   const {clock, box} = players(runs);
-  return {clock, parts: [box, measures_of_runs(runs), histories(runs, clock), ...runs.map(run_details)]};
+  const orbits = runs.map((run, k) => orbit_section(run, k, clock));
+  return {
+    clock,
+    parts: [box, measures_of_runs(runs), ...orbits, histories(runs, clock), ...runs.map(run_details)]
+  };
 }
 
 /** While a run is going on, its page looks for newer data, and keeps its time. */
@@ -81,8 +86,8 @@ function refresh(clock) {
   setTimeout(async () => {
     const query = '?' + Date.now();
     try {
-      for (const script of [...taut_report.scripts.filter(Boolean), 'data.js'])
-        await load_script(script + query);
+      await load_script('data.js' + query);  // written after the data of the runs
+      for (const script of taut_report.scripts.filter(Boolean)) await load_script(script + query);
     } catch { /* the page has gone; what is shown stays */
     }
     if (JSON.stringify([taut_report, taut_runs]) === before) return refresh(clock);

@@ -30,6 +30,7 @@ class Plot {
     this.options = options;
     this.canvas = element('canvas', {role: 'img', tabindex: 0, 'aria-label': this.description(lines)});
     this.readout = element('output', {'aria-live': 'off'});
+    this.canvas.plot = this;
     this.frame = element('div', {class: 'canvas'}, this.canvas);
     this.box = element(
         'div', {class: 'plot' + (options.tall ? ' tall' : '')},

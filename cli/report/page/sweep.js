@@ -33,7 +33,7 @@ class Sweep {
     const index = row.index_of_run;
     if (!taut_report.scripts[index] && !taut_runs[index]) return;
     const run = await load_run(index);
-    const {parts} = run_parts(run);
+    const {parts} = run_parts(run, index);
     const heading = element(
         'section', {},
         element(

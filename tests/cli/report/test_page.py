@@ -71,6 +71,27 @@ size = [160, 120]
 frames = 12
 '''
 
+BALL = '''
+title = "A ball"
+dim = 3
+spacing = 0.004
+until = 0.002
+method = "oenog"
+[material.rubber]
+density = 1000
+youngs_modulus = 1e6
+poisson_ratio = 0.4
+[[body]]
+name = "ball"
+shape = { type = "ball", centre = [0, 0, 0], radius = 0.012 }
+material = "rubber"
+velocity = ["40*y", "20*z", "5*x"]
+[render]
+color = "speed"
+size = [160, 120]
+frames = 4
+'''
+
 
 def skip(why):
     print(f"test_page.py: {why}")
@@ -128,7 +149,9 @@ class Browser:
             time.sleep(0.02)
 
     def errors(self):
-        return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] in ("SEVERE", "WARNING")]
+        """Messages of the console, without the warnings of the driver that draws without a graphics card."""
+        return [entry["message"] for entry in self.driver.get_log("browser")
+                if entry["level"] in ("SEVERE", "WARNING") and "GL Driver Message" not in entry["message"]]
 
 
 def frame_of(browser, player=0):
@@ -219,7 +242,6 @@ def check_theme(browser):
 
 
 def check_run(browser, taut, folder):
-    taut("run", "two-discs.toml", "--out", "run", "--quiet")
     taut("report", "run")
     browser.open(folder / "run/report/index.html")
     check_texts(browser)
@@ -318,11 +340,67 @@ def check_embedded(browser, taut, folder):
     browser.open(folder / "alone/page.html")
     browser.keys(Keys.END)
     browser.until(lambda: browser.script("return document.querySelector('.player img').naturalWidth") == 160, "a frame is drawn")
-    assert browser.one(".player img").get_attribute("src").startswith("data:image/")
+    assert browser.one(".player img").get_attribute("src").startswith("data:image/webp")
     assert browser.script("return performance.getEntriesByType('resource').filter((one) => !one.name.startsWith('data:')).length") == 0
 
 
-CHECKS = [check_run, check_runs, check_sweep, check_difference, check_embedded]
+def check_orbit(browser, taut, folder):
+    (folder / "ball.toml").write_text(BALL)
+    taut("run", "ball.toml", "--out", "ball", "--save-particles", "--quiet")
+    taut("report", "ball")
+    browser.open(folder / "ball/report/index.html")
+    canvas = "document.querySelector('.orbit canvas')"
+    browser.until(lambda: browser.all(".orbit canvas"), "the particles are loaded")
+    picture = lambda: browser.script(f"return {canvas}.toDataURL()")
+    colors = browser.script(f"const gl = {canvas}.getContext('webgl'), all = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);"
+                            "gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, all);"
+                            "return new Set(new Uint32Array(all.buffer)).size")
+    assert colors > 20, colors  # shaded particles on white
+    seen = [picture()]
+
+    def changes(what):
+        seen.append(picture())
+        assert seen[-1] != seen[-2], what
+
+    view = browser.one(".orbit canvas")
+    browser.script("arguments[0].scrollIntoView({block: 'center'})", view)
+    ActionChains(browser.driver).move_to_element(view).click_and_hold().move_by_offset(80, 30).release().perform()
+    changes("dragging")
+    view.send_keys(Keys.ARROW_LEFT)
+    changes("an arrow key turns")
+    assert frame_of(browser) == "frame_00000.png"  # and the frames stay
+    browser.button("+").click()
+    changes("zooming")
+    cut = next(one for one in browser.all("input[type=range]") if one.get_attribute("aria-label") == "Place of the cut")
+    browser.script("arguments[0].value = 500; arguments[0].dispatchEvent(new Event('input'))", cut)
+    changes("the cut")
+    browser.script("document.activeElement.blur()")
+    browser.keys(Keys.END)
+    changes("time")
+    assert "t = 0.002 s" in browser.one("main").text
+
+
+def check_refresh(browser, taut, folder):
+    """The page of a run that goes on shows newer data, at the same frame."""
+    shutil.copytree(folder / "run", folder / "live", ignore=shutil.ignore_patterns("report*"))
+    record = (folder / "live/run.json").read_text()
+    (folder / "live/run.json").write_text(record.replace('"status": "finished"', '"status": "running"'))
+    moved = folder / "live/frames/frame_00012.png"
+    picture = moved.read_bytes()
+    moved.unlink()
+    taut("report", "live")
+    browser.open(folder / "live/report/index.html")
+    assert "still running" in browser.one("main").text
+    browser.keys(*[Keys.ARROW_RIGHT] * 3)
+    assert "frame 4 of 12" in browser.one("figcaption").text
+    (folder / "live/run.json").write_text(record)
+    moved.write_bytes(picture)
+    taut("report", "live", "--watch")  # ends, as the run has
+    browser.until(lambda: "frame 4 of 13" in browser.script("return document.querySelector('figcaption').textContent"), "the page has the new frame")
+    assert "still running" not in browser.one("main").text
+
+
+CHECKS = [check_run, check_runs, check_sweep, check_difference, check_embedded, check_orbit, check_refresh]
 
 
 def main():
@@ -338,6 +416,7 @@ def main():
             done = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True)
             assert done.returncode == 0, (words, done.stdout, done.stderr)
 
+        taut("run", "two-discs.toml", "--out", "run", "--quiet")
         browser = Browser(folder / "profile")
         with contextlib.closing(type("Ends", (), {"close": browser.driver.quit})()):
             for check in checks:

@@ -90,7 +90,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(contains(page, "<script>alert(1)"));
     CHECK(assigned(page, "taut_runs[0]")["title"] == title);
     CHECK(assigned(page, "taut_runs[0]")["frames"][0]["src"].get<std::string>().starts_with(
-        "data:image/png;base64,iVBORw0KGgo"));
+        "data:image/webp;base64,UklGR"));  // "RIF" of RIFF
     for (const char* address : {"src=\"", "href=\"taut", "http://", "https://"}) {
       CAPTURE(address);
       CHECK_FALSE(contains(page.substr(0, page.find("<style>")), address));
@@ -130,6 +130,7 @@ TEST_SUITE("cli") {
     refused({"report", run, folder.str("sweep")}, "runs and sweeps are given");
     refused({"report", run, run, "--baseline", run}, "--baseline compares one folder");
     refused({"report", run, "--baseline", folder.str("none")}, "there are no pictures (PNG)");
+    refused({"report", run, "--watch", "--embed"}, "give --watch or --embed");
     refused({"report", run, "--max-difference", "2"}, "--max-difference needs --baseline");
     std::ofstream(fs::path(run) / "run.json") << "{";
     refused({"report", run}, "run.json");
@@ -156,6 +157,55 @@ TEST_SUITE("cli") {
     CHECK(report["rows"][2][static_cast<std::size_t>(at)] == 2);
     CHECK(run_of(folder / "sweep/report", 3)["record"]["method"] == "og");
     CHECK(run_of(folder / "sweep/report", 0)["history"]["columns"][0]["values"].size() <= 252);
+  }
+
+  TEST_CASE(
+      "report: saved particles of a run in 3D stand beside the page, in the colours and the cut of the run") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "ball.toml") << R"(
+title = "A ball"
+dim = 3
+spacing = 0.004
+until = 0.001
+method = "oenog"
+[material.rubber]
+density = 1000
+youngs_modulus = 1e6
+poisson_ratio = 0.4
+[[body]]
+name = "ball"
+shape = { type = "box", low = [0, 0, 0], high = [0.016, 0.008, 0.008] }
+material = "rubber"
+velocity = [1, 0, 0]
+[render]
+color = "displacement_x"
+colormap = "gray"
+range = [0, 0.002]
+cut = "x > 0.008"
+size = [160, 120]
+frames = 2
+)";
+    const Outcome made = call({"run", folder.str("ball.toml"), "--out", folder.str("run"), "--threads", "1",
+                               "--save-particles", "--quiet"});
+    CAPTURE(made.err);
+    REQUIRE(made.code == 0);
+    REQUIRE(call({"report", folder.str("run")}).code == 0);
+    const fs::path page = folder / "run/report";
+    CHECK(report_of(page)["particle_scripts"][0] == "runs/0-particles.js");
+    const auto data = assigned(text_of(page / "runs/0-particles.js"), "taut_particles[0]");
+    CHECK(data["times"] == nlohmann::json::parse("[0.0, 0.0005, 0.001]"));
+    CHECK(data["particles"] == 8);  // of 16
+    CHECK(data["key"]["high"] == 0.002);
+    CHECK(data["low"][0].get<double>() == relative(0.002));
+    CHECK(data["high"][0].get<double>() == relative(0.007, 1e-6));  // 1 m/s for 1 ms
+    REQUIRE(data["data"].size() == 3);
+    // 8 particles × (3 × 2 + 3) bytes
+    for (const auto& each : data["data"]) CHECK(each.get<std::string>().size() == 96);
+    // all particles start with the same displacement, and so with the same colour: the first of the map
+    const std::string first = data["data"][0], last = data["data"][2], color = first.substr(64, 4);
+    for (std::size_t k = 64; k < 96; k += 4) CHECK(first.substr(k, 4) == color);
+    CHECK(last.substr(64, 4) != color);
+    CHECK(data["key"]["colors"][0] != data["key"]["colors"].back());
   }
 
   TEST_CASE("report: pictures are compared with a baseline, the most different first") {
