@@ -117,7 +117,7 @@ function histories(runs, clock) {
       history_legend(shown), box,
       thinned > 1 ? element('p', {class: 'soft'}, `Every ${thinned}th row of history.csv is plotted.`) :
                     null);
-  part.ready = () => {
+  part.later = () => {
     draw();
     clock.listen(move);
   };

@@ -35,7 +35,12 @@ function show_parts(place, parts) {
   const shown = parts.filter(Boolean);
   for (const canvas of place.querySelectorAll('canvas')) canvas.plot?.remove();
   place.replaceChildren(...shown);
-  for (const part of place.querySelectorAll('section')) part.ready?.();
+  const sections = [...place.querySelectorAll('section')];
+  for (const part of sections) part.ready?.();
+  const draw_plots = () => {
+    for (const part of sections.filter((one) => one.isConnected)) part.later?.();
+  };
+  requestAnimationFrame(() => setTimeout(draw_plots));  // after the browser has painted the rest
 }
 
 function run_parts(run, index) {

@@ -226,7 +226,7 @@ function orbit_section(run, index, clock) {
   if (!taut_report.particle_scripts?.[index] && !taut_particles[index]) return null;
   const box = element('div', {}, element('p', {class: 'soft'}, 'Loading the particles …'));
   const part = section(run.many ? 'Particles of ' + name_of_run(run) : 'Particles in 3D', box);
-  part.ready = async () => {
+  part.later = async () => {
     if (!taut_particles[index]) await load_script(taut_report.particle_scripts[index]);
     const data = taut_particles[index];
     const view = new OrbitView(data, clock, run.record.scene);

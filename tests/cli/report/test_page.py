@@ -114,6 +114,7 @@ class Browser:
     def open(self, page):
         self.driver.get(Path(page).resolve().as_uri())
         self.until(lambda: self.all("main section"), "the page has sections")
+        self.until(lambda: len(self.all(".plots")) == len(self.all(".plots:has(canvas)")), "the histories are drawn")
 
     def script(self, text, *arguments):
         return self.driver.execute_script(text, *arguments)

@@ -205,6 +205,7 @@ frames = 2
     const std::string first = data["data"][0], last = data["data"][2], color = first.substr(64, 4);
     for (std::size_t k = 64; k < 96; k += 4) CHECK(first.substr(k, 4) == color);
     CHECK(last.substr(64, 4) != color);
+    CHECK(last.substr(0, 64) != first.substr(0, 64));  // and move
     CHECK(data["key"]["colors"][0] != data["key"]["colors"].back());
   }
 
