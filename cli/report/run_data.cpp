@@ -94,7 +94,9 @@ Json reference_curves(const Scene& scene, const std::string& law) {
 
 }  // namespace
 
-Json to_json(const CurveStyle& style) { return {{"color", style.color}, {"dash", style.dash}}; }
+Json to_json(const CurveStyle& style) {
+  return {{"color", style.color}, {"dash", style.dash}, {"marker", style.filled}};
+}
 
 Json run_data(const fs::path& path, const Links& links, std::size_t most_rows) {
   const RunFolder folder(path);

@@ -10,7 +10,7 @@ function element(tag, attributes = {}, ...children) {
     else
       made.setAttribute(name, value === true && !name.startsWith('aria-') ? '' : String(value));
   }
-  made.append(...children.flat().filter((child) => child !== null && child !== undefined));
+  made.append(...children.flat(Infinity).filter((child) => child !== null && child !== undefined));
   return made;
 }
 

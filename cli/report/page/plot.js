@@ -54,7 +54,8 @@ class Plot {
 
   chart_options() {
     const {options} = this;
-    const axis = (title, type) => ({
+    const axis = (title, type, coordinate) => ({
+      ...(type === 'logarithmic' ? this.log_range(coordinate) : {}),
       type: type || 'linear',
       title: {display: true, text: title},
       ticks: {maxRotation: 0, callback: type === 'logarithmic' ? log_tick : linear_tick}
@@ -66,8 +67,8 @@ class Plot {
       normalized: Boolean(options.sorted),
       interaction: {mode: options.sorted ? 'nearest_of_each' : 'nearest', intersect: false},
       scales: {
-        x: {...axis(options.x, options.x_type), bounds: options.sorted ? 'data' : 'ticks'},
-        y: axis(options.y, options.y_type)
+        x: {...axis(options.x, options.x_type, 'x'), bounds: options.sorted ? 'data' : 'ticks'},
+        y: axis(options.y, options.y_type, 'y')
       },
       onClick: (event, items) => {
         if (items.length && options.open) options.open(items[0], this.chart);
@@ -89,6 +90,12 @@ class Plot {
     };
   }
 
+  /** Chart.js would begin and end at powers of ten. */
+  log_range(coordinate) {
+    const all = this.lines.flatMap((line) => line.points.map((point) => point[coordinate]));
+    return {min: Math.min(...all) / 1.3, max: Math.max(...all) * 1.3};
+  }
+
   paint() {
     if (!this.chart) return;
     const text = css_color('--text'), line = css_color('--line');
@@ -108,6 +115,7 @@ class Plot {
                          pointRadius: one.radius || 0,
                          pointHoverRadius: (one.radius || 2) + 2,
                          pointStyle: one.marker,
+                         pointRotation: one.rotation || 0,
                          pointBackgroundColor: one.points.map(
                              (point) => point.open ? css_color('--card') :
                                  one.color         ? on_theme(one.color) :

@@ -18,6 +18,12 @@ class Sweep {
   }
 
   label(name) { return this.report.swept.find((one) => one.name === name)?.label || name; }
+  /** Empty for a pure number. */
+  unit_of(measure) {
+    const units = this.rows.map((row) => String(row[`measures.${measure}.unit`] ?? ''));
+    return units.find((unit) => unit && unit !== '1') || '';
+  }
+
   name_of(row) {
     return this.swept.map(({name}) => `${name}=${row['set.' + name]}`).join(', ') || row.folder;
   }
@@ -82,9 +88,9 @@ function sweep_table(sweep, listen) {
         (key === 'method' && report.columns.includes('set.method')))
       continue;
     const measure = key.match(/^measures\.(.*)\.value$/)?.[1];
-    const unit = measure && sweep.rows.map((row) => row[`measures.${measure}.unit`]).find(Boolean);
+    const unit = measure && sweep.unit_of(measure);
     const label = key.startsWith('set.') ? sweep.label(short(key)) :
-        unit && unit !== '1'             ? short(key) + ', ' + unit :
+        unit                             ? short(key) + ', ' + unit :
                                            short(key);
     columns.push({
       key,
@@ -154,7 +160,15 @@ function stability_map(sweep) {
   return part;
 }
 
-const series_markers = ['circle', 'rect', 'triangle', 'rectRot', 'star', 'crossRot'];
+// markers of gnuplot, as in the pictures of `taut chart`; a pentagon is a rounded square here
+const marker_names = {
+  7: 'circle',
+  5: 'rect',
+  9: 'triangle',
+  13: 'rectRot',
+  11: 'triangle',
+  15: 'rectRounded'
+};
 
 /** Lines for Chart.js: a series for each method and choice of everything else; open markers are unstable runs. */
 function series_lines(sweep, along, point_of) {
@@ -168,16 +182,17 @@ function series_lines(sweep, along, point_of) {
   }
   const of_method = {};
   return [...groups].map(([label, points]) => {
-    const method = points[0].row.method, style = sweep.report.styles[method] || {color: '#444444', dash: 1};
+    const method = points[0].row.method,
+          style = sweep.report.styles[method] || {color: '#444444', dash: 1, marker: 7};
     const number = of_method[method] = (of_method[method] ?? -1) + 1;
-    const methods = Object.keys(sweep.report.styles);
     return {
       label,
       points: points.sort((a, b) => compare_cells(a.row['set.' + along], b.row['set.' + along])),
       color: style.color,
       dash: dash_patterns[1 + (style.dash - 1 + number) % 5],
       radius: 5,
-      marker: series_markers[(methods.indexOf(method) + number) % 4]
+      marker: marker_names[style.marker],
+      rotation: style.marker === 11 ? 180 : 0
     };
   });
 }
@@ -265,11 +280,11 @@ function cost_chart(sweep) {
         return x > 0 && y > 0 ? {x, y} : null;
       }), () => {
         const row = sweep.rows.find((one) => one[`measures.${measure}.error`] > 0);
-        const unit = row[`measures.${measure}.reference`] === 0 ? row[`measures.${measure}.unit`] :
-                                                                  'share of the reference';
+        const unit =
+            row[`measures.${measure}.reference`] === 0 ? sweep.unit_of(measure) : 'share of the reference';
         return {
           x: cost === 'seconds' ? 'solving, s' : 'particles × steps',
-          y: `error of ${measure}` + (unit === '1' ? '' : ', ' + unit),
+          y: `error of ${measure}` + (unit ? ', ' + unit : ''),
           x_name: 'cost',
           x_type: 'logarithmic',
           y_type: 'logarithmic'
@@ -324,8 +339,7 @@ function response_chart(sweep) {
         return lines;
       },
       () => {
-        const unit = sweep.rows.map((row) => row[y.replace(/\.value$/, '.unit')])
-                         .find((one) => typeof one === 'string' && one !== '1');
+        const unit = y.startsWith('measures.') ? sweep.unit_of(y.split('.')[1]) : '';
         const name = quantities.find(([key]) => key === y)[1];
         return {x: sweep.label(x), y: name + (unit ? ', ' + unit : ''), x_name: x};
       });

@@ -422,6 +422,8 @@ def main():
         with contextlib.closing(type("Ends", (), {"close": browser.driver.quit})()):
             for check in checks:
                 check(browser, taut, folder)
+                text = browser.script("return document.body.innerText")
+                assert not [word for word in ("[object", "undefined", "NaN") if word in text], text
                 errors = browser.errors()
                 assert not errors, (check.__name__, errors)
                 print(f"{check.__name__}: fine")
