@@ -41,11 +41,13 @@ function default_columns(names) {
   return probes.length ? probes.slice(0, 6) : names.filter((name) => name === 'total_energy');
 }
 
+let kept_columns = null;  // the reader's choice, for the next run and for newer data
+
 function histories(runs, clock) {
   const shown = runs.filter((run) => run.history?.columns[0]?.values.length);
   if (!shown.length) return null;
   const names = [...new Set(shown.flatMap((run) => run.history.columns.map((column) => column.name)))];
-  const chosen = new Set(default_columns(names));
+  const chosen = new Set((kept_columns || default_columns(names)).filter((name) => names.includes(name)));
   const unit = (name) => shown.map((run) => column_of(run, name)).find(Boolean)?.unit || '';
   const title = (name) => name + (unit(name) ? ', ' + unit(name) : '');
   const box = element('div', {class: 'plots'});
@@ -90,6 +92,7 @@ function histories(runs, clock) {
         value: name,
         onchange: (event) => {
           event.target.checked ? chosen.add(name) : chosen.delete(name);
+          kept_columns = [...chosen];
           draw();
         }
       }),

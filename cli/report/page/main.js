@@ -84,10 +84,9 @@ function show_runs(runs) {
   };
 }
 
-/** While a run is going on, its page looks for newer data, and keeps its time. */
-function refresh(clock) {
+/** While a run is going on, its page looks for newer data; `shown` is the data that it shows. */
+function refresh(clock, shown) {
   if (!taut_report.running) return;
-  const before = JSON.stringify([taut_report, taut_runs]);
   setTimeout(async () => {
     const query = '?' + Date.now();
     try {
@@ -95,22 +94,29 @@ function refresh(clock) {
       for (const script of taut_report.scripts.filter(Boolean)) await load_script(script + query);
     } catch { /* the page has gone; what is shown stays */
     }
-    if (JSON.stringify([taut_report, taut_runs]) === before) return refresh(clock);
-    build(clock.index === clock.last ? Infinity : clock.index);
+    if (loaded_data() === shown) return refresh(clock, shown);
+    globalThis.taut_particles = {};
+    clock.playing = false;
+    build(clock);
   }, 2000);
 }
 
-async function build(index = 0) {
+function loaded_data() { return JSON.stringify([taut_report, taut_runs]); }
+
+/** `before`: the clock of the page that this one replaces. */
+async function build(before = null) {
   theme_listeners.length = 0;
-  const content = document.getElementById('content');
+  const content = document.getElementById('content'), place = scrollY;
   try {
     if (taut_report.kind === 'sweep') return show_parts(content, show_sweep(taut_report));
     if (taut_report.kind === 'difference') return show_parts(content, show_difference(taut_report));
     const runs = await Promise.all(taut_report.scripts.map((_, k) => load_run(k)));
+    const shown = loaded_data();
     const {clock, parts} = runs.length === 1 ? show_run(runs[0]) : show_runs(runs);
     show_parts(content, parts);
-    if (index) clock.go(index);
-    refresh(clock);
+    if (before) clock.go(before.index === before.last ? clock.last : before.index);
+    if (before) requestAnimationFrame(() => setTimeout(() => scrollTo(0, place)));  // once there are plots
+    refresh(clock, shown);
   } catch (error) {
     content.replaceChildren(
         element('section', {role: 'alert'}, element('p', {}, 'This page cannot be shown: ' + error.message)));

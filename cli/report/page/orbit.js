@@ -227,7 +227,8 @@ function orbit_section(run, index, clock) {
   const box = element('div', {}, element('p', {class: 'soft'}, 'Loading the particles …'));
   const part = section(run.many ? 'Particles of ' + name_of_run(run) : 'Particles in 3D', box);
   part.later = async () => {
-    if (!taut_particles[index]) await load_script(taut_report.particle_scripts[index]);
+    if (!taut_particles[index])
+      await load_script(taut_report.particle_scripts[index] + (taut_report.running ? '?' + Date.now() : ''));
     const data = taut_particles[index];
     const view = new OrbitView(data, clock, run.record.scene);
     if (!view.gl)

@@ -392,6 +392,9 @@ def check_refresh(browser, taut, folder):
     taut("report", "live")
     browser.open(folder / "live/report/index.html")
     assert "still running" in browser.one("main").text
+    browser.script("document.querySelector('main').firstChild.id = 'old'")
+    time.sleep(5)
+    assert browser.all("#old")  # while nothing is new, nothing is built again
     browser.keys(*[Keys.ARROW_RIGHT] * 3)
     assert "frame 4 of 12" in browser.one("figcaption").text
     (folder / "live/run.json").write_text(record)
