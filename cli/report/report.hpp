@@ -10,7 +10,7 @@
 
 namespace taut::cli {
 
-/// What a page shows.
+/// Content of a page.
 enum class PageKind { run, runs, sweep, difference };
 std::string_view name(PageKind kind);
 

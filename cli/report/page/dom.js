@@ -86,4 +86,10 @@ function cell(value, unit) {
       'td', {class: number ? 'number' : null, title: number ? String(value) : null}, with_unit(value, unit));
 }
 
-function name_of_run(run) { return run.folder.replace(/\/+$/, '').split('/').pop() || run.folder; }
+function last_part(path) { return path.replace(/\/+$/, '').split('/').pop() || path; }
+
+/** The folder's own name; its path if another run of the page has the same name. */
+function name_of_run(run) {
+  const runs = Object.values(taut_runs).filter((one) => last_part(one.folder) === last_part(run.folder));
+  return runs.length > 1 && run.many ? run.folder : last_part(run.folder);
+}

@@ -47,8 +47,11 @@ function histories(runs, clock) {
   const shown = runs.filter((run) => run.history?.columns[0]?.values.length);
   if (!shown.length) return null;
   const names = [...new Set(shown.flatMap((run) => run.history.columns.map((column) => column.name)))];
-  const chosen = new Set((kept_columns || default_columns(names)).filter((name) => names.includes(name)));
-  const unit = (name) => shown.map((run) => column_of(run, name)).find(Boolean)?.unit || '';
+  const chosen = new Set(
+      (kept_columns || shown.flatMap((run) => default_columns(run.history.columns.map(({name}) => name))))
+          .filter((name) => names.includes(name)));
+  const unit =
+      (name) => [...new Set(shown.map((run) => column_of(run, name)?.unit).filter(Boolean))].join(' or ');
   const title = (name) => name + (unit(name) ? ', ' + unit(name) : '');
   const box = element('div', {class: 'plots'});
   let plots = [], x = 't', range = null;
