@@ -9,6 +9,7 @@ std::function<int(Streams)> declare_chart(Options&);
 std::function<int(Streams)> declare_map(Options&);
 std::function<int(Streams)> declare_choose(Options&);
 std::function<int(Streams)> declare_plot(Options&);
+std::function<int(Streams)> declare_report(Options&);
 std::function<int(Streams)> declare_check(Options&);
 std::function<int(Streams)> declare_compare(Options&);
 std::function<int(Streams)> declare_movie(Options&);
@@ -71,6 +72,15 @@ constexpr Command table[] = {
      "  taut plot out/disc --columns force --x gap --out force-displacement.png\n"
      "The gnuplot script and its data, such as tip.gp and tip.dat, are written beside the picture.\n",
      declare_plot},
+    {"report", "write a web page of runs, of a sweep, or of differing pictures, to open in a browser",
+     "  taut report out/rings                     frames, histories, measures: out/rings/report/index.html\n"
+     "  taut report out/og out/enog --out out/two runs side by side\n"
+     "  taut report out/speeds                    table, map and charts of a sweep or study\n"
+     "  taut report out/b --baseline out/a        expected pictures, these pictures, and their differences\n"
+     "  taut report out/rings --embed             one file: out/rings/report.html\n"
+     "  taut report out/rings --watch             follow a run that goes on\n"
+     "The page needs neither server nor network. It shows the results as they are when the command runs.\n",
+     declare_report},
     {"compare", "draw runs side by side from their saved particles: one column per run, one row per time",
      "  taut compare out/og out/enog --out panel.png\n"
      "  taut compare out/og out/enog --times 0.002,0.005,0.012 --color pressure --range -2e6:2e6"

@@ -1,6 +1,7 @@
 #include "cli/study/gnuplot.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 

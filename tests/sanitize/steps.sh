@@ -53,7 +53,7 @@ command_words() {
   local what shell
   taut --help
   taut --version
-  for what in run render sweep chart map choose plot compare movie diff snapshot check critical-step session list \
+  for what in run render sweep chart map choose plot report compare movie diff snapshot check critical-step session list \
     describe completion; do
     taut "$what" --help
   done
@@ -95,6 +95,8 @@ command_draw() {
   taut compare run oenog --out panel.png
   taut diff run other --out difference.png || [[ $? == 1 ]]
   expect 0 taut diff run/frames/frame_00001.png run/frames/frame_00001.png
+  taut report run oenog --out page
+  taut report run --baseline other --embed --json
 }
 
 command_draw_solid() {
@@ -129,6 +131,7 @@ command_sweep() {
     --markdown
   taut chart rings --measure least_diameter --against oenog --json
   taut map rings --parameter spacing --out map.png --json
+  taut report rings
   taut choose colliding-rings --from rings --measure mirror_asymmetry --set until=4e-4 --json
   taut choose colliding-rings --from rings --measure mirror_asymmetry --set until=4e-4 --error 1 || [[ $? == 1 ]]
   taut sweep rings-accuracy --list

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/image/image_difference.hpp"
+
+namespace taut::cli {
+
+/// Content of a page.
+enum class PageKind { run, runs, sweep, difference };
+std::string_view name(PageKind kind);
+
+struct ReportRequest {
+  std::vector<std::string> paths;       // run folders, or sweeps; with a baseline one folder with pictures
+  std::optional<std::string> out;       // folder, or with `embed` file
+  std::optional<std::string> baseline;  // folder with the expected pictures
+  render::DifferenceLimit limit{};      // with a baseline
+  bool embed = false;                   // one file with everything in it
+};
+
+struct WrittenPage {
+  PageKind kind;
+  std::filesystem::path file;  // to open
+  std::size_t runs = 0;
+  bool running = false;  // a run has not ended
+};
+
+/// Writes a page. Throws UsageError for paths that are not results of taut or of different kinds, and for an existing
+/// `out` that is not a page; OutputError.
+WrittenPage write_report(const ReportRequest& request);
+
+}  // namespace taut::cli
