@@ -133,6 +133,13 @@ TEST_SUITE("cli") {
     check_error("[render]", "@" + parts + "b = 1\n[render]", {"a key has more than 16 parts"});
     check_error("v0 = {", "v0 = { @" + parts + "b = 1, ", {"a key has more than 16 parts"});
     CHECK_NOTHROW(read_text(replaced(small_scene, "\"Small\"", "'" + std::string(100, '.') + "'")));
+    // a string of three quotes may end with up to five [TOML 1.0, String]
+    for (const std::string text : {R"("""x"""")", R"("""x""""")", "'''x''''", "'''x'''''", R"("""\"""")"}) {
+      CAPTURE(text);
+      check_error("\"Small\"", text + " # \\\n@" + parts + "b = 1", {"a key has more than 16 parts"});
+      check_error("v0 = {", "v1 = { unit = " + text + ", @" + parts + "b = 1 }\nv0 = {",
+                  {"a key has more than 16 parts"});
+    }
   }
 
   TEST_CASE("scene: as many parameters as a scene has, and no more") {
