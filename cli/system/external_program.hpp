@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,9 @@ struct ProcessResult {
   std::string errors;    // the end of what it wrote to stderr
 };
 
-/// Runs a program, found by its name in PATH, in `folder`, without a shell: no argument has a special
-/// meaning. Its stdin and stdout are empty. An interrupt ends it.
-ProcessResult run_process(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+/// Runs a program, found by its name in the absolute folders of PATH, in `folder`, without a shell: no argument has a
+/// special meaning. Its stdin and stdout are empty. An interrupt ends it.
+ProcessResult run_process(std::vector<std::string> arguments, const std::filesystem::path& folder,
                           const Interrupts& interrupts);
 
 /// Another program that makes a file.
@@ -28,13 +29,13 @@ struct Maker {
   std::string package;  // of Debian
 };
 
-/// "a/movie.mp4" → "a/movie.part.mp4": programs take the format from the extension.
-std::filesystem::path unfinished(const std::filesystem::path& file);
+/// The arguments that make a program write the file at this absolute path: "…/movie.mp4.part/movie.mp4" for
+/// "movie.mp4".
+using MakerArguments = std::function<std::vector<std::string>(const std::filesystem::path& unfinished)>;
 
-/// Runs `maker` in `folder` with arguments that make it write unfinished(file), which gets its name when it
-/// is whole. Gives the exit code: fine or interrupted. Throws OutputError when the program is not installed
-/// or fails; then there is no such file.
-int make_file(const Maker& maker, const std::vector<std::string>& arguments,
-              const std::filesystem::path& folder, const std::filesystem::path& file);
+/// Runs `maker` in `folder`. The file that it writes is moved to `file` when it is whole. Gives the exit code: fine or
+/// interrupted. Throws OutputError when the program is not installed or fails; then there is no such file.
+int make_file(const Maker& maker, const MakerArguments& arguments, const std::filesystem::path& folder,
+              const std::filesystem::path& file);
 
 }  // namespace taut::cli
