@@ -93,6 +93,7 @@ struct ShapeSetting {
   std::filesystem::path folder;  // of the scene file
   Layers layers{};
   bool alone = false;  // a body by itself
+  int level = 0;       // combined shapes around the shape
 };
 /// A shape as scene files name it.
 struct ShapeKind {
