@@ -60,6 +60,8 @@ class Json {
 
   /// The member of an object, null if it is new. A null becomes an object.
   Json& operator[](std::string_view key);
+  /// Appends a member to an object, which must not have this key yet.
+  void append(std::string key, Json value);
   /// Appends to an array. A null becomes an array.
   void add(Json item);
   /// A copy of an object with the members of another object that it lacks.
