@@ -42,8 +42,11 @@ std::vector<std::filesystem::path> make_folders(const std::filesystem::path& fol
 /// The folder that a file is to stand in. Throws OutputError.
 void make_folder_of(const std::filesystem::path& file);
 
-/// All bytes of a file; none if it cannot be read, or is a folder or a device.
-std::optional<std::string> read_whole(const std::filesystem::path& path);
+/// All bytes of a file; none if it cannot be opened, or is no regular file. Throws UsageError for a file of more than
+/// `most_bytes`, and OutputError if the system fails to read.
+constexpr std::uint64_t most_bytes_of_text = 64 << 20;
+std::optional<std::string> read_whole(const std::filesystem::path& path,
+                                      std::uint64_t most_bytes = most_bytes_of_text);
 
 /// A file that grows by whole lines: each one is handed to the system at once, and a line that did not fit is
 /// taken back, so that neither a crash nor a full disk leaves half a line.
