@@ -15,7 +15,8 @@ namespace taut::cli {
 /// Where a run leaves its output; cli/COMMANDS.md says what each file holds.
 class RunFolder {
  public:
-  explicit RunFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  /// `named`: the user has named this folder, so that it may be a link.
+  explicit RunFolder(std::filesystem::path path, bool named = true) : path_(std::move(path)), named_(named) {}
 
   /// Throws UsageError when the folder holds something that no run of taut left there. Touches nothing.
   void check() const;
@@ -56,6 +57,7 @@ class RunFolder {
   bool holds_only(const std::set<std::string>& names) const;
 
   std::filesystem::path path_;
+  bool named_;
 };
 
 /// The folder to lock before `path` is written: that of the run which it lies in; else none.

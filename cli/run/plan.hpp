@@ -3,6 +3,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/drawing/options.hpp"
@@ -17,6 +18,7 @@ struct RunOptions {
   std::string scene;
   std::vector<Setting> settings;  // --method, --spacing, --until; behind them --set, which counts before them
   std::optional<std::string> out;
+  bool out_named = true;  // by the user, not by a sweep
   std::optional<double> every, history;
   std::optional<int> frames;
   DrawingOptions drawing;
@@ -35,8 +37,8 @@ void declare_output_options(Options& command, RunOptions& options);
 /// --save-particles, --fields.
 void declare_particle_options(Options& command, RunOptions& options);
 
-/// Throws UsageError for far more threads than there are cores.
-void check_threads(int threads);
+/// Throws UsageError for far more threads, or what else the option counts, than there are cores.
+void check_threads(int threads, std::string_view option = "--threads");
 /// The scene with what the options change about what is simulated. Throws UsageError and SceneError.
 SceneFile scene_to_run(const RunOptions& options);
 
