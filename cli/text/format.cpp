@@ -9,6 +9,8 @@
 
 #include <fmt/core.h>
 
+#include "cli/text/shown.hpp"
+
 namespace taut::cli {
 namespace {
 
@@ -106,8 +108,10 @@ std::string table_line(const std::vector<std::string>& cells, const std::vector<
 
 }  // namespace
 
-std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent,
+std::string in_columns(std::vector<std::vector<std::string>> rows, int indent,
                        std::optional<std::size_t> columns) {
+  for (auto& row : rows)  // of a stranger's file
+    for (std::string& cell : row) cell = printable(cell);
   std::vector<std::size_t> padded, full;  // widths without and with the last cells of the rows
   for (const auto& row : rows) {
     padded.resize(std::max(padded.size(), row.size()));

@@ -39,7 +39,7 @@ std::uint64_t hash_of(std::string_view text);
 
 /// Rows of cells in columns, with two blanks between columns and `indent` blanks before the first. A table wider than
 /// `columns` wraps the cells of its widest column.
-std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent = 2,
+std::string in_columns(std::vector<std::vector<std::string>> rows, int indent = 2,
                        std::optional<std::size_t> columns = {});
 /// Words of `text` on lines of at most `columns`, each after `indent` blanks, without a newline at the end.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns);

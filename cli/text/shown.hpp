@@ -10,6 +10,10 @@ namespace taut::cli {
 /// with "\x1b" for what a terminal would obey.
 std::string shown(std::string_view text, std::size_t most = 200);
 
+/// The same for a text of any length, in which line breaks stay: for whatever is printed on a terminal. Escapes C1
+/// controls and marks of the direction of writing as well.
+std::string printable(std::string_view text);
+
 /// The first `most` bytes of UTF-8 text, or fewer: no half letter, and "…" for what is left away.
 std::string abridged(std::string_view text, std::size_t most);
 
