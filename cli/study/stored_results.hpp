@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,6 +30,9 @@ struct StoredRun {
   std::string method() const;  // also of a run without a result, where the grid has it
   std::string folder() const;  // of the run, beside results.csv
   bool is_stable() const { return has_result() && text("verdict") == "stable"; }
+
+  mutable std::vector<std::uint32_t> by_column =
+      {};  // places of cells, made by `text`: there may be 10 000 columns
 };
 
 /// The runs of one scene from one or more sweeps.

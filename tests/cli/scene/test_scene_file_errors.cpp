@@ -193,6 +193,7 @@ TEST_SUITE("cli") {
                 {"youngs_modulus = -1 must be greater than 0"});
     check_error("spacing = 0.1", "spacing = @0", {"spacing = 0 must be greater than 0"});
     check_error("until = 2", "until = @-2", {"until = -2 must be greater than 0"});
+    check_error("until = 2", "until = @1e-322\nhistory = 1", {"must be at least 1e-100 s"});
     check_error("until = 2", "until = 2\nhistory = @0", {"history = 0 must be greater than 0"});
     check_error("until = 2", "until = 2\ncfl = @0", {"cfl = 0 must be greater than 0"});
     check_error("until = 2", "until = 2\ndim = @4", {"dim = 4 must be a whole number from 2 to 3"});
