@@ -72,7 +72,6 @@ void RunFolder::check() const {
     throw UsageError("'" + path_.string() +
                      "' contains files that are not from a run of taut; empty it or name " +
                      "another folder with --out");
-  for (const fs::path& inner : {frames(), particles()}) check_writable(inner);
 }
 
 bool RunFolder::is_damaged() const {
@@ -97,6 +96,7 @@ bool RunFolder::holds_only(const std::set<std::string>& names) const {
 }
 
 void RunFolder::claim(std::string_view record_text) const {
+  for (const fs::path& inner : {frames(), particles()}) check_writable(inner);
   make_folders(path_);
   write_atomically(record(), record_text, Kept::on_disk);
 }

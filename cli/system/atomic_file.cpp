@@ -224,20 +224,19 @@ AppendFile::AppendFile(fs::path path, Start start) : path_(std::move(path)) {
   descriptor_ = ::open(path_.c_str(), how | (start == Start::empty ? 0 : O_APPEND), 0666);
   if (descriptor_ < 0) fail(path_, errno);
   struct stat found {};
-  // another name of the file would be written to as well
-  if (::fstat(descriptor_, &found) != 0 || !S_ISREG(found.st_mode) || found.st_nlink > 1) {
-    ::close(descriptor_);
-    throw OutputError(
-        path_.string(),
-        "cannot be written: it is no regular file, or has a second name (hard link); replace it "
-        "with a copy");
+  const bool known = ::fstat(descriptor_, &found) == 0, regular = known && S_ISREG(found.st_mode);
+  // a pipe would be waited for, and the other name of a file be written to as well
+  const bool allowed = regular ? found.st_nlink == 1 : known && S_ISCHR(found.st_mode);
+  if (allowed && (!regular || start == Start::as_it_is || ::ftruncate(descriptor_, 0) == 0)) {
+    length_ = std::max<std::int64_t>(0, ::lseek(descriptor_, 0, SEEK_END));
+    return;
   }
-  if (start == Start::empty && ::ftruncate(descriptor_, 0) != 0) {
-    const int error = errno;
-    ::close(descriptor_);
-    fail(path_, error);
-  }
-  length_ = std::max<std::int64_t>(0, ::lseek(descriptor_, 0, SEEK_END));
+  const int error = errno;
+  ::close(descriptor_);
+  if (allowed) fail(path_, error);
+  throw OutputError(path_.string(),
+                    "cannot be written: it is no regular file, or has a second name (hard link); replace it "
+                    "with a copy");
 }
 
 void AppendFile::check_holds(std::int64_t length) const {

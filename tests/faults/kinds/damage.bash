@@ -11,7 +11,7 @@ readers=(
   "run/scene.toml|0 2|describe run/scene.toml"
   "run/scene.toml run/particles/*|0 2|render run --quiet --size 64x64 --out drawn"
   "run/scene.toml run/particles/*|0 2 4|render run --quiet --size 64x64 --color pressure --range auto --style cells"
-  "run/scene.toml run/particles/*|0 2|compare run --size 64x64 --out panel.png"
+  "run/scene.toml run/particles/*|0 2|compare run --size 640x480 --out panel.png"
   "run/run.json run/frames/*|0 2 4|movie run --out movie.gif"
   "run/frames/*|0 1 2|diff run good-frames --out diff.png"
   "run/frames/*|0 1 2|diff run/frames/frame_00000.png good-frames/frame_00000.png"
