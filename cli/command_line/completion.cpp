@@ -55,7 +55,7 @@ class CommandLine {
     if (method_) settings.push_back({"method", *method_});
     const auto of_run = std::filesystem::path(arguments_.front()) / "scene.toml";
     std::error_code error;
-    if (std::filesystem::exists(of_run, error)) return read_scene(of_run);
+    if (std::filesystem::is_regular_file(of_run, error)) return read_scene(of_run);
     return read_scene(find_scene(arguments_.front()), settings);
   } catch (const UsageError&) {
     return std::nullopt;

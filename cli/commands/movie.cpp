@@ -95,8 +95,8 @@ std::vector<std::string> arguments_of(const MovieArguments& options, const fs::p
 
 int encode(const MovieArguments& options, const fs::path& folder) {
   make_folder_of(options.out);
-  const fs::path part = unfinished(fs::absolute(options.out));
-  return make_file({"ffmpeg", "movies", "ffmpeg"}, arguments_of(options, part), folder, options.out);
+  const auto arguments = [&](const fs::path& part) { return arguments_of(options, part); };
+  return make_file({"ffmpeg", "movies", "ffmpeg"}, arguments, folder, options.out);
 }
 
 int movie(const MovieArguments& options, Streams streams) {

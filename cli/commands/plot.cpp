@@ -24,7 +24,7 @@ struct PlotArguments {
 Scene scene_of(const StoredRun& run) {
   const RunFolder folder(fs::path(run.file).parent_path());
   std::error_code error;
-  if (!fs::exists(folder.scene(), error))
+  if (!fs::is_regular_file(folder.scene(), error))
     throw UsageError("'" + run.folder() +
                      "' contains no scene.toml, which is needed for the units; name a run folder");
   return read_scene(folder.scene()).scene;

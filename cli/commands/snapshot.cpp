@@ -97,7 +97,10 @@ void compare_with_baseline(const SnapshotArguments& options, const RunFolder& ru
 
 int snapshot(SnapshotArguments options, Streams streams) {
   const Stopwatch setup;
-  if (!options.out) options.out = "out/snapshot-" + plain_path(options.baseline).filename().string();
+  if (!options.out) {
+    options.out = "out/snapshot-" + plain_path(options.baseline).filename().string();
+    options.out_named = false;
+  }
   const RunPlan plan = make_plan(options);
   tell(plan.file, streams.err);
   check_baseline(options, plan.folder.path());

@@ -172,6 +172,7 @@ class ResultsWriter {
 int execute(SweepPlan& plan, const SweepArguments& o, Streams streams) {
   for (const std::string& remark : plan.remarks) streams.err << "taut: " << remark << '\n';
   const std::optional<Verdict> fail_on = parse_verdict(o.fail_on);
+  if (o.jobs) check_threads(*o.jobs, "--jobs");
   using Of = FolderLock::Of;
   const FolderLock lock(plan.folder, o.index ? Of::part_of_sweep : Of::sweep, "taut sweep", streams.err);
   const Interrupts interrupts;

@@ -21,6 +21,7 @@ constexpr std::string_view diameter_name = "diameter";
 constexpr std::string_view velocity_name = "velocity";
 constexpr std::string_view held_name = "held";
 constexpr std::string_view time_name = "TimeValue";  // name used by ParaView
+constexpr std::size_t most_particles = 20'000'000;   // as in a scene
 constexpr std::string_view data_begin = "<AppendedData encoding=\"raw\">\n_";
 
 std::string attribute(std::string_view key, std::string_view value) {
@@ -138,6 +139,9 @@ std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* 
 ParticleFile::ParticleFile(std::filesystem::path path) : path_(std::move(path)) { read_header(); }
 
 void ParticleFile::read_header() {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path_, error))
+    fail("is not a regular file");  // a pipe is not waited for
   std::ifstream file(path_, std::ios::binary);
   if (!file) fail("cannot be read");
   const std::string header = header_of(file);
@@ -163,6 +167,8 @@ void ParticleFile::read_header() {
   if (!time || !size || !has_numbers(points_name, 3) || !has_numbers(diameter_name, 1))
     fail("is not a particle file of taut");
   if (!std::isfinite(*time)) fail("has a time that is not a finite number");
+  if (*size > most_particles)
+    fail("claims " + std::to_string(*size) + " particles; at most 20 million are allowed");
   time_ = *time;
   size_ = *size;
 }
@@ -185,7 +191,9 @@ std::vector<double> ParticleFile::read_as(const Array& array) const {
   const auto length =
       static_cast<std::uint64_t>(std::max<std::streamoff>(file ? std::streamoff(file.tellg()) : 0, 0));
   // zlib compresses at most 1000-fold, so a larger size is damaged
-  if (array.offset >= length || array.components > 9 || size_ > 1024 * length)
+  constexpr std::uint64_t most_packed = 1024;
+  if (array.offset >= length || array.components > 9 ||
+      array.components * size_ * sizeof(Number) > most_packed * (length - array.offset))
     fail("is truncated or damaged");
   const std::size_t count = array.components * size_;
   std::string packed(std::min<std::uint64_t>(length - array.offset, 64 + 2 * sizeof(Number) * (count + 4096)),

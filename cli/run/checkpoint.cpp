@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <string_view>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <fmt/core.h>
@@ -20,6 +22,21 @@ std::uint32_t checksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
+/// A large file of something else is refused before it is read.
+bool begins_otherwise(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;  // said elsewhere
+  std::ifstream file(path, std::ios::binary);
+  std::string beginning(kind.size(), '\0');
+  return file.read(beginning.data(), static_cast<std::streamsize>(beginning.size())) && beginning != kind;
+}
+
+/// The bytes of the file and the state that is made of them must fit into the memory of the machine.
+std::uint64_t most_bytes() {
+  return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+         static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) / 2;
+}
+
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, CheckpointHeader header) {
@@ -32,11 +49,12 @@ void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, 
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) {
-  const std::optional<std::string> bytes = read_whole(path);
-  if (!bytes) throw UsageError("there is no checkpoint '" + path.string() + "', or it cannot be read");
   const auto refuse = [&](const std::string& reason) {
     return UsageError("'" + path.string() + "' " + reason);
   };
+  if (begins_otherwise(path)) throw refuse("is not a checkpoint of taut");
+  const std::optional<std::string> bytes = read_whole(path, most_bytes());
+  if (!bytes) throw UsageError("there is no checkpoint '" + path.string() + "', or it cannot be read");
   std::string_view rest = *bytes;
   if (!rest.starts_with(kind)) throw refuse("is not a checkpoint of taut");
   std::uint32_t sum = 0;

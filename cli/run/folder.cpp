@@ -1,9 +1,12 @@
 #include "cli/run/folder.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <iostream>
 #include <set>
 #include <string>
+#include <unistd.h>
 
 #include "cli/drawing/frames.hpp"
 #include "cli/run/record.hpp"
@@ -36,12 +39,24 @@ void remove_those(const fs::path& folder, const Ours& ours) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
     if (ours(entry.path())) remove_file(entry.path());
+  if (error && error != std::errc::no_such_file_or_directory)
+    throw OutputError(folder.string(), "cannot be listed: " + error.message());
+}
+
+/// Throws before the older run is touched: a run that ends without its frames is lost.
+void check_writable(const fs::path& folder) {
+  if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0 && errno != ENOENT)
+    throw OutputError(folder.string(), std::string("cannot be written: ") + std::strerror(errno));
 }
 
 }  // namespace
 
 void RunFolder::check() const {
   std::error_code error;
+  if (!named_ && fs::is_symlink(path_, error))
+    throw UsageError("'" + path_.string() +
+                     "' is a link; the run would be written into its target. Remove the link, " +
+                     "or name a folder with --out");
   if (!fs::exists(path_, error)) return;
   if (!fs::is_directory(path_, error))
     throw UsageError("'" + path_.string() + "' is not a folder; name another with --out");
@@ -81,6 +96,7 @@ bool RunFolder::holds_only(const std::set<std::string>& names) const {
 }
 
 void RunFolder::claim(std::string_view record_text) const {
+  for (const fs::path& inner : {frames(), particles()}) check_writable(inner);
   make_folders(path_);
   write_atomically(record(), record_text, Kept::on_disk);
 }

@@ -15,7 +15,8 @@ namespace taut::cli {
 /// See cli/COMMANDS.md.
 class RunFolder {
  public:
-  explicit RunFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  /// `named`: the user has named this folder, so that it may be a link.
+  explicit RunFolder(std::filesystem::path path, bool named = true) : path_(std::move(path)), named_(named) {}
 
   /// Throws UsageError for files that are not from a run. Changes nothing.
   void check() const;
@@ -51,6 +52,7 @@ class RunFolder {
   bool holds_only(const std::set<std::string>& names) const;
 
   std::filesystem::path path_;
+  bool named_;
 };
 
 std::optional<std::filesystem::path> run_around(const std::filesystem::path& path);

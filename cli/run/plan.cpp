@@ -243,12 +243,13 @@ void declare_particle_options(Options& command, RunOptions& o) {
       .needs(save);
 }
 
-void check_threads(int threads) {
+void check_threads(int threads, std::string_view option) {
   constexpr int few = 8;  // per core
   const int most = std::max(2 * few, few * cores());
   if (threads > most)
-    throw UsageError("--threads is " + std::to_string(threads) + "; at most " + std::to_string(most) +
-                     " are allowed, since this machine has " + std::to_string(cores()) + " cores");
+    throw UsageError(std::string(option) + " is " + std::to_string(threads) + "; at most " +
+                     std::to_string(most) + " are allowed, since this machine has " +
+                     std::to_string(cores()) + " cores");
 }
 
 SceneFile scene_to_run(const RunOptions& options) {
@@ -272,7 +273,8 @@ RunPlan make_plan(const RunOptions& options) {
   file.drawing.frames = frame_count(options, file);
   file.history = history_interval(options, file);
   if (options.out && options.out->empty()) throw UsageError("--out is empty; name a folder");
-  plan.folder = RunFolder(options.out ? *options.out : default_folder(options, file));
+  plan.folder = options.out ? RunFolder(*options.out, options.out_named)
+                            : RunFolder(default_folder(options, file), /*named=*/false);
   refuse_second_columns(file);
   for (const std::string& remark : {no_use(options), lines_without_samples(file.scene),
                                     warning_about_reactions(file.scene, *find_method(file.settings.method))})

@@ -3,6 +3,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/drawing/options.hpp"
@@ -17,6 +18,7 @@ struct RunOptions {
   std::string scene;
   std::vector<Setting> settings;  // --method, --spacing, --until, then --set
   std::optional<std::string> out;
+  bool out_named = true;  // by the user, not by a sweep
   std::optional<double> every, history;
   std::optional<int> frames;
   DrawingOptions drawing;
@@ -32,8 +34,8 @@ void declare_output_options(Options& command, RunOptions& options);
 
 void declare_particle_options(Options& command, RunOptions& options);
 
-/// Throws UsageError for too many threads.
-void check_threads(int threads);
+/// Throws UsageError for too many threads, or of what else `option` counts.
+void check_threads(int threads, std::string_view option = "--threads");
 /// Throws UsageError and SceneError.
 SceneFile scene_to_run(const RunOptions& options);
 

@@ -14,7 +14,7 @@ namespace {
 void check_something_is_left(const RunFolder& folder, const std::optional<StoredRecord>& record) {
   std::error_code error;
   const std::string name = '\'' + folder.path().string() + '\'';
-  if (!fs::exists(folder.scene(), error) || !record)
+  if (!fs::is_regular_file(folder.scene(), error) || !record)
     throw UsageError(name + " is not a run folder; name a folder that `taut run` has written");
   if (fs::exists(folder.checkpoint(), error)) return;
   const bool failed = record->status == RunRecord::Status::failed;

@@ -12,7 +12,7 @@ namespace taut::cli {
 SavedRun open_saved_run(const fs::path& path) {
   const RunFolder folder(path);
   std::error_code error;
-  if (!fs::exists(folder.scene(), error))
+  if (!fs::is_regular_file(folder.scene(), error))  // a pipe is not waited for
     throw UsageError("'" + path.string() +
                      "' is not a run folder; name a folder that `taut run` has written");
   std::vector<fs::path> files;

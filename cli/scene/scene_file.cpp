@@ -64,6 +64,10 @@ void read_times(TomlCursor& root, const Changes& changes, double dp, SceneFile& 
   file.scene.spacing = dp;
   file.scene.until = root.positive("until");
   if (changes.until) file.scene.until = changed_positive("until", *changes.until, root.names());
+  constexpr double least_until = 1e-100;  // with smaller times, sums of time steps lose their digits
+  if (file.scene.until < least_until)
+    root.fail(root.need("until"), "until",
+              "until = " + exact(file.scene.until) + " s must be at least " + exact(least_until) + " s");
   root.table().set("until", TomlValue(file.scene.until));
   file.history = root.find("history") ? root.positive("history") : file.scene.until / default_rows;
   root.table().set("history", TomlValue(*file.history));

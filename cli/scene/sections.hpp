@@ -84,6 +84,7 @@ struct ShapeSetting {
   std::filesystem::path folder;
   Layers layers{};
   bool alone = false;  // only shape of its body, without cut-outs
+  int level = 0;       // number of combined shapes around it
 };
 struct ShapeKind {
   std::string_view name;

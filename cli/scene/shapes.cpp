@@ -94,6 +94,11 @@ std::vector<Shape> read_list(TomlCursor& owner, std::string_view key, const std:
                              const ShapeSetting& setting);
 
 Shape read_combined(TomlCursor& shape, ShapeSetting setting, Combination how) {
+  constexpr int most_levels = 8;
+  if (++setting.level > most_levels)
+    shape.fail(shape.need("shapes"), "shapes",
+               "unions, intersections and differences are nested more than " + std::to_string(most_levels) +
+                   " levels deep; use fewer levels, such as one union of all its shapes");
   setting.alone = false;
   setting.layers = Layers::none;
   Combined combined{how, read_list(shape, "shapes", "the shapes of " + shape.what(), setting)};

@@ -25,18 +25,19 @@ FilePlace place_of(const toml::source_position& position) {
 /// toml++ limits nested brackets, but not the parts of a key, which are tables, too.
 constexpr int most_parts = 16, most_levels = 300;
 
-/// Returns the end of the text quoted at `at`; an unclosed one ends with its line.
+/// Returns the end of the text quoted at `at`. A text in one quote ends with its line at the latest.
 std::size_t behind_quoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const bool long_one = text.substr(at, 3) == std::string(3, quote);
   for (std::size_t i = at + (long_one ? 3 : 1); i < text.size(); ++i) {
-    if (text[i] == '\\' && quote == '"') {
-      ++i;
-    } else if (long_one && text.substr(i, 3) == std::string(3, quote)) {
-      return i + 3;
-    } else if (!long_one && (text[i] == quote || text[i] == '\n')) {
-      return i + 1;
+    if (!long_one && (text[i] == quote || text[i] == '\n')) return i + 1;
+    if (long_one && text.substr(i, 3) == std::string(3, quote)) {
+      std::size_t end = i + 3;  // up to two more quotes belong to the string [TOML 1.0, String]
+      while (end < std::min(i + 5, text.size()) && text[end] == quote) ++end;
+      return end;
     }
+    const bool escapes = text[i] == '\\' && quote == '"';
+    if (escapes && (long_one || text.substr(i + 1, 1) != "\n")) ++i;
   }
   return text.size();
 }

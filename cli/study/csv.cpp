@@ -83,12 +83,7 @@ CsvTable parse_csv(const std::string& text, const std::string& file) {
 }
 
 CsvTable read_csv(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (!error && size > most_mebibytes << 20)
-    throw UsageError("'" + path.string() + "' has " + std::to_string(size >> 20) + " MiB; at most " +
-                     std::to_string(most_mebibytes) + " MiB are allowed");
-  const auto text = read_whole(path);
+  const auto text = read_whole(path, most_mebibytes << 20);
   if (!text) throw UsageError("'" + path.string() + "' cannot be read");
   return parse_csv(*text, path.string());
 }

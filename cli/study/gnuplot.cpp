@@ -25,20 +25,23 @@ std::string one_line(std::string_view text) {
 /// False for continuation bytes of UTF-8.
 bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
+/// A byte in a string in single quotes, as an octal escape: gnuplot 5.4 reads '' as one quote only behind a letter.
+std::string plot_byte(char c) { return fmt::format("'.\"\\{:03o}\".'", static_cast<unsigned char>(c)); }
+
 /// "./" protects from a leading '|', '<' or '-'. Control characters, and letters without a font, become octal.
-std::string plot_file(const fs::path& file) {
-  const std::string name = file.filename().string();
+std::string plot_path(const std::string& name) {
   const bool drawable = with_letters_of_fonts(name) == name;
   std::string result;
   for (const char c : "./" + name) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte < ' ' || (byte >= 0x80 && !drawable))
-      result += fmt::format("'.\"\\{:03o}\".'", byte);
-    else
-      result += c == '\'' ? "''" : std::string(1, c);
+    const bool plain = byte >= ' ' && c != '\'' && (byte < 0x80 || drawable);
+    result += plain ? std::string(1, c) : plot_byte(c);
   }
   return "'" + result + "'";
 }
+
+/// A file in the script's folder.
+std::string plot_file(const fs::path& file) { return plot_path(file.filename().string()); }
 
 }  // namespace
 
@@ -51,10 +54,7 @@ PlotFiles plot_files(const std::string& picture) {
 
 std::string plot_text(std::string_view text) {
   std::string result = "'";
-  for (const char c : one_line(text)) {
-    if (c == '\'') result += c;  // doubled quote
-    result += c;
-  }
+  for (const char c : one_line(text)) result += c == '\'' ? plot_byte(c) : std::string(1, c);
   return result + "'";
 }
 
@@ -138,9 +138,12 @@ int draw_plot(const PlotFiles& files, const std::string& script, const std::stri
   const bool vector = picture.extension() == ".svg";  // the viewer has the fonts
   write_atomically(files.data(), vector ? data : with_letters_of_fonts(data));
   write_atomically(files.script(), vector ? script : with_letters_of_fonts(script));
-  const std::string output = "picture = " + plot_file(unfinished(picture));
-  return make_file({"gnuplot", "charts and maps", "gnuplot-nox"},
-                   {"-e", output, "./" + files.script().filename().string()}, picture.parent_path(), picture);
+  const fs::path folder = picture.parent_path();
+  const auto arguments = [&](const fs::path& part) -> std::vector<std::string> {
+    return {"-e", "picture = " + plot_path(part.lexically_relative(folder).string()),
+            "./" + files.script().filename().string()};
+  };
+  return make_file({"gnuplot", "charts and maps", "gnuplot-nox"}, arguments, folder, picture);
 }
 
 }  // namespace taut::cli

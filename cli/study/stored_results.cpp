@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <numeric>
 #include <set>
 
 #include "cli/study/csv.hpp"
@@ -11,8 +12,8 @@
 #include "cli/text/json_cursor.hpp"
 #include "cli/text/shown.hpp"
 #include "cli/text/suggest.hpp"
-#include "engine/judge/verdict.hpp"
 #include "engine/error.hpp"
+#include "engine/judge/verdict.hpp"
 
 namespace taut::cli {
 namespace {
@@ -59,8 +60,9 @@ std::vector<StoredRun> read_runs(const fs::path& file) {
 
 /// Adds title and units; returns common settings.
 StoredSettings add_names(const fs::path& table, StoredResults& results) {
+  constexpr std::uint64_t most_bytes = 256 << 20;  // as of results.csv
   const std::string file = (table.parent_path() / "results.json").string();
-  const auto text = read_whole(file);
+  const auto text = read_whole(file, most_bytes);
   if (!text) return {};
   const auto json = parse_json(*text, file);
   const JsonCursor top(json, file);
@@ -94,12 +96,12 @@ std::string without_prefix(const std::string& column) {
 /// Settings first, then parameters that depend on them.
 std::vector<std::string> candidates(const std::vector<StoredRun>& runs) {
   std::vector<std::string> set, parameters;
+  std::set<std::string_view> seen;
   for (const StoredRun& run : runs)
     for (const auto& cell : run.cells)
       for (auto [prefix, columns] :
            {std::pair{set_prefix, &set}, {fixed_prefix, &set}, {parameter_prefix, &parameters}})
-        if (cell.first.starts_with(prefix) && std::ranges::find(*columns, cell.first) == columns->end())
-          columns->push_back(cell.first);
+        if (cell.first.starts_with(prefix) && seen.insert(cell.first).second) columns->push_back(cell.first);
   set.insert(set.end(), {"spacing", "stepping", "cfl", "contact", "until", "material_law", "jitter"});
   set.insert(set.end(), parameters.begin(), parameters.end());
   return set;
@@ -108,8 +110,14 @@ std::vector<std::string> candidates(const std::vector<StoredRun>& runs) {
 }  // namespace
 
 std::string StoredRun::text(std::string_view column) const {
-  const auto cell = std::ranges::find(cells, column, [](const auto& c) { return std::string_view(c.first); });
-  return cell == cells.end() ? "" : cell->second;
+  const auto name = [this](std::uint32_t k) -> std::string_view { return cells[k].first; };
+  if (by_column.size() != cells.size()) {
+    by_column.resize(cells.size());
+    std::iota(by_column.begin(), by_column.end(), 0U);
+    std::ranges::stable_sort(by_column, {}, name);
+  }
+  const auto found = std::ranges::lower_bound(by_column, column, {}, name);
+  return found == by_column.end() || name(*found) != column ? "" : cells[*found].second;
 }
 
 std::optional<double> StoredRun::number(std::string_view column) const {
@@ -133,12 +141,13 @@ std::string StoredRun::folder() const {
 std::vector<std::string> StoredResults::measures() const {
   constexpr std::string_view prefix = "measures.";
   std::vector<std::string> names;
+  std::set<std::string> seen;
   for (const StoredRun& run : runs)
     for (const auto& [column, value] : run.cells) {
       if (!column.starts_with(prefix)) continue;
       const std::size_t end = column.find('.', prefix.size());
       const std::string name = column.substr(prefix.size(), end - prefix.size());
-      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+      if (seen.insert(name).second) names.push_back(name);
     }
   return names;
 }
@@ -244,6 +253,7 @@ std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& ru
       return seen.emplace(key, value).first->second != value;
     });
     if (differs) chosen.push_back(column);
+    if (!differs && seen.size() == runs.size()) break;  // no two runs agree in all that was chosen
   }
   return chosen;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,6 +27,9 @@ struct StoredRun {
   std::string method() const;  // known before a result if swept
   std::string folder() const;
   bool is_stable() const { return has_result() && text("verdict") == "stable"; }
+
+  mutable std::vector<std::uint32_t> by_column =
+      {};  // places of cells, made by `text`: there may be 10 000 columns
 };
 
 /// Runs of one scene from several sweeps.

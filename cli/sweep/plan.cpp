@@ -33,6 +33,7 @@ RunOptions options_of(const SweepRequest& request, const GridRow& row, const Set
     for (const Setting& s : *settings)
       if (&s != without) options.settings.push_back(s);
   options.out = (request.folder / folder_name(row)).string();
+  options.out_named = false;
   return options;
 }
 

@@ -6,8 +6,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -183,19 +181,58 @@ std::vector<fs::path> make_folders(const fs::path& folder) {
 
 void make_folder_of(const fs::path& file) { make_folders(fs::absolute(file).parent_path()); }
 
-std::optional<std::string> read_whole(const fs::path& path) {
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) return std::nullopt;  // a device may have no end
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(file), {});
+std::optional<std::string> read_whole(const fs::path& path, std::uint64_t most_bytes) {
+  constexpr std::size_t at_once = 1 << 20;
+  struct Descriptor {
+    int number;
+    ~Descriptor() {
+      if (number >= 0) ::close(number);
+    }
+  };
+  // a device has no end, and a pipe is not waited for
+  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+  struct stat found {};
+  if (file.number < 0 || ::fstat(file.number, &found) != 0 || !S_ISREG(found.st_mode)) return std::nullopt;
+  const auto refuse_beyond = [&](std::uint64_t bytes) {
+    constexpr std::uint64_t mebibyte = 1 << 20;
+    if (bytes > most_bytes)
+      throw UsageError("'" + path.string() + "' has " + std::to_string((bytes + mebibyte - 1) / mebibyte) +
+                       " MiB; at most " + std::to_string(most_bytes / mebibyte) + " MiB are allowed");
+  };
+  refuse_beyond(static_cast<std::uint64_t>(found.st_size));
+  std::string text;
+  while (true) {
+    const std::size_t size = text.size();
+    text.resize(size +
+                std::clamp<std::size_t>(static_cast<std::size_t>(found.st_size) - size + 1, 4096, at_once));
+    const ssize_t count = ::read(file.number, text.data() + size, text.size() - size);
+    const int error = errno;
+    text.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    refuse_beyond(text.size());
+    if (count == 0) return text;
+    if (count < 0 && error != EINTR)
+      throw OutputError(path.string(), std::string("cannot be read: ") + std::strerror(error));
+  }
 }
 
 AppendFile::AppendFile(fs::path path, Start start) : path_(std::move(path)) {
-  const int how = start == Start::empty ? O_TRUNC : O_APPEND;
-  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | how, 0666);
+  constexpr int how = O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
+  descriptor_ = ::open(path_.c_str(), how | (start == Start::empty ? 0 : O_APPEND), 0666);
   if (descriptor_ < 0) fail(path_, errno);
-  length_ = std::max<std::int64_t>(0, ::lseek(descriptor_, 0, SEEK_END));
+  struct stat found {};
+  const bool known = ::fstat(descriptor_, &found) == 0, regular = known && S_ISREG(found.st_mode);
+  // a pipe would be waited for, and the other name of a file be written to as well
+  const bool allowed = regular ? found.st_nlink == 1 : known && S_ISCHR(found.st_mode);
+  if (allowed && (!regular || start == Start::as_it_is || ::ftruncate(descriptor_, 0) == 0)) {
+    length_ = std::max<std::int64_t>(0, ::lseek(descriptor_, 0, SEEK_END));
+    return;
+  }
+  const int error = errno;
+  ::close(descriptor_);
+  if (allowed) fail(path_, error);
+  throw OutputError(path_.string(),
+                    "cannot be written: it is no regular file, or has a second name (hard link); replace it "
+                    "with a copy");
 }
 
 void AppendFile::check_holds(std::int64_t length) const {
@@ -227,7 +264,10 @@ void AppendFile::append(std::string_view line) {
 }
 
 void write_whole_folder(const fs::path& folder, const std::vector<fs::path>& files) {
-  const fs::path target = (fs::absolute(folder) / "").lexically_normal().parent_path();
+  // "a/b/" and "a/b" are the same folder; the target of a link is replaced
+  std::error_code no_target;
+  const fs::path real = fs::weakly_canonical(folder, no_target);
+  const fs::path target = ((no_target ? fs::absolute(folder) : real) / "").lexically_normal().parent_path();
   const Beside fresh(target, "tmp");
   std::error_code error;
   fs::create_directories(fresh.path(), error);

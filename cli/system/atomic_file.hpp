@@ -38,8 +38,11 @@ std::vector<std::filesystem::path> make_folders(const std::filesystem::path& fol
 /// Throws OutputError.
 void make_folder_of(const std::filesystem::path& file);
 
-/// Returns nullopt for unreadable files, folders and devices.
-std::optional<std::string> read_whole(const std::filesystem::path& path);
+/// Returns nullopt for files that cannot be opened, folders, devices and pipes. Throws UsageError for more than
+/// `most_bytes`, and OutputError if the system fails to read.
+constexpr std::uint64_t most_bytes_of_text = 64 << 20;
+std::optional<std::string> read_whole(const std::filesystem::path& path,
+                                      std::uint64_t most_bytes = most_bytes_of_text);
 
 /// A file that grows by whole lines: crashes and full disks leave no partial line.
 class AppendFile {

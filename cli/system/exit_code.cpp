@@ -6,6 +6,7 @@
 #include <ostream>
 #include <string>
 
+#include "cli/text/shown.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
@@ -21,9 +22,7 @@ std::string with_place(const SceneError& e) {
   return place.empty() ? e.what() : place + ": " + e.what();
 }
 
-}  // namespace
-
-Failure current_failure() {
+Failure raw_failure() {
   try {
     throw;
   } catch (const SceneError& e) {
@@ -38,12 +37,22 @@ Failure current_failure() {
     return {"out of memory: use a larger --spacing, a smaller --size, fewer --frames or a fixed --range",
             exit_wrong_input};
   } catch (const std::filesystem::filesystem_error& e) {
-    return {e.path1().string() + ": " + e.code().message(), exit_not_written};
+    const std::string path = e.path1().empty() ? "the current folder" : e.path1().string();
+    return {path + ": " + e.code().message(), exit_not_written};
   } catch (const std::exception& e) {
     return {std::string(e.what()) + " (this is a bug of taut)", exit_bug};
   } catch (...) {
     return {"an error without a message (this is a bug of taut)", exit_bug};
   }
+}
+
+}  // namespace
+
+/// Messages quote names and lines of files, and a stranger's file may contain what a terminal obeys.
+Failure current_failure() {
+  Failure failure = raw_failure();
+  failure.message = printable(failure.message);
+  return failure;
 }
 
 int guarded(const std::function<int()>& action, std::ostream& err) {

@@ -3,11 +3,13 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sstream>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -48,6 +50,22 @@ class Pipe {
   std::array<int, 2> ends_{};
 };
 
+/// Searches the absolute folders of PATH; returns an empty path if none has `name`. The folder in which the program runs
+/// may be foreign, so an entry such as "." does not count.
+fs::path found_in_path(const std::string& name) {
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const fs::path program = fs::path(folder) / name;
+    std::error_code error;
+    if (folder.starts_with('/') && fs::is_regular_file(program, error) &&
+        ::access(program.c_str(), X_OK) == 0)
+      return program;
+  }
+  return {};
+}
+
+/// Starts the program at the path arguments[0]. Returns 0 or an errno.
 int spawn(const std::vector<std::string>& arguments, const fs::path& folder, int errors, pid_t& process) {
   std::vector<char*> raw;
   for (const std::string& argument : arguments) raw.push_back(const_cast<char*>(argument.c_str()));
@@ -58,7 +76,7 @@ int spawn(const std::vector<std::string>& arguments, const fs::path& folder, int
   ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   ::posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
   ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  const int error = ::posix_spawnp(&process, raw[0], &actions, nullptr, raw.data(), environ);
+  const int error = ::posix_spawn(&process, raw[0], &actions, nullptr, raw.data(), environ);
   ::posix_spawn_file_actions_destroy(&actions);
   return error;
 }
@@ -81,6 +99,39 @@ void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResu
   }
 }
 
+/// New folder beside `file` in which another program writes it, so that no foreign link can lead it elsewhere. Requires
+/// the WriteTurn of the file.
+class Workplace {
+ public:
+  explicit Workplace(const fs::path& file)
+      : folder_(file.string() + ".part"), file_(folder_ / file.filename()) {
+    remove();  // left behind by a killed process
+    if (::mkdir(folder_.c_str(), 0700) != 0)
+      throw OutputError(folder_.string(),
+                        std::string("the folder cannot be created: ") + std::strerror(errno));
+  }
+  ~Workplace() { remove(); }
+  Workplace(const Workplace&) = delete;
+  Workplace& operator=(const Workplace&) = delete;
+
+  const fs::path& file() const { return file_; }
+
+ private:
+  /// Follows no link and removes no other file.
+  void remove() const {
+    struct stat found {};
+    if (::lstat(folder_.c_str(), &found) != 0) return;
+    if (!S_ISDIR(found.st_mode)) {
+      ::unlink(folder_.c_str());
+      return;
+    }
+    ::unlink(file_.c_str());
+    ::rmdir(folder_.c_str());
+  }
+
+  fs::path folder_, file_;
+};
+
 std::string last_lines(const std::string& text) {
   constexpr int shown = 5;
   std::vector<std::string> lines;
@@ -93,16 +144,16 @@ std::string last_lines(const std::string& text) {
 
 }  // namespace
 
-ProcessResult run_process(const std::vector<std::string>& arguments, const fs::path& folder,
+ProcessResult run_process(std::vector<std::string> arguments, const fs::path& folder,
                           const Interrupts& interrupts) {
   ProcessResult result;
+  const fs::path program = found_in_path(arguments.front());
+  result.found = !program.empty();
+  if (!result.found) return result;
+  arguments.front() = program.string();
   Pipe pipe;
   pid_t process = 0;
   const int error = spawn(arguments, folder, pipe.entry(), process);
-  if (error == ENOENT) {
-    result.found = false;
-    return result;
-  }
   if (error != 0) throw UsageError(arguments[0] + " cannot be started: " + std::strerror(error));
   pipe.close_entry();
   follow(process, pipe.exit(), interrupts, result);
@@ -113,25 +164,19 @@ ProcessResult run_process(const std::vector<std::string>& arguments, const fs::p
   return result;
 }
 
-fs::path unfinished(const fs::path& file) {
-  fs::path part = file;
-  return part.replace_extension(".part" + file.extension().string());
-}
-
-int make_file(const Maker& maker, const std::vector<std::string>& arguments, const fs::path& folder,
+int make_file(const Maker& maker, const MakerArguments& arguments, const fs::path& folder,
               const fs::path& file) {
-  const fs::path part = unfinished(file);
-  std::vector<std::string> words{maker.name};
-  words.insert(words.end(), arguments.begin(), arguments.end());
   const Interrupts interrupts;
   const WriteTurn turn(file);
+  const Workplace workplace(fs::absolute(file));
+  const fs::path& part = workplace.file();
+  std::vector<std::string> words = arguments(part);
+  words.insert(words.begin(), maker.name);
   const ProcessResult result = run_process(words, folder, interrupts);
   std::error_code error;
   const bool good = result.found && !result.stopped && result.code == 0;
   if (good) fs::rename(part, file, error);
   if (good && !error) return exit_fine;
-  std::error_code ignored;
-  fs::remove(part, ignored);
   if (!result.found)
     throw OutputError(file.string(), maker.name + " is needed for " + maker.purpose +
                                          " and is not installed (apt-get install " + maker.package + ")");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,8 @@ struct ProcessResult {
   std::string errors;  // end of stderr
 };
 
-/// Runs a program from PATH in `folder`, without shell, stdin and stdout. An interrupt stops it.
-ProcessResult run_process(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+/// Runs a program from the absolute folders of PATH in `folder`, without shell, stdin and stdout. An interrupt stops it.
+ProcessResult run_process(std::vector<std::string> arguments, const std::filesystem::path& folder,
                           const Interrupts& interrupts);
 
 struct Maker {
@@ -25,12 +26,13 @@ struct Maker {
   std::string package;
 };
 
-/// "a/movie.mp4" → "a/movie.part.mp4": programs take the format from the extension.
-std::filesystem::path unfinished(const std::filesystem::path& file);
+/// The arguments that make a program write the file at this absolute path: "…/movie.mp4.part/movie.mp4" for
+/// "movie.mp4".
+using MakerArguments = std::function<std::vector<std::string>(const std::filesystem::path& unfinished)>;
 
-/// Runs `maker`, which writes unfinished(file), and renames this file. Returns exit_fine or the code of an interrupt.
+/// Runs `maker` in `folder` and renames the file that it wrote to `file`. Returns exit_fine or the code of an interrupt.
 /// Throws OutputError if the program is missing or fails.
-int make_file(const Maker& maker, const std::vector<std::string>& arguments,
-              const std::filesystem::path& folder, const std::filesystem::path& file);
+int make_file(const Maker& maker, const MakerArguments& arguments, const std::filesystem::path& folder,
+              const std::filesystem::path& file);
 
 }  // namespace taut::cli

@@ -9,6 +9,8 @@
 
 #include <fmt/core.h>
 
+#include "cli/text/shown.hpp"
+
 namespace taut::cli {
 namespace {
 
@@ -104,8 +106,10 @@ std::string table_line(const std::vector<std::string>& cells, const std::vector<
 
 }  // namespace
 
-std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent,
+std::string in_columns(std::vector<std::vector<std::string>> rows, int indent,
                        std::optional<std::size_t> columns) {
+  for (auto& row : rows)  // cells of foreign files
+    for (std::string& cell : row) cell = printable(cell);
   std::vector<std::size_t> padded, full;  // without and with the last cell of each row
   for (const auto& row : rows) {
     padded.resize(std::max(padded.size(), row.size()));

@@ -37,8 +37,8 @@ std::string join_with_or(std::vector<std::string> words);
 /// The same on every machine (FNV-1a).
 std::uint64_t hash_of(std::string_view text);
 
-/// Separates columns by two blanks. A table wider than `columns` wraps its widest column.
-std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent = 2,
+/// Separates columns by two blanks. A table wider than `columns` wraps its widest column. Escapes control characters.
+std::string in_columns(std::vector<std::vector<std::string>> rows, int indent = 2,
                        std::optional<std::size_t> columns = {});
 /// No newline at the end.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns);

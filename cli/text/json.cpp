@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -12,7 +13,6 @@ namespace taut::cli {
 namespace {
 
 using Library = nlohmann::ordered_json;
-using Event = nlohmann::detail::parse_event_t;
 
 struct ToLibrary {
   Library operator()(std::monostate) const { return nullptr; }
@@ -29,28 +29,15 @@ struct ToLibrary {
   Library operator()(const auto& plain) const { return plain; }
 };
 
-Json from_library(const Library& value) {
+/// A number; null for other values.
+Json number_of(const Library& value) {
   switch (value.type()) {
-    case Library::value_t::boolean:
-      return value.get<bool>();
     case Library::value_t::number_integer:
       return value.get<std::int64_t>();
     case Library::value_t::number_unsigned:
       return value.get<std::uint64_t>();
     case Library::value_t::number_float:
       return value.get<double>();
-    case Library::value_t::string:
-      return value.get<std::string>();
-    case Library::value_t::array: {
-      Json array = Json::array();
-      for (const Library& item : value) array.add(from_library(item));
-      return array;
-    }
-    case Library::value_t::object: {
-      Json object = Json::object();
-      for (const auto& [key, member] : value.items()) object[key] = from_library(member);
-      return object;
-    }
     default:
       return nullptr;
   }
@@ -60,25 +47,89 @@ Json from_library(const Library& value) {
   throw UsageError("'" + file + "' " + what);
 }
 
-/// Rejects repeated keys and deep nesting.
-class Watch {
+/// Builds a value from the events of the library's parser, in linear time. The library's own objects compare each key
+/// with all earlier keys, and its parser with a callback visits all siblings. Rejects repeated keys and deep nesting.
+class Builder final : public nlohmann::json_sax<Library> {
  public:
-  explicit Watch(const std::string& file) : file_(file) {}
+  explicit Builder(const std::string& file) : file_(file) {}
 
-  bool operator()(int depth, Event event, const Library& value) {
-    constexpr int deepest = 64;
-    if (depth > deepest) refuse(file_, "is nested more than 64 levels deep, unlike any file of taut");
-    if (event == Event::object_start) keys_.emplace_back();
-    if (event == Event::object_end) keys_.pop_back();
-    if (event == Event::key && !keys_.back().insert(value.get<std::string>()).second)
-      refuse(file_, "has the key '" + shown(value.get<std::string>(), 60) + "' twice");
+  Json take() && { return std::move(root_); }
+
+  bool null() override { return put(nullptr); }
+  bool boolean(bool value) override { return put(value); }
+  bool number_integer(number_integer_t value) override { return put(value); }
+  bool number_unsigned(number_unsigned_t value) override { return put(value); }
+  bool number_float(number_float_t value, const string_t&) override { return put(value); }
+  bool string(string_t& value) override { return put(std::move(value)); }
+  bool binary(binary_t&) override { return false; }  // no JSON text contains any
+  bool start_object(std::size_t) override { return start(Json::object()); }
+  bool start_array(std::size_t) override { return start(Json::array()); }
+  bool end_object() override { return end(); }
+  bool end_array() override { return end(); }
+  bool key(string_t& key) override {
+    if (!open_.back().keys.insert(key).second) refuse(file_, "has the key '" + shown(key, 60) + "' twice");
+    open_.back().key = std::move(key);
     return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const Library::exception& error) override {
+    const std::string what = error.what();  // "[json.exception.parse_error.101] parse error at …"
+    refuse(file_, "is not JSON: " + shown(what.substr(std::min(what.find("] "), what.size() - 2) + 2)));
   }
 
  private:
+  struct Open {
+    Json value;
+    std::string key = {};  // of the next member
+    std::set<std::string> keys = {};
+  };
+
+  void check_depth() const {
+    constexpr std::size_t deepest = 64;
+    if (open_.size() > deepest) refuse(file_, "is nested more than 64 levels deep, unlike any file of taut");
+  }
+  bool start(Json value) {
+    check_depth();
+    open_.push_back({std::move(value)});
+    return true;
+  }
+  bool end() {
+    Json value = std::move(open_.back().value);
+    open_.pop_back();
+    return put(std::move(value));
+  }
+  bool put(Json value) {
+    check_depth();
+    if (open_.empty())
+      root_ = std::move(value);
+    else if (Open& outer = open_.back(); outer.value.is_array())
+      outer.value.add(std::move(value));
+    else
+      outer.value.append(std::move(outer.key), std::move(value));
+    return true;
+  }
+
   const std::string& file_;
-  std::vector<std::set<std::string>> keys_;  // of the open objects
+  Json root_;
+  std::vector<Open> open_;
 };
+
+/// RFC 6901
+std::string pointer_part(std::string_view key) {
+  std::string part = "/";
+  for (const char c : key) part += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+  return part;
+}
+
+void add_leaves(const Json& value, const std::string& pointer, std::vector<Json::Member>& leaves) {
+  if (value.is_object() && !value.members().empty()) {
+    for (const auto& [key, member] : value.members()) add_leaves(member, pointer + pointer_part(key), leaves);
+  } else if (value.is_array() && !value.items().empty()) {
+    for (std::size_t k = 0; k < value.items().size(); ++k)
+      add_leaves(value.items()[k], pointer + "/" + std::to_string(k), leaves);
+  } else {
+    leaves.emplace_back(pointer, value.is_object() || value.is_array() ? Json() : value);
+  }
+}
 
 }  // namespace
 
@@ -124,6 +175,10 @@ Json& Json::operator[](std::string_view key) {
   return found == members.end() ? members.emplace_back(key, nullptr).second : found->second;
 }
 
+void Json::append(std::string key, Json value) {
+  std::get<std::vector<Member>>(value_).emplace_back(std::move(key), std::move(value));
+}
+
 void Json::add(Json item) {
   if (is_null()) value_.emplace<std::vector<Json>>();
   std::get<std::vector<Json>>(value_).push_back(std::move(item));
@@ -142,23 +197,19 @@ std::string Json::dump(int indent) const {
 
 std::vector<Json::Member> Json::leaves() const {
   std::vector<Member> leaves;
-  const Library flat = std::visit(ToLibrary(), value_).flatten();
-  for (const auto& [pointer, value] : flat.items()) leaves.emplace_back(pointer, from_library(value));
+  add_leaves(*this, "", leaves);
   return leaves;
 }
 
 Json parse_json(const std::string& text, const std::string& file) {
-  try {
-    return from_library(Library::parse(text, Watch(file)));
-  } catch (const Library::exception& error) {
-    const std::string what = error.what();  // "[json.exception.parse_error.101] parse error at …"
-    refuse(file, "is not JSON: " + shown(what.substr(std::min(what.find("] "), what.size() - 2) + 2)));
-  }
+  Builder builder(file);
+  Library::sax_parse(text, &builder);
+  return std::move(builder).take();
 }
 
 Json number_or_text(const std::string& text) {
   const Library number = Library::parse(text, nullptr, /*allow_exceptions=*/false);
-  return number.is_number() ? from_library(number) : Json(text);
+  return number.is_number() ? number_of(number) : Json(text);
 }
 
 }  // namespace taut::cli

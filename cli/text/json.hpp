@@ -59,6 +59,8 @@ class Json {
 
   /// Adds a missing member. Null becomes an object.
   Json& operator[](std::string_view key);
+  /// Appends a member to an object that does not have this key yet.
+  void append(std::string key, Json value);
   /// Null becomes an array.
   void add(Json item);
   /// Returns a copy with the missing members of `other`.

@@ -1,5 +1,7 @@
 #include "cli/text/markdown.hpp"
 
+#include "cli/text/shown.hpp"
+
 namespace taut::cli {
 namespace {
 
@@ -7,7 +9,7 @@ std::string row_of(const std::vector<std::string>& cells) {
   std::string text = "|";
   for (const std::string& cell : cells) {
     text += ' ';
-    for (const char c : cell) (text += c == '|' ? "\\" : "") += c == '\n' ? ' ' : c;
+    for (const char c : printable(cell)) (text += c == '|' ? "\\" : "") += c == '\n' ? ' ' : c;
     text += " |";
   }
   return text + "\n";

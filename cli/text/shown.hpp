@@ -9,6 +9,9 @@ namespace taut::cli {
 /// Text for a message: one line of at most `most` bytes, then "…". Control characters become "\x1b".
 std::string shown(std::string_view text, std::size_t most = 200);
 
+/// Escapes control characters but line breaks, C1 controls and marks of the direction of writing, for a terminal.
+std::string printable(std::string_view text);
+
 /// At most `most` bytes, cut between UTF-8 characters, then "…".
 std::string abridged(std::string_view text, std::size_t most);
 

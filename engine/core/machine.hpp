@@ -6,6 +6,9 @@
 #if defined(__linux__)
 #include <sched.h>
 #endif
+#if defined(__x86_64__)
+#include <cpuid.h>
+#endif
 
 namespace taut {
 
@@ -18,9 +21,21 @@ inline int cores() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+#if defined(__x86_64__)
+/// LZCNT, MOVBE and F16C, which clang 14 has no names for [Intel SDM 2A, CPUID].
+inline bool has_lzcnt_movbe_f16c() {
+  constexpr unsigned movbe = 1U << 22, f16c = 1U << 29, lzcnt = 1U << 5;
+  unsigned a = 0, b = 0, c = 0, d = 0;
+  if (!__get_cpuid(1, &a, &b, &c, &d) || !(c & movbe) || !(c & f16c)) return false;
+  return __get_cpuid(0x80000001, &a, &b, &c, &d) && (c & lzcnt);
+}
+#endif
+
+/// Returns whether this machine executes all instructions of x86-64-v3. A virtual machine may hide any of them.
 inline bool has_x86_64_v3() {
 #if defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
+         __builtin_cpu_supports("bmi2") && has_lzcnt_movbe_f16c();
 #else
   return false;
 #endif

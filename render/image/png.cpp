@@ -6,12 +6,14 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
 #include <isa-l/crc.h>
 #include <isa-l/igzip_lib.h>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -200,7 +202,10 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
   std::filesystem::path part = path;
   part += ".part" + std::to_string(getpid());
 
-  std::FILE* const file = std::fopen(part.c_str(), "wb");
+  // a new file: a link with this name may have been laid by a stranger
+  ::unlink(part.c_str());
+  const int descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  std::FILE* const file = descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
   if (!file) fail_to_write(path, std::strerror(errno));
   const bool all = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   int reason = all ? 0 : errno;
@@ -218,8 +223,15 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
 }
 
 Image read_png(const std::filesystem::path& path, Alpha alpha) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  // a pipe in a stranger's folder must not be waited for; /dev/stdin is the user's
+  const bool of_system = path.string().starts_with("/dev/");
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | (of_system ? 0 : O_NONBLOCK));
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+      descriptor < 0 ? nullptr : ::fdopen(descriptor, "rb"), std::fclose);
   if (!file) fail_to_read(path, std::strerror(errno));
+  struct stat found {};
+  if (!of_system && ::fstat(descriptor, &found) == 0 && !S_ISREG(found.st_mode))
+    fail_to_read(path, S_ISDIR(found.st_mode) ? "it is a folder" : "it is not a regular file");
   png_byte signature[8] = {};
   if (std::fread(signature, 1, sizeof signature, file.get()) != sizeof signature ||
       png_sig_cmp(signature, 0, sizeof signature) != 0) {

@@ -190,7 +190,7 @@ status() { sed -n 's/^  "status": "\(.*\)",$/\1/p' "$1/run.json" 2>/dev/null; }
 # no_rests FOLDER: no temporary file is left
 no_rests() {
   local rests
-  rests=$(find "$1" -name '*.tmp*' -o -name '*.part.*' -o -name '*.old[0-9]*' | head -n 3 | tr '\n' ' ')
+  rests=$(find "$1" -name '*.tmp*' -o -name '*.part' -o -name '*.old[0-9]*' | head -n 3 | tr '\n' ' ')
   [[ -z $rests ]] || lost "temporary files are left: $rests"
 }
 

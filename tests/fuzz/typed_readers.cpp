@@ -85,18 +85,6 @@ std::vector<Command> harmless_commands() {
   return harmless;
 }
 
-/// `mark` is doubled inside the quotes.
-std::string unquoted(std::string_view quoted, char mark) {
-  std::string text;
-  expect(quoted.size() >= 2 && quoted.front() == mark && quoted.back() == mark, "no quotes");
-  quoted = quoted.substr(1, quoted.size() - 2);
-  for (std::size_t k = 0; k < quoted.size(); ++k) {
-    text += quoted[k];
-    if (quoted[k] == mark) expect(++k < quoted.size() && quoted[k] == mark, "a quote ends the text");
-  }
-  return text;
-}
-
 }  // namespace
 
 /// Lines, then optionally another scene.
@@ -183,7 +171,11 @@ void read_text(std::string_view bytes) {
   for (const std::string& quoted : {plot_text(text), data_text(text)})
     expect(std::ranges::none_of(quoted, [](char c) { return c == '\n' || c == '\r' || c == '\0'; }),
            "a line break in a script of gnuplot");
-  unquoted(plot_text(text), '\'');
+  constexpr std::string_view quote = "'.\"\\047\".'";  // in a string of gnuplot
+  std::string drawn = plot_text(text);
+  for (std::size_t at = 0; (at = drawn.find(quote, at)) != std::string::npos;) drawn.erase(at, quote.size());
+  expect(std::ranges::count(drawn, '\'') == 2 && drawn.front() == '\'' && drawn.back() == '\'',
+         "a quote ends the text");
   const std::string data = data_text(text);
   expect(std::ranges::count(data, '"') == 2 && data.find('\\') == std::string::npos, "quotes in quotes");
   const std::string comment = plot_comment(text);

@@ -16,8 +16,8 @@ struct Combined final : ShapeBase {
   Bounds bounds() const override {
     Bounds box = shapes.front()->bounds();
     if (how == Combination::difference) return box;
-    for (const Shape& shape : shapes) {
-      const Bounds other = shape->bounds();
+    for (std::size_t s = 1; s < shapes.size(); ++s) {
+      const Bounds other = shapes[s]->bounds();
       if (how == Combination::together) {
         box = joined(box, other);
         continue;
@@ -62,9 +62,10 @@ struct Combined final : ShapeBase {
   std::vector<Chain> outline(int dim, double dp) const override {
     if (dim != 2) return {};
     constexpr double finely = 0.125;  // chords limit the accuracy of crossings
-    std::vector<std::vector<Chain>> solids;
-    for (const Shape& shape : shapes) solids.push_back(shape->outline(dim, finely * dp));
-    return evenly_spaced(combined(how, solids, dp), dp);
+    return evenly_spaced(combined(how, outlines_of_parts(dim, finely * dp), dp), dp);
+  }
+  std::vector<Chain> outline_of_part(int dim, double dp) const override {
+    return combined(how, outlines_of_parts(dim, dp), dp);
   }
   Point from_lattice(const Point& x) const override { return shapes.front()->from_lattice(x); }
   Point to_lattice(const Point& x) const override { return shapes.front()->to_lattice(x); }
@@ -72,6 +73,13 @@ struct Combined final : ShapeBase {
     return how == Combination::together
                ? bounds_of_placed(bounds(), [&](const Point& x) { return to_lattice(x); })
                : shapes.front()->lattice_bounds();
+  }
+
+ private:
+  std::vector<std::vector<Chain>> outlines_of_parts(int dim, double dp) const {
+    std::vector<std::vector<Chain>> solids;
+    for (const Shape& shape : shapes) solids.push_back(shape->outline_of_part(dim, dp));
+    return solids;
   }
 };
 

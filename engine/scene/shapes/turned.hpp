@@ -31,11 +31,9 @@ struct Turned final : ShapeBase {
     for (InitialSite& site : sites) site.x = rotated(rotation, site.x);
     return sites;
   }
-  std::vector<Chain> outline(int dim, double dp) const override {
-    std::vector<Chain> chains = shape->outline(dim, dp);
-    for (Chain& chain : chains)
-      for (Point& x : chain) x = rotated(rotation, x);
-    return chains;
+  std::vector<Chain> outline(int dim, double dp) const override { return turned(shape->outline(dim, dp)); }
+  std::vector<Chain> outline_of_part(int dim, double dp) const override {
+    return turned(shape->outline_of_part(dim, dp));
   }
   FacePatches patches(double dp) const override {
     FacePatches faces = shape->patches(dp);
@@ -47,6 +45,11 @@ struct Turned final : ShapeBase {
   Bounds lattice_bounds() const override { return shape->lattice_bounds(); }
 
  private:
+  std::vector<Chain> turned(std::vector<Chain> chains) const {
+    for (Chain& chain : chains)
+      for (Point& x : chain) x = rotated(rotation, x);
+    return chains;
+  }
   Point back(const Point& x) const { return rotated({rotation.axis, rotation.about, -rotation.angle}, x); }
 };
 

@@ -48,7 +48,7 @@ TEST_SUITE("cli") {
     const std::vector<std::string> seen = lines_of(folder / "a b:c.mp4");
     REQUIRE(seen.size() > 5);
     CHECK(seen[0] == fs::canonical(frames).string());
-    CHECK(seen.back() == "file:" + folder.str("a b:c.part.mp4"));
+    CHECK(seen.back() == "file:" + folder.str("a b:c.mp4.part/a b:c.mp4"));
     CHECK(contains(text_of(folder / "a b:c.mp4"), "-framerate\n12.5\n-i\nframe_%05d.png\n"));
     CHECK(files_in(folder.path()) == 3);
   }

@@ -225,6 +225,26 @@ TEST_SUITE("cli") {
     }
   }
 
+  TEST_CASE("frames that cannot be written are exit code 4 before the older run is touched") {
+    for (const std::string inner : {"frames", "particles"}) {
+      CAPTURE(inner);
+      const TemporaryFolder folder;
+      const std::vector<std::string> again = tiny_run(folder, "out", {"--until", "1e-5", "--save-particles"});
+      REQUIRE(call(again).code == 0);
+      const std::string record = text_of(folder / "out/run.json");
+      const TinyDisk disk(folder / ("out/" + inner));
+      if (!disk.mounted()) return;
+      REQUIRE(::mount(nullptr, (folder / ("out/" + inner)).c_str(), nullptr, MS_REMOUNT | MS_RDONLY,
+                      nullptr) == 0);
+      const Outcome outcome = call(again);
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 4);
+      CHECK(contains(outcome.err, "out/" + inner + ": cannot be written: Read-only file system"));
+      CHECK(text_of(folder / "out/run.json") == record);
+      CHECK(fs::exists(folder / "out/history.csv"));
+    }
+  }
+
   TEST_CASE("only one program can use a run's folder at a time, and others name it") {
     const TemporaryFolder folder;
     const std::vector<std::string> endless{

@@ -116,6 +116,17 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "out/difference.png"));
   }
 
+  TEST_CASE("the update of a baseline that is a link replaces its target") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_snapshot(folder, {"--update"})).code == 0);
+    fs::rename(folder / "base", folder / "shared");
+    fs::create_directory_symlink("shared", folder / "base");
+    REQUIRE(call(tiny_snapshot(folder, {"--frames", "2", "--update"})).code == 0);
+    CHECK(fs::is_symlink(folder / "base"));
+    CHECK(files_in(folder / "shared") == 3);
+    CHECK(files_in(folder.path()) == 4);  // scene, run, baseline, link
+  }
+
   TEST_CASE("an invalid update never removes a baseline") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_snapshot(folder, {"--update"})).code == 0);

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <sys/resource.h>
 
 #include <doctest/doctest.h>
 
@@ -69,6 +70,22 @@ std::map<std::string, double> read_with_vtk(const fs::path& file) {
   return values;
 }
 
+/// New memory beyond these bytes is refused.
+class MemoryLimit {
+ public:
+  explicit MemoryLimit(std::size_t bytes) {
+    ::getrlimit(RLIMIT_DATA, &old_);
+    const rlimit less{bytes, old_.rlim_max};
+    ::setrlimit(RLIMIT_DATA, &less);
+  }
+  ~MemoryLimit() { ::setrlimit(RLIMIT_DATA, &old_); }
+  MemoryLimit(const MemoryLimit&) = delete;
+  MemoryLimit& operator=(const MemoryLimit&) = delete;
+
+ private:
+  rlimit old_{};
+};
+
 bool vtk_is_there() { return std::system("/usr/bin/python3 -c 'import vtk' 2>/dev/null") == 0; }
 
 }  // namespace
@@ -124,6 +141,7 @@ TEST_SUITE("unit") {
              {"NumberOfPoints=\"50\"", "NumberOfPoints=\"6148914691236517206\""},
              {"NumberOfPoints=\"50\"", "NumberOfPoints=\"-3\""},
              {"NumberOfPoints=\"50\"", "NumberOfPoints=\"0\""},
+             {"NumberOfPoints=\"50\"", "NumberOfPoints=\"20000001\""},
              {"Name=\"Points\" NumberOfComponents=\"3\"", "Name=\"Points\" NumberOfComponents=\"1\""},
              {"Name=\"Points\" NumberOfComponents=\"3\"", "Name=\"Points\" NumberOfComponents=\"9\""},
              {"offset=\"0\"", "offset=\"18446744073709551000\""},
@@ -143,6 +161,25 @@ TEST_SUITE("unit") {
       };
       CHECK_THROWS_AS(read_all(), UsageError);
     }
+  }
+
+  TEST_CASE("a particle file claims no more particles than a scene may have, nor than its bytes can hold") {
+    const TemporaryFolder folder;
+    const fs::path path = write_particles(folder, some_particles(2, 50), {find_field("speed")});
+    const auto claim = [&](const std::string& count) {
+      std::string forged = text_of(path);
+      forged.replace(forged.find("\"50\""), 4, "\"" + count + "\"");
+      // zeros behind it: bytes enough for what was once allowed, 1024 particles for each
+      std::ofstream(folder / "forged.vtp", std::ios::binary) << forged << std::string(56000, '\0');
+      return folder / "forged.vtp";
+    };
+    CHECK_THROWS_WITH_AS(
+        ParticleFile(claim("20000001")),
+        (folder.str("forged.vtp") + " claims 20000001 particles; at most 20 million are allowed").c_str(),
+        UsageError);
+    const ParticleFile file(claim("20000000"));
+    const MemoryLimit limit(std::size_t{256} << 20);  // the positions alone would take 480 MB
+    CHECK_THROWS_AS(file.positions(2), UsageError);
   }
 
   TEST_CASE("a particle file cut short anywhere is refused") {

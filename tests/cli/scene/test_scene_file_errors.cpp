@@ -133,6 +133,13 @@ TEST_SUITE("cli") {
     check_error("[render]", "@" + parts + "b = 1\n[render]", {"a key has more than 16 parts"});
     check_error("v0 = {", "v0 = { @" + parts + "b = 1, ", {"a key has more than 16 parts"});
     CHECK_NOTHROW(read_text(replaced(small_scene, "\"Small\"", "'" + std::string(100, '.') + "'")));
+    // a string of three quotes may end with up to five [TOML 1.0, String]
+    for (const std::string text : {R"("""x"""")", R"("""x""""")", "'''x''''", "'''x'''''", R"("""\"""")"}) {
+      CAPTURE(text);
+      check_error("\"Small\"", text + " # \\\n@" + parts + "b = 1", {"a key has more than 16 parts"});
+      check_error("v0 = {", "v1 = { unit = " + text + ", @" + parts + "b = 1 }\nv0 = {",
+                  {"a key has more than 16 parts"});
+    }
   }
 
   TEST_CASE("scene: more than 500 parameters are refused") {
@@ -186,6 +193,7 @@ TEST_SUITE("cli") {
                 {"youngs_modulus = -1 must be greater than 0"});
     check_error("spacing = 0.1", "spacing = @0", {"spacing = 0 must be greater than 0"});
     check_error("until = 2", "until = @-2", {"until = -2 must be greater than 0"});
+    check_error("until = 2", "until = @1e-322\nhistory = 1", {"must be at least 1e-100 s"});
     check_error("until = 2", "until = 2\nhistory = @0", {"history = 0 must be greater than 0"});
     check_error("until = 2", "until = 2\ncfl = @0", {"cfl = 0 must be greater than 0"});
     check_error("until = 2", "until = 2\ndim = @4", {"dim = 4 must be a whole number from 2 to 3"});

@@ -96,6 +96,27 @@ TEST_SUITE("cli") {
             "", 3))) == relative(4 * pi / 3 * 0.4, 0.02));
   }
 
+  TEST_CASE("shapes: combined in eight levels, no more, and memory does not grow with each level") {
+    const std::string disc = R"({ type = "disc", centre = [0, 0], radius = 1 })";
+    const auto nested = [&](int levels) {
+      std::string shape = disc;
+      for (int k = 0; k < levels; ++k)
+        shape = R"({ type = "union", shapes = [)" + shape + ", " + disc + "] }";
+      return shape;
+    };
+    const auto points = [&](int levels) {
+      const SceneFile file = read_text(scene_text(nested(levels)));
+      std::size_t sum = 0;
+      for (const Chain& chain : file.scene.bodies[0].shapes[0]->outline(2, 0.05)) sum += chain.size();
+      return sum;
+    };
+    CHECK(points(8) == points(1));
+    CHECK(volume(laid(scene_text(nested(8)))) == relative(std::numbers::pi, 0.01));
+    std::string deep = nested(9);
+    deep.insert(deep.rfind("shapes = [{ type = \"disc\"") + std::string("shapes = ").size(), "@");
+    check_shape_error(deep, {"nested more than 8 levels deep", "use fewer levels"});
+  }
+
   TEST_CASE("shapes: rotate can be a number in 2D, for a shape as for a body") {
     const std::string box = R"({ type = "rectangle", low = [0, 0], high = [2, 1])";
     const InitialParticles turned = laid(scene_text(box + ", rotate = 30 }"));

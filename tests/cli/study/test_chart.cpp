@@ -376,10 +376,26 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "x"));
   }
 
+  TEST_CASE("quotes in the title of a chart are drawn, at its beginning and in a row too") {
+    const TemporaryFolder folder;
+    const std::string file = write_results(folder / "a", "finished,tl,tl,0.4,10,stable,,0.3,2,4,\n");
+    for (const std::string title : {"'Soft' rings", "a ''b'' c", "''", "it's"}) {
+      CAPTURE(title);
+      std::ofstream(folder / "a/results.json")
+          << "{\"title\": \"" << title << "\", \"swept\": [], \"fixed\": {}}";
+      const Outcome outcome = call({"chart", file, "--out", folder.str("a.svg")});
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 0);
+      std::string drawn = text_of(folder / "a.svg");
+      for (std::size_t at = 0; (at = drawn.find("&#39;")) != std::string::npos;) drawn.replace(at, 5, "'");
+      CHECK(contains(drawn, title));
+    }
+  }
+
   TEST_CASE("names of picture files have no special meaning to gnuplot") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", "finished,tl,tl,0.4,10,stable,,0.3,2,4,\n");
-    for (const std::string name : {"|touch x;", "<touch x;", "-e", "-", "'q' \"r\" \\",
+    for (const std::string name : {"|touch x;", "<touch x;", "-e", "-", "'q' \"r\" \\", "x''y",
                                    "a\nsystem 'touch x'\n#\t", "`touch x`", "$(touch x) %d @x {=9 y}_z^a"}) {
       CAPTURE(name);
       const fs::path picture = folder / (name + ".svg");
@@ -395,7 +411,7 @@ TEST_SUITE("cli") {
       CHECK(text_of(picture) == drawn);
     }
     CHECK_FALSE(fs::exists(folder / "x"));
-    CHECK(files_in(folder.path()) == 1 + 3 * 8);
+    CHECK(files_in(folder.path()) == 1 + 3 * 9);
   }
 
   TEST_CASE("charts of unrelated or missing results are refused with the reason") {

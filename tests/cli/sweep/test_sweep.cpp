@@ -251,6 +251,7 @@ tables = { gap_rmse = { file = "tables/gap.csv", column = "gap" } }
         {{"--grid", "speed=1", "--emit", "slrum"}, "did you mean 'slurm'"},
         {{"--grid", "speed=1", "--fail-on", "torn"}, "unknown verdict"},
         {{"--grid", "speed=1", "--jobs", "0"}, "at least 1"},
+        {{"--grid", "speed=1", "--jobs", "100000"}, "--jobs is 100000; at most "},
         {{}, "--grid"},
     };
     for (const auto& [more, message] : wrong) {

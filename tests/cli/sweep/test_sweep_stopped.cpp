@@ -109,7 +109,8 @@ TEST_SUITE("cli") {
     std::ofstream(folder / "nan.toml") << "gravity = [0, \"-sqrt(limit - t)\"]\n" << text;
     fs::create_directories(folder / "out");
     std::ofstream(folder / "out/sweep.lock") << "";
-    fs::create_symlink("/dev/full/no-such-folder", folder / "out/limit=2");
+    fs::create_directory(folder / "out/limit=2");
+    fs::create_symlink("nowhere", folder / "out/limit=2/run.lock");  // no lock follows a link
     const auto sweep = [&](const std::string& limits, const Texts& more = {}) {
       Texts words{"sweep", folder.str("nan.toml"), "--grid", "limit=" + limits,
                   "--out", folder.str("out"),      "--quiet"};
@@ -132,12 +133,13 @@ TEST_SUITE("cli") {
     const Texts sweep = tiny_sweep(folder, "out", {"--grid", "speed=1,2,3"});
     fs::create_directories(folder / "out");
     std::ofstream(folder / "out/sweep.lock") << "";
-    fs::create_symlink("/dev/full/no-such-folder", folder / "out/speed=2");
+    fs::create_directory(folder / "out/speed=2");
+    fs::create_symlink("nowhere", folder / "out/speed=2/run.lock");  // no lock follows a link
     const Outcome outcome = program(sweep);
     CHECK(outcome.code == 4);
     CHECK(contains(outcome.err, "run 1 (speed=2): "));
     CHECK(statuses(folder / "out") == Texts{"finished", "error", "finished"});
-    fs::remove(folder / "out/speed=2");
+    fs::remove(folder / "out/speed=2/run.lock");
     CHECK(program(sweep).code == 0);
     CHECK(statuses(folder / "out") == Texts{"finished", "finished", "finished"});
   }

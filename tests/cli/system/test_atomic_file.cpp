@@ -60,8 +60,9 @@ TEST_SUITE("unit") {
     const TemporaryFolder folder;
     const fs::path path = folder / "chart.txt";
     const cli::Maker shell{"sh", "a test", "dash"};
-    const std::vector<std::string> slowly{
-        "-c", "echo begun > chart.part.txt; sleep 0.05; echo done >> chart.part.txt"};
+    const auto slowly = [](const fs::path& part) -> std::vector<std::string> {
+      return {"-c", "echo begun > \"$0\"; sleep 0.05; echo done >> \"$0\"", part.string()};
+    };
     std::vector<pid_t> children;
     for (int k = 0; k < 4; ++k) {
       children.push_back(::fork());

@@ -34,6 +34,14 @@ TEST_SUITE("cli") {
     std::ostringstream err;
     guarded([]() -> int { throw std::logic_error("impossible"); }, err);
     CHECK(err.str() == "taut: impossible (this is a bug of taut)\n");
+    // what is printed does nothing to a terminal: ESC, C1 and marks of the direction of writing
+    err.str("");
+    guarded([]() -> int { throw UsageError("a\x1b[2J\nb\u009b \u202ec \u2066d é Δ"); }, err);
+    CHECK(err.str() == "taut: a\\x1b[2J\nb\\xc2\\x9b \\xe2\\x80\\xaec \\xe2\\x81\\xa6d é Δ\n");
+    err.str("");
+    const auto no_folder = std::make_error_code(std::errc::no_such_file_or_directory);
+    guarded([&]() -> int { throw std::filesystem::filesystem_error("", no_folder); }, err);
+    CHECK(err.str() == "taut: the current folder: No such file or directory\n");
     const std::string help = call({"--help"}).out;
     for (const std::string code : {"0 ", "1 ", "2 ", "3 ", "4 ", "70 ", "130 "})
       CHECK(contains(help, "\n  " + code));

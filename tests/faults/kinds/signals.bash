@@ -12,7 +12,7 @@ stages=(
   "bisecting|nothing|nap 300|critical-step $scene --method pfj-jst --spacing 0.0005"
   "snapshot|nothing|rows out/history.csv 5|snapshot $scene --until 100 --quiet --baseline base --update --out out"
   "panel|nothing|nap 200|compare $ground/run --size 5000x4000 --out panel.png"
-  "movie|nothing|test -e movie.part.mp4|movie $ground/many --out movie.mp4"
+  "movie|nothing|test -e movie.mp4.part/movie.mp4|movie $ground/many --out movie.mp4"
 )
 signals=(INT TERM HUP "INT INT" "TERM TERM" KILL QUIT USR1)
 

@@ -1,7 +1,7 @@
 harm="the n-th write, rename, open, fsync ... fails or kills: exit code 4 or 2, nothing torn (needs strace)"
 
 options=(--threads 1 --quiet --save-particles --fields speed)
-calls=(write openat rename renameat2 fsync ftruncate mkdir unlink close lseek newfstatat getdents64 mmap fcntl)
+calls=(read pread64 write openat rename renameat2 fsync ftruncate mkdir unlink close lseek newfstatat getdents64 mmap fcntl)
 
 can_trace() { strace -e trace=none -o /dev/null true 2>/dev/null; }
 

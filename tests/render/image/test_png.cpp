@@ -134,6 +134,17 @@ TEST_SUITE("unit") {
     CHECK(read_png(folder / "a.png") == gradient(5, 4));
   }
 
+  TEST_CASE("a link with the name of the unfinished picture is not followed") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "mine") << "mine";
+    std::filesystem::create_symlink("mine", folder / ("a.png.part" + std::to_string(::getpid())));
+    write_png(gradient(5, 4), folder / "a.png");
+    CHECK(text_of(folder / "mine") == "mine");
+    CHECK_FALSE(std::filesystem::is_symlink(folder / "a.png"));
+    CHECK(read_png(folder / "a.png") == gradient(5, 4));
+    CHECK(files_in(folder.path()) == 2);
+  }
+
   TEST_CASE("a missing folder is an error with the path of the picture") {
     const TemporaryFolder folder;
     try {

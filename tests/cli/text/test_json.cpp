@@ -1,0 +1,41 @@
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "cli/text/json.hpp"
+#include "engine/error.hpp"
+
+using namespace taut;
+using namespace taut::cli;
+
+TEST_SUITE("unit") {
+  TEST_CASE("JSON of many siblings, keys or leaves takes no quadratic time") {
+    constexpr int many = 300000;  // with quadratic time, minutes
+    std::string items = "[{}", object = "{\"k\": 1";
+    for (int k = 1; k < many; ++k) {
+      items += ",{}";
+      object += ",\"k" + std::to_string(k) + "\": " + std::to_string(k);
+    }
+    CHECK(parse_json(items + "]", "a.json").items().size() == many);
+    const Json keys = parse_json(object + "}", "a.json");
+    CHECK(keys.members().size() == many);
+    CHECK(keys.leaves().back() == Json::Member("/k299999", 299999U));
+  }
+
+  TEST_CASE("JSON is read with its types and order, and its leaves have pointers") {
+    const Json json = parse_json(
+        R"({"b": [1, -2, 3.5, "x", true, null, [], {}], "a/~": {"c": "\u00e9"}, "big": 18446744073709551615})",
+        "a.json");
+    CHECK(json.dump() ==
+          R"({"b":[1,-2,3.5,"x",true,null,[],{}],"a/~":{"c":"é"},"big":18446744073709551615})");
+    std::string leaves;
+    for (const auto& [pointer, value] : json.leaves()) leaves += pointer + "=" + value.dump() + " ";
+    CHECK(leaves ==
+          "/b/0=1 /b/1=-2 /b/2=3.5 /b/3=\"x\" /b/4=true /b/5=null /b/6=null /b/7=null /a~1~0/c=\"é\" "
+          "/big=18446744073709551615 ");
+    for (const char* wrong : {"", "{", "[1,]", "{\"a\": 1, \"a\": 2}", "1 2", "1e999", "\"\x80\""})
+      CHECK_THROWS_AS(parse_json(wrong, "a.json"), UsageError);
+    CHECK_NOTHROW(parse_json(std::string(65, '[') + std::string(65, ']'), "a.json"));
+    CHECK_THROWS_AS(parse_json(std::string(66, '[') + std::string(66, ']'), "a.json"), UsageError);
+  }
+}
