@@ -88,9 +88,9 @@ struct ShapeBase {
   /// Faces in 2D: closed chains of points exactly on the faces, about dp apart, with the solid on the left. Each corner
   /// is a point. Empty in 3D.
   virtual std::vector<Chain> outline(int dim, double dp) const;
-  /// The same of a part of a combined shape. Shapes inside shapes keep dp: a finer one for each level would make
-  /// exponentially many points.
-  virtual std::vector<Chain> outline_of_part(int dim, double dp) const;
+  /// The outline of a part of a combined shape. Combined parts make their own parts finer, but never finer than
+  /// `finest`: else each level of shapes in shapes would multiply the points.
+  virtual std::vector<Chain> outline_of_part(int dim, double dp, double finest) const;
   /// Faces in 3D of a shape that lays its own particles; else empty.
   virtual FacePatches patches(double dp) const;
   /// For shapes that turn the lattice: from lattice to space, from space to lattice, and the box around the shape along
