@@ -16,7 +16,7 @@ Point ShapeBase::middle() const { return bounds().middle(); }
 Point ShapeBase::anchor() const { return bounds().low; }
 std::vector<InitialSite> ShapeBase::sites(int, double) const { return {}; }
 std::vector<Chain> ShapeBase::outline(int, double) const { return {}; }
-std::vector<Chain> ShapeBase::outline_of_part(int dim, double dp) const { return outline(dim, dp); }
+std::vector<Chain> ShapeBase::outline_of_part(int dim, double dp, double) const { return outline(dim, dp); }
 FacePatches ShapeBase::patches(double) const { return {}; }
 Point ShapeBase::from_lattice(const Point& x) const { return x; }
 Point ShapeBase::to_lattice(const Point& x) const { return x; }

@@ -79,9 +79,9 @@ struct ShapeBase {
   virtual std::vector<InitialSite> sites(int dim, double dp) const;
   /// Faces in 2D: points about dp apart and at corners, solid on the left.
   virtual std::vector<Chain> outline(int dim, double dp) const;
-  /// Outline of a part of a combined shape. It keeps dp in nested shapes: a finer dp at each level would take an
-  /// exponential number of points.
-  virtual std::vector<Chain> outline_of_part(int dim, double dp) const;
+  /// Outline of a part of a combined shape. Combined parts give their own parts a finer dp, down to `finest`, since
+  /// otherwise each level would multiply the points.
+  virtual std::vector<Chain> outline_of_part(int dim, double dp, double finest) const;
   /// Faces in 3D, if the shape places its particles.
   virtual FacePatches patches(double dp) const;
   /// Transformations of a rotated lattice, and bounds along its axes.

@@ -60,12 +60,14 @@ struct Combined final : ShapeBase {
     for (Shape& shape : shapes) shape.shift(axis, by);
   }
   std::vector<Chain> outline(int dim, double dp) const override {
-    if (dim != 2) return {};
-    constexpr double finely = 0.125;  // chords limit the accuracy of crossings
-    return evenly_spaced(combined(how, outlines_of_parts(dim, finely * dp), dp), dp);
+    return outline_of_part(dim, dp, finely * finely * dp);
   }
-  std::vector<Chain> outline_of_part(int dim, double dp) const override {
-    return combined(how, outlines_of_parts(dim, dp), dp);
+  std::vector<Chain> outline_of_part(int dim, double dp, double finest) const override {
+    if (dim != 2) return {};
+    const double fine = std::max(finely * dp, finest);
+    std::vector<std::vector<Chain>> solids;
+    for (const Shape& shape : shapes) solids.push_back(shape->outline_of_part(dim, fine, finest));
+    return evenly_spaced(combined(how, solids, dp), dp);
   }
   Point from_lattice(const Point& x) const override { return shapes.front()->from_lattice(x); }
   Point to_lattice(const Point& x) const override { return shapes.front()->to_lattice(x); }
@@ -76,11 +78,7 @@ struct Combined final : ShapeBase {
   }
 
  private:
-  std::vector<std::vector<Chain>> outlines_of_parts(int dim, double dp) const {
-    std::vector<std::vector<Chain>> solids;
-    for (const Shape& shape : shapes) solids.push_back(shape->outline_of_part(dim, dp));
-    return solids;
-  }
+  static constexpr double finely = 0.125;  // chords limit the accuracy of crossings
 };
 
 }  // namespace taut

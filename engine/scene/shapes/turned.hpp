@@ -32,8 +32,8 @@ struct Turned final : ShapeBase {
     return sites;
   }
   std::vector<Chain> outline(int dim, double dp) const override { return turned(shape->outline(dim, dp)); }
-  std::vector<Chain> outline_of_part(int dim, double dp) const override {
-    return turned(shape->outline_of_part(dim, dp));
+  std::vector<Chain> outline_of_part(int dim, double dp, double finest) const override {
+    return turned(shape->outline_of_part(dim, dp, finest));
   }
   FacePatches patches(double dp) const override {
     FacePatches faces = shape->patches(dp);
