@@ -1,5 +1,5 @@
-# cmake -D TEMPLATE=… -D OUTPUT=… -D SOURCE=… -D …=… -P build_info.cmake: writes OUTPUT from TEMPLATE if its text changes,
-# so a new commit recompiles this one file. A clone has SOURCE/.git; an unpacked archive may lie in another repository.
+# cmake -D TEMPLATE=… -D OUTPUT=… -D SOURCE=… -D …=… -P build_info.cmake: writes OUTPUT from TEMPLATE if it changes, so
+# a new commit recompiles only this file. SOURCE/.git must exist: an unpacked archive can be inside another repository.
 set(TAUT_COMMIT unknown)
 if(EXISTS ${SOURCE}/.git)
   execute_process(COMMAND git --no-optional-locks -C ${SOURCE} describe --always --dirty --abbrev=12 --match=
@@ -9,7 +9,7 @@ if(EXISTS ${SOURCE}/.git)
   endif()
 endif()
 set(TAUT_LIBRARIES "")
-foreach(library IN LISTS LIBRARIES)  # "fmt=9.1.0"; no version: some .pc files have none
+foreach(library IN LISTS LIBRARIES)  # "fmt=9.1.0"; some .pc files have no version
   string(REGEX REPLACE "=$" "=unknown" library "${library}")
   string(REGEX REPLACE "^(.+)=(.+)$" "{\"\\1\", \"\\2\"},\n    " library "${library}")
   string(APPEND TAUT_LIBRARIES "${library}")

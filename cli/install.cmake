@@ -1,7 +1,7 @@
-# cmake --install BUILD [--prefix DIR], and a Debian package by `cpack` in the build folder. An installation can be moved
-# as a whole, since the program finds its scenes relative to its own path (scene/shipped.hpp).
+# cmake --install BUILD [--prefix DIR]; `cpack` in the build folder makes a Debian package. An installation can be moved,
+# because the program finds its scenes relative to its own path (scene/shipped.hpp).
 
-# A program in its build folder finds the scenes of the sources, which can be edited.
+# A program in its build folder uses the scenes of the sources.
 foreach(folder ${PROJECT_BINARY_DIR} ${PROJECT_BINARY_DIR}/tests)
   file(RELATIVE_PATH scenes ${folder} ${PROJECT_SOURCE_DIR}/scenes)
   file(MAKE_DIRECTORY ${folder})
@@ -16,7 +16,7 @@ foreach(room . engine render cli scenes scenes/gallery scenes/studies scenes/stu
   install(FILES ${texts} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${room})
 endforeach()
 
-# Completion scripts, JSON Schemas, and a manual page for each command where help2man is installed.
+# Completion scripts, JSON Schemas and, with help2man, a manual page for each command.
 set(words ${CMAKE_CURRENT_BINARY_DIR}/words)
 add_custom_command(OUTPUT ${words}/done
   COMMAND ${CMAKE_CURRENT_LIST_DIR}/words $<TARGET_FILE:taut> ${words}

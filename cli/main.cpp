@@ -7,8 +7,7 @@
 
 namespace {
 
-/// A file that is opened must not get the number of a stream that the caller has closed: what is printed would
-/// end in it. To use such a stream stays an error.
+/// Opened files must not replace a closed stream and receive its output. Using such a stream remains an error.
 void occupy_closed_streams() {
   for (const int stream : {0, 1, 2})
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
@@ -18,6 +17,6 @@ void occupy_closed_streams() {
 
 int main(int argc, char** argv) {
   occupy_closed_streams();
-  std::signal(SIGXFSZ, SIG_IGN);  // what is longer than `ulimit -f` allows is an error, as on a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // exceeding `ulimit -f` is then an error
   return taut::cli::run_program(taut::cli::commands(), {argv + 1, argv + argc}, {std::cout, std::cerr});
 }

@@ -1,15 +1,15 @@
-# Sourced by cli/quickstart and tests/run: the packages that both need, and the build in the folder that both use.
+# Sourced by cli/quickstart and tests/run: installs packages and builds.
 
 build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libosmesa6-dev libpng-dev libisal-dev libcli11-dev libtomlplusplus-dev
                 libmuparser-dev libfmt-dev nlohmann-json3-dev libcairo2-dev libfreetype-dev fonts-dejavu-core zlib1g-dev
                 libedit-dev libchafa-dev libglib2.0-dev libpolyclipping-dev libjs-chart.js libwebp-dev gnuplot-nox librsvg2-bin)
-# libegl-dev to libgl1-mesa-dri: a second OpenGL context, whose pictures are compared; then a browser for pages
+# libegl-dev to libgl1-mesa-dri: a second OpenGL context, for tests that compare pictures; then a browser for pages
 test_packages=(doctest-dev help2man python3-junitparser python3-jsonschema dpkg-dev libegl-dev libopengl-dev
                libgl1-mesa-dri chromium chromium-driver python3-selenium)
 
 fail() { echo "$0: $*" >&2; exit 1; }
 
-# The packages of "$@" that are not installed, one per line.
+# Prints the packages of "$@" that are not installed, one per line.
 missing_packages() {
   local installed
   installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "$@" 2>/dev/null |
@@ -34,12 +34,12 @@ and then this again."
     apt=(sudo "${apt[@]}")
   fi
   local install=("${apt[@]}" install -y --no-install-recommends "${missing[@]}")
-  # package lists that are missing or out of date make the first attempt fail
+  # fails if package lists are missing or out of date
   if apt-cache show --no-all-versions "${missing[@]}" >/dev/null 2>&1 && "${install[@]}"; then return; fi
   "${apt[@]}" update && "${install[@]}" || fail "apt-get could not install ${missing[*]}; its messages are above"
 }
 
-# is_configured FOLDER [-DNAME=VALUE...]: FOLDER was configured for this very place, with these options.
+# is_configured FOLDER [-DNAME=VALUE...]: whether FOLDER was configured at this path with these options.
 is_configured() {
   local cache=$1/CMakeCache.txt option
   [[ -f $1/build.ninja || -f $1/Makefile ]] && grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$cache" || return 1
@@ -48,7 +48,7 @@ is_configured() {
   done
 } 2>/dev/null
 
-# build FOLDER [-DNAME=VALUE...]: configures FOLDER unless that has been done, and builds what has changed.
+# build FOLDER [-DNAME=VALUE...]: configures FOLDER if necessary, and builds.
 build() {
   local folder=$1 fresh=()
   if ! is_configured "$@"; then

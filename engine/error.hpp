@@ -5,14 +5,14 @@
 
 namespace taut {
 
-/// The command line, or a value given to the library, is wrong. The message says what is allowed.
+/// Invalid command line or value. The message states the allowed values.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A scene is wrong. `key` is the dotted path of the culprit ("body.left.velocity"); the engine knows no
-/// files, so whoever read the scene adds the place.
+/// Invalid scene. `key` is the dotted path of the wrong value ("body.left.velocity"); the reader adds the place in
+/// the file.
 class SceneError : public std::runtime_error {
  public:
   SceneError(std::string key, const std::string& what) : SceneError("", 0, 0, std::move(key), what) {}
@@ -25,7 +25,7 @@ class SceneError : public std::runtime_error {
   std::string key;
 };
 
-/// A simulation left the realm of numbers.
+/// A particle has an infinite or NaN value.
 class NumericalError : public std::runtime_error {
  public:
   NumericalError(long step, double time, long particle, std::string field, const std::string& what)
@@ -33,7 +33,7 @@ class NumericalError : public std::runtime_error {
 
   long step;
   double time;    // s
-  long particle;  // in the order of creation
+  long particle;  // in order of creation
   std::string field;
 };
 

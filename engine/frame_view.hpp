@@ -6,20 +6,19 @@
 
 namespace taut {
 
-/// A rigid wall: the bodies are on the side that its normal points to.
+/// A wall; `normal` points to the bodies.
 struct WallFace {
-  std::array<double, 3> at{}, normal{};  // m; of length 1
+  std::array<double, 3> at{}, normal{};  // m; unit vector
 };
 
-/// All that a renderer may know of a simulation: positions, sizes and one coloured field at one time.
-/// The arrays belong to the caller and hold n particles, n × dim coordinates.
+/// Input of a renderer: one coloured field at one time, n particles. The caller owns the arrays.
 struct FrameView {
   int dim = 2;
   double time = 0;                   // s
-  std::span<const double> x;         // position, particle after particle, m
+  std::span<const double> x;         // positions, n × dim, m
   std::span<const double> diameter;  // m
-  std::span<const double> value;     // the coloured field, in `unit`
-  std::span<const double> cell;  // the edges of each particle's cell, n × dim vectors, m; none: it is round
+  std::span<const double> value;     // coloured field, in `unit`
+  std::span<const double> cell;      // edge vectors of cells, n × dim vectors, m; empty = round
   std::span<const WallFace> walls;
   std::string_view field;   // "von Mises stress"
   std::string_view unit;    // "Pa"

@@ -15,7 +15,6 @@
 namespace taut {
 namespace {
 
-/// Throws UsageError for a constant that the method does not have, or that is out of its bounds.
 void check_constants(const MethodInfo& method, const Settings& settings, int dim) {
   const std::vector<MethodConstant> constants = method_constants(method.formulation, dim);
   for (const auto& [name, value] : settings.constants) {
@@ -32,7 +31,6 @@ void check_constants(const MethodInfo& method, const Settings& settings, int dim
   }
 }
 
-/// With the parameters of the law that the material is to have.
 Elasticity elasticity(const Material& material, std::span<const LawParameter> parameters) {
   Elasticity e{material.density, material.sound_speed(), material.bulk_modulus(), material.shear_modulus()};
   for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -54,7 +52,6 @@ bool same(const Material& a, const Material& b) {
          a.poisson_ratio == b.poisson_ratio && a.bulk_modulus() == b.bulk_modulus() && a.of_laws == b.of_laws;
 }
 
-/// Throws SceneError if the method has no form in as many dimensions.
 void check_dimension(const Scene& scene, const MethodInfo& method) {
   if (scene.dim <= method.formulation.greatest_dim) return;
   std::string others;
@@ -65,7 +62,6 @@ void check_dimension(const Scene& scene, const MethodInfo& method) {
                                       method.name, others));
 }
 
-/// The methods that take several materials in as many dimensions.
 std::string of_several(int dim) {
   std::string names;
   for (const MethodInfo& method : methods())
@@ -74,7 +70,6 @@ std::string of_several(int dim) {
   return names;
 }
 
-/// Throws SceneError if the scene has several materials and the method takes one.
 void check_materials(const Scene& scene, const InitialParticles& initial, const MethodInfo& method) {
   if (method.several_materials) return;
   const int first = initial.material.front();
@@ -89,7 +84,6 @@ void check_materials(const Scene& scene, const InitialParticles& initial, const 
   }
 }
 
-/// Throws SceneError for a displacement from a reference configuration that the method does not know.
 void check_displacements(const Scene& scene, const MethodInfo& method) {
   if (method.keeps_neighbors) return;
   for (const Body& body : scene.bodies)
@@ -102,15 +96,14 @@ void check_displacements(const Scene& scene, const MethodInfo& method) {
                              "use a method with initial neighbours, such as tl or oenog");
 }
 
-/// Throws SceneError for a body that begins inside a wall: with a particle, or with what its shapes hold beside one,
-/// deeper than two bodies may begin in each other. The latter of a body that starts as it is laid. What is held may be in
-/// a wall.
+/// Throws SceneError if a particle starts behind a wall's face, or an undisplaced shape more than `greatest_depth`
+/// spacings behind. Clamped regions are exempt.
 void check_walls(const Scene& scene, const InitialParticles& initial) {
   const double dp = scene.spacing;
   for (const Wall& wall : scene.walls) {
     for (int i = 0; i < initial.size(); ++i) {
       const Body& body = scene.bodies[initial.body[i]];
-      Point deep = initial.at_start(i);  // below the particle
+      Point deep = initial.at_start(i);  // a particle, then the point below it
       double height = 0;
       for (std::size_t k = 0; k < 3; ++k) height += (deep[k] - wall.at[k]) * wall.normal[k];
       if (initial.held[i] || height > dp) continue;
@@ -132,7 +125,6 @@ void check_walls(const Scene& scene, const InitialParticles& initial) {
   }
 }
 
-/// The constants that every method has.
 Constants common_constants(const std::vector<Elasticity>& materials, const InitialParticles& initial,
                            const Scene& scene, const Settings& settings, const MethodInfo& method,
                            const ConstantValues& values) {
@@ -147,9 +139,8 @@ Constants common_constants(const std::vector<Elasticity>& materials, const Initi
   return c;
 }
 
-/// Default number of threads: all cores, fewer for small scenes.
 int useful_threads(int particles) {
-  constexpr int least_particles = 300;  // of each thread
+  constexpr int least_particles = 300;  // per thread
   return std::clamp(particles / least_particles, 1, cores());
 }
 

@@ -7,18 +7,17 @@
 
 namespace taut {
 
-/// What bodies were given from outside.
 struct Impulse {
-  Point linear{};   // N s (per metre depth in 2D)
-  Point angular{};  // about the origin, N m s; in 2D only the last component
+  Point linear{};   // N s (2D: N s/m)
+  Point angular{};  // about the origin, N m s; in 2D only z
 };
 
-/// The components of a stress, Pa. In 2D xz and yz are 0.
+/// Stress, Pa. In 2D xz and yz are 0.
 struct StressTensor {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
 };
 
-/// The particles at one time, in the order of their creation, whatever order the solver keeps them in.
+/// All particles in order of creation. In 2D, masses and energies are per metre depth.
 struct Snapshot {
   int dim = 2;
   double time = 0;  // s
@@ -26,28 +25,28 @@ struct Snapshot {
   std::vector<double> x0;   // initial position, n × dim, m
   std::vector<double> x;    // position, n × dim, m
   std::vector<double> v;    // velocity, n × dim, m/s
-  std::vector<double> m;    // mass (per metre depth in 2D), kg
+  std::vector<double> m;    // mass, kg
   std::vector<double> rho;  // density, kg/m³
   std::vector<double> p;    // pressure, positive in compression, Pa
   std::vector<double> s;    // deviatoric stress xx, xy, yy, zz (2D) or xx, xy, xz, yy, yz, zz (3D), Pa
-  std::vector<double>
-      strain_energy;          // of methods that have one of their own, J (per metre depth in 2D); else empty
-  double contact_energy = 0;  // of the contacts of bodies, J (per metre depth in 2D)
-  double work = 0;            // of driven particles, loads and gravity so far, J (per metre depth in 2D)
-  double damped = 0;          // taken by the scene's damping so far, J (per metre depth in 2D)
-  Impulse of_walls;           // so far
-  std::vector<double> diameter;  // of a particle as drawn: V0^(1/dim), m
-  std::vector<int> body;         // index into Scene::bodies
-  std::vector<int> material;     // index into Scene::materials
+  std::vector<double> strain_energy;  // J; empty for methods that do not define it
+  double contact_energy = 0;          // stored in contacts, J
+  double work = 0;                    // total of drives, loads and gravity, J
+  std::vector<double> body_work;      // [body] its share of `work`, J
+  double damped = 0;                  // total removed by Scene::damping, J
+  Impulse of_walls;                   // total from all walls
+  std::vector<double> diameter;       // as drawn: V0^(1/dim), m
+  std::vector<int> body;              // index into Scene::bodies
+  std::vector<int> material;          // index into Scene::materials
   std::vector<unsigned char> held;
-  std::vector<unsigned char> driven;  // of a region that the scene moves up to some time
+  std::vector<unsigned char> driven;  // in a region that is driven at some time
 
   std::size_t size() const { return m.size(); }
 
-  Point initial(std::size_t i) const { return point(x0, i); }  // m
-  Point position(std::size_t i) const { return point(x, i); }  // m
-  Point velocity(std::size_t i) const { return point(v, i); }  // m/s
-  StressTensor deviator(std::size_t i) const {                 // Pa
+  Point initial(std::size_t i) const { return point(x0, i); }
+  Point position(std::size_t i) const { return point(x, i); }
+  Point velocity(std::size_t i) const { return point(v, i); }
+  StressTensor deviator(std::size_t i) const {
     if (const double* c = &s[i * stored(dim)]; dim == 3)
       return {c[0], c[3], c[5], c[1], c[2], c[4]};
     else
@@ -60,7 +59,7 @@ struct Snapshot {
     return sigma;
   }
 
-  /// Room for the fields of n particles but `strain_energy`.
+  /// Allocates all fields except `strain_energy`.
   void resize(int dimensions, std::size_t n) {
     dim = dimensions;
     const auto d = static_cast<std::size_t>(dim);

@@ -5,7 +5,7 @@
 namespace taut {
 namespace {
 
-/// `after` becomes what lies between; what stands still stays to the byte.
+/// Interpolates; equal values stay bit-identical.
 void move_back(std::span<double> after, std::span<const double> before, double share) {
   for (std::size_t k = 0; k < after.size(); ++k) after[k] = before[k] + share * (after[k] - before[k]);
 }
@@ -16,12 +16,12 @@ Snapshot blend(const Snapshot& before, const Snapshot& after, double t) {
   Snapshot out = after;
   if (t == after.time) return out;
   const double dt = after.time - before.time, share = (t - before.time) / dt;
-  // all members: whoever adds one decides here whether it goes on from step to step
-  auto& [dim, time, step, x0, x, v, m, rho, p, s, strain_energy, contact_energy, work, damped, of_walls,
-         diameter, body, material, held, driven] = out;
+  // all members: a new one must be interpolated here or left as in `after`
+  auto& [dim, time, step, x0, x, v, m, rho, p, s, strain_energy, contact_energy, work, body_work, damped,
+         of_walls, diameter, body, material, held, driven] = out;
   time = t;
-  for (const auto field :
-       {&Snapshot::x, &Snapshot::v, &Snapshot::rho, &Snapshot::p, &Snapshot::s, &Snapshot::strain_energy})
+  for (const auto field : {&Snapshot::x, &Snapshot::v, &Snapshot::rho, &Snapshot::p, &Snapshot::s,
+                           &Snapshot::strain_energy, &Snapshot::body_work})
     move_back(out.*field, before.*field, share);
   const double bend = 0.5 * share * (1 - share) * dt;  // s
   for (std::size_t k = 0; k < x.size(); ++k) x[k] -= bend * (after.v[k] - before.v[k]);

@@ -16,10 +16,9 @@
 namespace taut {
 namespace {
 
-/// Bodies cut from a lattice that does not fit their shapes.
 void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr double tolerated = 0.02;
-  std::vector<double> volume(scene.bodies.size());  // at rest
+  std::vector<double> volume(scene.bodies.size());  // [body], undeformed, m^dim
   for (std::size_t i = 0; i < start.size(); ++i)
     volume[static_cast<std::size_t>(start.body[i])] +=
         start.m[i] / scene.materials[static_cast<std::size_t>(start.material[i])].density;
@@ -36,7 +35,7 @@ void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, c
   }
 }
 
-/// Mostly slips of units, such as a modulus in MPa. In a closed scene speeds are relative to the common motion.
+/// Supersonic speeds are mostly unit errors. In a closed scene, speeds are relative to the common motion.
 void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   const auto dim = static_cast<std::size_t>(start.dim);
   Point common{};  // m/s
@@ -44,7 +43,7 @@ void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, c
     const double mass = std::accumulate(start.m.begin(), start.m.end(), 0.0);
     for (std::size_t i = 0; i < start.v.size(); ++i) common[i % dim] += start.m[i / dim] * start.v[i] / mass;
   }
-  std::vector<double> mach(scene.bodies.size());  // greatest speed over the sound speed of the particle
+  std::vector<double> mach(scene.bodies.size());  // [body] greatest speed / sound speed
   for (std::size_t i = 0; i < start.size(); ++i) {
     double v2 = 0;
     for (std::size_t k = 0; k < dim; ++k) v2 += std::pow(start.v[i * dim + k] - common[k], 2);
@@ -62,7 +61,7 @@ void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, c
 
 void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr double of_motion = 1e-3;
-  constexpr double of_stiffness = 1e-9;  // energy of a strain of about 1e-5 everywhere
+  constexpr double of_stiffness = 1e-9;  // of a uniform strain of about 1e-5
   const double kinetic = balance(start, scene).kinetic, stored = start.contact_energy;  // J
   double stiffness = 0;                                                                 // J
   for (std::size_t i = 0; i < start.size(); ++i) {
@@ -77,11 +76,10 @@ void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene,
                   stored, share));
 }
 
-/// Two bodies less than two spacings apart and within the kernel support: `sph` may hold them together.
 void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start,
                               double support) {
-  constexpr double parts = 2 - 1e-6;         // spacings from which bodies separate with every method
-  std::optional<std::pair<int, int>> first;  // in the order of the scene
+  constexpr double parts = 2 - 1e-6;         // spacings; bodies this far apart separate
+  std::optional<std::pair<int, int>> first;  // in scene order
   double nearest = std::min(support, parts * scene.spacing);
   for_each_meeting_pair(start, nearest, [&](int i, int j) {
     const std::pair bodies(start.body[static_cast<std::size_t>(i)], start.body[static_cast<std::size_t>(j)]);
@@ -103,14 +101,15 @@ void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& s
 }  // namespace
 
 std::string warning_about_reactions(const Scene& scene, const MethodInfo& method) {
-  const auto is_reaction = [](const Probe& probe) { return probe.kind == Probe::Kind::reaction; };
-  // the pair forces of [Khayyer2024] §3.4 are not equal and opposite
+  const auto is_force = [](const Probe& probe) { return probe.kind.is_force; };
+  // [Khayyer2024] §3.4: pair forces are not equal and opposite
   const auto* cauchy = as<UlCauchyFormulation>(method.formulation);
-  if (!cauchy || !cauchy->tensile_control || std::ranges::none_of(scene.probes, is_reaction)) return "";
+  if (!cauchy || !cauchy->tensile_control || std::ranges::none_of(scene.probes, is_force)) return "";
   return fmt::format(
-      "reaction forces of {} do not balance the loads, since tensile instability control does not conserve "
-      "momentum: "
-      "in a bent bar they are 0.63 to 0.98 of the load (METHODS.md)",
+      "reaction and contact forces of {} do not balance the loads, since tensile instability control does "
+      "not conserve "
+      "momentum: they are 0.63 to 0.98 of the load in a bent bar, 0.95 of the weight of a block on a wall "
+      "(METHODS.md)",
       method.name);
 }
 

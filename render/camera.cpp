@@ -11,7 +11,7 @@ Vector normalised(const Vector& a) {
   return {a[0] / length, a[1] / length, a[2] / length};
 }
 
-/// `a` turned about `axis`, of length 1, by an angle in degrees (Rodrigues).
+/// Rotates around a unit vector by degrees (Rodrigues).
 Vector turned(const Vector& a, const Vector& axis, double degrees) {
   const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
   const Vector across = cross(axis, a);
@@ -31,7 +31,7 @@ Vector cross(const Vector& a, const Vector& b) {
 CameraAxes axes_of(const Camera& camera) {
   CameraAxes axes;
   axes.back = normalised(camera.from);
-  constexpr double least_angle = 1e-6;  // rad, below which "up" says nothing
+  constexpr double least_angle = 1e-6;  // rad; below, `up` is too close to `from`
   for (const Vector& up : {camera.up, Vector{0, 1, 0}, Vector{1, 0, 0}}) {
     const Vector right = cross(normalised(up), axes.back);
     if (!(std::sqrt(dot(right, right)) > least_angle)) continue;
@@ -77,7 +77,7 @@ Projection::Seen Projection::operator()(const Vector& x) const {
 Vector Projection::way(const Vector& way, const Seen& from) const {
   Vector seen{dot(axes_.right, way), dot(axes_.up, way), dot(axes_.back, way)};
   if (distance_ == 0) return seen;
-  // the derivative of the above
+  // derivative of operator()
   const double nearer = from.scale / distance_ * seen[2];
   seen[0] = seen[0] * from.scale + (from.at[0] - middle_x_) * nearer;
   seen[1] = seen[1] * from.scale + (from.at[1] - middle_y_) * nearer;

@@ -8,7 +8,6 @@
 namespace taut::render {
 namespace {
 
-/// A constant field has the middle colour, on a bar that is wide enough for ticks.
 Range widened(const Range& range) {
   const double magnitude = std::max(std::abs(range.low), std::abs(range.high));
   if (range.high - range.low > 1e-9 * magnitude && range.high != range.low) return range;
@@ -25,8 +24,7 @@ std::optional<Range> range_of(const Look& look) {
   return look.categories.empty() ? std::optional(widened(*look.range)) : std::nullopt;
 }
 
-/// From low to high. A diverging map has its middle where what it diverges from is, and of its shorter side
-/// no more than the range reaches: equal distances to both sides are equally strong colours.
+/// A diverging map is neutral at `look.middle`, with equal colours at equal distances.
 std::array<Rgb, 256> colors_of(const Look& look, const Range& range) {
   const double below = look.middle - range.low, above = range.high - look.middle;
   if (!look.colormap->diverging || !(below > 0 && above > 0)) return look.colormap->table();

@@ -11,19 +11,18 @@
 
 namespace taut::render {
 
-/// What stands for which value. Nothing of the look may be open.
+/// The look must be complete.
 class Coloring {
  public:
   explicit Coloring(const Look& look);
 
-  std::uint32_t operator()(double value) const;  // bytes R, G, B, 255 in memory
-  /// Whether it lies beyond an end by more than half a colour, or is no number.
+  std::uint32_t operator()(double value) const;  // bytes R, G, B, 255
+  /// Detects NaN, and values out of range by more than half a colour step.
   OffScale off_scale(double value) const;
-  /// The bar or the legend.
   const ColorKey& key() const { return key_; }
 
  private:
-  std::optional<Range> range_;  // none: values count things that have a colour each
+  std::optional<Range> range_;  // none: categories
   std::vector<std::uint32_t> colors_;
   ColorKey key_;
 };

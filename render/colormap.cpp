@@ -7,8 +7,7 @@
 namespace taut::render {
 namespace {
 
-// viridis, plasma: van der Walt & Smith 2015, released as CC0; cividis: Nuñez, Anderton & Renslow 2018. The
-// tables of 256 colours sampled at 19 places; what lies between is within 3 of 255 levels of the original.
+// viridis, plasma: van der Walt & Smith 2015 (CC0); cividis: Nuñez, Anderton & Renslow 2018; within 3 of 255 levels
 constexpr std::uint32_t viridis[] = {0x440154, 0x481668, 0x482878, 0x443a83, 0x3e4989, 0x375a8c, 0x31688e,
                                      0x2b758e, 0x26828e, 0x21908c, 0x1f9e89, 0x25ab82, 0x35b779, 0x4ec36b,
                                      0x6ece58, 0x90d741, 0xb5de2b, 0xdde31e, 0xfde725};
@@ -18,22 +17,19 @@ constexpr std::uint32_t plasma[] = {0x0d0887, 0x2b0793, 0x46039f, 0x5d00a6, 0x72
 constexpr std::uint32_t cividis[] = {0x00224e, 0x002c65, 0x123570, 0x2b406d, 0x3b496c, 0x4a536c, 0x575d6d,
                                      0x646770, 0x707173, 0x7c7b78, 0x8a8678, 0x979177, 0xa59c74, 0xb4a76f,
                                      0xc3b369, 0xd2bf60, 0xe1cc55, 0xf1d945, 0xfee838};
-// Moreland 2009, "Diverging Color Maps for Scientific Visualization", in his polar CIELAB space "Msh", but
-// darker towards the middle, by a seventh there: his light gray is lost on white. Hues are his; made by his
-// interpolation to a darker gray the blue turns violet.
+// Moreland 2009, "Diverging Color Maps for Scientific Visualization", by a seventh darker in the middle, to be
+// visible on white. His interpolation to this gray would turn blue violet.
 constexpr std::uint32_t coolwarm[] = {0x3b4cc0, 0x4d66d3, 0x5f7de2, 0x7192ea, 0x83a4ec, 0x95b1e9,
                                       0xa5badf, 0xb3bed1, 0xbebebe, 0xcfb9ae, 0xdbaf9b, 0xe1a287,
                                       0xe38f72, 0xe0785e, 0xd65e49, 0xc73d37, 0xb40426};
-// hue from 240° down to 0° at full saturation
 constexpr std::uint32_t rainbow[] = {0x0000ff, 0x00ffff, 0x00ff00, 0xffff00, 0xff0000};
-// stops short of white, which is the background
+// stops short of white, the default background
 constexpr std::uint32_t gray[] = {0x101010, 0xe0e0e0};
 
-// Okabe & Ito 2002, "Color Universal Design": told apart by people with all kinds of colour vision. Their
-// black gives way to gray, which shows on black too, and the strong ones come first.
+// Okabe & Ito 2002, "Color Universal Design", with gray for black, which must be visible on black
 constexpr std::uint32_t categories[] = {0x0072b2, 0xe69f00, 0x009e73, 0xd55e00,
                                         0x56b4e9, 0xcc79a7, 0xf0e442, 0x999999};
-constexpr double darker = 0.6;  // of the second round
+constexpr double darker = 0.6;  // in the second round
 
 constexpr Colormap maps[] = {
     {"viridis", "perceptually uniform, blue to yellow", false, viridis},
@@ -50,7 +46,7 @@ double channel(std::uint32_t color, int shift) { return static_cast<double>((col
 
 Rgb Colormap::at(double t) const {
   const double last = static_cast<double>(stops.size() - 1);
-  const double place = t > 0 ? std::min(t, 1.0) * last : 0.0;  // written so that NaN gives 0
+  const double place = t > 0 ? std::min(t, 1.0) * last : 0.0;  // NaN gives 0
   const auto i = static_cast<std::size_t>(std::min(place, last - 1));
   const double f = place - static_cast<double>(i);
   const auto mix = [&](int shift) {

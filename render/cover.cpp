@@ -6,12 +6,12 @@
 namespace taut::render {
 namespace {
 
-constexpr int samples = 2;  // along a pixel
-constexpr int side = 8;     // of a tile, samples
+constexpr int samples = 2;  // per direction
+constexpr int side = 8;     // samples of a tile
 constexpr float nothing = -1e30f;
-constexpr float doubt = 0.1f;  // samples: OpenGL rounds otherwise than this does
+constexpr float doubt = 0.1f;  // samples; OpenGL rounds differently
 
-/// Samples whose centres are within `half` of `centre`: the first, and behind the last.
+/// Samples with centres within `half` of `centre`.
 struct Span {
   int from, to;
 };
@@ -21,7 +21,7 @@ Span span_of(float centre, float half, int most) {
           std::clamp(static_cast<int>(std::floor(centre + half - 0.5f)) + 1, 0, most)};
 }
 
-/// Calls `visit(first, behind the last)` for the samples of every row within `radius` of a place.
+/// Visits samples [from, to) of each row within `radius`.
 template <class Visit>
 void for_rows(float x, float y, float radius, int width, int height, const Visit& visit) {
   const Span rows = span_of(y, radius, height);
@@ -35,7 +35,6 @@ void for_rows(float x, float y, float radius, int width, int height, const Visit
 
 }  // namespace
 
-/// Those that a ball touches: columns and rows, behind the last.
 struct Cover::Tiles {
   int left, right, top, bottom;
 

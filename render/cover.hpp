@@ -7,15 +7,14 @@
 
 namespace taut::render {
 
-/// What some balls leave to be seen of others. It knows the samples that SolidPainter takes, four a pixel.
+/// Occlusion test at SolidPainter's samples, 2 × 2 per pixel.
 class Cover {
  public:
-  /// Of a plot of so many pixels.
+  /// Takes the plot's size, pixels.
   Cover(int width, int height);
 
   void clear();
-  /// Whether the balls that were added cover all that could be seen of this one. Where it is not sure it says
-  /// no.
+  /// Whether the added balls hide `ball`; false if in doubt.
   bool hides(const Ball& ball) const;
   void add(const Ball& ball);
 
@@ -25,9 +24,9 @@ class Cover {
   void update(const Tiles& tiles);
 
   int width_, height_;            // samples
-  int tile_columns_, tile_rows_;  // a tile is a square of samples
-  std::vector<float> depth_;      // of each sample: no less than this, pixels towards the camera, is covered
-  std::vector<float> tile_;       // the least of each tile
+  int tile_columns_, tile_rows_;  // squares of samples
+  std::vector<float> depth_;      // samples are covered up to this z, pixels
+  std::vector<float> tile_;       // least depth in each tile
 };
 
 }  // namespace taut::render

@@ -9,10 +9,10 @@
 namespace taut::render {
 namespace {
 
-constexpr int samples = 2;      // each pixel is the mean of 2 × 2 samples
+constexpr int samples = 2;      // per direction
 constexpr int band_height = 8;  // pixels
 constexpr int tile_width = 16;  // pixels
-constexpr int lanes = 4;        // samples that are painted at once: as many as any x86-64 takes
+constexpr int lanes = 4;        // samples at once, on every x86-64
 
 using Floats = float __attribute__((vector_size(4 * lanes)));
 using Ints = std::int32_t __attribute__((vector_size(4 * lanes)));
@@ -26,7 +26,7 @@ Vector loaded(const void* from) {
   return vector;
 }
 
-/// `over` with a weight of 255, over `under`; all four bytes of each.
+/// Blends with weight alpha / 255 of `over`.
 Colors blended(const Colors& over, const Colors& under, const Ints& alpha) {
   const Ints of256 = alpha + (alpha >> 7);
   const Words a = reinterpret_cast<Words>(of256 | of256 << 16), b = 256 - a;
@@ -36,15 +36,14 @@ Colors blended(const Colors& over, const Colors& under, const Ints& alpha) {
   return reinterpret_cast<Colors>(even | (odd & 0xff00));
 }
 
-/// One row of samples of a disc; lengths in samples.
+/// Row of samples; lengths in samples.
 struct DiscRow {
-  float dy2;    // distance of the row from the centre, squared
-  float reach;  // of the antialiased rim from the centre
-  float depth;  // of a sample at distance 1 from the centre
+  float dy2;    // squared distance from the centre
+  float reach;  // outer radius of the rim
+  float depth;  // depth per distance from the centre
   std::uint32_t color;
 };
 
-/// Samples at `x`, x + 1, … from the centre.
 void paint(const DiscRow& row, float x, float* depth, std::uint32_t* color) {
   const Floats dx = x + Floats{0, 1, 2, 3};
   const Floats r2 = dx * dx + row.dy2;
@@ -52,7 +51,7 @@ void paint(const DiscRow& row, float x, float* depth, std::uint32_t* color) {
   for (int k = 0; k < lanes; ++k) r[k] = std::sqrt(r2[k]);
   const Floats coverage = row.reach - r;
   const auto rim = coverage < 1;
-  // nearest centre first; a rim that covers a sample in part never hides a disc that covers it whole
+  // A partly covered rim sample never hides a fully covered one.
   const Floats d = r * row.depth + (rim ? Floats{} + 0.5f : Floats{});
   const auto nearest = loaded<Floats>(depth);
   const auto under = loaded<Colors>(color);
@@ -64,14 +63,14 @@ void paint(const DiscRow& row, float x, float* depth, std::uint32_t* color) {
   std::memcpy(color, &new_color, sizeof new_color);
 }
 
-/// Of each byte, rounded up at one half.
+/// Mean of each byte, rounded up.
 std::uint32_t mean(std::uint32_t p, std::uint32_t q) {
   constexpr std::uint32_t even = 0x00ff00ff, halves = 0x00010001;
   return ((((p & even) + (q & even) + halves) >> 1) & even) |
          (((((p >> 8) & even) + ((q >> 8) & even) + halves) >> 1) & even) << 8;
 }
 
-/// Samples whose centres are nearer than `half` to `centre`: the first, and behind the last.
+/// Samples with centres within `half` of `centre`.
 struct Span {
   int from, to;
 };
@@ -105,7 +104,7 @@ DiscPainter::DiscPainter(const Rect& plot, Rgb background)
       bands_(parts(plot.height, band_height)),
       tiles_(parts(plot.width, tile_width)),
       stride_(static_cast<std::size_t>(tiles_) * tile_width * samples),
-      color_(stride_ * band_height * samples + lanes),  // what is painted at once may begin with the last
+      color_(stride_ * band_height * samples + lanes),  // space for the last vector
       depth_(color_.size()),
       touched_(static_cast<std::size_t>(tiles_)),
       was_drawn_(touched_.size() * static_cast<std::size_t>(bands_)) {}
@@ -118,7 +117,7 @@ DiscPainter::Bands DiscPainter::bands_of(const Dot& disc) const {
 }
 
 void DiscPainter::sort_into_bands(std::span<const Dot> discs) {
-  // counted one place further on: what a band begins with grows to what it ends with while it is filled
+  // shifted by one: starts become ends during filling
   end_.assign(static_cast<std::size_t>(bands_) + 2, 0);
   for (const Dot& disc : discs)
     for (auto [band, last] = bands_of(disc); band <= last; ++band) ++end_[static_cast<std::size_t>(band) + 2];
@@ -169,7 +168,7 @@ void DiscPainter::draw_disc(const Dot& disc, int band) {
   }
 }
 
-/// The means of the samples of a tile that discs reach into, the background of any other.
+/// Writes means of samples, or the background.
 void DiscPainter::resolve_tile(Image& image, int band, int tile) const {
   const int left = tile * tile_width, top = band * band_height;
   const auto bytes = static_cast<std::size_t>(std::min(tile_width, plot_.width - left)) * 4;

@@ -9,41 +9,38 @@
 
 namespace taut::render {
 
-/// Of the width and the height of a picture, pixels.
+/// Bounds of width and height, pixels.
 inline constexpr int least_size = 64;
 inline constexpr int greatest_size = 8192;
 
-/// Of a particle as drawn, of its diameter.
+/// Bounds of drawn / true diameter.
 inline constexpr double least_glyph = 0.05;
 inline constexpr double greatest_glyph = 20;
 
-/// Values of a field, in its unit.
+/// Values in the field's unit.
 struct Range {
   double low = 0, high = 1;
   bool operator==(const Range&) const = default;
 };
 
-/// Pixels.
 struct Size {
   int width = 1280, height = 720;
   bool operator==(const Size&) const = default;
 };
 
-/// How pictures look. What is none is open: who knows all that they will show chooses it before the first is
-/// drawn.
+/// Appearance of pictures. Open options must be set before drawing.
 struct Look {
-  std::optional<View> view;            // what is seen; in 3D in the plane of the picture
-  std::optional<Camera> camera{};      // of scenes in 3D; in 2D there is none
-  std::optional<Range> range;          // of the colours; values beyond it take the colour of the end
+  std::optional<View> view;            // visible region; in 3D of the picture plane
+  std::optional<Camera> camera{};      // only in 3D
+  std::optional<Range> range;          // of the colours; values outside are clamped
   const Colormap* colormap = nullptr;  // nullptr: open
-  double middle = 0;                   // what a diverging map's middle stands for, if it is in the range
-  std::string unit{};                  // of the values: numbers beside the bar have room as they are in it
-  std::optional<Size> size = Size{};   // each from least_size to greatest_size
-  bool bare = false;                   // particles only, over the whole picture
-  double glyph = 1;                    // a particle's diameter as drawn, of its own
-  Rgb background = white;              // texts and lines stand out from it
-  /// Names of what the values count, from 0: each has a colour of its own, and a legend stands in place of
-  /// the bar. Then range and colour map do not matter, and may be open.
+  double middle = 0;                   // value of a diverging map's middle, if in range
+  std::string unit{};                  // of the values; determines the width of their numbers
+  std::optional<Size> size = Size{};   // sides from least_size to greatest_size
+  bool bare = false;                   // only particles, over the whole picture
+  double glyph = 1;                    // drawn / true diameter
+  Rgb background = white;              // texts contrast with it
+  /// Names of categories; values then count from 0, a legend replaces the bar, range and colour map may be open.
   std::vector<std::string> categories{};
 };
 

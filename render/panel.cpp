@@ -21,25 +21,25 @@ constexpr double title_height = 2.6;
 constexpr double heading_height = 1.75;
 constexpr double note_height = 1.3;
 constexpr double row_label = 1.7;
-constexpr double gap = 0.7;          // between pictures, and between them and the bar
-constexpr double key_margin = 0.55;  // right of the colour bar or the legend
+constexpr double gap = 0.7;  // between pictures
+constexpr double key_margin = 0.55;
 constexpr double footer = 2.3;
-constexpr double least_bar = 13;  // height that the bar's label needs
+constexpr double least_bar = 13;  // minimum height of a bar with its label
 constexpr double note_size = 0.94;
 constexpr double corner_gap = 0.4;
 constexpr double frame_gray = 0.85;
 
-// A panel of its own choice: pixels.
+// default, pixels
 constexpr double own_font = 16;
 constexpr double most_grid_width = 1440, most_grid_height = 1080, most_cell = 540;
 
 int pixels(double length) { return static_cast<int>(std::lround(length)); }
 
-/// Where the pictures and what is about them are.
+/// Layout, pixels.
 struct Grid {
   double em = own_font;
   int columns = 0, rows = 0;
-  int left = 0, top = 0, right = 0, bottom = 0;  // what is about all pictures
+  int left = 0, top = 0, right = 0, bottom = 0;  // around all pictures
   int gap_size = 0;
   int cell_width = 0, cell_height = 0;
 
@@ -51,7 +51,7 @@ struct Grid {
   int grid_height() const { return rows * cell_height + (rows - 1) * gap_size; }
 };
 
-/// Without the room for texts about the pictures where the look is bare.
+/// Omits space for texts if the look is bare.
 Grid empty_grid(const PanelOptions& options, double em) {
   Grid grid;
   grid.em = em;
@@ -70,18 +70,18 @@ Grid empty_grid(const PanelOptions& options, double em) {
   return grid;
 }
 
-/// Of what the colours mean, em.
+/// Width of bar or legend, em.
 double key_width(const PanelOptions& options, const Grid& grid) {
   return Coloring(options.look).key().width(grid.grid_height(), grid.em, options.unit);
 }
 
-/// To be called when the height of the pictures is known.
+/// Requires the height of the pictures.
 void make_room_for_key(Grid& grid, const PanelOptions& options) {
   if (options.look.bare) return;
   grid.right = pixels((margin + key_width(options, grid) + key_margin + 0.15) * grid.em);
 }
 
-/// Pictures of the view's shape, as large as a page takes.
+/// Keeps the view's aspect ratio, as large as a page allows.
 Grid own_grid(const PanelOptions& options) {
   Grid grid = empty_grid(options, own_font);
   const View view = options.look.view.value();
@@ -142,7 +142,7 @@ struct Panel::Parts {
   Canvas canvas;
   Renderer renderer;
   ColorKey key;
-  OffScale off_scale;  // in any of the pictures
+  OffScale off_scale;
 
   explicit Parts(const PanelOptions& options_)
       : options(options_),
@@ -158,7 +158,7 @@ struct Panel::Parts {
   void draw_row_labels();
 };
 
-/// Shows where pictures end: particles may lie beyond.
+/// Particles may lie beyond a picture's frame.
 void Panel::Parts::draw_frames() {
   canvas.gray(frame_gray);
   for (int column = 0; column < grid.columns; ++column) {

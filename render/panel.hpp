@@ -10,15 +10,15 @@
 
 namespace taut::render {
 
-/// What stands above a column: what tells it from the others, in bold, and more of that below in gray.
+/// Bold title, gray note below.
 struct Heading {
   std::string title, note;
 };
 
-/// A figure of many pictures in rows and columns, all with the same scales of colours and lengths.
+/// Pictures in rows and columns with equal colours and scales.
 struct PanelOptions {
-  Look look;                // an open size: from the view, legible at 1:1
-  std::string title, note;  // what holds for all pictures
+  Look look;                // an open size is chosen, legible at 1:1
+  std::string title, note;  // of all pictures
   std::string field, unit;
   std::vector<Heading> columns;
   std::vector<std::string> rows;  // "t = 3 ms"
@@ -26,17 +26,16 @@ struct PanelOptions {
 
 class Panel {
  public:
-  /// Nothing of the look but its size may be open. A bare look leaves only the pictures, side by side.
-  /// UsageError if the size is out of bounds or too small for so many pictures.
+  /// Only the size may be open. A bare look omits texts. Throws UsageError for sizes out of bounds or too small.
   explicit Panel(const PanelOptions& options);
   ~Panel();
 
   void draw(int column, int row, const FrameView& particles);
-  /// In the corner of a picture.
+  /// Writes at the top left.
   void write_corner(int column, int row, const std::string& text);
-  /// In the middle, where there are no particles.
+  /// Writes where no particles are.
   void write_middle(int column, int row, const std::string& text);
-  /// Draws the texts about the pictures.
+  /// Draws the surrounding texts.
   const Image& finish();
 
  private:

@@ -82,7 +82,7 @@ double width_of(const ColorKey& key, const Look& look) {
   return size.font > 0 ? key.width(size.key_height, size.font, look.unit) : 0;
 }
 
-/// Of lines among solids: stands out from the background a little; bytes R, G, B, 255 in memory.
+/// Faint colour of lines among solids; bytes R, G, B, 255.
 std::uint32_t line_color(Rgb background) {
   constexpr double contrast = 0.4;
   const double most = is_light(background) ? 0 : 255;
@@ -100,16 +100,16 @@ struct Renderer::Parts {
   PageLayout layout;
   Image image;
   std::optional<Projection> projection;       // in 3D
-  std::optional<DiscPainter> disc_painter;    // while the image holds discs and nothing else in the plot
-  std::optional<GlContext> context;           // these two are made when they are needed: cells are solids in
-  std::optional<SolidPainter> solid_painter;  // 2D too
-  std::optional<Annotation> annotation;       // none in pictures too small for text
-  std::optional<Canvas> canvas;               // of walls in 2D, where there are any
+  std::optional<DiscPainter> disc_painter;    // if the plot has only discs
+  std::optional<GlContext> context;           // on demand
+  std::optional<SolidPainter> solid_painter;  // also for 2D cells
+  std::optional<Annotation> annotation;       // none in small pictures
+  std::optional<Canvas> canvas;               // for 2D walls
   Rgb background;
   double glyph;
   std::vector<Dot> discs;
   Solids solids;
-  OffScale off_scale;  // of what is placed in the picture
+  OffScale off_scale;  // of placed particles
 
   Parts(const Look& look, double until);
   void check(const FrameView& frame) const;
@@ -152,13 +152,13 @@ void Renderer::Parts::place_discs(const FrameView& frame) {
   discs.reserve(frame.value.size());
   off_scale = {};
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
-    // doubles up to here: single precision would not tell the particles of a view far from the origin apart
+    // float would merge particles far from the origin
     const double x = layout.column(frame.x[2 * i]);
     const double y = layout.row(frame.x[2 * i + 1]);
     const double size = 0.5 * glyph * frame.diameter[i] * layout.pixels_per_metre;
     const double radius = drawn_radius(size);
-    const double reach = radius + 1;  // with the antialiased rim
-    // written so that a NaN is left out
+    const double reach = radius + 1;  // with its rim
+    // false for NaN
     const bool seen = size > 0 && x > -reach && x < width + reach && y > -reach && y < height + reach;
     if (!seen) continue;
     off_scale |= coloring.off_scale(frame.value[i]);
@@ -172,7 +172,7 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-/// In 2D, over the particles.
+/// Draws 2D walls over the particles.
 void Renderer::Parts::draw_walls(const FrameView& frame) {
   if (frame.walls.empty()) return;
   constexpr double em_of_height = 0.022;  // in pictures without text
@@ -185,7 +185,7 @@ void Renderer::Parts::draw_walls(const FrameView& frame) {
   canvas->end();
 }
 
-/// Over the page of the frame before, where that was one of discs too and nothing else stands among them.
+/// Keeps the previous page if both have only discs, without walls.
 void Renderer::Parts::draw_discs(const FrameView& frame) {
   const bool page_stands =
       disc_painter && frame.walls.empty() && (!annotation || annotation->stands_for(frame));

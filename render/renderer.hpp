@@ -10,23 +10,22 @@ namespace taut::render {
 
 struct OffScale;
 
-/// Draws frames into one image, that it keeps.
+/// Draws frames into its image.
 class Renderer {
  public:
-  /// Nothing of the look may be open. `until` is the time of the last frame, s: all times are shown in its
-  /// unit; 0: each in its own. UsageError if something is out of bounds, OutputError if the font is missing.
+  /// The look must be complete. `until` (last time, s) sets the unit of all times; 0: each has its own. Throws
+  /// UsageError for values out of bounds, OutputError without the font.
   explicit Renderer(const Look& look, double until = 0);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// From now on a scene in 3D is seen from elsewhere; the view is of the size that the look has.
+  /// Moves the camera. `view` must have the size of the look's view.
   void look_from(const Camera& camera, const View& view);
 
-  /// Valid until the next call. The same frame gives the same bytes. Particles whose position or size is not
-  /// finite are left out.
+  /// Valid until the next call. Equal frames give equal bytes. Non-finite particles are omitted.
   const Image& draw(const FrameView& frame);
-  /// What the picture that was drawn last shows beyond its range, or of no number.
+  /// Off-scale values in the last picture.
   const OffScale& off_scale() const;
 
  private:

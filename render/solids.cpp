@@ -17,8 +17,7 @@ Vector sum(const Vector& a, const Vector& b, double times = 1) {
   return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
 }
 
-// Cells overlap by this factor, and by this many pixels at least: where a body bends, gaps of second order in
-// the spacing would show between them.
+// minimum factor and pixels of overlap: bending opens gaps of second order in the spacing
 constexpr double overlap = 1.02, least_overlap = 0.7;
 
 Vector widened(const Vector& half) {
@@ -40,14 +39,14 @@ Vector at(std::span<const double> of, std::size_t i) { return {of[3 * i], of[3 *
 }  // namespace
 
 double drawn_radius(double radius) {
-  constexpr double full = 2.0;    // pixels, radius from which the size is kept
-  constexpr double filled = 1.0;  // pixels, radius up to which the square is filled
-  constexpr double rim = 0.25;    // pixels, half the width of the antialiased rim
+  constexpr double full = 2.0;    // pixels; larger radii are kept
+  constexpr double filled = 1.0;  // pixels; smaller discs fill a square
+  constexpr double rim = 0.25;    // pixels; half width of the rim
   const double small = std::clamp((full - radius) / (full - filled), 0.0, 1.0);
   return std::lerp(radius, std::numbers::sqrt2 * radius + rim, small);
 }
 
-// written so that a NaN is left out
+// false for NaN
 bool Solids::in_picture(double x, double y, double reach) const {
   return reach > 0 && x > -reach && x < layout_.plot.width + reach && y > -reach &&
          y < layout_.plot.height + reach;
@@ -76,9 +75,9 @@ void Solids::place_balls(const FrameView& frame, const Projection& projection,
   drop_hidden();
 }
 
-/// From front to back: a ball is hidden where every sample that it can cover has another before its front.
+/// Omits balls whose samples are covered, from front to back.
 void Solids::drop_hidden() {
-  constexpr std::size_t few = 2000;  // are drawn sooner than looked through
+  constexpr std::size_t few = 2000;  // below, drawing all is faster
   if (balls_.size() < few) return;
   sort_roughly();
   cover_.clear();
@@ -89,7 +88,7 @@ void Solids::drop_hidden() {
   });
 }
 
-/// The nearest first, but for what differs little in depth: the order only has to find most that is hidden.
+/// Sorts nearest first, in slices: exact order only finds more hidden balls.
 void Solids::sort_roughly() {
   constexpr std::size_t slices = 4096;
   const auto [far, near] = std::ranges::minmax(balls_, {}, &Ball::z);
@@ -127,9 +126,9 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
       Vector normal = cross(a, b);
       const double length = std::sqrt(dot(normal, normal));
       if (!(length > 0)) continue;
-      const double side = normal[2] < 0 ? -1 : 1;  // the normal that looks at the camera
+      const double side = normal[2] < 0 ? -1 : 1;  // towards the camera
       for (double& component : normal) component *= side / length;
-      // of the two faces the one on the camera's side
+      // the nearer face
       const double towards = dot(half[k], normal) < 0 ? -1 : 1;
       add_face(sum(centre, half[k], towards), a, b,
                dimmed(colors[i], light_on(static_cast<float>(normal[0]), static_cast<float>(normal[1]),
@@ -140,7 +139,7 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
 
 void Solids::place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color) {
   if (frame.walls.empty()) return;
-  constexpr double cells = 7;  // across the picture, at least
+  constexpr double cells = 7;  // minimum per picture
   const double scale = layout_.pixels_per_metre;
   const double cell = nice_length(std::min(layout_.plot.width, layout_.plot.height) / scale / cells);
   std::vector<Vector> seen;
@@ -153,7 +152,7 @@ void Solids::place_walls(const FrameView& frame, const Projection& projection, s
     for (const auto& [from, to] : grid_on(wall, seen, cell)) add_line(from, to, projection, color);
 }
 
-/// In short pieces: what lies behind the camera is left out, and a piece is as wide at both ends.
+/// Draws pieces: those behind the camera are omitted; each has a constant width.
 void Solids::add_line(const Vector& from, const Vector& to, const Projection& projection,
                       std::uint32_t color) {
   constexpr int pieces = 16;

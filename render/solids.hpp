@@ -12,25 +12,25 @@
 
 namespace taut::render {
 
-/// The particles of a frame as they stand in a picture.
+/// Particles in picture coordinates.
 class Solids {
  public:
-  /// Round particles are `glyph` times as large as they are.
+  /// `glyph`: drawn / true diameter.
   explicit Solids(const PageLayout& layout, double glyph = 1)
       : layout_(layout), glyph_(glyph), cover_(layout.plot.width, layout.plot.height) {}
 
-  /// Spheres of the particles' size. Those that others hide are left out.
+  /// Omits hidden spheres.
   void place_balls(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
-  /// The faces of their cells that look at the camera, lit.
+  /// Shades cell faces that face the camera.
   void place_boxes(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
-  /// Beside these, lines on the faces of walls in 3D, of `color`, where a particle does not hide them.
+  /// Adds lines on 3D walls, behind particles.
   void place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color);
-  /// The cells of a frame in 2D.
+  /// Places 2D cells.
   void place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors);
 
-  /// Numbers of the particles that reach into the picture, hidden ones too.
+  /// Particles in the picture, also hidden ones.
   std::span<const std::size_t> placed() const { return placed_; }
   std::span<const Ball> balls() const { return balls_; }
   std::span<const Corner> corners() const { return corners_; }
@@ -51,10 +51,8 @@ class Solids {
   Cover cover_;
 };
 
-/// Radius, in pixels, that a round particle is drawn with.
-///
-/// A gap narrower than a pixel cannot be drawn: it comes out as moiré and washes the colour out. So a
-/// particle grows, by less than 0.7 pixel, until at a diameter of 2 pixels it fills the square about it.
+/// Drawn radius, pixels. Gaps narrower than a pixel cause moiré and pale colours: small particles grow, by less than
+/// 0.7 pixel, and below a diameter of 2 pixels fill a square.
 double drawn_radius(double radius);
 
 }  // namespace taut::render

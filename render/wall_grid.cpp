@@ -6,7 +6,7 @@
 namespace taut::render {
 namespace {
 
-/// Two directions of the face at right angles to each other, the first as near to an axis as one may be.
+/// Orthonormal directions, the first close to an axis.
 std::pair<Vector, Vector> axes_on(const Vector& normal) {
   const auto least = std::ranges::min_element(normal, {}, [](double n) { return std::abs(n); });
   Vector axis{};
@@ -18,10 +18,10 @@ std::pair<Vector, Vector> axes_on(const Vector& normal) {
   return {along, cross(normal, along)};
 }
 
-/// Numbers of the first and the last line across one direction of the face, where the points lie at `x` cells.
+/// First and last line of one direction; `x` in cells.
 std::pair<double, double> ends(std::vector<double> x) {
-  constexpr double margin = 2;     // cells beyond the points
-  constexpr double farthest = 50;  // cells from the middle point: one that is lost makes no grid without end
+  constexpr double margin = 2;     // cells
+  constexpr double farthest = 50;  // cells from the median, if particles are lost
   const auto [low, high] = std::ranges::minmax(x);
   const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
   std::ranges::nth_element(x, middle);
@@ -42,7 +42,7 @@ std::vector<std::pair<Vector, Vector>> grid_on(const WallFace& wall, std::span<c
   }
   const auto [a0, a1] = ends(std::move(on_a));
   const auto [b0, b1] = ends(std::move(on_b));
-  constexpr double many = 1e9;  // cells from the wall's place: beyond, p + 1 is lost to rounding
+  constexpr double many = 1e9;  // cells; beyond, p + 1 is lost to rounding
   for (const double end : {a0, a1, b0, b1})
     if (!(std::abs(end) < many)) return {};
   const auto at = [&](double p, double q) {

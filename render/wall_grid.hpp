@@ -9,8 +9,7 @@
 
 namespace taut::render {
 
-/// Lines on the face of a wall in 3D, from end to end, m: a grid of cells of this length that stays with the
-/// wall, under and about the points. None where there is no point.
+/// Grid lines on a 3D wall, m, fixed to it, with square cells around the points. None without points.
 std::vector<std::pair<Vector, Vector>> grid_on(const WallFace& wall, std::span<const Vector> points,
                                                double cell);
 

@@ -1,9 +1,9 @@
-# Writes OUTPUT, with which CTest knows the test cases of PROGRAM: each as "FOLDER: name", with its suite as
-# label and with PROPERTIES. It asks the program once; doctest's own script asks it once more for each test, which
-# takes ten seconds of a build, and gives no label to a test whose name has a comma.
+# Writes OUTPUT, which adds the test cases of PROGRAM to CTest: each as "FOLDER: name" with its suite as label and
+# with PROPERTIES. Runs the program once. doctest's own script runs it once more per test (ten seconds of a build) and
+# gives no label to names with a comma.
 execute_process(COMMAND ${PROGRAM} --list-test-cases --reporters=xml OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 
-# what would end an element of a list, or keep it from ending
+# characters that would end a list element, or keep it open
 string(REPLACE ";" "&semicolon." listed "${listed}")
 string(REPLACE "[" "&open." listed "${listed}")
 string(REPLACE "]" "&close." listed "${listed}")
@@ -20,7 +20,7 @@ foreach(case IN LISTS cases)
     string(REPLACE "${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}" name "${name}")
   endforeach()
   string(REPLACE "&semicolon." ";" name "${name}")
-  string(REPLACE "," "\\," pattern "${name}")  # where doctest would see the end of one pattern of several
+  string(REPLACE "," "\\," pattern "${name}")  # doctest would split the pattern at a comma
   string(APPEND script "add_test([==[${FOLDER}: ${name}]==] [==[${PROGRAM}]==] [==[--test-case=${pattern}]==])\n"
     "set_tests_properties([==[${FOLDER}: ${name}]==] PROPERTIES LABELS ${label} ${PROPERTIES})\n")
 endforeach()

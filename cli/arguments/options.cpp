@@ -11,7 +11,7 @@
 namespace taut::cli {
 namespace {
 
-/// The option with several values that took more than one word; nullptr if none did.
+/// The option that took several words, or nullptr.
 const CLI::Option* greedy_option(const CLI::App& app) {
   for (const CLI::Option* o : app.get_options())
     if (!o->get_positional() && o->get_items_expected_max() > 1 && o->count() > 1) return o;
@@ -138,14 +138,14 @@ bool Options::read(const std::vector<std::string>& words) try {
 } catch (const CLI::CallForHelp&) {
   return false;
 } catch (const CLI::ParseError& e) {
-  refuse_unknown();  // a misspelt option is the better explanation of "SCENE is required"
+  refuse_unknown();  // a misspelt option also makes "SCENE is required"
   throw UsageError(what_is_wrong(*app_, e) + "; see `" + app_->get_name() + " --help`");
 }
 
-/// CLI11 leaves unknown words in `remaining`; its own message has no nearest names.
+/// CLI11's own message has no nearest names.
 void Options::refuse_unknown() const {
   std::vector<std::string> rest = app_->remaining();
-  std::erase(rest, "--");  // all words after it are arguments
+  std::erase(rest, "--");  // words after it are arguments
   const auto dashed = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
   const auto option = std::ranges::find_if(rest, dashed);
   if (option != rest.end()) {

@@ -13,24 +13,23 @@ class Option;
 
 namespace taut::cli {
 
-/// An option, flag or positional argument of a command. Valid as long as its Options.
+/// An option, flag or positional argument; valid as long as its Options.
 class Option {
  public:
   explicit Option(CLI::Option& option) : option_(&option) {}
   bool operator==(const Option&) const = default;
 
   Option& required(bool is_required = true);
-  /// `check` returns a problem with a value, or nothing.
+  /// `check` returns a problem, or "".
   Option& check(std::string (*check)(const std::string& value));
-  /// The option takes one word each time that it is given; by default one with several values takes all words
-  /// that follow it.
+  /// The option takes one word each time, instead of all words that follow.
   Option& one_word_each();
-  /// Likewise, and a comma separates values within a word.
+  /// Like one_word_each(); commas separate values.
   Option& comma_separated();
   Option& excludes(const Option& other);
   Option& needs(const Option& other);
 
-  /// "--out"; the placeholder of a positional argument.
+  /// "--out", or the placeholder of a positional argument.
   std::string name() const;
   bool has_name(const std::string& name) const;
   std::string placeholder() const;
@@ -38,18 +37,17 @@ class Option {
   bool is_positional() const;
   bool takes_value() const;
   bool may_be_repeated() const;
-  /// Values as typed; "true" for a flag.
+  /// "true" for a flag.
   std::vector<std::string> values() const;
 
  private:
   CLI::Option* option_;
 };
 
-/// The options of a command.
 class Options {
  public:
   struct Texts {
-    std::string program;  // "taut run"
+    std::string program;
     std::string summary;
     std::string examples;  // whole lines
     std::string help_flag = "show this text";
@@ -58,27 +56,25 @@ class Options {
   explicit Options(const Texts& texts);
   ~Options();
 
-  /// Declares an option that sets `target`: text, int, double, an optional of these, or a vector of texts or doubles.
-  /// `placeholder` represents the value in --help. An option is valid once if the target is no vector.
+  /// `target` is text, int, double, an optional of these, or a vector of texts or doubles. `placeholder` is for
+  /// --help. Only vectors may be repeated.
   template <class Target>
   Option add(std::string_view name, std::string_view placeholder, Target& target, std::string_view help);
-  /// Declares an option whose text is passed to `take`, after all words were read.
+  /// Calls `take` after all words were read.
   Option add(std::string_view name, std::string_view placeholder,
              const std::function<void(const std::string&)>& take, std::string_view help);
   Option add(std::string_view name, std::string_view placeholder,
              const std::function<void(const std::vector<std::string>&)>& take, std::string_view help);
   Option add_flag(std::string_view name, bool& target, std::string_view help);
-  /// Declares a positional argument; `name` is its placeholder.
   template <class Target>
   Option add_argument(std::string_view name, Target& target, std::string_view help) {
     return add(name, " ", target, help);
   }
 
-  /// In the order of declaration; the first is --help.
+  /// In the order of declaration, --help first.
   std::vector<Option> all() const;
-  /// The text of --help.
   std::string help() const;
-  /// Sets all targets. Returns false if the words ask for help. Throws UsageError.
+  /// Sets all targets. Returns false for --help. Throws UsageError.
   bool read(const std::vector<std::string>& words);
 
  private:

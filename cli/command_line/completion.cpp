@@ -20,16 +20,13 @@ bool is_option(const std::string& word) { return word.size() > 1 && word[0] == '
 
 std::string up_to_end_of_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// A command line as far as it is typed: which option or argument the last word belongs to.
 class CommandLine {
  public:
   CommandLine(const Options& command, const Words& words) : options_(command.all()) {
     for (std::size_t k = 0; k + 1 < words.size(); ++k) take(words[k]);
   }
 
-  /// The option whose value comes next; none if none was begun.
   const std::optional<Option>& open_option() const { return open_; }
-  /// The positional argument that comes next; none if none is left.
   std::optional<Option> next_argument() const {
     std::size_t place = 0;
     for (const Option& option : options_) {
@@ -43,7 +40,6 @@ class CommandLine {
       if (!option.is_positional() && option.has_name(name)) return option;
     return std::nullopt;
   }
-  /// Options that may follow.
   std::vector<Option> next_options() const {
     std::vector<Option> next;
     for (const Option& option : options_)
@@ -52,8 +48,7 @@ class CommandLine {
         next.push_back(option);
     return next;
   }
-  /// The scene that is typed, as it is with the method that is typed, or that of a run's folder; none if
-  /// there is no such thing yet.
+  /// Scene of the typed words, if it can be read.
   std::optional<SceneFile> scene() const try {
     if (arguments_.empty()) return std::nullopt;
     std::vector<Setting> settings;
@@ -134,8 +129,7 @@ Completion complete_name(std::span<const Command> commands) {
   return completion;
 }
 
-/// A shell would neither run a part of it nor take it apart, and it is one line: names may be those of files
-/// from anywhere, and bash does not quote all that is offered.
+/// Shells would split or execute such words, and bash does not quote all completions.
 bool is_plain(const std::string& word) {
   return std::ranges::none_of(word, [](unsigned char c) {
     return c <= ' ' ||

@@ -8,23 +8,19 @@
 
 namespace taut::cli {
 
-/// What may come at the end of a command line.
 struct Completion {
   struct Word {
-    std::string text;  // the whole word; one that ends in '=' goes on
+    std::string text;  // whole word; after '=' a value follows
     std::string help;
   };
   std::vector<Word> words;
-  std::string files;  // as in Choices
+  std::string files;  // see Choices
 };
 
-/// How `typed`, the words behind `taut`, can go on with these commands: what the last of them, which may be
-/// empty, is the beginning of. Made from the tables that --help, `list` and `describe` are made from. Words
-/// that make no sense are no error: nothing is found then.
+/// Completes the last word of `typed`, which may be empty; `typed` excludes `taut`. Wrong words have no completions.
 Completion complete(std::span<const Command> commands, const std::vector<std::string>& typed);
 
-/// The same for the script of a shell, which asks with `taut --complete WORDS`: a line with the pattern of
-/// files, then a line for each word: the text, a tab, the help.
+/// For `taut --complete WORDS`: a line with the pattern of files, then a line per word with text, tab and help.
 std::string answer_to_shell(std::span<const Command> commands, const std::vector<std::string>& typed);
 
 }  // namespace taut::cli

@@ -5,7 +5,7 @@
 #include "cli/drawing/keys.hpp"
 #include "cli/language/reference.hpp"
 #include "cli/scene/shipped.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {
@@ -18,13 +18,13 @@ Words shipped_scenes(const SceneFile*) { return scene_names(); }
 
 Words sweep_names(const SceneFile*) {
   Words names = study_names();
-  for (const std::string& scene : scene_names()) names.push_back(scene);  // with --grid
+  for (const std::string& scene : scene_names()) names.push_back(scene);
   return names;
 }
 
 Words section_names(const SceneFile*) { return topic_names(); }
 
-Words color_names(const SceneFile*) { return {"white", "black"}; }  // of all that #rrggbb may be
+Words color_names(const SceneFile*) { return {"white", "black"}; }  // examples; #rrggbb is also allowed
 
 Words verdict_names(const SceneFile*) { return names_of_failures(); }
 
@@ -79,7 +79,7 @@ constexpr Placeholder table[] = {
     {"NAME=VALUES", settable_names, ""},
     {"DIR", nullptr, "*/"},
     {"FILE", nullptr, "*"},
-    {"A", nullptr, "*.png"},  // an image or a folder of images; folders always fit
+    {"A", nullptr, "*.png"},
     {"B", nullptr, "*.png"},
 };
 
@@ -88,7 +88,7 @@ const Placeholder* find_placeholder(std::string_view name) {
   return found == std::end(table) ? nullptr : found;
 }
 
-/// What keys of drawing take, FIELD and COLORMAP; none: the placeholder is of no such key.
+/// Empty if `placeholder` is of no drawing key.
 Words drawing_names(std::string_view placeholder) {
   const auto keys = drawing_keys();
   const auto key = std::ranges::find_if(keys, [placeholder](const DrawingKey& each) {
@@ -102,7 +102,7 @@ bool is_literal(std::string_view word) {
          std::ranges::all_of(word, [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
 }
 
-/// ".png" of "panel.png"; empty if there is none
+/// Includes the dot; empty if there is none.
 std::string_view extension(std::string_view word) {
   const std::size_t dot = word.rfind('.');
   return dot == std::string_view::npos || dot + 1 == word.size() ? "" : word.substr(dot);
@@ -124,7 +124,7 @@ bool drop_end(std::string_view& text, std::string_view end) {
   return true;
 }
 
-/// What comes before the item of a list that is being typed: "a,b," of "a,b,c".
+/// "a,b," of "a,b,c".
 std::string items_before(const std::string& typed) {
   const std::size_t comma = typed.rfind(',');
   return comma == std::string::npos ? "" : typed.substr(0, comma + 1);
@@ -134,7 +134,7 @@ void add(Choices& choices, const Words& words, const std::string& before, std::s
   for (const std::string& word : words) choices.words.push_back((before + word).append(behind));
 }
 
-/// Names, or the values of the one that is there.
+/// Completes a name, or the value after "=".
 void add_assignments(Choices& choices, const Words& names, bool several, const std::string& typed) {
   const std::size_t equals = typed.find('=');
   if (equals == std::string::npos) return add(choices, names, "", "=");
@@ -159,14 +159,14 @@ void add_alternative(Choices& choices, std::string_view name, const std::string&
     choices.words.emplace_back(name);
   } else if (!extension(name).empty()) {
     const std::string pattern = std::string("*").append(extension(name));
-    choices.files = choices.files.empty() ? pattern : "*";  // of two kinds: any
+    choices.files = choices.files.empty() ? pattern : "*";  // any file for two patterns
   }
 }
 
 }  // namespace
 
 Choices choices(std::string_view placeholder, const std::string& typed, const SceneFile* scene) {
-  drop_end(placeholder, " ...");  // may be given again
+  drop_end(placeholder, " ...");
   Choices result;
   for (const std::string_view name : alternatives(placeholder)) add_alternative(result, name, typed, scene);
   return result;

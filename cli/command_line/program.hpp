@@ -8,8 +8,7 @@
 
 namespace taut::cli {
 
-/// The program `taut` with these commands: reads the arguments (without the program's own name), runs the
-/// command and returns the exit code. Every error ends here as a message on `streams.err`.
+/// Returns the exit code and reports all errors on `streams.err`.
 int run_program(std::span<const Command> commands, const std::vector<std::string>& arguments,
                 Streams streams);
 

@@ -11,19 +11,17 @@ namespace taut::cli {
 
 class Options;
 
-/// --json and --junit as typed.
 struct ReportOptions {
   bool json = false;
-  std::string junit;  // file; empty: none
+  std::string junit;  // file, or empty
 
   void declare_json(Options& command);
   void declare_junit(Options& command);
-  /// Writes the JUnit file if there is one and, on GitHub, prints failures as annotations to `err`. Throws
-  /// OutputError.
+  /// Writes the JUnit file, if any, and on GitHub annotations to `err`. Throws OutputError.
   void publish(const TestReport& report, std::ostream& err) const;
 };
 
-/// The first keys of the JSON object that `command` prints: version of taut, name of the command, format number.
+/// Starts a JSON object with the keys `taut`, `answer` and `format`.
 Json json_answer(std::string_view command);
 
 }  // namespace taut::cli

@@ -28,7 +28,7 @@ int chart(const ChartArguments& options, Streams streams) {
   const Chart all = read_chart(options.results, request, streams.err);
   streams.out << (options.json ? chart_json(all) : markdown(all));
   if (options.out.empty()) return exit_fine;
-  std::ostream nowhere(nullptr);  // stdout holds the table alone
+  std::ostream nowhere(nullptr);  // stdout contains only the table
   std::ostream& quiet = nowhere;
   return draw_chart(options.results, request, plot_files(options.out), {quiet, quiet});
 }

@@ -29,7 +29,6 @@ struct ChooseArguments : ReportOptions {
   std::vector<std::string> from;
 };
 
-/// "1%" or "0.01".
 double share(const std::string& text) {
   const bool percents = text.ends_with('%');
   const auto value = parsed<double>(std::string_view(text).substr(0, text.size() - (percents ? 1 : 0)));
@@ -38,7 +37,7 @@ double share(const std::string& text) {
   return percents ? *value / 100 : *value;
 }
 
-/// The results of the scene in the folders below out/, where sweeps leave them.
+/// The scene's results below out/.
 std::vector<std::string> stored_results(const std::string& scene) {
   constexpr int deepest = 3;
   std::vector<std::string> files;
@@ -50,7 +49,7 @@ std::vector<std::string> stored_results(const std::string& scene) {
     try {
       if (read_results({entry->path().string()}).scene == scene) files.push_back(entry->path().string());
     } catch (const UsageError&) {
-      // not of a sweep, or without a result yet
+      // not a sweep, or no result yet
     }
   }
   if (files.empty())
@@ -60,7 +59,7 @@ std::vector<std::string> stored_results(const std::string& scene) {
   return files;
 }
 
-/// What the scene has of a name that sweeps set; empty: nothing is known.
+/// The scene's value of a swept name, or empty.
 std::string value_in(const SceneFile& file, const std::string& name) {
   const auto parameter = std::ranges::find(file.parameters, name, &Parameter::name);
   if (parameter != file.parameters.end()) return exact(parameter->value);
@@ -74,7 +73,7 @@ bool is_same(const std::string& a, const std::string& b) {
   return x && y ? std::abs(*x - *y) <= 1e-9 * std::abs(*y) : a == b;
 }
 
-/// Leaves away runs of other parameters, of another law or length; their names, "" where all stay.
+/// Removes runs with other scene settings; returns the settings that removed some.
 std::string keep_those_of(const SceneFile& file, StoredResults& results) {
   std::vector<std::string> others;
   for (const std::string& name : names_of_scene(results.runs)) {

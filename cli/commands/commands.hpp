@@ -6,7 +6,7 @@
 
 namespace taut::cli {
 
-/// Every command, in the order in which `taut --help` lists them.
+/// All commands, in the order of `taut --help`.
 std::span<const Command> commands();
 
 }  // namespace taut::cli

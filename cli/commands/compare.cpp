@@ -29,7 +29,6 @@ struct CompareArguments : DrawingOptions {
   std::vector<double> times;  // s
 };
 
-/// What a run has to show, picture below picture.
 struct Column {
   Staging staging;
   std::vector<PanelCell> cells;
@@ -62,7 +61,6 @@ std::vector<double> chosen_times(const CompareArguments& options, double until) 
   return times;
 }
 
-/// The view that the scenes ask for, if they all ask for the same; there is none in 3D.
 std::optional<render::View> common_view(const std::vector<SavedRun>& runs) {
   const auto& view = runs.front().file.drawing.look.view;
   for (const SavedRun& run : runs)
@@ -70,14 +68,14 @@ std::optional<render::View> common_view(const std::vector<SavedRun>& runs) {
   return view;
 }
 
-/// What is seen of `all` in `window`: particles that fly away do not make the others small.
+/// Limits the view: particles that fly away do not shrink the picture.
 render::View within(const render::View& all, const std::optional<render::View>& window) {
   if (!window) return all;
   return {std::max(all.x_min, window->x_min), std::min(all.x_max, window->x_max),
           std::max(all.y_min, window->y_min), std::min(all.y_max, window->y_max)};
 }
 
-/// The options, else what the first run has; nobody's size and view fit a panel.
+/// The options, else the first run's drawing without size and view.
 Drawing wish(const std::vector<SavedRun>& runs, const CompareArguments& options) {
   Drawing drawing = runs.front().file.drawing;
   drawing.look.size.reset();
@@ -87,7 +85,6 @@ Drawing wish(const std::vector<SavedRun>& runs, const CompareArguments& options)
   return drawing;
 }
 
-/// Whoever has chosen it, all must have the body.
 void refuse_to_follow_nobody(const Drawing& wish, const std::vector<SavedRun>& runs) {
   for (const SavedRun& run : runs) {
     std::vector<std::string> names;
@@ -99,14 +96,13 @@ void refuse_to_follow_nobody(const Drawing& wish, const std::vector<SavedRun>& r
   }
 }
 
-/// Whether the scenes' own view bounds what is seen: nobody has chosen another, not even `--view auto`.
+/// Whether the scenes' view applies: no option, not even `--view auto`, sets one.
 bool is_bounded(const Drawing& wish, const CompareArguments& options) {
   const auto typed = options.typed.find("view");
   const bool chosen = typed != options.typed.end() && typed->second;
   return !chosen && !wish.look.view && !wish.look.camera && !wish.followed;
 }
 
-/// With the range and the view that nobody has chosen, over what the panel shows.
 Drawing fitted_to(const Drawing& wish, bool bounded, const std::vector<SavedRun>& runs,
                   const std::vector<Column>& columns) {
   SequenceBounds shown(wish.look.camera);
@@ -118,10 +114,10 @@ Drawing fitted_to(const Drawing& wish, bool bounded, const std::vector<SavedRun>
   return drawing;
 }
 
-/// Of bodies that the scenes' view cuts off.
+/// Warns of particles outside the view.
 void tell_what_is_outside(const render::View& view, const std::vector<SavedRun>& runs,
                           const std::vector<Column>& columns, std::ostream& err) {
-  constexpr double worth_telling = 0.02;  // of the particles; single ones fly away
+  constexpr double worth_telling = 0.02;  // a few may fly away
   for (std::size_t k = 0; k < columns.size(); ++k) {
     double most = 0;
     for (const PanelCell& cell : columns[k].cells) {
@@ -173,7 +169,7 @@ int compare_runs(const CompareArguments& options, Streams streams) {
   std::vector<Column> columns;
   for (const SavedRun& run : runs) {
     Drawing drawing = wished;
-    suit(drawing, run.file);  // a body of this name has another number there
+    suit(drawing, run.file);  // body numbers may differ
     if (drawing.look.categories != wished.look.categories)
       throw UsageError("'" + runs.front().folder.path().string() + "' has " + join(wished.look.categories) +
                        ", '" + run.folder.path().string() + "' has " + join(drawing.look.categories) +

@@ -12,7 +12,7 @@
 namespace taut::cli {
 namespace {
 
-/// What a shell runs at the press of Tab. All knowledge is in the program, which the script asks.
+/// The script calls the program for the choices.
 struct Script {
   std::string_view shell;
   std::string_view text;

@@ -27,7 +27,7 @@ std::string bracket(const CriticalStep& found) {
   return brief(*found.stable) + " s" + (found.unstable ? " to " + brief(*found.unstable) + " s" : " or more");
 }
 
-/// Trials with the scene's simulation; an error about the scene gets its place in the file.
+/// Scene errors get their place in the file.
 CriticalStep search(const SceneFile& file, const CriticalStepArguments& options, Progress& progress) {
   constexpr double usual_trials = 12;
   const Interrupts interrupts;
@@ -103,7 +103,6 @@ int find(const CriticalStepArguments& options, Streams streams) {
   return found.interrupted ? Interrupts::exit_code() : exit_fine;
 }
 
-/// A finer one is below what rounding tells apart, a wider one says nothing.
 std::string tolerance_in_bounds(const std::string& text) {
   const auto value = parsed<double>(text);
   return value && *value >= 1e-9 && *value <= 0.5 ? "" : "'" + text + "' is not a number from 1e-9 to 0.5";

@@ -68,7 +68,6 @@ Rows rows_of_measures(const Scene& scene) {
   return rows;
 }
 
-/// "x and z"; empty where no component is given.
 std::string axes_of(const std::array<Expression, 3>& components) {
   std::string axes;
   for (std::size_t k = 0; k < components.size(); ++k)
@@ -102,7 +101,7 @@ Rows body_rows(const Scene& scene) {
   return rows;
 }
 
-/// Gravity at the end of the run; it may change with time.
+/// Gravity at the end of the run.
 std::string gravity_text(const Scene& scene) {
   std::string text;
   for (std::size_t k = 0; k < static_cast<std::size_t>(scene.dim); ++k)
@@ -110,7 +109,6 @@ std::string gravity_text(const Scene& scene) {
   return text + " m/s² at the end";
 }
 
-/// The contact law of the scene with the method of the file.
 std::string contact_text(const SceneFile& file) {
   const std::string of_file(name(file.scene.contact));
   if (file.scene.contact != ContactLaw::published) return of_file + "; --set contact=LAW changes it";
@@ -173,7 +171,7 @@ void describe_scene(const std::string& name, std::ostream& out) {
   print_table(out, "Measures (kinds: taut list measures)", rows_of_measures(scene), 1);
 }
 
-/// Default and bounds; also those in 3D where they differ.
+/// Default and bounds, also in 3D if different.
 Rows::value_type constant_row(const MethodConstant& c, const std::vector<MethodConstant>& in_3d) {
   std::string value = brief(c.value), range = bounds(c.low, c.high);
   const auto other = std::ranges::find(in_3d, c.name, &MethodConstant::name);
@@ -224,7 +222,7 @@ Json as_json(const std::vector<Topic>& topics) {
   return all;
 }
 
-/// Returns false if scene and sweep files have nothing of that name.
+/// Returns false for an unknown name.
 bool describe_language(const std::string& name, bool json, std::ostream& out) {
   for (const LanguageFile& file : {scene_language(), sweep_language()}) {
     if (file.name != name) continue;
@@ -251,7 +249,7 @@ bool describe_language(const std::string& name, bool json, std::ostream& out) {
   throw UsageError(unknown_name("name", name, names) + "; `taut list` shows the kinds of names");
 }
 
-/// A path is a scene, whether or not it exists.
+/// A path counts as a scene, even if missing.
 bool is_scene(const std::string& name) {
   if (name.ends_with(".toml") || name.find('/') != std::string::npos) return true;
   for (const std::string& known : scene_names())

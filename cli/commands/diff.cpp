@@ -26,7 +26,6 @@ void write_difference(const render::Image& picture, const fs::path& file) {
   render::write_png(picture, file);
 }
 
-/// Prints `text` or JSON, and annotations.
 int answer(const DiffArguments& options, const FolderDifference& difference, const std::string& text,
            Streams streams) {
   Json json = json_answer("diff");

@@ -17,7 +17,7 @@
 namespace taut::cli {
 namespace {
 
-/// A list to print: one object per row, all with the same keys; the first key is the name.
+/// Rows are objects with equal keys, the name first.
 struct Listing {
   std::string_view kind;
   Json (*rows)();
@@ -38,7 +38,7 @@ Json scene_rows() {
   return rows;
 }
 
-/// Rows with their heads first, each as an object.
+/// Converts rows below a heading.
 Json as_objects(const Rows& rows) {
   Json objects = Json::array();
   for (std::size_t r = 1; r < rows.size(); ++r) {
@@ -54,7 +54,6 @@ Json of_language() {
   return as_objects(rows());
 }
 
-/// Each equation once, with the first of its methods' words.
 Json equation_rows() {
   Json rows = Json::array();
   for (const MethodInfo& m : methods()) {
@@ -101,7 +100,6 @@ const Listing& find_listing(const std::string& kind) {
   throw UsageError(unknown_name("list of", kind, kinds()));
 }
 
-/// One screen: each kind, how many there are, and the command that lists them.
 int list_kinds(std::ostream& out) {
   std::vector<std::vector<std::string>> rows;
   for (const Listing& l : listings) {

@@ -25,7 +25,7 @@ int map(const MapArguments& options, Streams streams) {
   const StabilityMap all = make_map(read_results(options.results), request);
   streams.out << (options.json ? json_answer("map").with(to_json(all)).dump(2) + "\n" : markdown(all));
   if (options.out.empty()) return exit_fine;
-  std::ostream nowhere(nullptr);  // stdout holds the table alone
+  std::ostream nowhere(nullptr);  // stdout contains only the table
   return draw_map(options.results, request, plot_files(options.out), {nowhere, streams.err});
 }
 

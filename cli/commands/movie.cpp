@@ -27,7 +27,7 @@ struct MovieArguments {
   bool orbit = false;
 };
 
-/// The number of frames, from 0 on: ffmpeg stops at a gap without a word.
+/// Requires frames without a gap; ffmpeg would stop there silently.
 int count_frames(const fs::path& folder) {
   const int count = static_cast<int>(picture_names(folder).size());
   if (!fs::exists(folder / frame_name(0)))
@@ -42,7 +42,7 @@ int count_frames(const fs::path& folder) {
   return whole;
 }
 
-/// A folder for frames that nobody keeps.
+/// A temporary folder.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -63,7 +63,7 @@ class ScratchFolder {
   fs::path path_;
 };
 
-/// Draws the run once more, from all sides. False if it was interrupted.
+/// Returns false if interrupted.
 bool draw_orbit(const fs::path& folder, const fs::path& frames, std::ostream& err) {
   SavedRun run = open_saved_run(folder);
   run.file.drawing.orbit = true;
@@ -72,8 +72,7 @@ bool draw_orbit(const fs::path& folder, const fs::path& frames, std::ostream& er
   return redraw(run, frames, 0, progress).all;
 }
 
-/// What ffmpeg makes of the frames. Video wants even sides, which a white edge gives it; a GIF wants few
-/// colours.
+/// Videos need even sides, hence a white edge; GIFs need few colours.
 std::vector<std::string> encoding(const std::string& extension) {
   if (extension == ".gif")
     return {"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none"};
@@ -90,7 +89,7 @@ std::vector<std::string> arguments_of(const MovieArguments& options, const fs::p
                                      "-framerate", exact(options.fps), "-i",        "frame_%05d.png"};
   const std::vector<std::string> rest = encoding(movie.extension().string());
   arguments.insert(arguments.end(), rest.begin(), rest.end());
-  arguments.push_back("file:" + movie.string());  // a ':' in the name is no protocol
+  arguments.push_back("file:" + movie.string());  // otherwise ':' ends a protocol
   return arguments;
 }
 

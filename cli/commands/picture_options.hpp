@@ -7,12 +7,11 @@
 
 namespace taut::cli {
 
-/// What every picture of stored results asks for.
 struct PictureOptions {
   std::vector<std::string> results;
   std::string out;
 
-  /// `formats`: what a picture may be called, such as "chart.png|chart.svg"
+  /// `formats`: such as "chart.png|chart.svg".
   void declare(Options& command, const std::string& formats, bool needed = true) {
     command
         .add_argument("RESULTS.csv", results,
@@ -25,7 +24,6 @@ struct PictureOptions {
   }
 };
 
-/// For commands that judge runs by one measure.
 inline void declare_measure(Options& command, std::string& measure) {
   command.add("--measure", "MEASURE", measure,
               "measure whose error is used; default: the measure with errors of the most runs, "

@@ -21,7 +21,6 @@ struct PlotArguments {
   std::string x = "t", out;
 };
 
-/// The scene that a run was of; a run.json stands for its folder.
 Scene scene_of(const StoredRun& run) {
   const RunFolder folder(fs::path(run.file).parent_path());
   std::error_code error;
@@ -37,11 +36,10 @@ std::vector<std::string> default_columns(const Scene& scene) {
   return names.empty() ? std::vector<std::string>{"total_energy"} : names;
 }
 
-/// One axis has one unit.
 void refuse_two_units(const std::string& column, const StoredRun& run, const Scene& scene,
                       const StoredRun& first, const Scene& of_first) {
   const std::string unit = history_unit(column, scene), before = history_unit(column, of_first);
-  const std::vector<std::string> there = history_columns(scene);  // what is missing is named when it is read
+  const std::vector<std::string> there = history_columns(scene);  // missing columns are reported later
   if (unit == before || std::ranges::find(there, column) == there.end()) return;
   const auto named = [](const std::string& of) { return of.empty() ? "without a unit" : "in " + of; };
   throw UsageError("column '" + column + "' is " + named(before) + " in '" + first.folder() + "' and " +

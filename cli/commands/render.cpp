@@ -24,13 +24,13 @@ struct RenderArguments : DrawingOptions {
   std::string run;
   std::optional<std::string> out;
   bool orbit = false;
-  int threads = 0;  // 0: as many as there are cores
+  int threads = 0;  // 0: all cores
   bool quiet = false;
 };
 
 bool is_lock(const fs::path& file) { return file.filename() == run_lock_name; }
 
-/// A folder for frames alone: they would be lost among other files, and other files among them.
+/// Refuses folders with other files.
 void check_for_frames(const fs::path& folder) {
   if (!fs::exists(folder)) return;
   if (!fs::is_directory(folder)) throw UsageError("'" + folder.string() + "' is not a folder");
@@ -42,12 +42,12 @@ void check_for_frames(const fs::path& folder) {
 
 void clear_for_frames(const fs::path& folder) {
   make_folders(folder);
-  check_for_frames(folder);  // another program may have been here
+  check_for_frames(folder);  // may have changed
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (!is_lock(entry.path())) fs::remove(entry.path());
 }
 
-/// Makes room for the frames; in the run's own folder, scene.toml says from now on how they are drawn.
+/// Removes old frames; updates scene.toml in the run's folder.
 fs::path prepare(const RenderArguments& options, SavedRun& run) {
   if (options.out) {
     clear_for_frames(*options.out);
@@ -55,7 +55,7 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
   }
   run.folder.check();
   const std::string scene = resolved_text(run.file, run.folder.path());
-  // its next frames would be drawn otherwise than those
+  // a continued run would draw differently
   if (fs::exists(run.folder.checkpoint()) && read_whole(run.folder.scene()) != scene)
     throw UsageError("the run in '" + run.folder.path().string() +
                      "' is not finished, so its frames cannot change; "
@@ -65,7 +65,7 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
   return run.folder.frames();
 }
 
-/// Where the frames go to: the run's own folder, one of their own, or the frames/ of another run.
+/// The run's folder, or that of the frames or of their run.
 fs::path folder_to_lock(const RenderArguments& options) {
   if (!options.out) return options.run;
   check_for_frames(*options.out);
@@ -74,9 +74,9 @@ fs::path folder_to_lock(const RenderArguments& options) {
 
 int render(const RenderArguments& options, Streams streams) {
   check_threads(options.threads);
-  SavedRun run = open_saved_run(options.run);  // nothing is locked in a folder of somebody else
+  SavedRun run = open_saved_run(options.run);  // checks that it is a run
   const FolderLock lock(folder_to_lock(options), FolderLock::Of::run, "taut render", streams.err);
-  run = open_saved_run(options.run);  // another program may have been here
+  run = open_saved_run(options.run);  // may have changed
   run.file.drawing = with_options(run.file.drawing, options);
   suit(run.file.drawing, run.file);
   run.file.drawing.orbit = options.orbit;

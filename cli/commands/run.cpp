@@ -46,7 +46,7 @@ void declare_options(Options& command, RunArguments& o) {
   command.add_flag("--quiet", o.quiet, "print no progress on stderr");
 }
 
-/// The plan, and the lock of its folder: of a run that goes on it is taken before anything is read.
+/// With --resume, the lock precedes all reading.
 struct LockedPlan {
   std::unique_ptr<const FolderLock> lock;
   RunPlan plan;
@@ -61,10 +61,10 @@ LockedPlan planned(const RunArguments& options, std::ostream& err) {
     if (options.scene.empty()) throw UsageError("SCENE is required; see `taut run --help`");
     all.plan = make_plan(options);
     all.lock = lock(all.plan.folder.path());
-    all.plan.folder.check();  // another program may have been here
+    all.plan.folder.check();  // may have changed
     return all;
   }
-  check_goes_on(*options.resume);  // nothing is locked in a folder of somebody else
+  check_goes_on(*options.resume);  // checks that it is a run
   all.lock = lock(*options.resume);
   all.plan = resume_plan(*options.resume, options);
   if (!all.plan.state)
@@ -72,7 +72,6 @@ LockedPlan planned(const RunArguments& options, std::ostream& err) {
   return all;
 }
 
-/// What can be done about a run that diverged in so many steps.
 std::string advice(const SceneFile& file, long steps) {
   if (steps == 0) return "no step was made: check the initial velocity and displacement in the scene";
   const double usual = find_method(file.settings.method)->cfl, cfl = file.settings.cfl;
@@ -81,7 +80,6 @@ std::string advice(const SceneFile& file, long steps) {
   return "run it with --set cfl=" + brief(cfl / 2) + " to find out whether the time step is the cause";
 }
 
-/// Before it is gone.
 void tell_what_is_replaced(const RunArguments& options, const RunPlan& plan, std::ostream& err) {
   const RunFolder& folder = plan.folder;
   if (!options.resume && (read_record(folder.record()) || folder.is_damaged()))

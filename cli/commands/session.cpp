@@ -17,13 +17,12 @@ struct SessionArguments : RunOptions {
   bool strict = false;
 };
 
-/// What a line came to.
 struct Answer {
-  int code = exit_fine;  // of the error, if there was one
-  bool going = true;     // the session is not over
+  int code = exit_fine;  // of an error
+  bool going = true;
 };
 
-/// A person sees the prompt; a script wants to be told where an answer ends.
+/// "ok" ends an answer for scripts; a terminal shows a prompt.
 Answer answer(Session& session, const std::string& line, const Dialogue& to, bool typed) {
   const auto fail = [&](const std::string& message, int code) {
     to.out << "error: " << message << '\n';
@@ -65,12 +64,12 @@ int converse(const SessionArguments& options, Streams streams) {
       if (!streams.out.flush()) throw OutputError("standard output", "cannot be written");
       return one;
     }();
-    // the lines that a script has left expect what was not reached
+    // a script's next lines rely on this one
     if (Interrupts::asked() && (!typed || Interrupts::asked_to_end())) return Interrupts::exit_code();
     if (options.strict && given.code != exit_fine) return given.code;
     if (!given.going) break;
   }
-  return Interrupts::asked_to_end() ? Interrupts::exit_code() : exit_fine;  // a signal at the prompt
+  return Interrupts::asked_to_end() ? Interrupts::exit_code() : exit_fine;  // signal at the prompt
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ void declare_options(Options& command, SnapshotArguments& o) {
   command.add_flag("--quiet", o.quiet, "print no progress on stderr");
 }
 
-/// "a/b/" is "a/b" with nothing linked, so that folders can be compared.
+/// Resolves links, removes a final slash.
 fs::path plain_path(const fs::path& path) { return (fs::weakly_canonical(path) / "").parent_path(); }
 
 void check_baseline(const SnapshotArguments& options, const fs::path& run_folder) {
@@ -62,13 +62,12 @@ void check_baseline(const SnapshotArguments& options, const fs::path& run_folder
                        ", which is not a frame and would be lost; name another folder with --baseline");
 }
 
-/// What the command prints and writes into the JUnit file.
 struct Result {
   int code = exit_fine;
   std::string text;
   Json json = json_answer("snapshot");
   std::vector<TestCase> cases;
-  std::string worst;  // name of the most different picture; empty: none
+  std::string worst;  // may be empty
 };
 
 void update(const SnapshotArguments& options, const RunFolder& run, Result& result) {
@@ -103,7 +102,7 @@ int snapshot(SnapshotArguments options, Streams streams) {
   tell(plan.file, streams.err);
   check_baseline(options, plan.folder.path());
   const FolderLock lock(plan.folder.path(), FolderLock::Of::run, "taut snapshot", streams.err);
-  plan.folder.check();  // another program may have been here
+  plan.folder.check();  // may have changed
   const Interrupts interrupts;
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const RunResult run = run_scene(plan, interrupts, progress, setup.seconds());

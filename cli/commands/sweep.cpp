@@ -66,7 +66,7 @@ std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o, std::
   int outdated = 0;
   for (SweepRun& run : plan.runs) {
     if (o.index && run.index != *o.index) continue;
-    run.read_folder();  // another program may have worked here until the lock was ours
+    run.read_folder();  // may have changed before the lock
     if (run.state == RunState::damaged)
       err << "taut: run " << run.index << " (" << text_of(run.settings)
           << "): " << RunFolder(*run.options.out).record().string() << " is damaged; the run is repeated\n";
@@ -98,7 +98,7 @@ std::string text(const SweepPlan& plan, const SweepOptions& o) {
   return results_table(plan) + "\nresults  " + (plan.folder / "results.csv").string() + ", results.json\n";
 }
 
-/// Runs of an earlier grid stay in the folder; the results are those of this one.
+/// Reports runs of other grids.
 void tell_what_remains(const SweepPlan& plan, std::ostream& err) {
   std::vector<std::string> others;
   std::error_code error;
@@ -126,7 +126,7 @@ TestReport test_report(const SweepPlan& plan, std::optional<int> index,
   return report;
 }
 
-/// Prints the results and writes the JUnit file. Returns false if a verdict is `fail_on` or worse.
+/// Returns false if a verdict is `fail_on` or worse.
 bool answer(const SweepPlan& plan, const SweepArguments& o, const std::optional<Verdict>& fail_on,
             Streams streams) {
   using Result = TestCase::Result;
@@ -143,7 +143,7 @@ bool answer(const SweepPlan& plan, const SweepArguments& o, const std::optional<
   return std::ranges::find(report.cases, Result::failed, &TestCase::result) == report.cases.end();
 }
 
-/// Keeps the results of a whole sweep up to date; single runs leave them to a later call.
+/// Updates the results of whole sweeps only.
 class ResultsWriter {
  public:
   ResultsWriter(const SweepPlan& plan, bool whole_sweep) : plan_(plan), active_(whole_sweep) {}
@@ -157,8 +157,7 @@ class ResultsWriter {
     since_written_ = {};
   }
   void changed() { pending_ = true; }
-  /// What has changed, unless writing would take a good part of the time: there may be thousands of short
-  /// runs.
+  /// Writes rarely if writing is slow: there may be thousands of short runs.
   void write_when_due() {
     if (pending_ && since_written_.seconds() > 20 * took_) write();
   }
@@ -198,7 +197,7 @@ int execute(SweepPlan& plan, const SweepArguments& o, Streams streams) {
   if (!o.index) tell_what_remains(plan, streams.err);
   if (end.code != exit_fine) return end.code;
   if (end.interrupted) return Interrupts::exit_code();
-  std::ostream nowhere(nullptr);  // stdout holds the JSON alone
+  std::ostream nowhere(nullptr);  // stdout contains only the JSON
   std::ostream& out = o.json ? nowhere : streams.out;
   if (!o.index)
     if (const int code = draw_pictures(plan.pictures, plan.folder, {out, streams.err}); code != exit_fine)

@@ -7,17 +7,17 @@
 namespace taut::cli {
 namespace {
 
-constexpr double outside = 0.01;       // of the values, that a range may clip at each end
-constexpr double not_far = 0.25;       // of the width between these two places
-constexpr std::size_t most = 1 << 22;  // values that are looked at; of more each second, each fourth, …
+constexpr double outside = 0.01;       // greatest share of values clipped at each end
+constexpr double not_far = 0.25;       // of the width without clipped values
+constexpr std::size_t most = 1 << 22;  // sampled values
 
-/// Pictures are computed with widths and their squares: what is beyond counts as not finite.
+/// Greater values would overflow when squared; they count as not finite.
 bool counts(double value) {
   constexpr double greatest = 1e100;
   return std::abs(value) < greatest;
 }
 
-/// The ends that clip so many of the values.
+/// Ends that clip the share `outside`.
 render::Range ends_of(std::vector<double> values) {
   const auto place = static_cast<std::ptrdiff_t>(outside * static_cast<double>(values.size()));
   std::nth_element(values.begin(), values.begin() + place, values.end());
@@ -89,8 +89,7 @@ render::Range SequenceBounds::range(std::optional<double> middle, double round_o
     low = *middle - half, high = *middle + half;
   }
   if (high > low) return {low, high};
-  // a field that is the same everywhere still needs a scale to be drawn on, with its value in the middle; one
-  // of nothing is at the low end, as where nothing has happened yet
+  // a uniform field gets the middle colour; 0 without a `middle` gets the lowest one
   if (low == 0 && !middle) return {0, 1};
   const double half = low != 0 ? 0.5 * std::abs(low) : 1;
   return {low - half, low + half};
@@ -143,7 +142,6 @@ Drawing fitted(Drawing drawing, const SequenceBounds& shown) {
   if (look.categories.empty()) {
     const std::optional<double> middle = colors.middle;
     look.middle = middle.value_or(0);
-    // the first map of the table that suits what the colours stand for
     if (!look.colormap)
       look.colormap =
           &*std::ranges::find(render::colormaps(), middle.has_value(), &render::Colormap::diverging);

@@ -22,7 +22,7 @@ std::vector<double> ColorFormula::values(std::span<const std::vector<double>> of
   return all;
 }
 
-/// The unit of a formula nobody knows; it lies about 0 where the map that was chosen for it does.
+/// A formula has no unit; a diverging map centres it at 0.
 ColorMeaning meaning(const Drawing& drawing) {
   const Field& field = *drawing.field;
   const render::Colormap* map = drawing.look.colormap;

@@ -8,7 +8,7 @@
 namespace taut::cli {
 namespace {
 
-/// Refers to both.
+/// The result refers to both arguments.
 FrameView view_of(const Snapshot& snapshot, std::span<const double> value) {
   FrameView view;
   view.dim = snapshot.dim;
@@ -19,7 +19,7 @@ FrameView view_of(const Snapshot& snapshot, std::span<const double> value) {
   return view;
 }
 
-/// With what stands beside the particles; refers to it.
+/// The result refers to all arguments.
 FrameView with_texts(FrameView view, const Drawing& drawing, const Captions& captions) {
   const ColorMeaning colors = meaning(drawing);
   view.field = colors.name;
@@ -29,8 +29,7 @@ FrameView with_texts(FrameView view, const Drawing& drawing, const Captions& cap
   return view;
 }
 
-/// As many threads as there are, as far as their pictures have room. A picture of discs takes 4 bytes a
-/// pixel, one of what stands in space four samples of 8 bytes more, and again as much in OpenGL.
+/// Limited by the memory of pictures: spheres need four samples of 8 bytes per pixel, and the same in OpenGL.
 int pictures_at_once(const Drawing& drawing, int threads) {
   constexpr double bytes_of_pixel = 70;
   const render::Size size = drawing.look.size.value_or(render::Size{});
@@ -72,7 +71,7 @@ Frames::Frames(const Drawing& drawing, Origins origins, std::filesystem::path fo
       captions_(std::move(captions)),
       seconds_(seconds),
       renderers_(static_cast<std::size_t>(pictures_at_once(drawing_, threads))),
-      // one thread is that of the caller
+      // with one thread, the caller draws
       work_(renderers_.size() > 1 ? static_cast<int>(renderers_.size()) : 0) {
   const render::Look& look = drawing_.look;
   if ((look.range || !look.categories.empty()) && look.view) begin_drawing(SequenceBounds());
@@ -157,12 +156,12 @@ void Frames::finish() {
   settle();
 }
 
-/// `share` of a whole turn.
+/// `share` of a full turn.
 Frames::Standpoint Frames::on_orbit(double share) const {
   render::Camera camera = orbited(*drawing_.look.camera, 360 * share, 0);
   const auto [right, up, back] = axes_of(camera);
   const double x = render::dot(right, *orbited_), y = render::dot(up, *orbited_);
-  const render::View view = *drawing_.look.view;  // about the origin
+  const render::View view = *drawing_.look.view;  // centred at the origin
   camera.front = render::dot(back, *orbited_) + view.x_max;
   return {camera, {view.x_min + x, view.x_max + x, view.y_min + y, view.y_max + y}};
 }

@@ -21,53 +21,41 @@
 
 namespace taut::cli {
 
-/// "frame_00012.png"
 std::string frame_name(int number);
-/// Whether a file has a name that only `frame_name` gives, whole or in the making.
+/// True also for unfinished files.
 bool is_frame(const std::filesystem::path& path);
 
-/// What stands beside the picture of every frame.
 struct Captions {
   std::string title, method;
-  double until = 0;  // s, the last time: gives the unit of all times
+  double until = 0;  // last time, s; determines the unit of all times
 };
 
-/// The drawing with what it leaves open as it suits this moment alone.
+/// Sets the open members for this snapshot.
 Drawing fitted(const Drawing& drawing, const Snapshot& snapshot);
-/// One picture, as a frame with these captions would be; nothing may be open.
+/// The drawing must have no open members.
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot);
 
-/// Draws the frames of a run: each at once when the range and the view are known beforehand; otherwise what a
-/// frame shows is kept in memory, and all are drawn at the end over the range and view of the whole sequence.
-///
-/// With several threads frames are drawn and written beside the caller, which waits only while as many of
-/// them are under way as OrderedWork has room for. Files are the same, and a frame is there only when all
-/// before it are. Each thread has a picture of its own; there are no more than `memory_of_pictures` has room
-/// for.
+/// Draws frames at once if range and view are known, else all at the end with a common range and view. Threads draw
+/// beside the caller; the frames are written in order.
 class Frames {
  public:
-  static constexpr double memory_of_pictures = 1e9;  // bytes, with all that belongs to a picture
+  static constexpr double memory_of_pictures = 1e9;  // bytes, with OpenGL; limits the number of threads
 
-  /// Draws nothing, but fails where no picture can be drawn at all.
-  /// `origins` are those of the particles that will be added. The time that it takes is added to `seconds`,
-  /// by all threads together, whenever `finish` is called.
+  /// Throws if no picture can be drawn. `finish` adds the time of all threads to `seconds`.
   Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
          int threads, Seconds& seconds);
 
   void add(const Snapshot& snapshot);
-  /// All particles with the values of the drawing's field; the texts are added here.
+  /// `particles` are all of the run, with values and without texts.
   void add(const FrameView& particles);
-  /// Draws what was kept; asks `go_on` before each frame. False if it was told to stop.
+  /// Calls `go_on` before each frame. Returns false if stopped.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
-  /// Waits for the frames that are under way. It throws what went wrong with them, as all that adds frames
-  /// does.
   void finish();
 
   int kept() const { return static_cast<int>(kept_.size()); }
-  /// Grows while frames are under way.
   int written() const { return written_; }
 
-  /// After `finish`.
+  /// Call after `finish`.
   template <class Archive>
   void serialize(Archive& archive) {
     int written = written_;
@@ -86,7 +74,7 @@ class Frames {
   }
 
  private:
-  /// What one frame shows. Single precision would not tell particles apart that are far from the origin.
+  /// Single precision could not separate particles far from the origin.
   struct Kept {
     double time;   // s
     Point origin;  // m
@@ -97,7 +85,6 @@ class Frames {
       archive(time, origin, x, value);
     }
   };
-  /// Where a camera stands that goes about a scene.
   struct Standpoint {
     render::Camera camera;
     render::View view;
@@ -120,13 +107,13 @@ class Frames {
   int dim_ = 2;
   std::vector<double> diameter_;  // m
   std::vector<Kept> kept_;
-  std::optional<render::Vector> orbited_;  // the middle of a camera's way about it, m
-  int drawn_ = 0;                          // or being drawn
+  std::optional<render::Vector> orbited_;  // centre of the orbit, m
+  int drawn_ = 0;                          // including frames being drawn
   std::atomic<int> written_ = 0;
-  std::atomic<double> drawing_time_ = 0, writing_time_ = 0;  // s, not added to `seconds_` yet
-  /// Of each thread, from when the range and the view are known and it has something to draw.
+  std::atomic<double> drawing_time_ = 0, writing_time_ = 0;  // s, not yet in `seconds_`
+  /// One per thread, made when it draws.
   std::vector<std::optional<render::Renderer>> renderers_;
-  OrderedWork work_;  // the last member: its threads use all others
+  OrderedWork work_;  // last, because its threads use the others
 };
 
 }  // namespace taut::cli

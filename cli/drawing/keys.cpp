@@ -34,7 +34,7 @@ DrawingValue get_color(const Drawing& drawing) {
   return drawing.formula.empty() ? std::string(drawing.field->key) : "=" + drawing.formula;
 }
 
-/// A range and a colour map belong to the field that they were chosen for: another does without them.
+/// Resets range and colour map, which belong to a field.
 std::string set_color(Drawing& drawing, const DrawingValue& value) {
   const std::string& text = word(value);
   if (DrawingValue(text) == get_color(drawing)) return "";
@@ -72,7 +72,7 @@ std::vector<std::string> names_of_colormaps() {
 }
 
 std::string set_colormap(Drawing& drawing, const DrawingValue& value) {
-  drawing.look.colormap = render::find_colormap(word(value));  // there is none called auto
+  drawing.look.colormap = render::find_colormap(word(value));  // null for "auto"
   return "";
 }
 
@@ -173,13 +173,11 @@ std::string set_frames(Drawing& drawing, const DrawingValue& value) {
 
 DrawingValue get_frames(const Drawing& drawing) { return Numbers{static_cast<double>(drawing.frames)}; }
 
-/// The camera is there as soon as something is said about it.
 render::Camera& camera_of(Drawing& drawing) {
   auto& camera = drawing.look.camera;
   return camera ? *camera : camera.emplace();
 }
 
-/// A direction of the camera.
 template <render::Vector render::Camera::*Way>
 std::string set_way(Drawing& drawing, const DrawingValue& value) {
   const render::Vector by_default = render::Camera{}.*Way;
@@ -220,7 +218,7 @@ DrawingValue get_fov(const Drawing& drawing) {
   return camera ? Numbers{camera->field_of_view} : left_open();
 }
 
-constexpr std::array<std::string_view, 3> style_names{"discs", "spheres", "cells"};  // as in Style
+constexpr std::array<std::string_view, 3> style_names{"discs", "spheres", "cells"};  // in the order of Style
 
 std::vector<std::string> names_of_styles() { return {style_names.begin(), style_names.end()}; }
 
@@ -248,7 +246,7 @@ DrawingValue get_text(const Drawing& drawing) {
   return text.empty() ? std::string(nothing) : text;
 }
 
-/// None if these are not the numbers that the key takes.
+/// Returns nullopt for wrong numbers.
 std::optional<Numbers> typed_numbers(const DrawingKey::Numbers& key, std::string_view text) {
   Numbers values;
   for (std::size_t k = 0; k < key.count; ++k) {
@@ -263,7 +261,7 @@ std::optional<Numbers> typed_numbers(const DrawingKey::Numbers& key, std::string
   return values;
 }
 
-/// None if it is nothing that the key takes. Throws UsageError for a name that there is not.
+/// Returns nullopt for a wrong value. Throws UsageError for an unknown name.
 std::optional<DrawingValue> typed_value(const DrawingKey& key, const std::string& text) {
   if (text == automatic && key.placeholder.ends_with("|auto")) return left_open();
   if (key.of_text) return text;

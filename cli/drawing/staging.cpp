@@ -78,7 +78,6 @@ void Staging::find_cells() {
     cells_->take_ends(Cells(origins_.dim, origins_.x0, origins_.diameter, origins_.body), shown_);
 }
 
-/// The centre of mass of the body that is followed.
 Point Staging::middle(const FrameView& particles) const {
   Point sum{};
   double mass = 0;
@@ -99,7 +98,7 @@ StagedParticles Staging::operator()(const FrameView& particles) const {
                      std::to_string(origins_.size()));
   const Point origin = followed_ ? middle(particles) : Point{};
   StagedParticles staged{.dim = particles.dim, .time = particles.time, .origin = origin};
-  staged.x.reserve(shown_.size() * static_cast<std::size_t>(particles.dim));  // frames are kept in memory
+  staged.x.reserve(shown_.size() * static_cast<std::size_t>(particles.dim));
   staged.value.reserve(shown_.size());
   for (const std::size_t i : shown_) {
     const Point x = point(particles.x, particles.dim, i);

@@ -11,11 +11,11 @@
 
 namespace taut::cli {
 
-/// Where the particles of a run come from, in the order of their creation.
+/// Initial particles of a run, in the order of creation.
 struct Origins {
   int dim = 2;
   std::vector<double> x0;        // n × dim, m
-  std::vector<double> m;         // mass, kg (per metre depth in 2D)
+  std::vector<double> m;         // kg (per metre of depth in 2D)
   std::vector<double> diameter;  // m
   std::vector<int> body;         // index into Scene::bodies
 
@@ -23,38 +23,35 @@ struct Origins {
 };
 
 Origins origins_of(const Snapshot& snapshot);
-/// Of the particles that a run of this scene begins with. Throws SceneError.
+/// Throws SceneError.
 Origins origins_of(const Scene& scene);
 
-/// The particles of one picture; the arrays of its view are its own.
+/// `view` refers to its arrays.
 struct StagedParticles {
   int dim = 2;
   double time = 0;  // s
   std::vector<double> x{}, diameter{}, value{}, cell{};
-  Point origin{};                 // of the picture, in the scene, m
-  std::vector<WallFace> walls{};  // about it
+  Point origin{};                 // of the coordinates, in the scene, m
+  std::vector<WallFace> walls{};  // relative to `origin`
 
   FrameView view() const;
 };
 
-/// What a drawing shows of a run's particles: without what is cut away, and about the body that is followed.
-///
-/// A cut goes by where a particle was at the start: half of a body stays half of it however it moves, and the
-/// face of the cut deforms as the body does.
+/// Removes particles in the cut and centres the followed body. A cut uses initial positions and deforms with the
+/// body.
 class Staging {
  public:
-  /// UsageError for a cut that leaves nothing.
+  /// Throws UsageError if no particle is left.
   Staging(const Drawing& drawing, Origins origins);
 
   int dim() const { return origins_.dim; }
-  std::size_t size() const { return shown_.size(); }  // particles that are drawn
+  std::size_t size() const { return shown_.size(); }
 
-  /// `particles` are all of the run.
+  /// `particles` are all particles of the run.
   StagedParticles operator()(const FrameView& particles) const;
-  /// The same as they are drawn: in style `cells` as pieces of their bodies, without those that others
-  /// surround.
+  /// Adds walls and, in style `cells`, replaces particles by visible cells.
   StagedParticles dressed(StagedParticles staged) const;
-  /// What a view that is open has to hold of such particles, and their values.
+  /// Adds the values, and the positions that an open view must contain.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 
  private:
@@ -64,8 +61,8 @@ class Staging {
   Origins origins_;
   std::vector<WallFace> walls_;
   std::optional<int> followed_;
-  std::vector<std::size_t> shown_;  // numbers of the particles
-  std::optional<Cells> cells_;      // of those, if they are to be drawn
+  std::vector<std::size_t> shown_;  // particle numbers
+  std::optional<Cells> cells_;      // of `shown_`, in style `cells`
 };
 
 }  // namespace taut::cli

@@ -14,12 +14,12 @@
 namespace taut::cli {
 namespace {
 
-/// What the head of a PNG file says, before anything is made of its size [PNG §11.2.2].
+/// Reads only the header [PNG §11.2.2], before the picture takes memory.
 void check_size(const std::filesystem::path& png) {
   std::array<unsigned char, 24> head{};
   std::ifstream file(png, std::ios::binary);
   file.read(reinterpret_cast<char*>(head.data()), head.size());
-  if (!file) return;  // read_png says what is wrong
+  if (!file) return;  // read_png reports the error
   const auto side = [&](std::size_t from) {
     return (head[from] * 256L + head[from + 1]) * 65536L + head[from + 2] * 256L + head[from + 3];
   };
@@ -70,11 +70,11 @@ std::vector<Chain> faces_of(const Mask& mask, double threshold) {
   };
   const auto face = [&](const Point& in, const Point& out) {
     const double from = solid(in), to = solid(out);
-    const double share = to < 0 ? 0.5 : (from - threshold) / (from - to);  // beyond the picture: at its edge
+    const double share = to < 0 ? 0.5 : (from - threshold) / (from - to);  // outside the picture: at its edge
     return Point{in[0] + share * (out[0] - in[0]), in[1] + share * (out[1] - in[1]), 0};
   };
   const auto inside = [&](long column, long row) { return solid(centres.at(column, row)) > threshold; };
-  constexpr double fine = 0.05;  // of a pixel
+  constexpr double fine = 0.05;  // pixels
   std::vector<Chain> faces;
   for (const Chain& chain : contours(centres, inside, face)) {
     Chain face_of = simplified(chain, fine);

@@ -15,12 +15,12 @@
 namespace taut::cli {
 namespace {
 
-// names of arrays that are no fields; keys of fields are in lower case with '_'
+// arrays that are no fields, whose keys are lower case with '_'
 constexpr std::string_view points_name = "Points";
 constexpr std::string_view diameter_name = "diameter";
 constexpr std::string_view velocity_name = "velocity";
 constexpr std::string_view held_name = "held";
-constexpr std::string_view time_name = "TimeValue";  // as ParaView has it
+constexpr std::string_view time_name = "TimeValue";  // name used by ParaView
 constexpr std::string_view data_begin = "<AppendedData encoding=\"raw\">\n_";
 
 std::string attribute(std::string_view key, std::string_view value) {
@@ -28,7 +28,7 @@ std::string attribute(std::string_view key, std::string_view value) {
   return text.append(key).append("=\"").append(value).append("\"");
 }
 
-/// The XML of the arrays, and behind it their bytes.
+/// XML of the arrays, followed by their bytes.
 class Writer {
  public:
   void line(std::string_view text) { (xml_ += text) += '\n'; }
@@ -50,7 +50,7 @@ class Writer {
   std::string xml_, data_;
 };
 
-/// Of vectors with `dim`.
+/// `vectors` have `dim` components.
 std::vector<double> with_three_components(const std::vector<double>& vectors, int dim) {
   const auto d = static_cast<std::size_t>(dim);
   std::vector<double> three(3 * (vectors.size() / d));
@@ -58,7 +58,6 @@ std::vector<double> with_three_components(const std::vector<double>& vectors, in
   return three;
 }
 
-/// What belongs to every particle, whatever fields are asked for.
 void write_point_data(Writer& file, const Snapshot& now, std::span<const Field* const> fields) {
   std::vector<const Field*> measured(fields.begin(), fields.end());
   std::erase_if(measured, [](const Field* field) { return field->counts != Counted::nothing; });
@@ -74,7 +73,7 @@ void write_point_data(Writer& file, const Snapshot& now, std::span<const Field* 
   file.line("</PointData>");
 }
 
-/// ParaView shows, picks and cuts by cells: each particle is one.
+/// ParaView shows, picks and cuts cells, so each particle is one.
 void write_vertices(Writer& file, std::size_t count) {
   std::vector<std::int32_t> number(count);
   std::iota(number.begin(), number.end(), 0);
@@ -85,7 +84,6 @@ void write_vertices(Writer& file, std::size_t count) {
   file.line("</Verts>");
 }
 
-/// The value of an attribute in an XML tag; none if it is missing.
 std::optional<std::string_view> value_of(std::string_view tag, std::string_view key) {
   const std::string opening = std::string(" ").append(key).append("=\"");
   const std::size_t at = tag.find(opening);
@@ -99,7 +97,7 @@ std::optional<Number> number(std::optional<std::string_view> text) {
   return text ? parsed<Number>(*text) : std::nullopt;
 }
 
-/// The tags of an XML text, each with the text behind it.
+/// Each tag, with the text after it.
 std::vector<std::string_view> tags_of(std::string_view xml) {
   std::vector<std::string_view> tags;
   for (std::size_t at = xml.find('<'); at != std::string_view::npos; at = xml.find('<', at + 1))
@@ -107,8 +105,7 @@ std::vector<std::string_view> tags_of(std::string_view xml) {
   return tags;
 }
 
-/// The file up to and with the mark behind which its arrays stand; empty if there is none in the first 64
-/// KiB.
+/// Content of the file up to the arrays; empty if longer than 64 KiB.
 std::string header_of(std::ifstream& file) {
   std::string text(1 << 16, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -148,7 +145,7 @@ void ParticleFile::read_header() {
   std::optional<std::size_t> size;
   for (const std::string_view tag : tags_of(header)) {
     if (tag.starts_with("<Piece")) size = number<std::size_t>(value_of(tag, "NumberOfPoints"));
-    if (tag.starts_with("<Verts")) break;  // no more of the particles
+    if (tag.starts_with("<Verts")) break;
     if (!tag.starts_with("<DataArray")) continue;
     const std::string_view name = value_of(tag, "Name").value_or("");
     if (name == time_name) time = number<double>(tag.substr(tag.find('>') + 1));
@@ -187,7 +184,7 @@ std::vector<double> ParticleFile::read_as(const Array& array) const {
   std::ifstream file(path_, std::ios::binary | std::ios::ate);
   const auto length =
       static_cast<std::uint64_t>(std::max<std::streamoff>(file ? std::streamoff(file.tellg()) : 0, 0));
-  // zlib packs a thousandfold at most; a broken number must not ask for all of the memory
+  // zlib compresses at most 1000-fold, so a larger size is damaged
   if (array.offset >= length || array.components > 9 || size_ > 1024 * length)
     fail("is truncated or damaged");
   const std::size_t count = array.components * size_;

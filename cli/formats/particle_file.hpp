@@ -10,31 +10,30 @@
 
 namespace taut::cli {
 
-/// The particles of one time as a VTK PolyData file (.vtp) that ParaView opens: positions (z = 0 in 2D), a
-/// vertex each, the time, `fields` by key, diameter, velocity (a vector), body and material (numbers from 0)
-/// and whether each is held, compressed; what is measured is in double precision.
+/// Compressed VTK PolyData (.vtp) for ParaView: positions (z = 0 in 2D), a vertex each, time, `fields`, diameter,
+/// velocity, body, material (numbers from 0), held (1: clamped). Measured values have double precision.
 std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields);
 
-/// Reads back what `particle_file_text` has written; an array is read when it is asked for.
+/// Reader of these files; loads arrays on demand.
 class ParticleFile {
  public:
-  /// Reads the names. UsageError if there is no such file, or it is none of these.
+  /// Throws UsageError for a missing or invalid file.
   explicit ParticleFile(std::filesystem::path path);
 
-  double time() const { return time_; }       // s
-  std::size_t size() const { return size_; }  // particles
-  std::vector<std::string> fields() const;    // keys, in the order of the file, of one number each
+  double time() const { return time_; }  // s
+  std::size_t size() const { return size_; }
+  std::vector<std::string> fields() const;  // keys of scalar arrays, in the order of the file
   bool has(const std::string& field) const;
   std::vector<double> positions(int dim) const;  // n × dim, m
   std::vector<double> diameter() const;          // m
-  /// UsageError, naming those there are, if the field was not saved.
+  /// Throws UsageError if the file lacks the field.
   std::vector<double> field(const std::string& key) const;
 
  private:
   struct Array {
     std::string name, type;
     std::size_t components = 1;
-    std::uint64_t offset = 0;  // from the beginning of the file
+    std::uint64_t offset = 0;  // from the start of the file
   };
   void read_header();
   const Array* find(const std::string& name) const;

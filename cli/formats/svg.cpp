@@ -11,7 +11,6 @@
 namespace taut::cli {
 namespace {
 
-/// A folder for one file of another program; gone with it.
 class Scratch {
  public:
   Scratch() {
@@ -33,7 +32,7 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
-/// The picture of the whole canvas, `rows` pixels high; narrower and lower where it would be too large.
+/// Paints the whole canvas, `rows` pixels high, or less if too large.
 Mask paint(const std::filesystem::path& svg, int rows) {
   const Scratch scratch;
   const std::string side = std::to_string(greatest_mask_side);

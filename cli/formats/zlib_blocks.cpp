@@ -14,7 +14,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the file header declares little-endian data");
 
 constexpr std::size_t block_size = 1 << 16;
-// Doubles of a simulation hardly compress: a higher level takes five times as long for some per cent less.
+// higher levels take five times as long for a few per cent
 constexpr int level = 1;
 
 const Bytef* input(const void* data) { return static_cast<const Bytef*>(data); }
@@ -29,7 +29,6 @@ std::string compressed(std::span<const std::byte> block) {
   return text;
 }
 
-/// Takes numbers off the front of a text.
 class Numbers {
  public:
   explicit Numbers(std::string_view text) : text_(text) {}
@@ -64,7 +63,7 @@ bool from_zlib_blocks(std::string_view text, std::span<std::byte> bytes) {
   Numbers header(text);
   std::uint64_t count = 0, size = 0, last = 0;
   if (!header.take(count) || !header.take(size) || !header.take(last)) return false;
-  // written so that no number of a broken file can overflow
+  // written without overflow for damaged numbers
   if (count > text.size() / 8 || (count > 0 && (size == 0 || last >= size))) return false;
   std::vector<std::uint64_t> packed(count);
   for (std::uint64_t& length : packed)

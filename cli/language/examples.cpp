@@ -9,8 +9,7 @@ struct Example {
   std::string_view name, text;
 };
 
-/// Those of sections with a [header] are one scene, in this order, and one sweep; the others are a key of the
-/// first body or reference.
+/// Sections with a [header] form one scene and one sweep; the others are keys of the first body or reference.
 constexpr Example examples[] = {
     {"scene", R"toml(title = "A disc hits a bar"
 dim = 2

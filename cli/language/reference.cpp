@@ -38,7 +38,6 @@ std::string names_of_keys(std::span<const KeyInfo> keys) {
   return join(names);
 }
 
-/// What can have a reference, as `list measures` has it.
 std::string compared_with(const MeasureKind& kind) {
   Texts compared;
   if (kind.number) compared.emplace_back("number");
@@ -52,7 +51,6 @@ Topic topic_of(const Section& section) {
           text(example_of(section.name))};
 }
 
-/// The dimensions that a shape is of.
 std::string dim_text(const ShapeKind& shape) { return shape.dim == 0 ? "2, 3" : std::to_string(shape.dim); }
 
 Topic topic_of(const ShapeKind& shape) {
@@ -71,7 +69,7 @@ Topic topic_of(const MeasureKind& kind) {
           rows_of(keys_of_measure(kind)), ""};
 }
 
-/// The keys of all kinds, each text once, with the kinds that have it.
+/// Each text once, with its kinds.
 template <class Kinds, class Keys>
 Rows keys_of_kinds(const Kinds& kinds, const Keys& keys_of_kind) {
   Rows rows{{"key", "takes", "default", "what", "of"}};
@@ -112,7 +110,6 @@ Topic measure_keys() {
   return {"keys of measures", "", "", keys_of_kinds(measure_kinds(), keys_of_measure), ""};
 }
 
-/// What keys take that have a list of their own.
 std::vector<Topic> lists() {
   return {{"methods", "METHOD", "methods; `taut describe METHOD` shows their constants", method_rows(), ""},
           {"laws", "LAW", "laws of elasticity; a reference can also be for 2d-deviator", law_rows(), ""},
@@ -121,7 +118,6 @@ std::vector<Topic> lists() {
           {"colormaps", "colour map", "colour maps of the fields", colormap_rows(), ""}};
 }
 
-/// One topic per row of a list: "speed", "a field" and its row under the heads of the list.
 void add_rows(std::vector<Topic>& topics, std::string_view what, const Rows& rows) {
   for (std::size_t r = 1; r < rows.size(); ++r)
     topics.push_back({rows[r].front(), "", text(what), {rows.front(), rows[r]}, ""});
@@ -141,7 +137,6 @@ std::vector<Topic> all_topics() {
   return all;
 }
 
-/// The places of scene and sweep files that have a key of this name.
 std::vector<Topic> topics_of_key(std::string_view name) {
   Rows rows = key_rows();
   std::erase_if(rows, [&](const Texts& row) { return row != rows.front() && row.front() != name; });
@@ -159,7 +154,7 @@ std::string indented(std::string_view lines) {
   return result;
 }
 
-/// Text in which Markdown marks nothing up; markdown_table() escapes vertical bars.
+/// markdown_table() escapes vertical bars.
 std::string plain(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -171,7 +166,7 @@ std::string plain(const std::string& text) {
 
 std::string code(const std::string& text) { return "`" + text + "`"; }
 
-/// Rows for markdown_table(): names as code, other cells plain.
+/// Formats names as code.
 Rows marked_up(Rows rows) {
   for (std::size_t r = 1; r < rows.size(); ++r) {
     const std::string name = rows[r].front();

@@ -7,40 +7,38 @@
 #include <string_view>
 #include <vector>
 
-/// The reference of the language of scene and sweep files, from the tables that the readers read by.
+/// Reference of the language, from the tables used by the readers.
 namespace taut::cli {
 
-/// Something that has a name in there: a section, the shapes, one shape, ...
+/// A section, a list such as the shapes, or one shape, ...
 struct Topic {
-  std::string name;    // "body"
-  std::string header;  // as it is written: "[[body]]"
+  std::string name;
+  std::string header;  // "[[body]]"
   std::string help;
-  std::vector<std::vector<std::string>> rows;  // the first one holds their heads
-  std::string example;                         // TOML; or empty
+  std::vector<std::vector<std::string>> rows;  // the first row is the header
+  std::string example;                         // TOML, or empty
 };
 
-/// A file of the language, in the order in which it is explained.
 struct LanguageFile {
-  std::string name;                // "scene-file"
-  std::vector<std::string> rules;  // paragraphs
+  std::string name;
+  std::vector<std::string> rules;
   std::vector<Topic> topics;
 };
 LanguageFile scene_language();
 LanguageFile sweep_language();
 
-/// The topics called `name`: sections, lists ("shapes"), shapes, probes, measures, laws, contact laws, fields, colour
-/// maps; keys where none of these has the name. Several if a probe and a measure share a name; empty if none does.
+/// Finds keys only if nothing else has this name. Returns several if a probe and a measure share a name.
 std::vector<Topic> find_topics(std::string_view name);
-/// Names of all topics but the keys.
+/// Names of all topics except keys.
 std::vector<std::string> topic_names();
 
-/// For a terminal of so many columns; without a number nothing is wrapped.
+/// Wraps to `columns`, if given.
 std::string as_text(const Topic& topic, std::optional<std::size_t> columns = {});
 std::string as_text(const LanguageFile& file, std::optional<std::size_t> columns = {});
-/// Both files as scenes/LANGUAGE.md has them.
+/// Content of scenes/LANGUAGE.md.
 std::string language_page();
 
-// rows of lists, the first one holds their heads
+// the first row is the header
 using Rows = std::vector<std::vector<std::string>>;
 Rows shape_rows();
 Rows probe_rows();
@@ -50,11 +48,10 @@ Rows contact_rows();
 Rows field_rows();
 Rows colormap_rows();
 Rows method_rows();
-/// Every key of every section and kind.
+/// Keys of all sections and kinds.
 Rows key_rows();
 
-/// What stands in the reference for a section of `scene_sections`, `sweep_sections` or a shape; empty if
-/// there is none.
+/// Example for a section or shape, or empty.
 std::string_view example_of(std::string_view name);
 
 }  // namespace taut::cli

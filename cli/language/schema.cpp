@@ -10,8 +10,8 @@
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/methods/catalogue.hpp"
 
-/// Taplo, which completes TOML in editors, follows oneOf and anyOf but not if/then, and skips tables with allOf.
-/// Keys of a kind therefore stand under oneOf; if/then only adds checks.
+/// Taplo, the completion in TOML editors, ignores if/then and allOf tables: oneOf lists keys of kinds, if/then adds
+/// checks.
 namespace taut::cli {
 namespace {
 
@@ -24,7 +24,6 @@ Json array_of(std::vector<Json> items) {
   return array;
 }
 
-/// Names of a set of keys, such as the required keys.
 using Keys = std::vector<std::string>;
 Json requires_keys(const Keys& keys) { return {{"required", keys}}; }
 
@@ -37,7 +36,6 @@ void add_bounds(Json& schema, const NumberRange& bounds) {
   if (std::isfinite(bounds.high)) schema[bounds.open_high ? "exclusiveMaximum" : "maximum"] = bounds.high;
 }
 
-/// A number, or an expression in quotes.
 Json number_schema(const char* type, const NumberRange& bounds) {
   Json schema{{"type", Keys{type, "string"}}};
   add_bounds(schema, bounds);
@@ -51,7 +49,7 @@ Json list_schema(Json items, std::size_t least, std::size_t most) {
   return schema;
 }
 
-/// `dim` is the number of components of vectors, 0 for 2 or 3.
+/// `dim` is 0 for 2D or 3D.
 Json vector_schema(const KeyType& type, int dim) {
   const auto fixed = type.size > 0 ? type.size : static_cast<std::size_t>(dim);
   Json schema =
@@ -115,7 +113,7 @@ Json schema_of(const KeyType& type, int dim) {
   return table;
 }
 
-/// The default as a value; none for a text such as "the method's".
+/// Returns nullopt for a text such as "the method's".
 std::optional<Json> default_value(const KeyInfo& key) {
   const std::string text(key.by_default);
   if (text.empty()) return std::nullopt;
@@ -142,8 +140,8 @@ Json schema_of(const KeyInfo& key, int dim) {
   return schema;
 }
 
-/// Sets of keys; a table must have the keys of exactly one set: {bodies} or {body, wall}. The keys of a set share
-/// the text of their default, which names a key of each other set.
+/// A table must have one of these sets of keys: {bodies} or {body, wall}. Keys of a set share a default, which names
+/// a key of each other set.
 std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo> keys) {
   const std::string named = std::string(first.by_default) + " ";
   const auto is_named = [&](const KeyInfo& key) {
@@ -162,7 +160,7 @@ std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo>
   return sets;
 }
 
-/// Every choice of one set of keys from each group of alternatives.
+/// All combinations of one set from each group.
 std::vector<Keys> choices(std::span<const KeyInfo> keys) {
   std::vector<Keys> all;
   Keys known;
@@ -202,7 +200,7 @@ Json table_schema(std::span<const KeyInfo> keys, int dim) {
   return schema;
 }
 
-/// A table with the keys of `section` and of one kind, which its key `tag` names.
+/// The key `tag` names the kind.
 Json kind_schema(std::string_view section, std::string_view tag, std::string_view name, std::string_view help,
                  std::span<const KeyInfo> of_kind, int dim) {
   const std::span<const KeyInfo> common = keys_of(section);
@@ -232,7 +230,7 @@ Json section_schema(std::string_view name) {
   return kinds.empty() ? table_schema(keys_of(name), 0) : Json{{"oneOf", array_of(std::move(kinds))}};
 }
 
-/// The bounds hold in 2D and in 3D.
+/// The bounds hold in 2D and 3D.
 Json constant_schema(const MethodConstant& constant, const std::vector<MethodConstant>& in_3d) {
   NumberRange bounds{constant.low, constant.high};
   const auto other = std::ranges::find(in_3d, constant.name, &MethodConstant::name);
@@ -252,7 +250,7 @@ Json constants_schema(const MethodInfo& method) {
   return {{"properties", constants}, {"additionalProperties", false}};
 }
 
-/// The constants and laws of each method, as a chain of if, then and else.
+/// A chain of if/then/else over the methods.
 Json checks_of_methods() {
   Json checks;
   for (const MethodInfo& method : methods()) {
@@ -272,7 +270,6 @@ Json checks_of_methods() {
   return checks;
 }
 
-/// Constants of all methods, for completion.
 Json all_constants() {
   Json all = Json::object();
   for (const MethodInfo& method : methods())

@@ -4,8 +4,7 @@
 
 namespace taut::cli {
 
-/// JSON Schema of scene files and of sweep files (draft-07, which TOML editors read). Built from the sections, the kinds
-/// of shapes, probes and measures, and the constants and laws of methods.
+/// JSON Schema (draft-07) of scene and sweep files for TOML editors.
 Json scene_schema();
 Json sweep_schema();
 

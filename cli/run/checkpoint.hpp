@@ -11,15 +11,15 @@
 
 namespace taut::cli {
 
-/// A run at one moment, with all that it takes to go on with it.
+/// Everything needed to continue a run.
 struct Checkpoint {
   std::string method;
-  std::string scene;                    // the text of scene.toml
-  std::vector<std::string> fields;      // of the particles saved; none: particles are not
+  std::string scene;                    // text of scene.toml
+  std::vector<std::string> fields;      // none: particles are not saved
   std::optional<double> spacing_asked;  // m
-  double every = 0;                     // s of the simulation between checkpoints
-  bool draws = true;                    // there are frames
-  std::string state;                    // bytes for whoever saved them; empty: nothing has happened yet
+  double every = 0;                     // simulated time, s
+  bool draws = true;
+  std::string state;  // empty: at the start
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -31,17 +31,16 @@ struct Checkpoint {
   }
 };
 
-/// Beginning of a checkpoint. The version is for messages only.
+/// The version is only for messages.
 struct CheckpointHeader {
   std::string version{build_info.version};
   int format = format_of("checkpoint.bin");
 };
 
-/// Replaces the file when all is written, so that a crash leaves the one before. It begins with its kind,
-/// the version of the program and the format number, and ends with a checksum of everything. Throws OutputError.
+/// Replaces the file atomically, with a checksum. Throws OutputError.
 void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, CheckpointHeader header = {});
 
-/// Throws UsageError, with the reason, for a file that is no checkpoint of this format or is not whole.
+/// Throws UsageError for a damaged file or another format.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace taut::cli

@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-constexpr std::string_view head_of_record = "{\n  \"taut\": \"";  // as `to_json` writes it
+constexpr std::string_view head_of_record = "{\n  \"taut\": \"";  // as in `to_json`
 
-/// Names that only `RunFolder::particle_file` and `particle_index` give, whole or in the making.
+/// Includes temporary files.
 bool is_particle_file(const fs::path& path) {
   const std::string name = path.filename().string();
   return name.starts_with("particles") &&
@@ -51,7 +51,7 @@ void RunFolder::check() const {
       throw UsageError("'" + inner.string() +
                        "' is a link; files would be written and removed in its target; " +
                        "remove it or name another folder with --out");
-  // killed in the making it holds the first files alone
+  // a run was killed at its start
   const bool begun = holds_only({run_lock_name, record().filename().string() + ".tmp"});
   if (!read_record(record()) && !begun && !is_damaged())
     throw UsageError("'" + path_.string() +
@@ -124,7 +124,7 @@ fs::path RunFolder::particle_file(int number) const {
 
 std::optional<fs::path> run_around(const fs::path& path) {
   std::error_code error;
-  fs::path folder = fs::absolute(path, error).parent_path();  // that of the run, or its frames/
+  fs::path folder = fs::absolute(path, error).parent_path();
   for (int k = 0; k < 2; ++k, folder = folder.parent_path())
     if (read_record(RunFolder(folder).record())) return folder;
   return std::nullopt;

@@ -41,7 +41,6 @@ Rows rows_of(const render::ImageDifference& d) {
 
 std::string verdict(bool same) { return same ? "alike\n" : "different\n"; }
 
-/// The first names, and how many more there are.
 std::string some_of(const std::vector<std::string>& names) {
   constexpr std::size_t shown = 3;
   std::vector<std::string> first = names;

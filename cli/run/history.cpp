@@ -8,7 +8,6 @@
 namespace taut::cli {
 namespace {
 
-/// What the measures of a line compare it with.
 Solution reference_of(const SampleLine& line, const Scene& scene, const std::string& law) {
   const auto reference = scene.references.find(law);
   if (reference == scene.references.end()) return {};
@@ -41,7 +40,7 @@ std::vector<std::string> history_columns(const Scene& scene) {
 std::string history_unit(const std::string& column, const Scene& scene) {
   const auto probe = std::ranges::find(scene.probes, column, &Probe::name);
   if (probe != scene.probes.end()) return std::string(unit_of(*probe, scene.dim));
-  const std::string depth = scene.dim == 2 ? " per m" : "";  // a slice of a plane body
+  const std::string depth = scene.dim == 2 ? " per m" : "";
   if (column == "t") return "s";
   if (column.ends_with("_energy") || column == "work" || column == "damped") return "J" + depth;
   if (column.starts_with("momentum_")) return "kg m/s" + depth;

@@ -10,7 +10,7 @@
 namespace taut::cli {
 namespace {
 
-/// Something that is said of a run, under a name by which runs are compared.
+/// Property of a run, comparable by `name`.
 struct Remark {
   std::string name, text;
   bool operator==(const Remark&) const = default;
@@ -21,7 +21,6 @@ std::string spacing_text(double spacing) {
   return "dp = " + brief(spacing * scale.factor) + " " + scale.unit;
 }
 
-/// Of the settings of a method only those that are not its own default.
 void add_settings(std::vector<Remark>& remarks, const SceneFile& file) {
   const MethodInfo& method = *find_method(file.settings.method);
   for (const MethodConstant& constant : method_constants(method.formulation, file.scene.dim)) {
@@ -56,7 +55,6 @@ bool all_say(const std::vector<std::vector<Remark>>& runs, const Remark& remark)
                              [&](const auto& remarks) { return std::ranges::count(remarks, remark) > 0; });
 }
 
-/// The first of the texts as a title, the others below.
 render::Heading heading_of(const std::vector<std::string>& texts, const SavedRun& run) {
   if (texts.empty()) return {(run.folder.path() / "").parent_path().filename().string(), ""};
   return {texts.front(), join({texts.begin() + 1, texts.end()})};

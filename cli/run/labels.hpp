@@ -8,16 +8,14 @@
 
 namespace taut::cli {
 
-/// What is said about runs that are shown side by side.
 struct RunLabels {
-  std::string title, note;  // what all have in common: the scene, the method
-  std::vector<render::Heading>
-      columns;  // what tells each from the others: scene, method, parameters, spacing, constants
+  std::string title, note;               // of all runs
+  std::vector<render::Heading> columns;  // differences
 };
 
 RunLabels label_runs(const std::vector<SavedRun>& runs);
 
-/// "t = 1.5 ms": with as few decimals as tell all of the times exactly, in one unit.
+/// "t = 1.5 ms": in one unit, with the fewest exact decimals.
 std::vector<std::string> time_labels(const std::vector<double>& times, double until);
 
 }  // namespace taut::cli

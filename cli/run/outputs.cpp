@@ -17,7 +17,6 @@
 namespace taut::cli {
 namespace {
 
-/// Saves and loads what `Kind` lists in `serialize`.
 template <class Kind>
 class OutputOf : public RunOutput {
  public:
@@ -25,10 +24,10 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// A run is judged at its start and after each of these parts, whatever its rows: judging costs more than a row.
+/// Judgements cost more than rows, and are independent of them.
 constexpr int judged_parts = 200;
 
-/// history.csv, drift, indicators and verdict. Rows between two judgements repeat the indicators of the first.
+/// history.csv, drift, verdict and indicators. Rows between judgements repeat the indicators.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
@@ -83,10 +82,20 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
     if (judge_.verdict() == Verdict::diverged) result_.failure = describe_divergence(now, sums);
   }
   void take_verdict() {
+    if (const long particle = result_.record.indicator[0].particle; particle >= 0) {
+      const Snapshot& start = simulation_.snapshot();
+      const auto first = start.x0.begin() + start.dim * particle;
+      result_.record.patch_body = scene_.bodies[start.body[particle]].name;
+      result_.record.patch_place.assign(first, first + start.dim);
+    } else {
+      result_.record.patch_body.clear();
+    }
     result_.record.pieces = judge_.pieces();
     result_.record.verdict = judge_.verdict();
     result_.record.since = judge_.since();
     result_.record.beyond_law = judge_.beyond_law();
+    result_.record.energy_gain = judge_.energy_gain();
+    result_.record.turn = judge_.turn();
   }
 
   const Scene& scene_;
@@ -97,7 +106,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   Judge judge_;
   IndicatorGauge gauge_;
   long judged_step_ = -1;
-  Readings readings_;  // of that step
+  Readings readings_;
   ConservationWatch conservation_;
   std::optional<History> history_;
 };
@@ -108,7 +117,6 @@ LineRecorder start_lines(const SceneFile& file, const Simulation& simulation) tr
   throw locate(file, e);
 }
 
-/// The measures. If the scene has lines, also lines.csv; measures can use lines.
 class MeasuresOutput final : public OutputOf<MeasuresOutput> {
  public:
   MeasuresOutput(const RunPlan& plan, const Simulation& simulation, LastStep& last_step, RunResult& result)
@@ -158,7 +166,6 @@ class MeasuresOutput final : public OutputOf<MeasuresOutput> {
   std::optional<LineSamplesFile> file_;
 };
 
-/// Some particle has its place in the view.
 bool shows_some(const render::View& view, const Snapshot& now) {
   const auto dim = static_cast<std::size_t>(now.dim);
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -168,7 +175,6 @@ bool shows_some(const render::View& view, const Snapshot& now) {
   return false;
 }
 
-/// The pictures.
 class FramesOutput final : public OutputOf<FramesOutput> {
  public:
   FramesOutput(const RunPlan& plan, const Simulation& simulation, LastStep& last_step, RunResult& result)
@@ -180,7 +186,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
         frames_(*plan.drawing, origins_of(simulation.snapshot()), plan.folder.frames(),
                 {plan.file.scene.title, result.record.method, result.record.until}, simulation.threads(),
                 result.record.seconds) {
-    // of a run that goes on nobody knows what its first frames have shown
+    // earlier frames are unknown
     if (!plan.drawing->followed && !plan.state) unseen_ = plan.drawing->look.view;
   }
 
@@ -206,7 +212,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
     frames_.finish();
     const int count = frames_.kept();
     if (count == 0) return true;
-    // what there is of an interrupted run is drawn all the same
+    // draw also after an interrupt
     const bool asked_before = interrupts.asked();
     progress.begin("drawing " + std::to_string(count) + " frames");
     const bool all = frames_.draw_kept([&](int drawn) {
@@ -234,11 +240,10 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   RunResult& result_;
   Agenda agenda_;
   Frames frames_;
-  std::optional<render::View> unseen_;  // one that has shown nothing yet
-  int on_disk_ = 0;                     // number of the first frame that may not be
+  std::optional<render::View> unseen_;
+  int on_disk_ = 0;
 };
 
-/// particles/, at the times of the frames.
 class ParticlesOutput final : public OutputOf<ParticlesOutput> {
  public:
   ParticlesOutput(const RunPlan& plan, const Simulation& simulation, LastStep& last_step, RunResult& result)
@@ -285,7 +290,7 @@ const Snapshot& LastStep::at(double t) {
 std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
                                                      LastStep& last_step, RunResult& result) {
   std::vector<std::unique_ptr<RunOutput>> all;
-  // history.csv comes first: what has diverged is not shown
+  // first, to stop the output of diverged states
   all.push_back(std::make_unique<HistoryOutput>(plan, simulation, result));
   all.push_back(std::make_unique<MeasuresOutput>(plan, simulation, last_step, result));
   if (plan.drawing) all.push_back(std::make_unique<FramesOutput>(plan, simulation, last_step, result));

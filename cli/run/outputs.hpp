@@ -10,14 +10,14 @@
 
 namespace taut::cli {
 
-/// A run at any time of its last step, which does not depend on it.
+/// Interpolates within the last step.
 class LastStep {
  public:
   explicit LastStep(const Simulation& simulation) : simulation_(simulation) {}
 
-  /// The step begins with the state at hand.
+  /// Stores the start of a step.
   void begin() { before_ = simulation_.snapshot(); }
-  /// The particles at time `t` of a step that began with `begin`, or at its end. Valid until the next call.
+  /// State at `t` in that step. Valid until the next call.
   const Snapshot& at(double t);
 
  private:
@@ -25,7 +25,7 @@ class LastStep {
   Snapshot before_, shown_;
 };
 
-/// Something that a run shows of itself on its way. The steps of the run do not depend on it.
+/// An output of a run, without effect on its steps. Writing throws OutputError.
 class RunOutput {
  public:
   virtual ~RunOutput() = default;
@@ -33,35 +33,34 @@ class RunOutput {
   RunOutput(const RunOutput&) = delete;
   RunOutput& operator=(const RunOutput&) = delete;
 
-  /// Its file; the folder belongs to the run by now. Throws OutputError, as all that writes does.
+  /// Called after the run has claimed its folder.
   virtual void open(AppendFile::Start) {}
-  /// The next time that it shows, s; infinity when there is none.
+  /// Next output time, s, or infinity.
   virtual double next() const = 0;
-  /// Whether it shows its very times, between the steps, and not the first step at or past each of them.
+  /// Whether it needs the exact time, not the first step from then.
   virtual bool is_at_its_time() const { return true; }
-  /// Whether it is to show the state at hand too if the run ends with it, whatever its time.
+  /// Whether it must also take the final state.
   virtual bool lacks_the_end() const { return false; }
-  /// Shows what is due, now that the first step at or past `next` is done. What it finds out goes into the
-  /// run's result.
+  /// Outputs all that is due and updates the result, after the first step from `next`.
   virtual void take() = 0;
-  /// Waits for what it does beside the run.
+  /// Waits for background work.
   virtual void settle() {}
-  /// Waits until all that it has shown since the last call is on disk.
+  /// Waits until output is on disk.
   virtual void put_on_disk() {}
-  /// Brings the result up to date, before run.json is written.
+  /// Updates the result before run.json is written.
   virtual void tell() {}
-  /// Does what was put off until the run has ended. False if it was interrupted.
+  /// Does deferred work; false if interrupted.
   virtual bool complete(const Interrupts&, Progress&) { return true; }
 
-  /// All that changes as the run goes by, when it is settled. Loading touches no file.
+  /// Saving requires `settle`; loading changes no file.
   virtual void save(Saver& saver) = 0;
   virtual void load(Loader& loader) = 0;
-  /// Takes back what the folder holds from after the saving of what was loaded.
+  /// Removes output newer than the loaded state.
   virtual void take_back() {}
 };
 
-/// All outputs of a run, in the order in which they take a state. `result` is theirs to write to; nothing
-/// touches the folder yet. Throws SceneError for a line that leaves its body.
+/// All outputs in calling order; they update `result`, not the folder. Throws SceneError for a line that leaves its
+/// body.
 std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
                                                      LastStep& last_step, RunResult& result);
 

@@ -9,7 +9,6 @@
 namespace taut::cli {
 namespace {
 
-/// Why a run has no particles later than its last ones.
 std::string ending(const SavedRun& run, double until) {
   const std::optional<StoredRecord> record = checked_record(run.folder.record());
   const bool failed = record && record->status == RunRecord::Status::failed;

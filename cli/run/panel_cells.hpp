@@ -7,14 +7,13 @@
 
 namespace taut::cli {
 
-/// One picture of a panel; no particles where the run had ended.
 struct PanelCell {
   std::optional<ColoredParticles> particles;
-  std::string remark;  // in the corner with particles, in the middle without
+  std::string remark;  // in the corner, or in the middle without particles
 };
 
-/// The saved particles nearest to `time` (s), with a remark where they are of another time than that. `until`
-/// (s) gives the unit of all times of the panel.
+/// Particles nearest to `time` (s), with their time if different, in the unit of `until` (s). None after the run's
+/// end.
 PanelCell cell_at(const SavedRun& run, double time, double until, const Drawing& drawing,
                   const Origins& origins);
 

@@ -25,7 +25,7 @@ namespace {
 
 constexpr int default_history_rows = 1000;
 
-/// Before anything is said about the scene, which reads differently with each method.
+/// Checked first: the scene depends on the method.
 void check_methods(const std::vector<Setting>& settings) {
   std::vector<std::string> names;
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);
@@ -34,7 +34,6 @@ void check_methods(const std::vector<Setting>& settings) {
       throw UsageError(unknown_name("method", setting.value, names));
 }
 
-/// What an option says --set cannot say too.
 void refuse_second(const std::vector<Setting>& settings, const std::string& name) {
   if (std::ranges::find(settings, name, &Setting::name) != settings.end())
     throw UsageError(fmt::format("--{0} and --set {0}=... set the same value; leave one of them out", name));
@@ -65,7 +64,6 @@ double history_interval(const RunOptions& options, const SceneFile& file) {
   return interval;
 }
 
-/// The text of a setting's value in the name of a folder: as the scene has it.
 std::string value_in(const SceneFile& file, const Setting& setting) {
   constexpr std::string_view prefix = "method.";
   const auto parameter = std::ranges::find(file.parameters, setting.name, &Parameter::name);
@@ -79,11 +77,11 @@ std::string value_in(const SceneFile& file, const Setting& setting) {
   if (setting.name == "law") return file.settings.law;
   if (setting.name == "contact") return std::string(name(file.scene.contact));
   if (setting.name == "stepping") return file.settings.stepping == Stepping::single ? "single" : "dual";
-  // of the spacing what was asked for
+  // as requested, not rounded
   return parsed<double>(setting.value) ? setting.value : exact(file.spacing_asked);
 }
 
-/// The folder of the run that has left this scene.toml, if one has.
+/// The run folder of this scene.toml.
 std::optional<std::filesystem::path> left_by(const SceneFile& file) {
   const RunFolder folder(std::filesystem::absolute(file.path).parent_path());
   std::error_code error;
@@ -92,18 +90,17 @@ std::optional<std::filesystem::path> left_by(const SceneFile& file) {
   return folder.path();
 }
 
-/// "-v0=0.08-spacing=0.002": what is not as the scene has it by itself, the method's constants not as
-/// published. Runs that differ go into folders that differ.
+/// Differences from defaults and published constants, such as "-v0=0.08-spacing=0.002", to separate folders.
 std::string changes_text(const RunOptions& options, const SceneFile& file) {
   constexpr std::size_t longest = 120;
   std::vector<Setting> method;
-  std::map<std::string, Setting> last;  // of several of one name the last one counts
+  std::map<std::string, Setting> last;  // of equal names the last counts
   for (const Setting& setting : options.settings)
     if (setting.name == "method")
       method = {setting};
     else
       last[setting.name] = setting;
-  for (const Parameter& parameter : file.parameters)  // of a scene.toml that a run with --set has left
+  for (const Parameter& parameter : file.parameters)  // changed in a copied scene.toml
     if (!left_by(file) && parameter.value != parameter.default_value)
       last.try_emplace(parameter.name, Setting{parameter.name, ""});
   if (last.empty()) return "";
@@ -128,7 +125,6 @@ std::string default_folder(const RunOptions& options, const SceneFile& file) {
   return "out/" + file.scene.name + "-" + file.settings.method + changes_text(options, file);
 }
 
-/// What was asked for to no effect.
 std::string no_use(const RunOptions& options) {
   if (!options.no_render) return "";
   std::vector<std::string> names;
@@ -141,7 +137,6 @@ std::string no_use(const RunOptions& options) {
   return names.empty() ? "" : "without effect, since no frames are drawn: " + join(names);
 }
 
-/// A probe named like another column of history.csv.
 void refuse_second_columns(const SceneFile& file) {
   std::vector<std::string> columns = history_columns(file.scene);
   for (const Probe& probe : file.scene.probes)
@@ -178,7 +173,7 @@ std::vector<const Field*> particle_fields(const RunOptions& options, int dim) {
 
 namespace {
 
-/// A number as numbers are always written; what is none is for the scene to read.
+/// Expressions are left to the scene.
 std::string number_or_expression(const std::string& text) {
   const auto number = parsed<double>(text);
   return number ? exact(*number) : text;
@@ -249,7 +244,7 @@ void declare_particle_options(Options& command, RunOptions& o) {
 }
 
 void check_threads(int threads) {
-  constexpr int few = 8;  // per core: more only wait for each other
+  constexpr int few = 8;  // per core
   const int most = std::max(2 * few, few * cores());
   if (threads > most)
     throw UsageError("--threads is " + std::to_string(threads) + "; at most " + std::to_string(most) +

@@ -34,7 +34,6 @@ std::optional<RunRecord::Status> find_status(std::string_view text) {
   return std::nullopt;
 }
 
-/// Empty if the object has no such text.
 std::string text_in(const Json& object, const char* key) {
   const Json* found = object.find(key);
   return found && found->is_text() ? found->text() : "";
@@ -64,6 +63,11 @@ Json all_indicators(const RunRecord& record) {
     all[std::string(indicators[k].key)] = {
         {"greatest", each.greatest()}, {"at", each.at}, {"last", each.last}};
   }
+  if (!record.patch_body.empty()) {
+    all[indicators[0].key]["body"] = record.patch_body;
+    Json& place = all[indicators[0].key]["place"] = Json::array();
+    for (const double x : record.patch_place) place.add(x);
+  }
   return all;
 }
 
@@ -83,6 +87,26 @@ Json measures(const RunRecord& record) {
 }
 
 }  // namespace
+
+std::vector<RunWarning> warnings(const RunRecord& record) {
+  constexpr double much = 0.1;  // of the energy
+  std::vector<RunWarning> all;
+  const auto since = [](double time) { return " since t = " + brief(time) + " s: "; };
+  if (const auto& [greatest, time] = record.energy_gain; greatest > 0)
+    all.push_back({"gains_energy",
+                   "gains energy" + since(time) + "up to " + brief(greatest) + " times the received energy",
+                   {{"since", time}, {"ratio", greatest}}});
+  const MethodInfo* method = find_method(record.method);
+  const bool has_energy = method && strain_energy(method->formulation) != StrainEnergy::recovered;
+  if (const double lost = record.conservation.energy_lost.value_or(0); has_energy && lost > much)
+    all.push_back({"loses_energy", "loses energy: up to " + percent(lost), {{"share", lost}}});
+  if (const auto& [greatest, time] = record.turn; greatest > 0)
+    all.push_back(
+        {"turns_by_itself",
+         "turns by itself" + since(time) + "the angular momentum changes by up to " + percent(greatest),
+         {{"since", time}, {"share", greatest}}});
+  return all;
+}
 
 std::string energy_note(const RunRecord& record) {
   constexpr double small = 0.01;
@@ -146,6 +170,7 @@ Json to_json(const RunRecord& record) {
   json["since"] = since(record);
   if (record.beyond_law.share > 0)
     json["beyond_law"] = {{"since", record.beyond_law.since}, {"share", record.beyond_law.share}};
+  for (const RunWarning& warning : warnings(record)) json["warnings"][warning.key] = warning.figures;
   json["indicators"] = all_indicators(record);
   json["conservation"] = {{"linear_momentum", record.conservation.linear_momentum},
                           {"angular_momentum", record.conservation.angular_momentum},

@@ -14,38 +14,40 @@
 #include "cli/text/json.hpp"
 #include "engine/diagnostics/conservation.hpp"
 #include "engine/diagnostics/indicators.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 
 namespace taut::cli {
 
-/// Contents of run.json.
 struct RunRecord {
   enum class Status { running, finished, interrupted, failed };
 
   std::string scene, method, material_law;
-  std::string remark;                  // what the user was told of the scene's reading; mostly empty
-  std::optional<std::string> contact;  // the law between bodies, where there are several
-  std::string stepping;                // dual or single
+  std::string remark;                  // warnings
+  std::optional<std::string> contact;  // of several bodies or walls
+  std::string stepping;                // "dual" or "single"
   double cfl = 0;                      // factor of the time step
   std::vector<Parameter> parameters;
   int dim = 2;
   double spacing = 0;                   // m, as used
-  std::optional<double> spacing_asked;  // m, where it is not the one used
+  std::optional<double> spacing_asked;  // m, if different
   Jitter jitter;
   long particles = 0;
-  double mass = 0;                // kg (per metre depth in 2D)
+  double mass = 0;                // kg, in 2D per metre of depth
   double until = 0, reached = 0;  // s
   Status status = Status::running;
-  std::string reason;  // why it failed
+  std::string reason;  // of a failure
   long steps = 0;
   int threads = 1;
-  std::string machine;  // what the seconds were measured on
+  std::string machine;  // processor
   Seconds seconds;
   Verdict verdict = Verdict::stable;
   std::map<Verdict, double> since;  // s
   BeyondLaw beyond_law;
+  Excess energy_gain, turn;
   int pieces = 0;
   std::array<IndicatorRecord, indicators.size()> indicator;
+  std::string patch_body;  // with the patch of the greatest hourglass error; empty: no patch, but a body
+  std::vector<double> patch_place;  // its middle in the initial configuration, m
   Conservation conservation;
   std::vector<MeasureResult> measures;
   Provenance provenance;
@@ -54,15 +56,24 @@ struct RunRecord {
   std::optional<double> particle_steps_per_second() const;
 };
 
-/// Explains an energy drift of 1 % or more: dissipated, created, or only apparent; else empty.
+/// Fault of a run that does not change its verdict.
+struct RunWarning {
+  std::string key;   // in run.json
+  std::string text;  // "gains energy since t = 0.1 s: …"
+  Json figures;      // in run.json
+};
+/// "gains energy" and "loses energy" by more than a tenth, "turns by itself".
+std::vector<RunWarning> warnings(const RunRecord& record);
+
+/// Explains an energy drift of 1 % or more; else empty.
 std::string energy_note(const RunRecord& record);
 
-/// Keys in the order in which users read them; null for values that are unknown or not finite.
+/// Unknown and non-finite values become null.
 Json to_json(const RunRecord& record);
 
-/// Contents of the run.json of another run; empty members for keys that are missing or null.
+/// Missing and null keys give empty members.
 struct StoredRecord {
-  std::string version;  // of taut; empty where it does not say
+  std::string version;  // of taut
   std::optional<RunRecord::Status> status;
   std::optional<Verdict> verdict;
   std::optional<double> reached, until;  // s
@@ -70,13 +81,11 @@ struct StoredRecord {
   Json all;
 };
 
-/// None if there is no such file. UsageError, with the file and the key, if it is not whole, no record of taut,
-/// or holds what taut does not write.
+/// None without a file. Throws UsageError with file and key for invalid records.
 std::optional<StoredRecord> checked_record(const std::filesystem::path& file);
-/// The same, and none where that throws: for who begins anew then.
+/// None for invalid records.
 std::optional<StoredRecord> read_record(const std::filesystem::path& file);
 
-/// The processor that this program runs on, as it calls itself; "unknown" where it does not say.
 std::string machine_name();
 
 }  // namespace taut::cli

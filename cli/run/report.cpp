@@ -19,7 +19,7 @@ std::string with_unit(std::optional<double> value, const std::string& unit) {
   return brief(*value) + (unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
-/// Relative to the reference; in the unit of the measure where the reference is 0 or a table.
+/// Relative error; in the measure's unit if the reference is 0 or a table.
 std::string error(const MeasureResult& m) {
   const bool relative = m.error && m.reference && *m.reference != 0;
   return relative ? percent(*m.error) : with_unit(m.error, m.unit);
@@ -44,6 +44,11 @@ std::string indicators_line(const RunRecord& record) {
   for (std::size_t k = 0; k < indicators.size(); ++k) {
     (text += k == 0 ? "" : ", ") += indicators[k].key;
     (text += ' ') += brief(record.indicator[k].greatest());
+    if (k > 0 || record.patch_body.empty() || record.indicator[k].greatest() <= hourglass_threshold) continue;
+    text += " (" + record.patch_body + " at ";
+    for (std::size_t axis = 0; axis < record.patch_place.size(); ++axis)
+      text += (axis == 0 ? "[" : ", ") + brief(record.patch_place[axis]);
+    text += "])";
   }
   return text;
 }
@@ -57,7 +62,6 @@ std::string heading(const RunRecord& record) {
   return text + "\n";
 }
 
-/// Why a measure has no reference, where the scene has one under another condition; else empty.
 std::string missing_reference(const SceneFile& file, const RunRecord& record, const std::string& measure) {
   std::vector<std::string> laws;
   for (const auto& [law, reference] : file.scene.references)
@@ -69,9 +73,9 @@ std::string missing_reference(const SceneFile& file, const RunRecord& record, co
   return unmet == file.unmet_references.end() ? "" : "the scene's reference " + unmet->second;
 }
 
-/// Lines that explain empty cells of the table of measures; measures with one explanation share a line.
+/// Measures with one explanation share a line.
 std::string notes_on_references(const SceneFile& file, const RunRecord& record) {
-  std::vector<std::pair<std::string, std::string>> notes;  // explanation, names of measures
+  std::vector<std::pair<std::string, std::string>> notes;  // explanation, measures
   for (const MeasureResult& m : record.measures) {
     if (m.reference) continue;
     const std::string why = missing_reference(file, record, m.name);
@@ -107,7 +111,7 @@ double speed(const Snapshot& now, std::size_t particle) {
   return std::sqrt(sum);
 }
 
-/// The first particle whose speed is not finite, else the fastest.
+/// First particle of non-finite speed, else the fastest.
 std::size_t worst_particle(const Snapshot& now) {
   std::size_t worst = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -138,6 +142,7 @@ std::string run_report(const RunPlan& plan, const RunResult& result) {
                       brief(seconds.render) + ", writing " + brief(seconds.write)}};
   if (const std::string note = energy_note(record); !note.empty())
     rows.insert(rows.begin() + 3, {"energy", note});
+  for (const RunWarning& warning : warnings(record)) rows.push_back({"warning", warning.text});
   if (const BeyondLaw& beyond = record.beyond_law; beyond.share > 0)
     rows.push_back({"law", "not followed since t = " + brief(beyond.since) + " s: up to " +
                                percent(beyond.share) +

@@ -11,7 +11,6 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-/// Throws where nothing is left to do. `record` is that of the folder.
 void check_something_is_left(const RunFolder& folder, const std::optional<StoredRecord>& record) {
   std::error_code error;
   const std::string name = '\'' + folder.path().string() + '\'';
@@ -34,7 +33,6 @@ void check_same_scene(const Checkpoint& checkpoint, const RunFolder& folder, con
                      ": it is from another scene, or the scene was changed");
 }
 
-/// As the run in the folder was started, as far as is known.
 RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoint>& checkpoint,
                           const RunOptions& given) {
   RunOptions options;
@@ -55,8 +53,7 @@ RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoin
   return options;
 }
 
-/// The first of the given options that makes another run than `plan`, which is that of `stored`; "" if none
-/// does.
+/// First option that would change `plan`, made from `stored`; or "".
 std::string what_differs(const RunOptions& given, const RunOptions& stored, const RunPlan& plan) {
   std::error_code error;
   if (given.out && !fs::equivalent(*given.out, plan.folder.path(), error)) return "--out " + *given.out;

@@ -20,14 +20,13 @@
 namespace taut::cli {
 namespace {
 
-constexpr double record_interval = 5.0;  // s between two states of run.json while running
+constexpr double record_interval = 5.0;  // s between updates of run.json
 
-/// Drives a simulation from one output time to the next.
 class Run {
  public:
   Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Interrupts& interrupts,
       Progress& progress, RunRecord record);
-  Run(const Run&) = delete;  // its parts refer to one another
+  Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
   RunResult execute();
@@ -84,18 +83,18 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Inte
 
 RunResult Run::execute() {
   if (!plan_.state) plan_.folder.claim(record_text());
-  if (plan_.state) take_up(*plan_.state);  // a run that cannot go on stays as it is
+  if (plan_.state) take_up(*plan_.state);  // may throw; the run is then unchanged
   try {
     if (!plan_.state) begin();
     simulate();
     const RunRecord::Status status = how_it_ended();
     using enum RunRecord::Status;
     put_on_disk();
-    save(status == finished ? running : status);  // frames that were kept are still to be drawn
+    save(status == finished ? running : status);  // deferred frames are not drawn yet
     const bool all_done = complete();
-    put_on_disk();  // before run.json says that it is there
+    put_on_disk();
     save(status == finished && !all_done ? interrupted : status);
-    // a diverged run has come to its end as well
+    // also after divergence
     if (all_done && record_.status != interrupted) plan_.folder.clear_checkpoint();
   } catch (...) {
     save_failure(current_failure().message);
@@ -104,7 +103,7 @@ RunResult Run::execute() {
   return std::move(result_);
 }
 
-/// What it takes to begin once more comes first: the run may be killed at any moment.
+/// Writes first what a restart needs: the run may be killed.
 void Run::begin() {
   write_atomically(plan_.folder.scene(), plan_.scene_text(), Kept::on_disk);
   plan_.checkpoint_every ? write_checkpoint("") : plan_.folder.clear_checkpoint();
@@ -113,7 +112,7 @@ void Run::begin() {
   plan_next_checkpoint();
 }
 
-/// What the folder holds from after the checkpoint is taken back: it comes again.
+/// Removes output newer than the checkpoint.
 void Run::take_up(const std::string& state) {
   const double setup = record_.seconds.setup;
   open_files(AppendFile::Start::as_it_is);
@@ -130,7 +129,6 @@ void Run::take_up(const std::string& state) {
   save(RunRecord::Status::running);
 }
 
-/// Touches no file.
 void Run::load(const std::string& state) {
   Loader loader(state);
   std::string simulation;
@@ -145,7 +143,7 @@ void Run::open_files(AppendFile::Start start) {
   for (const auto& output : outputs_) output->open(start);
 }
 
-/// A checkpoint says what the other files hold: they are on disk before it.
+/// The checkpoint refers to other files; they are on disk first.
 void Run::save_checkpoint() {
   if (!plan_.checkpoint_every) return;
   put_on_disk();
@@ -201,8 +199,7 @@ void Run::step_through() {
     advance(std::min({next_output(), next_checkpoint_, record_.until}));
     const bool stopped = interrupts_.asked();
     show_what_is_due(false);
-    // what is due takes the state before the step, which no checkpoint holds; and the row of history.csv at
-    // the end is one more than a run that goes on has
+    // after outputs, which need the state before the step; before the final row of history.csv
     const bool well = result_.failure.empty();
     if (well && (stopped || record_.reached >= next_checkpoint_)) save_checkpoint();
     going = well && !stopped && record_.reached < record_.until;
@@ -217,7 +214,7 @@ double Run::next_output() const {
   return next;
 }
 
-/// The first time that is shown itself, s.
+/// Next exact output time, s.
 double Run::next_between_steps() const {
   double next = std::numeric_limits<double>::infinity();
   for (const auto& output : outputs_)
@@ -225,7 +222,6 @@ double Run::next_between_steps() const {
   return next;
 }
 
-/// What has diverged is not shown.
 void Run::show_what_is_due(bool at_end) {
   for (const auto& output : outputs_) {
     if (!result_.failure.empty()) return;
@@ -233,7 +229,7 @@ void Run::show_what_is_due(bool at_end) {
   }
 }
 
-/// In slices, so that an interrupt is seen soon: a stop in between does not change the steps.
+/// Advances in slices, between which interrupts are checked; they do not change the steps.
 void Run::advance(double target) {
   while (record_.reached < target && !interrupts_.asked()) {
     const Stopwatch watch;
@@ -247,7 +243,7 @@ void Run::advance(double target) {
   }
 }
 
-/// Keeps what stands before a step in which something is due.
+/// Stores the state before a step with an output.
 void Run::step_to(double target) {
   const auto advance = [&](double short_of) {
     const Timed timed(record_.seconds.solve);
@@ -267,7 +263,6 @@ RunRecord::Status Run::how_it_ended() const {
   return record_.reached >= record_.until ? RunRecord::Status::finished : RunRecord::Status::interrupted;
 }
 
-/// False if it was interrupted.
 bool Run::complete() {
   return std::ranges::all_of(outputs_,
                              [&](const auto& output) { return output->complete(interrupts_, progress_); });
@@ -281,14 +276,12 @@ void Run::save(RunRecord::Status status) {
   write_record();
 }
 
-/// A reason may name a file, in whatever letters.
 std::string Run::record_text() const { return to_json(record_).dump(2) + "\n"; }
 
 void Run::write_record() const { write_atomically(plan_.folder.record(), record_text(), Kept::on_disk); }
 
-/// After whatever error: where a disk is full or memory is used up, run.json can often still say so.
+/// Tries even with a full disk or memory.
 void Run::save_failure(const std::string& reason) {
-  // the first failure is the one to report
   const auto tried = [](const auto& work) {
     try {
       work();
@@ -296,7 +289,7 @@ void Run::save_failure(const std::string& reason) {
     }
   };
   for (const auto& output : outputs_) {
-    tried([&] { output->settle(); });  // a file in the making takes room
+    tried([&] { output->settle(); });  // pending files take space
     tried([&] { output->tell(); });
   }
   record_.status = RunRecord::Status::failed;

@@ -21,7 +21,7 @@ SavedRun open_saved_run(const fs::path& path) {
   if (files.empty())
     throw UsageError("'" + path.string() + "' contains no saved particles; save them with\n  taut run " +
                      folder.scene().string() + " --save-particles --out " + path.string());
-  // names have five digits or more: the shorter is the earlier
+  // five or more digits: shorter is earlier
   std::ranges::sort(files, {},
                     [](const fs::path& file) { return std::pair(file.string().size(), file.string()); });
   SavedRun run{folder, read_scene(folder.scene()), {}};

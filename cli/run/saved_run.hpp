@@ -12,17 +12,15 @@
 
 namespace taut::cli {
 
-/// A run folder whose particles were saved.
 struct SavedRun {
   RunFolder folder;
-  SceneFile file;                       // the scene as run
-  std::vector<ParticleFile> particles;  // in the order of time
+  SceneFile file;
+  std::vector<ParticleFile> particles;  // in order of time
 };
 
-/// UsageError if the folder is no run or holds no particles, saying how to get them.
+/// Throws UsageError if there are none.
 SavedRun open_saved_run(const std::filesystem::path& folder);
 
-/// The particles of one time, coloured by a field.
 struct ColoredParticles {
   int dim = 2;
   double time = 0;                         // s
@@ -31,7 +29,7 @@ struct ColoredParticles {
   FrameView view() const;
 };
 
-/// As the drawing colours them; `origins` are those of the run. UsageError if a field was not saved.
+/// `origins`: of the run. UsageError for a field that was not saved.
 ColoredParticles read_colored(const ParticleFile& file, const Drawing& drawing, const Origins& origins);
 
 }  // namespace taut::cli

@@ -13,7 +13,7 @@ std::vector<double> times_in_parts(double until, int parts) {
 }
 
 std::vector<double> times_every(double until, double interval) {
-  // an interval that divides `until` but for rounding reaches it
+  // tolerates rounding of the interval
   const double count = std::floor(until / interval * (1 + 1e-12));
   std::vector<double> times;
   for (long k = 0; k <= static_cast<long>(count); ++k)

@@ -8,19 +8,18 @@ namespace taut::cli {
 
 /// 0, until/parts, … until.
 std::vector<double> times_in_parts(double until, int parts);
-/// 0, interval, 2·interval, … as long as they are not past `until`.
+/// 0, interval, 2·interval, … up to `until`.
 std::vector<double> times_every(double until, double interval);
 
-/// Output times that are ticked off as a run goes by.
+/// Passes output times in order.
 class Agenda {
  public:
   explicit Agenda(std::vector<double> times) : times_(std::move(times)) {}
 
-  /// The next time not reached yet; infinity when there is none.
+  /// Infinity at the end.
   double next() const;
-  /// The times that have been reached by `now` since the last call.
+  /// Times up to `now` since the last call.
   std::span<const double> reached(double now);
-  /// How many have been reached.
   std::size_t done() const { return done_; }
 
   template <class Archive>
@@ -34,14 +33,13 @@ class Agenda {
   std::size_t done_ = 0;
 };
 
-/// How far a run should go at a time so that it can be asked to stop about every fifth of a second, from the
-/// speed it has shown so far.
+/// Chooses slices of about 0.2 s, for interrupts.
 class Pace {
  public:
-  /// Starts with a millionth of the run (one step, as a rule): nothing is known of the speed yet.
+  /// The first slice is usually one step.
   explicit Pace(double until) : slice_(1e-6 * until) {}
 
-  double slice() const { return slice_; }  // s of the run
+  double slice() const { return slice_; }  // s
   void took(double run_time, double seconds) {
     const double wished = seconds > 0 ? 0.2 * run_time / seconds : 4 * slice_;
     slice_ = std::clamp(wished, slice_ / 4, 4 * slice_);

@@ -20,7 +20,6 @@ TomlValue array_of(std::vector<TomlValue> items) {
   return array;
 }
 
-/// The components of the vector `key`, which must be there.
 const std::vector<TomlValue>& components(TomlCursor& cursor, const std::string& key, int dim) {
   const std::size_t number = static_cast<std::size_t>(dim);
   const TomlValue& value = cursor.need(key);
@@ -56,7 +55,6 @@ void read_on_boundary(TomlCursor& cursor, Body& body) {
                 "the key 'rotate' of the body, not of the shape");
 }
 
-/// What the lattice may be; a disc or a ring in layers has none.
 void read_lattice(TomlCursor& cursor, int dim, Body& body) {
   if (!cursor.find("lattice")) cursor.table().set("lattice", TomlValue(std::string(name(Lattice::square))));
   const std::string hexagonal(name(Lattice::hexagonal));
@@ -73,7 +71,7 @@ void read_lattice(TomlCursor& cursor, int dim, Body& body) {
                 "lattice; remove one of them");
 }
 
-/// One expression for all components, or one for each, of which an empty text leaves its component free.
+/// An empty text as a component leaves its axis free.
 void read_held(TomlCursor& cursor, int dim, Body& body) {
   if (!cursor.find("held")) cursor.table().set("held", TomlValue(0.0));
   const TomlValue& value = cursor.need("held");
@@ -93,7 +91,6 @@ void read_held(TomlCursor& cursor, int dim, Body& body) {
   };
 }
 
-/// The tables of `key`, none by default; `what` names one in messages.
 std::vector<TomlCursor> tables(TomlCursor& body, std::string_view key, const std::string& what) {
   if (!body.find(key)) body.table().set(std::string(key), array_of({}));
   TomlValue& value = *body.find(key);
@@ -154,7 +151,7 @@ void read_loads(TomlCursor& cursor, const Scene& scene, Body& body) {
       key = name(kind);
       load.kind = kind;
     }
-    if (key.empty()) entry.need("force");  // says that it is missing
+    if (key.empty()) entry.need("force");
     std::size_t axis = 0;
     for (const TomlValue& component : components(entry, key, scene.dim))
       load.value[axis++] = entry.function_of(component, key);
@@ -182,7 +179,7 @@ void read_mirror(TomlCursor& cursor, int dim, Body& body) {
   std::for_each(value.items.begin(), value.items.end(), add);
 }
 
-/// The layers of discs and rings that a body asks for: a hexagonal lattice is cut, not laid in layers.
+/// Round shapes on a hexagonal lattice are cut from it.
 Layers layers_of(TomlCursor& cursor, bool keeps_neighbors) {
   const TomlValue* lattice = cursor.find("lattice");
   if (lattice && lattice->text == name(Lattice::hexagonal)) return Layers::of_lattice;

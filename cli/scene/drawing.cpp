@@ -22,7 +22,7 @@ TomlValue toml_of(const DrawingKey& key, const DrawingValue& value) {
   return key.numbers.count == 1 ? array.items.front() : array;
 }
 
-/// What the file has for a key; the word for a key that takes words, and for what is left open.
+/// A word for "auto" and for keys of words, else numbers.
 DrawingValue given(TomlCursor& render, const DrawingKey& key) {
   if (key.takes_words() || key.of_text) return render.text(key.name);
   const TomlValue& value = render.need(key.name);
@@ -52,9 +52,8 @@ void read_key(TomlCursor& render, const DrawingKey& key, Drawing& drawing) {
     render.fail(render.need(key.name), key.name, wrong);
 }
 
-/// A key that does not go with the scene, and why.
 struct Mismatch {
-  std::vector<std::string_view> keys;  // one of these
+  std::vector<std::string_view> keys;
   std::string what;
 };
 
@@ -91,17 +90,16 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   return std::nullopt;
 }
 
-/// What differs by less is noise, in the unit of the field: of stress in a body that only flies, say.
+/// Smallest significant difference of a field, in its unit; noise, such as stress in free flight, is smaller.
 double round_off(const Field& field, const Scene& scene) {
-  constexpr double strain = 1e-9, in_single_precision = 1e-6;  // as what is drawn is kept
-  double stiffest = 0;                                         // Pa
+  constexpr double strain = 1e-9, in_single_precision = 1e-6;
+  double stiffest = 0;  // Pa
   for (const Material& material : scene.materials) stiffest = std::max(stiffest, material.youngs_modulus);
   if (field.unit == "Pa") return strain * stiffest;
   if (field.unit == "m") return strain * scene.spacing;
   return field.unit.empty() ? strain + in_single_precision * std::abs(field.middle) : 0;
 }
 
-/// What the scene settles; there is no mismatch.
 void settle(Drawing& drawing, const Scene& scene) {
   drawing.look.categories.clear();
   const Counted counted = drawing.formula.empty() ? drawing.field->counts : Counted::nothing;
@@ -115,12 +113,12 @@ void settle(Drawing& drawing, const Scene& scene) {
   if (!drawing.follow.empty()) drawing.followed = static_cast<int>(index_of(scene.bodies, drawing.follow));
 }
 
-/// With the names of a scene of `dim` dimensions. Throws ExpressionError.
+/// Throws ExpressionError.
 ColorFormula color_formula(const std::string& text, int dim, const Names& names) {
   const auto& others = ColorFormula::places;
   std::vector<std::string> all = names_of_fields(dim);
   all.insert(all.end(), others.begin(), others.end());
-  compile_of_values(text, names, all);  // says what is known, if something is not
+  compile_of_values(text, names, all);  // throws with all known names
   ColorFormula formula;
   std::vector<std::string> needed;
   for (const std::string& name : names_in(text)) {
@@ -168,7 +166,7 @@ void suit(Drawing& drawing, const SceneFile& file) {
 
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
   TomlCursor render = root.section("render", "[render]", keys_of("render"));
-  // names first: in this order missing keys are added, and errors list what is known
+  // words first, then numbers
   for (const bool words : {true, false})
     for (const DrawingKey& key : drawing_keys())
       if (key.takes_words() == words) read_key(render, key, drawing);

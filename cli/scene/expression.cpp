@@ -21,7 +21,6 @@
 namespace taut::cli {
 namespace {
 
-/// A parser and the values that it points to: one thread at a time may use them.
 struct Formula {
   mu::Parser parser;
   Names names;
@@ -33,14 +32,14 @@ struct Formula {
   }
 };
 
-// muParser's own bounds, beyond which it throws what is no std::exception
+// muParser's limits; beyond them it throws no std::exception
 constexpr std::size_t longest_text = 20000, longest_name = 100;
 
 std::string in_quotes(const std::string& text) { return "'" + shown(text) + "'"; }
 
 void check_length(const std::string& text, const Names& names) {
   const auto too_long = [](std::size_t length) { return length > longest_name; };
-  std::size_t word = 0;  // letters of a name up to here
+  std::size_t word = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool of_name = std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_';
     const bool begins = word > 0 || !std::isdigit(static_cast<unsigned char>(text[i]));
@@ -67,7 +66,7 @@ std::vector<std::string> known_names(const Formula& formula) {
   return known;
 }
 
-/// muParser takes `a = 1` for an assignment; a scene never wants one.
+/// muParser would accept the assignment `a = 1`.
 void refuse_assignment(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '=') continue;
@@ -85,7 +84,7 @@ struct Unit {
   std::string_view name;
   double factor;
 };
-/// Such as people write behind numbers.
+/// Units after a number, with factors to SI.
 constexpr Unit units[] = {
     {"m", 1},       {"km", 1e3},       {"cm", 1e-2},    {"mm", 1e-3}, {"um", 1e-6},
     {"µm", 1e-6},   {"nm", 1e-9},      {"s", 1},        {"ms", 1e-3}, {"us", 1e-6},
@@ -97,7 +96,7 @@ constexpr Unit units[] = {
     {"kg/m^3", 1},  {"g/cm³", 1e3},    {"g/cm^3", 1e3}, {"°", 1},     {"deg", 1},
 };
 
-/// "10 MPa" has the number in SI units that it means; other texts have none.
+/// Throws for a number with a unit, such as "10 MPa".
 void refuse_unit(const std::string& text) {
   double value = 0;
   const char* const last = text.data() + text.size();
@@ -114,7 +113,6 @@ void refuse_unit(const std::string& text) {
                         static_cast<std::size_t>(rest.data() - text.data()));
 }
 
-/// What other languages have where this one has signs.
 void refuse_words(const std::string& text, const std::string& token) {
   constexpr std::pair<std::string_view, std::string_view> words[] = {
       {"and", "&&"},  {"or", "||"},  {"AND", "&&"},  {"OR", "||"}, {"if", "CONDITION ? A : B"},
@@ -240,9 +238,8 @@ std::set<std::string> names_in(const std::string& text) {
     parser.SetExpr(text);
     for (const auto& variable : parser.GetUsedVar()) names.insert(variable.first);
   } catch (const mu::ParserError&) {
-    // whoever evaluates the text reports what is wrong with it
+    // evaluation reports the error
   } catch (const ExpressionError&) {
-    // whoever evaluates the text reports what is wrong with it
   }
   return names;
 }

@@ -12,37 +12,32 @@
 
 namespace taut::cli {
 
-/// What the names of an expression stand for.
 using Names = std::map<std::string, double>;
 
-/// An expression cannot be read. The message names it and what is known.
 class ExpressionError : public std::runtime_error {
  public:
   ExpressionError(const std::string& what, std::size_t where) : std::runtime_error(what), offset(where) {}
 
-  std::size_t offset;  // of the culprit in the text, 0-based
+  std::size_t offset;  // of the error in the text
 };
 
-/// The value of `text`, which may be any number, also one that is not finite. `pi` and the functions of
-/// muParser are always known; comparisons and && || give 1 or 0; ? : chooses.
+/// The value need not be finite. `pi` and muParser's functions are known. Comparisons, && and || give 1 or 0.
 double evaluate(const std::string& text, const Names& names);
 
-/// `text` as a function of the position: x, y, z are known besides `names`. Copies share their state; any
-/// number of threads may call them, one of which at a time gets in.
+/// Function of position x, y, z. Thread-safe: copies share a lock.
 Expression compile(const std::string& text, const Names& names);
-/// The same as a function of the time; t is known besides `names`.
+/// Function of time t.
 std::function<double(double)> compile_of_time(const std::string& text, const Names& names);
-/// The same as a function of the position and the time.
+/// Function of position and t.
 Solution compile_in_time(const std::string& text, const Names& names);
 
-/// The same as a function of values with these names, as far as they are names of variables, and of the time.
+/// Function of the values named `values` and of t. Names that are no identifiers cannot be used.
 std::function<double(const std::vector<double>&, double)> compile_of_values(
     const std::string& text, Names names, const std::vector<std::string>& values);
 
-/// The names that occur in `text`, known or not, without functions; empty where it cannot be read.
+/// Names without functions, known or not; empty if `text` is invalid.
 std::set<std::string> names_in(const std::string& text);
 
-/// sin, cos, sqrt, ...
 std::vector<std::string> function_names();
 
 }  // namespace taut::cli

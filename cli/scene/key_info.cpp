@@ -17,7 +17,6 @@ std::string bounded(std::string_view name, const NumberRange& bounds) {
   return text;
 }
 
-/// Of one value, without its unit.
 std::string one_text(const KeyType& type) {
   using Kind = KeyType::Kind;
   if (!type.shown.empty()) return std::string(type.shown);
@@ -56,7 +55,7 @@ std::vector<std::string> words_of(const KeyType& type) {
 
 std::string type_text(const KeyType& type) {
   std::string text = one_text(type);
-  const bool has_header = type.kind == KeyType::Kind::table && text.front() == '[';  // "[[body]]"
+  const bool has_header = type.kind == KeyType::Kind::table && text.front() == '[';
   if (has_header) return text;
   if (type.form != KeyType::Form::one) text = list_text(type, std::move(text));
   const bool names_other = type.kind == KeyType::Kind::word && type.shown.empty();

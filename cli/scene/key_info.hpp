@@ -11,24 +11,23 @@
 
 namespace taut::cli {
 
-/// Allowed range of a number.
 struct NumberRange {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
-  bool open_low = false, open_high = false;  // the bound itself is excluded
+  bool open_low = false, open_high = false;  // excludes the bound
 };
 constexpr NumberRange above(double low) { return {.low = low, .open_low = true}; }
 constexpr NumberRange at_least(double low) { return {.low = low}; }
 
-/// Type of a key's value. LANGUAGE.md (`type_text`) and the JSON Schema are generated from it.
+/// LANGUAGE.md and the JSON Schema are generated from it.
 struct KeyType {
   enum class Kind : std::uint8_t {
     number,  // or an expression in quotes
-    whole,   // the same, for whole numbers
+    whole,
     flag,
     text,
-    word,    // one of `words`, or of `names()`
-    vector,  // `size` numbers
-    table,   // a table with the keys of `section`
+    word,  // one of `words`, or of `names()`
+    vector,
+    table,  // a table with the keys of `section`
   };
   enum class Form : std::uint8_t { one, list, one_or_list };
   static constexpr std::size_t any_size = static_cast<std::size_t>(-1);
@@ -36,19 +35,19 @@ struct KeyType {
   Kind kind = Kind::text;
   std::string_view shown = {};  // in LANGUAGE.md: "METHOD"; empty for the usual text of the kind
   std::string_view unit = {};
-  NumberRange bounds = {};                        // of numbers
-  std::array<std::string_view, 8> words = {};     // the unused ones are empty
-  std::vector<std::string> (*names)() = nullptr;  // words that another table lists
+  NumberRange bounds = {};
+  std::array<std::string_view, 8> words = {};
+  std::vector<std::string> (*names)() = nullptr;  // alternative to `words`
   std::string_view section = {};                  // of a table; a number with a section can also be a table
   std::string_view pattern = {};                  // of a text: a regular expression
-  std::size_t longest = any_size;                 // of a text
-  std::size_t size = 0;                           // of a vector; 0: one component per axis
-  std::string_view other = {};                    // also allowed: "auto"; "=EXPRESSION" for any text with =
+  std::size_t longest = any_size;
+  std::size_t size = 0;         // of a vector; 0: one component per axis
+  std::string_view other = {};  // also allowed: "auto"; "=EXPRESSION" for any text with =
   Form form = Form::one;
-  std::size_t depth = 1;                   // of nested arrays, if the form is a list
+  std::size_t depth = 1;                   // nesting of a list
   std::size_t least = 0, most = any_size;  // items of the innermost array
-  std::string_view by = {};                // a table with one such value per name: "MEASURE"
-  std::string_view name_pattern = {};      // of these names
+  std::string_view by = {};                // "MEASURE": a table with one such value per measure
+  std::string_view name_pattern = {};      // of the keys of this table
 
   constexpr KeyType or_other(std::string_view word) const {
     KeyType type = *this;
@@ -65,7 +64,6 @@ struct KeyType {
     type.form = Form::one_or_list;
     return type;
   }
-  /// Nests the list: an array of arrays.
   constexpr KeyType nested() const {
     KeyType type = *this;
     ++type.depth;
@@ -78,9 +76,8 @@ struct KeyType {
   }
 };
 
-/// "number > 0, m", "spaced or lattice", "[[x, y], ...], m".
+/// Returns "number > 0, m", "spaced or lattice", "[[x, y], ...], m".
 std::string type_text(const KeyType& type);
-/// The words that a type of words allows.
 std::vector<std::string> words_of(const KeyType& type);
 
 namespace types {
@@ -88,7 +85,7 @@ namespace types {
 constexpr KeyType number(std::string_view unit = {}, NumberRange bounds = {}) {
   return {.kind = KeyType::Kind::number, .unit = unit, .bounds = bounds};
 }
-/// A number that LANGUAGE.md shows by this name: "expression of t".
+/// `shown` is its text in LANGUAGE.md: "expression of t".
 constexpr KeyType expression(std::string_view shown) {
   return {.kind = KeyType::Kind::number, .shown = shown};
 }
@@ -97,11 +94,10 @@ constexpr KeyType whole(double low, double high) {
 }
 constexpr KeyType flag() { return {.kind = KeyType::Kind::flag}; }
 constexpr KeyType text(std::string_view shown = "text") { return {.shown = shown}; }
-/// A text that pictures and tables show (TomlCursor::line).
+/// A text for TomlCursor::line.
 constexpr KeyType line(std::string_view pattern = "^[^\\u0000-\\u001f\\u007f]*$") {
   return {.shown = "text", .pattern = pattern, .longest = 200};
 }
-/// The name of a body, a probe, ...
 constexpr KeyType label() {
   return {.shown = "letters, digits, _ and -", .pattern = "^[A-Za-z0-9_-]+$", .longest = 100};
 }
@@ -120,46 +116,38 @@ constexpr KeyType vector_of(std::size_t size, std::string_view shown, std::strin
                             NumberRange bounds = {}) {
   return {.kind = KeyType::Kind::vector, .shown = shown, .unit = unit, .bounds = bounds, .size = size};
 }
-/// A number, or a table with the keys of `section`.
 constexpr KeyType number_or_table(std::string_view shown, std::string_view section) {
   return {.kind = KeyType::Kind::number, .shown = shown, .section = section};
 }
-/// A section, which LANGUAGE.md shows as "[[body]]", "{ file, column }", ...
+/// `shown` is its text in LANGUAGE.md: "[[body]]", "{ file, column }".
 constexpr KeyType table(std::string_view section, std::string_view shown) {
   return {.kind = KeyType::Kind::table, .shown = shown, .section = section};
 }
 
 }  // namespace types
 
-/// A key of a scene or sweep file.
 struct KeyInfo {
-  std::string_view name;  // or `any_name`
+  std::string_view name;
   KeyType type;
-  std::string_view by_default;  // empty: the key is needed; "or X": the key X, or its like, can stand instead
+  std::string_view by_default;  // empty: required; "or X": the key X can replace it
   std::string_view help;
 };
 
-/// The name of a key that whoever writes the file chooses.
+/// Stands for names that the user chooses.
 inline constexpr std::string_view any_name = "NAME";
-/// Keys of a table in which the user names all keys.
 inline constexpr KeyInfo named_by_user[] = {{any_name, {}, "", ""}};
 
-/// A table of a scene or sweep file: what `taut describe` says of it, and the keys that its reader may ask
-/// for.
 struct Section {
-  std::string_view name;    // "driven"
-  std::string_view header;  // as it is written: "[[body]]"
+  std::string_view name;
+  std::string_view header;  // "[[body]]"
   std::string_view help;
   std::span<const KeyInfo> keys;
 };
 
-/// Sections of a scene file; the first is the file itself. Shapes, probes and measures have more keys, by their kind.
+/// The first section is the file itself. Kinds of shapes, probes and measures have further keys.
 std::span<const Section> scene_sections();
-/// Sections of a sweep file.
 std::span<const Section> sweep_sections();
-/// Finds a section of a scene or sweep file.
 const Section& find_section(std::string_view name);
-/// The keys of this section.
 std::span<const KeyInfo> keys_of(std::string_view section);
 
 }  // namespace taut::cli

@@ -13,8 +13,7 @@
 #include "engine/methods/catalogue.hpp"
 #include "engine/settings.hpp"
 
-/// The language of scene and sweep files: every table and its keys. What shapes, probes and measures of a
-/// kind take stands with the kinds.
+/// The language of scene and sweep files. Further keys are defined with kinds of shapes, probes and measures.
 namespace taut::cli {
 namespace {
 
@@ -269,7 +268,6 @@ constexpr KeyInfo history_keys[] = {
     {any_name, types::text(), "", "label of the axis of a column of history.csv: tip = \"tip, m\""},
 };
 
-/// Of the numbers of a law those that are keys of a material too.
 std::vector<KeyInfo> all_material_keys() {
   std::vector<KeyInfo> keys(std::begin(material_keys), std::end(material_keys));
   static std::vector<std::string> texts;
@@ -304,7 +302,6 @@ KeyType type_of(const DrawingKey& key) {
   return key.may_be_open ? type.or_other(automatic) : type;
 }
 
-/// From the table of drawing keys.
 std::vector<KeyInfo> all_render_keys() {
   std::vector<KeyInfo> keys;
   static std::vector<std::string> defaults;

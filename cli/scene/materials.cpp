@@ -7,7 +7,7 @@
 namespace taut::cli {
 namespace {
 
-/// K of E and ν as an expression, so that a resolved scene still follows both.
+/// An expression, so that in a resolved scene K still depends on E and ν.
 const std::string usual_bulk_modulus = "E/(3*(1 - 2*nu))";
 
 void read_bulk_modulus(TomlCursor& cursor, Material& material) {
@@ -20,7 +20,6 @@ void read_bulk_modulus(TomlCursor& cursor, Material& material) {
   material.given_bulk_modulus = cursor.positive(key);
 }
 
-/// The numbers of the laws that have some beside K and G: none need be given.
 void read_law_parameters(TomlCursor& cursor, Material& material) {
   for (const LawRow& law : laws()) {
     for (const LawParameter& parameter : law.parameters) {

@@ -22,7 +22,6 @@ void read_probe_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
   measure.probes = {known_probe(cursor, cursor.need("probe"), "probe", scene)};
 }
 
-/// `probes = ["x", "y"]`: those of a point.
 void read_probes_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
   const auto dim = static_cast<std::size_t>(scene.dim);
   const TomlValue& value = cursor.need("probes");
@@ -44,7 +43,6 @@ void read_body_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
   measure.body = body_index(cursor, cursor.need("body"), "body", scene);
 }
 
-/// `fields = ["displacement_x", "displacement_y"]`
 void read_fields_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
   const TomlValue& value = cursor.need("fields");
   if (value.kind != TomlValue::Kind::array || value.items.empty() ||
@@ -59,7 +57,7 @@ void read_fields_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
   }
 }
 
-/// Only a displacement has a rigid motion.
+/// Only displacements have a rigid motion.
 void read_rigid_motion(TomlCursor& cursor, const Scene& scene, Measure& measure) {
   if (!cursor.find("rigid_motion")) cursor.table().set("rigid_motion", TomlValue(std::string("counts")));
   measure.rigid_motion_free = cursor.choice("rigid_motion", {"counts", "free"}) == "free";
@@ -81,13 +79,12 @@ void read_threshold(TomlCursor& cursor, const Scene&, Measure& measure) {
 
 void read_scale(TomlCursor& cursor, const Scene&, Measure& measure) {
   measure.scale = cursor.number("scale", measure.scale);
-  // an expression may come to 0 with some parameters, for which the measure has no value
+  // may be 0 for some parameters; the measure then has no value
   if (measure.scale == 0 && cursor.need("scale").kind != TomlValue::Kind::text)
     cursor.fail(cursor.need("scale"), "scale",
                 "scale is 0; it must not be 0, because the result is divided by it");
 }
 
-/// Where a frequency is looked for.
 void read_band(TomlCursor& cursor, const Scene&, Measure& measure) {
   const std::vector<double> ends = cursor.numbers("band", 2);
   if (!(ends[0] >= 0 && ends[0] < ends[1]))
@@ -103,7 +100,6 @@ void read_from(TomlCursor& cursor, const Scene&, Measure& measure) {
     cursor.fail(cursor.need("from"), "from", "from = " + exact(measure.from) + " s must be at least 0");
 }
 
-/// Without it up to the end of the run, however long that is.
 void read_until(TomlCursor& cursor, const Scene&, Measure& measure) {
   const TomlValue* given = cursor.find("until");
   if (given == nullptr) return;
@@ -113,7 +109,6 @@ void read_until(TomlCursor& cursor, const Scene&, Measure& measure) {
                 "until = " + exact(*measure.until) + " s must be after from = " + exact(measure.from) + " s");
 }
 
-/// A number or "mean".
 void read_about(TomlCursor& cursor, const Scene&, Measure& measure) {
   const TomlValue* given = cursor.find("about");
   measure.about_mean = given != nullptr && given->kind == TomlValue::Kind::text && given->text == "mean";
@@ -132,11 +127,10 @@ void read_free(TomlCursor& cursor, const Scene& scene, Measure& measure) {
     measure.free = known_probe(cursor, cursor.need("free"), "free", scene);
 }
 
-/// A key that kinds of measures take.
 struct MeasureKey : KeyInfo {
   void (*read)(TomlCursor&, const Scene&, Measure&);
 };
-/// What a measure is made from: these say which material its numbers know.
+/// Read before `numbers`, whose expressions use the material of these objects.
 constexpr std::array objects = {
     MeasureKey{{"probe", types::text("name of a probe"), "", "probe that gives the series"}, read_probe_of},
     MeasureKey{{"probes", types::text("PROBE").list(2, 3), "",
@@ -186,7 +180,6 @@ void read_keys(std::span<const MeasureKey> keys, const MeasureKind& kind, TomlCu
   }
 }
 
-/// The body that a measure looks at first.
 const Body& measured_body(const Measure& measure, const Scene& scene) {
   int body = measure.body;
   if (!measure.line.empty()) body = scene.lines[index_of(scene.lines, measure.line)].body;
@@ -195,7 +188,6 @@ const Body& measured_body(const Measure& measure, const Scene& scene) {
   return scene.bodies[static_cast<std::size_t>(body)];
 }
 
-/// A key that kinds of measures take.
 const KeyInfo& measure_key(std::string_view name) {
   const auto* key = std::ranges::find(objects, name, &MeasureKey::name);
   if (key != objects.end()) return *key;

@@ -29,7 +29,7 @@ std::vector<std::string> names_of_contacts() {
   return names;
 }
 
-/// One of `names`, the first by default: as changed, else as in the file.
+/// Returns the setting, else the value in the file, else the first name.
 std::string chosen(TomlCursor& root, const std::string& key, const std::vector<std::string>& names,
                    const std::optional<std::string>& change) {
   root.text(key, names.front());
@@ -49,7 +49,6 @@ bool within_bounds(const MethodConstant& constant, double value) {
   return value >= constant.low && value <= constant.high;
 }
 
-/// The method of the file.
 const MethodInfo& file_method(TomlCursor& root) {
   const std::string name = root.text("method", default_method);
   const MethodInfo* method = find_method(name);
@@ -63,7 +62,6 @@ const MethodInfo& changed_method(const std::string& name) {
   return *method;
 }
 
-/// Checks the file's constants against the method of the file.
 void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
   const std::vector<MethodConstant> constants = method_constants(method.formulation, dim);
   for (TomlEntry& entry : section.table().entries) {
@@ -80,7 +78,7 @@ void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
   }
 }
 
-/// Every constant of the method: as changed, else as in the file, else the default in the scene's dimension.
+/// Sets each constant to the setting, else the value in the file, else the method's default in this dimension.
 void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, int dim,
                     const Changes& changes, Settings& settings) {
   TomlCursor section = root.section("method_constants", "[method_constants]", named_by_user);
@@ -107,7 +105,7 @@ std::vector<std::string> names_of_elastic_laws() {
   return names;
 }
 
-/// As in the file, whose method must take it; empty where it says nothing.
+/// Empty if the file has no law; its method must support it.
 std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   const TomlValue* given = root.find("law");
   if (!given) return "";
@@ -117,9 +115,7 @@ std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   return law;
 }
 
-/// The law of elasticity of a method that leaves it open: as changed, else as in the file, else the method's
-/// first. That of a file holds for every method that takes it; another one runs with its own, and `remark`
-/// says so.
+/// Sets the law to the setting, else the file's law, else the method's first. `remark` reports an unsupported law.
 void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, const Changes& changes,
               Settings& settings, std::string& remark) {
   settings.law = law_of_file(root, of_file);
@@ -144,8 +140,7 @@ void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& met
     root.table().set("law", TomlValue(settings.law));
 }
 
-/// Steps a millionth of the usual ones would take years, and what a particle moves in one is lost in the digits
-/// of its place.
+/// Smaller steps lose particle motion to rounding.
 constexpr double least_cfl = 1e-6;
 
 std::string check_cfl(double cfl) {
@@ -208,7 +203,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   name_touching(root, file);
 
   read_law(root, of_file, method, changes, file.settings, file.remark);
-  // constants and CFL number of a file belong to the method of the file; another one takes its own
+  // the file's constants and CFL number are for its own method only
   double cfl = root.find("cfl") ? file_cfl(root) : of_file.cfl;
   if (&method != &of_file) cfl = method.cfl;
   if (changes.cfl) cfl = changed_cfl(*changes.cfl, root.names());

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::string_view constant_prefix = "method.";
 
-/// What can be set in every scene.
 struct Target {
   const char* name;
   std::optional<std::string> Changes::*change;
@@ -22,7 +21,7 @@ constexpr Target targets[] = {
     {"cfl", &Changes::cfl},       {"stepping", &Changes::stepping}, {"contact", &Changes::contact},
     {"law", &Changes::law},       {"jitter", &Changes::jitter},     {"jitter_seed", &Changes::jitter_seed}};
 
-// what a scene's own expressions and --set give a meaning to
+// names with a meaning in expressions or --set
 const std::vector<std::string> reserved_names = {
     "dp",       "pi",      "x",        "y",   "z",      "t",          "c0",    "E",
     "nu",       "rho",     "K",        "G",   "method", "spacing",    "until", "cfl",
@@ -38,7 +37,7 @@ bool within_bounds(const Parameter& parameter, double value) {
   return !(parameter.low && value < *parameter.low) && !(parameter.high && value > *parameter.high);
 }
 
-/// `names` and `defaults` are the values so far, with and without settings.
+/// `names` and `defaults` are the earlier parameters with and without settings.
 Parameter read_parameter(TomlCursor& entry, const std::string& name, const Changes& changes,
                          const Names& names, const Names& defaults) {
   Parameter parameter;
@@ -74,7 +73,6 @@ Parameter read_parameter(TomlCursor& entry, const std::string& name, const Chang
   return parameter;
 }
 
-/// Reads a parameter's texts without their meaning.
 std::set<std::string> names_in_parameter(const TomlValue& table, const std::string* change) {
   std::set<std::string> names;
   for (const TomlEntry& entry : table.entries)
@@ -88,7 +86,7 @@ std::set<std::string> names_in_parameter(const TomlValue& table, const std::stri
 
 void check_name_length(const TomlCursor& table, FilePlace place, std::string_view key,
                        const std::string& name) {
-  constexpr std::size_t longest = 100;  // that muParser takes
+  constexpr std::size_t longest = 100;  // limit of muParser
   if (name.size() > longest)
     table.fail(
         place, key,
@@ -186,7 +184,7 @@ std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& change
 
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file) {
   const std::set<std::string> left_out = dp ? std::set<std::string>{} : names_that_need_dp(root, changes);
-  constexpr std::size_t most_parameters = 500;  // the time to read them grows with their square
+  constexpr std::size_t most_parameters = 500;  // reading time grows with the square
   TomlCursor parameters = root.section("parameters", "[parameters]", named_by_user);
   if (const auto& entries = parameters.table().entries; entries.size() > most_parameters)
     parameters.fail(entries.back().place, "",

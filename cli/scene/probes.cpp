@@ -37,7 +37,7 @@ constexpr KeyInfo axis{"axis", types::vector_of(3, "[x, y, z]"), "[0, 0, 1]",
                        "axis of rotation through the origin; only in 3D"};
 }  // namespace key
 
-/// Rows of one line each are easier to compare.
+/// one row per line, to compare them
 // clang-format off
 const std::vector<ProbeKind> kinds{
     {"displacement", "m", "displacement of a material point", {key::body, key::at, key::component}},
@@ -60,11 +60,11 @@ const std::vector<ProbeKind> kinds{
     {"stress", "Pa",
      "Cauchy stress at a material point, as in the fields: positive in tension, pressure positive in compression",
      {key::body, key::at, key::part}},
-    {"reaction", "N, in 2D N/m",
+    {"reaction", ProbeKind::force_unit,
      "sum of the reaction forces on clamped and driven particles of a body. Without loads and damping, "
      "only reaction, contact force and weight change the momentum of the body",
      {key::body, key::held_where, key::component}},
-    {"contact_force", "N, in 2D N/m",
+    {"contact_force", ProbeKind::force_unit,
      "contact force of another body or of a wall on a body",
      {key::met, key::met_body, key::wall, key::component}},
     {"expression", "unit of value", "expression of other probes", {key::value}},
@@ -89,7 +89,7 @@ std::vector<int> probe_bodies(TomlCursor& cursor, const ProbeKind& kind, const S
 void refuse_point_on_axis(TomlCursor& cursor, const Probe& probe) {
   const Point &a = probe.turns_about, &x = probe.at;
   const double along = a[0] * x[0] + a[1] * x[1] + a[2] * x[2];
-  double away = 0, size = 0;  // m², from the axis and from the origin
+  double away = 0, size = 0;  // m², from the axis and the origin
   for (std::size_t k = 0; k < 3; ++k) {
     away += (x[k] - along * a[k]) * (x[k] - along * a[k]);
     size += x[k] * x[k];
@@ -100,7 +100,6 @@ void refuse_point_on_axis(TomlCursor& cursor, const Probe& probe) {
                 "at lies on the axis of rotation, where the angle is undefined; choose a point off the axis");
 }
 
-/// The part of a stress that `component` names.
 StressPart stress_part(TomlCursor& cursor, int dim) {
   constexpr std::array parts = {std::pair{"xx", StressPart::xx},
                                 std::pair{"yy", StressPart::yy},
@@ -125,12 +124,11 @@ int wall_index(TomlCursor& cursor, const Scene& scene) {
   return static_cast<int>(wall);
 }
 
-/// Its body is that of the first probe in it. Its numbers know the material that all bodies of its probes have, of
-/// several none.
+/// Takes the bodies of the first probe in the expression, and the material constants if all bodies have one material.
 void read_probes_in(TomlCursor& cursor, const Scene& scene, Probe& probe) {
   const TomlValue& value = cursor.need("value");
   const std::set<std::string> used = names_in(value.kind == TomlValue::Kind::text ? value.text : "0");
-  probe.of_forces = !used.contains("t");  // their means; exact where it is linear in them
+  probe.of_forces = !used.contains("t");  // uses step means; exact if linear
   std::set<int> materials;
   const auto add_material = [&](int body) {
     materials.insert(scene.bodies[static_cast<std::size_t>(body)].material);

@@ -11,7 +11,6 @@
 namespace taut::cli {
 namespace {
 
-/// Cells of a line of a CSV file without quotes.
 std::vector<std::string> cells(std::string_view line) {
   std::vector<std::string> result(1);
   for (const char c : line) {
@@ -23,14 +22,13 @@ std::vector<std::string> cells(std::string_view line) {
   return result;
 }
 
-/// The rows of one file and the place in it, for messages.
 struct Rows {
   std::string file;
   std::string text;
   std::size_t next = 0;
   int line = 0;
 
-  /// The next line that is no comment; nothing at the end. Spreadsheets begin a file with a byte order mark.
+  /// Next row, without comments and byte order mark; nullopt at the end.
   std::optional<std::vector<std::string>> read() {
     if (constexpr std::string_view mark = "\xEF\xBB\xBF"; next == 0 && text.starts_with(mark))
       next = mark.size();
@@ -64,8 +62,7 @@ std::size_t column_of(const Rows& rows, const std::vector<std::string>& head, co
             "; its columns: " + join(head));
 }
 
-/// A file lies beside the scene. That of a scene that comes with taut is found from everywhere, for the
-/// scene.toml of a run.
+/// Also searches the scene folders, so that the scene.toml of a run finds shipped files.
 std::filesystem::path find_file(const std::filesystem::path& folder, const std::string& file) {
   std::error_code error;
   if (std::filesystem::is_regular_file(folder / file, error))
@@ -76,7 +73,7 @@ std::filesystem::path find_file(const std::filesystem::path& folder, const std::
   return (folder / file).lexically_normal();
 }
 
-/// With what comes with taut without the folder that it lies in: a run is the same wherever that is.
+/// Removes the scene folder from a path, so that runs do not depend on its location.
 std::string known_as(const std::filesystem::path& file) {
   std::error_code error;
   for (const std::filesystem::path& scenes : scene_folders()) {
@@ -86,7 +83,6 @@ std::string known_as(const std::filesystem::path& file) {
   return file.string();
 }
 
-/// The paths of the tables `{ file = ... }` in `value` and all that is in it.
 void see_files_of(TomlValue& value, const std::filesystem::path& folder) {
   for (TomlValue& item : value.items) see_files_of(item, folder);
   for (TomlEntry& entry : value.entries) {
@@ -125,7 +121,7 @@ std::string file_text(const std::filesystem::path& path, std::size_t most_bytes)
   if (std::filesystem::is_directory(status)) fail("this is a folder, not a scene file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) fail("the file cannot be read; check its permissions");
-  const std::uintmax_t size = std::filesystem::file_size(path, error);  // of a pipe there is none
+  const std::uintmax_t size = std::filesystem::file_size(path, error);  // fails for a pipe
   std::string text(std::min<std::uintmax_t>(error ? most_bytes : size, most_bytes) + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (stream.bad()) fail("the file cannot be read");

@@ -11,7 +11,6 @@
 namespace taut::cli {
 namespace {
 
-/// The laws that there may be references for, as run.json names them.
 std::vector<std::string_view> material_laws() {
   std::vector<std::string_view> names{in_plane_law};
   for (const LawRow& law : laws())
@@ -19,7 +18,7 @@ std::vector<std::string_view> material_laws() {
   return names;
 }
 
-/// `law = "neo-hookean"`; what run.json calls it, neo_hookean, is read as well.
+/// Accepts neo-hookean and, as in run.json, neo_hookean.
 std::string read_law(TomlCursor& reference) {
   const std::string given = reference.text("law");
   std::vector<std::string> known;
@@ -31,14 +30,14 @@ std::string read_law(TomlCursor& reference) {
 }
 
 bool alike(double a, double b) {
-  constexpr double tolerance = 1e-9;  // relative
+  constexpr double tolerance = 1e-9;
   return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-/// For which parameters what a reference has is so.
+/// Which parts hold for the current parameters.
 struct Validity {
-  bool values = false;     // and tables: made for one set, those of `when` and the scene's own for the rest
-  bool solutions = false;  // expressions of the parameters: for all but those of `when`
+  bool values = false;     // and tables: hold for the parameters in `when` and the defaults of the others
+  bool solutions = false;  // hold for the parameters in `when` and any others
 };
 
 Validity validity(TomlCursor& reference, const std::vector<Parameter>& parameters) {
@@ -62,7 +61,7 @@ Validity validity(TomlCursor& reference, const std::vector<Parameter>& parameter
   return valid;
 }
 
-/// Numbers for the expressions of a reference, each of the ones before.
+/// Each number can use the earlier ones.
 void read_names(TomlCursor& reference) {
   TomlValue* table = reference.find("let");
   if (!table) return;
@@ -98,7 +97,6 @@ std::map<std::string, double> read_values(TomlCursor& reference, const Scene& sc
   return values;
 }
 
-/// Throws for an entry whose measure is not of a kind that takes `what`.
 const Measure& measure_taking(bool MeasureKind::*what, std::string_view named, TomlCursor& cursor,
                               const TomlEntry& entry, const Scene& scene) {
   const Measure& measure = known_measure(cursor, entry, scene);
@@ -111,9 +109,8 @@ const Measure& measure_taking(bool MeasureKind::*what, std::string_view named, T
                   join_with_or(kinds) + " can");
 }
 
-/// `column = "uy"`, or `columns = ["x", "y"]` for a measure of several probes.
 std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure) {
-  const std::size_t number = std::max(std::size_t{1}, measure.probes.size());  // a line has one
+  const std::size_t number = std::max(std::size_t{1}, measure.probes.size());
   if (number == 1) return {entry.text("column")};
   const TomlValue& value = entry.need("columns");
   if (value.kind != TomlValue::Kind::array || value.items.size() != number)
@@ -124,7 +121,7 @@ std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure)
   return names;
 }
 
-/// A table along a line is of one time, and of the whole line.
+/// The line must have one time, and the table must cover its length.
 void check_covers(TomlCursor& entry, const ReferenceTable& table, const SampleLine& line) {
   const TomlValue& file = entry.need("file");
   if (line.times.size() > 1)
@@ -161,8 +158,7 @@ std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const S
   return tables;
 }
 
-/// An expression of t (of a line or fields: of the place x, y too), or an array of them for a measure of
-/// several probes or fields.
+/// One expression, or one per probe or field.
 std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& reference, const Scene& scene) {
   std::map<std::string, std::vector<Solution>> solutions;
   TomlValue* table = reference.find("solutions");
@@ -185,7 +181,6 @@ std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& referenc
   return solutions;
 }
 
-/// `methods = ["icb"]`: a reference for the law of these methods alone.
 bool is_for(TomlCursor& reference, const std::string& method) {
   const TomlValue* value = reference.find("methods");
   if (!value) return true;
@@ -200,7 +195,6 @@ bool is_for(TomlCursor& reference, const std::string& method) {
   return named;
 }
 
-/// A measure is compared with one thing.
 void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Reference& reference) {
   for (const auto& entry : reference.solution)
     if (reference.table.contains(entry.first))
@@ -208,22 +202,21 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
                   "the measure '" + entry.first + "' has a table and a solution; remove one of them");
 }
 
-/// Some of a [[reference]] that holds: its values and tables, or its solutions.
+/// Values and tables, or solutions, of a valid [[reference]].
 struct Part {
   std::string law;
   bool of_method;
-  int of_parameters;      // 2: made for these, 1: for those of `when`, 0: for any
-  const TomlValue* from;  // the [[reference]]
+  int of_parameters;  // 2: for these values, 1: for those of `when`, 0: for any
+  const TomlValue* from;
   Reference what;
 };
 
-/// Of several that have something for a measure one for the method counts before one for any, and then one made for
-/// these very parameters before one that holds for any.
+/// Parts for the method come first, then parts for more specific parameters.
 bool counts_before(const Part& a, const Part& b) {
   return std::pair(a.of_method, a.of_parameters) > std::pair(b.of_method, b.of_parameters);
 }
 
-/// The parts of one law, of which those that count come first, put together measure by measure.
+/// Merges the parts of one law by measure; the first part of a measure counts.
 class Merged {
  public:
   void add(const Part& part) {
@@ -231,7 +224,7 @@ class Merged {
     take(part, part.what.table, merged_.table);
     take(part, part.what.solution, merged_.solution);
   }
-  /// Of a measure that two have something for, none of which counts before the other: the latter's [[reference]].
+  /// Second [[reference]] of the same rank for a measure, or null.
   const TomlValue* ambiguous() const { return ambiguous_; }
   const std::string& ambiguous_measure() const { return measure_; }
   Reference finish() {
@@ -260,7 +253,7 @@ class Merged {
 
   Reference merged_;
   std::vector<std::string> names_;
-  std::map<std::string, const Part*> owner_;  // of each measure
+  std::map<std::string, const Part*> owner_;
   const TomlValue* ambiguous_ = nullptr;
   std::string measure_;
 };

@@ -14,7 +14,6 @@
 namespace taut::cli {
 namespace {
 
-/// Places by dotted path; an entry of [[list]] goes by its name.
 void collect_places(const TomlValue& value, const std::string& path,
                     std::map<std::string, FilePlace>& places) {
   if (!path.empty()) places.emplace(path, value.place);
@@ -27,11 +26,11 @@ void collect_places(const TomlValue& value, const std::string& path,
   }
 }
 
-/// The spacing that was asked for, before it is fitted to the first body.
+/// Requested spacing, m, not yet fitted to the first body.
 double asked_spacing(TomlValue tree, const Changes& changes, TomlSource& source) {
   SceneFile file;
   TomlCursor root(tree, "", "the scene", keys_of("scene"), {}, source);
-  root.refuse_unknown_keys();  // first of all: a misspelt table would else be reported as missing
+  root.refuse_unknown_keys();  // else a misspelt table would be reported as missing
   read_parameters(root, changes, {}, file);
   const TomlValue& spacing = root.need("spacing");
   const std::set<std::string> unknown_yet = names_that_need_dp(root, changes);
@@ -84,7 +83,7 @@ std::string check_seed(double seed) {
              : "jitter_seed = " + exact(seed) + " must be a whole number from 1 to " + exact(greatest);
 }
 
-/// The number `key`, as it was changed; `check` says what is wrong with one, in the file or in the change.
+/// `check` returns an error message or "".
 double checked_number(TomlCursor& root, const char* key, double otherwise,
                       const std::optional<std::string>& change, std::string (*check)(double)) {
   double value = root.number(key, otherwise);
@@ -98,7 +97,6 @@ double checked_number(TomlCursor& root, const char* key, double otherwise,
   return value;
 }
 
-/// Whether an expression has the name dp in it.
 bool has_spacing(const std::string& expression) {
   const auto in_a_name = [&](std::size_t k) {
     return k < expression.size() &&
@@ -128,8 +126,7 @@ void read_jitter(TomlCursor& root, const Changes& changes, Jitter& jitter) {
       static_cast<int>(checked_number(root, "jitter_seed", jitter.seed, changes.jitter_seed, check_seed));
 }
 
-/// A parameter with a `default` comes from a resolved scene, where an override may have replaced what used
-/// it.
+/// Ignores parameters with `default`: in a resolved scene, a setting may have replaced the expression that used them.
 void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const TomlSource& source) {
   const TomlEntry* parameters = original.find("parameters");
   if (!parameters) return;
@@ -139,8 +136,7 @@ void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const
                 "the parameter '" + entry.key + "' is unused; remove it or use it in an expression");
 }
 
-/// A reading of the file with dp as the spacing. What follows from dp are parameters, materials and bodies;
-/// the rest is read once dp is the one that divides the first body.
+/// Reads the file with spacing dp: first what `fitted` needs, the rest in `finish`.
 class SceneReading {
  public:
   SceneReading(double dp, const std::filesystem::path& path, const TomlValue& original,
@@ -165,7 +161,6 @@ class SceneReading {
     return fitted_spacing(scene.bodies.front(), scene.dim, scene.spacing);
   }
 
-  /// The rest; this reading is used up.
   SceneFile finish() {
     read_walls(root_, file_.scene);
     read_probes(root_, file_.scene);
@@ -190,7 +185,6 @@ class SceneReading {
   TomlCursor root_;
 };
 
-/// Of a spacing that would be fitted to one row of the first body, and a much finer one.
 void refuse_too_coarse(double asked, double fitted, const TomlValue& tree, const Changes& changes,
                        const TomlSource& source) {
   constexpr double coarse = 2;

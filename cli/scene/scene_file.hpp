@@ -15,65 +15,53 @@
 
 namespace taut::cli {
 
-/// A scene's parameter: may be set with --set and swept.
 struct Parameter {
   std::string name;
   double value = 0;
-  std::string unit;  // shown to the user; no conversion is made
+  std::string unit;  // shown, never converted
   std::string help;
-  std::optional<double> low, high;  // bounds, both included
-  double default_value = 0;         // the value without settings
+  std::optional<double> low, high;  // inclusive
+  double default_value = 0;         // without settings
 };
 
-/// One thing that is changed about a scene file, whose other values stand: what `--set name=value` says. The
-/// name is a parameter, "method.CONSTANT" or one of method, spacing, until, cfl, stepping, contact, law, jitter,
-/// jitter_seed; the value is a number, an expression of the parameters before it, or a name.
+/// The name is a parameter, "method.CONSTANT", method, spacing, until, cfl, stepping, contact, law, jitter or
+/// jitter_seed. The value is a number, a word, or an expression of earlier parameters.
 struct Setting {
   std::string name, value;
-  FilePlace place = {};  // in a sweep file; unknown for the command line
+  FilePlace place = {};  // unknown for the command line
 };
-/// Of "name=value".
 Setting parse_setting(const std::string& assignment);
-/// "name=value"
 std::string text_of(const Setting& setting);
 
-/// A scene file as read: the engine's scene and what only the program needs.
 struct SceneFile {
   std::filesystem::path path;
-  std::string text;  // of the file
+  std::string text;
   Scene scene;
-  Settings settings;  // method, all its constants, stepping, cfl
+  Settings settings;
   Drawing drawing;
-  double spacing_asked = 0;       // m; that of the scene is the nearest one that divides the first body
-  std::string remark;             // what the user is told of the reading, in one line; mostly empty
-  std::optional<double> history;  // interval of history.csv, s; until / 1000 where the file says nothing
+  double spacing_asked = 0;       // m; the scene has the nearest spacing that divides the first body
+  std::string remark;             // warning, one line or empty
+  std::optional<double> history;  // interval of history.csv, s
   std::vector<Parameter> parameters;
-  /// By measure: the condition of a reference that does not hold here, "holds for the methods icb".
-  std::map<std::string, std::string> unmet_references;
-  TomlValue tree;                           // of the file, with every default and what was changed
-  std::map<std::string, FilePlace> places;  // by dotted path: "spacing", "body.left.velocity"
+  std::map<std::string, std::string> unmet_references;  // "holds for other methods", by measure
+  TomlValue tree;                                       // with all defaults and settings
+  std::map<std::string, FilePlace> places;              // by dotted path: "body.left.velocity"
 };
 
-/// Of several settings of one name the last one counts. Throws SceneError (with file, line, column) for the
-/// file, UsageError for the settings.
+/// The last setting of a name counts. Throws SceneError with file, line and column, UsageError for settings.
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
-/// The same text with other settings: what comes through a pipe can be read only once.
+/// Reads the stored text again, because a pipe can be read only once.
 SceneFile read_again(const SceneFile& scene, const std::vector<Setting>& settings = {});
-/// The names that --set and --grid take in this scene with its method.
 std::vector<std::string> names_to_set(const SceneFile& scene);
-/// The texts that a name of these takes: of methods, laws of contact and of elasticity, ways of stepping;
-/// none: it takes numbers.
+/// Words that the setting `name` allows; empty if it takes numbers.
 std::vector<std::string> texts_to_set(std::string_view name);
-/// Settles what a drawing of this scene leaves to it: cut, follow, the camera of a scene in 3D. Throws
-/// UsageError for what does not go with the scene.
+/// Sets what a drawing takes from the scene. Throws UsageError if the drawing does not fit the scene.
 void suit(Drawing& drawing, const SceneFile& scene);
-/// `error`, thrown by the engine for this scene, with the file and the place of its key.
+/// Adds file, line and column to an error of the engine.
 SceneError locate(const SceneFile& scene, const SceneError& error);
-/// The scene as run, in TOML, every default written out, history and drawing as they stand in `scene` now;
-/// reading it from `folder` gives the same scene.
+/// Writes TOML with all defaults and the current history and drawing, to be read from `folder`.
 std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder);
-/// Of such a text what makes a run: without the drawing, which may be changed afterwards, but for the number of its
-/// frames. Throws SceneError for what is no TOML.
+/// Removes [render] except `frames`, because a drawing can change after the run. Throws SceneError for invalid TOML.
 std::string undrawn(const std::string& scene);
 
 }  // namespace taut::cli

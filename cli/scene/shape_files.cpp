@@ -18,11 +18,11 @@ namespace {
 
 struct Frame {
   double pixel = 0;             // m
-  std::optional<Point> centre;  // of the whole, m
-  Point low{};                  // its lower left corner, m
+  std::optional<Point> centre;  // of the picture, m
+  Point low{};                  // lower left corner of the picture, m
 };
 
-/// Length of a side of `columns` × `rows` pixels by `height` or `width`, and where it lies.
+/// Side of a pixel, m.
 double read_size(TomlCursor& shape, double rows, double columns) {
   const TomlValue *height = shape.find("height"), *width = shape.find("width");
   if (height && width)
@@ -42,7 +42,7 @@ void read_where(TomlCursor& shape, Frame& frame) {
     frame.low = shape.point("low", 2);
 }
 
-/// A polygon of what the mask shows, with its points from the middle of the whole where it has a centre.
+/// The points are relative to the centre, if given.
 Shape polygon_of(TomlCursor& shape, const Mask& mask, double threshold, const Frame& frame) {
   constexpr std::size_t most_points = 1000000;
   std::vector<Chain> contours = faces_of(mask, threshold);
@@ -65,7 +65,7 @@ Shape polygon_of(TomlCursor& shape, const Mask& mask, double threshold, const Fr
   return Polygon(std::move(contours), frame.centre);
 }
 
-/// What a reader of files throws is of the key `file`.
+/// Reports a UsageError of `read` at the key `file`.
 template <class Read>
 auto with_place(TomlCursor& shape, const Read& read) {
   try {
@@ -78,7 +78,7 @@ auto with_place(TomlCursor& shape, const Read& read) {
 struct GivenSites {
   std::vector<Point> places;    // m
   std::vector<double> volumes;  // m², m³
-  bool weighed = true;          // the file gives the volumes; else all are dp^dim
+  bool weighed = true;          // false: all volumes are dp^dim
 };
 
 GivenSites tabled_sites(const std::filesystem::path& file, const ShapeSetting& setting) {
@@ -96,7 +96,7 @@ GivenSites tabled_sites(const std::filesystem::path& file, const ShapeSetting& s
   return given;
 }
 
-/// Of all bodies of a particle file, or of the one that the scene names. Throws UsageError.
+/// Particles of all bodies or of one. Throws UsageError.
 GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wanted,
                        const ShapeSetting& setting) {
   const ParticleFile file(path);
@@ -124,7 +124,7 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
   return given;
 }
 
-/// Their faces are looked for in all of the box around them, and neighbours by the number of a cell: both end.
+/// Limits the box of the face search, and coordinates, which must fit into cell numbers.
 void refuse_far(const GivenSites& given, const std::filesystem::path& file, const ShapeSetting& setting) {
   constexpr double most_sides = 1e6, farthest = 1e9, most_times = 1e6;  // in dp; in dp^dim
   const double cell = std::pow(setting.dp, setting.dim);
@@ -151,8 +151,7 @@ void refuse_far(const GivenSites& given, const std::filesystem::path& file, cons
               volume, setting.dp, cell));
 }
 
-/// They are not laid anew with the scene's spacing, by which their neighbours are found: one that does not fit is
-/// refused.
+/// The spacing determines the neighbours, so it must fit the particles.
 void refuse_other_spacing(std::vector<double> volumes, const std::filesystem::path& file,
                           const ShapeSetting& setting) {
   const auto middle = volumes.begin() + static_cast<std::ptrdiff_t>(volumes.size() / 2);
@@ -165,7 +164,6 @@ void refuse_other_spacing(std::vector<double> volumes, const std::filesystem::pa
                                  apart, setting.dp));
 }
 
-/// Refuses particles at one place, of which no method could make anything.
 void refuse_twins(const std::vector<Point>& places, const std::filesystem::path& file) {
   std::vector<std::size_t> order(places.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -179,10 +177,10 @@ void refuse_twins(const std::vector<Point>& places, const std::filesystem::path&
                       places[order[k]][0], places[order[k]][1], places[order[k]][2]));
 }
 
-/// Median distance from a particle to the nearest other one, m, of about a thousand of them.
+/// Median distance to the nearest neighbour, m, in a sample of about 1000 particles.
 double usual_distance(std::vector<Point> places) {
   constexpr std::size_t asked = 1000;
-  std::size_t longest = 0;  // the axis along which fewest lie beside each other
+  std::size_t longest = 0;  // axis of largest extent, for a fast search
   double length = -1;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto [low, high] = std::ranges::minmax(places, {}, [k](const Point& x) { return x[k]; });
@@ -209,8 +207,8 @@ double usual_distance(std::vector<Point> places) {
   return *middle;
 }
 
-/// Particles without volumes weigh a cell of the scene's spacing each, whatever lies between them: one at which
-/// they would have another mass is refused. Lattices have 1 to 1.12 dp, disordered particles down to 0.75.
+/// Each particle gets a cell's volume. Distances are 1 to 1.12 dp in lattices, down to 0.75 dp in disordered
+/// particles.
 void refuse_other_mass(double apart, const std::filesystem::path& file, const ShapeSetting& setting) {
   if (std::isfinite(apart) && (apart < 0.7 * setting.dp || apart > 1.3 * setting.dp))
     throw SceneError(file.string(), 0, 0, "",
@@ -223,7 +221,7 @@ void refuse_other_mass(double apart, const std::filesystem::path& file, const Sh
 }  // namespace
 
 Shape read_svg(TomlCursor& shape, const ShapeSetting& setting) {
-  constexpr double finely = 16;  // pixels on a spacing
+  constexpr double finely = 16;  // pixels per spacing
   constexpr int fewest = 64, first_look = 1024;
   constexpr std::uintmax_t most_bytes = 4 << 20;
   const std::filesystem::path file = named_file(shape, setting.folder, "file");

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = TomlValue::Kind;
 
-constexpr std::size_t most_points = 10000;  // of a polygon
+constexpr std::size_t most_points = 10000;
 
 std::string corner_text(const Point& x) { return fmt::format("({:.6g}, {:.6g}) m", x[0], x[1]); }
 
@@ -29,7 +29,7 @@ Point read_corner(TomlCursor& shape, const TomlValue& value, std::string_view ke
   return {shape.value_of(value.items[0], key), shape.value_of(value.items[1], key), 0};
 }
 
-/// Points that follow each other at the same place are one.
+/// Merges consecutive equal points.
 Chain read_contour(TomlCursor& shape, const TomlValue& value, std::string_view key) {
   if (!is_list(value)) shape.fail(value, key, "a contour must be an array of points, [[x, y], ...]");
   Chain contour;

@@ -7,7 +7,7 @@
 
 namespace taut::cli {
 
-// Each reads the shape that a table describes, without its `type` and `rotate`, which every shape has.
+// `type` and `rotate` are read in shapes.cpp.
 
 Shape read_polygon(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_ellipse(TomlCursor& shape, const ShapeSetting& setting);
@@ -16,9 +16,9 @@ Shape read_particles(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_svg(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_mask_file(TomlCursor& shape, const ShapeSetting& setting);
 
-/// The components of a vector that are all greater than 0.
+/// Throws SceneError unless all components are greater than 0.
 Point positive_point(TomlCursor& shape, std::string_view key, int dim);
-/// low < high along every axis.
+/// Throws SceneError unless low < high along every axis.
 Box read_low_and_high(TomlCursor& shape, int dim);
 
 }  // namespace taut::cli

@@ -17,8 +17,7 @@ Shape read_box(TomlCursor& shape, const ShapeSetting& setting) {
   return read_low_and_high(shape, setting.dim);
 }
 
-/// The key `layout`, one of `allowed`, or `otherwise` where it is not there. Of a body that asks for a
-/// lattice it is that.
+/// A body with a hexagonal lattice allows only the layout "lattice".
 RoundLayout read_layout(TomlCursor& shape, std::vector<RoundLayout> allowed, RoundLayout otherwise,
                         Layers layers) {
   if (layers == Layers::of_lattice) allowed = {RoundLayout::lattice}, otherwise = RoundLayout::lattice;
@@ -29,7 +28,7 @@ RoundLayout read_layout(TomlCursor& shape, std::vector<RoundLayout> allowed, Rou
   return allowed[static_cast<std::size_t>(std::ranges::find(names, chosen) - names.begin())];
 }
 
-/// The layout of a hollow shape. A hole that is too small for aligned layers is an error if the file asks for them.
+/// Throws SceneError if the hole is too small for aligned layers.
 RoundLayout read_layout_of_hollow(TomlCursor& shape, const std::vector<RoundLayout>& allowed,
                                   RoundLayout otherwise, bool can_be_aligned, Layers layers) {
   const RoundLayout layout = read_layout(shape, allowed, otherwise, layers);
@@ -66,7 +65,7 @@ Shape read_disc(TomlCursor& shape, const ShapeSetting& setting) {
   return disc;
 }
 
-/// `inner` only where it is hollow.
+/// The key `inner` makes the cylinder hollow.
 Shape read_cylinder(TomlCursor& shape, const ShapeSetting& setting) {
   Cylinder cylinder{shape.point("from", setting.dim), shape.point("to", setting.dim),
                     shape.positive("radius")};
@@ -94,7 +93,6 @@ Shape read_cylinder(TomlCursor& shape, const ShapeSetting& setting) {
 std::vector<Shape> read_list(TomlCursor& owner, std::string_view key, const std::string& what,
                              const ShapeSetting& setting);
 
-/// What `shapes` make together.
 Shape read_combined(TomlCursor& shape, ShapeSetting setting, Combination how) {
   setting.alone = false;
   setting.layers = Layers::none;
@@ -207,7 +205,6 @@ constexpr KeyInfo cylinder_keys[] = {
      "cut from a cubic lattice"},
 };
 
-/// Every shape that scene files name.
 constexpr std::array kinds = {
     ShapeKind{"rectangle", 2, "sides along the axes, on a square lattice", corner_keys, "box", read_box},
     ShapeKind{"disc", 2, "a solid circle", disc_keys, "ball", read_disc},

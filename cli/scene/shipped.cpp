@@ -22,7 +22,6 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(path, error);
 }
 
-/// Those of TAUT_SCENES.
 std::vector<fs::path> folders_of_user() {
   std::vector<fs::path> folders;
   const char* given = std::getenv("TAUT_SCENES");
@@ -39,8 +38,7 @@ std::vector<fs::path> folders_of_user() {
   return folders;
 }
 
-/// A build has a link to its scenes beside the program; what is installed may be moved as a whole. Without
-/// /proc the program does not know where it is.
+/// A build has `scenes` beside the program. Without /proc, the program's location is unknown.
 std::vector<fs::path> places_of_shipped() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -48,7 +46,7 @@ std::vector<fs::path> places_of_shipped() {
   return {program.parent_path() / "scenes", program.parent_path().parent_path() / "share/taut/scenes"};
 }
 
-/// Of the .toml files of a folder below those of scenes.
+/// Names of .toml files in a subfolder of all scene folders.
 std::set<std::string> names_below(const std::string& folder) {
   std::set<std::string> names;
   for (const fs::path& scenes : scene_folders()) {
@@ -66,7 +64,6 @@ void refuse_no_folder() {
   throw UsageError(message + "\nSet the environment variable TAUT_SCENES to the folder that contains them");
 }
 
-/// The file of one of these names, which is there.
 fs::path file_of(const std::string& name) {
   std::error_code error;
   for (const fs::path& scenes : scene_folders())
@@ -93,7 +90,7 @@ std::vector<std::string> scene_names() {
 }
 
 fs::path find_scene(const std::string& scene) {
-  // a run's folder often has the name of its scene: a folder is no scene while there is one of that name
+  // run folders often have the name of their scene, so a scene precedes a folder
   std::error_code error;
   const bool exists = fs::exists(scene, error);
   if (exists && !fs::is_directory(scene, error)) return scene;

@@ -66,7 +66,7 @@ TomlValue* TomlCursor::find(std::string_view key) {
 
 TomlValue& TomlCursor::need(std::string_view key) {
   if (TomlValue* value = find(key)) return *value;
-  // a misspelt key is the likeliest reason
+  // probably a misspelt key
   std::vector<std::string> others;
   for (const TomlEntry& entry : table_.entries)
     if (!may_have(entry.key)) others.push_back(entry.key);
@@ -211,7 +211,6 @@ std::function<double(Arguments...)> TomlCursor::function(const TomlValue& value,
   };
 }
 
-/// Of an expression of the place.
 void TomlCursor::refuse_third_axis(const TomlValue& value, std::string_view key) const {
   if (source_.dim == 2 && value.kind == Kind::text && !names_.contains("z") &&
       names_in(value.text).contains("z"))

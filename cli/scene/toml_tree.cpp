@@ -9,7 +9,7 @@
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
-#ifndef TOML_HEADER_ONLY  // pkg-config may say that it is a library
+#ifndef TOML_HEADER_ONLY  // pkg-config may define it
 #define TOML_HEADER_ONLY 1
 #endif
 #define TOML_ENABLE_FORMATTERS 0
@@ -22,10 +22,10 @@ FilePlace place_of(const toml::source_position& position) {
   return {static_cast<int>(position.line), static_cast<int>(position.column)};
 }
 
-/// toml++ bounds the brackets inside each other, but not the parts of a key, each of which is a table too.
+/// toml++ limits nested brackets, but not the parts of a key, which are tables, too.
 constexpr int most_parts = 16, most_levels = 300;
 
-/// The text behind a quoted one that begins at `at`; what is not closed ends with its line.
+/// Returns the end of the text quoted at `at`; an unclosed one ends with its line.
 std::size_t behind_quoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const bool long_one = text.substr(at, 3) == std::string(3, quote);
@@ -49,7 +49,7 @@ FilePlace place_in(std::string_view text, std::size_t at) {
 
 void refuse_long_keys(std::string_view text, const std::string& file) {
   constexpr std::string_view between = "=,[]{}\n";
-  std::size_t begin = 0;  // of the key or value
+  std::size_t begin = 0;
   for (std::size_t i = 0, dots = 0; i < text.size();) {
     if (text[i] == '"' || text[i] == '\'') {
       i = behind_quoted(text, i);
@@ -69,7 +69,7 @@ void refuse_long_keys(std::string_view text, const std::string& file) {
 
 TomlValue converted(const toml::node& node, const std::string& file, int level = 0);
 
-/// toml++ sorts the keys of a table; the file's order is that of their places.
+/// toml++ sorts keys; this restores their order.
 void add_entries(TomlValue& value, const toml::table& table, const std::string& file, int level) {
   for (const auto& [key, node] : table)
     value.entries.push_back({.key = std::string(key.str()),
@@ -142,7 +142,7 @@ std::string key_text(const std::string& key) {
 
 std::string number_text(const TomlValue& value) {
   std::string text = exact(value.number);
-  // a real number keeps its point, so that none is too long for an integer of TOML
+  // a large number without point would overflow a TOML integer
   if (!value.whole && text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
 }
@@ -180,7 +180,7 @@ bool is_section_list(const TomlValue& value) {
          std::all_of(value.items.begin(), value.items.end(), is_section);
 }
 
-/// Plain values first: behind the first [header] they would belong to it.
+/// Values first: after a [header] they would belong to it.
 void print_section(std::string& text, const TomlValue& table, const std::string& path) {
   for (const TomlEntry& entry : table.entries)
     if (!is_section(entry.value) && !is_section_list(entry.value))
@@ -255,7 +255,7 @@ std::string_view line_of(std::string_view text, int number) {
   return text.substr(0, text.find('\n'));
 }
 
-/// What the usual slips of a line of TOML that cannot be read are; empty for others.
+/// Hint for a common mistake, else empty.
 std::string likely_slip(std::string_view line, std::string_view message) {
   if (std::ranges::count(line, '"') % 2 == 1) return ". Is a quote missing in this line?";
   if (message.find("redefine existing") != std::string_view::npos)

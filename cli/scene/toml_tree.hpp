@@ -7,36 +7,35 @@
 
 namespace taut::cli {
 
-/// Where something stands in a file, 1-based; 0 = unknown.
+/// Place in a file, 1-based; 0 = unknown.
 struct FilePlace {
   int line = 0, column = 0;
 };
 
 struct TomlEntry;
 
-/// A value of a TOML file that knows its place. Tables keep the order of the file.
+/// Tables keep the order of the file.
 struct TomlValue {
   enum class Kind { table, array, text, number, boolean, date };
   Kind kind = Kind::table;
   FilePlace place;
-  std::string text;              // of a text
-  bool verbatim = false;         // text: stands in the file letter by letter, between two quotes
-  double number = 0;             // of a number
-  bool whole = false;            // number: without point and exponent
-  bool flag = false;             // of a boolean
-  bool section = false;          // table: written under a [header] of its own, not as { key = value }
-  std::list<TomlEntry> entries;  // of a table; a list, since whoever reads it appends what is missing
-  std::vector<TomlValue> items;  // of an array
+  std::string text;
+  bool verbatim = false;  // text without escapes on one line, so that columns match
+  double number = 0;
+  bool whole = false;  // number without point and exponent
+  bool flag = false;
+  bool section = false;          // table under its own [header], not { key = value }
+  std::list<TomlEntry> entries;  // of a table; a list, so that pointers to entries stay valid
+  std::vector<TomlValue> items;
 
   TomlValue() = default;
   explicit TomlValue(double of_number);
   explicit TomlValue(std::string of_text);
 
-  /// nullptr if the table has no such key.
+  /// Returns nullptr if missing.
   TomlEntry* find(std::string_view key);
   const TomlEntry* find(std::string_view key) const;
-  /// Replaces the value of `key`, which keeps its place, or appends it; the table's place is good enough
-  /// then.
+  /// A replaced value keeps its place; a new one gets the table's.
   void set(std::string_view key, TomlValue value);
   /// "a number", "a table", ...
   std::string_view kind_name() const;
@@ -44,15 +43,15 @@ struct TomlValue {
 
 struct TomlEntry {
   std::string key;
-  FilePlace place;  // of the key
+  FilePlace place;
   TomlValue value;
-  bool known = false;  // somebody has asked for it
+  bool known = false;  // has been read
 };
 
-/// Throws SceneError with the place of a syntax error.
+/// Throws SceneError with the place of the error.
 TomlValue parse_toml(std::string_view text, const std::string& file);
 
-/// TOML with numbers that read back bit by bit; reading and printing it again gives the same text.
+/// Numbers read back exactly; printing again gives the same text.
 std::string print_toml(const TomlValue& root);
 
 }  // namespace taut::cli

@@ -18,18 +18,18 @@ namespace fs = std::filesystem;
 
 constexpr int lines_kept = 1000;
 
-// libedit calls plain functions, so what they need cannot live elsewhere
+// global, since libedit calls plain functions
 LineInput::Complete complete_words;
 std::vector<std::string> found;
 
-/// The next of `found`, for libedit to free; nullptr behind the last one.
+/// The next of `found`, freed by libedit; nullptr at the end.
 char* next_found(const char*, int state) {
   static std::size_t next = 0;
   if (state == 0) next = 0;
   return next < found.size() ? ::strdup(found[next++].c_str()) : nullptr;
 }
 
-/// nullptr: libedit completes the name of a file, or nothing if `rl_attempted_completion_over`.
+/// nullptr: file names, or none if `rl_attempted_completion_over`.
 char** complete_last_word(const char* last, int start, int) {
   std::istringstream before(std::string(rl_line_buffer, static_cast<std::size_t>(start)));
   std::vector<std::string> words;
@@ -44,7 +44,7 @@ char** complete_last_word(const char* last, int start, int) {
   return found.empty() ? nullptr : rl_completion_matches(last, next_found);
 }
 
-/// Where the history of earlier sessions is, as the XDG base directory specification has it; empty: nowhere.
+/// Path by the XDG base directory specification; may be empty.
 fs::path history_file() {
   const char* const state = std::getenv("XDG_STATE_HOME");
   const char* const home = std::getenv("HOME");
@@ -59,17 +59,17 @@ LineInput::LineInput(Complete complete) : typed_(::isatty(STDIN_FILENO) && ::isa
   if (!typed_) return;
   complete_words = std::move(complete);
   rl_readline_name = "taut";
-  rl_catch_signals = 1;  // the terminal is as it was while the signal is seen to
+  rl_catch_signals = 1;  // restores the terminal for signals
   rl_basic_word_break_characters = " \t";
   rl_attempted_completion_function = complete_last_word;
   using_history();
   stifle_history(lines_kept);
-  read_history(history_file().c_str());  // there may be none yet
+  read_history(history_file().c_str());
 }
 
 LineInput::~LineInput() {
   if (!typed_) return;
-  std::error_code ignored;  // a history that cannot be kept is no reason to complain
+  std::error_code ignored;
   const fs::path file = history_file();
   fs::create_directories(file.parent_path(), ignored);
   write_history(file.c_str());

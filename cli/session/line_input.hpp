@@ -9,11 +9,10 @@
 
 namespace taut::cli {
 
-/// The lines of stdin: typed on a terminal, with editing, completion and a history that the next session has
-/// too; else as they come.
+/// Lines of stdin; on a terminal with editing, completion and a saved history.
 class LineInput {
  public:
-  /// What the last of these words, which may be empty, can become.
+  /// Completes the last word, which may be empty.
   using Complete = std::function<Choices(const std::vector<std::string>& words)>;
 
   explicit LineInput(Complete complete);
@@ -21,10 +20,8 @@ class LineInput {
   LineInput(const LineInput&) = delete;
   LineInput& operator=(const LineInput&) = delete;
 
-  /// stdin and stdout are a terminal.
   bool is_typed() const { return typed_; }
-  /// The next line; none at the end, or when the program is asked to end. Ctrl-C while a line is being typed
-  /// gives that line up.
+  /// None at the end or when asked to terminate. Ctrl-C discards a partial line.
   std::optional<std::string> next();
 
  private:

@@ -18,14 +18,13 @@
 namespace taut::cli {
 namespace {
 
-/// However long it is told to go on, an interrupt stops it.
 std::unique_ptr<Simulation> start_heedful(const SceneFile& file) {
   std::unique_ptr<Simulation> simulation = start(file);
   simulation->heed(Interrupts::flag());
   return simulation;
 }
 
-/// Why a name cannot be set any more, or nothing.
+/// Reason why a name cannot be set, or "".
 std::string reason_against(const std::string& name, const SceneFile& file) {
   const auto is = [&](const char* other) { return name == other; };
   if (is("cfl")) return "";
@@ -71,7 +70,7 @@ void Session::run_until(double t, const Interrupts& interrupts, Progress& progre
     const Stopwatch watch;
     const double from = simulation_->time(), to = std::min(t, from + pace.slice());
     simulation_->advance(to, t);
-    if (simulation_->time() < to) {  // the next step ends at or past t, or it is to stop
+    if (simulation_->time() < to) {  // a step reaches t, or an interrupt
       const Snapshot before = simulation_->snapshot();
       simulation_->advance_to(to);
       if (simulation_->steps() > before.step) between_ = blend(before, simulation_->snapshot(), t);
@@ -85,7 +84,7 @@ void Session::run_until(double t, const Interrupts& interrupts, Progress& progre
 void Session::set(const Setting& setting) {
   RunOptions options = options_;
   options.settings.push_back(setting);
-  SceneFile file = scene_to_run(options);  // refuses names that there are not, and values out of bounds
+  SceneFile file = scene_to_run(options);  // throws for wrong settings
   if (const std::string reason = reason_against(setting.name, file_); !reason.empty())
     throw UsageError("'" + setting.name + "' cannot change during a session: " + reason +
                      "; only cfl and other constants of the method can. "
@@ -108,7 +107,7 @@ void Session::set_look(const DrawingKey& key, const std::string& text) {
   Drawing drawing = drawing_;
   set_typed(drawing, key, text);
   suit(drawing, file_);
-  fitted(drawing, shown());  // a cut may leave nothing
+  fitted(drawing, shown());  // throws if a cut leaves nothing
   if (key.name == "view" || drawing.look.camera != drawing_.look.camera) window_.reset();
   drawing_ = std::move(drawing);
 }

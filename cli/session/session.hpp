@@ -15,47 +15,41 @@
 
 namespace taut::cli {
 
-/// A simulation that goes on and is looked at as commands say. Every member throws UsageError for what cannot
-/// be, and then has changed nothing.
+/// An interactive simulation. Members throw UsageError for wrong input, and then change nothing.
 class Session {
  public:
-  /// Throws SceneError too.
+  /// Also throws SceneError.
   explicit Session(const RunOptions& options);
 
   const SceneFile& file() const { return file_; }
   const Simulation& simulation() const { return *simulation_; }
 
-  /// Both stop early when interrupted. NumericalError where the simulation diverges.
+  /// Both stop at an interrupt, and throw NumericalError.
   void step(long count, const Interrupts& interrupts);
-  /// To the first step at or past `t`; what is shown then is of `t` itself.
+  /// Runs to the first step at or past `t`; then shows `t` exactly.
   void run_until(double t, const Interrupts& interrupts, Progress& progress);
 
-  /// The particles as pictures show them.
   const Snapshot& shown() const { return between_ ? *between_ : simulation_->snapshot(); }
 
-  /// What may change while a simulation runs: the step size (cfl) and the method's constants
-  /// that no geometry of the start was made from.
+  /// Changes cfl, or constants without effect on the initial configuration.
   void set(const Setting& setting);
-  /// The names that `set` takes.
   std::vector<std::string> names_to_change() const;
 
-  /// A key of drawing, as typed.
   void set_look(const DrawingKey& key, const std::string& text);
-  /// Moves what is seen, m.
+  /// Moves the view, m.
   void pan(double dx, double dy);
-  /// Shows less of it, larger, about its centre; `factor` > 0, below 1: more.
+  /// Enlarges by `factor` > 0.
   void zoom(double factor);
-  /// The camera of a scene in 3D goes about what it looks at, degrees.
+  /// Orbits the 3D camera, degrees.
   void orbit(double right, double upwards);
-  /// How a frame looks now, with what is automatic as it suits this moment.
+  /// The drawing with automatic values filled in.
   Drawing drawing() const;
-  /// As a frame of `run` at this time would be.
   void frame(const std::filesystem::path& file) const;
-  /// The same as a picture, with the look of this drawing, in which nothing is open.
+  /// `drawing` must be complete.
   render::Image picture(const Drawing& drawing) const;
 
   void save(const std::filesystem::path& file) const;
-  /// A state of the same scene and method, which `save` left.
+  /// Loads a state of the same scene and method.
   void load(const std::filesystem::path& file);
 
  private:
@@ -64,9 +58,9 @@ class Session {
   RunOptions options_;
   SceneFile file_;
   Drawing drawing_;
-  std::optional<render::View> window_;  // of a scene in 3D, where pan and zoom have been
+  std::optional<render::View> window_;  // in 3D, after pan or zoom
   std::unique_ptr<Simulation> simulation_;
-  std::optional<Snapshot> between_;  // of a time in the last step, where it was asked for
+  std::optional<Snapshot> between_;  // within the last step
 };
 
 }  // namespace taut::cli

@@ -61,7 +61,7 @@ void run(Session& session, const Words& words, const Dialogue& to) {
   say_time(session, to);
 }
 
-/// "LOW HIGH | auto" of "LOW:HIGH|auto"
+/// "LOW HIGH | auto" from "LOW:HIGH|auto".
 std::string arguments_of(const DrawingKey& key) {
   std::string arguments;
   for (const char c : key.placeholder)
@@ -69,17 +69,16 @@ std::string arguments_of(const DrawingKey& key) {
   return arguments;
 }
 
-/// A word, or as many numbers as the key takes.
+/// Accepts a word or the key's numbers.
 void set_look(Session& session, const DrawingKey& key, const Words& words) {
   if (!words.empty() && (key.of_text || key.words.has_formula(words[0])))
     return session.set_look(key, join(words, " "));
   const bool one_word = words.size() == 1 && (key.takes_words() || words[0] == automatic);
   if (!one_word && (key.takes_words() || words.size() != key.numbers.count)) wrong_words(key.name);
-  if (!one_word) std::ranges::for_each(words, number);  // its errors name the word, not an option
+  if (!one_word) std::ranges::for_each(words, number);  // for its error
   session.set_look(key, join(words, std::string_view(&key.numbers.between, 1)));
 }
 
-/// Of a session the view has more to say than its key.
 void view(Session& session, const Words& words, const Dialogue&) {
   const DrawingKey& key = drawing_key("view");
   const std::string what = words.empty() ? "" : words[0];
@@ -109,7 +108,7 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
   render::Look& look = drawing.look;
   terminal.suit(look);
   to.out << terminal.text_of(session.picture(drawing));
-  // texts in a picture of characters could not be read
+  // texts would be illegible
   const ColorMeaning colors = meaning(drawing);
   if (look.bare)
     to.out << colors.name << ' ' << (look.range ? ends(look.range->low, look.range->high) : "by colour")
@@ -120,7 +119,7 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
 
 void frame(Session& session, const Words& words, const Dialogue& to) {
   if (words.size() != 1) wrong_words("frame");
-  // a slip of the completion would cost the file that it names
+  // protects other files from wrong completion
   if (const std::string wrong = png_name(words[0]); !wrong.empty()) throw UsageError(wrong);
   session.frame(words[0]);
   to.out << "file=" << words[0] << '\n';
@@ -154,7 +153,7 @@ void load(Session& session, const Words& words, const Dialogue& to) {
   say_time(session, to);
 }
 
-/// In the words of the commands that change it.
+/// Written as commands.
 void say_look(const Drawing& drawing, const Dialogue& to) {
   for (const DrawingKey& key : drawing_keys()) {
     if (key.session_help.empty()) continue;
@@ -185,7 +184,7 @@ void help(Session&, const Words& words, const Dialogue& to) {
   std::vector<std::vector<std::string>> rows;
   for (const SessionCommand& command : session_commands())
     if (words.empty() || command.name == words[0]) rows.push_back({usage(command), command.help});
-  if (rows.empty()) find_command(words[0]);  // says which names there are
+  if (rows.empty()) find_command(words[0]);  // throws with known names
   to.out << in_columns(rows);
 }
 

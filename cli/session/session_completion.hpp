@@ -8,8 +8,7 @@
 
 namespace taut::cli {
 
-/// What the last of `words`, a line of a session as far as it is typed, can become: as `help` has the
-/// commands and their arguments.
+/// Completes the last of `words`, as in `help`.
 Choices session_choices(const Session& session, const std::vector<std::string>& words);
 
 }  // namespace taut::cli

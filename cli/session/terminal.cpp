@@ -80,20 +80,19 @@ Terminal::Terminal(const std::ostream& out) {
   TermInfo info(chafa_term_db_detect(chafa_term_db_get_default(), environ));
   Config config(chafa_canvas_config_new());
   Geometry size = geometry();
-  size.rows =
-      std::max(4, size.rows - 3);  // the command, the line below the picture and the prompt stay in sight
+  size.rows = std::max(4, size.rows - 3);  // command, caption, prompt
   const ChafaPixelMode mode = pixel_mode(info.get());
   chafa_canvas_config_set_geometry(config.get(), size.columns, size.rows);
   chafa_canvas_config_set_cell_geometry(config.get(), size.cell_width, size.cell_height);
   chafa_canvas_config_set_pixel_mode(config.get(), mode);
   chafa_canvas_config_set_canvas_mode(config.get(), canvas_mode(info.get()));
-  // blocks alone: they have the shape of what they stand for, and every font has them
+  // blocks have exact shapes in every font
   const Symbols symbols(chafa_symbol_map_new());
   for (const ChafaSymbolTags tag :
        {CHAFA_SYMBOL_TAG_SPACE, CHAFA_SYMBOL_TAG_SOLID, CHAFA_SYMBOL_TAG_HALF, CHAFA_SYMBOL_TAG_QUAD})
     chafa_symbol_map_add_by_tags(symbols.get(), tag);
   chafa_canvas_config_set_symbol_map(config.get(), symbols.get());
-  // of a terminal without colours: the paper is blank
+  // for terminals without colours
   chafa_canvas_config_set_fg_color(config.get(), 0x000000);
   chafa_canvas_config_set_bg_color(config.get(), 0xffffff);
   screen_ = std::make_unique<Screen>(

@@ -54,7 +54,7 @@ std::string machine_of(const StoredRun& run) {
          (threads == "1" ? " thread" : " threads");
 }
 
-/// Each reference with the methods that it is for, where there are several, and few methods.
+/// Includes methods if there are several references and few methods.
 std::vector<std::string> references_of(const StoredResults& results, const std::string& measure) {
   std::vector<std::pair<std::string, std::vector<std::string>>> methods;
   for (const StoredRun& run : results.runs) {
@@ -64,7 +64,7 @@ std::vector<std::string> references_of(const StoredResults& results, const std::
     if (found == methods.end()) found = methods.insert(methods.end(), {name, {}});
     add_once(found->second, run.method());
   }
-  constexpr std::size_t few = 7;  // methods, on one line below a chart
+  constexpr std::size_t few = 7;  // methods on a line
   std::size_t count = 0;
   for (const auto& [name, of] : methods) count += of.size();
   std::vector<std::string> all;
@@ -73,14 +73,13 @@ std::vector<std::string> references_of(const StoredResults& results, const std::
   return all;
 }
 
-/// What the errors of a measure are shares of, or their unit.
 void describe_errors(Chart& chart, const ChartErrors& errors, const StoredRun& run) {
   chart.relative = errors.relative(run);
   chart.unit = errors.unit(run);
   chart.dim = static_cast<int>(run.number("dim").value_or(2));
 }
 
-/// What all runs that have it agree in; empty where they differ.
+/// Empty if the runs differ.
 std::string common(const StoredResults& results, std::string_view column) {
   std::string value;
   for (const StoredRun& run : results.runs) {
@@ -92,7 +91,6 @@ std::string common(const StoredResults& results, std::string_view column) {
   return value;
 }
 
-/// Beside what was set for all runs, what they have in common and a legend may want.
 std::vector<std::string> fixed_in(const StoredResults& results) {
   std::vector<std::string> all;
   const auto is_set = [&](std::string_view name) {
@@ -145,7 +143,7 @@ std::optional<double> convergence_order(const std::vector<ChartPoint>& points) {
     xx_sum += x * x;
     xy_sum += x * y;
   }
-  const double spread = n * xx_sum - x_sum * x_sum;  // n² times the variance: all spacings differ
+  const double spread = n * xx_sum - x_sum * x_sum;  // n² times the variance, not 0
   if (n < 2) return std::nullopt;
   return (n * xy_sum - x_sum * y_sum) / spread;
 }

@@ -9,74 +9,65 @@
 
 namespace taut::cli {
 
-/// What a run costs.
 enum class Cost {
-  seconds,         // of solving, on the machine that ran it
-  particle_steps,  // particles × steps: the same on every machine
+  seconds,         // solving time on the run's machine
+  particle_steps,  // particles × steps
 };
-/// "seconds" and "steps", for people to choose from.
 std::vector<std::string> cost_names();
 /// Throws UsageError with the nearest names.
 Cost find_cost(const std::string& name);
-/// The axis.
 std::string label(Cost cost);
 
-/// What of the results a chart shows.
 struct ChartRequest {
-  std::string measure;  // empty: the default
+  std::string measure;  // empty: default
   Cost cost = Cost::seconds;
   std::vector<std::string> methods{};  // empty: all
-  std::string against{};  // a method whose finest run stands for a reference; empty: the scene's references
+  std::string against{};               // method whose finest run replaces references
 };
 
-/// One run.
 struct ChartPoint {
   double spacing = 0;           // m
-  std::optional<double> error;  // as in run.json; none: the run ended before, or has nothing to compare with
-  bool measured = true;         // there is a value, whether or not it has an error
-  double cost = 0;              // s, or particle-steps; 0: not known
+  std::optional<double> error;  // none: no value or no reference
+  bool measured = true;         // has a value, with or without an error
+  double cost = 0;              // s or particle-steps; 0: unknown
   std::string verdict{}, folder{};
-  std::string cfl{}, stepping{};  // of the time step, where the results tell
+  std::string cfl{}, stepping{};  // empty: unknown
   bool stable = true;
 };
 
-/// A method with one choice of everything else, from coarse to fine.
+/// Runs that differ in spacing only, from coarse to fine.
 struct ChartSeries {
   std::string name, method;
   std::vector<ChartPoint> points;
   std::optional<double> order;  // of convergence
 };
 
-/// Error and cost of the runs of one scene.
 struct Chart {
   std::string title, scene, measure;
-  std::string unit;      // of the errors; empty: a share, of the reference or of a length
-  bool relative = true;  // errors are shares of the reference
+  std::string unit;      // of the errors; empty: a share
+  bool relative = true;  // errors relative to the reference
   Cost cost = Cost::seconds;
   int dim = 2;
-  std::string against;                  // "oenog at 0.5 mm" in place of the references; empty: these count
-  std::vector<std::string> fixed;       // what all runs had: "single stepping", "until = 0.3"
-  std::vector<ChartSeries> series;      // methods in the order of the results
+  std::string against;             // "oenog at 0.5 mm"; empty: the references
+  std::vector<std::string> fixed;  // "single stepping", "until = 0.3"
+  std::vector<ChartSeries> series;
   std::vector<std::string> references;  // "finite elements (oenog, tl)"
   std::vector<std::string> machines;    // "AMD EPYC, 1 thread"
-  int without_result = 0;               // runs that have not ended
+  int without_result = 0;               // unfinished
 };
 
-/// Why a point has no error: "no reference", "no value", the verdict; empty where it has one.
+/// Why there is no error: such as "no reference", or the verdict.
 std::string without_error(const ChartPoint& point);
 
-/// "1.2 %" or "3 mm", as errors of this chart are.
+/// "1.2 %" or "3 mm".
 std::string shown_error(const Chart& chart, double error);
 
-/// Slope of the straight line through (log spacing, log error) of the stable runs, by least squares; none
-/// with fewer than two spacings.
+/// Least-squares slope of log error over log spacing of stable runs; none for fewer than two.
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 
-/// The default measure is the one that most runs have an error of, of equals the scene's first. When
-/// something happens (touch_time) hardly depends on how well the rest is computed, and errors with a unit are
-/// no share of anything: these come last. Throws UsageError for a measure that the scene has not (with the
-/// nearest names), or that has no error in any run; says why. Of a run that was done twice the faster one
-/// counts. Against a method's finest run, that run has no point itself.
+/// The default measure has an error in most runs, at a tie it is the scene's first; `*_time` and errors with a unit
+/// come last. Throws UsageError for an unknown measure, or one without any error. Of repeated runs, the cheapest
+/// counts. Reference runs have no point.
 Chart make_chart(const StoredResults& results, const ChartRequest& request);
 
 }  // namespace taut::cli

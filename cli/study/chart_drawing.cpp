@@ -14,13 +14,11 @@
 namespace taut::cli {
 namespace {
 
-constexpr std::size_t most_series = 24;  // whose names the picture has room for
-// pixels: of the field, of a row of the strip above it, of title, of axis and notes
-// of an axis: gnuplot computes with room beyond both ends
+constexpr std::size_t most_series = 24;  // in the legend
+// gnuplot needs room beyond an axis
 constexpr double least = 1e-290, greatest = 1e290;
 constexpr double field = 520, row = 17, above = 52, below = 69, note = 21;
 
-/// Least and greatest of positive numbers; what has no logarithm stands at the edge of the field.
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = 0;
 
@@ -29,7 +27,7 @@ struct Range {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  /// With a margin on both sides, and wide enough for two ticks.
+  /// Range wide enough for two ticks.
   Range wide() const {
     if (high == 0) return {0.13, 13};  // no tick at an end
     const double margin = std::max(1.4, std::sqrt(6 / (high / low)));
@@ -39,22 +37,20 @@ struct Range {
   double decades() const { return std::log10(high) - std::log10(low); }
 };
 
-/// Errors as drawn: shares in percent.
 double scale(const Chart& chart) { return chart.unit.empty() ? 100 : 1; }
 
 bool has_no_error(const ChartPoint& point) { return !point.error; }
 
 struct Layout {
   Range error, cost;
-  std::vector<std::string> names;  // of the series, as long as there is room for them
-  std::vector<CurveStyle> styles;  // of them
-  std::vector<int> strip_row;      // of each series, -1: none
+  std::vector<std::string> names;  // shortened
+  std::vector<CurveStyle> styles;
+  std::vector<int> strip_row;  // per series, -1: none
   int strip_rows = 0;
   int notes = 0;
 
   double foot() const { return below + note * notes; }
   double height() const { return above + row * strip_rows + field + foot(); }
-  /// The error at which a row of the strip stands; the topmost is the first.
   double in_strip(double rows_above_field) const {
     return error.high * std::pow(10, error.decades() * row * rows_above_field / field);
   }
@@ -81,7 +77,7 @@ Layout layout_of(const Chart& chart) {
   return layout;
 }
 
-/// 1, 2 and 5 of each decade, or its start alone where there are many decades, or of some of them.
+/// Ticks at 1, 2, 5 of each decade; in long ranges at powers of ten.
 std::string ticks(const Range& range, std::string (*show)(double)) {
   const bool many = range.decades() > 3.5;
   const int step = static_cast<int>(range.decades() / 10) + 1;
@@ -118,7 +114,6 @@ std::string frame(const Chart& chart, const Layout& layout) {
   return text;
 }
 
-/// The strip of the runs that have a cost but no error: a row for each of their series, with its name.
 std::string strip(const Layout& layout) {
   if (layout.strip_rows == 0) return "";
   std::string text = "set object rectangle from graph 0, first " + exact(layout.error.high) +
@@ -133,7 +128,7 @@ std::string strip(const Layout& layout) {
   return text;
 }
 
-/// With convergence of order p an error costs e^(−(dim + 1)/p): particles grow as 1/dp^dim, steps as 1/dp.
+/// At order p, error ∝ cost^(−p/(dim + 1)): particles grow as 1/dp^dim, steps as 1/dp.
 std::string guide(const Chart& chart, const Layout& layout, int order) {
   const double slope = -order / (chart.dim + 1.0);
   return exact(layout.error.centre()) + " * (x / " + exact(layout.cost.centre()) + ")**(" + exact(slope) +
@@ -141,8 +136,7 @@ std::string guide(const Chart& chart, const Layout& layout, int order) {
          " title 'slope of order " + std::to_string(order) + "'";
 }
 
-/// What draws the points of one series: thin line through all, thick one between those that were stable, then
-/// the markers of each kind.
+/// Thin line through all runs, thick line through stable runs, markers.
 std::vector<std::string> curve(const Chart& chart, const Layout& layout, std::size_t k) {
   const auto& points = chart.series[k].points;
   const CurveStyle& style = layout.styles[k];
@@ -188,7 +182,7 @@ std::vector<std::string> legend(const Chart& chart, const Layout& layout) {
     const CurveStyle& style = layout.styles[k];
     const auto& points = chart.series[k].points;
     all_stable &= std::ranges::all_of(points, &ChartPoint::stable);
-    if (std::ranges::all_of(points, has_no_error)) continue;  // its name stands beside its row of the strip
+    if (std::ranges::all_of(points, has_no_error)) continue;  // named in the strip
     all.push_back("keyentry with linespoints linewidth 2" + point_size("1.3") + " " + style.line() +
                   " pointtype " + std::to_string(style.filled) + " title " + plot_text(layout.names[k]));
   }

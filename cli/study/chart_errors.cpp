@@ -29,7 +29,7 @@ NameList methods_in(const StoredResults& results) {
   return names;
 }
 
-/// Of each scene that was swept the finest stable run of a method that has a value; of several the costliest.
+/// Per swept scene, the finest stable run of `method` with a value; at a tie, the one with most steps.
 ChartErrors against_finest(const StoredResults& results, const std::string& method,
                            const std::string& measure) {
   ChartErrors errors{measure, {}, names_of_scene(results.runs)};
@@ -63,7 +63,7 @@ bool has_errors(const StoredResults& results, const std::string& measure, const 
   return std::ranges::any_of(results.runs, [&](const StoredRun& run) { return errors.of(run).has_value(); });
 }
 
-/// It would be a difference of errors that --against has of it.
+/// Such a measure is itself an error; --against cannot use it.
 bool is_error(const StoredResults& results, const std::string& measure) {
   return std::ranges::any_of(results.runs, [&](const StoredRun& run) {
     return is_difference(run.text(measure_column(measure, "kind")));
@@ -82,7 +82,7 @@ std::string default_measure(const StoredResults& results, const NameList& charte
   return *std::ranges::min_element(charted, {}, rank);
 }
 
-/// The methods that others can be compared with.
+/// Suggests methods for --against.
 std::string hint(const StoredResults& results) {
   NameList names = methods_in(results);
   std::erase_if(names, [&](const std::string& method) {
@@ -94,7 +94,6 @@ std::string hint(const StoredResults& results) {
              : "; `taut chart --against METHOD` compares with the finest run of a method: " + join(names);
 }
 
-/// Of runs that have none yet.
 std::string not_ended(const StoredResults& results) {
   const auto count =
       std::ranges::count_if(results.runs, [](const StoredRun& run) { return !run.has_result(); });
@@ -103,7 +102,6 @@ std::string not_ended(const StoredResults& results) {
                           " runs have not ended";
 }
 
-/// Why there is no error of any measure.
 std::string nothing_charted(const StoredResults& results, const ChartRequest& request) {
   if (!request.against.empty())
     return "no stable run of " + request.against + " in the results of " + results.scene +

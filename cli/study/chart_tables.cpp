@@ -14,7 +14,7 @@
 namespace taut::cli {
 namespace {
 
-/// From coarse to fine.
+/// All spacings, from coarse to fine.
 std::set<double, std::greater<>> spacings(const Chart& chart) {
   std::set<double, std::greater<>> all;
   for (const ChartSeries& series : chart.series)
@@ -29,7 +29,6 @@ std::string error_cell(const Chart& chart, const ChartSeries& series, double spa
   return point->stable ? error : error + " (" + point->verdict + ")";
 }
 
-/// It is drawn where it has no logarithm.
 bool has_zero(const Chart& chart) {
   for (const ChartSeries& series : chart.series)
     for (const ChartPoint& point : series.points)
@@ -155,7 +154,7 @@ std::vector<std::string> footnotes(const Chart& chart) {
         reasons.push_back(why);
     if (!reasons.empty()) without.push_back(series.name + " (" + join(reasons, "; ") + ")");
   }
-  constexpr std::size_t longest = 130;  // letters, on one line with the rest of it
+  constexpr std::size_t longest = 130;  // characters per line
   std::size_t more = 0;
   for (; without.size() > 1 && join(without).size() > longest; ++more) without.pop_back();
   if (!without.empty())

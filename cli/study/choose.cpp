@@ -12,7 +12,7 @@ bool in_time(const ChartPoint& point, std::optional<double> seconds) {
   return !seconds || point.cost <= *seconds;
 }
 
-/// From fine to coarse.
+/// Offers of a series, from fine to coarse.
 std::vector<Offer> offers(const ChartSeries& series) {
   std::vector<Offer> all;
   double worst = 0;
@@ -57,7 +57,6 @@ std::string sources(const Chart& chart) {
   return "\nReference: " + join(chart.references, "; ") + "\nTime: " + join(chart.machines, "; ") + "\n";
 }
 
-/// What was taken among its neighbours in spacing, and what other methods would cost.
 std::string evidence(const Chart& chart, const std::vector<Offer>& all) {
   const std::vector<std::string> heading{"method", "spacing, m", "cfl", "error", "s", "verdict"};
   std::vector<std::vector<std::string>> own{heading}, others{heading};
@@ -74,7 +73,7 @@ std::string nothing_stable(std::optional<double> seconds) {
   return "There is no stable run with a measured error" + std::string(seconds ? " in this time" : "") + ".\n";
 }
 
-/// The stable run in time with the least error.
+/// The stable run with the least error.
 std::string nearest_run(const Chart& chart, const Wish& wish) {
   const ChartSeries* series = nullptr;
   const ChartPoint* nearest = nullptr;

@@ -9,32 +9,26 @@
 
 namespace taut::cli {
 
-/// What somebody asks of a run.
 struct Wish {
-  double error = 0;               // at most; a share, or in the chart's unit
-  std::optional<double> seconds;  // of solving, at most
+  double error = 0;               // a share or in the chart's unit
+  std::optional<double> seconds;  // of solving
 };
 
-/// A stable run with what the finer runs of its series say of it: where one of them fails, its own error was
-/// met by chance, and it is no offer.
+/// A stable run. If a finer run fails, its accuracy is accidental, and it is no offer.
 struct Offer {
   const ChartSeries* series;
   const ChartPoint* point;
-  double error = 0;  // the greatest of its own and theirs
-  int finer = 0;     // their number
+  double error = 0;  // greatest, also of finer runs
+  int finer = 0;     // number of finer runs
 };
 
-/// From each series the cheapest offer that grants the wish, the cheapest one first.
+/// Cheapest suitable run of each series, cheapest first.
 std::vector<Offer> grants(const Chart& chart, const Wish& wish);
-/// The offers that no other one beats in both error and cost, the cheapest one first: what is taken for one
-/// wish or another.
+/// Runs not beaten in both error and cost, cheapest first.
 std::vector<Offer> front(const Chart& chart, std::optional<double> seconds);
 
-/// For people: what to take, with the evidence; or that no run does, and how near the nearest comes.
 std::string advice(const Chart& chart, const Wish& wish);
-/// For people: what each accuracy costs.
 std::string price_list(const Chart& chart, std::optional<double> seconds);
-/// One object per offer.
 Json to_json(const std::vector<Offer>& offers);
 
 }  // namespace taut::cli

@@ -8,11 +8,10 @@
 namespace taut::cli {
 namespace {
 
-// far beyond what taut writes: a broken file must not ask for all of the memory
+// protects memory
 constexpr std::size_t most_columns = 10000;
 constexpr std::uintmax_t most_mebibytes = 256;
 
-/// Takes one line after the other from a text.
 class CsvReader {
  public:
   CsvReader(const std::string& text, const std::string& file) : text_(text), file_(file) {}
@@ -57,7 +56,7 @@ class CsvReader {
                                            text_.begin() + static_cast<long>(quote), '\n'));
       at_ = quote + 1;
       if (at_end() || text_[at_] != '"') return inside;
-      inside += '"';  // two of them stand for one
+      inside += '"';  // doubled quote
     }
   }
 
@@ -85,7 +84,7 @@ CsvTable parse_csv(const std::string& text, const std::string& file) {
 
 CsvTable read_csv(const std::filesystem::path& path) {
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);  // of a pipe there is none
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (!error && size > most_mebibytes << 20)
     throw UsageError("'" + path.string() + "' has " + std::to_string(size >> 20) + " MiB; at most " +
                      std::to_string(most_mebibytes) + " MiB are allowed");

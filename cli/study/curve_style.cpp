@@ -14,20 +14,18 @@
 namespace taut::cli {
 namespace {
 
-// Okabe and Ito's colours, which colour-blind readers tell apart too, with darker ones for their yellow and
-// black
+// Okabe and Ito, for colour-blind readers; darker for yellow and black
 constexpr std::array colors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                "#56B4E9", "#E69F00", "#6A3D9A", "#444444"};
-// disc, square, triangle, diamond, triangle on its head, pentagon; with eight colours no two of 24 methods
-// look alike
-constexpr std::array markers = {7, 5, 9, 13, 11, 15};  // filled; one less is open
+// disc, square, triangle, diamond, inverted triangle, pentagon
+constexpr std::array markers = {7, 5, 9, 13, 11, 15};  // filled; one less: open
 constexpr std::array dashes = {1, 2, 4, 3, 5};
 
-// viridis, without what is lost on white
+// viridis without its lightest colours
 constexpr std::array<std::array<double, 3>, 5> ramp = {
     {{68, 1, 84}, {62, 74, 137}, {38, 130, 142}, {53, 183, 121}, {144, 215, 65}}};
 constexpr std::array ramp_dashes = {1, 2, 4};
-constexpr std::size_t most_solid = 8;  // lines of this ramp that only colours tell apart
+constexpr std::size_t most_solid = 8;  // lines without dashes
 
 std::string ramp_color(double t) {
   const double place = t * (ramp.size() - 1);
@@ -39,7 +37,7 @@ std::string ramp_color(double t) {
   return color;
 }
 
-/// Its place in the list of methods; of one that is not there, such as of another version, any.
+/// Index in the catalogue; any number if unknown.
 std::size_t number_of(const std::string& method) {
   const auto all = methods();
   const auto found = std::ranges::find(all, method, &MethodInfo::name);
@@ -57,7 +55,7 @@ std::string CurveStyle::marker() const {
 
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& names) {
   std::vector<CurveStyle> all;
-  std::map<std::string, std::size_t> of_method, of_color;  // how many there are already
+  std::map<std::string, std::size_t> of_method, of_color;  // uses
   for (const std::string& method : names) {
     const std::size_t k = number_of(method);
     CurveStyle style{.color = colors[k % colors.size()]};

@@ -6,7 +6,7 @@
 
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
@@ -28,7 +28,7 @@ double finite_number(const std::string& text, const std::string& whole) {
                    "' is not a number; write NAME=VALUE±TOLERANCE, NAME<VALUE or NAME>VALUE, without units");
 }
 
-/// Offsets of the tolerance and of its number in `text`.
+/// Offsets of sign and number.
 std::optional<std::pair<std::size_t, std::size_t>> find_tolerance(const std::string& text) {
   for (const std::string_view sign : {"±", "+-", "+/-"})
     if (const std::size_t at = text.find(sign); at != std::string::npos) return {{at, at + sign.size()}};
@@ -40,7 +40,6 @@ bool is_measure(const StoredRun& run, const std::string& name) {
   return std::ranges::any_of(run.cells, [&](const auto& cell) { return cell.first.starts_with(prefix); });
 }
 
-/// The measures of a run, and the other numbers of run.json that can be checked.
 std::vector<std::string> names_in(const StoredRun& run) {
   std::vector<std::string> names;
   for (const auto& [column, value] : run.cells) {

@@ -22,11 +22,10 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
-/// Not one of the bytes that continue a letter.
+/// False for continuation bytes of UTF-8.
 bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
-/// The name of a file in the script's folder, as a string of gnuplot: a '|' or '<' in front would make it a
-/// command, a '-' an option; a line break would end the line. It is no text: letters without a font stay what they are.
+/// "./" protects from a leading '|', '<' or '-'. Control characters, and letters without a font, become octal.
 std::string plot_file(const fs::path& file) {
   const std::string name = file.filename().string();
   const bool drawable = with_letters_of_fonts(name) == name;
@@ -53,7 +52,7 @@ PlotFiles plot_files(const std::string& picture) {
 std::string plot_text(std::string_view text) {
   std::string result = "'";
   for (const char c : one_line(text)) {
-    if (c == '\'') result += c;  // two of them stand for one
+    if (c == '\'') result += c;  // doubled quote
     result += c;
   }
   return result + "'";
@@ -78,7 +77,7 @@ std::string shortened(const std::string& name) {
 }
 
 double text_width(std::string_view text, double size) {
-  constexpr double letter = 0.62;  // of DejaVu Sans, on average and a little more, of its size
+  constexpr double letter = 0.62;  // average, plus a margin
   return static_cast<double>(std::ranges::count_if(text, begins_letter)) * letter * size * 96 / 72;
 }
 
@@ -98,7 +97,7 @@ double right_margin(const std::vector<std::string>& names) {
 
 std::string plot_head(const PlotFiles& files, int width, int height) {
   const bool vector = files.picture.extension() == ".svg";
-  // SVG counts pixels where PNG counts points of 96 dots an inch, and its markers are as much larger
+  // SVG has pixels for points at 96 dpi
   return fmt::format(
       "{}"
       "data = {}\n"
@@ -122,7 +121,7 @@ std::string titled(std::string_view title) {
 }
 
 int font_that_fits(std::string_view text, double room, int size) {
-  constexpr double width = 0.56;  // of a letter, of its size in points at 96 dots an inch
+  constexpr double width = 0.56;  // at 96 dpi
   const auto letters = static_cast<double>(std::ranges::count_if(text, begins_letter));
   const double fits = room / (std::max(letters, 1.0) * width * 96 / 72);
   return static_cast<int>(std::clamp(std::floor(fits), smallest_font, static_cast<double>(size)));
@@ -136,7 +135,7 @@ std::string plot_note(std::string_view note, double height) {
 int draw_plot(const PlotFiles& files, const std::string& script, const std::string& data) {
   const fs::path picture = fs::absolute(files.picture);
   make_folder_of(files.picture);
-  const bool vector = picture.extension() == ".svg";  // whose fonts are those of whoever looks at it
+  const bool vector = picture.extension() == ".svg";  // the viewer has the fonts
   write_atomically(files.data(), vector ? data : with_letters_of_fonts(data));
   write_atomically(files.script(), vector ? script : with_letters_of_fonts(script));
   const std::string output = "picture = " + plot_file(unfinished(picture));

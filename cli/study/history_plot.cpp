@@ -26,7 +26,7 @@ std::size_t column_of(const CsvTable& table, const std::string& name) {
 std::vector<std::vector<double>> rows_of(const CsvTable& table, const std::vector<HistoryColumn>& columns) {
   std::vector<std::size_t> places;
   for (const HistoryColumn& column : columns) places.push_back(column_of(table, column.name));
-  constexpr double greatest = 1e290;  // gnuplot computes with the length of an axis and room beyond its ends
+  constexpr double greatest = 1e290;  // gnuplot needs room beyond an axis
   std::vector<std::vector<double>> rows;
   for (const auto& cells : table.rows) {
     rows.emplace_back();
@@ -45,7 +45,6 @@ std::vector<std::vector<double>> rows_of(const CsvTable& table, const std::vecto
   return rows;
 }
 
-/// Those of equal names are told apart by their folders.
 void tell_apart(HistoryPlot& plot, const std::vector<StoredRun>& runs) {
   std::map<std::string, int> uses;
   for (const HistoryPlot::Curve& curve : plot.curves) ++uses[curve.name];
@@ -55,7 +54,7 @@ void tell_apart(HistoryPlot& plot, const std::vector<StoredRun>& runs) {
           ", " + std::filesystem::absolute(runs[k].folder() + "/").parent_path().filename().string();
 }
 
-/// By what was swept, where that is one number: `plot DIR/*` gives runs by the names of their folders.
+/// Sorts by a single swept number; `plot DIR/*` sorts by folder name.
 void put_in_order(HistoryPlot& plot) {
   const auto number = [](const HistoryPlot::Curve& curve) {
     return parsed<double>(curve.name.substr(curve.name.rfind('=') + 1));
@@ -108,11 +107,11 @@ std::string history_data(const HistoryPlot& plot) {
 
 namespace {
 
-constexpr int above = 45, below = 30;            // pixels, around all panels
-constexpr int inside_top = 8, inside_foot = 34;  // of a panel
+constexpr int above = 45, below = 30;            // pixels
+constexpr int inside_top = 8, inside_foot = 34;  // pixels, per panel
 constexpr int name_height = 21, most_named = 100;
 
-/// A picture without panels whose legend may be as high as all of it.
+/// An empty plot, whose legend can use the full height.
 std::string legend(const std::vector<std::string>& names, const std::vector<CurveStyle>& styles, int total) {
   std::vector<std::string> entries{"NaN notitle"};
   for (std::size_t k = 0; k < names.size(); ++k)
@@ -125,14 +124,13 @@ std::string legend(const std::vector<std::string>& names, const std::vector<Curv
          "plot [0:1] [0:1] " + join(entries, ", \\\n     ") + "\nunset key\nset tics\n";
 }
 
-/// What all runs have in common, the method, stands in the title instead.
 bool is_of_one_method(const HistoryPlot& plot) {
   return plot.curves.size() > 1 && std::ranges::all_of(plot.curves, [&](const HistoryPlot::Curve& curve) {
            return curve.name.starts_with(plot.curves.front().method + ", ");
          });
 }
 
-/// About as long as gnuplot writes the numbers of an axis that holds these, pixels.
+/// Approximate width of tick labels, pixels.
 double width_of_ticks(const HistoryPlot& plot, std::size_t column) {
   double low = INFINITY, high = -INFINITY;
   for (const HistoryPlot::Curve& curve : plot.curves)
@@ -141,7 +139,7 @@ double width_of_ticks(const HistoryPlot& plot, std::size_t column) {
         low = std::min(low, row[column]), high = std::max(high, row[column]);
   if (!(high > low)) return text_width(fmt::format("{:g}", low), axis_font);
   const double power = std::pow(10, std::floor(std::log10(high - low)) - 1);
-  const double step = (high - low > 50 * power ? 5 : 2) * power;  // no wider than that of gnuplot
+  const double step = (high - low > 50 * power ? 5 : 2) * power;  // as wide as gnuplot's, or less
   std::vector<std::string> numbers;
   for (const double end : {low, high})
     for (const double way : {-2, -1, 0, 1, 2})
@@ -149,8 +147,6 @@ double width_of_ticks(const HistoryPlot& plot, std::size_t column) {
   return text_width(numbers, axis_font);
 }
 
-/// Where the panels begin, with the numbers of all of them and the labels to their left, as a share of the
-/// width.
 double left_margin(const HistoryPlot& plot) {
   constexpr double label = 44, least = 109;  // pixels
   double widest = 0;

@@ -5,8 +5,7 @@
 
 namespace taut::cli {
 
-/// The text (UTF-8) with '□' for each letter that no font of this system has: Pango, which draws the texts of gnuplot's
-/// PNG, has a box with its number for it, and that a thousand times too large.
+/// Replaces letters without a font by '□', for which Pango, in gnuplot's PNG, would draw huge boxes.
 std::string with_letters_of_fonts(std::string_view text);
 
 }  // namespace taut::cli

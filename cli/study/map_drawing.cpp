@@ -8,17 +8,16 @@
 
 #include "cli/study/curve_style.hpp"
 #include "cli/text/format.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 
 namespace taut::cli {
 namespace {
 
-/// A kind of cell: those of one verdict, or without any.
 struct Kind {
   std::string name, color;
 };
 
-/// From calm to alarming, and ever darker, so that grey will do; cells without a verdict come last.
+/// Colours darken with severity, for grey prints.
 std::vector<Kind> kinds() {
   constexpr std::array colors = {"#cfe8f3", "#fbdc7f", "#c9b0e6", "#ee8f4f", "#a3303f"};
   const std::vector<std::string> names = names_of_verdicts();
@@ -34,7 +33,6 @@ std::size_t kind_of(const MapCell& cell, const std::vector<Kind>& all) {
   return static_cast<std::size_t>(found == all.end() ? all.end() - all.begin() - 1 : found - all.begin());
 }
 
-/// Times in ms where they are short.
 struct TimeUnit {
   double scale;
   const char* name;
@@ -55,8 +53,7 @@ void each_cell(const StabilityMap& map, const Use& use) {
       if (map.cells[r][v]) use(r, v, *map.cells[r][v]);
 }
 
-/// The kinds of which the map has cells, in the order of their blocks in the data: gnuplot does not count a
-/// block without lines.
+/// Non-empty kinds: gnuplot does not count empty blocks.
 std::vector<std::size_t> kinds_in(const StabilityMap& map, const std::vector<Kind>& all) {
   std::vector<bool> there(all.size());
   each_cell(map, [&](std::size_t, std::size_t, const MapCell& cell) { there[kind_of(cell, all)] = true; });
@@ -66,19 +63,18 @@ std::vector<std::size_t> kinds_in(const StabilityMap& map, const std::vector<Kin
   return found;
 }
 
-/// What stands in a cell: since when its verdict holds, or why it has none.
 std::string shown(const MapCell& cell, const TimeUnit& unit) {
   if (cell.since) return fmt::format("{:.3g}", *cell.since * unit.scale);
   return cell.verdict.empty() ? cell.status : "";
 }
 
-/// Where things are, pixels.
+/// Layout, pixels.
 struct Page {
-  double left = 0, right = 0;  // of the cells
-  double cell = 0;             // width
-  int tick_step = 1;           // cells from one value that is written below to the next
-  int font = 0;                // of what stands in the cells, points; 0: nothing
-  int most_letters = 0;        // of it
+  double left = 0, right = 0;
+  double cell = 0;
+  int tick_step = 1;     // cells per label
+  int font = 0;          // points; 0: no text
+  int most_letters = 0;  // per cell
 };
 
 Page page_of(const StabilityMap& map) {
@@ -99,7 +95,6 @@ Page page_of(const StabilityMap& map) {
   return page;
 }
 
-/// The marker of each row's method, as charts have it.
 std::string row_markers(const StabilityMap& map) {
   std::vector<std::string> methods;
   for (const std::string& row : map.rows) methods.push_back(row.substr(0, row.find(',')));
@@ -111,7 +106,6 @@ std::string row_markers(const StabilityMap& map) {
   return text;
 }
 
-/// A tick at 1, 2, ... for each name, or for one of so many.
 std::string ticks(const std::vector<std::string>& names, std::size_t step = 1) {
   std::vector<std::string> all;
   for (std::size_t k = 0; k < names.size(); k += step)

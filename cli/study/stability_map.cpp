@@ -12,7 +12,6 @@
 namespace taut::cli {
 namespace {
 
-/// The names that were set in different ways, with all that a run can be asked for.
 struct SettingNames {
   std::vector<std::string> swept, all;
 };
@@ -46,7 +45,6 @@ std::string chosen_parameter(const std::vector<StoredRun>& runs, const std::stri
   throw UsageError("several parameters were swept (" + join(swept) + "); name one with --parameter");
 }
 
-/// Numbers ascend; what are not all numbers stay as they come.
 void sort_numbers(std::vector<std::string>& values) {
   const auto number = [](const std::string& text) { return parsed<double>(text); };
   if (std::ranges::all_of(values, [&](const std::string& text) { return number(text).has_value(); }))
@@ -67,7 +65,7 @@ MapCell cell_of(const StoredRun& run) {
   return cell;
 }
 
-/// Heads, then a row for each method: "hourglass 0.0031 s".
+/// Cells such as "hourglass 0.0031 s".
 std::vector<std::vector<std::string>> rows_of(const StabilityMap& map) {
   std::vector<std::vector<std::string>> rows{{map.label}};
   rows[0].insert(rows[0].end(), map.values.begin(), map.values.end());

@@ -11,7 +11,7 @@
 #include "cli/text/json_cursor.hpp"
 #include "cli/text/shown.hpp"
 #include "cli/text/suggest.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
@@ -19,9 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longest_title = 200;  // of scenes and sweeps
+constexpr std::size_t longest_title = 200;  // characters
 constexpr std::string_view parameter_prefix = "parameters.";
-constexpr std::string_view fixed_prefix = "fixed.";  // of what a sweep set for all of its runs
+constexpr std::string_view fixed_prefix = "fixed.";  // set for all runs
 
 fs::path results_file(const std::string& given) {
   std::error_code error;
@@ -57,7 +57,7 @@ std::vector<StoredRun> read_runs(const fs::path& file) {
   return runs;
 }
 
-/// What a table does not say: the title, the units of what was swept, and, given back, what was set for all.
+/// Adds title and units; returns common settings.
 StoredSettings add_names(const fs::path& table, StoredResults& results) {
   const std::string file = (table.parent_path() / "results.json").string();
   const auto text = read_whole(file);
@@ -91,7 +91,7 @@ std::string without_prefix(const std::string& column) {
   return column;
 }
 
-/// Columns that may tell runs apart: what was set comes first, what follows from it last.
+/// Settings first, then parameters that depend on them.
 std::vector<std::string> candidates(const std::vector<StoredRun>& runs) {
   std::vector<std::string> set, parameters;
   for (const StoredRun& run : runs)
@@ -136,7 +136,7 @@ std::vector<std::string> StoredResults::measures() const {
   for (const StoredRun& run : runs)
     for (const auto& [column, value] : run.cells) {
       if (!column.starts_with(prefix)) continue;
-      const std::size_t end = column.find('.', prefix.size());  // a name has no point
+      const std::size_t end = column.find('.', prefix.size());
       const std::string name = column.substr(prefix.size(), end - prefix.size());
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     }
@@ -176,7 +176,7 @@ StoredRun read_stored_run(const std::string& path) {
   std::error_code error;
   const fs::path file = fs::is_directory(path, error) ? fs::path(path) / "run.json" : fs::path(path);
   const auto text = read_whole(file);
-  // such as the results.csv beside the runs of a sweep
+  // e.g. results.csv
   const bool is_other = text && file.filename() != "run.json" && !text->starts_with('{');
   if (!text || is_other) throw UsageError("'" + path + "' is neither a run folder nor a run.json");
   const auto json = parse_run_json(*text, file.string(), names_of_verdicts());
@@ -216,18 +216,17 @@ std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs) {
   std::vector<std::string> names;
   for (const std::string& column : candidates(runs)) {
     const std::string name = without_prefix(column);
-    if (column.starts_with(parameter_prefix) || name == column) continue;  // not asked for
+    if (column.starts_with(parameter_prefix) || name == column) continue;  // not set
     if (of_the_way.contains(name) || name.starts_with("method.")) continue;
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
   return names;
 }
 
-/// Only what was asked for is known of a run that has not ended.
 std::string value_of(const StoredRun& run, const std::string& name) {
   for (const std::string_view prefix : {parameter_prefix, std::string_view(), set_prefix, fixed_prefix})
     if (const std::string value = run.text(std::string(prefix) + name); !value.empty()) return value;
-  return name == "jitter" ? "0" : "";  // which no table tells of layouts without
+  return name == "jitter" ? "0" : "";  // omitted without jitter
 }
 
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x) {

@@ -18,7 +18,7 @@
 namespace taut::cli {
 namespace {
 
-/// One text, or a list of them; none without the key.
+/// A text or a list.
 std::vector<std::pair<std::string, FilePlace>> texts(TomlCursor& section, std::string_view key) {
   const TomlValue* value = section.find(key);
   std::vector<std::pair<std::string, FilePlace>> all;
@@ -55,7 +55,7 @@ void check_name(const std::filesystem::path& file, std::string_view kind, const 
                    unknown_name(kind, name, {known.begin(), known.end()}));
 }
 
-/// A map has one parameter, which must be named where several are swept, and rows of methods.
+/// With several swept parameters, one must be named.
 void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& file, Shown shown) {
   const std::string& wanted = map.request.parameter;
   for (auto* names : {&shown.swept, &shown.varied}) std::erase(*names, "method");
@@ -69,7 +69,6 @@ void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& fi
                                        "); name one of them, such as parameter = \"" + all.front() + "\"");
 }
 
-/// Checks that some run has an error of the charted measure.
 void check_chart(const StudyPictures::Charted& chart, const std::filesystem::path& file, const Shown& shown) {
   const auto& [request, place] = chart;
   const auto fail = [&](const std::string& why) {

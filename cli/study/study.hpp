@@ -16,17 +16,7 @@
 
 namespace taut::cli {
 
-/// What a study, which is a sweep file with such sections, draws from its results:
-///
-///     [chart]                                          chart-least_diameter.png, chart-rebound_ratio.png
-///     measure = ["least_diameter", "rebound_ratio"]    one or more; without: chart.png, the default
-///     cost = "seconds"                                 or "steps"; default: seconds
-///     methods = ["enog", "tl"]                         default: all
-///     against = "oenog"                                its finest run stands for a reference
-///     [map]                                            map.png
-///     parameter = "v0"                                 default: the one that is swept beside the method
-///     [history]                                        history.png: over time, of all runs,
-///     tip = "tip, m"                                   columns of history.csv with the labels of their axes
+/// Sections [chart], [map] and [history] of a sweep file (cli/COMMANDS.md).
 struct StudyPictures {
   struct Named {
     std::string name;
@@ -41,42 +31,39 @@ struct StudyPictures {
     FilePlace place;
   };
   std::vector<Charted> charts;
-  std::vector<Named> methods;  // that the charts name
+  std::vector<Named> methods;
   std::optional<Mapped> map;
-  std::vector<HistoryColumn> history;  // empty: no such picture
+  std::vector<HistoryColumn> history;  // empty: none
 };
 
-/// The sections of a study as they stand. Throws SceneError.
+/// Throws SceneError.
 StudyPictures read_pictures(TomlCursor& root);
 
-/// What the runs of a study will have.
+/// Contents of a study's runs, known before they start.
 struct Shown {
   std::set<std::string> measures;
-  std::set<std::string> referenced;   // measures that a reference has something for, of some run
-  std::set<std::string> differences;  // measures that are one from a reference
+  std::set<std::string> referenced;   // with a reference
+  std::set<std::string> differences;  // from a reference
   std::set<std::string> methods;
-  std::set<std::string> columns;   // of history.csv
-  std::vector<std::string> swept;  // names of the grid, and those of them with several values
+  std::set<std::string> columns;  // of history.csv
+  std::vector<std::string> swept;
   std::vector<std::string> varied;
 };
 
-/// Throws SceneError, before anything runs, for what the pictures ask for and the runs will not have.
+/// Throws SceneError for pictures without data.
 void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file, const Shown& shown);
 
-/// Draws them from results.csv in `folder`, into `folder`. Gives the exit code. Throws UsageError,
-/// OutputError.
+/// Draws into `folder`; returns the exit code. Throws UsageError and OutputError.
 int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& folder, Streams streams);
 
-/// A chart of results.csv files; warns of what it leaves out. Throws UsageError.
+/// Warns of omitted runs. Throws UsageError.
 Chart read_chart(const std::vector<std::string>& results, const ChartRequest& request, std::ostream& err);
-/// Draws a chart from results.csv files, and prints the orders of convergence and where the picture is. Gives
-/// the exit code. Throws UsageError and OutputError.
+/// Draw a picture and print its files, also a table of a chart or map. Return the exit code. Throw UsageError and
+/// OutputError.
 int draw_chart(const std::vector<std::string>& results, const ChartRequest& request, const PlotFiles& files,
                Streams streams);
-/// The same with histories of all runs.
 int draw_history(const StoredResults& results, const std::vector<HistoryColumn>& columns,
                  const HistoryColumn& x, const PlotFiles& files, Streams streams);
-/// The same with a map, and its table.
 int draw_map(const std::vector<std::string>& results, const MapRequest& request, const PlotFiles& files,
              Streams streams);
 

@@ -8,7 +8,7 @@
 namespace taut::cli {
 namespace {
 
-/// "0.2543 s (0.07 %)": value, unit and error of a measure.
+/// "0.2543 s (0.07 %)": value, error.
 std::string measure_cell(const StoredRun& run, const std::string& measure) {
   const auto value = run.number(measure_column(measure, "value"));
   if (!value) return "-";
@@ -20,7 +20,6 @@ std::string measure_cell(const StoredRun& run, const std::string& measure) {
   return text;
 }
 
-/// The measures of every run that has a result.
 std::string measures_of_runs(const StoredResults& results) {
   const std::vector<std::string> columns = distinguishing_columns(results.runs, ""),
                                  measures = results.measures();

@@ -41,7 +41,7 @@ exec @SWEEP@
 )"},
 };
 
-/// For sh: as it stands where that is safe, else in single quotes.
+/// Quotes a word for sh if necessary.
 std::string quoted(const std::string& word) {
   const auto plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
@@ -59,7 +59,6 @@ std::string command(const std::vector<std::string>& arguments) {
   return join(words, " ");
 }
 
-/// A line break would end a comment.
 std::string one_line(std::string text) {
   std::ranges::replace_if(
       text, [](unsigned char c) { return c < ' '; }, ' ');

@@ -6,19 +6,18 @@
 
 namespace taut::cli {
 
-/// A shell script that has the runs of a sweep done one by one, elsewhere.
+/// A shell script for the runs of a sweep.
 struct EmitForm {
-  std::string_view name;  // for --emit
+  std::string_view name;
   std::string_view file;  // in the sweep's folder
-  std::string_view text;  // with @WORD@ where a value goes in
+  std::string_view text;  // with @WORD@ for values
 };
 
 std::vector<std::string> emit_names();
-/// Throws UsageError, with the nearest names.
+/// Throws UsageError with the nearest names.
 const EmitForm& find_emit_form(const std::string& name);
 
-/// The script for a sweep of `runs` runs of `threads` threads each. `sweep` are the words of its command,
-/// without --index; without that it also gathers the results.
+/// Each run has `threads` threads. `sweep`: command without --index, which also collects results.
 std::string emit_script(const EmitForm& form, const std::string& title, int runs, int threads,
                         const std::vector<std::string>& sweep);
 

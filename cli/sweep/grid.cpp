@@ -21,7 +21,6 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-/// Parts between separators that stand outside brackets.
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
   int depth = 0;
@@ -40,14 +39,14 @@ double end_of_range(const std::string& part, const std::string& range) {
   try {
     value = evaluate(part, {});
   } catch (const ExpressionError&) {
-    // the message below says it all
+    // reported below
   }
   if (!std::isfinite(value))
     throw UsageError("'" + range + "' is not a range lo:hi:step: '" + part + "' is not a number");
   return value;
 }
 
-/// A value that round-off has moved by less than 1e-12 of the range's greatest number.
+/// Removes errors below 1e-12 of `greatest`.
 std::string without_round_off(double value, double greatest) {
   if (std::abs(value) < 1e-12 * greatest) return "0";
   std::array<char, 32> digits{};

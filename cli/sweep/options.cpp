@@ -21,12 +21,12 @@ std::string path_of_program() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) return program.string();
-  // without /proc the name by which it was started, which is no name in PATH but a path
+  // without /proc: the path at the start
   return fs::absolute(reinterpret_cast<const char*>(::getauxval(AT_EXECFN))).string();
 }
 
 bool draws(const SweepOptions& o) {
-  // the times of frames are those of saved particles as well
+  // also the times of saved particles
   const bool times_of_frames = !o.run.save_particles && (o.run.frames || o.run.every);
   return o.render || times_of_frames || o.run.drawing.any();
 }
@@ -52,7 +52,7 @@ SweepRequest request_of_file(const SweepOptions& o) {
   request.file = file.path;
   request.base = o.run;
   request.base.scene = file.scene;
-  // the command line is stronger
+  // the command line has priority
   std::erase_if(file.set, [&](const Setting& s) {
     return std::ranges::find(o.run.settings, s.name, &Setting::name) != o.run.settings.end();
   });
@@ -110,7 +110,7 @@ std::vector<std::string> lasting_words(const Options& command) {
       if (!option.is_positional())
         words.push_back(option.name() + (option.takes_value() ? "=" + value : ""));
       else
-        words.push_back(value.starts_with('-') ? "./" + value : value);  // a file, and no option
+        words.push_back(value.starts_with('-') ? "./" + value : value);  // a file
     }
   }
   return words;

@@ -9,11 +9,10 @@
 
 namespace taut::cli {
 
-/// The options of `taut sweep` as typed.
 struct SweepOptions {
-  std::string what;  // a sweep file or a scene
+  std::string what;  // sweep file or scene
   std::vector<std::string> grid;
-  RunOptions run;  // of every run
+  RunOptions run;  // for every run
   std::optional<std::string> emit, fail_on;
   std::optional<int> jobs, index;
   bool list = false, force = false, render = false, quiet = false;
@@ -21,11 +20,10 @@ struct SweepOptions {
 
 void declare_sweep_options(Options& command, SweepOptions& options);
 
-/// Reads the sweep file or the grid. Throws UsageError and SceneError.
+/// Throws UsageError and SceneError.
 SweepRequest make_request(const SweepOptions& options);
 
-/// The words of the command as given, without what belongs to this call of it alone, such as --list; an
-/// option and its value are one word.
+/// The command without options such as --list; an option and its value are one word.
 std::vector<std::string> lasting_words(const Options& command);
 
 }  // namespace taut::cli

@@ -20,14 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Two scene.toml. How it would be drawn makes no other run where nothing is drawn; `taut render` leaves it there.
+/// Compares scene.toml files. Without frames, drawing settings may differ, e.g. by `taut render`.
 bool are_of_one_run(const std::string& one, const std::string& other, bool drawn) try {
   return one == other || (!drawn && undrawn(one) == undrawn(other));
 } catch (const SceneError&) {
   return false;
 }
 
-/// The options of one run, `without` one of its settings.
 RunOptions options_of(const SweepRequest& request, const GridRow& row, const Setting* without = nullptr) {
   RunOptions options = request.base;
   for (const GridRow* settings : {&request.set, &row})
@@ -37,10 +36,10 @@ RunOptions options_of(const SweepRequest& request, const GridRow& row, const Set
   return options;
 }
 
-/// Throws what only shows once the particles are made.
+/// Throws errors that only particles reveal.
 void check_particles(const SceneFile& file) try {
   Settings settings = file.settings;
-  settings.threads = 1;  // a process that has had several cannot be forked
+  settings.threads = 1;  // processes with threads cannot be forked
   make_simulation(file.scene, settings);
 } catch (const SceneError& error) {
   throw locate(file, error);
@@ -55,7 +54,7 @@ bool is_wrong(const RunOptions& options) try {
   return true;
 }
 
-/// The setting without which nothing would be wrong; nullptr if there is none.
+/// The setting whose removal makes the run valid, or nullptr.
 const Setting* culprit(const SweepRequest& request, const GridRow& row) {
   for (const GridRow* settings : {&request.set, &row})
     for (const Setting& s : *settings)
@@ -63,7 +62,7 @@ const Setting* culprit(const SweepRequest& request, const GridRow& row) {
   return nullptr;
 }
 
-/// Tells what is wrong with the run `row` where the user wrote it.
+/// Reports an error at the place of its cause.
 [[noreturn]] void report(const SweepRequest& request, const GridRow& row, const std::string& what) {
   const std::string message = what + " (in the run " + text_of(row) + ")";
   if (request.file.empty()) throw UsageError(message);
@@ -72,13 +71,13 @@ const Setting* culprit(const SweepRequest& request, const GridRow& row) {
   throw SceneError(request.file.string(), place.line, place.column, setting ? setting->name : "", message);
 }
 
-/// Steps times particles, up to a factor that all runs share.
+/// Particles × steps, up to a factor.
 double work_of(const SceneFile& file) {
   const Scene& scene = file.scene;
   return scene.until / (file.settings.cfl * std::pow(scene.spacing, scene.dim + 1));
 }
 
-/// Refuses a name that has one value for all runs and others for each.
+/// Refuses names both fixed and swept.
 void check_base(const SweepRequest& request) {
   std::set<std::string> fixed;
   for (const std::vector<Setting>* settings : {&request.base.settings, &request.set})
@@ -100,7 +99,6 @@ void check_folder(const fs::path& folder) {
                      "' contains files that are not from a sweep; name another folder with --out");
 }
 
-/// What pictures of a run of the sweep can show.
 void add_shown(Shown& shown, const SceneFile& file) {
   for (const Measure& measure : file.scene.measures) {
     shown.measures.insert(measure.name);
@@ -121,10 +119,10 @@ void add_swept(Shown& shown, const std::string& name, const std::vector<GridRow>
   if (values.size() > 1) shown.varied.push_back(name);
 }
 
-/// Two spacings of a grid may be rounded to one, which is then run twice.
+/// Detects runs made equal by rounded spacings.
 class Spacings {
  public:
-  /// What there is to say of it, mostly nothing.
+  /// Returns a remark or "".
   std::string add(const GridRow& row, double fitted) {
     GridRow others = row;
     std::erase_if(others, [](const Setting& s) { return s.name == "spacing"; });
@@ -189,7 +187,7 @@ void SweepRun::read_folder() {
   const bool same = found->version == build_info.version &&
                     are_of_one_run(read_whole(files.scene()).value_or(""), scene, last_frame >= 0);
   const bool failed = found->status == Status::failed;
-  // a run that failed without diverging could not write its files
+  // other failed runs could not write their files
   const bool ended = found->status == Status::finished || (failed && found->verdict == Verdict::diverged);
   std::error_code error;
   const bool drawn = last_frame < 0 || fs::exists(files.frame(failed ? 0 : last_frame), error);
@@ -230,7 +228,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
     try {
       const RunPlan planned = make_plan(run.options);
       const SceneFile& file = planned.file;
-      // whether a method can run the scene at all takes particles to tell
+      // once per combination, since particles are created
       if (combinations.emplace(file.settings.method, file.scene.contact).second) check_particles(file);
       if (!file.remark.empty()) plan.remarks.insert(file.remark);
       if (const std::string same = spacings.add(row, file.scene.spacing); !same.empty())

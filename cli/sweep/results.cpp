@@ -12,7 +12,7 @@
 namespace taut::cli {
 namespace {
 
-constexpr std::array left_out = {"taut", "format", "provenance"};  // of run.json
+constexpr std::array left_out = {"taut", "format", "provenance"};  // from run.json
 constexpr std::array times = {"threads", "machine", "seconds", "particle_steps_per_second"};
 
 std::string status(const SweepRun& run) {
@@ -41,7 +41,7 @@ Json run_json(const SweepRun& run) {
   return json;
 }
 
-/// The leaves of a tree, with their paths; in the order of the tree.
+/// Leaves of a tree with their paths.
 using Cells = std::vector<Json::Member>;
 
 void flatten(const Json& value, const std::string& path, Cells& cells) {
@@ -53,7 +53,7 @@ void flatten(const Json& value, const std::string& path, Cells& cells) {
     flatten(inner, path.empty() ? key : path + "." + key, cells);
 }
 
-/// The columns of all rows: one that a row brings along stands behind the one that it follows there.
+/// A new column follows its predecessor in its row.
 std::vector<std::string> columns_of(const std::vector<Cells>& rows) {
   std::vector<std::string> columns;
   for (const Cells& row : rows) {
@@ -84,7 +84,7 @@ std::string measure_cell(const SweepRun& run, const std::string& measure) {
   return value && run.state == RunState::done ? brief(value->number()) : "-";
 }
 
-/// The names of the measures with their units.
+/// Names without and with units.
 std::vector<std::pair<std::string, std::string>> measures_of(const SweepPlan& plan) {
   std::vector<std::pair<std::string, std::string>> all;
   for (const SweepRun& run : plan.runs) {
@@ -95,7 +95,7 @@ std::vector<std::pair<std::string, std::string>> measures_of(const SweepPlan& pl
       const std::string unit = found ? found->text() : "";
       all.emplace_back(name, unit.empty() || unit == "1" ? name : name + ", " + unit);
     }
-    break;  // all runs are of one scene
+    break;  // all runs have one scene
   }
   return all;
 }

@@ -13,10 +13,9 @@
 namespace taut::cli {
 namespace {
 
-constexpr double look_interval = 2.0;  // s between two looks at how far the runs are
+constexpr double look_interval = 2.0;  // s between readings of progress
 
-/// What the child does: `taut run`, silently. Single runs of a sweep may be asked for by several programs: what
-/// another one has done meanwhile is not done again.
+/// `taut run` in a child process, without output, unless another program has done the run.
 int run_alone(SweepRun run) {
   const auto work = [&]() -> int {
     const Stopwatch setup;
@@ -31,7 +30,6 @@ int run_alone(SweepRun run) {
   return guarded(work, std::cerr);
 }
 
-/// The last line of what a child printed: its error.
 std::string last_line(std::string text) {
   text.erase(text.find_last_not_of('\n') + 1);
   text.erase(0, text.rfind('\n') + 1);
@@ -39,14 +37,14 @@ std::string last_line(std::string text) {
   return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
 }
 
-/// How far a run is, from what it notes in its run.json.
+/// Progress, from run.json.
 double share_done(const SweepRun& run) {
   const std::optional<StoredRecord> record = read_record(RunFolder(*run.options.out).record());
   if (!record || record->status != RunRecord::Status::running || !record->reached || !record->until) return 0;
   return std::clamp(*record->reached / *record->until, 0.0, 1.0);
 }
 
-/// A bug is graver than a full disk, and a full disk graver than a wrong input.
+/// Bug, then output error, then input error.
 int gravest(int a, int b) {
   for (const int code : {exit_bug, exit_not_written, exit_wrong_input})
     if (a == code || b == code) return code;
@@ -103,7 +101,7 @@ void SweepRunner::finish(Job& job) {
   job.process.reset();
   SweepRun& run = *job.run;
   run.read_folder();
-  // asked to stop, it has either done so in good order or not yet begun
+  // an interrupted run ended properly or has not begun
   const bool stopped = passed_on_ && (end.code == exit_by_signal(SIGTERM) || end.signal == SIGTERM);
   if (run.state != RunState::done && !stopped) {
     const bool by_signal = end.signal != 0;

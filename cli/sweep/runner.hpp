@@ -11,20 +11,17 @@
 
 namespace taut::cli {
 
-/// How a sweep ended.
 struct SweepEnd {
   bool interrupted = false;
-  int code = 0;  // the gravest exit code of a run that is `broken`; 0: there is none
+  int code = 0;  // gravest exit code of broken runs
 };
 
-/// What a sweep tells of while it runs.
 struct SweepEvents {
-  std::function<void(const SweepRun&)> ended;  // a run has, with its new state
-  std::function<void()> waiting;               // about ten times a second
+  std::function<void(const SweepRun&)> ended;
+  std::function<void()> waiting;  // about ten times a second
 };
 
-/// Runs some runs of a sweep, `jobs` at a time, each in a process of its own. The longest ones start first,
-/// so that no core waits at the end for a long one that began last.
+/// Does `jobs` runs at a time in processes; long runs first, to keep cores busy.
 class SweepRunner {
  public:
   SweepRunner(std::vector<SweepRun*> runs, int jobs, const Interrupts& interrupts, Progress& progress,
@@ -36,7 +33,7 @@ class SweepRunner {
   struct Job {
     SweepRun* run;
     std::unique_ptr<ChildProcess> process;
-    double share = 0;  // of the run
+    double share = 0;  // done, 0 to 1
   };
   bool may_start() const;
   void wait_for_something();
@@ -44,7 +41,7 @@ class SweepRunner {
   void pass_on_interrupt();
   void show_progress();
 
-  std::vector<SweepRun*> waiting_;  // the next one is the last
+  std::vector<SweepRun*> waiting_;  // the last one starts next
   std::size_t jobs_;
   const Interrupts& interrupts_;
   Progress& progress_;

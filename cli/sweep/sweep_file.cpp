@@ -17,7 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = TomlValue::Kind;
 
-/// What a table sets: settings of one value each, or axes.
 class SettingsReader {
  public:
   explicit SettingsReader(TomlCursor& table) : table_(table) {}
@@ -42,7 +41,7 @@ class SettingsReader {
   }
 
  private:
-  /// method.zeta = 3 is a table `method` to TOML.
+  /// TOML reads method.zeta = 3 as a table `method`.
   void refuse_table(const TomlEntry& entry) const {
     if (entry.value.kind != Kind::table || entry.value.entries.empty()) return;
     const std::string name = entry.key + "." + entry.value.entries.front().key;
@@ -83,7 +82,7 @@ class SettingsReader {
   TomlCursor& table_;
 };
 
-/// A path is seen from the sweep file; else it is a name.
+/// Path relative to the sweep file, or name.
 std::string find_scene_of(TomlCursor& root, const fs::path& file) {
   const std::string scene = root.text("scene");
   std::error_code error;

@@ -24,7 +24,7 @@ namespace {
   throw OutputError(path.string(), std::string("cannot be written: ") + std::strerror(error));
 }
 
-/// 0 or the errno of the failure; write(2) may take less than it was given.
+/// Returns 0 or an errno.
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t taken = ::write(descriptor, text.data(), text.size());
@@ -35,20 +35,19 @@ int write_all(int descriptor, std::string_view text) {
   return 0;
 }
 
-/// Unless the environment says TAUT_FSYNC=off: for runs that nobody keeps.
 bool waits_for_the_disk() {
   static const char* const asked = std::getenv("TAUT_FSYNC");
   return !asked || std::string_view(asked) != "off";
 }
 
-/// 0 or an errno. Not every file system can be waited for.
+/// Returns 0 or an errno; 0 if the file system cannot sync.
 int sync(int descriptor) {
   if (!waits_for_the_disk()) return 0;
   if (::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP) return 0;
   return errno;
 }
 
-/// 0 or an errno. What may not be read cannot be waited for either.
+/// Returns 0 or an errno; 0 if `path` may not be read.
 int sync(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return errno == EACCES ? 0 : errno;
@@ -57,10 +56,9 @@ int sync(const fs::path& path) {
   return error;
 }
 
-/// The folder that lists `path`.
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
 
-/// Holds the file until it is closed; where files cannot be locked, nothing.
+/// Does nothing if the file system has no locks.
 void wait_for_lock(int descriptor) {
   while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
   }
@@ -73,21 +71,20 @@ bool still_named(int descriptor, const std::string& path) {
          own.st_ino == named.st_ino;
 }
 
-/// A new file, locked, whatever stands there: what a killed program has left, or a link that somebody has laid;
-/// but one that is being written by another process is waited for. −1 and errno on failure.
+/// Creates and locks a file; removes an abandoned one, waits for another writer. Returns −1 with errno on failure.
 int open_new(const std::string& path) {
-  constexpr int most = 1000;  // others that come in between
+  constexpr int most = 1000;
   for (int k = 0; k < most; ++k) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno != EEXIST) return descriptor;
     if (descriptor >= 0) {
       wait_for_lock(descriptor);
-      if (still_named(descriptor, path)) return descriptor;  // nobody took it for left behind before
+      if (still_named(descriptor, path)) return descriptor;
       ::close(descriptor);
       continue;
     }
     const int other = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (other < 0 && errno == ENOENT) continue;  // it has its name by now
+    if (other < 0 && errno == ENOENT) continue;  // the other writer has renamed it
     if (other >= 0) wait_for_lock(other);
     const bool left_behind = other < 0 || still_named(other, path);
     if (left_behind && ::unlink(path.c_str()) != 0 && errno != ENOENT) {
@@ -102,7 +99,7 @@ int open_new(const std::string& path) {
   return -1;
 }
 
-/// A folder beside the one to be written, on the same file system; gone when done, with whatever is in it.
+/// A temporary folder beside `folder`, removed by the destructor.
 class Beside {
  public:
   Beside(const fs::path& folder, const char* what)
@@ -122,12 +119,11 @@ class Beside {
   fs::path path_;
 };
 
-/// 0 or an errno.
 int rename_folder(const fs::path& from, const fs::path& to) {
   return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// 0 or an errno. In one step where the file system can; else `folder` is missing for a moment.
+/// Returns 0 or an errno. If the file system cannot exchange folders, `folder` is missing for a moment.
 int put_in_place(const fs::path& fresh, const fs::path& folder) {
   if (!fs::exists(folder)) return rename_folder(fresh, folder);
   if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return 0;
@@ -147,7 +143,7 @@ void write_atomically(const fs::path& path, std::string_view text, Kept kept) {
   if (descriptor < 0) fail(path, errno);
   int error = write_all(descriptor, text);
   if (error == 0 && kept == Kept::on_disk) error = sync(descriptor);
-  // what a file system says only now; the lock stays
+  // closing a copy reports late errors and keeps the lock
   if (const int other = ::dup(descriptor); other >= 0 && ::close(other) != 0 && error == 0) error = errno;
   if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
   if (error != 0) ::unlink(temporary.c_str());
@@ -174,7 +170,7 @@ std::vector<fs::path> make_folders(const fs::path& folder) {
   std::error_code error;
   fs::path inner = folder.has_filename() ? folder : folder.parent_path();  // "a/b/" is "a/b"
   for (; !inner.empty() && !fs::exists(inner, error); inner = inner.parent_path()) made.push_back(inner);
-  // somebody may remove an empty folder in between, and then it is said to be there and not to be there
+  // retry, because another process may remove an empty folder
   constexpr int most = 100;
   for (int k = 0; k < most; ++k)
     if (fs::create_directories(folder, error);
@@ -189,7 +185,7 @@ void make_folder_of(const fs::path& file) { make_folders(fs::absolute(file).pare
 
 std::optional<std::string> read_whole(const fs::path& path) {
   std::error_code error;
-  if (!fs::is_regular_file(path, error)) return std::nullopt;  // a device has no end
+  if (!fs::is_regular_file(path, error)) return std::nullopt;  // a device may have no end
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(file), {});
@@ -224,7 +220,6 @@ AppendFile::~AppendFile() { ::close(descriptor_); }
 void AppendFile::append(std::string_view line) {
   const std::string text = std::string(line) + '\n';
   if (const int error = write_all(descriptor_, text)) {
-    // best effort: what is left of the line goes, the error is reported in any case
     if (::ftruncate(descriptor_, length_) != 0) fail(path_, error);
     fail(path_, error);
   }
@@ -232,7 +227,6 @@ void AppendFile::append(std::string_view line) {
 }
 
 void write_whole_folder(const fs::path& folder, const std::vector<fs::path>& files) {
-  // "a/b/" and "a/b" are the same folder, but not with something behind
   const fs::path target = (fs::absolute(folder) / "").lexically_normal().parent_path();
   const Beside fresh(target, "tmp");
   std::error_code error;

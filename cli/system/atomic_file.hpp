@@ -9,16 +9,14 @@
 
 namespace taut::cli {
 
-/// What a file that has been written outlives. On disk it is there after a power cut too, at the cost of waiting
-/// for the disk: for what cannot be made again, or says that other files are complete.
+/// `on_disk` survives power cuts but is slow: for files that cannot be made again or mark others as complete.
 enum class Kept { from_crashes, on_disk };
 
-/// Writes a file that others see either in its old or in its new state, never half: a temporary file beside
-/// it, renamed when complete. Throws OutputError and leaves no temporary file.
+/// Writes a temporary file and renames it, so other processes see the old or the new file. Throws OutputError.
 void write_atomically(const std::filesystem::path& path, std::string_view text,
                       Kept kept = Kept::from_crashes);
 
-/// While it lives, others who write this file wait: for a file that another program makes. Throws OutputError.
+/// Locks a file that another program writes, so that other writers wait. Throws OutputError.
 class WriteTurn {
  public:
   explicit WriteTurn(const std::filesystem::path& path);
@@ -31,22 +29,19 @@ class WriteTurn {
   int descriptor_;
 };
 
-/// Waits until what a file holds, or what a folder lists, is on disk; not where somebody has taken it away.
-/// Throws OutputError.
+/// Waits for the disk; accepts a missing path. Throws OutputError.
 void put_on_disk(const std::filesystem::path& path);
 
-/// Makes a folder and those that it is in; what was made is on disk. Gives those that were not there, the
-/// innermost first. Throws OutputError.
+/// Returns the new folders, innermost first, after they are on disk. Throws OutputError.
 std::vector<std::filesystem::path> make_folders(const std::filesystem::path& folder);
 
-/// The folder that a file is to stand in. Throws OutputError.
+/// Throws OutputError.
 void make_folder_of(const std::filesystem::path& file);
 
-/// All bytes of a file; none if it cannot be read, or is a folder or a device.
+/// Returns nullopt for unreadable files, folders and devices.
 std::optional<std::string> read_whole(const std::filesystem::path& path);
 
-/// A file that grows by whole lines: each one is handed to the system at once, and a line that did not fit is
-/// taken back, so that neither a crash nor a full disk leaves half a line.
+/// A file that grows by whole lines: crashes and full disks leave no partial line.
 class AppendFile {
  public:
   enum class Start { empty, as_it_is };
@@ -55,15 +50,14 @@ class AppendFile {
   AppendFile(const AppendFile&) = delete;
   AppendFile& operator=(const AppendFile&) = delete;
 
-  /// `line` without its end. Throws OutputError.
+  /// Adds a line end. Throws OutputError.
   void append(std::string_view line);
-  /// Bytes of the lines that are complete.
+  /// Size of the complete lines, bytes.
   std::int64_t length() const { return length_; }
-  /// UsageError if there are not as many bytes.
+  /// Throws UsageError if the file is shorter.
   void check_holds(std::int64_t length) const;
-  /// Takes back what stands behind the first `length` bytes. UsageError if there are not as many.
+  /// Keeps the first `length` bytes. Throws UsageError if the file is shorter.
   void cut(std::int64_t length);
-  /// Waits until all lines are on disk.
   void put_on_disk() const;
 
  private:
@@ -72,9 +66,8 @@ class AppendFile {
   std::int64_t length_ = 0;
 };
 
-/// Makes a folder of copies of `files`, or puts them in place of all that is in it. Others see the folder
-/// either in its old or in its new state, never half, after a power cut too. Throws OutputError and leaves the
-/// old state.
+/// Fills a folder with copies of `files` only. Others see the old or the new folder, also after a power cut. Throws
+/// OutputError.
 void write_whole_folder(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 }  // namespace taut::cli

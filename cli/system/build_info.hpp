@@ -9,11 +9,10 @@ struct Library {
   std::string_view name, version;
 };
 
-/// Facts of this build, from cli/build_info.cmake.
 struct BuildInfo {
-  std::string_view version;   // "0.2.0"
-  std::string_view commit;    // 12 digits, then "-dirty" if a file differs from it; "unknown" without git
-  std::string_view compiler;  // "GNU 12.2.0"
+  std::string_view version;
+  std::string_view commit;  // 12 digits, "-dirty" with changes; "unknown" without git
+  std::string_view compiler;
   std::span<const Library> libraries;
 };
 extern const BuildInfo build_info;

@@ -31,19 +31,19 @@ sigset_t interrupting_signals() {
   return set;
 }
 
-/// Locks and teams of other threads would never come free in a child.
+/// A child would never get locks that other threads hold.
 void check_no_threads() {
-  std::error_code no_proc;  // then nothing can be counted
+  std::error_code no_proc;
   const std::filesystem::directory_iterator threads("/proc/self/task", no_proc);
   if (!no_proc && std::distance(begin(threads), end(threads)) > 1)
     throw std::logic_error("a process with several threads cannot be forked");
 }
 
-/// The first thing a child does, with what interrupts blocked: what a terminal sends stays so.
+/// SIGINT and SIGHUP stay blocked in the child.
 void settle(pid_t parent, int output) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(1);  // it has died in between
-  // until the work has its own handler, a SIGTERM just ends the child
+  if (::getppid() != parent) ::_exit(1);
+  // SIGTERM ends the child until `work` sets a handler
   std::signal(SIGTERM, SIG_DFL);
   sigset_t terminate;
   sigemptyset(&terminate);
@@ -59,7 +59,7 @@ ChildProcess::ChildProcess(const std::function<int()>& work) {
   check_no_threads();
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno);
-  std::cout.flush();  // else the child would print it once more
+  std::cout.flush();  // else the child would print it again
   std::cerr.flush();
   const sigset_t blocked = interrupting_signals();
   sigset_t before;
@@ -72,7 +72,7 @@ ChildProcess::ChildProcess(const std::function<int()>& work) {
     const int code = work();
     std::cout.flush();
     std::cerr.flush();
-    ::_exit(code);  // nothing of the parent's is to be tidied up here
+    ::_exit(code);  // no destructors of the parent's objects
   }
   ::sigprocmask(SIG_SETMASK, &before, nullptr);
   ::close(ends[1]);
@@ -91,7 +91,7 @@ ChildProcess::~ChildProcess() {
 }
 
 bool ChildProcess::read_output() {
-  constexpr std::size_t most = 1 << 16;  // bytes that are kept
+  constexpr std::size_t most = 1 << 16;  // bytes kept
   std::array<char, 4096> part{};
   const ssize_t taken = ::read(output_, part.data(), part.size());
   if (taken < 0) return errno == EINTR;

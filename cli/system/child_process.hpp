@@ -6,33 +6,27 @@
 
 namespace taut::cli {
 
-/// Work in a process of its own, so that a crash there or a signal to it is no more than an exit code here.
-/// It is forked and goes on in this program, which must not have a second thread then.
-///
-/// The child dies with its parent, however that ends. It does not see a Ctrl-C of the terminal, nor its end: they
-/// are the parent's to pass on, once, with `ask_to_stop`.
+/// Runs a function in a forked process, so that a crash there only gives an exit code. The parent must have one
+/// thread. The child dies with its parent, but ignores Ctrl-C and SIGHUP; the parent must call `ask_to_stop`, once.
 class ChildProcess {
  public:
-  /// `work` returns the exit code; what it prints is kept. Throws UsageError when the system has no room for
-  /// another process.
+  /// `work` returns the exit code; its output is kept. Throws UsageError if no process can be started.
   explicit ChildProcess(const std::function<int()>& work);
-  ~ChildProcess();  // kills a child that is still at work
+  ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Readable when the child has printed something or has ended.
+  /// Readable on output or end of the child.
   int descriptor() const { return output_; }
-  /// Takes what is there to read, to be called when there is; false: the child has ended.
+  /// Call if `descriptor` is readable. Returns false after the end of the child.
   bool read_output();
-  /// SIGTERM.
   void ask_to_stop() const;
 
   struct End {
-    int code = 0;    // as returned by `work`
-    int signal = 0;  // that killed it; 0: none did
+    int code = 0;
+    int signal = 0;  // that killed the child, or 0
     std::string output;
   };
-  /// Waits for the end.
   End wait();
 
  private:

@@ -12,7 +12,7 @@ namespace taut::cli {
 
 namespace {
 
-/// "file:line:column: message", as compilers have it, with what is known.
+/// "file:line:column: message", as in compilers.
 std::string with_place(const SceneError& e) {
   std::string place = e.file;
   if (e.line > 0) place += ":" + std::to_string(e.line);
@@ -50,7 +50,7 @@ int guarded(const std::function<int()>& action, std::ostream& err) {
   try {
     return action();
   } catch (const SceneError&) {
-    err << current_failure().message << '\n';  // begins with the file, as compilers have it
+    err << current_failure().message << '\n';
     return exit_wrong_input;
   } catch (...) {
     const Failure failure = current_failure();

@@ -21,10 +21,9 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-constexpr std::size_t most_errors = 4096;  // bytes kept of what a program says
-constexpr int patience = 100;              // ms between two looks for an interrupt
+constexpr std::size_t most_errors = 4096;  // bytes kept of stderr
+constexpr int patience = 100;              // ms between checks for interrupts
 
-/// The two ends of a pipe.
 class Pipe {
  public:
   Pipe() {
@@ -49,7 +48,6 @@ class Pipe {
   std::array<int, 2> ends_{};
 };
 
-/// 0 or an errno.
 int spawn(const std::vector<std::string>& arguments, const fs::path& folder, int errors, pid_t& process) {
   std::vector<char*> raw;
   for (const std::string& argument : arguments) raw.push_back(const_cast<char*>(argument.c_str()));
@@ -65,7 +63,7 @@ int spawn(const std::vector<std::string>& arguments, const fs::path& folder, int
   return error;
 }
 
-/// Reads until the program closes its stderr, and ends it when interrupted.
+/// Reads stderr to its end. An interrupt stops the program.
 void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResult& result) {
   std::array<char, 1024> buffer{};
   while (true) {
@@ -83,7 +81,6 @@ void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResu
   }
 }
 
-/// The last lines of `text`, indented.
 std::string last_lines(const std::string& text) {
   constexpr int shown = 5;
   std::vector<std::string> lines;

@@ -8,32 +8,28 @@
 
 namespace taut::cli {
 
-/// How a program that was started has ended.
 struct ProcessResult {
-  bool found = true;     // it is installed
-  bool stopped = false;  // by an interrupt
-  int code = 0;          // its exit code, or 128 + the signal that ended it
-  std::string errors;    // the end of what it wrote to stderr
+  bool found = true;
+  bool stopped = false;
+  int code = 0;        // exit code, or 128 + signal
+  std::string errors;  // end of stderr
 };
 
-/// Runs a program, found by its name in PATH, in `folder`, without a shell: no argument has a special
-/// meaning. Its stdin and stdout are empty. An interrupt ends it.
+/// Runs a program from PATH in `folder`, without shell, stdin and stdout. An interrupt stops it.
 ProcessResult run_process(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                           const Interrupts& interrupts);
 
-/// Another program that makes a file.
 struct Maker {
-  std::string name;     // in PATH
+  std::string name;
   std::string purpose;  // "movies"
-  std::string package;  // of Debian
+  std::string package;
 };
 
 /// "a/movie.mp4" → "a/movie.part.mp4": programs take the format from the extension.
 std::filesystem::path unfinished(const std::filesystem::path& file);
 
-/// Runs `maker` in `folder` with arguments that make it write unfinished(file), which gets its name when it
-/// is whole. Gives the exit code: fine or interrupted. Throws OutputError when the program is not installed
-/// or fails; then there is no such file.
+/// Runs `maker`, which writes unfinished(file), and renames this file. Returns exit_fine or the code of an interrupt.
+/// Throws OutputError if the program is missing or fails.
 int make_file(const Maker& maker, const std::vector<std::string>& arguments,
               const std::filesystem::path& folder, const std::filesystem::path& file);
 

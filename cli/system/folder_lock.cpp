@@ -25,15 +25,15 @@ namespace {
 
 struct Kind {
   const char* file;
-  short lock;  // F_WRLCK or F_RDLCK
-  bool stays;  // the file, when the lock is given up
+  short lock;
+  bool stays;  // the file remains after unlocking
 };
 constexpr std::array kinds = {Kind{run_lock_name, F_WRLCK, false},  // in the order of FolderLock::Of
                               Kind{"sweep.lock", F_WRLCK, true}, Kind{"sweep.lock", F_RDLCK, true}};
 
 const Kind& kind(FolderLock::Of of) { return kinds[static_cast<std::size_t>(of)]; }
 
-/// A lock of the open file, not of the process: children that are still at work hold it as well.
+/// Locks the open file, so that running children hold the lock, too.
 int lock(int descriptor, short type) {
   struct flock whole {};
   whole.l_type = type;
@@ -48,11 +48,11 @@ bool knows_no_locks(int error) {
   return std::ranges::find(all, error) != all.end();
 }
 
-/// As the text of the file has it: a line each.
+/// Lock holder; the file has one line per member.
 struct Holder {
   std::string command, process, host, since;
 
-  /// It is of this machine and has ended: whoever has the lock now is a child of it that is about to go.
+  /// True if the process ended on this machine: only a dying child still holds the lock.
   bool has_ended() const {
     pid_t id = 0;
     std::from_chars(process.data(), process.data() + process.size(), id);
@@ -60,13 +60,12 @@ struct Holder {
   }
 };
 
-/// Nothing but letters, so that no file can do more than be read.
+/// Removes control characters, which terminals obey.
 std::string printable(std::string text) {
   std::erase_if(text, [](char c) { return c < ' ' || c == 127; });
   return text;
 }
 
-/// Empty texts where the file does not say.
 Holder read_holder(int descriptor) {
   std::array<char, 1024> text{};
   const ssize_t size = ::pread(descriptor, text.data(), text.size(), 0);
@@ -107,7 +106,7 @@ FolderLock::FolderLock(const fs::path& folder, Of of, std::string_view command, 
 }
 
 FolderLock::~FolderLock() {
-  // while it is ours: nobody else has locked this file then
+  // still locked: no other process uses this file
   if (!kind(of_).stays && is_still_there()) ::unlink(file_.c_str());
   ::close(descriptor_);
   std::error_code filled;
@@ -115,7 +114,7 @@ FolderLock::~FolderLock() {
     if (!fs::remove(folder, filled)) break;
 }
 
-/// With some patience: the children of a program that was killed need a moment to go.
+/// Waits, because children of a killed program need a moment to end.
 int FolderLock::acquire() {
   using namespace std::chrono_literals;
   for (auto waited = 0ms;; waited += 20ms) {
@@ -131,11 +130,11 @@ int FolderLock::try_once() {
     open();
     const int error = lock(descriptor_, kind(of_).lock);
     if (error != 0 || is_still_there()) return error;
-    ::close(descriptor_);  // the one who had it has taken the file away, and others lock the next one
+    ::close(descriptor_);  // the former holder removed the file; others lock a new one
   }
 }
 
-/// Follows no link and takes no pipe: the folder may be a stranger's, and the file is written to.
+/// Refuses links and pipes: the folder may belong to another user.
 void FolderLock::open() {
   const auto fail = [this](const std::string& reason) { throw OutputError(file_.string(), reason); };
   constexpr int how = O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
@@ -145,7 +144,7 @@ void FolderLock::open() {
     const std::vector<fs::path> made = make_folders(file_.parent_path());
     made_.insert(made_.begin(), made.begin(), made.end());
     descriptor_ = ::open(file_.c_str(), how, 0666);
-    if (descriptor_ < 0 && errno != ENOENT) break;  // the one who had it may have taken the folder away
+    if (descriptor_ < 0 && errno != ENOENT) break;  // the former holder may have removed the folder
   }
   if (descriptor_ < 0) fail(std::string("cannot be opened: ") + std::strerror(errno));
   struct stat found {};
@@ -154,7 +153,7 @@ void FolderLock::open() {
   fail("is not a lock file of taut");
 }
 
-/// Under its name.
+/// Returns whether the path still names the locked file.
 bool FolderLock::is_still_there() const {
   struct stat ours {
   }, there{};
@@ -162,7 +161,7 @@ bool FolderLock::is_still_there() const {
          ours.st_ino == there.st_ino && ours.st_dev == there.st_dev;
 }
 
-/// Of parts of a sweep there are several: none of them.
+/// Writes nothing for parts of a sweep, which share the lock.
 void FolderLock::say_who(std::string_view command) const {
   std::array<char, 32> since{};
   const std::time_t now = std::time(nullptr);
@@ -173,7 +172,7 @@ void FolderLock::say_who(std::string_view command) const {
                            "\n" + since.data() + "\n";
   const bool told = ::ftruncate(descriptor_, 0) == 0 &&
                     (of_ == Of::part_of_sweep || ::pwrite(descriptor_, text.data(), text.size(), 0) > 0);
-  static_cast<void>(told);  // on a full disk it keeps out all the same
+  static_cast<void>(told);  // on a full disk the lock works without text
 }
 
 }  // namespace taut::cli

@@ -7,14 +7,14 @@
 namespace taut::cli {
 namespace {
 
-// what a signal handler may touch must live here
+// the only state that the signal handler uses
 std::atomic<int> last_signal = 0;
 std::atomic<bool> at_once = false;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 extern "C" void on_signal(int number) {
   if (at_once.load()) {
-    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, "\n", 1);  // where progress has a line
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, "\n", 1);
     ::_exit(exit_by_signal(number));
   }
   if (last_signal.load() == 0)
@@ -34,7 +34,7 @@ Interrupts::Interrupts() {
   ::sigaction(SIGINT, &action, &old_interrupt_);
   ::sigaction(SIGTERM, &action, &old_terminate_);
   ::sigaction(SIGHUP, nullptr, &old_hang_up_);
-  if (old_hang_up_.sa_handler != SIG_IGN) ::sigaction(SIGHUP, &action, nullptr);  // else it is under nohup
+  if (old_hang_up_.sa_handler != SIG_IGN) ::sigaction(SIGHUP, &action, nullptr);  // ignored under nohup
   action.sa_handler = SIG_IGN;
   ::sigaction(SIGPIPE, &action, &old_pipe_);
 }
@@ -48,7 +48,7 @@ Interrupts::~Interrupts() {
 
 Interrupts::AtOnce::AtOnce() {
   at_once.store(true);
-  if (asked()) ::_exit(exit_code());  // the signal came before this
+  if (asked()) ::_exit(exit_code());
 }
 Interrupts::AtOnce::~AtOnce() { at_once.store(false); }
 

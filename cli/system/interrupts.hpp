@@ -5,10 +5,8 @@
 
 namespace taut::cli {
 
-/// While it lives, the first Ctrl-C, SIGTERM or SIGHUP (the terminal is closed) only sets a flag, so that a run
-/// can stop in good order; a second one ends the program at once, but for SIGHUP, which shells send twice. Files
-/// stay whole either way: each is written beside and renamed. A reader of its streams that goes away does not
-/// end it.
+/// While an object exists, the first Ctrl-C, SIGTERM or SIGHUP only sets a flag, so that a run can stop after its
+/// step. A second one ends the program, except SIGHUP, which shells send twice. SIGPIPE is ignored.
 class Interrupts {
  public:
   Interrupts();
@@ -16,8 +14,7 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// While it lives, already the first ends the program, and one that has come before ends it here: for work
-  /// that takes long, looks at no flag, and has touched no file yet.
+  /// While an object exists, a first or earlier signal ends the program: for long work that checks no flag.
   class AtOnce {
    public:
     AtOnce();
@@ -26,14 +23,13 @@ class Interrupts {
     AtOnce& operator=(const AtOnce&) = delete;
   };
 
-  /// Both keep what they say when it has gone, until there is a new one: who looks only before that misses
-  /// the signal that comes meanwhile.
+  /// Keeps its value until the next object, so that no signal is missed.
   static bool asked() { return flag() != 0; }
-  /// By SIGTERM or SIGHUP: all is to end, not only what is going on.
+  /// By SIGTERM or SIGHUP: the program must end, not only the command.
   static bool asked_to_end();
-  /// 128 + the signal that asked.
+  /// 128 + signal.
   static int exit_code();
-  /// The signal, or 0; for whoever is to stop in the middle of a long piece of work.
+  /// The signal, or 0; long work can check it.
   static const std::atomic<int>& flag();
 
  private:

@@ -11,28 +11,24 @@
 
 namespace taut::cli {
 
-/// Work beside the caller, several pieces at once. A piece has two halves: the first is done anywhere, the
-/// second when its turn has come, after those of all pieces that were added before.
-///
-/// Where a piece fails, the second halves of those behind it are left out.
+/// Runs pieces of work in threads: first halves in any order, second halves in the order of `add`, until a failure.
 class OrderedWork {
  public:
   using SecondHalf = std::function<void()>;
-  /// `worker` counts from 0: two pieces that are done at once have different ones.
+  /// `worker` counts from 0 and differs between concurrent pieces.
   using Piece = std::function<SecondHalf(int worker)>;
 
-  /// With 0 workers the caller does it all, in `add`.
+  /// With 0 workers, `add` does all work.
   explicit OrderedWork(int workers);
-  /// Pieces that nobody has begun are dropped.
+  /// Drops pieces that have not begun.
   ~OrderedWork();
   OrderedWork(const OrderedWork&) = delete;
   OrderedWork& operator=(const OrderedWork&) = delete;
 
-  /// Of pieces that are not done; with that many `add` waits.
+  /// Number of unfinished pieces at which `add` waits.
   int room() const { return 3 * static_cast<int>(workers_.size()); }
-  /// Throws what a piece has thrown, the first of them.
+  /// Throws the first error of a piece.
   void add(Piece piece);
-  /// Waits until all is done. Throws as `add` does.
   void finish();
 
  private:
@@ -40,11 +36,11 @@ class OrderedWork {
   void do_seconds(std::unique_lock<std::mutex>& lock);
   void throw_failure() const;
 
-  std::mutex mutex_;  // of all that follows
+  std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Piece> waiting_;
-  std::map<long, SecondHalf> seconds_;     // by the numbers of their pieces
-  long added_ = 0, begun_ = 0, done_ = 0;  // pieces
+  std::map<long, SecondHalf> seconds_;  // by number of the piece
+  long added_ = 0, begun_ = 0, done_ = 0;
   bool is_closing_ = false;
   std::exception_ptr failure_;
   std::vector<std::thread> workers_;

@@ -13,12 +13,12 @@
 namespace taut::cli {
 namespace {
 
-/// The greatest instruction set of kernels that this machine supports; kernels without such a build use the next one.
+/// Greatest instruction set of this machine; kernels without such a build use the next one.
 std::string_view instruction_set() {
   return has_x86_64_v4() ? "x86-64-v4" : has_x86_64_v3() ? "x86-64-v3" : "baseline";
 }
 
-/// Program and arguments; of a run of a sweep, those of the sweep.
+/// In a run of a sweep, the command of the sweep.
 Json command_line() {
   const std::string text = read_whole("/proc/self/cmdline").value_or("");
   Json words = Json::array();

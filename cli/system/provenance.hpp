@@ -15,15 +15,15 @@ struct FileFormat {
   int number;
 };
 
-/// Format number of each kind of file. Raise it when a reader of the old format misreads the new one; for
-/// checkpoint.bin also when a `serialize` changes, or when a step gives other bytes.
+/// Raise a number if old readers would misread the new format; for checkpoint.bin also if a `serialize` or the bytes
+/// of a step change.
 inline constexpr std::array<FileFormat, 7> file_formats{{{"run.json", 1},
                                                          {"results.json", 1},
                                                          {"results.csv", 1},
                                                          {"history.csv", 1},
                                                          {"lines.csv", 1},
                                                          {"particles", 1},
-                                                         {"checkpoint.bin", 13}}};
+                                                         {"checkpoint.bin", 14}}};
 
 consteval int format_of(std::string_view file) {
   for (const FileFormat& format : file_formats)
@@ -31,15 +31,14 @@ consteval int format_of(std::string_view file) {
   throw "no such kind of file";
 }
 
-/// Output of `taut --version`; the first line contains only name, version and commit.
+/// Text of --version; the first line has name, version and commit.
 std::string version_text();
 
 std::string host_name();
 
-/// Origin of a record: the build, and the process from the construction of this object on.
+/// Origin of a record: the build, and the process since construction.
 class Provenance {
  public:
-  /// The object for run.json, with the times up to now.
   Json to_json() const;
 
  private:

@@ -5,7 +5,6 @@
 
 namespace taut::cli {
 
-/// Seconds of wall clock since it was made.
 class Stopwatch {
  public:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -15,7 +14,7 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// CPU seconds of all threads of the process since it was made.
+/// CPU time of all threads.
 class CpuStopwatch {
  public:
   double seconds() const { return now() - start_; }
@@ -29,7 +28,7 @@ class CpuStopwatch {
   double start_ = now();
 };
 
-/// Adds its own lifetime to `total`, in seconds.
+/// Adds its lifetime to `total`, s.
 class Timed {
  public:
   explicit Timed(double& total) : total_(total) {}
@@ -42,8 +41,7 @@ class Timed {
   Stopwatch watch_;
 };
 
-/// Wall clock of the parts of a run, s. `write` holds all files and the sums that history.csv shows. Of
-/// frames that are drawn by several threads, `render` and `write` hold the time of all these together.
+/// Wall clock of a run, s. `render` and `write` are sums over threads; `write` includes history rows and verdicts.
 struct Seconds {
   double setup = 0, solve = 0, render = 0, write = 0;
 };

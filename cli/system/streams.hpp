@@ -4,7 +4,7 @@
 
 namespace taut::cli {
 
-/// Where a command prints: results to `out`; progress, warnings and errors to `err`.
+/// Results go to `out`; progress, warnings and errors to `err`.
 struct Streams {
   std::ostream& out;
   std::ostream& err;

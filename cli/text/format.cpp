@@ -12,7 +12,7 @@
 namespace taut::cli {
 namespace {
 
-/// Columns that UTF-8 text takes on a terminal: continuation bytes take none.
+/// Continuation bytes of UTF-8 take no column.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
@@ -21,7 +21,7 @@ std::size_t width(const std::string& text) {
 }  // namespace
 
 std::string exact(double value) {
-  if (std::isnan(value)) return "nan";  // never -nan, which says nothing more
+  if (std::isnan(value)) return "nan";
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   return {text.data(), end};
@@ -86,7 +86,6 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t col
 
 namespace {
 
-/// Lines of at most `columns`, at least one.
 std::vector<std::string> lines_of(const std::string& text, std::size_t columns) {
   std::vector<std::string> lines;
   std::istringstream whole(wrapped(text, 0, columns));
@@ -95,7 +94,6 @@ std::vector<std::string> lines_of(const std::string& text, std::size_t columns) 
   return lines;
 }
 
-/// One line of a table: cells padded to `widths`, no blanks at its end.
 std::string table_line(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths,
                        int indent) {
   std::string line(static_cast<std::size_t>(indent), ' ');
@@ -108,7 +106,7 @@ std::string table_line(const std::vector<std::string>& cells, const std::vector<
 
 std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent,
                        std::optional<std::size_t> columns) {
-  std::vector<std::size_t> padded, full;  // widths without and with the last cells of the rows
+  std::vector<std::size_t> padded, full;  // without and with the last cell of each row
   for (const auto& row : rows) {
     padded.resize(std::max(padded.size(), row.size()));
     full.resize(padded.size());
@@ -124,7 +122,7 @@ std::string in_columns(const std::vector<std::vector<std::string>>& rows, int in
     for (const auto& row : rows) text += table_line(row, padded, indent);
     return text;
   }
-  // the widest column takes the room that the others leave
+  // the widest column gets the rest
   constexpr std::size_t least = 24;
   const auto widest = static_cast<std::size_t>(std::ranges::max_element(full) - full.begin());
   const std::size_t others = all - full[widest] - 2;

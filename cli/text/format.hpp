@@ -9,7 +9,7 @@
 
 namespace taut::cli {
 
-/// The number that all of `text` is, finite or not; none if it is no number.
+/// Returns nullopt if `text` as a whole is no number; accepts inf and nan.
 template <class Number>
 std::optional<Number> parsed(std::string_view text) {
   Number value{};
@@ -18,15 +18,15 @@ std::optional<Number> parsed(std::string_view text) {
   return error == std::errc() && end == last ? std::optional(value) : std::nullopt;
 }
 
-/// The shortest text that reads back as the same number.
+/// Shortest text that reads back exactly.
 std::string exact(double value);
-/// At most four digits, for people.
+/// At most four digits.
 std::string brief(double value);
-/// At most six digits, for people who compare.
+/// At most six digits.
 std::string six_digits(double value);
-/// "4.1 M", for rates.
+/// "4.1 M".
 std::string with_prefix(double value);
-/// "12 %" of a share.
+/// "12 %".
 std::string percent(double share);
 /// "0:07" or "1:02:03".
 std::string clock_time(double seconds);
@@ -34,14 +34,13 @@ std::string join(const std::vector<std::string>& words, std::string_view between
 /// "a, b or c".
 std::string join_with_or(std::vector<std::string> words);
 
-/// The same for a text on every machine (FNV-1a).
+/// The same on every machine (FNV-1a).
 std::uint64_t hash_of(std::string_view text);
 
-/// Rows of cells in columns, with two blanks between columns and `indent` blanks before the first. A table wider than
-/// `columns` wraps the cells of its widest column.
+/// Separates columns by two blanks. A table wider than `columns` wraps its widest column.
 std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent = 2,
                        std::optional<std::size_t> columns = {});
-/// Words of `text` on lines of at most `columns`, each after `indent` blanks, without a newline at the end.
+/// No newline at the end.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns);
 
 /// "NAME_00012.EXTENSION"

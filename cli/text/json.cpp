@@ -60,7 +60,7 @@ Json from_library(const Library& value) {
   throw UsageError("'" + file + "' " + what);
 }
 
-/// Checks the events of a parser.
+/// Rejects repeated keys and deep nesting.
 class Watch {
  public:
   explicit Watch(const std::string& file) : file_(file) {}
@@ -77,7 +77,7 @@ class Watch {
 
  private:
   const std::string& file_;
-  std::vector<std::set<std::string>> keys_;  // of the objects that are open
+  std::vector<std::set<std::string>> keys_;  // of the open objects
 };
 
 }  // namespace

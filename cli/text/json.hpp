@@ -13,7 +13,7 @@
 
 namespace taut::cli {
 
-/// A JSON value. Members of an object keep their order.
+/// A JSON value; objects keep their order.
 class Json {
  public:
   using Member = std::pair<std::string, Json>;
@@ -24,14 +24,13 @@ class Json {
   Json(Integer value)
       : value_(
             static_cast<std::conditional_t<std::is_signed_v<Integer>, std::int64_t, std::uint64_t>>(value)) {}
-  /// A number that is not finite is written as null.
+  /// Non-finite numbers are written as null.
   Json(double value) : value_(value) {}
   Json(std::optional<double> value);
   Json(const char* text) : Json(std::string_view(text)) {}
   Json(std::string_view text) : value_(std::string(text)) {}
   Json(std::string text) : value_(std::move(text)) {}
   Json(const std::vector<std::string>& texts);
-  /// An object.
   Json(std::initializer_list<Member> members);
   Json(const Json&);
   Json(Json&&) noexcept;
@@ -55,19 +54,19 @@ class Json {
   const std::string& text() const { return std::get<std::string>(value_); }
   const std::vector<Json>& items() const { return std::get<std::vector<Json>>(value_); }
   const std::vector<Member>& members() const { return std::get<std::vector<Member>>(value_); }
-  /// nullptr if this is no object or has no such key.
+  /// Returns nullptr if missing.
   const Json* find(std::string_view key) const;
 
-  /// The member of an object, null if it is new. A null becomes an object.
+  /// Adds a missing member. Null becomes an object.
   Json& operator[](std::string_view key);
-  /// Appends to an array. A null becomes an array.
+  /// Null becomes an array.
   void add(Json item);
-  /// A copy of an object with the members of another object that it lacks.
+  /// Returns a copy with the missing members of `other`.
   Json with(const Json& other) const;
 
-  /// On one line; with `indent`, each value on its own line. Replaces bytes that are not UTF-8.
+  /// With `indent`, one value per line. Replaces invalid UTF-8.
   std::string dump(int indent = -1) const;
-  /// The values without members or items, with JSON pointers such as "/measures/period/value".
+  /// All leaf values by JSON pointer: "/measures/period/value".
   std::vector<Member> leaves() const;
 
   const auto& value() const { return value_; }
@@ -78,11 +77,10 @@ class Json {
       value_;
 };
 
-/// The JSON that a file contains. Throws UsageError if `text` is not JSON, is nested more than 64 levels deep, which
-/// no file of taut is, or repeats a key in an object.
+/// Throws UsageError for text that is not JSON, repeats a key, or has more than 64 levels.
 Json parse_json(const std::string& text, const std::string& file);
 
-/// A number if the text is a JSON number, else a text.
+/// A number if the text is a JSON number.
 Json number_or_text(const std::string& text);
 
 }  // namespace taut::cli

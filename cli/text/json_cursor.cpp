@@ -52,6 +52,7 @@ const std::vector<KeyOfRun>& keys_of_run() {
       {{"verdict"}, choice_of_verdict},
       {{"since", "*"}, number},
       {{"beyond_law", "*"}, number},
+      {{"warnings", "*", "*"}, number},
       {{"indicators"}, object},
       {{"conservation", "*"}, number},
       {{"energy_note"}, text},
@@ -77,7 +78,6 @@ void check(const JsonCursor& value, Kind kind, const std::vector<std::string>& v
   if (kind == Kind::choice_of_verdict) value.choice(verdicts);
 }
 
-/// The values at `key` from its `part` on.
 void check_below(const JsonCursor& value, const KeyOfRun& key, std::size_t part,
                  const std::vector<std::string>& verdicts) {
   if (part == key.path.size()) return check(value, key.kind, verdicts);

@@ -10,28 +10,27 @@
 
 namespace taut::cli {
 
-/// Typed access to a value of a JSON file. Every error is a UsageError with the file, the path of the key
-/// ("measures.period.value"), what is there and what may be.
+/// Typed access to JSON. Throws UsageError with the path ("measures.period.value"), the actual and the allowed value.
 class JsonCursor {
  public:
-  /// Both live longer than the cursor.
+  /// The arguments must outlive the cursor.
   JsonCursor(const Json& value, const std::string& file, std::string path = "");
 
   const std::string& path() const { return path_; }
   bool is_null() const;
-  /// Of an object. A key that is not there is null.
+  /// A missing key is null.
   JsonCursor at(const std::string& key) const;
-  /// Of an object or an array; of null none.
+  /// Empty for null.
   std::vector<std::pair<std::string, JsonCursor>> members() const;
   std::vector<JsonCursor> items() const;
-  /// "" of null.
+  /// "" for null.
   std::string text() const;
-  /// A number as it stands in the file, or a text.
+  /// Returns a number as text.
   std::string number_or_text() const;
 
   void check_object() const;
   void check_number_or_null() const;
-  /// "" of null.
+  /// "" for null.
   std::string choice(const std::vector<std::string>& allowed) const;
   [[noreturn]] void fail(const std::string& allowed) const;
 
@@ -41,8 +40,7 @@ class JsonCursor {
   std::string path_;
 };
 
-/// The run.json of a run of taut: every key that taut writes holds what taut writes there, or null; other keys
-/// hold what they like. `verdicts` are the names of verdicts. Throws as JsonCursor does.
+/// Checks the keys that taut writes; all values can be null. Throws UsageError.
 Json parse_run_json(const std::string& text, const std::string& file,
                     const std::vector<std::string>& verdicts);
 

@@ -15,7 +15,7 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-/// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`.
+/// Swapping neighbours counts as one edit.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -32,7 +32,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-/// Names with their distance from `name`, nearest first.
 using Ranked = std::vector<std::pair<std::size_t, std::string>>;
 Ranked ranked(std::string_view name, const std::vector<std::string>& candidates) {
   const std::string given = lower_case(name);
@@ -52,7 +51,7 @@ constexpr std::size_t most_names = 5, most_listed = 8, most_letters = 100;
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates) {
   constexpr std::size_t least_part = 3;
   if (name.empty() || name.size() > most_letters) return {};
-  // a third of the letters may differ; one of two letters; only the case of one letter
+  // a third of the letters; one of two letters; none of one
   const std::size_t most_edits = name.size() == 1 ? 0 : std::max<std::size_t>(1, name.size() / 3);
   const std::string given = lower_case(name);
   std::vector<std::string> names;

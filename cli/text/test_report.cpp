@@ -21,7 +21,6 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
   return text;
 }
 
-/// Character data or the value of an attribute, XML 1.0.
 std::string xml_text(const std::string& text) {
   std::string escaped;
   for (const char c : valid_utf8(text)) {
@@ -49,12 +48,10 @@ std::string xml_of(const TestCase& each, const std::string& command) {
   return head + fmt::format(">\n      <{0} message=\"{1}\">{1}</{0}>\n    </testcase>\n", element, text);
 }
 
-/// The message of a workflow command.
 std::string command_text(const std::string& text) {
   return replaced(replaced(replaced(text, "%", "%25"), "\r", "%0D"), "\n", "%0A");
 }
 
-/// The value of a property of a workflow command.
 std::string command_property(const std::string& text) {
   return replaced(replaced(command_text(text), ":", "%3A"), ",", "%2C");
 }

@@ -10,15 +10,14 @@
 
 namespace taut {
 
-/// Candidates of contact between two bodies: pairs of particles that may come within `reach` before the next
-/// search, flat, by particle. Only particles in the widened box of another body are searched.
+/// Contact candidates of two bodies, by particle.
 template <int Dim>
 class BodyPairs {
  public:
-  /// Pairs up to reach + skin are listed: they hold until a particle has gone half the skin.
+  /// Lists pairs up to reach + skin, m.
   BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
-  double lasts_for() const { return 0.5 * skin_; }  // m, of the fastest particle
+  double lasts_for() const { return 0.5 * skin_; }  // m, valid path of the fastest particle
 
   void search(const Particles<Dim>& s) {
     choose_candidates(s);
@@ -28,7 +27,7 @@ class BodyPairs {
     const std::vector<int>& order = grid_.sort(x_, reach_);
     stored_.resize(x_.size());
     for (std::size_t k = 0; k < order.size(); ++k) stored_[k] = candidates_[order[k]];
-    int next = 0;  // particle whose list begins next
+    int next = 0;  // next list to begin
     for (const int i : candidates_) {
       while (next <= i) begin[next++] = static_cast<int>(j.size());
       const auto from = static_cast<std::ptrdiff_t>(j.size());
@@ -40,7 +39,7 @@ class BodyPairs {
           if (dot(d, d) < reach_ * reach_) j.push_back(other);
         }
       });
-      // in the order of creation, which mirrored bodies share: what is mirrored stays so to the last bit
+      // by id, as in mirrored bodies, for bit-exact symmetry
       std::sort(j.begin() + from, j.end(), [&](int a, int b) { return s.id[a] < s.id[b]; });
     }
     while (next <= s.size()) begin[next++] = static_cast<int>(j.size());
@@ -71,8 +70,8 @@ class BodyPairs {
 
   double reach_, skin_;  // m
   CellGrid<Dim> grid_;
-  std::vector<int> candidates_;  // in rising order
-  std::vector<int> stored_;      // the same in the order of the grid's cells
+  std::vector<int> candidates_;  // ascending
+  std::vector<int> stored_;      // in grid order
   std::vector<Vec<double, Dim>> x_;
 };
 

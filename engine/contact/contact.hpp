@@ -10,45 +10,39 @@
 
 namespace taut {
 
-/// Contact of bodies with each other, with walls and of folds of one body, by one mechanism: the forces, the
-/// impulses of walls and the values of probes.
-///
-/// Order of calls in a step: `prepare`; positions move to where forces are evaluated; `evaluate`; if contact is
-/// `acting`, each particle takes its `force` for its new velocity; `stop_approach` changes the new velocities of
-/// particles that meet (impulse law). A solver that stores its particles in another order calls `search` after that.
+/// Contact of bodies, folds and walls. Forces in N, impulses in N s, energies in J (per metre depth in 2D).
+/// In each step: `prepare`; move positions; `evaluate`; add `force` if `acting`; `stop_approach`. After reordering
+/// particles: `search`.
 template <int Dim>
 class Contact {
  public:
   using V = Vec<double, Dim>;
 
-  /// Range of the pairs that probes of a gap see, in spacings.
+  /// Range of gap probes, in spacings.
   static constexpr double reach = ContactMechanism<Dim>::reach;
 
   explicit Contact(const SolverInput& input);
 
-  /// Particles of two bodies act on each other here, and not as particles of one body.
+  /// Particles of two bodies interact by contact only.
   bool between_bodies() const { return between_bodies_; }
-  /// Some particles may have a force.
   bool acting() const { return !mechanism_->touching().empty(); }
 
-  /// Repeats the search if the fastest particle, moving `way`, m, next, may leave the range of the last search.
-  /// Returns whether it searched.
+  /// Searches if a particle moving by `way`, m, may leave the range of the last search. Returns whether it searched.
   bool prepare(const Particles<Dim>& s, double way);
   void search(const Particles<Dim>& s);
 
-  /// Evaluates the forces, which act for `dt`, s, at the current positions.
+  /// `dt`: duration of the forces, s.
   void evaluate(const Particles<Dim>& s, double dt, int threads);
 
-  /// Largest ratio of the stiffness of a contact to the stiffness of the material, 1 at least, as last evaluated.
+  /// Greatest ratio of contact stiffness to the material's stiffness, at least 1.
   double stiffening() const { return mechanism_->stiffening(); }
 
-  /// Force on particle i, N (per metre depth in 2D), as last evaluated; only if contact is `acting`.
+  /// As last evaluated. Requires `acting`.
   const V& force(int i) const { return force_[i]; }
 
-  /// Impulse law: calls `change(i, impulse)`, N s (per metre depth in 2D), for each touching particle; all impulses
-  /// are those of the positions and velocities before the first call. The positions have followed the new
-  /// velocities for `gone`, s. The impulses act where the forces of the step acted, so that they conserve angular
-  /// momentum. `inverse_mass(i)`, 1/kg, is 0 for a particle that cannot be moved.
+  /// Impulse law: calls `change(i, impulse)` for touching particles. Impulses follow from the state before the first
+  /// call and act where the forces acted, `gone`, s, ago, to conserve angular momentum. `inverse_mass(i)`: 1/kg, 0 if
+  /// immovable.
   template <class InverseMass, class Change>
   void stop_approach(const Particles<Dim>& s, double gone, const InverseMass& inverse_mass,
                      const Change& change) {
@@ -59,19 +53,18 @@ class Contact {
     for (const int i : mechanism_->touching()) change(i, impulse_[i]);
   }
 
-  /// Impulse on a body of another body, or of a wall if `wall` is not negative, in the last step, N s (per metre
-  /// depth in 2D); only if a probe measures it.
+  /// Impulse on `body` in the last step, by `other` or, if ≥ 0, by `wall`. For probes only.
   V impulse(int body, int other, int wall) const;
 
-  /// Impulses of all walls on the bodies so far.
+  /// Total impulses of walls on bodies.
   const Impulse& of_walls() const { return walls_.given(); }
 
-  /// Energy of all contacts at the current positions, J (per metre depth in 2D); 0 for impulses.
+  /// 0 for impulses.
   double energy(const Particles<Dim>& s) const { return mechanism_->energy(s, walls_); }
 
-  /// Pairs of two bodies in the form in which probes look for neighbours.
+  /// Pairs of two bodies, for probes.
   Neighbors neighbors(int particles) const { return mechanism_->neighbors(particles); }
-  /// The faces from which a gap is measured; null if it is measured from particles.
+  /// Null if particles determine gaps.
   ContactsOfFaces<Dim>* faces() { return faces_; }
 
   template <class Archive>
@@ -83,9 +76,9 @@ class Contact {
   }
 
  private:
-  struct Probed {  // by a probe
+  struct Probed {
     int body, other, wall;
-    V impulse;  // in the last step, N s
+    V impulse;  // last step
   };
   void reset_forces(int particles) { force_.assign(acting() ? particles : 0, V{}); }
   void find_impulses(const Particles<Dim>& s, double gone);
@@ -93,10 +86,10 @@ class Contact {
   bool between_bodies_ = false;
   WallContacts<Dim> walls_;
   std::unique_ptr<ContactMechanism<Dim>> mechanism_;
-  ContactsOfFaces<Dim>* faces_ = nullptr;  // the mechanism, if it acts between faces
-  std::vector<V> force_;                   // N
-  std::vector<double> inverse_mass_;       // 1/kg
-  std::vector<V> impulse_;                 // N s
+  ContactsOfFaces<Dim>* faces_ = nullptr;
+  std::vector<V> force_;
+  std::vector<double> inverse_mass_;  // 1/kg
+  std::vector<V> impulse_;
   std::vector<Probed> probed_;
 };
 

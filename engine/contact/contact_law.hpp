@@ -5,14 +5,14 @@
 
 namespace taut {
 
-/// A law of contact between bodies, by its name in scene files. terms/contact_laws.hpp lists the laws.
+/// Name in scene files; see terms/contact_laws.hpp.
 struct ContactLaw {
   std::string_view name;
 
   auto operator<=>(const ContactLaw&) const = default;
 
-  // laws that are named in code; any other one is ContactLaw{"its name"}
-  static const ContactLaw published;  // the law of the method's paper
+  // laws that code names
+  static const ContactLaw published;  // of the method's paper
   static const ContactLaw sph, impulse, penalty, lennard_jones, surface;
 };
 

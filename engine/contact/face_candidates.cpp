@@ -28,9 +28,8 @@ bool FaceCandidates::search(const Particles<2>& s, MovingFaces& faces, const Wal
   return true;
 }
 
-/// Also lists the nodes near walls, which are valid as long.
 void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<2>& walls) {
-  constexpr double margin = horizon + 2;  // 2: a segment has an end within its length
+  constexpr double margin = horizon + 2;  // 2: one end of a segment lies within its length
   const std::vector<char> near = near_other_bodies<2>(faces.places(), faces.outline().body, margin * dp_);
   std::vector<int> nodes, segments;
   std::ranges::copy_if(all_nodes_, std::back_inserter(nodes), [&](int n) { return near[n]; });
@@ -48,9 +47,8 @@ void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<
       if (walls.height(w, faces.places()[n]) < 0.5 * horizon * dp_) near_wall.emplace_back(n, w);
 }
 
-/// No segment beside the node will act on this one before the next search (facet_candidates.hpp:find). Faces that
-/// started within four spacings of each other count only once they have begun to face each other: right angles are
-/// frequent at that distance and would require a search every few steps.
+/// No side of the node can face this segment before the next search (facet_candidates.hpp:find). Initially close
+/// faces, often at right angles, count only when they begin to face each other.
 bool FaceCandidates::looks_aside(const MovingFaces& faces, int node, int segment) const {
   const auto& [a, b] = faces.segment(segment).node;
   const V D = faces.x0(node) - 0.5 * (faces.x0(a) + faces.x0(b));
@@ -78,7 +76,7 @@ void FaceCandidates::search_own(const Particles<2>& s, const MovingFaces& faces)
   own_bound_.restart(beyond - (reach_ + turn_slack) * dp_, behind_);
 }
 
-/// Lists the nodes of all candidates and the nodes beside them, their segments and their particles.
+/// Lists nodes of candidates, adjacent nodes, their segments and particles.
 void FaceCandidates::watch(const MovingFaces& faces) {
   std::vector<bool> seen(faces.size());
   const auto with_neighbors = [&](int n) {

@@ -14,9 +14,7 @@
 
 namespace taut {
 
-/// Candidates of contact between faces in 2D: nodes with segments of other bodies, nodes with segments of their own
-/// body if it may fold, and nodes near walls. Own segments count if they were further than `far_apart` from the node
-/// at the start.
+/// Contact candidates in 2D: nodes with segments of other bodies or their own folding body, and nodes near walls.
 class FaceCandidates {
  public:
   using V = Vec<double, 2>;
@@ -34,10 +32,9 @@ class FaceCandidates {
 
   NearFaces other_faces, own_faces;
   std::vector<std::pair<int, int>> near_wall;        // (node, wall)
-  std::vector<int> watched_nodes, watched_segments;  // whose positions count, in rising order
-  std::vector<int> particles;                        // of the watched nodes, in rising order
+  std::vector<int> watched_nodes, watched_segments;  // of candidates, ascending
+  std::vector<int> particles;                        // of watched nodes, ascending
 
-  /// See ContactMechanism::search.
   bool search(const Particles<2>& s, MovingFaces& faces, const WallContacts<2>& walls,
               std::optional<double> way);
 
@@ -52,13 +49,13 @@ class FaceCandidates {
 
  private:
   // in spacings
-  static constexpr double skin = 1;          // a longer one takes fewer searches and more pairs
-  static constexpr double horizon = 4;       // range of a search, which limits how long it is valid
-  static constexpr double far_apart = 3;     // the two faces of a thinner wall do not act on each other
-  static constexpr double aside = 0.5;       // cosine of normals from which on two faces are far from facing
-  static constexpr double close_by = 4;      // at the start: such faces face each other only where the body
-  static constexpr double folded = -0.1;     // has folded, below this cosine of normals
-  static constexpr double turn_slack = 0.5;  // of two nodes around the particles behind them
+  static constexpr double skin = 1;          // longer: fewer searches, more pairs
+  static constexpr double horizon = 4;       // search range, which limits how long a search is valid
+  static constexpr double far_apart = 3;     // opposite faces of a thinner wall do not interact
+  static constexpr double aside = 0.5;       // greatest cosine of the normals of a candidate
+  static constexpr double close_by = 4;      // initial distance; closer faces need a cosine below `folded`
+  static constexpr double folded = -0.1;     // see `close_by`
+  static constexpr double turn_slack = 0.5;  // for rotation of nodes about their particles
 
   void search_others(const MovingFaces& faces, const WallContacts<2>& walls);
   void search_own(const Particles<2>& s, const MovingFaces& faces);
@@ -66,13 +63,13 @@ class FaceCandidates {
   void watch(const MovingFaces& faces);
 
   double dp_;                         // m
-  double reach_;                      // of what acts, in spacings
+  double reach_;                      // in spacings
   bool meets_itself_, meets_others_;  // others: bodies or walls
   std::vector<int> all_nodes_, all_segments_;
   FaceSearch find_;
   std::vector<V> normal_;  // [segment] at a search
   MotionBound<2> others_bound_, own_bound_;
-  std::vector<V> behind_;  // [node] position of the particle behind it, m
+  std::vector<V> behind_;  // [node] its main particle, m
 };
 
 }  // namespace taut

@@ -12,7 +12,7 @@ namespace taut {
 
 namespace {
 
-/// K + 4G/3 at a node, Pa: between two materials a mean, as its place is.
+/// K + 4G/3, Pa; a weighted mean at material interfaces.
 double modulus(const Outline& outline, int node, const SolverInput& input) {
   double sum = 0, weights = 0, least = std::numeric_limits<double>::infinity(), most = 0;
   for (int k = outline.begin[node]; k < outline.begin[node + 1]; ++k) {
@@ -58,12 +58,11 @@ void FaceContacts::place_watched(const Particles<2>& s) {
   for (const int k : candidates_.watched_segments) faces_.set_normal(k);
 }
 
-/// f(node, foot, touch) of each listed node that faces something within `reach`, and of some beyond. Half and half of
-/// two sides of a corner where the node is inside and as far from both: by one alone what is symmetric would be pushed
-/// aside.
+/// f(node, foot, touch) for listed nodes that face a segment, at least up to `reach`. Inside a corner, two equally
+/// near sides count half each, for symmetry.
 template <class F>
 void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
-  std::vector<double> distance2;  // of the node from each of its segments, m²
+  std::vector<double> distance2;  // [segment] m²
   for (std::size_t k = 0; k < near.node.size(); ++k) {
     const int n = near.node[k];
     const auto segments = std::span(near.segment).subspan(near.begin[k], near.begin[k + 1] - near.begin[k]);
@@ -71,9 +70,9 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
     distance2.clear();
     for (const int l : segments) distance2.push_back(faces_.distance2(n, l));
     const auto nearest = std::ranges::min_element(distance2) - distance2.begin();
-    const auto is_sharp = [&](int l) { return faces_.has_sharp_end(l); };  // may be met from beyond its end
+    const auto is_sharp = [&](int l) { return faces_.has_sharp_end(l); };  // may act beyond its end
     if (distance2[nearest] >= power<2>(reach * dp_) && std::ranges::none_of(segments, is_sharp)) continue;
-    faces_.measure(n, segments[nearest], foot);  // first: few others can be the foot then
+    faces_.measure(n, segments[nearest], foot);  // excludes most others
     for (std::ptrdiff_t l = 0; l < std::ssize(segments); ++l)
       if (l != nearest && (distance2[l] < foot.rank * foot.rank || is_sharp(segments[l])))
         faces_.measure(n, segments[l], foot);
@@ -96,8 +95,7 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
   }
 }
 
-/// f(node, wall, depth, area, k): its mirror image lies twice as deep behind it, and half of the energy of
-/// the two is its own.
+/// f(node, wall, depth, area, k). The mirror image is twice as deep and has half the energy.
 template <class F>
 void FaceContacts::for_each_wall(const WallContacts<2>& walls, const F& f) const {
   for (const auto& [n, wall] : candidates_.near_wall) {
@@ -121,7 +119,7 @@ void FaceContacts::act_on_nodes(const Particles<2>& s, double dt, WallContacts<2
   for_each_touch(candidates_.other_faces, push_back_to(reaction_));
   for_each_touch(candidates_.own_faces, push_back_to(own_force_));
   for_each_wall(walls, [&](int n, int wall, double depth, double area, double k) {
-    // 2: of the pass over the node and of that over its image
+    // 2: node and image
     const auto give = [&](int node, const V& f) {
       own_force_[node] += f;
       faces_.for_each_share(
@@ -153,7 +151,7 @@ double FaceContacts::energy(const Particles<2>& s, const WallContacts<2>& walls)
     });
   }
   for_each_wall(walls, [&](int, int, double depth, double area, double k) {
-    sum += surface_energy(depth, area, k);  // both passes, half of them of the image
+    sum += surface_energy(depth, area, k);  // two passes, half for the image
   });
   return sum;
 }

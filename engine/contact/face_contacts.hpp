@@ -14,11 +14,9 @@
 
 namespace taut {
 
-/// Contact between overlapping faces in 2D, by the law of terms/surface_contact.hpp. Each node of a face is pushed to
-/// its closest point of the other face, which is pushed back. That force goes to the ends of its segment by ξ, and from
-/// nodes to particles by their weights. A node presses with the length of its face that lies over the other one. Both
-/// momenta are conserved, and the force is the slope of an energy except where facing_share changes at a corner that
-/// turns. A body that folds meets itself.
+/// Contact of faces in 2D (terms/surface_contact.hpp). Nodes are pushed to the closest point of the other face, with
+/// their length over it; the reaction acts on segment ends by ξ. Conserves both momenta, and energy unless
+/// facing_share changes at a turning corner.
 class FaceContacts final : public ContactMechanism<2> {
  public:
   using V = Vec<double, 2>;
@@ -27,7 +25,7 @@ class FaceContacts final : public ContactMechanism<2> {
 
   bool search(const Particles<2>& s, const WallContacts<2>& walls, std::optional<double> way) override;
 
-  /// Uses one thread: a touching face has too few nodes for a second one.
+  /// Touching faces have too few nodes for several threads.
   void evaluate(const Particles<2>& s, double dt, WallContacts<2>& walls, std::vector<V>& force,
                 int threads) override;
   double energy(const Particles<2>& s, const WallContacts<2>& walls) override;
@@ -35,8 +33,7 @@ class FaceContacts final : public ContactMechanism<2> {
   V between(const Particles<2>& s, int a, int b) const override;
   V of_wall(const Particles<2>& s, int a, int wall, const WallContacts<2>& walls) const override;
 
-  /// Least signed distance of a node of one of two bodies from a face of the other, m, negative where they overlap;
-  /// `reach` if they are further apart.
+  /// Least distance between nodes and faces of two bodies, m, negative if they overlap; at most `reach`.
   double gap(const Particles<2>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<2>& walls) override {
@@ -51,8 +48,8 @@ class FaceContacts final : public ContactMechanism<2> {
 
  private:
   // in spacings
-  static constexpr double reach = 1;   // a node that is further behind a face is not of this contact
-  static constexpr double tie = 1e-6;  // of distances that are the same but for round-off
+  static constexpr double reach = 1;   // greatest depth
+  static constexpr double tie = 1e-6;  // round-off of equal distances
 
   void refuse_thin(const Scene& scene) const;
   void place_watched(const Particles<2>& s);
@@ -70,8 +67,8 @@ class FaceContacts final : public ContactMechanism<2> {
   MovingFaces faces_;
   std::vector<double> M_;  // [node] K + 4G/3, Pa
   FaceCandidates candidates_;
-  // [node] N; apart, so that each is summed in the order of nodes, which mirrored bodies share
-  std::vector<V> own_force_;  // from what the nodes of its own body meet
+  // [node] N, summed by node, as in mirrored bodies
+  std::vector<V> own_force_;  // from nodes of the same body
   std::vector<V> reaction_;   // from nodes of other bodies
 };
 

@@ -11,8 +11,7 @@
 
 namespace taut {
 
-/// Nodes, each with segments of one body near it: those of entry k are segment[begin[k]] …
-/// segment[begin[k + 1] − 1], in rising order.
+/// Nodes with near segments of one body each: segment[begin[k]] … segment[begin[k + 1] − 1], ascending.
 struct NearFaces {
   std::vector<int> node, begin{0}, segment;
 
@@ -23,13 +22,12 @@ struct NearFaces {
   }
 };
 
-/// Finds the segments near nodes.
 class FaceSearch {
  public:
   using V = Vec<double, 2>;
 
-  /// Lists those `wanted(node, segment)` that are less than `listed`, m, from their node; how far the nearest
-  /// other one is, m, up to `horizon`.
+  /// Lists segments that are `wanted(node, segment)` and nearer than `listed`, m. Returns the distance of the nearest
+  /// other one, m, up to `horizon`.
   template <class Wanted>
   double operator()(const MovingFaces& faces, const std::vector<int>& nodes, const std::vector<int>& segments,
                     double listed, double horizon, const Wanted& wanted, NearFaces& out) {
@@ -48,7 +46,7 @@ class FaceSearch {
           const V d = x - middles_[at];
           const double apart2 = dot(d, d);
           if (apart2 >= (beyond + half) * (beyond + half) || !wanted(node, segments[at])) continue;
-          const double distance = std::sqrt(apart2) - half;  // no nearer than that
+          const double distance = std::sqrt(apart2) - half;  // lower bound
           if (distance < listed)
             out.segment.push_back(segments[at]);
           else
@@ -62,8 +60,7 @@ class FaceSearch {
   }
 
  private:
-  /// The middles of the segments, and the nodes behind them so that they are in the grid too. The length of
-  /// the longest segment, m.
+  /// Sorts midpoints of segments, then nodes, by cell. Returns the greatest length, m.
   double sort_middles(const MovingFaces& faces, const std::vector<int>& nodes,
                       const std::vector<int>& segments, double horizon) {
     middles_.clear();
@@ -80,7 +77,6 @@ class FaceSearch {
     return longest;
   }
 
-  /// An entry for each body among the segments found last.
   static void enter(const MovingFaces& faces, int node, std::size_t from, NearFaces& out) {
     for (std::size_t k = from; k < out.segment.size(); ++k) {
       const auto body = [&](std::size_t l) { return faces.body_of_segment(out.segment[l]); };

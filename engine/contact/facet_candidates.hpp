@@ -16,14 +16,13 @@
 
 namespace taut {
 
-/// Candidates of contact between facets: pairs of two bodies, pairs of a body that folds, which were further apart at
-/// the start than `far_apart`, or `far_inside` with the body between them, and facets near walls. A search is valid
-/// until the particles behind facets have moved by the difference of its range and the range of contact.
+/// Contact candidates in 3D: facets of two bodies or one folding body, and facets near walls. A search is valid until
+/// particles behind facets have moved by the difference of its range and the range of contact.
 class FacetCandidates {
  public:
   using V = Vec<double, 3>;
 
-  /// Facets whose middles are less than `reach`, m, apart may act.
+  /// `reach`: range of contact, m.
   FacetCandidates(const SolverInput& input, const MovingFacets& facets, double reach)
       : dp_(input.constants.dp),
         reach_(reach),
@@ -34,10 +33,9 @@ class FacetCandidates {
     for (int f = 0; f < facets.size(); ++f) normal_.push_back(facets[f].normal);
   }
 
-  /// Pairs of facets, each in both orders, and facets with walls, in rising order.
+  /// (facet, facet) in both orders, (facet, wall); ascending.
   std::vector<std::pair<int, int>> pairs, near_wall;
 
-  /// See ContactMechanism::search.
   bool search(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls,
               std::optional<double> way) {
     const bool others = meets_others_ && !(way && others_bound_.holds(*way));
@@ -71,16 +69,16 @@ class FacetCandidates {
  private:
   // in spacings
   static constexpr double skin = 1.4;        // longer: fewer searches, more pairs
-  static constexpr double horizon = 4.25;    // how far a search looks, for how long it may hold
-  static constexpr double cluster = 4;       // of facets that a search looks at together first
-  static constexpr double far_apart = 4;     // along a face that bends, or through a gap
-  static constexpr double far_inside = 8;    // the two faces of a thinner wall do not act on each other
-  static constexpr double flat = 1e-6;       // of two facets of one plane, but for round-off
-  static constexpr double aside = 0.5;       // cosine of normals from which on two facets are far from facing
-  static constexpr double turn_slack = 0.5;  // of two facets around the particles behind them
+  static constexpr double horizon = 4.25;    // search range, which limits how long a search is valid
+  static constexpr double cluster = 4;       // size of clusters
+  static constexpr double far_apart = 4;     // initial distance along a bending face or across a gap
+  static constexpr double far_inside = 8;    // initial distance through the body
+  static constexpr double flat = 1e-6;       // round-off of facets in one plane
+  static constexpr double aside = 0.5;       // greatest cosine of the normals of a candidate
+  static constexpr double turn_slack = 0.5;  // for rotation of facets about their particles
 
   void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
-    constexpr double margin = horizon + 2;  // 2: from two particles to their faces
+    constexpr double margin = horizon + 2;  // 2: distance of two particles from faces
     const std::vector<char> near = near_other_bodies<3>(behind_, near_.bodies(), margin * dp_);
     std::vector<int> candidates = near_.order();
     std::erase_if(candidates, [&](int f) { return !near[f]; });
@@ -102,10 +100,8 @@ class FacetCandidates {
     own_bound_.restart(find<PairsOf::one_body>(facets, near_.order(), wanted, own_), behind_);
   }
 
-  /// How much nearer the nearest one that is not listed may come. Two facets that look the same way now, as
-  /// those of a face that is pressed along itself do, are not of them: to act on each other
-  /// (terms/surface_contact.hpp:facing_share) they would have to turn by 44° before the next search, up to
-  /// which no point goes as far as a spacing, within a body beside the body. If they do, they act from then on.
+  /// Returns by how much the nearest unlisted pair may approach, m. Facets with similar normals are skipped: to
+  /// interact (facing_share) they must turn by 44° first.
   template <PairsOf kind, class Wanted>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Wanted& wanted,
               std::vector<std::pair<int, int>>& list) {
@@ -118,9 +114,9 @@ class FacetCandidates {
     return beyond - reach_ - turn_slack * dp_;
   }
 
-  /// What was found, sorted.
+  /// Sorts found pairs, in both orders.
   void list_both_ways(std::vector<std::pair<int, int>>& list) {
-    std::vector<int> end(near_.size() + 1);  // of the pairs of each facet
+    std::vector<int> end(near_.size() + 1);  // [facet]
     for (const auto& [f, g] : found_) ++end[f + 1], ++end[g + 1];
     std::partial_sum(end.begin(), end.end(), end.begin());
     const std::vector<int> begin = end;
@@ -130,7 +126,6 @@ class FacetCandidates {
       std::sort(list.begin() + begin[f], list.begin() + begin[f + 1]);
   }
 
-  /// As `list_both_ways` makes them.
   static bool are_both_ways(const std::vector<std::pair<int, int>>& list) {
     return std::ranges::is_sorted(list) && std::ranges::all_of(list, [&](const auto& pair) {
              return std::ranges::binary_search(list, std::pair(pair.second, pair.first));
@@ -145,9 +140,9 @@ class FacetCandidates {
   double dp_, reach_;                 // m
   bool meets_itself_, meets_others_;  // others: bodies or walls
   FacetPairs near_;
-  std::vector<int> nodes_;  // of all facets
-  std::vector<V> normal_;   // [facet] at the start
-  std::vector<V> behind_;   // [facet] the place of the particle behind it, m
+  std::vector<int> nodes_;  // all
+  std::vector<V> normal_;   // [facet]
+  std::vector<V> behind_;   // [facet] particle behind, m
   std::vector<std::pair<int, int>> others_, own_, found_;
   MotionBound<3> others_bound_, own_bound_;
 };

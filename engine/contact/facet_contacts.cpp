@@ -39,7 +39,6 @@ bool FacetContacts::search(const Particles<3>& s, const WallContacts<3>& walls, 
   return searched;
 }
 
-/// Rows, watched facets, their nodes and particles, of what the search has found.
 void FacetContacts::list() {
   rows_.clear();
   begin_.assign(1, 0);
@@ -66,8 +65,7 @@ void FacetContacts::list() {
   touching_ = facets_.particles_of(nodes_);
 }
 
-/// f(row of the other facet, what is between the two) for each of the `count` rows from `first` on that counts
-/// in the mean of a row.
+/// f(other row, pair) for each of `count` rows that contributes to the mean of `row`.
 template <class F>
 void FacetContacts::for_each_pair(int row, const int* first, int count, const F& f) const {
   const MovingFacets::Place& own = facets_[rows_[row].facet];
@@ -97,8 +95,7 @@ void FacetContacts::for_each_pair(int row, const int* first, int count, const F&
   }
 }
 
-/// f(facet, wall, depth, projected share, k): its mirror image lies twice as deep behind it, and half of the
-/// energy of the two is its own. It does not harden, since nothing is let through a wall.
+/// f(facet, wall, depth, projected share, k). The mirror image is twice as deep and has half the energy.
 template <class F>
 void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) const {
   for (const auto& [facet, wall] : candidates_.near_wall) {
@@ -110,7 +107,6 @@ void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) cons
   }
 }
 
-/// Everything at the positions that `s` has now, from facets to the touch of each row.
 void FacetContacts::place(const Particles<3>& s) {
   facets_.place(s, nodes_, watched_, threads_);
   near_.resize(other_.size());
@@ -143,7 +139,7 @@ auto FacetContacts::measured(int r) -> Touch {
   return touch;
 }
 
-/// Of the energies of this facet and of those that it counts for, in where this one is.
+/// Slope of all energies in this facet's position.
 MovingFacets::Slope FacetContacts::slope_of(int r) const {
   const Touch& own = touches_[r];
   const double area = facets_[rows_[r].facet].area, M = M_[rows_[r].facet];
@@ -162,7 +158,7 @@ MovingFacets::Slope FacetContacts::slope_of(int r) const {
                          per_weight * pair.share * pair.weight * near_slope(pair.p, reach_at(pair.p)) +
                          per_radius * lateral_radius_slope(pair.p, dp_) - 2 * pair.p * per_l2;
     slope.middle += per_p * pair.middle + (2 * per_l2) * pair.d;
-    const double square = 2 - 2 * pair.cosine;  // of the length of the difference of the two normals
+    const double square = 2 - 2 * pair.cosine;  // |n_g − n_f|²
     slope.normal += (per_share * projected_slope(pair.cosine) + per_p * pair.p / square) * at.normal -
                     (per_p / std::sqrt(square)) * pair.d;
     slope.area += per_other * weight_of(pair);
@@ -183,7 +179,7 @@ void FacetContacts::evaluate(const Particles<3>& s, double dt, WallContacts<3>& 
   for_each_wall(walls, [&](int facet, int wall, double depth, double share, double k) {
     const V& normal = walls.normal(wall);
     const double area = area_of(facet), slope = projected_slope(dot(facets_[facet].normal, normal));
-    // 2: of the pass over the facet and of that over its image
+    // 2: facet and image
     facets_.push(facet,
                  {.middle = (-2 * surface_force(depth, area * share, k)) * normal,
                   .normal = (surface_energy(depth, area, k) * slope) * normal},
@@ -208,7 +204,7 @@ double FacetContacts::energy(const Particles<3>& s, const WallContacts<3>& walls
     sum += hard_energy(-touches_[r].height, area_of(rows_[r].facet) * covered_share(touches_[r].cover),
                        touches_[r].k, dp_);
   for_each_wall(walls, [&](int facet, int, double depth, double share, double k) {
-    sum += surface_energy(depth, area_of(facet) * share, k);  // both passes, half of them of the image
+    sum += surface_energy(depth, area_of(facet) * share, k);  // two passes, half for the image
   });
   return sum;
 }

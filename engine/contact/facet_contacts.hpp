@@ -13,9 +13,8 @@
 
 namespace taut {
 
-/// Contact between overlapping faces in 3D, by the law of terms/surface_contact.hpp. The force is the slope of an energy
-/// of all facets; the depth of a facet is measured from the mean of the facets of another body around it. A body that
-/// folds meets itself in the same way.
+/// Contact of faces in 3D (terms/surface_contact.hpp), derived from an energy. The depth of a facet refers to the
+/// mean of the other body's (or fold's) facets around it.
 class FacetContacts final : public ContactMechanism<3> {
  public:
   using V = Vec<double, 3>;
@@ -33,8 +32,7 @@ class FacetContacts final : public ContactMechanism<3> {
   V between(const Particles<3>& s, int a, int b) const override;
   V of_wall(const Particles<3>& s, int a, int wall, const WallContacts<3>& walls) const override;
 
-  /// Least height of a facet of one of two bodies over a face of the other, m, negative where they overlap; a
-  /// spacing if they are further apart.
+  /// Least height of a facet above the other body, m, negative if they overlap; at most a spacing.
   double gap(const Particles<3>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<3>& walls) override {
@@ -47,34 +45,32 @@ class FacetContacts final : public ContactMechanism<3> {
 
  private:
   // in spacings
-  static constexpr double before = 1, behind = 1.5;  // how far a face still counts for a facet
-  static constexpr double radius = 1.5;              // of the mean over a face, at most
-  static constexpr double apart = 2.13;              // √(behind² + radius²), of facets that act
+  static constexpr double before = 1, behind = 1.5;  // range in front of and behind a facet
+  static constexpr double radius = 1.5;              // lateral range
+  static constexpr double apart = 2.13;              // √(behind² + radius²)
   double reach_at(double p) const { return (p < 0 ? behind : before) * dp_; }
 
-  /// A facet with the facets of a body near it, its own body or another.
   struct Row {
     int facet, body;
   };
-  /// Geometry and law of a row at the current positions.
   struct Touch {
-    int near = 0;              // facets of the body that count
-    double cover = 0;          // sum of their weights W
-    double height = 0, M = 0;  // their means of p, m, and of M, Pa
+    int near = 0;              // facets in range
+    double cover = 0;          // Σ W
+    double height = 0, M = 0;  // means of p, m, and M, Pa, weighted by W
     double k = 0;              // Pa/m
-    // slopes of the energy in that sum, J, and in the means: of one facet, over its W, N and m³
+    // slopes of the energy in `cover`, J, and in the means, over `cover`, N and m³
     double per_sum = 0, per_p = 0, per_M = 0;
-    double per_weight(double p, double modulus) const {  // in the W of one of them, J
+    double per_weight(double p, double modulus) const {  // slope in one W, J
       return per_sum + per_p * (p - height) + per_M * (modulus - M);
     }
   };
   struct Pair {
     V d, middle;                                        // x_f − x_g, m; (n_g − n_f)/|n_g − n_f|
-    double p, l2, radius, cosine, share, weight, near;  // of W: R, s, w and c
+    double p, l2, radius, cosine, share, weight, near;  // R; factors of W: s, w and c
   };
 
   double weight_of(const Pair& pair) const { return pair.share * pair.weight * pair.near; }  // 1/m²
-  double area_of(int facet) const { return facets_.mesh().facets[facet].area; }  // at the start, m²
+  double area_of(int facet) const { return facets_.mesh().facets[facet].area; }              // initial, m²
   template <class Archive>
   void transfer(Archive& archive, int particles, const WallContacts<3>& walls) {
     facets_.serialize(archive, particles);
@@ -92,19 +88,19 @@ class FacetContacts final : public ContactMechanism<3> {
   void for_each_wall(const WallContacts<3>& walls, const F& f) const;
 
   double dp_, stiffness_;
-  double hardening_ = 1;  // largest ratio of the stiffness to the stiffness at first touch, as last evaluated
+  double hardening_ = 1;  // greatest stiffness over stiffness at first touch
   int threads_ = 1;
   MovingFacets facets_;
   std::vector<double> M_;  // [facet] K + 4G/3, Pa
   FacetCandidates candidates_;
 
   std::vector<Row> rows_;                    // by facet, then body
-  std::vector<int> begin_, other_;           // [row] the rows of the facets near it, in rising order
+  std::vector<int> begin_, other_;           // [row] rows of near facets
   std::vector<Touch> touches_;               // [row]
-  std::vector<int> near_;                    // those of them that count now, from the same place on
+  std::vector<int> near_;                    // rows in range, from the same index
   std::vector<MovingFacets::Slope> slopes_;  // [row]
-  std::vector<int> watched_;                 // facets whose place counts, in rising order
-  std::vector<int> nodes_;                   // theirs
+  std::vector<int> watched_;                 // ascending
+  std::vector<int> nodes_;                   // of `watched_`
   std::vector<V> force_;                     // [node] N
 };
 

@@ -12,22 +12,20 @@
 
 namespace taut {
 
-/// Which pairs of facets a search finds.
 enum class PairsOf {
-  one_body,    // that were further apart at the start than a given distance
+  one_body,    // initially farther than `far`
   two_bodies,  // all
 };
 
-/// Facets in columns, each with `lanes` readable entries after the last one.
+/// Columns with `lanes` readable entries after the last one.
 struct FacetColumns {
   const double* now[3];    // m
   const double* start[3];  // m
   const double* normal[3];
 };
 
-/// Lists the facets first … last − 1 whose middles are nearer to the middle of facet p than √near2 and were further
-/// than √far2 at the start, and whose normals have a cosine below `cosine` with its normal: their indices and squared
-/// distances, m². Returns how many.
+/// Finds midpoints among first … last − 1 nearer to facet p than √near2, initially farther than √far2, with normals
+/// below `cosine`. Stores indices and squared distances, m². Returns their number.
 inline int find_near_facets(const FacetColumns& facets, int p, int first, int last, double near2, double far2,
                             double cosine, int* found, double* distance2) {
   int count = 0;
@@ -49,15 +47,13 @@ inline int find_near_facets(const FacetColumns& facets, int p, int first, int la
   return count;
 }
 
-/// Finds the pairs of facets that are near each other and do not look the same way: of clusters of neighbouring
-/// facets first, by the boxes around them and how much their normals spread, then of facets, four at a time.
-/// All pairs of clusters are gone through, of which 25 000 facets have some 2 000.
+/// Finds near facets with different normals, first by clusters, their boxes and spread of normals.
 class FacetPairs {
  public:
   using V = Vec<double, 3>;
 
   FacetPairs() = default;
-  /// A cluster is what at the start looks the same way in a cell of this width, m.
+  /// `width`: size of clusters of equal initial direction, m.
   FacetPairs(const MovingFacets& facets, double width) {
     using Key = std::tuple<int, int, bool, std::array<double, 3>>;
     std::vector<Key> key;
@@ -81,18 +77,18 @@ class FacetPairs {
   }
 
   int size() const { return static_cast<int>(body_.size()); }
-  /// All facets, cluster by cluster.
+  /// Cluster by cluster.
   const std::vector<int>& order() const { return order_; }
-  const V& start(int facet) const { return start_[facet]; }  // its middle, m
+  const V& start(int facet) const { return start_[facet]; }  // initial, m
   const std::vector<int>& bodies() const { return body_; }   // [facet]
 
   struct Limits {
     double listed, horizon;  // m
-    double far;              // m, at the start, of two of one body
-    double cosine;           // less than which that of two normals is
+    double far;              // initial distance in one body, m
+    double cosine;           // greatest cosine of normals
   };
-  /// found(f, g) for the pairs nearer than `listed`, each once, if `wanted(f, g)`; how near the nearest other
-  /// one is, m, up to `horizon`. The facets, in this class's order, are where they are now.
+  /// Calls found(f, g) once for each pair `wanted(f, g)` nearer than `listed`. Returns the distance of the nearest
+  /// other one, m, up to `horizon`. `candidates`: in `order()`.
   template <PairsOf kind, class Wanted, class Found>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Limits& limits,
               const Wanted& wanted, const Found& found) {
@@ -114,13 +110,12 @@ class FacetPairs {
 
  private:
   struct Cluster {
-    V low, high;    // m
-    V normal;       // the mean of its normals
-    double spread;  // how far from it any of them is
+    V low, high;  // m
+    V normal;
+    double spread;  // greatest deviation from it
   };
 
-  /// Rounding must not part what touches.
-  static constexpr double room = 1e-9;
+  static constexpr double room = 1e-9;  // tolerance of rounding
 
   bool may_meet(int a, int b, double apart2, double cosine) const {
     const Cluster &A = clusters_[a], &B = clusters_[b];
@@ -130,7 +125,7 @@ class FacetPairs {
       gap2 += gap * gap;
     }
     if (gap2 > apart2 * (1 + room)) return false;
-    // n_f · n_g of any two of them is at least
+    // least n_f · n_g
     const double least = dot(A.normal, B.normal) - A.spread * std::sqrt(dot(B.normal, B.normal)) -
                          B.spread * std::sqrt(dot(A.normal, A.normal)) - A.spread * B.spread;
     return least < cosine + room;
@@ -154,7 +149,6 @@ class FacetPairs {
     }
   }
 
-  /// The columns that a search reads, and the clusters in them.
   void gather(const MovingFacets& facets, const std::vector<int>& candidates) {
     const std::size_t n = candidates.size();
     for (auto* columns : {&now_, &then_, &normal_})
@@ -195,14 +189,13 @@ class FacetPairs {
   std::vector<V> start_;  // [facet] m
   std::vector<int> body_, cluster_;
   std::vector<int> order_;
-  // of a search
   std::array<std::vector<double>, 3> now_, then_;  // [candidate] m
   std::array<std::vector<double>, 3> normal_;      // [candidate]
-  FacetColumns columns_{};                         // these
+  FacetColumns columns_{};
   std::vector<int> near_;
   std::vector<double> distance2_;  // m²
   std::vector<int> of_body_;
-  std::vector<int> begin_;  // [cluster] its candidates
+  std::vector<int> begin_;  // [cluster] first candidate
   std::vector<Cluster> clusters_;
 };
 

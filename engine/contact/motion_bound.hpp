@@ -11,29 +11,27 @@
 
 namespace taut {
 
-/// Decides when points of one and the same body have to be searched again: `holds` while none of them can
-/// have come nearer to another by more than what was free at the last search. The bound is twice the way of
-/// the fastest particle; where that is used up, twice the greatest way of a point beside that of its body as
-/// a rigid one, which tells flight and spinning from folding.
+/// `holds` is true while points of one body cannot have approached by more than the free distance: by twice the
+/// greatest path, or else by twice the greatest deviation from rigid motion.
 template <int Dim>
 class MotionBound {
  public:
   using V = Vec<double, Dim>;
 
-  /// Two points may come nearer by `free`, m, before the next search. `x` and their bodies, in rising order.
+  /// `free`: allowed approach of two points, m; `x`: positions by body, m.
   void restart(double free, std::vector<V> x) {
     free_ = free;
     gone_ = 0;
     from_ = std::move(x);
   }
 
-  /// Before particles go by `way`, m, at most. False: look at `still_holds`.
+  /// Call before moving by `way`, m, at most. If false, call `still_holds`.
   bool holds(double way) {
     gone_ += way;
     return 2 * gone_ <= free_;
   }
 
-  /// With the places of the points before that way; `body` of each, in rising order. False: search.
+  /// `x`: positions before that motion. If false, search.
   bool still_holds(const std::vector<V>& x, const std::vector<int>& body, double way) {
     gone_ = 0;
     const std::size_t n = x.size();
@@ -59,7 +57,7 @@ class MotionBound {
       }
     }
     gone_ = std::sqrt(gone_);
-    constexpr double worthwhile = 0.75;  // of what is free: with less left it would be looked at each step
+    constexpr double worthwhile = 0.75;  // share of `free_`; with less left this test would run every step
     return 2 * gone_ <= worthwhile * free_ && holds(way);
   }
 
@@ -79,6 +77,6 @@ inline constexpr TermInfo self_contact_info{
     "the law of contact, between particles initially more than 4 dp apart (faces in 2D: 3 dp; "
     "facets through the body: 8 dp)",
     "ours", "contact/motion_bound.hpp:MotionBound",
-    "contact: a strip that folds meets itself, by every law, and does not pass through"};
+    "contact: a folding strip touches itself under every law and does not pass through"};
 
 }  // namespace taut

@@ -13,37 +13,36 @@
 
 namespace taut {
 
-/// The half of one of a node's two sides that belongs to the node, as far as it lies over a segment and faces it.
+/// The node's half of a side, where it lies over a segment and faces it.
 struct FacingHalf {
   int side = Outline::none;
-  double half = 0;                   // its length at the start, m
+  double half = 0;                   // initial, m
   double share = 0, slope = 0;       // facing_share and its slope
-  std::array<double, 2> at{};        // where it crosses the segment's ends: 0 at the node, 1 at its other end
-  std::array<double, 2> over{1, 1};  // the share of it within each end
-  std::array<double, 2> rise{};      // the slope of that in `at`
-  double past = 1;                   // beyond an end: as far as the face that goes on there does not face it
-  double past_slope = 0;             // of that in the cosine of the two
-  int next = Outline::none;          // that face
+  std::array<double, 2> at{};        // crossing of segment ends: 0 at the node, 1 at its other end
+  std::array<double, 2> over{1, 1};  // share of the half within each end
+  std::array<double, 2> rise{};      // slope of `over` in `at`
+  double past = 1;                   // beyond an end: 1 − facing_share of the next face
+  double past_slope = 0;             // slope of `past` in the cosine
+  int next = Outline::none;
 
   double covered() const { return over[0] * over[1]; }
   double area() const { return half * share * covered() * past; }  // m
 };
 
-/// The closest point of a segment to a node.
+/// Closest point of a segment to a node.
 struct Foot {
   int node = Outline::none, segment = Outline::none;
-  double xi = 0;                                          // from the first end to the second
+  double xi = 0;                                          // from the first end
   double distance2 = 0;                                   // m²
-  double rank = std::numeric_limits<double>::infinity();  // m: the least is the foot
-  double weight = 1;                                      // of two that are as near
+  double rank = std::numeric_limits<double>::infinity();  // m; least wins
+  double weight = 1;                                      // 0.5 for two equally near segments
   std::array<FacingHalf, 2> halves{};
   Vec<double, 2> offset{}, normal{};  // node − point, m; outwards
 
   double area() const { return weight * (halves[0].area() + halves[1].area()); }  // m
 };
 
-/// Where the faces of layout/outline.hpp are now: a node is a mean of particles, and what acts on a node acts
-/// on them by the same weights.
+/// Current faces of layout/outline.hpp. Nodes are weighted means of particles, which take forces by the same weights.
 class MovingFaces {
  public:
   using V = Vec<double, 2>;
@@ -62,7 +61,6 @@ class MovingFaces {
   const Outline& outline() const { return outline_; }
   int size() const { return outline_.size(); }
   const Outline::Segment& segment(int k) const { return outline_.segments[k]; }
-  /// One begins where the other ends.
   bool beside(int k, int l) const {
     const auto &a = outline_.segments[k].node, &b = outline_.segments[l].node;
     return a[0] == b[1] || a[1] == b[0];
@@ -74,14 +72,13 @@ class MovingFaces {
     return x;
   }
 
-  /// After particles were stored in another order.
+  /// Call after reordering particles.
   void renumber(const Particles<2>& s) {
     const std::vector<int> where = s.places_of_ids();
     stored_.clear();
     for (const PointWeight& share : outline_.shares) stored_.push_back(where[share.particle]);
   }
 
-  /// Brings nodes to where their particles are.
   void place(const Particles<2>& s, int node) {
     V x{};
     for_each_share(node, [&](int i, double weight) { x += weight * s.x[i]; });
@@ -91,7 +88,7 @@ class MovingFaces {
     for (int n = 0; n < size(); ++n) place(s, n);
     for (int k = 0; k < static_cast<int>(normal_.size()); ++k) set_normal(k);
   }
-  /// After its nodes were brought there.
+  /// Requires current positions of its nodes.
   void set_normal(int k) {
     const auto& [node, length, sense] = outline_.segments[k];
     const V t = place_[node[1]] - place_[node[0]];
@@ -99,25 +96,24 @@ class MovingFaces {
     normal_[k] = {factor * t[1], -factor * t[0]};
   }
   const std::vector<V>& places() const { return place_; }  // [node] m
-  /// The place of the particle that counts most for each node, m.
+  /// Position of the main particle of each node, m.
   void follow(const Particles<2>& s, std::vector<V>& x) const {
     x.clear();
     for (const int share : behind_) x.push_back(s.x[stored_[share]]);
   }
 
-  /// f(i, weight) for each stored particle that a node is a mean of.
+  /// f(i, weight) for stored particles of a node.
   template <class F>
   void for_each_share(int node, const F& f) const {
     for (int k = outline_.begin[node]; k < outline_.begin[node + 1]; ++k)
       f(stored_[k], outline_.shares[k].weight);
   }
 
-  /// Of length 1, outwards.
   const V& normal_of(int k) const { return normal_[k]; }
 
   bool has_sharp_end(int k) const { return sharp_[k][0] || sharp_[k][1]; }
 
-  /// Of a node from a segment, m².
+  /// m².
   double distance2(int node, int k) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -125,7 +121,7 @@ class MovingFaces {
     return dot(offset, offset);
   }
 
-  /// The length of face that belongs to a node, m at the start, as far as it faces a face of this normal.
+  /// Initial length of the node's sides that faces `normal`, m.
   double facing(int node, const V& normal) const {
     double area = 0;
     for (const int k : outline_.beside[node])
@@ -134,7 +130,7 @@ class MovingFaces {
     return area;
   }
 
-  /// What an energy per length of that turns a node's sides with: give(n, f), N (per metre depth in 2D).
+  /// Forces give(n, f) that turn a node's sides, N per metre depth; `energy` per length.
   template <class Give>
   void push_facing(int node, const V& normal, double energy, const Give& give) const {
     for (const int k : outline_.beside[node])
@@ -143,11 +139,9 @@ class MovingFaces {
           turn(k, normal, energy * 0.5 * outline_.segments[k].length * slope, give);
   }
 
-  /// Takes a segment's point for the foot of a node if it is nearer and the node faces it. A face that no side of
-  /// the node looks at straight counts as up to half its length further off: a corner that comes upon a corner is
-  /// pushed back by the face before it. By the one beside it, which is as near, two tips went into each other, and
-  /// the energy jumped when they had turned. A node beyond a sharp end presses with what its side has over the
-  /// segment, as deep as the side is at the end.
+  /// Replaces `best` by this segment's closest point if the node faces it and its rank is lower. The rank adds up to
+  /// half a segment length to faces not met straight, so that corners are pushed back by faces in front. Beyond a
+  /// sharp end the side acts, with its length over the segment and its depth at the end.
   void measure(int node, int k, Foot& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -164,7 +158,7 @@ class MovingFaces {
     one = facing_half(foot, outline_.beside[node][0]);
     two = facing_half(foot, outline_.beside[node][1]);
     if (!(foot.area() > 0)) return;
-    if (is_beyond(foot)) (one.area() > two.area() ? two : one) = {};  // one of them comes in over the end
+    if (is_beyond(foot)) (one.area() > two.area() ? two : one) = {};  // it enters over the end
     const double straight = std::max(one.share, two.share);
     const double distance = is_beyond(foot) ? std::abs(touch(foot).depth) : std::sqrt(foot.distance2);
     foot.rank = distance + 0.5 * (1 - straight) * outline_.segments[k].length;
@@ -172,11 +166,10 @@ class MovingFaces {
   }
 
   struct Touch {
-    double depth;  // of the node, or its side, behind the face, m; below 0 before it
-    V out;         // unit vector along which the node is pushed, if it is behind
+    double depth;  // m, negative in front
+    V out;         // direction of the force
   };
-  /// Beside an end that is not sharp, where two segments meet, the mean of their normals says which side is inside;
-  /// what is across it is beside the face, as a node that has just left a tip.
+  /// At blunt ends the mean normal of both segments tells the inside. Nodes across it, past a tip, are outside.
   Touch touch(const Foot& foot) const {
     if (is_beyond(foot)) {
       const FacingHalf& half = foot.halves[foot.halves[0].side == Outline::none ? 1 : 0];
@@ -194,9 +187,8 @@ class MovingFaces {
     return {distance, (-1 / distance) * foot.offset};
   }
 
-  /// What the energy of a node at its foot, k the stiffness, pushes each node with: own(n, f) of the node's face, and
-  /// other(n, f) of the segment's, N (per metre depth in 2D). The slopes of the depth, of how much of the sides lies over
-  /// the segment, and of how they face each other.
+  /// Forces own(n, f) on the node's face, other(n, f) on the segment's, N per metre depth, from slopes of depth,
+  /// overlap and facing. `k`: stiffness.
   template <class Own, class Other>
   void push(const Foot& foot, const Touch& touch, double k, const Own& own, const Other& other) const {
     const std::array<int, 2>& end = outline_.segments[foot.segment].node;
@@ -229,14 +221,12 @@ class MovingFaces {
   }
 
  private:
-  /// Whether the foot lies past an end of its segment, on the line through it.
   static bool is_beyond(const Foot& foot) { return foot.xi < 0 || foot.xi > 1; }
 
   int other_end(int node, int side) const {
     const auto& ends = outline_.segments[side].node;
     return ends[ends[0] == node ? 1 : 0];
   }
-  /// From the node along one of its sides to that one's other end.
   V way(int node, int side) const { return place_[other_end(node, side)] - place_[node]; }
 
   FacingHalf facing_half(const Foot& foot, int side) const {
@@ -254,9 +244,9 @@ class MovingFaces {
     for (const int e : {0, 1}) {
       if (!sharp_[k][e]) continue;
       h.at[e] = -dot(t, place_[node] - place_[ends[e]]) / along;
-      const bool ahead = (along > 0) == (e == 0);  // the side comes in over this end
+      const bool ahead = (along > 0) == (e == 0);  // the side enters over this end
       const double u = std::clamp(ahead ? 1 - 2 * h.at[e] : 2 * h.at[e], 0.0, 1.0);
-      h.over[e] = u * u * (3 - 2 * u);  // faces of one length that lie on each other slide nowhere
+      h.over[e] = u * u * (3 - 2 * u);  // flat at 0 and 1, so that equal faces do not slide
       h.rise[e] = (ahead ? -12 : 12) * u * (1 - u);
     }
     if (xi >= 0 && xi <= 1) return h;
@@ -267,13 +257,13 @@ class MovingFaces {
     return h;
   }
 
-  /// How deep a side is behind the segment where it crosses the line across its end e, m.
+  /// Depth of a side where it crosses end e, m.
   double depth_at(const Foot& foot, const FacingHalf& h, int e) const {
     const V place = place_[foot.node] + h.at[e] * way(foot.node, h.side);
     return -dot(place - place_[outline_.segments[foot.segment].node[e]], foot.normal);
   }
 
-  /// With δ of the segment t, its end e and the side w from x to z, r = n·w/t·w and s where the side crosses the end:
+  /// For segment t with end e, side w from x to z, crossing s and r = n·w/t·w:
   ///   δdepth = −(n − r t)·((1 − s) δx + s δz − δe) − r depth n·δt
   template <class Own, class Other>
   void push_at_end(const Foot& foot, const FacingHalf& h, double depth, double size, const Own& own,
@@ -290,8 +280,7 @@ class MovingFaces {
     other(ends[0], (-r * depth * size) * foot.normal);
   }
 
-  /// By the slope of the energy in s: δs = −(t·((1 − s) δx + s δz − δe) − depth n·δt)/t·w, the depth that of the
-  /// side at the end.
+  /// Applies the slope of the energy in s: δs = −(t·((1 − s) δx + s δz − δe) − depth n·δt)/t·w.
   template <class Own, class Other>
   void push_along(const Foot& foot, const FacingHalf& h, int e, double slope, const Own& own,
                   const Other& other) const {
@@ -305,7 +294,7 @@ class MovingFaces {
     other(ends[0], turning * foot.normal);
   }
 
-  /// By the slope of the energy in the cosine of a side's normal and another one: δn = −t n·δt/|t|².
+  /// Applies the slope of an energy in the cosine of two normals: δn = −t n·δt/|t|².
   template <class Give>
   void turn(int side, const V& normal, double slope, const Give& give) const {
     const auto& ends = outline_.segments[side].node;
@@ -318,7 +307,7 @@ class MovingFaces {
     turn(side, normal_of(segment), slope, own), turn(segment, normal_of(side), slope, other);
   }
 
-  /// Ends where the face turns by more than 60 degrees, outwards.
+  /// Marks ends where the face turns outwards by over 60°.
   void find_sharp_ends() {
     for (int k = 0; k < static_cast<int>(outline_.segments.size()); ++k) {
       std::array<bool, 2>& sharp = sharp_.emplace_back();
@@ -339,11 +328,11 @@ class MovingFaces {
   }
 
   Outline outline_;
-  std::vector<std::array<bool, 2>> sharp_;  // [segment] its ends
-  std::vector<int> stored_;                 // [share] where its particle is
-  std::vector<int> behind_;                 // [node] the share of the particle behind it
+  std::vector<std::array<bool, 2>> sharp_;  // [segment][end]
+  std::vector<int> stored_;                 // [share] storage index
+  std::vector<int> behind_;                 // [node] share of the main particle
   std::vector<V> place_;                    // [node] m
-  std::vector<V> normal_;                   // [segment] as normal_of
+  std::vector<V> normal_;                   // [segment]
 };
 
 }  // namespace taut

@@ -12,7 +12,7 @@
 
 namespace taut {
 
-/// Of those that are not 0.
+/// Indices of non-zero entries.
 inline std::vector<int> indices_of(const std::vector<char>& seen) {
   std::vector<int> indices;
   for (std::size_t k = 0; k < seen.size(); ++k)
@@ -20,24 +20,23 @@ inline std::vector<int> indices_of(const std::vector<char>& seen) {
   return indices;
 }
 
-/// Where the facets of layout/surface_mesh.hpp are now. A node is a mean of particles, a facet is over the
-/// middle of its nodes, and what acts on a facet acts on them by the same weights.
+/// Current facets of layout/surface_mesh.hpp, over the means of their nodes, which are weighted means of particles;
+/// forces use the same weights.
 class MovingFacets {
  public:
   using V = Vec<double, 3>;
 
   struct Place {
-    V middle{}, normal{};  // m; of length 1, outwards
+    V middle{}, normal{};  // m; outwards
     double area = 0;       // m²
   };
-  /// The slope of an energy in each of these, N, N m, N/m.
+  /// Slopes of an energy, N, N m, N/m.
   struct Slope {
     V middle{}, normal{};
     double area = 0;
   };
 
   MovingFacets() = default;
-  /// Where they are at the start.
   explicit MovingFacets(SurfaceMesh mesh) : mesh_(std::move(mesh)), place_(mesh_.facets.size()) {
     for (const Point& x : mesh_.x) x_.push_back({x[0], x[1], x[2]});
     for (int facet = 0; facet < size(); ++facet) place(facet);
@@ -46,21 +45,21 @@ class MovingFacets {
   const SurfaceMesh& mesh() const { return mesh_; }
   int size() const { return static_cast<int>(mesh_.facets.size()); }
   int body(int facet) const { return mesh_.facets[facet].body; }
-  /// Of these facets, in rising order.
+  /// Ascending.
   std::vector<int> nodes_of(const std::vector<int>& facets) const {
     std::vector<char> seen(mesh_.size());
     for (const int facet : facets)
       for (const int node : mesh_.facets[facet].node) seen[node] = true;
     return indices_of(seen);
   }
-  /// The stored particles of these nodes, in rising order.
+  /// Stored particles, ascending.
   std::vector<int> particles_of(const std::vector<int>& nodes) const {
     std::vector<char> seen(stored_.empty() ? 0 : 1 + *std::ranges::max_element(stored_));
     for (const int node : nodes) for_each_share(node, [&](int i, double) { seen[i] = true; });
     return indices_of(seen);
   }
 
-  /// After particles were stored in another order.
+  /// Call after reordering particles.
   void renumber(const Particles<3>& s) {
     const std::vector<int> where = s.places_of_ids();
     stored_.clear();
@@ -69,13 +68,13 @@ class MovingFacets {
     for (const SurfaceMesh::Facet& facet : mesh_.facets) behind_.push_back(where[facet.particle]);
   }
 
-  /// The place of the particle behind each facet, m.
+  /// Position of the particle behind each facet, m.
   void follow(const Particles<3>& s, std::vector<V>& x) const {
     x.clear();
     for (const int i : behind_) x.push_back(s.x[i]);
   }
 
-  /// Brings these facets, whose nodes they are, to where their particles are.
+  /// `nodes`: all nodes of `facets`.
   void place(const Particles<3>& s, const std::vector<int>& nodes, const std::vector<int>& facets,
              int threads) {
     parallel_for(static_cast<int>(nodes.size()), threads, [&](int k) {
@@ -87,13 +86,13 @@ class MovingFacets {
   }
   const Place& operator[](int facet) const { return place_[facet]; }
 
-  /// f(i, weight) for each stored particle that a node is a mean of.
+  /// f(i, weight) for stored particles of a node.
   template <class F>
   void for_each_share(int node, const F& f) const {
     for (int k = mesh_.begin[node]; k < mesh_.begin[node + 1]; ++k) f(stored_[k], mesh_.shares[k].weight);
   }
 
-  /// Adds the forces that an energy of this slope gives to the nodes of a facet, N.
+  /// Adds forces by an energy of this slope, N.
   void push(int facet, const Slope& slope, std::vector<V>& force) const {
     const Place& place = place_[facet];
     const auto& n = mesh_.facets[facet].node;
@@ -103,7 +102,7 @@ class MovingFacets {
     const V turn = slope.normal + mesh_.facets[facet].bulge * slope.middle;
     const V along = turn - dot(turn, place.normal) * place.normal;
     const V half =
-        0.5 * ((1 / place.area) * along + slope.area * place.normal);  // of that in the vector area
+        0.5 * ((1 / place.area) * along + slope.area * place.normal);  // half the slope in vector area
     const V first = cross(x_[n[3]] - x_[n[1]], half), second = cross(half, x_[n[2]] - x_[n[0]]);
     force[n[0]] += first, force[n[2]] -= first;
     force[n[1]] += second, force[n[3]] -= second;
@@ -130,8 +129,8 @@ class MovingFacets {
   }
 
   SurfaceMesh mesh_;
-  std::vector<int> stored_;  // [share] where its particle is
-  std::vector<int> behind_;  // [facet] the same of the particle behind it
+  std::vector<int> stored_;  // [share] storage index
+  std::vector<int> behind_;  // [facet] storage index
   std::vector<V> x_;         // [node] m
   std::vector<Place> place_;
 };

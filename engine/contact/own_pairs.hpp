@@ -14,15 +14,14 @@
 
 namespace taut {
 
-/// Candidates of contact of a body that folds: pairs of its particles that were far apart at the start and have
-/// come near. Only particles that faces move with (layout/outline.hpp) are searched. They keep their places in the
-/// solver's order.
+/// Contact candidates of a folding body: particles at faces (particles_at_faces.hpp), initially far apart. Requires
+/// constant storage order.
 template <int Dim>
 class OwnPairs {
  public:
   using V = Vec<double, Dim>;
 
-  /// Pairs nearer than `reach`, m, act.
+  /// `reach`: range of contact, m.
   OwnPairs(const SolverInput& input, double reach) : dp_(input.constants.dp), reach_(reach) {
     if (!input.keeps_neighbors) return;
     ids_ = particles_at_faces(input.scene, input.initial);
@@ -33,7 +32,6 @@ class OwnPairs {
     }
   }
 
-  /// See ContactMechanism::search.
   bool search(const Particles<Dim>& s, std::optional<double> way) {
     if (ids_.empty() || (way && bound_.holds(*way))) return false;
     place(s);
@@ -43,7 +41,7 @@ class OwnPairs {
     return true;
   }
 
-  /// Those of stored particle i are j[begin[i]] … j[begin[i + 1] − 1]; both are empty where there are none.
+  /// j[begin[i]] … j[begin[i + 1] − 1] for stored particle i; may both be empty.
   std::vector<int> begin, j;
 
   template <class Archive>
@@ -59,8 +57,8 @@ class OwnPairs {
  private:
   // in spacings
   static constexpr double skin = 1;       // longer: fewer searches, more pairs
-  static constexpr double horizon = 4;    // how far a search looks, for how long it may hold
-  static constexpr double far_apart = 4;  // the two faces of a thinner wall do not act on each other
+  static constexpr double horizon = 4;    // search range, which limits how long a search is valid
+  static constexpr double far_apart = 4;  // opposite faces of a thinner wall do not interact
 
   void place(const Particles<Dim>& s) {
     stored_.resize(ids_.size());
@@ -80,7 +78,6 @@ class OwnPairs {
     bound_.restart(beyond - reach_, x_);
   }
 
-  /// What was found, by particle.
   void list(int particles) {
     begin.clear();
     j.clear();
@@ -95,12 +92,12 @@ class OwnPairs {
   }
 
   double dp_, reach_;     // m
-  std::vector<int> ids_;  // in rising order
+  std::vector<int> ids_;  // ascending
   PointSearch<Dim> search_;
-  std::vector<V> x_;  // now, m
+  std::vector<V> x_;  // current, m
   std::vector<int> stored_;
   MotionBound<Dim> bound_;
-  std::vector<std::pair<int, int>> found_;  // stored i, and j in the order of creation
+  std::vector<std::pair<int, int>> found_;  // storage index of i, index of j in `ids_`
 };
 
 }  // namespace taut

@@ -13,19 +13,17 @@
 
 namespace taut {
 
-/// Candidates of contact between particles: pairs of two bodies, pairs of a body that folds, and particles near
-/// walls.
+/// Contact candidates: pairs of two bodies or of a folding body, and particles near walls.
 template <int Dim>
 class PairCandidates {
  public:
-  /// Pairs nearer than a spacing act, pairs of two bodies are listed up to `reach`, m.
+  /// `reach`: range of pairs of two bodies, for probes, m. Contact acts within one spacing.
   PairCandidates(const SolverInput& input, bool between_bodies, double reach)
       : between_bodies_(between_bodies),
         dp_(input.constants.dp),
         others_(reach, skin * dp_),
         own_(input, dp_) {}
 
-  /// See ContactMechanism::search.
   bool search(const Particles<Dim>& s, const WallContacts<Dim>& walls, std::optional<double> way) {
     travelled_ += way.value_or(0);
     const bool others = !way || ((between_bodies_ || walls.any()) && travelled_ > others_.lasts_for());
@@ -34,7 +32,7 @@ class PairCandidates {
     return others || own;
   }
 
-  /// Particles that have candidates, in rising order.
+  /// Particles with candidates, ascending.
   std::vector<int> particles(int count) const {
     std::vector<int> found;
     for (int i = 0; i < count; ++i)
@@ -46,7 +44,6 @@ class PairCandidates {
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
   }
-  /// Calls f(j) for each candidate of particle i.
   template <class F>
   void for_each(int i, const F& f) const {
     const auto visit = [&](const auto& list) {
@@ -55,10 +52,9 @@ class PairCandidates {
     if (between_bodies_) visit(others_);
     if (!own_.begin.empty()) visit(own_);
   }
-  /// (particle, wall), by particle.
+  /// (particle, wall).
   const std::vector<std::pair<int, int>>& near_walls() const { return near_walls_; }
 
-  /// Pairs of two bodies in the form in which probes look for neighbours.
   Neighbors neighbors(int particles) const {
     Neighbors out;
     out.begin.push_back(0);
@@ -81,7 +77,7 @@ class PairCandidates {
   }
 
  private:
-  /// A longer skin takes fewer searches and more pairs; in spacings.
+  /// In spacings; longer: fewer searches, more pairs.
   static constexpr double skin = 0.5;
 
   void search_others(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
@@ -98,7 +94,7 @@ class PairCandidates {
   BodyPairs<Dim> others_;
   OwnPairs<Dim> own_;
   std::vector<std::pair<int, int>> near_walls_;
-  double travelled_ = 0;  // by the fastest particle since the last search of the others, m
+  double travelled_ = 0;  // m, since the last search of other bodies
 };
 
 }  // namespace taut

@@ -11,15 +11,11 @@
 
 namespace taut {
 
-/// Contact between particles of two bodies, or of two parts of a body that folds, that are less than a spacing apart,
-/// by a law of forces or of impulses. It acts along the pair and is equal and opposite to the last bit. A wall acts as
-/// the particle's mirror image.
-///
-/// Differs from [Khayyer2024] Eq. 53–54: there the impulses are a force that stops the approach of the old velocities,
-/// and the approach added during the step is not stopped. Under a pressure p faces then creep into each other at about
-/// p/(ρ c0), whatever the resolution; colliding rings interlock. Here the new velocities are stopped before any
-/// position follows them. The paper does not give the distance of contact: here one spacing, as between two layers of
-/// a body.
+/// Contact of particles less than a spacing apart, of two bodies or of distant parts of one. Acts along the pair,
+/// equal and opposite to the last bit. Walls act as mirror images.
+/// Differs from [Khayyer2024] Eq. 53–54, whose force stops only the approach of the old velocities: faces under a
+/// pressure p creep into each other at about p/(ρ c0). Here new velocities are stopped before positions follow. The
+/// paper gives no contact distance.
 template <int Dim>
 class PairContacts final : public ContactMechanism<Dim> {
  public:
@@ -30,7 +26,7 @@ class PairContacts final : public ContactMechanism<Dim> {
 
   bool search(const Particles<Dim>& s, const WallContacts<Dim>& walls, std::optional<double> way) override;
 
-  /// Uses one thread: a touching face has too few particles for a second one.
+  /// Touching faces have too few particles for several threads.
   void evaluate(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force,
                 int threads) override;
   double energy(const Particles<Dim>& s, const WallContacts<Dim>& walls) override;
@@ -53,7 +49,7 @@ class PairContacts final : public ContactMechanism<Dim> {
   }
 
  private:
-  /// Modulus of the contact of two particles, Pa.
+  /// Contact modulus, Pa.
   double modulus(const Particles<Dim>& s, int i, int j) const;
   template <class F>
   void for_each_touch(const Particles<Dim>& s, int i, double gone, const F& f) const;
@@ -70,8 +66,7 @@ class PairContacts final : public ContactMechanism<Dim> {
   double stiffness_;       // over K1 K2/(K1 + K2)
   std::vector<double> K_;  // [id] Pa
   PairCandidates<Dim> candidates_;
-  std::vector<std::vector<V>>
-      given_;  // [body][body, then wall] N s in the last step; empty if no probe measures it
+  std::vector<std::vector<V>> given_;  // [body][body, then wall] N s, for probes
 };
 
 }  // namespace taut

@@ -7,8 +7,8 @@
 
 namespace taut {
 
-/// The particles that faces move with, by id in rising order: in 2D those of layout/outline.hpp, in 3D those
-/// that lack one of the 26 nearest of a cubic lattice.
+/// Ids of particles that determine faces, ascending: in 2D see layout/outline.hpp, in 3D all without 26 lattice
+/// neighbours.
 std::vector<int> particles_at_faces(const Scene& scene, const InitialParticles& initial);
 
 }  // namespace taut

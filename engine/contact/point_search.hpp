@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Points of bodies in columns, each with `lanes` readable entries after the last one.
+/// Columns with `lanes` readable entries after the last one.
 template <int Dim>
 struct PointColumns {
   const double* now[Dim];    // m
@@ -18,8 +18,8 @@ struct PointColumns {
   const double* body;
 };
 
-/// Lists the points first … last − 1 of the body of point p that are nearer to it than √near2 and were further than
-/// √far2 at the start: their indices and squared distances, m². Returns how many.
+/// Finds points among first … last − 1 of p's body nearer than √near2, initially farther than √far2. Stores indices
+/// and squared distances, m². Returns their number.
 template <int Dim>
 int find_near_points(const PointColumns<Dim>& points, int p, int first, int last, double near2, double far2,
                      int* found, double* distance2) {
@@ -42,13 +42,12 @@ int find_near_points(const PointColumns<Dim>& points, int p, int first, int last
   return count;
 }
 
-/// Finds the pairs of points of one body that are near each other.
 template <int Dim>
 class PointSearch {
  public:
   using V = Vec<double, Dim>;
 
-  /// Adds a point by its position at the start, m, and its body.
+  /// `start`, m; bodies must ascend.
   void add(const V& start, int body) {
     X_.push_back(start);
     body_.push_back(body);
@@ -56,9 +55,8 @@ class PointSearch {
   int size() const { return static_cast<int>(X_.size()); }
   const std::vector<int>& bodies() const { return body_; }
 
-  /// Calls found(a, b) once for each pair nearer than `listed`, m, whose points were more than `far`, m, apart at the
-  /// start. Returns the distance of the nearest other pair, m, up to `horizon`. `x` has the current positions; their
-  /// order determines the order of the calls.
+  /// Calls found(a, b) once for each pair nearer than `listed`, initially farther than `far`, m. Returns the distance
+  /// of the nearest other one, m, up to `horizon`. The order of `x` determines the order of calls.
   template <class Found>
   double find(const std::vector<V>& x, double listed, double horizon, double far, const Found& found) {
     if (x.empty()) return horizon;
@@ -85,7 +83,6 @@ class PointSearch {
   }
 
  private:
-  /// The order of the grid's cells, and in it the columns that a search reads.
   void sort_columns(const std::vector<V>& x, double horizon) {
     order_ = grid_.sort(x, horizon);
     const std::size_t n = x.size();
@@ -99,8 +96,7 @@ class PointSearch {
   }
 
   std::vector<V> X_;       // m
-  std::vector<int> body_;  // in rising order
-  // of a search
+  std::vector<int> body_;  // ascending
   CellGrid<Dim> grid_;
   std::vector<int> order_;
   std::array<std::vector<double>, Dim> now_, start_;  // m

@@ -9,9 +9,8 @@
 
 namespace taut {
 
-/// Rigid walls: half-spaces that nothing enters. A wall acts on a particle as the particle's own mirror image
-/// in it would by the law of contact, twice the height away, so that a body on a wall does what it would do
-/// on an equal one that meets it. Without friction. What it gives to the bodies is booked.
+/// Rigid frictionless half-spaces. A wall acts on a particle like its mirror image, so a body behaves as if it met
+/// its own image. Records impulses.
 template <int Dim>
 class WallContacts {
  public:
@@ -27,12 +26,12 @@ class WallContacts {
 
   bool any() const { return !planes_.empty(); }
   int count() const { return static_cast<int>(planes_.size()); }
-  const V& normal(int wall) const { return planes_[wall].normal; }  // to the side of the bodies
-  double height(int wall, const V& x) const {                       // of x over it, m
+  const V& normal(int wall) const { return planes_[wall].normal; }  // towards bodies
+  double height(int wall, const V& x) const {                       // m, of x
     return dot(x - planes_[wall].at, planes_[wall].normal);
   }
 
-  /// An impulse, N s, that a particle at x has got.
+  /// Records an impulse, N s, on a particle at x.
   void book(const V& x, const V& impulse) {
     for (int k = 0; k < Dim; ++k) given_.linear[k] += impulse[k];
     given_.angular[2] += x[0] * impulse[1] - x[1] * impulse[0];
@@ -50,7 +49,7 @@ class WallContacts {
 
  private:
   struct Plane {
-    V at, normal;  // m, of length 1
+    V at, normal;  // m; unit vector
   };
 
   std::vector<Plane> planes_;

@@ -17,11 +17,10 @@
 
 namespace taut {
 
-/// What is counted, and so may be an index.
 template <class T>
 concept Count = std::integral<T> && !std::same_as<T, bool>;
 
-/// `value` can be an index of what has `bound` elements; of a pair, each of the two.
+/// Whether `value` is a valid index; pairs componentwise.
 template <Count T, Count Bound>
 bool is_below(T value, Bound bound) {
   return std::cmp_greater_equal(value, 0) && std::cmp_less(value, bound);
@@ -31,20 +30,17 @@ bool is_below(const std::pair<T, T>& pair, const std::pair<Bound, Bound>& bound)
   return is_below(pair.first, bound.first) && is_below(pair.second, bound.second);
 }
 
-/// `begin` says of each of `rows` where it begins in a list of `entries`, and last where that ends.
+/// Whether `begin` holds `rows` offsets into a list, then its length `entries`.
 template <Count T>
 bool are_rows(const std::vector<T>& begin, std::size_t rows, std::size_t entries) {
   return begin.size() == rows + 1 && begin.front() == 0 && std::cmp_equal(begin.back(), entries) &&
          std::is_sorted(begin.begin(), begin.end());
 }
 
-/// What a Saver and a Loader have in common: `archive(a, b, …)` goes through values in a fixed order, so that
-/// one list of members serves both directions. A class lists its own in `serialize(Archive&)`; what is copied
-/// byte by byte needs none. Only for one machine and one build: sizes and byte order are those of memory.
-///
-/// What a Loader reads may be anything, with a right checksum too. So whatever is used to reach memory is
-/// listed with what it must be: `fixed`, `indices`, `rows`, `check`. A copy byte by byte is for numbers only:
-/// a bool or a list in it would not be looked at.
+/// Common part of Saver and Loader: `archive(a, b, …)` visits values in a fixed order. A class lists its members in
+/// `serialize(Archive&)`; trivially copyable types need none. A state is valid for one machine and build only.
+/// Loaded data is untrusted, even with a right checksum: values used to address memory must be listed with `fixed`,
+/// `indices`, `rows` or `check`, and bytewise copies must contain numbers only.
 template <class Side>
 class Archive {
  public:
@@ -53,19 +49,18 @@ class Archive {
     (one(values), ...);
   }
 
-  /// Lists whose length is known without the state: they have it already.
+  /// Lists that must have the same length when loaded.
   template <class... T>
   void fixed(std::vector<T>&... lists) {
     (one_fixed(lists), ...);
   }
-  /// A list of indices of what has `bound` elements, or of pairs of them, with a pair of bounds.
+  /// Indices below `bound`, or pairs of them with a pair of bounds.
   template <class T, class Bound>
   void indices(std::vector<T>& list, const Bound& bound) {
     one(list);
     check("an index", [&] { return are_below(list, bound); });
   }
-  /// The entries of `count` rows: those of row i are list[width · begin[i]] … list[width · begin[i + 1] − 1],
-  /// all of them below `bound`.
+  /// `count` rows of indices below `bound`: row i is list[width · begin[i]] … list[width · begin[i + 1] − 1].
   template <class T, class Bound>
   void rows(std::vector<int>& begin, std::size_t count, std::vector<T>& list, const Bound& bound,
             std::size_t width = 1) {
@@ -74,7 +69,7 @@ class Archive {
     check("a list of lists",
           [&] { return list.size() % width == 0 && are_rows(begin, count, list.size() / width); });
   }
-  /// When loading: `is_right()` of what was loaded so far, or the state is refused for `what`.
+  /// When loading, throws UsageError about `what` unless `is_right()`.
   template <class Test>
   void check(const char* what, const Test& is_right) {
     if constexpr (Side::loads)
@@ -118,14 +113,14 @@ class Archive {
     if (is_copied<T> || values.size() > size) values.resize(size);
     elements(values, size);
   }
-  /// Not inlined: what one build of the solver alone emits is shared, and must run on any machine.
+  /// Not inlined: the linker shares functions that only one build emits, and these must run on any machine.
   template <class T>
   [[gnu::noinline]] void one_fixed(std::vector<T>& values) {
     const std::size_t size = side().length(values.size(), 1);
     check("the length of a list", [&] { return size == values.size(); });
     elements(values, size);
   }
-  /// A list that is too short grows as its elements come: a length that was made up takes no memory.
+  /// Grows element by element, so that an invalid length allocates no memory.
   template <class T>
   void elements(std::vector<T>& values, std::size_t size) {
     if constexpr (is_copied<T>) {
@@ -167,12 +162,11 @@ class Archive {
   }
 };
 
-/// Writes values to a string of bytes.
 class Saver : public Archive<Saver> {
  public:
   static constexpr bool loads = false;
 
-  /// `value` must be the same where it is loaded.
+  /// Saves a value that must be equal when loaded.
   template <class T>
   void match(const T& value) {
     T copy = value;
@@ -193,7 +187,7 @@ class Saver : public Archive<Saver> {
   std::string bytes_;
 };
 
-/// Reads them back. Throws UsageError when they are not what a Saver wrote for the same list of values.
+/// Reads values. Throws UsageError for bytes that no Saver wrote for them.
 class Loader : public Archive<Loader> {
  public:
   static constexpr bool loads = true;
@@ -206,7 +200,7 @@ class Loader : public Archive<Loader> {
     (*this)(found);
     if (!(found == value)) fail("the number of particles or probes");
   }
-  /// To be called last: nothing may be left over.
+  /// Call last: throws UsageError if bytes remain.
   void finish() const {
     if (!rest_.empty()) fail("its length");
   }
@@ -218,7 +212,7 @@ class Loader : public Archive<Loader> {
     if (size > 0) std::memcpy(to, rest_.data(), size);
     rest_.remove_prefix(size);
   }
-  /// Of a list whose elements take at least `least` bytes each.
+  /// `least`: minimum size of an element, bytes.
   std::size_t length(std::size_t, std::size_t least) {
     std::uint64_t n = 0;
     bytes(&n, sizeof n);

@@ -7,18 +7,16 @@
 
 namespace taut {
 
-/// N numbers of each particle, column by column: four particles that are stored one behind the other have
-/// four numbers one behind the other in each. Plain data for passes.
+/// N numbers per particle, column by column: four consecutive particles form a pack.
 template <int N>
 struct ColumnsView {
   double* all = nullptr;
-  int length = 0;  // of a column, in whole packs
+  int length = 0;  // of a column, a multiple of `lanes`
 
   double* operator[](int k) const { return all + static_cast<std::ptrdiff_t>(k) * length; }
   int size() const { return length; }
 };
 
-/// Owner of such numbers.
 template <int N>
 class Columns : public ColumnsView<N> {
   using ColumnsView<N>::all, ColumnsView<N>::length;
@@ -28,7 +26,7 @@ class Columns : public ColumnsView<N> {
   Columns(const Columns&) = delete;
   Columns& operator=(const Columns&) = delete;
 
-  /// All zero.
+  /// Sets all numbers to 0.
   void resize(int size) {
     length = (size + lanes - 1) / lanes * lanes;
     numbers_.assign(static_cast<std::size_t>(N) * length, 0.0);
@@ -39,7 +37,7 @@ class Columns : public ColumnsView<N> {
   std::vector<double> numbers_;
 };
 
-/// Four vectors that stand one behind the other, x0 y0 x1 …, from the four x, the four y, …
+/// Converts four vectors from columns (x0 x1 x2 x3, y0 …) to rows (x0 y0 x1 …).
 inline void interleave(const Pack (&columns)[2], Pack (&rows)[2]) {
   const auto& [x, y] = columns;
   rows[0] = __builtin_shufflevector(x, y, 0, 4, 1, 5);
@@ -54,7 +52,6 @@ inline void interleave(const Pack (&columns)[3], Pack (&rows)[3]) {
   rows[1] = __builtin_shufflevector(x2y2y1, z, 2, 5, 0, 1);
   rows[2] = __builtin_shufflevector(x3y3, z, 6, 0, 1, 7);
 }
-/// The reverse.
 inline void separate(const Pack (&rows)[2], Pack (&columns)[2]) {
   const auto& [a, b] = rows;
   columns[0] = __builtin_shufflevector(a, b, 0, 2, 4, 6);
@@ -67,7 +64,6 @@ inline void separate(const Pack (&rows)[3], Pack (&columns)[3]) {
   columns[2] = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, 5, 5), c, 0, 1, 4, 7);
 }
 
-/// The first Dim columns of the four particles from `first` on.
 template <int Dim, int N>
 Vec<Pack, Dim> vector_at(const ColumnsView<N>& columns, int first) {
   Vec<Pack, Dim> v;
@@ -79,7 +75,6 @@ void put(const Vec<Pack, N>& v, const ColumnsView<N>& columns, int first) {
 #pragma GCC unroll 4
   for (int k = 0; k < N; ++k) store(v[k], columns[k] + first);
 }
-/// A tensor of each of the four, row by row.
 template <int Dim>
 void put(const Mat<Pack, Dim>& A, const ColumnsView<Dim * Dim>& columns, int first) {
 #pragma GCC unroll 3
@@ -88,7 +83,7 @@ void put(const Mat<Pack, Dim>& A, const ColumnsView<Dim * Dim>& columns, int fir
     for (int b = 0; b < Dim; ++b) store(A(a, b), columns[a * Dim + b] + first);
 }
 
-/// The vectors of four particles that are stored one behind the other, or of the first `count` of them.
+/// Loads four vectors; lanes from `count` on are 0.
 template <int Dim>
 Vec<Pack, Dim> four_of(const Vec<double, Dim>* rows, int count) {
   Vec<Pack, Dim> v{};
@@ -113,7 +108,6 @@ void put_four(const Vec<Pack, Dim>& v, Vec<double, Dim>* rows, int count) {
     for (int lane = 0; lane < std::min(count, lanes); ++lane) rows[lane] = lane_of(v, lane);
   }
 }
-/// The same of what stands from `first` on.
 template <int Dim>
 Vec<Pack, Dim> four_of(const std::vector<Vec<double, Dim>>& rows, int first) {
   return four_of(&rows[first], static_cast<int>(rows.size()) - first);

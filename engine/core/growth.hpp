@@ -5,12 +5,11 @@
 
 namespace taut {
 
-/// Makes room in a list for `more`, of which `done` of `all` have added their share, and once that foretells
-/// something for the rest: while a list is copied to where it can grow, it is there twice; room that nobody uses
-/// takes no memory.
+/// Reserves room for `more` entries. After some of the contributions (`done` of `all`) it extrapolates to all, since
+/// each reallocation holds the list twice.
 template <class List>
 void make_room(List& list, std::size_t more, std::size_t done, std::size_t all) {
-  constexpr std::size_t telling = 16;  // a part of all
+  constexpr std::size_t telling = 16;  // part of all to extrapolate from: 1/16
   const std::size_t needed = list.size() + more;
   if (needed <= list.capacity()) return;
   if (telling * done < all) return list.reserve(2 * needed);

@@ -5,18 +5,15 @@
 #include "engine/core/machine.hpp"
 #include "engine/settings.hpp"
 
-/// Kernels: the loops over particles and pairs, over plain data. A kernels.cpp makes tables of pointers to
-/// them (for a family of methods one for each method and dimension) and is compiled once per instruction set; everything
-/// else is compiled once and asks for the best table of the machine. In the builds for special instruction sets the macro
-/// `taut` renames the namespace (engine/CMakeLists.txt), so that the linker shares none of the functions that they
-/// inline.
+/// Kernels are loops on plain data, compiled once per instruction set (kernels.cpp). Special builds rename the
+/// namespace with the macro `taut` (engine/CMakeLists.txt), so that the linker shares no inline functions.
 namespace taut {
 
-/// Kernels outside the families of methods; values from 100 on, so that none equals a Family.
+/// Kernels outside the families; values from 100 on differ from Family.
 enum class SharedKernels { neighbor_search = 100, history_row };
 
-/// The table of these kernels for the instruction set of this build; null if there is none. `Key`: a Family or one of
-/// SharedKernels. Specialised in its kernels.cpp. `method` selects among those of a family.
+/// Kernel table of this build, or null. `Key` is a Family or SharedKernels; `method` selects within a family.
+/// Specialised in kernels.cpp.
 template <int Key>
 const void* kernels_of(int dim, std::string_view method);
 
@@ -35,8 +32,8 @@ const void* kernels_of(int dim, std::string_view method);
 
 namespace taut {
 
-/// The table for the best instruction set of this machine up to `allowed`. Each build has its own copy of these
-/// types, with the same names and layouts. `with_v4`: there are kernels for x86-64-v4, too.
+/// Kernel table for the machine's best instruction set up to `allowed`; types have equal layouts in all builds.
+/// `with_v4`: kernels for x86-64-v4 exist.
 template <auto Key, class Kernels, bool with_v4 = false>
 const Kernels& best_kernels(int dim, std::string_view method = "",
                             InstructionSet allowed = InstructionSet::x86_64_v4) {

@@ -4,19 +4,17 @@
 
 namespace taut {
 
-/// A⁺ B, whose columns x are those of least |x| among those of least |A x − b|, and the rank of A; for small
-/// dense systems. Compiled once: the decomposition takes a compiler longer than the files that ask for it.
+/// Minimum-norm solution A⁺ B and rank of A. Compiled once, since Eigen's decomposition compiles slowly.
 struct LeastSquares {
   Eigen::MatrixXd x;
   Eigen::Index rank;
 };
 LeastSquares least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
-/// For one fit a particle, on the stack: as many as there are monomials of the fourth degree in 3D.
+/// Matrix of one fit, on the stack, up to the 15 fourth-degree monomials in 3D.
 using Gram = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 15, 15>;
 
-/// G⁻¹ B of G = Aᵀ A, much faster than by A itself; empty where that could cost half of the digits, or A has not
-/// its full rank.
+/// G⁻¹ B for G = Aᵀ A, much faster than with A. Empty if A lacks full rank or half of the digits could be lost.
 Gram solved_by_gram(const Gram& G, const Gram& B);
 
 }  // namespace taut

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Cores that this process may use; a batch system may have given it fewer than there are.
+/// Number of cores that this process may use.
 inline int cores() {
 #if defined(__linux__)
   cpu_set_t mine;
@@ -18,7 +18,6 @@ inline int cores() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// Whether this machine takes what is compiled for x86-64-v3.
 inline bool has_x86_64_v3() {
 #if defined(__x86_64__)
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
@@ -27,7 +26,6 @@ inline bool has_x86_64_v3() {
 #endif
 }
 
-/// The same of x86-64-v4.
 inline bool has_x86_64_v4() {
 #if defined(__x86_64__)
   return has_x86_64_v3() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&

@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// The middle one of some numbers, of which there is one at least; puts them in another order.
+/// Upper median of at least one number; reorders them.
 double median(std::span<double> some);
 
 }  // namespace taut

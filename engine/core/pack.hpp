@@ -5,20 +5,18 @@
 
 namespace taut {
 
-/// Four doubles that are worked on at once: four neighbours of one particle, or one of each of four. A vector
-/// type of the compiler, so that arithmetic, comparison and `mask ? a : b` read as for a double, and a term
-/// written for T serves both. Without AVX it is two SSE2 halves with the same results to the last bit.
+/// Four doubles: four neighbours of one particle, or one neighbour of each of four. As a compiler vector, Pack shares
+/// terms, written for T, with double. Results are bit-identical without AVX.
 inline constexpr int lanes = 4;
 typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
 
-/// For a factor of a term that the pass which calls it has in another one already.
+/// Replaces a factor that the calling pass includes elsewhere.
 inline constexpr Pack one = {1, 1, 1, 1};
 
-/// Four doubles that stand one behind the other, on any boundary.
 typedef double UnalignedPack __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double))));
 inline Pack load(const double* from) { return *reinterpret_cast<const UnalignedPack*>(from); }
-/// The first `count` of them, and 0.
+/// Loads `count` doubles; other lanes are 0.
 inline Pack load(const double* from, int count) {
   Pack a{};
   for (int lane = 0; lane < lanes && lane < count; ++lane) a[lane] = from[lane];
@@ -26,12 +24,12 @@ inline Pack load(const double* from, int count) {
 }
 inline void store(const Pack& a, double* to) { *reinterpret_cast<UnalignedPack*>(to) = a; }
 
-/// A Pack as an element of an array: without AVX, GCC aligns a bare one less.
+/// Pack in an array: without AVX, GCC aligns a bare one less.
 struct AlignedPack {
   alignas(lanes * sizeof(double)) Pack value;
 };
 
-/// The same in half the bytes, to a relative 6e-8 where it is between 1e-37 and 1e38.
+/// Pack of floats: relative error 6e-8 from 1e-37 to 1e38.
 struct HalfPack {
   typedef float Floats __attribute__((vector_size(lanes * sizeof(float))));
   alignas(lanes * sizeof(float)) Floats value;
@@ -75,13 +73,13 @@ T max(const T& a, const T& b) {
   return a > b ? a : b;
 }
 #ifdef __AVX__
-// one instruction each, of the same result to the last bit, for NaN too
+// bit-identical to the templates, also for NaN
 inline Pack min(const Pack& a, const Pack& b) { return __builtin_ia32_minpd256(a, b); }
 inline Pack max(const Pack& a, const Pack& b) { return __builtin_ia32_maxpd256(a, b); }
 #endif
-/// The greater, NaN if any of the two is.
+/// Maximum; NaN if either is NaN.
 inline Pack max_or_nan(const Pack& a, const Pack& b) { return ((b <= a) | (a != a)) ? a : b; }
-/// NaN if any is.
+/// Greatest lane; NaN if any is NaN.
 inline double greatest(const Pack& a) {
   double most = a[0];
   for (int lane = 1; lane < lanes; ++lane)
@@ -95,8 +93,7 @@ T power(const T& a) {
   for (int k = 1; k < N; ++k) r *= a;
   return r;
 }
-/// aⁿ, a ≥ 0, n ≥ 0, without a call, which would put all that a loop holds in registers into memory: the
-/// whole part of n by squares, the rest by roots.
+/// aⁿ for a, n ≥ 0, by squares and roots: a library call would spill a loop's registers.
 inline Pack power(const Pack& a, double n) {
   if (n == 4) return (a * a) * (a * a);
   const auto whole = static_cast<unsigned>(n);
@@ -120,7 +117,7 @@ T filled(double value) {
     return value;
 }
 
-/// Of a comparison: bit l is that of lane l.
+/// Bit l is the result in lane l.
 inline unsigned lanes_where(const PackIndex& a) {
 #ifdef __AVX__
   return static_cast<unsigned>(__builtin_ia32_movmskpd256((Pack)a));
@@ -131,24 +128,22 @@ inline unsigned lanes_where(const PackIndex& a) {
 inline bool any(bool a) { return a; }
 inline bool any(const PackIndex& a) { return lanes_where(a) != 0; }
 
-/// Two doubles at `a` and two at `b`, side by side.
 inline Pack halves(const double* a, const double* b) {
   typedef double Half __attribute__((vector_size(2 * sizeof(double))));
   const Half &low = *reinterpret_cast<const Half*>(a), &high = *reinterpret_cast<const Half*>(b);
 #if defined(__AVX__) && !defined(__clang__)
-  // comes with its load, for which GCC 12 makes moves of a shuffle
+  // merges with its load; GCC 12 turns a shuffle into moves
   return __builtin_ia32_vinsertf128_pd256(__builtin_ia32_pd256_pd(low), high, 1);
 #else
   return __builtin_shufflevector(low, high, 0, 1, 2, 3);
 #endif
 }
 
-/// Four rows of a table with an even number of doubles a row, aligned to 16 bytes, of which columns are
-/// wanted as packs. Two neighbouring columns cost little more than one.
+/// Reads columns of four rows. Rows are aligned to 16 bytes, with an even number of doubles. Two neighbouring columns
+/// cost little more than one.
 struct RowsOfFour {
   const double* at[lanes];
 
-  /// Rows j[0…3] of one with `stride` doubles a row.
   [[gnu::always_inline]] RowsOfFour(const double* table, std::ptrdiff_t stride, const int* j)
       : at{table + j[0] * stride, table + j[1] * stride, table + j[2] * stride, table + j[3] * stride} {}
 
@@ -160,8 +155,7 @@ struct RowsOfFour {
   }
 };
 
-/// The first `Columns` of rows j[0…3] of a table with `Stride` doubles a row, transposed: out[k] holds column
-/// k of the four rows.
+/// Transposes rows j[0…3]: out[k] is column k.
 template <int Columns, int Stride = Columns>
 [[gnu::always_inline]] inline void gather(const double* table, const int* j, Pack* out) {
   static_assert(Stride % 2 == 0);

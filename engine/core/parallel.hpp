@@ -10,17 +10,16 @@
 
 namespace taut {
 
-/// The greater of two numbers, or NaN if one is.
+/// Maximum; NaN if either is NaN.
 inline double greater(double a, double b) { return b <= a || a != a ? a : b; }
 
-/// In how many parts a loop is handed out: several a thread, so that one that is held up does not hold up
-/// all, and none that is not worth the handing over.
+/// Number of chunks: several per thread balance the load; too short ones do not pay.
 inline int chunks_of(int n, int threads) {
   constexpr int of_each = 4, least = 32;
   return threads == 1 ? 1 : std::clamp(n / least, 1, std::min(of_each * threads, Threads::most_chunks));
 }
 
-/// f(chunk, first, last) for chunks_of(n, threads) stretches of 0 … n−1, on `threads` threads.
+/// Calls f(chunk, first, last) for ranges of 0 … n−1.
 template <class F>
 void parallel_chunks(int n, const Threads& threads, const F& f) {
   struct Loop {
@@ -36,7 +35,6 @@ void parallel_chunks(int n, const Threads& threads, const F& f) {
       [](const void* of, int c) noexcept { static_cast<const Loop*>(of)->chunk(c); }, &loop);
 }
 
-/// f(i) for i = 0 … n−1 on `threads` threads.
 template <class F>
 void parallel_for(int n, const Threads& threads, const F& f) {
   parallel_chunks(n, threads, [&](int, int first, int last) {
@@ -44,11 +42,10 @@ void parallel_for(int n, const Threads& threads, const F& f) {
   });
 }
 
-/// f(first), … f(last − 1), all that they call in one loop. Left to itself, the compiler calls the body of a pass
-/// for every particle, and a term of a dozen vector operations in it, and hands each of them over through memory.
+/// Inlines all calls of f; otherwise the compiler passes packs through memory.
 template <class F>
 [[gnu::flatten, gnu::noinline]] void inlined_loop(const F& f, int first, int last) {
-  const F own = f;  // so that numbers it holds by value stay in registers: nothing that is stored can be them
+  const F own = f;  // a local copy stays in registers: no store can alias it
   for (int i = first; i < last; ++i) own(i);
 }
 template <class F>
@@ -59,14 +56,13 @@ template <class F>
   return most;
 }
 
-/// parallel_for of a loop that a step's time goes into.
+/// parallel_for for loops that dominate a step.
 template <class F>
 void parallel_pass(int n, const Threads& threads, const F& f) {
   parallel_chunks(n, threads, [&](int, int first, int last) { inlined_loop(f, first, last); });
 }
 
-/// take(i, make(i)) for i = 0 … n−1: what is made on `threads` threads is taken by one, in this order, and few
-/// of it are there at a time.
+/// Calls take(i, make(i)): `make` on `threads` threads, `take` on one, in order. Few results exist at a time.
 template <class Make, class Take>
 void make_in_order(int n, int threads, const Make& make, const Take& take) {
   constexpr int most = 1024;
@@ -78,7 +74,7 @@ void make_in_order(int n, int threads, const Make& make, const Take& take) {
   }
 }
 
-/// Greatest f(i) of a pass, or NaN if any is NaN. The same for any number of threads.
+/// Maximum of 0 and all f(i), NaN if any is NaN; independent of `threads`.
 template <class F>
 double parallel_max(int n, const Threads& threads, const F& f) {
   std::atomic<double> result = 0;

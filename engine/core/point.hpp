@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// A point or vector of up to three components; those beyond the scene's dimension are 0. SI units.
+/// In SI units; components beyond the scene's dimension are 0.
 using Point = std::array<double, 3>;
 
 inline double distance_between(const Point& a, const Point& b, int dim) {

@@ -6,16 +6,16 @@
 
 namespace taut {
 
-/// A = Σ_k value_k axis_k ⊗ axis_k, in no order; the axes are of length 1 and square to each other.
+/// A = Σ_k value_k axis_k ⊗ axis_k with orthonormal axes, unsorted.
 struct Principal {
   double value[3];
   Vec<double, 3> axis[3];
 };
 
-/// By Jacobi's rotations, each of which takes one component off the diagonal away.
+/// Uses Jacobi's rotations.
 inline Principal principal_axes(const Sym<double, 3>& symmetric) {
   Mat<double, 3> A = full(symmetric), Q{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  constexpr int most = 12;  // sweeps; convergence is quadratic, five are common
+  constexpr int most = 12;  // sweeps; mostly five suffice
   const double scale = std::abs(A(0, 0)) + std::abs(A(1, 1)) + std::abs(A(2, 2)) + std::abs(A(0, 1)) +
                        std::abs(A(0, 2)) + std::abs(A(1, 2));
   for (int sweep = 0; sweep < most; ++sweep) {

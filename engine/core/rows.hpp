@@ -6,8 +6,7 @@
 
 namespace taut {
 
-/// A particle's row of `Width` doubles, filled up to whole packs, as the passes gather it. Rows that fill
-/// whole lines of the cache begin with one.
+/// Row of doubles, padded to whole packs, and aligned to cache lines if it fills them.
 constexpr int row_width(int columns) { return (columns + lanes - 1) / lanes * lanes; }
 constexpr std::size_t row_alignment(int columns) { return row_width(columns) % (2 * lanes) == 0 ? 64 : 32; }
 template <int Width>

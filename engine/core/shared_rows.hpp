@@ -10,20 +10,19 @@
 
 namespace taut {
 
-/// Rows of constants, one behind the other, of which two that are equal to the last bit are one: particles
-/// inside a lattice all have the same.
+/// Rows of constants. Bit-identical rows are stored once: particles inside a lattice share one.
 template <class T>
 class SharedRows {
  public:
   SharedRows() = default;
-  /// For so many of them, as far as one knows.
+  /// `rows`: expected number of rows.
   explicit SharedRows(int rows) : rows_(static_cast<std::size_t>(rows)) {}
 
-  /// What `add` finds a row by; it may be made beside others.
+  /// Hash for `add`; may run in parallel.
   static std::size_t hash_of(const std::vector<T>& row) {
     return std::hash<std::string_view>()(bytes_of(row));
   }
-  /// Where it begins.
+  /// Returns where the row begins.
   int add(const std::vector<T>& row) { return add(row, hash_of(row)); }
   int add(const std::vector<T>& row, std::size_t hash) {
     const std::string_view bytes = bytes_of(row);
@@ -40,15 +39,15 @@ class SharedRows {
     return begin;
   }
   const T& operator[](int k) const { return all_[k]; }
-  /// The row that begins at k; an empty one may begin where all ends.
+  /// An empty row may begin at the end.
   const T* from(int k) const { return all_.data() + k; }
-  /// Nothing will be added any more.
-  void close() { table_ = std::vector<Known>(); }  // {} would keep the room
+  /// Frees the search table; no `add` may follow.
+  void close() { table_ = std::vector<Known>(); }  // {} would keep the capacity
 
  private:
   struct Known {
-    std::size_t hash = 0;  // of its bytes
-    int begin = -1;        // none
+    std::size_t hash = 0;  // of the row's bytes
+    int begin = -1;        // -1 = free
   };
 
   static std::string_view bytes_of(const std::vector<T>& row) {
@@ -59,7 +58,7 @@ class SharedRows {
     return size <= all_.size() - static_cast<std::size_t>(begin) &&
            std::string_view(there, bytes.size()) == bytes;
   }
-  // a power of two of places; what finds its own taken stands in the next
+  // open addressing with linear probing
   std::size_t first_of(std::size_t hash) const { return hash & (table_.size() - 1); }
   std::size_t next(std::size_t at) const { return first_of(at + 1); }
   void grow() {

@@ -8,10 +8,9 @@ namespace taut {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// How long a helper looks out for the next loop before it goes to sleep: to be woken takes a loop of a small
-// scene. What lies between two loops of a step, such as contact, mostly takes less.
+// Time to spin before sleep: waking takes as long as a loop of a small scene.
 constexpr std::chrono::microseconds patience{100};
-constexpr int looks = 50;  // between two looks at the clock, or before the owner makes room for others
+constexpr int looks = 50;  // between clock reads, or before the owner yields
 
 void pause() {
 #if defined(__x86_64__)
@@ -46,7 +45,7 @@ Team& Team::own() {
 }
 
 void Team::run(int threads, int chunks, Work work, const void* of) {
-  if (work_) {  // a loop within a loop
+  if (work_) {  // nested loop
     for (int c = 0; c < chunks; ++c) work(of, c);
     return;
   }
@@ -98,7 +97,7 @@ std::uint64_t Team::wait_for_other_than(std::uint64_t word) {
       if (const std::uint64_t now = job_.load(std::memory_order_acquire); now != word) return now;
   } while (Clock::now() - begin < patience);
   std::unique_lock lock(mutex_);
-  ++asleep_;  // before a last look at the job, as the owner looks who is asleep after it has set the job
+  ++asleep_;  // before the check of job_: the owner sets job_ first, then reads asleep_
   wake_.wait(lock, [&] { return job_ != word; });
   --asleep_;
   return job_;

@@ -5,29 +5,24 @@
 
 namespace taut {
 
-/// How many threads the next step takes: all of them, or one where more do not help, as while other work
-/// keeps the machine busy. Results do not depend on it.
-///
-/// Blocks of steps are timed. One thread does the first block; then the team is tried, and stays while its
-/// blocks take no longer. A block that takes longer than that of one thread ends there and then. One thread
-/// goes on, so long that the trial has cost a fiftieth of the time, and twice as long after each that fails
-/// again.
+/// Chooses the number of threads of the next step: all, or one where more do not help. Results do not depend on it.
+/// After a block of steps on one thread, tries the team and keeps it while it is no slower. Then one thread continues
+/// until the trial has cost 1/`worth` of the time, twice as long after each repeated failure.
 class TeamSize {
  public:
   explicit TeamSize(int most) : most_(most) {}
 
   int threads() const { return alone_ > 0 ? 1 : most_; }
 
-  /// Before a series of steps, since only the time of steps counts.
+  /// Call before a series of steps: only their time counts.
   void resume() { last_ = seconds(); }
-  /// After every step.
   void step_done() {
     if (most_ == 1) return;
     const double now = seconds();
     step_took(now - last_);
     last_ = now;
   }
-  /// Of a step, s.
+  /// Records a step of `time`, s.
   void step_took(double time) {
     taken_ += time;
     ++steps_;
@@ -41,11 +36,11 @@ class TeamSize {
   }
 
  private:
-  static constexpr int most_steps = 16;         // of a block: some rebuilds are among them
-  static constexpr int least_steps = 4;         // of one that takes
+  static constexpr int most_steps = 16;         // per block, includes some rebuilds
+  static constexpr int least_steps = 4;         // per block that lasts `long_enough`
   static constexpr double long_enough = 0.1;    // s
-  static constexpr int often = 100;             // blocks of the team between two of one thread
-  static constexpr double worth = 50;           // what a trial that fails may cost: 1/worth of the time
+  static constexpr int often = 100;             // team blocks between two on one thread
+  static constexpr double worth = 50;           // a failed trial may cost 1/worth of the time
   static constexpr double most_patience = 1e3;  // blocks
 
   void block_alone_done() {
@@ -73,14 +68,14 @@ class TeamSize {
   }
 
   int most_;
-  int alone_ = 1;           // blocks to go with one thread
-  int block_ = 0;           // steps
-  double block_alone_ = 0;  // s, by the last block of one thread
-  int well_ = 0;            // blocks of the team since then
-  double patience_ = 1;     // blocks with one thread after a trial that failed, at least
-  int steps_ = 0;           // of this block
-  double taken_ = 0;        // s, by them
-  double last_ = 0;         // s, when the last one was done
+  int alone_ = 1;           // remaining blocks on one thread
+  int block_ = 0;           // steps of the last block on one thread
+  double block_alone_ = 0;  // its duration, s
+  int well_ = 0;            // team blocks since then
+  double patience_ = 1;     // least `alone_` after a failed trial
+  int steps_ = 0;           // steps of the current block
+  double taken_ = 0;        // its duration so far, s
+  double last_ = 0;         // s, end of the last step
 };
 
 }  // namespace taut

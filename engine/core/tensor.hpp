@@ -4,12 +4,10 @@
 
 #include "engine/core/pack.hpp"
 
-/// Small vectors and tensors over T = double or Pack. Eigen is not used in the solver: its fixed-size types
-/// change alignment with the instruction set, and the solver is compiled for several.
+/// Tensors over T = double or Pack. Eigen's types change alignment with the instruction set.
 namespace taut {
 
-/// Alignment of a member of type T. Code without AVX aligns a bare Pack less, and structs with packs must be laid out
-/// alike in code for any instruction set.
+/// Alignment that is equal in all builds; without AVX a bare Pack is aligned less.
 template <class T>
 inline constexpr std::size_t alignment_of = sizeof(T) == sizeof(Pack) ? sizeof(Pack) : alignof(T);
 
@@ -55,7 +53,7 @@ Vec<T, 3> cross(const Vec<T, 3>& a, const Vec<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// A full tensor, row by row: A(a, b).
+/// Full tensor, row by row.
 template <class T, int Dim>
 struct Mat {
   alignas(alignment_of<T>) T c[Dim][Dim];
@@ -88,7 +86,7 @@ struct Mat {
   }
 };
 
-/// A symmetric tensor, upper triangle row by row: xx, xy, yy or xx, xy, xz, yy, yz, zz.
+/// Symmetric tensor, upper triangle: xx, xy, yy or xx, xy, xz, yy, yz, zz.
 template <class T, int Dim>
 struct Sym {
   static constexpr int size = Dim * (Dim + 1) / 2;
@@ -151,7 +149,6 @@ Sym<T, Dim> right_cauchy_green(const Mat<T, Dim>& F) {
   return C;
 }
 
-/// All components of a symmetric tensor.
 template <class T, int Dim>
 Mat<T, Dim> full(const Sym<T, Dim>& S) {
   Mat<T, Dim> A;
@@ -178,7 +175,6 @@ void add_outer(Sym<T, Dim>& A, const T& s, const Vec<T, Dim>& a) {
     for (int l = k; l < Dim; ++l) A(k, l) += s * a[k] * a[l];
 }
 
-/// A · B
 template <class T, int Dim, template <class, int> class Tensor>
 [[gnu::always_inline]] inline Mat<T, Dim> product(const Mat<T, Dim>& A, const Tensor<T, Dim>& B) {
   Mat<T, Dim> C;
@@ -192,7 +188,6 @@ template <class T, int Dim, template <class, int> class Tensor>
     }
   return C;
 }
-/// A Bᵀ
 template <class T, int Dim>
 [[gnu::always_inline]] inline Mat<T, Dim> product_transposed(const Mat<T, Dim>& A, const Mat<T, Dim>& B) {
   Mat<T, Dim> C;
@@ -211,7 +206,7 @@ template <class T, int Dim>
   return product(A, B);
 }
 
-/// A · B, which is not symmetric unless they commute
+/// A · B, in general not symmetric.
 template <class T, int Dim>
 [[gnu::always_inline]] inline Mat<T, Dim> product(const Sym<T, Dim>& A, const Sym<T, Dim>& B) {
   Mat<T, Dim> C;
@@ -226,7 +221,6 @@ template <class T, int Dim>
   return C;
 }
 
-/// ½ (A + Aᵀ)
 template <class T, int Dim>
 Sym<T, Dim> symmetric_part(const Mat<T, Dim>& A) {
   Sym<T, Dim> S;
@@ -266,8 +260,7 @@ T determinant(const Mat<T, 3>& A) {
          A(0, 2) * (A(1, 0) * A(2, 1) - A(1, 1) * A(2, 0));
 }
 
-/// The tensor cross product A ⨯ B, [A ⨯ B]_iI = ε_ijk ε_IJK A_jJ B_kK, symmetric in both: cof F = ½ F ⨯ F.
-/// [Lee2016] below Eq. 1
+/// Tensor cross product [A ⨯ B]_iI = ε_ijk ε_IJK A_jJ B_kK: cof F = ½ F ⨯ F. [Lee2016] below Eq. 1
 template <class T>
 Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
   Mat<T, 3> C;
@@ -283,7 +276,7 @@ Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
   return C;
 }
 
-/// Inverse of a symmetric tensor; 0 where it has none, as for a particle without neighbours.
+/// Inverse of a symmetric tensor; 0 if not clearly positive definite, as for a particle without neighbours.
 inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
   const double det = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);
   const double scale = trace(a) * trace(a);
@@ -298,7 +291,7 @@ inline Sym<double, 3> inverse(const Sym<double, 3>& a) {
   return (1 / det) * Sym<double, 3>{H(0, 0), H(0, 1), H(0, 2), H(1, 1), H(1, 2), H(2, 2)};
 }
 
-/// Lane sums.
+/// Sums over lanes.
 template <int Dim>
 Vec<double, Dim> sum(const Vec<Pack, Dim>& a) {
   const Pack of_all = sums(a[0], a[1], a[Dim - 2], a[Dim - 1]);
@@ -307,7 +300,6 @@ Vec<double, Dim> sum(const Vec<Pack, Dim>& a) {
   if constexpr (Dim == 3) r[2] = of_all[3];
   return r;
 }
-/// Of `n` packs.
 template <int n>
 void sums(const Pack* a, double* r) {
   constexpr int fours = n / lanes * lanes;
@@ -357,14 +349,12 @@ void set_lane(Mat<Pack, Dim>& A, int lane, const Mat<double, Dim>& one) {
   for (int k = 0; k < Dim; ++k)
     for (int l = 0; l < Dim; ++l) A(k, l)[lane] = one(k, l);
 }
-/// Takes one lane from `other`.
 inline void take_lane(Pack& a, int lane, const Pack& other) { a[lane] = other[lane]; }
 template <int Dim>
 void take_lane(Mat<Pack, Dim>& A, int lane, const Mat<Pack, Dim>& other) {
   set_lane(A, lane, lane_of(other, lane));
 }
 
-/// The same value in each lane.
 template <int Dim>
 Vec<Pack, Dim> spread(const Vec<double, Dim>& a) {
   Vec<Pack, Dim> r;

@@ -24,31 +24,30 @@
 namespace taut {
 namespace {
 
-// √(n dp), n = 4 in 2D and 3D, are in reach; the next on the lattice, √5 dp, are not
+// √4 dp is in range, √5 dp is not
 constexpr double reach = 2.1;  // dp
 
-/// Of i's own unit vector, the share that the quadratics must leave. A surface of a lattice keeps 0.53, a
-/// place beside its corner 0.49; the corner itself 0.
+/// Least share of e_i that quadratics leave; lattice surfaces leave 0.53, corners 0.
 constexpr double least_left = 0.3;
 
-/// κ: with n_k lattice points at distance √k dp, the fit to all points but the middle one has the weights
-/// ω = a + b k with Σ n_k ω = 1, Σ n_k k ω = 0, the row 1 − Σ ω has the norm √(1 + a), and the checkerboard
-/// gives 1 − Σ (−1)^k n_k ω. In 2D a = 3/8, b = −1/8 and that is 2, in 3D a = 37/170, b = −13/170 and 128/85.
+/// κ: with n_k lattice points at distance √k dp, the fit without i has weights ω = a + b k, Σ n_k ω = 1, Σ n_k k ω =
+/// 0. The row has norm √(1 + a) and maps the checkerboard to 1 − Σ (−1)^k n_k ω: 2D a = 3/8, b = −1/8, 2; 3D a =
+/// 37/170, b = −13/170, 128/85.
 double scale(int dim) { return dim == 3 ? std::sqrt(207.0 / 170) * 85 / 128 : std::sqrt(11.0 / 8) / 2; }
 
 bool alike(const Snapshot& now, std::size_t i, std::size_t j) {
   return now.material[i] == now.material[j] && now.held[i] == now.held[j];
 }
 
-/// Of each particle those alike in reach, itself first.
+/// Similar particles in range, the particle itself first.
 struct Neighborhoods {
-  std::vector<std::size_t> begin;  // [n + 1]
+  std::vector<std::size_t> begin;  // [particle + 1]
   std::vector<int> all;
 
   std::span<int> operator[](std::size_t i) { return {&all[begin[i]], begin[i + 1] - begin[i]}; }
 };
 
-/// Parts that a slot separates may move apart: that is no zigzag.
+/// Excludes neighbours across a slot: its opening is no zigzag.
 void leave_out_beyond_slots(const Snapshot& start, double spacing, int threads, Neighborhoods& near) {
   const auto squared = [&](int i, int j) {
     const double r = distance_between(start.initial(static_cast<std::size_t>(i)),
@@ -95,7 +94,7 @@ Neighborhoods neighborhoods(const Snapshot& start, double spacing, int threads) 
   return near;
 }
 
-/// Every monomial up to the second degree at every particle of `near`, about its first, in units of dp.
+/// [particle of `near`][monomial] up to degree 2, about the first particle, in dp.
 Eigen::MatrixXd quadratics(const Snapshot& start, std::span<const int> near, double spacing) {
   const int dim = start.dim;
   const Point xi = start.initial(static_cast<std::size_t>(near[0]));
@@ -112,20 +111,20 @@ Eigen::MatrixXd quadratics(const Snapshot& start, std::span<const int> near, dou
   return M;
 }
 
-/// κ (I − P) e_i / |(I − P) e_i|; empty where the quadratics leave too little.
+/// κ (I − P) e_i / |(I − P) e_i|; empty if quadratics leave too little.
 Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
   const Eigen::VectorXd e_i = Eigen::VectorXd::Unit(quadratics.rows(), 0);
   const Gram G = quadratics.transpose().lazyProduct(quadratics);
   const Gram fast = solved_by_gram(G, quadratics.row(0).transpose());
-  // a thin body leaves some monomials without effect: the rank may be less than their number
+  // in thin bodies monomials may be dependent
   const Eigen::VectorXd coefficients =
       fast.size() > 0 ? Eigen::VectorXd(fast) : Eigen::VectorXd(least_squares(quadratics, e_i).x);
   const Eigen::VectorXd left = e_i - quadratics.lazyProduct(coefficients);
-  if (left[0] < least_left) return {};  // also the square of its norm, since I − P is a projection
+  if (left[0] < least_left) return {};  // = |left|², because I − P is a projection
   return kappa / left.norm() * left;
 }
 
-/// Where the particles of `near` are from its first, alike for the same places but for round-off.
+/// Positions about the first particle, rounded to compare equal.
 std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, double spacing) {
   constexpr double fine = 1e6;  // parts of a spacing
   const Point xi = start.initial(static_cast<std::size_t>(near[0]));
@@ -138,20 +137,19 @@ std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, 
   return places;
 }
 
-/// The rows of those who have one. A lattice in 3D has few different ones: their weights would take more room
-/// than all else that is known of a particle.
+/// Collects the rows. In 3D equal rows share weights, since lattices have few different ones.
 class Rows {
  public:
-  /// The entries take the room of the neighbourhoods that they come from, one after the other.
+  /// Rows reuse the memory of `near`.
   Rows(const Snapshot& start, double spacing, Neighborhoods& near)
       : start_(start), spacing_(spacing), kappa_(scale(start.dim)), near_(near) {}
 
-  /// What can be known of a row beside others.
+  /// Part of a row that is made in parallel.
   struct Made {
     std::vector<int> surroundings;           // in 3D
-    std::optional<Eigen::VectorXd> weights;  // unless another row is likely to have the same
+    std::optional<Eigen::VectorXd> weights;  // none if probably shared
   };
-  /// `near` begins with the particle itself; in 3D it is sorted.
+  /// `near` begins with the particle; sorted in 3D.
   Made make(std::span<int> near) const {
     if (start_.dim == 2) return {{}, weights(near)};
     std::ranges::sort(near.begin() + 1, near.end());
@@ -182,7 +180,7 @@ class Rows {
   Eigen::VectorXd weights(std::span<const int> near) const {
     return row(quadratics(start_, near, spacing_), kappa_);
   }
-  /// Where they begin; −1 if there are none.
+  /// Index of the first weight, or −1.
   int add_weights(const Eigen::VectorXd& w) {
     if (w.size() == 0) return -1;
     make_room(part_.weight, static_cast<std::size_t>(w.size()), part_.first_weight.size(), start_.size());
@@ -194,7 +192,7 @@ class Rows {
     return std::hash<std::string_view>()(
         {reinterpret_cast<const char*>(places.data()), places.size() * sizeof(int)});
   }
-  /// The row of the same surroundings; −1 if there is none.
+  /// Row with equal surroundings, or −1.
   int known(const std::vector<int>& places) const {
     for (auto [at, end] = known_.equal_range(hash_of(places)); at != end; ++at) {
       const auto row = static_cast<std::size_t>(at->second);
@@ -229,10 +227,11 @@ AlternatingPart alternating_part(const Snapshot& start, double spacing, int thre
 
 AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing) {
   double out[6];
+  std::vector<double> x(static_cast<std::size_t>(part.rows()));
   best_kernels<SharedKernels::history_row, HistoryKernels>(now.dim).alternating_sums(
       {part.rows(), part.begin.data(), part.j.data(), part.first_weight.data(), part.weight.data()},
-      view_of(now), spacing, out);
-  return {{out[0], out[1], out[2]}, {out[3], out[4], out[5]}};
+      view_of(now), spacing, out, x.data());
+  return {std::move(x), {out[0], out[1], out[2]}, {out[3], out[4], out[5]}};
 }
 
 }  // namespace taut

@@ -25,7 +25,7 @@ double energy_of_rounding(const Scene& scene, const Snapshot& start) {
   double c2 = 0;  // m²/s²
   for (const Material& material : scene.materials)
     c2 = std::max(c2, material.bulk_modulus() / material.density);
-  constexpr double rounding = 1e-16;  // of speeds, over the sound speed, squared
+  constexpr double rounding = 1e-16;  // (speed / c0)²
   return rounding * c2 * std::accumulate(start.m.begin(), start.m.end(), 0.0);
 }
 

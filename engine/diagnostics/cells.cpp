@@ -16,9 +16,9 @@ namespace {
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
-constexpr double adjacent = 1.35;  // of those that share a side
-constexpr double torn = 1.5;       // stretch beyond which a neighbour covers no more
-constexpr double straight = 0.8;   // cosine of the angle within which a neighbour is in the way of a side
+constexpr double adjacent = 1.35;  // spacings, greatest distance of cells that share a side
+constexpr double torn = 1.5;       // stretch from which a neighbour covers no more
+constexpr double straight = 0.8;   // least cosine between the direction of a neighbour and an axis
 
 Vector vector(const Point& a) { return {a[0], a[1], a[2]}; }
 Point point(const Vector& a) { return {a[0], a[1], a[2]}; }
@@ -53,8 +53,8 @@ std::span<const std::size_t> Cells::neighbors(std::size_t i) const {
   return std::span(neighbor_).subspan(first_[i], first_[i + 1] - first_[i]);
 }
 
-/// In 3D the way to the nearest neighbour, then to the one most across, and what is at right angles to both.
-/// In 2D the cross that the ways to the adjacent neighbours agree on best: layers of a ring stand staggered.
+/// 3D: towards the nearest and the most perpendicular neighbour. 2D: best fit to adjacent neighbours, since ring
+/// layers are staggered.
 void Cells::find_axes(std::size_t i) {
   std::array<Vector, 3> axes{Vector::UnitX(), Vector::UnitY(), Vector::UnitZ()};
   Vector across = Vector::Zero();
@@ -84,11 +84,10 @@ void Cells::find_axes(std::size_t i) {
   for (std::size_t k = 0; k < 3; ++k) cells_[i].sides[k].axis = point(axes[k]);
 }
 
-/// A side is half-way to the neighbour in its direction.
 void Cells::find_ends(std::size_t i, double diameter) {
   Cell& cell = cells_[i];
   constexpr double open = 1e300;
-  std::array<std::array<double, 2>, 3> half;  // to the side in and against each axis, m
+  std::array<std::array<double, 2>, 3> half;  // distance to each side, m
   for (auto& ends : half) ends = {open, open};
   for (const std::size_t j : neighbors(i)) {
     const Vector X = vector(initial(i, j));
@@ -100,7 +99,7 @@ void Cells::find_ends(std::size_t i, double diameter) {
     }
   }
   const auto one_open = [&](std::size_t k) { return (half[k][0] < open) != (half[k][1] < open); };
-  // the outermost particles have whole cells around them, or, on the boundary, at most about half of one
+  // on the boundary, cells are at most about half
   const double part = std::pow(diameter / cell.spacing, static_cast<double>(dim_));
   const bool on_boundary = part < 0.75;
   cell.inside = true;
@@ -124,8 +123,7 @@ void Cells::find_inverse(std::size_t i) {
   cells_[i].inverse = inverse_moment(symmetric, static_cast<int>(dim_));
 }
 
-/// Of those around a cell inside the adjacent ones are enough: they say whether it stays hidden, and what it
-/// is like when it does not.
+/// Inner cells need adjacent neighbours only.
 void Cells::forget_distant() {
   std::vector<std::size_t> first{0}, kept;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -140,7 +138,7 @@ void Cells::forget_distant() {
     if (cells_[i].inside) find_inverse(i);
 }
 
-/// Now less at the start, of the way from i to j.
+/// Displacement of j relative to i, m.
 Point Cells::change(std::size_t i, std::size_t j, std::span<const double> x) const {
   Point way = initial(j, i);
   for (std::size_t k = 0; k < dim_; ++k) way[k] += x[dim_ * j + k] - x[dim_ * i + k];

@@ -4,8 +4,7 @@
 
 namespace taut {
 
-/// Adds many numbers with the error of one addition, so that a momentum that is conserved to round-off can be
-/// seen to be: what each addition loses (Knuth 1969) is added up too. Four sums at once, one a lane.
+/// Four compensated sums (Knuth 1969), one per lane, to show momenta conserved to round-off.
 class CompensatedSums {
  public:
   void operator+=(const Pack& term) {

@@ -6,10 +6,8 @@
 namespace taut {
 namespace {
 
-/// What is left of it when the work of what acts from outside is taken off.
 double energy(const Balance& sums) { return sums.kinetic + sums.strain - sums.work + sums.damped; }
 
-/// How far a momentum less what it was given is from where it was at the start.
 double change(const Point& now, const Point& given, const Point& start) {
   return std::hypot(now[0] - given[0] - start[0], now[1] - given[1] - start[1], now[2] - given[2] - start[2]);
 }

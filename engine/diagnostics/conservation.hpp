@@ -8,33 +8,29 @@
 
 namespace taut {
 
-/// Greatest relative drift of the sums that a closed system keeps, less the impulses of walls; none where the scene
-/// exchanges the quantity with its surroundings.
+/// Greatest relative drifts, corrected for walls; none for quantities that the scene exchanges with its surroundings.
 struct Conservation {
-  std::optional<double> linear_momentum;   // |Δp| over the greatest Σ|m v|
-  std::optional<double> angular_momentum;  // |ΔL| over the greatest Σ m|x||v|
-  /// Greatest |E + D − W − E0| over the greatest E0 + W, where W is the work of drives, loads and gravity and D the
-  /// energy dissipated by the scene's damping; none in a scene without energy but round-off.
+  std::optional<double> linear_momentum;   // |Δp| over greatest Σ|m v|
+  std::optional<double> angular_momentum;  // |ΔL| over greatest Σ m|x||v|
+  /// Greatest |E + D − W − E0| over greatest E0 + W; W: work of drives, loads and gravity, D: energy removed by
+  /// damping. None if energies are only round-off.
   std::optional<double> energy;
-  /// The same with its sign: the greatest increase and the greatest decrease, both ≥ 0.
+  /// Greatest gain and loss, both ≥ 0.
   std::optional<double> energy_gained, energy_lost;
 };
 
-/// Something acts from outside with momentum that nobody counts: held or driven particles, loads, gravity or
-/// damping.
+/// The scene changes momentum without record: by clamps, guides, drives, loads, gravity or damping.
 bool exchanges_momentum(const Scene& scene, const Snapshot& start);
 
-/// Follows the sums of a run from one time to the next.
 class ConservationWatch {
  public:
   ConservationWatch(const Scene& scene, const Snapshot& start)
       : exchanges_momentum_(exchanges_momentum(scene, start)), nothing_(energy_of_rounding(scene, start)) {}
 
-  /// The first sums are what the others drift from.
+  /// The first call sets the reference.
   void follow(const Balance& now);
   Conservation so_far() const;
 
-  /// What it has seen so far; the rest comes from the start.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(start_, linear_, angular_, gained_, lost_, linear_scale_, angular_scale_, energy_scale_);
@@ -42,10 +38,10 @@ class ConservationWatch {
 
  private:
   bool exchanges_momentum_;
-  double nothing_;  // of energies, J
+  double nothing_;  // round-off of energy, J
   std::optional<Balance> start_;
   double linear_ = 0, angular_ = 0;  // greatest |change|
-  double gained_ = 0, lost_ = 0;     // of the energy, J
+  double gained_ = 0, lost_ = 0;     // J
   double linear_scale_ = 0, angular_scale_ = 0, energy_scale_ = 0;
 };
 

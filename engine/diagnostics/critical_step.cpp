@@ -13,14 +13,14 @@
 namespace taut {
 namespace {
 
-constexpr double kick = 1e-6;           // random velocity, over c0
-constexpr double allowed_speed = 1e-3;  // whose energy counts as noise, over c0
-constexpr double allowed_energy = 100;  // over what was given
-constexpr int stretch = 16;             // steps between two looks at the energy
-constexpr int least_steps = 300;        // of a trial: enough for 1e-4 beyond the limit of a leap-frog to show
+constexpr double kick = 1e-6;                   // of c0
+constexpr double allowed_speed = 1e-3;          // of c0; its kinetic energy counts as noise
+constexpr double allowed_energy = 100;          // multiple of the given energy
+constexpr int stretch = 16;                     // steps between energy checks
+constexpr int least_steps = 300;                // shows steps 1e-4 beyond the leap-frog limit
 constexpr double most = 256, least = 1.0 / 16;  // of the default step
 
-/// −1 to 1, as random as the bits of a place (the mixing of SplitMix64).
+/// Hash of the position, from −1 to 1 (SplitMix64).
 double noise(const Point& x, std::uint64_t component) {
   std::uint64_t bits = component;
   for (const double coordinate : x) {
@@ -48,7 +48,6 @@ Scene shaken(Scene scene) {
   return scene;
 }
 
-/// Whether the energy of a run is more than it was given.
 class EnergyLimit {
  public:
   EnergyLimit(const Scene& scene, const Simulation& start) {
@@ -90,7 +89,6 @@ class Bisection {
   }
 
  private:
-  /// A stable and an unstable step are still to be found.
   bool open(double share) const {
     return !result_.interrupted && !(result_.stable && result_.unstable) && share <= most && share >= least;
   }
@@ -104,7 +102,6 @@ class Bisection {
     (stable ? result_.stable : result_.unstable) = settings_.step;
   }
 
-  /// Covers the time without a sign of instability.
   bool covers() {
     try {
       const auto simulation = make_simulation(scene_, settings_);

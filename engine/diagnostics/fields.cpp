@@ -7,6 +7,7 @@
 
 #include <Eigen/Dense>
 
+#include "engine/diagnostics/alternating_part.hpp"
 #include "engine/diagnostics/deviator.hpp"
 
 namespace taut {
@@ -27,7 +28,7 @@ double stress_xz(const Snapshot& now, std::size_t i) { return now.deviator(i).xz
 double stress_yz(const Snapshot& now, std::size_t i) { return now.deviator(i).yz; }
 double stress_zz(const Snapshot& now, std::size_t i) { return now.stress(i).zz; }
 
-/// The `Rank`-th greatest eigenvalue of the stress; in 2D σ_zz is one of the three.
+/// `Rank`-th greatest principal stress, with σ_zz in 2D.
 template <int Rank>
 double principal(const Snapshot& now, std::size_t i) {
   const StressTensor t = now.stress(i);
@@ -67,7 +68,7 @@ Eigen::Matrix3d matrix(const LinearMap& map) {
 
 double volume_ratio(const LinearMap& F) { return matrix(F).determinant(); }
 
-/// Hencky's strain in the axes of space, e = ½ ln(F Fᵀ): those of the Cauchy stress. Its trace is ln J.
+/// Hencky strain ½ ln(F Fᵀ) in spatial axes; trace ln J.
 Eigen::Matrix3d logarithmic_strain(const LinearMap& map) {
   const Eigen::Matrix3d F = matrix(map);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> stretch(F * F.transpose());
@@ -80,13 +81,25 @@ double strain(const LinearMap& F) {
   return logarithmic_strain(F)(A, B);
 }
 
-/// The strain of a bar in tension that keeps its volume.
+/// Equals the axial strain of a bar in isochoric tension.
 double equivalent_strain(const LinearMap& F) {
   const Eigen::Matrix3d e = logarithmic_strain(F);
   return std::sqrt(2.0 / 3.0) * (e - e.trace() / 3 * Eigen::Matrix3d::Identity()).norm();
 }
 
-/// A field of the affine map of a particle's neighbours.
+/// |r(x)|/dp of AlternatingPart; 0 for particles without a row.
+std::vector<double> zigzag(const Snapshot& now) {
+  std::vector<double> values(now.size());
+  if (values.empty()) return values;
+  const double spacing = *std::ranges::max_element(now.diameter);
+  const AlternatingPart part = alternating_part(now, spacing);
+  const std::vector<double> squared = alternating_sums(part, now, spacing).x;
+  for (std::size_t row = 0; row < squared.size(); ++row)
+    values[static_cast<std::size_t>(part.j[static_cast<std::size_t>(part.begin[row])])] =
+        std::sqrt(squared[row]) / spacing;
+  return values;
+}
+
 constexpr Field of_map(std::string_view key, std::string_view name, std::string_view help, bool is_signed,
                        double (*value)(const LinearMap&), int least_dim = 2, double middle = 0) {
   return {key, name, "", help, is_signed, nullptr, least_dim, value, middle, Counted::nothing};
@@ -126,6 +139,12 @@ constexpr std::array all = {
     of_map("strain_yy", "strain yy", "logarithmic strain, positive in tension", true, strain<1, 1>),
     of_map("equivalent_strain", "equivalent strain", "√(2/3 e:e) of the deviatoric logarithmic strain e",
            false, equivalent_strain),
+    Field{
+        .key = "zigzag",
+        .name = "zigzag over spacing",
+        .unit = "",
+        .help = "displacement that alternates between neighbours, over the spacing, at most 1; 0 at corners",
+        .of_all = zigzag},
     counted("body", "number of the body in the scene, from 0; one colour per body", Counted::bodies, body),
     counted("material", "number of the material in the scene, from 0; one colour per material",
             Counted::materials, material),
@@ -154,6 +173,7 @@ const Field* find_field(std::string_view key, int dim) {
 }
 
 double Field::value(const Snapshot& now, std::size_t particle) const {
+  if (of_all) return of_all(now)[particle];
   return of_map ? of_map(affine_map(now, particle)) : of_state(now, particle);
 }
 
@@ -168,6 +188,10 @@ std::vector<std::vector<double>> evaluate(std::span<const Field* const> fields, 
     maps = affine_maps(snapshot);
   std::vector<std::vector<double>> values;
   for (const Field* field : fields) {
+    if (field->of_all) {
+      values.push_back(field->of_all(snapshot));
+      continue;
+    }
     std::vector<double>& of_field = values.emplace_back(snapshot.size());
     for (std::size_t i = 0; i < of_field.size(); ++i)
       of_field[i] = field->of_map ? field->of_map(maps[i]) : field->of_state(snapshot, i);

@@ -10,32 +10,33 @@
 
 namespace taut {
 
-/// What the numbers of a field count, if they are no quantity: each has a name and a colour of its own.
+/// Objects that a field counts, each with a name and colour.
 enum class Counted : std::uint8_t { nothing, bodies, materials };
 
-/// A quantity per particle that can be drawn or written.
 struct Field {
-  std::string_view key;   // "von_mises", as on the command line
-  std::string_view name;  // "von Mises stress", as on the colour bar
-  std::string_view unit;  // "Pa"; of a pure number empty
+  std::string_view key;   // as on the command line
+  std::string_view name;  // as on the colour bar
+  std::string_view unit;  // empty if dimensionless
   std::string_view help;
-  bool is_signed = false;  // about `middle`: drawn with a diverging colour map by default
+  bool is_signed = false;  // diverging colours around `middle`
   double (*of_state)(const Snapshot&, std::size_t particle) = nullptr;
-  int least_dim = 2;                               // 3: of scenes in three dimensions only
-  double (*of_map)(const LinearMap& F) = nullptr;  // in place of `of_state`, see affine_fit.hpp
-  double middle = 0;                               // of a signed field
+  int least_dim = 2;                               // 3: in 3D only
+  double (*of_map)(const LinearMap& F) = nullptr;  // instead of `of_state`
+  double middle = 0;
   Counted counts = Counted::nothing;
+  std::vector<double> (*of_all)(const Snapshot&) =
+      nullptr;  // instead of `of_state`, for all particles at once
 
-  /// At one particle; for many of them `evaluate` is quicker.
+  /// For many particles, `evaluate` is faster.
   double value(const Snapshot& now, std::size_t particle) const;
 };
 
-/// Every field of scenes in `dim` dimensions, in the order in which they are listed; in three all there are.
+/// Fields in listing order; `dim` = 3 includes all.
 std::span<const Field> fields(int dim = 3);
-/// nullptr if there is none of that name in so many dimensions.
+/// nullptr if unknown in `dim` dimensions.
 const Field* find_field(std::string_view key, int dim = 3);
 std::vector<double> evaluate(const Field& field, const Snapshot& snapshot);
-/// Several at once, which fits the affine maps once for all that need them.
+/// Fits the affine maps only once.
 std::vector<std::vector<double>> evaluate(std::span<const Field* const> fields, const Snapshot& snapshot);
 
 }  // namespace taut

@@ -14,7 +14,7 @@
 namespace taut {
 namespace {
 
-/// Of a particle x and p, s, and zeros, in whole packs.
+/// x, p and s of a particle, padded with zeros.
 template <int Dim>
 struct Fields {
   static constexpr int p = Dim, s = lanes, stored = Dim == 3 ? 6 : 4;
@@ -34,7 +34,7 @@ Fields<Dim> fields_of(const SnapshotView& now, int particle) {
     return {Pack{x[0], x[1], now.p[i]}, load(s)};
 }
 
-/// Σ_j w_ij q_j of a row of the weights, for all fields.
+/// Σ_j w_ij q_j.
 template <int Dim>
 Fields<Dim> filtered(const AlternatingView& part, int row, const SnapshotView& now) {
   Fields<Dim> sum{};
@@ -52,7 +52,7 @@ void add_squares(Fields<Dim>& sum, const Fields<Dim>& q) {
   for (int a = 0; a < Fields<Dim>::packs; ++a) sum.of[a] += q.of[a] * q.of[a];
 }
 
-/// From the sums of the squares of all fields: x, p and 3/2 s:s, into three numbers.
+/// Combines squares to x, p and 3/2 s:s.
 template <int Dim>
 void put_by_kind(double x, const Fields<Dim>& squares, double* out) {
   using F = Fields<Dim>;
@@ -65,14 +65,16 @@ void put_by_kind(double x, const Fields<Dim>& squares, double* out) {
 }
 
 template <int Dim>
-void alternating_sums(const AlternatingView& part, const SnapshotView& now, double spacing, double* out) {
+void alternating_sums(const AlternatingView& part, const SnapshotView& now, double spacing, double* out,
+                      double* squared) {
   Fields<Dim> parts{}, wholes{};
   double x = 0;
   for (int row = 0; row < part.rows; ++row) {
     const Fields<Dim> r = filtered<Dim>(part, row, now);
     double x2 = 0;
     for (int k = 0; k < Dim; ++k) x2 += r[k] * r[k];
-    x += std::min(x2, spacing * spacing);
+    squared[row] = std::min(x2, spacing * spacing);
+    x += squared[row];
     add_squares(parts, r);
     add_squares(wholes, fields_of<Dim>(now, part.j[part.begin[row]]));
   }
@@ -82,7 +84,7 @@ void alternating_sums(const AlternatingView& part, const SnapshotView& now, doub
 
 template <int Dim>
 void balance(const SnapshotView& now, const StrainDivisors* materials, double contact_energy, double* out) {
-  CompensatedSums energies, linear, angular;  // in 2D the angular momentum is the last of `linear`
+  CompensatedSums energies, linear, angular;  // in 2D `linear` includes the angular momentum
   for (std::size_t i = 0; i < now.size; ++i) {
     const double *x = &now.x[i * Dim], *v = &now.v[i * Dim], m = now.m[i];
     double x2 = 0, v2 = 0;

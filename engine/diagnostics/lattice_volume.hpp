@@ -6,10 +6,8 @@
 
 namespace taut {
 
-/// Volume of what lies between the particles of a body at places `x`, n × dim, m^dim: of the squares or cubes
-/// of the lattice along the axes that they were laid on, each a (bi- or trilinear) map of its corners,
-/// whatever a method takes its density for. In a body whose particles stand on its faces that is all of it,
-/// else what the centres of the outermost cells enclose. 0 of a body that is no such lattice.
+/// Volume between the particles of an axis-aligned lattice at `x` (n × dim, m), m^dim, by bi- or trilinear cells; 0
+/// for other bodies.
 double lattice_volume(const Snapshot& now, int body, std::span<const double> x);
 
 }  // namespace taut

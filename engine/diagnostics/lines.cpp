@@ -63,12 +63,11 @@ LineRecorder::Points LineRecorder::points_of(const SampleLine& line, const Snaps
                                   : material_point(x, begin, end, at, reach_, now.dim));
     if (!of_stress || point.empty()) continue;
     std::vector<PointWeight> of_free = point_of_stress(point, all, at);
-    if (!of_free.empty()) point = std::move(of_free);  // deep in a clamp there is nothing but what is held
+    if (!of_free.empty()) point = std::move(of_free);  // none deep inside a clamp
   }
   return points;
 }
 
-/// None at a time that is not asked for, a value at each point.
 bool LineRecorder::fit_the_scene() const {
   for (std::size_t l = 0; l < lines_.size(); ++l) {
     if (samples_[l].size() > lines_[l].times.size()) return false;

@@ -9,11 +9,10 @@
 
 namespace taut {
 
-/// A line's field at one time.
 struct LineSample {
   double time = 0;            // s
-  long step = 0;              // that ends at this time, or is the first to end after it
-  std::vector<double> value;  // at the line's points, in the field's unit; no number outside of the body
+  long step = 0;              // ends at or just after the requested time
+  std::vector<double> value;  // [point]; NaN outside the body
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -21,23 +20,20 @@ struct LineSample {
   }
 };
 
-/// A point of a line, at t = 0 where it is a material one, from the first one at `from` to the last one at
-/// `to`.
+/// Point k between `from` and `to`; initial position unless `in_space`.
 Point line_point(const SampleLine& line, int k);
 double length_of(const SampleLine& line);  // m
 
-/// Samples the lines of a scene.
 class LineRecorder {
  public:
-  /// `start` is the state at t = 0 and `support` the radius within which particles act on each other, m. Throws
-  /// SceneError for a line that leaves its body.
+  /// `support`: radius of interaction, m. Throws SceneError if a line leaves its body.
   LineRecorder(const Scene& scene, const Snapshot& start, double support);
 
-  /// The next time that is not sampled yet, s; infinity when there is none.
+  /// Next time to sample, s; may be infinite.
   double next() const;
-  /// Takes what is due by the time of `now`, as it is then.
+  /// Records samples due at the time of `now`.
   void sample(const Snapshot& now);
-  /// [line][sample], in the order of their times.
+  /// [line][sample].
   const std::vector<std::vector<LineSample>>& samples() const { return samples_; }
 
   template <class Archive>
@@ -47,15 +43,15 @@ class LineRecorder {
   }
 
  private:
-  bool fit_the_scene() const;  // the samples
+  bool fit_the_scene() const;
 
   using Points = std::vector<std::vector<PointWeight>>;
-  /// In the layout of the scene, or where particles are now.
+  /// At initial positions if `scene` is given, else at current ones.
   Points points_of(const SampleLine& line, const Snapshot& now, const Scene* scene) const;
 
   std::vector<SampleLine> lines_;
   double reach_;                // m
-  std::vector<Points> points_;  // [line][point], of material points
+  std::vector<Points> points_;  // [line][point], if material
   std::vector<std::vector<LineSample>> samples_;
 };
 

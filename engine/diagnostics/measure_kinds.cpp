@@ -15,8 +15,7 @@ namespace {
 using Source = MeasureSource;
 using Value = std::optional<double>;  // of a reference
 
-/// The time that a run and the reference's curves both cover, up to the end of the run; nothing while the run
-/// goes on within it.
+/// Interval that run and reference cover; none before the run has reached its end.
 std::optional<std::pair<double, double>> common_time(const Source& source) {
   if (source.reference.empty()) return std::nullopt;
   const double begin = std::max(source.curve.front().t.front(), source.reference.begin());
@@ -26,14 +25,13 @@ std::optional<std::pair<double, double>> common_time(const Source& source) {
   return end > begin ? std::optional(std::pair(begin, end)) : std::nullopt;
 }
 
-/// Why there is no time that a run and its reference both cover.
 Measured without_common_time(const Source& source) {
   if (source.reference.empty()) return none(no_reference);
   const double end = std::min(source.until, source.reference.end()), reached = source.curve.front().t.back();
   return reached < end ? too_short(end, reached) : none("the run and its reference do not overlap in time");
 }
 
-/// What `number` makes of the half cycles about the level of the measure, if there are as many as it needs.
+/// Returns number(half cycles) if there are at least `needed` about the level.
 template <class Number>
 Measured of_half_cycles(const Source& source, std::size_t needed, const Number& number) {
   const Curve& curve = source.curve.front();
@@ -65,13 +63,12 @@ Measured peak_time(const Source& s) {
 }
 
 double decay_of(const std::vector<HalfCycle>& cycles) {
-  const std::size_t periods = (cycles.size() - 1) / 2;  // between the first and the last peak of its side
+  const std::size_t periods = (cycles.size() - 1) / 2;  // between peaks of one sign
   return 1 - std::pow(cycles[2 * periods].peak / cycles.front().peak, 1 / static_cast<double>(periods));
 }
 
 Measured decay(const Source& source) { return of_half_cycles(source, 3, decay_of); }
 
-/// Begin and end of what is summed over.
 std::pair<double, double> span_of(const Source& source) {
   return {source.measure->from, source.measure->until.value_or(source.until)};
 }
@@ -101,7 +98,7 @@ Measured rmse(const Source& source) {
   return difference / std::abs(source.measure->scale);
 }
 
-/// Seen at the rows of a table, since a path that bends is not straight between them, or at the steps.
+/// Compares at the rows of a table, since paths are curved, or at the steps.
 Measured path_error(const Source& source) {
   const auto time = common_time(source);
   if (!time) return without_common_time(source);
@@ -117,7 +114,7 @@ Measured path_error(const Source& source) {
   return greatest ? Measured(*greatest) : none("no time of the reference is within the run");
 }
 
-/// Two directions across the axis: first, second and axis are right-handed.
+/// Directions right-handed with the axis.
 std::pair<Point, Point> directions_across(const Point& axis) {
   const Eigen::Vector3d a(axis.data());
   const Eigen::Vector3d first = a.unitOrthogonal(), second = a.cross(first);
@@ -131,7 +128,7 @@ std::vector<double> component(const std::vector<Curve>& point, const Point& alon
   return y;
 }
 
-/// In 3D the point is seen along the axis. The curves of a point have the same times.
+/// In 3D seen along the axis. The curves must have equal times.
 Value turn_until(const std::vector<Curve>& point, const Point& axis, double until) {
   if (!std::ranges::all_of(point, [=](const Curve& c) { return c.t.back() >= until; })) return std::nullopt;
   if (point.size() < 3) return turn(point[0], point[1], until);
@@ -145,7 +142,7 @@ Measured turn_of_point(const Source& source) {
   return angle ? Measured(*angle) : too_short(source.until, source.curve.front().t.back());
 }
 
-/// Of an exact solution at the steps of the run.
+/// Evaluates exact solutions at the run's steps.
 Value turn_of_reference(const Source& source) {
   const ReferenceCurves& reference = source.reference;
   if (reference.empty()) return std::nullopt;
@@ -168,12 +165,11 @@ Measured value_then(const Source& source) {
   return curve.t.back() < time ? too_short(time, curve.t.back()) : Measured(value_at(curve, time));
 }
 
-/// A number, or a solution at the time of the measure.
 Value given_then(const Source& source) {
   return source.reference.exact ? source.reference.at(0, source.measure->time) : source.reference_value;
 }
 
-/// An extreme at the end may still be ahead. What is no quantity but a fault that grows counts as it is.
+/// None if the extreme is at the end and may grow. Errors (`turns` false) always count.
 Measured extreme(const Source& source, double value) {
   const auto &t = source.curve[0].t, &y = source.curve[0].y;
   if (!source.turns || y.back() != value) return value;
@@ -196,7 +192,7 @@ Measured first_below(const Source& source) {
 Measured last_below(const Source& source) {
   const Curve& curve = source.curve.front();
   const double threshold = source.measure->threshold;
-  std::size_t above = curve.size();  // the first sample of the last stretch above
+  std::size_t above = curve.size();  // first sample of the last interval above
   while (above > 0 && curve.y[above - 1] > threshold) --above;
   if (above == 0) return none("the series was never {:g} or less", threshold);
   if (above == curve.size())
@@ -204,8 +200,7 @@ Measured last_below(const Source& source) {
   return crossing_time(curve, above, threshold);
 }
 
-/// None while the bodies are in touch, if they never were, and while the ratio is negative: bodies that part
-/// for a moment go on as before.
+/// None while bodies touch, before they have touched, or for negative ratios, because bodies may touch again.
 Measured final_ratio(const Source& source) {
   const double ratio = source.curve[0].y.back() / source.measure->scale;
   if (!source.free) return ratio;
@@ -229,7 +224,7 @@ Measured frequency(const Source& source) {
 }
 
 Measured at_rest(const Source& source) {
-  constexpr double last = 0.1, still = 1e-3;  // of the run, of the greatest size of the series
+  constexpr double last = 0.1, still = 1e-3;  // of the run; of the greatest |value|
   const Curve& curve = source.curve.front();
   if (curve.t.back() < source.until) return too_short(source.until, curve.t.back());
   double size = 0, low = curve.y.back(), high = low;
@@ -246,10 +241,9 @@ Measured at_rest(const Source& source) {
       (high - low) / size);
 }
 
-/// Of a measure that is a difference from its reference: it is its own error.
+/// Reference of a difference.
 Value zero(const Source& source) { return source.reference.empty() ? std::nullopt : Value(0); }
 
-/// A number, or a solution at the end of the run.
 Value as_given(const Source& source) {
   return source.reference.exact ? source.reference.at(0, source.until) : source.reference_value;
 }

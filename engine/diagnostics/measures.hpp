@@ -14,18 +14,16 @@ namespace taut {
 
 struct MeasureResult {
   std::string name, kind, unit;
-  std::optional<double> value;      // none: `why` says why
-  std::optional<double> reference;  // none: no reference for these parameters and this material; 0 of what is
-                                    // a difference from it
-  std::string reference_name;       // empty without reference
-  std::optional<double> error;      // |value − reference| / |reference|; where the reference is 0, |value|
-  std::string why;                  // there is no value; else empty
+  std::optional<double> value;      // if none, see `why`
+  std::optional<double> reference;  // none for these parameters or this law; 0 for differences
+  std::string reference_name;
+  std::optional<double> error;  // relative; absolute if the reference is 0
+  std::string why;
 };
 
-/// Every measure of the scene (diagnostics/measure_kinds.hpp) from the series and the samples of `lines`
-/// recorded so far and the present state, against the reference of material `law`. Between steps a series is
-/// a straight line, peaks are those of a parabola through three steps; what follows a value that is not
-/// finite is left out. Throws SceneError for a kind, a probe or a field that does not exist.
+/// Evaluates the scene's measures (measure_kinds.hpp) against the reference of law `law`. Series are linear between
+/// steps and end before their first non-finite value; peaks are vertices of parabolas. Throws SceneError for an
+/// unknown kind, probe or field.
 std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std::string_view law,
                                    const std::vector<std::vector<LineSample>>& lines = {},
                                    const Snapshot* now = nullptr);

@@ -23,14 +23,13 @@ std::vector<const Field*> fields_of(const Measure& measure, int dim) {
   return found;
 }
 
-/// What is compared, at one particle.
 struct Site {
-  Point X{};           // at the start, m
-  Point difference{};  // field − exact, component by component
+  Point X{};           // m
+  Point difference{};  // field − exact
   double mass = 0;
 };
 
-/// Takes the small motion t + ω × X of least Σ m |difference|² off, in 2D.
+/// Subtracts the motion t + ω × X of least Σ m |difference|², in 2D.
 void take_plane_motion_off(std::vector<Site>& sites) {
   double mass = 0;
   Point centre{}, mean{};
@@ -57,7 +56,7 @@ void take_plane_motion_off(std::vector<Site>& sites) {
 
 Eigen::Vector3d vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
-/// The same in 3D: ω solves Σ m (r² I − r rᵀ) ω = Σ m r × difference, r from the mass centre.
+/// 3D: Σ m (r² I − r rᵀ) ω = Σ m r × difference, r from the mass centre.
 void take_space_motion_off(std::vector<Site>& sites) {
   double mass = 0;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(), mean = centre, moment = centre;
@@ -73,7 +72,7 @@ void take_space_motion_off(std::vector<Site>& sites) {
     moment += site.mass * r.cross(vector(site.difference));
     inertia += site.mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
   }
-  // a body on a line has no turn about it
+  // a straight body has no rotation about itself
   const Eigen::Vector3d omega = least_squares(inertia, moment).x;
   for (Site& site : sites) {
     const Eigen::Vector3d motion = mean + omega.cross(vector(site.X) - centre);
@@ -89,7 +88,7 @@ std::optional<FieldError> field_error(const Measure& measure, const Snapshot& no
                                       const std::vector<Solution>& exact) {
   const std::vector<const Field*> fields = fields_of(measure, now.dim);
   std::vector<Site> sites;
-  double scale = 0, sum = 0, greatest = 0;  // squares
+  double scale = 0, sum = 0, greatest = 0;  // squared
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now.body[i] != measure.body || now.held[i]) continue;
     Site site{now.initial(i), {}, now.m[i]};
@@ -114,13 +113,12 @@ namespace {
 
 using Source = MeasureSource;
 
-/// Of a line's difference from its reference, and of the reference.
+/// RMS over a line of field − reference and of the reference.
 struct LineSquares {
-  double difference = 0, reference = 0;  // √ of the mean
+  double difference = 0, reference = 0;
 };
 
-/// The reference at the time of the step that was sampled, or a table, at its only time; none before the last
-/// sample, and where a point has left the body.
+/// A table has one time. None before the last sample, or if a point left the body.
 std::optional<LineSquares> line_squares(const Source& source) {
   if (source.reference.empty() || !source.samples) return std::nullopt;
   const SampleLine& line = *source.line;
@@ -147,7 +145,7 @@ Measured without_line(const Source& source) {
                                   : none("the line has no samples, or one of its points has left the body");
 }
 
-/// Particles that are not held, in their places at the start; none before the end of the run.
+/// None before the end.
 std::optional<FieldError> error_at_end(const Source& source) {
   if (!source.reference.exact || !source.now || source.now->time < source.until) return std::nullopt;
   return field_error(*source.measure, *source.now, *source.reference.exact);

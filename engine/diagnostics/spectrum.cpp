@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::size_t padding = 4;
 
-/// `n` values at even times, the straight line that fits them under the window taken off, under the window.
+/// `n` even samples minus a linear fit, windowed.
 std::vector<double> windowed(const Curve& curve, double begin, double end, std::size_t n) {
   std::vector<double> window(n), y(n);
-  double weights = 0, sum = 0, moment = 0, square = 0;  // of the window; of y, s y, s² with s from −1 to 1
+  double weights = 0, sum = 0, moment = 0, square = 0;  // sums: window, y, s y, s²; s: −1 to 1
   const auto place = [n](std::size_t k) { return 2 * static_cast<double>(k) / static_cast<double>(n) - 1; };
   for (std::size_t k = 0; k < n; ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(n);
@@ -37,13 +37,13 @@ std::vector<double> windowed(const Curve& curve, double begin, double end, std::
   return y;
 }
 
-/// Of the parabola through three values one apart: where its top lies from the middle one.
+/// Offset of the vertex through three equidistant values.
 double vertex(double left, double middle, double right) {
   const double bend = left - 2 * middle + right;
   return bend < 0 ? 0.5 * (left - right) / bend : 0;
 }
 
-/// The greatest of the heights as far as 1/(end − begin) to both sides: the window's own zeros lie as close.
+/// Greatest height within 1/(end − begin), to remove the window's zeros.
 template <class Height>
 std::vector<double> without_zeros(std::size_t n, const Height& height) {
   std::vector<double> hull(n);
@@ -53,7 +53,7 @@ std::vector<double> without_zeros(std::size_t n, const Height& height) {
   return hull;
 }
 
-/// Tells lines from what else a spectrum has.
+/// Distinguishes lines from other parts of a spectrum.
 class Lines {
  public:
   explicit Lines(std::vector<double> hull)
@@ -71,9 +71,8 @@ class Lines {
     for (std::size_t k = hull_.size(); k-- > 0;) above_[k] = least = std::min(least, hull_[k]);
   }
 
-  /// A line is a summit: on both sides, beyond its own width, it goes down to half of its height or less. What a trend
-  /// leaves goes down to one side alone, and what a blow leaves to none for long. Of a few periods only, between which
-  /// and the mean there is no room, nothing slower may be higher, and what is faster is low at once.
+  /// Beyond its width a line falls to half on both sides, a trend on one, an impact on none. With few periods, no
+  /// lower frequency may be higher, and the upper side must fall at once.
   bool have(std::size_t k, double height) const {
     if (height <= floor_ || height <= of_highest(k) || k + width >= hull_.size()) return false;
     if (k <= slowest + width)
@@ -85,8 +84,7 @@ class Lines {
   static constexpr std::size_t width = 3 * padding, slowest = 2 * padding;
 
  private:
-  /// What the window leaves of the highest line beyond its own width: |sin(π d)/(π d (1 − d²))|², d from it in
-  /// 1/(end − begin), of which twice the greatest nearby.
+  /// Twice the greatest side lobe of the highest line near k: |sin(π d)/(π d (1 − d²))|², d in 1/(end − begin).
   double of_highest(std::size_t k) const {
     const double d = std::abs(static_cast<double>(k) - static_cast<double>(highest_)) / padding;
     if (d <= 2) return 0;
@@ -94,7 +92,7 @@ class Lines {
     return 2 * side * side * hull_[highest_];
   }
 
-  std::vector<double> hull_, below_, above_;  // least up to a place from `slowest` on, and from a place on
+  std::vector<double> hull_, below_, above_;  // minima up to and from an index
   std::size_t highest_ = 0;
   double floor_ = 0;
 };
@@ -115,7 +113,7 @@ std::optional<double> peak_frequency(const Curve& curve, double begin, double en
   y.resize(padding * n);
   std::vector<std::complex<double>> spectrum;
   Eigen::FFT<double>().fwd(spectrum, y);
-  const double line = 1 / (static_cast<double>(padding) * (end - begin));  // Hz from one point to the next
+  const double line = 1 / (static_cast<double>(padding) * (end - begin));  // Hz between two points
   const auto height = [&](std::size_t k) { return std::norm(spectrum[k]); };
   const Lines lines(without_zeros(y.size() / 2, height));
   std::size_t top = 0;

@@ -15,7 +15,7 @@
 namespace taut {
 namespace {
 
-/// V B W′ of a method on an unbounded square or cubic lattice of spacing 1, as the gradients have it.
+/// V B W′ on an unbounded lattice with spacing 1.
 template <const TlDisplacementFormulation& M, int Dim>
 class Lattice {
  public:
@@ -30,12 +30,12 @@ class Lattice {
     scale_ = M.gradient == GradientCorrection::corrected ? 1 / moment : 1 / (1 + normalised * (sum_W - 1));
   }
 
-  /// |W′| at the nearest
+  /// |W′| at the nearest neighbour.
   double nearest() const { return -scale_ * slope(1); }
 
-  /// Greatest |κ(q)|
+  /// Greatest |κ(q)|.
   double greatest_wave_number() const {
-    constexpr int waves = Dim == 2 ? 64 : 32;  // along each axis, from 0 to π: the greatest is flat
+    constexpr int waves = Dim == 2 ? 64 : 32;  // waves per axis, from 0 to π; the maximum is flat
     constexpr double step = std::numbers::pi / waves;
     double greatest = 0;
     for (int a = 0; a <= waves; ++a)
@@ -77,7 +77,7 @@ class Lattice {
     return std::sqrt(std::inner_product(sum.begin(), sum.end(), sum.begin(), 0.0));
   }
 
-  double h_;  // over the spacing
+  double h_;  // relative to the spacing
   double scale_ = 1;
 };
 

@@ -10,13 +10,12 @@
 
 namespace taut {
 
-/// W(r) = α/h^Dim w(q), ∂W/∂r = α/h^(Dim+1) w′(q), q = r/h; both are 0 from q = `support` on. With w′/q,
-/// which is finite, ∇_i W = α/h^(Dim+2) w′/q (x_i − x_j) takes no quotient and no unit vector. A kernel is
-/// one specialisation and one enumerator; the tests run over `all_kernels`.
+/// W(r) = α/h^Dim w(q), ∂W/∂r = α/h^(Dim+1) w′(q), q = r/h; 0 for q ≥ `support`. ∇_i W = α/h^(Dim+2) w′/q (x_i −
+/// x_j).
 template <KernelName Name>
 struct Kernel;
 
-/// Wendland's C2 function, "5th-order Wendland" of [Zhang2024] §6.
+/// "5th-order Wendland" of [Zhang2024] §6.
 template <>
 struct Kernel<KernelName::wendland_c2> {
   static constexpr std::string_view name = "Wendland C2";
@@ -32,19 +31,16 @@ struct Kernel<KernelName::wendland_c2> {
     const T u2 = u * u;
     return u2 * u2 * (1 + 2 * q);
   }
-  /// w′ = −5 q (1 − q/2)³
   template <class T>
   static T dw(const T& q) {
     const T u = max(1 - 0.5 * q, T{});
     return -5 * q * u * u * u;
   }
-  /// w′/q
   template <class T>
   static T dw_per_q(const T& q) {
     const T u = max(1 - 0.5 * q, T{});
     return -5 * (u * u * u);
   }
-  /// w″ = 5 (1 − q/2)² (2q − 1)
   template <class T>
   static T ddw(const T& q) {
     const T u = max(1 - 0.5 * q, T{});
@@ -52,8 +48,8 @@ struct Kernel<KernelName::wendland_c2> {
   }
 };
 
-/// (sin(πq/2)/(πq/2))⁵, [TranDuc2023] §2.1.
-/// Differs from the paper: α there is 0.7103 (in 2D, over h²); with the digits below the integral is 1.
+/// (sin(πq/2)/(πq/2))⁵, [TranDuc2023] §2.1. Departure: the paper's α is 0.7103 (2D); these digits make the integral
+/// 1.
 template <>
 struct Kernel<KernelName::sinc> {
   static constexpr std::string_view name = "sinc";
@@ -66,7 +62,6 @@ struct Kernel<KernelName::sinc> {
     const T s = sinc(T(scale * q * q));
     return q < support ? power<5>(s) : T{};
   }
-  /// w′ = 5 sinc⁴ dsinc/dq
   template <class T>
   static T dw(const T& q) {
     const T u = scale * q * q;
@@ -80,9 +75,8 @@ struct Kernel<KernelName::sinc> {
 
  private:
   static constexpr double scale = std::numbers::pi * std::numbers::pi / 4;
-  /// sinc of u = (πq/2)² ≤ π² as a polynomial, since the compiler's vectors have no sine and that of a library need
-  /// not be the same everywhere: the series Σ (−u)ᵏ/(2k+1)!, of which 16 terms leave 1e-20, with 11 terms after the
-  /// Chebyshev polynomials of higher degree that are in it have been taken out, 2e-18.
+  /// sinc of u = (πq/2)² ≤ π² as a polynomial, equal on all machines. 16 terms of Σ (−u)ᵏ/(2k+1)! are accurate to
+  /// 1e-20; removing the highest Chebyshev polynomials leaves 11 terms, accurate to 2e-18.
   static constexpr int degree = 10;
   static constexpr std::array<double, degree + 1> coefficients = [] {
     constexpr int long_degree = 15;
@@ -121,9 +115,8 @@ struct Kernel<KernelName::sinc> {
   }
 };
 
-/// exp(−q²), [Zhang2020] validation case 1. Slow: for pairs that never change.
-/// Differs from the paper, which does not say where it ends: cut off at 3 h, where it is 1e-4, with the α
-/// that makes its integral 1.
+/// exp(−q²), [Zhang2020] validation case 1. Slow: only for cached pairs. Departure: the paper gives no cut-off; cut
+/// off at q = 3 (value 1e-4), with α for integral 1.
 template <>
 struct Kernel<KernelName::gauss> {
   static constexpr std::string_view name = "Gauss";
@@ -135,7 +128,6 @@ struct Kernel<KernelName::gauss> {
   static T w(const T& q) {
     return q < support ? exponential(T(-q * q)) : T{};
   }
-  /// w′ = −2 q exp(−q²)
   template <class T>
   static T dw(const T& q) {
     return -2 * q * w(q);

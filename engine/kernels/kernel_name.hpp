@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// One specialisation each of Kernel in engine/kernels/kernel.hpp.
+/// Each has a specialisation of Kernel in engine/kernels/kernel.hpp.
 enum class KernelName : std::uint8_t { wendland_c2, sinc, gauss };
 
 }  // namespace taut

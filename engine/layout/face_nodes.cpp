@@ -10,10 +10,10 @@
 namespace taut {
 namespace {
 
-// Of the particles whose mean a node is, in spacings: the fewer and the nearer, the less a face is smoothed.
+// spacings; a small reach smooths faces less
 constexpr double least_reach = 2, greatest_reach = 4, reach_step = 0.25;
-/// Of Σ weight², which is how many times lighter a node is than a particle: heavier ones are sought further
-/// away. It is 2.5 at a face of a lattice, (3/2)² + (1/2)² from two layers.
+/// Limit of Σ weight², by which nodes are lighter than particles; above it the reach grows. 2.5 at a lattice face,
+/// (3/2)² + (1/2)² from two layers.
 constexpr double greatest_square = 3;
 
 }  // namespace
@@ -31,7 +31,6 @@ ParticlesAround::Cell ParticlesAround::cell_of(const Point& x) const {
   return cell;
 }
 
-/// Those that are within the greatest reach of x, in rising order.
 std::vector<int> ParticlesAround::near(const Point& x) const {
   std::vector<int> found;
   const Cell middle = cell_of(x);

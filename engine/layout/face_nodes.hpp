@@ -9,10 +9,10 @@
 
 namespace taut {
 
-/// Points on the faces of bodies, each a mean of particles, with which it moves.
+/// Points on faces, each a weighted mean of particles.
 struct FaceNodes {
-  std::vector<Point> x;             // [node] at the start, on the face, m
-  std::vector<int> begin{0};        // [node] its first share; and one past the last of all
+  std::vector<Point> x;             // [node] reference position, on the face, m
+  std::vector<int> begin{0};        // [node] its first share; then their number
   std::vector<PointWeight> shares;  // x = Σ weight x_particle, exact for linear fields
 
   int size() const { return static_cast<int>(x.size()); }
@@ -23,13 +23,11 @@ struct FaceNodes {
   }
 };
 
-/// What makes the shares of the nodes of one body.
 class ParticlesAround {
  public:
   ParticlesAround(const InitialParticles& initial, int body, double dp);
 
-  /// Of a node at x: from the nearest particles that do not make it too light. None where too few lie around
-  /// it, or in a plane.
+  /// Returns shares of the smallest reach with low Σ weight². Empty if too few particles are near, or all in a plane.
   std::vector<PointWeight> shares_of(const Point& x) const;
 
  private:

@@ -16,25 +16,23 @@
 namespace taut {
 namespace {
 
-constexpr double edge_tolerance = 1e-6;  // of dp: a particle this close to an edge counts as inside
-/// Of a lattice, that are looked at for one body.
-constexpr double greatest_place_number = 1e9;
+constexpr double edge_tolerance = 1e-6;        // of dp; closer to an edge is inside
+constexpr double greatest_place_number = 1e9;  ///< lattice sites per body
 
-/// About how many particles the shapes will hold; shapes of a union are counted each.
+/// Estimate; counts overlaps of shapes repeatedly.
 double expected_number(const Body& body, int dim, double dp) {
   double volume = 0;
   for (const Shape& shape : body.shapes) volume += shape->measure(dim);
   return volume / std::pow(dp, dim);
 }
 
-/// Of the first of the shapes that hold x, or their number.
+/// Index of the first shape that holds x, or their number.
 std::size_t first_that_holds(const std::vector<Shape>& shapes, const Point& x, int dim, double tolerance) {
   const auto found =
       std::ranges::find_if(shapes, [&](const Shape& s) { return s->holds(x, dim, tolerance); });
   return static_cast<std::size_t>(found - shapes.begin());
 }
 
-/// Around all shapes, along the lattice of the first.
 Bounds lattice_bounds_of(const Body& body) {
   const Shape& first = body.shapes.front();
   Bounds all = first->lattice_bounds();
@@ -44,7 +42,7 @@ Bounds lattice_bounds_of(const Body& body) {
   return all;
 }
 
-/// What cuts nothing is a slip of whoever wrote it.
+/// A cut-out that removes nothing is most likely a mistake.
 void refuse_idle_cuts(const Body& body, const std::vector<long>& cut) {
   for (std::size_t k = 0; k < cut.size(); ++k)
     if (cut[k] == 0)
@@ -53,13 +51,13 @@ void refuse_idle_cuts(const Body& body, const std::vector<long>& cut) {
                                                              "'; correct or remove it");
 }
 
-/// The places of a lattice around a body, before the first shape turns them.
+/// Lattice sites before the first shape rotates them.
 struct LatticeRows {
   Point anchor{};
   std::array<double, 3> pitch{};
   std::array<long, 3> from{}, to{};
-  std::size_t along = 0;  // of a hexagonal one: the axis of its rows
-  double staggered = 0;   // by which its rows are off to one side and the other, pitches
+  std::size_t along = 0;  // axis of hexagonal rows
+  double staggered = 0;   // offset of hexagonal rows, pitches
 
   Point at(long i, long j, long k, int dim) const {
     const std::array<long, 3> n{i, j, k};
@@ -98,7 +96,7 @@ LatticeRows rows_of(const Body& body, int dim, double dp) {
   return rows;
 }
 
-/// The lattice over the union of the shapes, half a pitch off the anchor of the first, less what is cut out.
+/// Fills the union of shapes minus cut-outs, half a pitch off the first anchor.
 std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   const LatticeRows rows = rows_of(body, dim, dp);
   std::vector<InitialSite> sites;
@@ -121,7 +119,7 @@ std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   return sites;
 }
 
-/// Particles from face to face, each with the part of its cell that is inside.
+/// Particles from face to face; their V0 is the part of the cell inside.
 std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
   long last[3] = {0, 0, 0};
   double pitch[3] = {1, 1, 1};
@@ -149,15 +147,14 @@ std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
   return sites;
 }
 
-/// The particles that a body of one shape lays itself; none where the lattice fills it.
+/// Sites of a body that the lattice does not fill.
 std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
   if (body.shapes.size() != 1 || !body.without.empty()) return {};
   if (body.on_boundary) return sites_on_boundary(*body.shapes.front().as<Box>(), dim, dp);
   return body.shapes.front()->sites(dim, dp);
 }
 
-/// Along the axes of the lattice, which the first shape may have turned. Particles on faces stay on them. The numbers
-/// are the same with every compiler.
+/// Jitters along the lattice axes, not off faces; equal numbers with every compiler.
 void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, const Shape& first, int dim,
                   double dp) {
   if (jitter.share == 0) return;
@@ -173,8 +170,7 @@ void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, const S
   }
 }
 
-/// A reflected layout about c is one about −c with the sign of its coordinates changed: the image of a round
-/// body at −c to the last bit.
+/// Reflects after the layout, so that mirrored bodies are exact images.
 std::vector<InitialSite> body_sites(const Body& as_given, const Scene& scene) {
   const int dim = scene.dim;
   const Body body = as_laid(as_given, dim);
@@ -188,7 +184,7 @@ std::vector<InitialSite> body_sites(const Body& as_given, const Scene& scene) {
 
 double value_of(const Expression& f, const Point& x) { return f ? f(x) : 0; }
 
-/// A region without particles is a slip of whoever wrote it.
+/// An empty region is most likely a mistake.
 template <class Region>
 void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialSite>& sites, const Body& body,
                   const std::string& key) {
@@ -201,7 +197,6 @@ void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialS
   }
 }
 
-/// The same of `held`, whole or of one component.
 void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
   const auto is_idle = [&](const Expression& where) {
     return where &&
@@ -219,8 +214,7 @@ void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
   if (!by_component && is_idle(body.held)) refuse("held");
 }
 
-/// What the particles along an axis of n cells count, in cells. An end that is not `free` may be a plane of
-/// symmetry, behind which the body goes on.
+/// Weights of n + 1 particles, in cells. An end that is not `free` may be a plane of symmetry.
 std::vector<double> shares_along(long n, const bool (&free)[2]) {
   std::vector<double> share(static_cast<std::size_t>(n) + 1, 1.0);
   share.front() = share.back() = 0.5;
@@ -231,7 +225,7 @@ std::vector<double> shares_along(long n, const bool (&free)[2]) {
   return share;
 }
 
-/// Bit k: a particle of the body that starts at x does not move along axis k.
+/// Bit k: the particle at x is fixed along axis k.
 unsigned char guide_at(const Body& body, const Point& x) {
   unsigned guide = 0;
   for (unsigned k = 0; k < body.guided.size(); ++k)
@@ -239,8 +233,7 @@ unsigned char guide_at(const Body& body, const Point& x) {
   return static_cast<unsigned char>(guide);
 }
 
-/// Are the particles of the face of a box on which `on_face` is, but for held ones at its rim, guided along
-/// its normal or along all other axes?
+/// Whether all unclamped particles of a face are guided along its normal or along all other axes.
 template <class OnFace>
 bool may_mirror(const InitialParticles& layout, int first, int axis, int dim, const OnFace& on_face) {
   const unsigned normal = 1u << axis, others = ((1u << dim) - 1) & ~normal;
@@ -254,11 +247,10 @@ bool may_mirror(const InitialParticles& layout, int first, int axis, int dim, co
   return guided;
 }
 
-/// Volumes of a box whose particles stand on its faces, in the order of sites_on_boundary; see
-/// make_initial_particles.
+/// Weights the particles of a box with particles on its faces.
 void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, double dp) {
   const Box& box = *body.shapes.front().as<Box>();
-  long stride = 1;  // from a particle to the next along the axis
+  long stride = 1;  // to the next particle along the axis
   for (int axis = 0; axis < dim; ++axis) {
     const long n = box.cells(axis, dp);
     const auto number = [=](long i) { return i / stride % (n + 1); };
@@ -276,7 +268,6 @@ void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, d
   }
 }
 
-/// Throws SceneError for what the body asks of no particle, or of particles that cannot do it.
 void check_sites(const Body& body, const std::vector<InitialSite>& sites) {
   if (sites.empty())
     throw SceneError(
@@ -318,7 +309,7 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
                            "' are both held and driven; 'held' and the 'where' of 'driven' must not overlap");
     layout.guided.push_back(held ? 0 : guide_at(body, site.middle));
     const auto is_free = [&](int k) { return !held && (layout.guided.back() >> k & 1) == 0; };
-    // across a face of a turned body what is free along another axis would leave it
+    // jitter would move guided particles off a rotated face
     const bool stays = drive >= 0 || (body.rotation && layout.guided.back() != 0);
     Point x = site.x, v{};
     for (int k = 0; k < scene.dim; ++k)

@@ -14,9 +14,9 @@ constexpr std::size_t most = 4;  // 1 and three components
 using Basis = std::array<double, most>;
 using Equations = std::array<std::array<double, most + 1>, most>;
 
-/// Solves for the right side in the last column; false if the matrix is singular.
+/// Solves for the right side in the last column; false if singular.
 bool solve(Equations& A, std::size_t n) {
-  constexpr double least_pivot = 1e-9;  // of the matrix's weights: a line of particles has none across it
+  constexpr double least_pivot = 1e-9;  // relative; 0 across a line of particles
   const double scale = A[0][0];
   for (std::size_t k = 0; k < n; ++k) {
     if (!(std::abs(A[k][k]) > least_pivot * scale)) return false;
@@ -29,7 +29,6 @@ bool solve(Equations& A, std::size_t n) {
   return true;
 }
 
-/// Distances of particles on a box's faces, m.
 Point pitch_on_boundary(const Box& box, double dp, int dim) {
   Point pitch{};
   for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
@@ -37,8 +36,7 @@ Point pitch_on_boundary(const Box& box, double dp, int dim) {
   return pitch;
 }
 
-/// Products of hats, along the axes of the body as it is laid; empty where the particles are no lattice of this pitch
-/// around the point.
+/// Multilinear weights; empty if the particles around the point are no lattice.
 std::vector<PointWeight> point_in_cell(const std::vector<Point>& x, int begin, int end, const Point& at,
                                        const Body& body, double dp, int dim) {
   constexpr double round_off = 1e-9;
@@ -78,7 +76,7 @@ int nearest_of(const std::vector<Point>& x, const std::vector<int>& some, const 
   return *std::ranges::min_element(some, {}, [&](int i) { return squared_distance(x[i], at); });
 }
 
-/// Those of `some` that a chain of steps of `link` among them leads to from `first`, in their order.
+/// Particles linked to `first`, ascending.
 std::vector<int> linked(const std::vector<Point>& x, const std::vector<int>& some, int first, double link) {
   std::vector<int> found = {first}, left = some;
   std::erase(left, first);
@@ -101,7 +99,7 @@ std::vector<PointWeight> point_of(const std::vector<Point>& x, const std::vector
   return point;
 }
 
-/// `point` if all of its particles count, else a point of those of `near` that do, among them `nearest`.
+/// `point` if all its particles count, else one of those that do and are linked to `nearest`.
 template <class Counts>
 std::vector<PointWeight> point_of_those(std::vector<PointWeight> point, std::vector<int> near, int nearest,
                                         const Surroundings& all, const Point& at, const Counts& counts) {
@@ -181,7 +179,7 @@ std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const S
   if (near.empty()) return point;
   const int nearest = nearest_of(all.x, near, at);
   const double least = squared_distance(all.x[nearest], at);
-  // what is as far as the nearest counts, so that the face of a clamp is held
+  // ties count, so that the face of a clamp is clamped
   const auto steered = std::ranges::find_if(near, [&](int i) {
     return moves_with[i] != 0 && squared_distance(all.x[i], at) <= least + 1e-6 * all.link * all.link;
   });

@@ -16,8 +16,7 @@ bool any_holds(const std::vector<Shape>& shapes, const Point& x, double toleranc
   return std::ranges::any_of(shapes, [&](const Shape& shape) { return shape->holds(x, 2, tolerance); });
 }
 
-/// Another of the shapes lies at `x`, or holds the middle of the segment and comes before `own`, as where two
-/// faces lie in one.
+/// Whether another shape contains x, or an earlier one `middle`, for coincident faces.
 bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, const Point& middle,
              double dp) {
   const double thin = 1e-6 * dp;
@@ -27,9 +26,9 @@ bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, 
   return false;
 }
 
-/// The segment of the shape `own`, or of what is cut out, is a face of the body: the solid lies behind it.
+/// Whether a segment of shape or cut-out `own` bounds the body.
 bool is_face(const Body& body, bool cut, std::size_t own, const Point& a, const Point& b, double dp) {
-  const double off = 1e-3 * dp / distance_between(a, b, 2);  // a thousandth of a spacing
+  const double off = 1e-3 * dp / distance_between(a, b, 2);  // 1e-3 dp
   const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0};
   const Point before{middle[0] + off * (b[1] - a[1]), middle[1] - off * (b[0] - a[0]), 0};
   const Point behind{middle[0] - off * (b[1] - a[1]), middle[1] + off * (b[0] - a[0]), 0};
@@ -44,7 +43,7 @@ bool needs_clipping(const Body& body) {
   return std::ranges::any_of(body.shapes, is_other) || std::ranges::any_of(body.without, is_other);
 }
 
-/// Of a body with shapes whose sides are no multiples of the spacing: its faces meet where its shapes cross.
+/// Clips shapes whose sides are not multiples of the spacing.
 std::vector<Chain> whole_outline(const Body& body, int dim, double dp) {
   const auto one = [](const std::vector<Shape>& shapes) {
     return shapes.size() == 1 ? shapes.front() : Shape(Combined{Combination::together, shapes});
@@ -64,7 +63,6 @@ class OutlineMaker {
   }
 
  private:
-  /// A reflected or rotated outline is made as the layout is.
   void add(int b) {
     const Body body = as_laid(scene_.bodies[as_index(b)], scene_.dim);
     const ParticlesAround particles(initial_, b, scene_.spacing);
@@ -106,8 +104,7 @@ class OutlineMaker {
     }
   }
 
-  /// The node of a place of a chain, made when it is first asked for; where the chains of two shapes meet, it
-  /// is of both.
+  /// Node of a chain point, created at first use; shared where chains meet.
   int node_at(int& known, int b, const Point& laid, const ParticlesAround& particles) {
     if (known != Outline::none) return known;
     const Point x = placed(scene_.bodies[as_index(b)], laid, scene_.dim);

@@ -16,9 +16,8 @@
 namespace taut {
 namespace {
 
-constexpr double least_distance = 0.5;  // of particles of two bodies, spacings
+constexpr double least_distance = 0.5;  // between bodies, spacings
 
-/// Particles by the cells of a grid.
 class ParticleGrid {
  public:
   ParticleGrid(double side, int dim) : side_(side), depth_(dim == 3 ? 1 : 0) {}
@@ -27,7 +26,7 @@ class ParticleGrid {
     const auto [a, b, c] = cell(x);
     at_.emplace(key(a, b, c), i);
   }
-  /// Of those in the cell of x and the cells around it, more than one side away too.
+  /// Visits the cell of x and adjacent ones.
   template <class Visit>
   void for_each_near(const Point& x, const Visit& visit) const {
     const auto [a, b, c] = cell(x);
@@ -51,7 +50,7 @@ class ParticleGrid {
   }
 
   double side_;  // m
-  long depth_;   // cells to either side along z
+  long depth_;   // neighbouring cells along z
   std::unordered_multimap<std::size_t, int> at_;
 };
 
@@ -67,7 +66,6 @@ std::string place_text(const Point& x, int dim) {
                                               other, place_text(at, scene.dim), why));
 }
 
-/// Around the particles of each body.
 std::vector<Bounds> boxes_at_start(const InitialParticles& layout) {
   std::vector<Bounds> boxes(layout.first.size() - 1);
   for (std::size_t b = 0; b < boxes.size(); ++b)
@@ -108,8 +106,7 @@ void refuse_close_particles(const InitialParticles& layout, const Scene& scene) 
   }
 }
 
-/// Of a body that is displaced: where in its layout a place of the start was, from the nearest of its particles and the
-/// gradient of the displacement there.
+/// Maps starting positions of a displaced body to its layout, by the nearest particle and the displacement gradient.
 class LaidPlaces {
  public:
   LaidPlaces(const InitialParticles& layout, const Scene& scene, std::size_t b)
@@ -117,7 +114,7 @@ class LaidPlaces {
     for (int i = layout.first[b]; i < layout.first[b + 1]; ++i) grid_.add(layout.at_start(i), i);
   }
 
-  /// None where no particle of the body is near.
+  /// Empty if no particle is near.
   std::optional<Point> operator()(const Point& y) const {
     int nearest = -1;
     double least = reach * spacing_;
@@ -136,8 +133,7 @@ class LaidPlaces {
   }
 
  private:
-  static constexpr double reach =
-      1.5;  // spacings: inside a body that is drawn out by 70 % there is a particle
+  static constexpr double reach = 1.5;  // spacings: enough for 70 % stretch
 
   Mat<double, 3> gradient(const Point& X) const {
     const double way = 1e-3 * spacing_;
@@ -157,7 +153,7 @@ class LaidPlaces {
   ParticleGrid grid_;
 };
 
-/// The particles of `a` in the body `b`.
+/// Throws SceneError for particles of `a` inside `b`.
 void refuse_particles_inside(const InitialParticles& layout, const Scene& scene, std::size_t a, std::size_t b,
                              const Bounds& box) {
   std::optional<LaidPlaces> laid;

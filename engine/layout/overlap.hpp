@@ -4,12 +4,11 @@
 
 namespace taut {
 
-/// Of a particle in another body, of a face in a wall, spacings.
+/// Greatest depth of particles in another body, or of faces in walls, spacings.
 inline constexpr double greatest_depth = 0.25;
 
-/// Throws SceneError, with the place, where two bodies overlap at the start: where particles are closer than
-/// half a spacing, from which contact could not part them, or where one lies deeper than `greatest_depth` in the other
-/// body, displaced as that may be, as those of a body inside another do.
+/// Throws SceneError if particles of two bodies start less than half a spacing apart, which contact could not
+/// separate, or deeper than `greatest_depth` in another body.
 void refuse_overlap(const InitialParticles& layout, const Scene& scene);
 
 }  // namespace taut

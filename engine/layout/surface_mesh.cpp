@@ -19,7 +19,7 @@ using Cell = std::array<long, dim>;
 
 bool stands_on_boundary(const Body& body) { return body.on_boundary && body.without.empty(); }
 
-/// The lattice of a body as it is laid: cell n is around anchor + (n + ½) pitch.
+/// Lattice before reflection and rotation; cell n is centred at anchor + (n + ½) pitch.
 struct Cells {
   Shape first;
   Point anchor{}, pitch{};
@@ -40,7 +40,7 @@ struct Cells {
     for (std::size_t k = 0; k < dim; ++k) n[k] = std::lround((at[k] - anchor[k]) / pitch[k] - 0.5);
     return n;
   }
-  /// The corner of cell n with the least coordinates, or what is so many pitches from it.
+  /// Lowest corner of cell n, plus `off` pitches.
   Point corner(const Cell& n, const Point& off = {}) const {
     Point at{};
     for (std::size_t k = 0; k < dim; ++k) at[k] = anchor[k] + (static_cast<double>(n[k]) + off[k]) * pitch[k];
@@ -48,24 +48,21 @@ struct Cells {
   }
 };
 
-/// Of a body that a shape lays in layers.
 FacePatches own_patches(const Body& body, double dp) {
   return body.shapes.size() == 1 && body.without.empty() ? body.shapes.front()->patches(dp) : FacePatches{};
 }
 
-/// The faces of a body as it is laid, from what its shapes hold.
+/// Faces of a body before reflection and rotation.
 class Faces {
  public:
   Faces(const Body& laid, double dp) : body_(laid), dp_(dp) {}
 
-  /// The place of a face near x, to a millionth of a spacing; x itself where none is found. `outside` lies
-  /// outwards of x.
+  /// Point of a face near x, to 1e-6 spacings, or x itself. `outside` is outwards of x.
   Point nearest(const Point& x, const Point& outside) const {
     const std::optional<Point> at = down_the_height(x);
     return at && is_face(*at) ? *at : on_the_line(x, outside);
   }
 
-  /// The body and what is not of it are both around x.
   bool is_face(const Point& x) const {
     bool filled = false, empty = false;
     for (const double a : {-aside, aside})
@@ -74,7 +71,7 @@ class Faces {
           (is_filled({x[0] + a * dp_, x[1] + b * dp_, x[2] + c * dp_}) ? filled : empty) = true;
     return filled && empty;
   }
-  /// The first place on the way outwards at which the body ends, or on that inwards at which it begins.
+  /// First face outwards of a solid x, or inwards of an outside one; x if none is near.
   Point on_the_line(const Point& x, const Point& outside) const {
     const double length = distance_between(outside, x, dim);
     if (!(length > 0)) return x;
@@ -93,13 +90,13 @@ class Faces {
       const double middle = 0.5 * (low + high);
       (is_filled(at(middle)) == inside ? low : high) = middle;
     }
-    return at(inside ? low - fine : low + fine);  // by which shapes are widened
+    return at(inside ? low - fine : low + fine);  // is_filled widens shapes by `fine`
   }
 
  private:
   // in spacings
   static constexpr double fine = 1e-6, aside = 1e-3, farthest = 1.5, stride = 0.05;
-  static constexpr double least_slope = 0.1;  // squared, of the height along a way
+  static constexpr double least_slope = 0.1;  // squared slope of the height
 
   std::optional<Point> down_the_height(const Point& x) const {
     constexpr int steps = 20;
@@ -124,8 +121,8 @@ class Faces {
     return std::nullopt;
   }
 
-  /// Over the nearest face, m, below 0 inside: as much as the shapes have to be widened by to hold x. It is 0
-  /// on a seam of two shapes too.
+  /// Signed distance to a face, m, negative inside: the tolerance from which `holds` is true. Also 0 on seams of
+  /// shapes.
   double height(const Point& x) const {
     if (on_face(x)) return 0;
     double low = -2 * farthest * dp_, high = 2 * farthest * dp_;
@@ -139,7 +136,7 @@ class Faces {
     return holds(body_, x, dim, fine * dp_) && !holds(body_, x, dim, -fine * dp_);
   }
 
-  /// Seams of shapes do not count, nor those of what is cut away.
+  /// Widens shapes and cut-outs, which closes seams.
   bool is_filled(const Point& x) const {
     const auto any_holds = [&](const std::vector<Shape>& shapes) {
       return std::ranges::any_of(shapes,
@@ -152,7 +149,6 @@ class Faces {
   double dp_;  // m
 };
 
-/// Adds the facets of one body.
 class BodyMesh {
  public:
   BodyMesh(const Scene& scene, const InitialParticles& initial, int body, SurfaceMesh& out)
@@ -186,11 +182,11 @@ class BodyMesh {
  private:
   struct Corner {
     Cell cell{};
-    Point outwards{};  // the sum of the normals of the faces of cells that meet here
+    Point outwards{};  // sum of the cell faces' normals
   };
   struct Node {
     Point x{};
-    std::vector<PointWeight> shares;  // none where too few particles are around it
+    std::vector<PointWeight> shares;
   };
 
   void take(const FacePatches& patches) {
@@ -200,9 +196,9 @@ class BodyMesh {
     }
   }
 
-  /// With corners in the place of nodes, against the clock in the lattice of the body as it is laid.
+  /// Makes facets of corners, anticlockwise in the lattice.
   void find_facets() {
-    std::vector<Cell> filled;  // by particle
+    std::vector<Cell> filled;  // [particle]
     for (int i = first_; i < initial_.first[as_index(index_) + 1]; ++i)
       filled.push_back(cells_.of(laid_at(given_, initial_.x[as_index(i)], dim)));
     std::vector<Cell> sorted = filled;
@@ -236,13 +232,13 @@ class BodyMesh {
     return corners;
   }
 
-  /// Where faces along the lattice meet: the nearest place of one of them may be off the others.
+  /// Corner where lattice-aligned faces meet: the nearest point of one may miss the others.
   std::optional<Point> on_rim(const Cell& cell, const Point& outwards) const {
     if (std::ranges::count(outwards, 0.0) > dim - 2) return std::nullopt;
     Point off{};  // pitches
     for (std::size_t a = 0; a < dim; ++a) {
       if (outwards[a] == 0) continue;
-      std::array<double, 2> way{};  // of the face, half a cell and a whole one beside the rim
+      std::array<double, 2> way{};  // half a cell and a whole one from the rim
       for (std::size_t n = 0; n < way.size(); ++n) {
         Point beside{};
         for (std::size_t b = 0; b < dim; ++b)
@@ -273,7 +269,7 @@ class BodyMesh {
     return faces_.nearest(cells_.corner(cell), cells_.corner(cell, outwards));
   }
 
-  /// `number` of them, the k-th at place(k) of the body as it is laid
+  /// Adds nodes at place(k), before reflection and rotation.
   template <class Place>
   void add_nodes(int number, int threads, const Place& place) {
     const auto make = [&](int k) {
@@ -302,7 +298,7 @@ class BodyMesh {
       return facet;
     };
     make_in_order(static_cast<int>(facets_.size()), threads, make, [&](int, const SurfaceMesh::Facet& facet) {
-      constexpr double least_area = 0.01;  // dp², of one that is left of a step of the lattice
+      constexpr double least_area = 0.01;  // dp²; drops remnants of lattice steps
       if (facet.area > least_area * dp_ * dp_) out_.facets.push_back(facet);
     });
   }
@@ -333,8 +329,8 @@ class BodyMesh {
   SurfaceMesh& out_;
   std::vector<SurfaceMesh::Facet> facets_;
   std::vector<Corner> corner_;
-  std::map<Cell, int> number_;  // of a corner
-  std::vector<int> node_;       // of a corner or of a patch's node, −1: none
+  std::map<Cell, int> number_;  // of corners
+  std::vector<int> node_;       // [corner or patch node] −1 = none
 };
 
 }  // namespace

@@ -9,30 +9,28 @@
 
 namespace taut {
 
-/// The faces of all bodies in 3D: quadrilaterals, each with a node at each corner.
+/// Faces of all bodies in 3D.
 struct SurfaceMesh : FaceNodes {
   struct Facet {
-    std::array<int, 4> node{};  // against the clock, seen from outside
+    std::array<int, 4> node{};  // anticlockwise, seen from outside
     int body = 0;
-    int particle = 0;  // that it lies in front of
-    double area = 0;   // at the start, m²: the length of its vector area
-    double bulge = 0;  // of the face over the mean of the corners, along the normal, m
+    int particle = 0;  // behind the facet
+    double area = 0;   // length of its vector area, reference configuration, m²
+    double bulge = 0;  // of the face over the mean of the corners, outwards, m
   };
   std::vector<Facet> facets;  // by body
-  std::vector<bool> closed;   // [body] none is missing
+  std::vector<bool> closed;   // [body] no node is missing
 };
 
-/// ½ (x2 − x0) × (x3 − x1), m², of the corners of a facet: it points outwards.
+/// ½ (x2 − x0) × (x3 − x1), m², outwards.
 Point vector_area(const std::array<Point, 4>& corner);
 
-/// The patches of a body that a shape lays in layers (FacePatches). Of others a facet for each face of a cell of
-/// the lattice that no other cell of the body shares, its corners brought to the nearest face of the shapes: so
-/// steps at a curved face are laid smooth. That of a mirrored body is the
-/// mirror image, in the same order, to the last bit. What lies in front of a body that is too thin to tell
-/// where its faces are has none. Empty in 2D.
+/// Takes the patches of layered shapes, or the faces of lattice cells without a neighbour, with corners moved to the
+/// nearest face of the shapes, which smooths lattice steps. Mirrored bodies have exact mirror images. Omits facets
+/// where a body is too thin to locate its faces. Empty in 2D.
 SurfaceMesh make_surface_mesh(const Scene& scene, const InitialParticles& initial, int threads = 1);
 
-/// There is such a mesh: none of the bodies is made of particles that were given one by one.
+/// False if a body has particles listed one by one.
 bool can_have_surface_mesh(const Scene& scene);
 
 }  // namespace taut

@@ -10,17 +10,16 @@
 
 namespace taut {
 
-/// Method M can run with the law.
 template <const auto& M, Law L>
 constexpr bool may_run_with = L == M.law || may_be_given(M, LawOf<L>::row);
 
-/// The law of each of four particles, of which two may be of different materials where there are `several`.
+/// Laws of four particles; with `several`, of different materials.
 template <class L, bool several = true>
 struct LawsOfFour {
-  const L* laws;         // of each material
-  const int* materials;  // of all particles, four at a time
+  const L* laws;         // [material]
+  const int* materials;  // of all particles
 
-  /// `f`(law), a Pack or a tensor of packs of the four of a group.
+  /// Returns `f`(law), a Pack or a tensor of packs.
   template <class F>
   [[gnu::always_inline]] auto operator()(int group, const F& f) const {
     const int* const of = materials + static_cast<std::ptrdiff_t>(lanes) * group;
@@ -39,14 +38,12 @@ struct LawsOfFour {
   }
 };
 
-/// The laws of the materials of a run, as plain data: one law, which is known at run time only, with the numbers of
-/// each material.
+/// Law of a run as plain data, with constants per material.
 struct LawsInUse {
   Law law;
-  const void* laws;  // LawOf<law> of each material
+  const void* laws;  // LawOf<law> [material]
 
-  /// `pass`(laws) with LawOf<law> of each material; compiled for each law that method M may run with. A call for each
-  /// particle instead makes a step of `tl` with the linear law 1.4 times as long.
+  /// Calls `pass`(laws), compiled per law: a call per particle would be slow.
   template <const auto& M, class Pass>
   auto visit(const Pass& pass) const {
     return visit_among<M>(pass, Laws{});
@@ -64,7 +61,6 @@ struct LawsInUse {
   }
 };
 
-/// Owner of the laws of the materials of a run, for set-up and snapshots.
 class Materials {
  public:
   Materials(Law law, const std::vector<Elasticity>& materials) : law_(law) { take(materials, Laws{}); }
@@ -72,7 +68,6 @@ class Materials {
   LawsInUse in_use() const {
     return {law_, std::visit([](const auto& laws) -> const void* { return laws.data(); }, laws_)};
   }
-  /// `f`(law) with the law of this material.
   template <class F>
   auto visit(int material, const F& f) const {
     return std::visit([&](const auto& laws) { return f(laws[static_cast<std::size_t>(material)]); }, laws_);

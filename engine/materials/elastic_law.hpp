@@ -4,7 +4,6 @@
 
 namespace taut {
 
-/// What gives the stress for the deformation gradient; engine/materials/.
 enum class Law : std::uint8_t {
   none,
   neo_hookean,
@@ -14,15 +13,14 @@ enum class Law : std::uint8_t {
   rotated_piola,
 };
 
-/// Volume ratio and cofactor of F may be unknowns of their own; the other laws take them from F.
+/// Whether volume ratio and cofactor of F may be unknowns.
 constexpr bool takes_volume_ratio(Law law) { return law == Law::neo_hookean || law == Law::mooney_rivlin; }
 
-/// The laws that a user may choose in place of the published one, among those with a LawRow::choice.
+/// Laws with LawRow::choice that users may choose.
 enum class OtherLaws : std::uint8_t { none, all, with_volume_ratio };
 
-/// The switches of every method on the initial configuration.
 struct ElasticSwitches {
-  Law law = Law::neo_hookean;  // the published one
+  Law law = Law::neo_hookean;  // published
   OtherLaws others = OtherLaws::none;
 };
 

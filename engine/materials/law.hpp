@@ -5,32 +5,29 @@
 #include "engine/core/tensor.hpp"
 #include "engine/materials/law_row.hpp"
 
-/// What a law of elasticity gives for the deformation gradient F = ∂x/∂X of a particle, in plane strain in 2D
-/// (F_zz = 1). Each law is one header beside this one, a struct of K, G (Pa) and parameters of its own with
-///   P = piola(F, J)       first Piola–Kirchhoff stress, N per m² of the initial configuration
-///   ψ = energy(F, J)      J per m³ of the same, 0 at rest
-///   σ = cauchy(F, J)      stress in the deformed body, Pa
-///   stiffness_bound(F, J) ρ0 c² of the fastest wave, at most, with c per initial length, Pa; stiffness.hpp
-/// and a specialisation of LawOf that derives from it and has its `row`. J is det F, or, where a method
-/// follows J by an equation of its own ([Lee2016] Eq. 33c), that J. A law that takes_volume_ratio has
-///   P = piola(F, H, J)    with H for cof F, which may be an unknown too ([Lee2016] Eq. 12)
-///   slopes(F, H, j), shear_energy(F, H, j) of its part of the shear, with j for det F
-/// too.
+/// Elastic laws of the deformation gradient F = ∂x/∂X, in 2D in plane strain (F_zz = 1). A law is a struct of K, G
+/// (Pa) and its parameters, in its own header, with
+///   P = piola(F, J)       first Piola–Kirchhoff stress, N per initial m²
+///   ψ = energy(F, J)      J per initial m³, 0 at rest
+///   σ = cauchy(F, J)      Pa
+///   stiffness_bound(F, J) upper bound of ρ0 c², Pa, c per initial length
+/// and a LawOf. J is det F or an unknown ([Lee2016] Eq. 33c). A law that takes_volume_ratio also has
+///   P = piola(F, H, J)    H: cof F or an unknown ([Lee2016] Eq. 12)
+///   slopes(F, H, j), shear_energy(F, H, j) of the shear part, j = det F.
 namespace taut {
 
-/// Cauchy stress with the component normal to the plane, which is not part of it in 2D.
+/// Cauchy stress with the component normal to the plane.
 template <int Dim>
 struct Cauchy {
   Sym<double, Dim> sigma;  // Pa
   double zz;               // Pa; 0 in 3D
 };
-/// σ_zz of plane strain where it is beside the plane
 template <int Dim>
 double beside_plane(double zz) {
   return Dim == 2 ? zz : 0;
 }
 
-/// The specialisation of a law is its struct, and has its LawRow `row`.
+/// Derived from the law's struct; has a LawRow `row`.
 template <Law law>
 struct LawOf;
 
@@ -52,7 +49,7 @@ Mat<T, Dim> combination(const S& s, const Mat<T, Dim>& A, const R& t, const Mat<
   return C;
 }
 
-/// H ⨯ F, by which a slope along H adds to P; in plane strain with F_zz = 1 and H_zz = det F.
+/// H ⨯ F, the part of P from a slope along H; plane strain: F_zz = 1, H_zz = det F.
 template <class T>
 Mat<T, 3> stress_of_cofactor(const Mat<T, 3>& F, const Mat<T, 3>& H) {
   return tensor_cross(H, F);
@@ -62,7 +59,6 @@ Mat<T, 2> stress_of_cofactor(const Mat<T, 2>& F, const Mat<T, 2>& H) {
   return combination(1.0, cofactor(H), determinant(F), cofactor(F));
 }
 
-/// Green–Lagrange strain E = ½ (Fᵀ F − I)
 template <class T, int Dim>
 Sym<T, Dim> green_strain(const Mat<T, Dim>& F) {
   Sym<T, Dim> E;
@@ -76,7 +72,7 @@ Sym<T, Dim> green_strain(const Mat<T, Dim>& F) {
   return E;
 }
 
-/// Hooke's law, 2G ε + (K − 2G/3) tr ε I, Pa; ε has no component normal to the plane.
+/// 2G ε + (K − 2G/3) tr ε I, Pa; plane strain in 2D.
 template <class T, int Dim>
 Sym<T, Dim> hooke(const Sym<T, Dim>& strain, double K, double G) {
   Sym<T, Dim> stress = filled<T>(2 * G) * strain;
@@ -84,7 +80,7 @@ Sym<T, Dim> hooke(const Sym<T, Dim>& strain, double K, double G) {
   for (int k = 0; k < Dim; ++k) stress(k, k) += volumetric;
   return stress;
 }
-/// ½ ε : (2G ε + (K − 2G/3) tr ε I), J/m³
+/// ½ ε : hooke(ε), J/m³
 template <int Dim>
 double hooke_energy(const Sym<double, Dim>& strain, double K, double G) {
   double squares = 0;
@@ -93,7 +89,7 @@ double hooke_energy(const Sym<double, Dim>& strain, double K, double G) {
   return G * squares + (0.5 * K - G / 3) * trace(strain) * trace(strain);
 }
 
-/// σ = P Fᵀ/J, symmetric for every law that turns with the body
+/// σ = P Fᵀ/J, symmetric for objective laws.
 template <int Dim>
 Sym<double, Dim> push_forward(const Mat<double, Dim>& P, const Mat<double, Dim>& F, double J) {
   Sym<double, Dim> sigma{};

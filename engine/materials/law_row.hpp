@@ -8,21 +8,20 @@
 
 namespace taut {
 
-/// A number of a law beside K and G: a key of [material], which need not be given.
+/// Parameter of a law besides K and G: an optional key of [material].
 struct LawParameter {
   std::string_view key;
   double value;      // default
-  double low, high;  // both allowed
+  double low, high;  // inclusive
   std::string_view help;
 };
 
-/// What the tables know of a law of elasticity.
 struct LawRow {
   Law law;
-  std::string_view choice;        // as users choose it: "neo-hookean"; empty: it cannot be chosen
-  std::string_view material_law;  // the reference to compare with, as in run.json
+  std::string_view choice;        // name for users: "neo-hookean"; empty = not available
+  std::string_view material_law;  // reference solution, as in run.json
   TermInfo term;
-  std::span<const LawParameter> parameters = {};  // its struct has them behind K and G
+  std::span<const LawParameter> parameters = {};  // struct members after K and G
 };
 
 }  // namespace taut

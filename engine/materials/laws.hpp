@@ -19,11 +19,10 @@ namespace taut {
 template <Law... L>
 struct LawList {
   static constexpr std::array rows{LawOf<L>::row...};
-  using Each = std::variant<std::vector<LawOf<L>>...>;  // one of them, of several materials
+  using Each = std::variant<std::vector<LawOf<L>>...>;  // of one law, [material]
 };
 
-/// Every law, in the order in which they are offered. A law is an enumerator of Law, a header beside this one
-/// and its name here.
+/// All laws, in the order of display.
 using Laws = LawList<Law::neo_hookean, Law::mooney_rivlin, Law::st_venant_kirchhoff, Law::linear_elastic,
                      Law::rotated_piola>;
 
@@ -35,7 +34,7 @@ static_assert([]<Law... L>(LawList<L...>) {
   return ((TakesVolumeRatio<L> == takes_volume_ratio(L)) && ...);
 }(Laws{}));
 
-/// May the method be given the law in place of its own?
+/// Whether the law may replace the method's own.
 constexpr bool may_be_given(const ElasticSwitches& m, const LawRow& row) {
   return m.others != OtherLaws::none && !row.choice.empty() &&
          (m.others == OtherLaws::all || takes_volume_ratio(row.law));
@@ -43,7 +42,6 @@ constexpr bool may_be_given(const ElasticSwitches& m, const LawRow& row) {
 
 constexpr const LawRow& law_row(Law law) { return *std::ranges::find(Laws::rows, law, &LawRow::law); }
 
-/// The law with the numbers of a material.
 template <Law L>
 LawOf<L> law_of(const Elasticity& e) {
   constexpr std::size_t own = LawOf<L>::row.parameters.size();

@@ -4,9 +4,8 @@
 
 namespace taut {
 
-/// Linear elasticity, σ = 2G ε + (K − 2G/3) tr ε I with ε = ½ (F + Fᵀ) − I, the same in every configuration:
-/// P = σ. [Zhang2020] Eq. 3, 4, with the paper's G twice the shear modulus. A rotation by θ is taken for the
-/// strain (cos θ − 1) I: for small strains with little rotation.
+/// P = σ. [Zhang2020] Eq. 3, 4, whose G is twice the shear modulus. For small strains and rotations: a rotation by θ
+/// acts like the strain (cos θ − 1) I.
 struct LinearElastic {
   double K, G;  // Pa
 
@@ -42,7 +41,7 @@ struct LawOf<Law::linear_elastic> : LinearElastic {
       .material_law = "linear_elastic",
       .term = {"stress", "P = 2G dev ε + K tr ε I, ε = ½ (F + Fᵀ) − I", "[Zhang2020] Eq. 3, 4",
                "materials/linear_elastic.hpp:piola",
-               "laws: no stress at rest, Hooke's law for small strains"},
+               "laws: the stress is zero at rest and Hooke's for small strains"},
   };
 };
 

@@ -10,19 +10,16 @@
 namespace taut {
 
 /// Nearly incompressible Mooney–Rivlin, [Lee2016] Eq. 8–12:
-///   ψ = ζ (j^(−2/3) F:F − 3) + ξ (j^(−2) (H:H)^(3/2) − 3√3) + K/2 (J − 1)²,   H = cof F, j = det F,
-///   P = Σ_F + Σ_H ⨯ F + (Σ_j + K (J − 1)) H,   Σ_F = 2ζ j^(−2/3) F,   Σ_H = 3ξ j^(−2) |H| H,
-///   Σ_j = −⅔ζ j^(−5/3) F:F − 2ξ j^(−3) |H|³.
-/// Small strains see 2ζ + 3√3 ξ = G alone; which share of G is that of ξ, the changes of areas, is a number
-/// of the material: 0 is the neo-Hookean law, 1 that of [Lee2016] §8.7. In plane strain F_zz = 1 and H_zz =
-/// det F. The constants −3ζ − 3√3 ξ, by which a body at rest has no energy, are not in the paper. Differs
-/// from it where J is followed by an equation of its own: the part of the shear has j = det F, as in
+///   ψ = ζ (j^(−2/3) F:F − 3) + ξ (j^(−2) (H:H)^(3/2) − 3√3) + K/2 (J − 1)²,
+///   P = Σ_F + Σ_H ⨯ F + (Σ_j + K (J − 1)) H.
+/// For small strains G = 2ζ + 3√3 ξ; a `cofactor_share` of 0 is neo-Hookean, 1 is [Lee2016] §8.7. Plane strain: F_zz
+/// = 1, H_zz = det F. Departures: constants make the energy 0 at rest; j = det F even where J is an unknown, see
 /// NeoHookean.
 struct MooneyRivlin {
   double K, G;            // Pa
   double cofactor_share;  // 3√3 ξ/G
 
-  /// Σ_F/F, Σ_H/H and Σ_j of the part of the shear, Pa
+  /// Σ_F/F, Σ_H/H and Σ_j of the shear part, Pa.
   template <class T>
   struct Slopes {
     T F, H, j;
@@ -41,7 +38,7 @@ struct MooneyRivlin {
            xi() * (inv_j * inv_j * HH * std::sqrt(HH) - 3 * std::numbers::sqrt3);
   }
 
-  /// With a cofactor H that may be an unknown of its own; H_zz is det F all the same.
+  /// H may be an unknown, but H_zz is det F.
   template <class T, int Dim>
   Mat<T, Dim> piola(const Mat<T, Dim>& F, const Mat<T, Dim>& H, const T& J) const {
     const Slopes<T> by = slopes(F, H, determinant(F));
@@ -116,7 +113,7 @@ struct LawOf<Law::mooney_rivlin> : MooneyRivlin {
       .term = {"stress",
                "P = 2ζ j^(−2/3) F + 3ξ j^(−2) |H| H ⨯ F + (K (J − 1) + Σ_j) H, H = cof F, j = det F",
                "[Lee2016] Eq. 8–12", "materials/mooney_rivlin.hpp:piola",
-               "laws: no stress at rest, Hooke's law for small strains"},
+               "laws: the stress is zero at rest and Hooke's for small strains"},
       .parameters = share,
   };
 };

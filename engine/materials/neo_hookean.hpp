@@ -6,13 +6,10 @@
 
 namespace taut {
 
-/// Nearly incompressible neo-Hookean, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G:
-///   ψ = G/2 (j^(−2/3) F:F − 3) + K/2 (J − 1)²,   j = det F,
-///   P = G j^(−2/3) F + (K (J − 1) − G/3 j^(−5/3) F:F) H,   H = cof F.
-/// In plane strain F:F holds F_zz² = 1.
-/// Differs from the paper where J is followed by an equation of its own: there it stands for j too. Where the
-/// dissipation of J parts it from det F, that makes the deviator push along: at J = 1, F = λ I it answers a
-/// change of volume with a stiffness of −4G/3, and rings are lost in their collision. With j it answers none.
+/// Nearly incompressible neo-Hookean, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G: ψ = G/2 (j^(−2/3) F:F − 3) + K/2 (J −
+/// 1)². In plane strain F:F includes F_zz² = 1. Departure: the paper has J for j even where J is an unknown. If
+/// dissipation separates J from det F, the deviator then resists volume changes with stiffness −4G/3, and collisions
+/// diverge.
 struct NeoHookean {
   double K, G;  // Pa
 
@@ -20,7 +17,7 @@ struct NeoHookean {
   static T square(const Mat<T, Dim>& F) {
     return contraction(F, F) + (3 - Dim);
   }
-  /// Σ_F/F, Σ_H/H and Σ_j of the part of the shear, Pa
+  /// Σ_F/F, Σ_H/H and Σ_j of the shear part, Pa.
   template <class T>
   struct Slopes {
     T F, H, j;
@@ -36,7 +33,7 @@ struct NeoHookean {
     const double root = inverse_cube_root(j);
     return 0.5 * G * (root * root * square(F) - 3);
   }
-  /// With a cofactor H that may be an unknown of its own.
+  /// H may be an unknown.
   template <class T, int Dim>
   Mat<T, Dim> piola(const Mat<T, Dim>& F, const Mat<T, Dim>& H, const T& J) const {
     const Slopes<T> by = slopes(F, H, determinant(F));
@@ -76,7 +73,7 @@ struct LawOf<Law::neo_hookean> : NeoHookean {
       .material_law = "neo_hookean",
       .term = {"stress", "P = G j^(−2/3) F + (K (J − 1) − G/3 j^(−5/3) F:F) H, H = cof F, j = det F",
                "[Lee2016] Eq. 8–12", "materials/neo_hookean.hpp:piola",
-               "laws: no stress at rest, Hooke's law for small strains"},
+               "laws: the stress is zero at rest and Hooke's for small strains"},
   };
 };
 

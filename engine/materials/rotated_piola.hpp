@@ -22,7 +22,7 @@ inline Mat<double, 3> turned_by(const Vec<double, 3>& omega, double angle, const
   return result;
 }
 
-/// Of a symmetric RᵀF with a positive determinant: whether two of its eigenvalues are negative.
+/// Whether a symmetric RᵀF with positive determinant has two negative eigenvalues.
 inline bool is_half_turn(const Mat<double, 3>& R, const Mat<double, 3>& F) {
   Mat<double, 3> U{};
   for (int a = 0; a < 3; ++a)
@@ -33,22 +33,19 @@ inline bool is_half_turn(const Mat<double, 3>& R, const Mat<double, 3>& F) {
   return determinant(F) > 0 && !(trace(U) > 0 && minors > 0);
 }
 
-/// The rotation nearest to F: that of its polar decomposition F = R U where det F > 0. In the plane it is
-/// known in closed form, R ∝ F + cof F. Differs from [TranDuc2023] §2.3, which iterates towards the same R.
+/// Rotation nearest to F, R of F = R U if det F > 0; in 2D R ∝ F + cof F. [TranDuc2023] §2.3 iterates to the same R.
 template <class T>
 Mat<T, 2> nearest_rotation(const Mat<T, 2>& F) {
   const T c = F(0, 0) + F(1, 1), s = F(1, 0) - F(0, 1);
-  const T length = root(T(c * c + s * s));                          // the sum of the principal stretches
-  const auto turned = length > std::numeric_limits<double>::min();  // a reflection has no rotation
+  const T length = root(T(c * c + s * s));                          // sum of principal stretches
+  const auto turned = length > std::numeric_limits<double>::min();  // false for reflections
   const T cosine = turned ? T(c / length) : filled<T>(1), sine = turned ? T(s / length) : T{};
   return {{{cosine, -sine}, {sine, cosine}}};
 }
 
-/// In 3D by Müller's iteration, from R = I: turned by the torque of the columns of F upon those of R,
-///   ω = Σ_k R_k × F_k/(|Σ_k R_k · F_k| + ε),  R ← exp(ω) R.                       [TranDuc2023] §2.3
-/// Differs from the paper, which prints the sum of products without the bars: where it is negative, beyond
-/// 90°, the rotation would run away. And the torque vanishes too where two axes are turned by 180°: from there it
-/// goes on with a turn about any axis.
+/// Müller's iteration, [TranDuc2023] §2.3: ω = Σ_k R_k × F_k/(|Σ_k R_k · F_k| + ε),  R ← exp(ω) R. Departures: the
+/// paper lacks the bars, without which rotations beyond 90° diverge; if the torque vanishes because two axes are
+/// turned by 180°, the iteration restarts from another rotation.
 inline Mat<double, 3> nearest_rotation(const Mat<double, 3>& F) {
   Mat<double, 3> R{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   constexpr int most = 100;
@@ -79,11 +76,8 @@ inline Mat<Pack, 3> nearest_rotation(const Mat<Pack, 3>& F) {
   return R;
 }
 
-/// The stress of `icb`: Hooke's law between the second Piola–Kirchhoff stress and the Green–Lagrange strain,
-///   σ⁰ = 2G dev E + K tr E I,  turned by the rotation R of F:  P = R σ⁰.             [TranDuc2023] §2.3
-/// With F in the place of R it would be St Venant–Kirchhoff's. The difference is of the order of the strain;
-/// no energy has this P for its derivative (∂t_1/∂λ_2 = (K − 2G/3) λ_2 but ∂t_2/∂λ_1 = (K − 2G/3) λ_1 of the
-/// principal stresses), so that `energy`, ½ σ⁰:E, is a diagnostic.
+/// Stress of `icb`, R σ⁰. It differs from St Venant–Kirchhoff, F σ⁰, by the order of the strain. No energy has this
+/// derivative (∂t_1/∂λ_2 ≠ ∂t_2/∂λ_1 of the principal stresses): `energy`, ½ σ⁰:E, is a diagnostic.
 struct RotatedPiola {
   double K, G;  // Pa
 
@@ -100,8 +94,8 @@ struct RotatedPiola {
     return {push_forward(piola(F, J), F, J),
             beside_plane<Dim>((K - 2.0 / 3 * G) * trace(green_strain(F)) / J)};
   }
-  /// Of the symmetric part of the acoustic tensor, which is not symmetric here; no wave is faster. With
-  /// t_k = 2G E_k + (K − 2G/3) tr E, the principal stresses, and R that of a polar decomposition.
+  /// Bound for the symmetric part of the acoustic tensor; no wave is faster. t_k = 2G E_k + (K − 2G/3) tr E are the
+  /// principal stresses.
   template <class T, int Dim>
   T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
     const PrincipalStretches<T> l = principal_stretches(F);
@@ -123,7 +117,8 @@ struct LawOf<Law::rotated_piola> : RotatedPiola {
       .choice = "",
       .material_law = "neo_hookean",
       .term = {"stress", "P = R (2G dev E + K tr E I), F = R U, E = ½ (FᵀF − I)", "[TranDuc2023] §2.3",
-               "materials/rotated_piola.hpp:piola", "laws: no stress at rest, Hooke's law for small strains"},
+               "materials/rotated_piola.hpp:piola",
+               "laws: the stress is zero at rest and Hooke's for small strains"},
   };
 };
 

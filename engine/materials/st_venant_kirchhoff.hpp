@@ -5,8 +5,8 @@
 
 namespace taut {
 
-/// St Venant–Kirchhoff: Hooke's law between the second Piola–Kirchhoff stress S and the Green–Lagrange strain
-/// E, P = F S. Softens without end in compression: for large rotations with moderate strains.
+/// P = F S, Hooke's law between S and E. Softens without limit in compression: for large rotations with moderate
+/// strains.
 struct StVenantKirchhoff {
   double K, G;  // Pa
 
@@ -42,7 +42,7 @@ struct LawOf<Law::st_venant_kirchhoff> : StVenantKirchhoff {
       .material_law = "st_venant_kirchhoff",
       .term = {"stress", "P = F (2G dev E + K tr E I), E = ½ (FᵀF − I)", "textbook",
                "materials/st_venant_kirchhoff.hpp:piola",
-               "laws: no stress at rest, Hooke's law for small strains"},
+               "laws: the stress is zero at rest and Hooke's for small strains"},
   };
 };
 

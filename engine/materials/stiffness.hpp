@@ -2,7 +2,7 @@
 
 #include "engine/core/tensor.hpp"
 
-/// How stiff a strained body is to waves, for the `stiffness_bound` of the laws, and what that needs of F.
+/// Bounds of wave stiffness in a strained body.
 namespace taut {
 
 template <class T>
@@ -11,8 +11,7 @@ T greatest_eigenvalue(const Sym<T, 2>& A) {
   return 0.5 * (A(0, 0) + A(1, 1)) + root(T(half * half + A(0, 1) * A(0, 1)));
 }
 
-/// q + 2p c, where c = cos(θ/3) ≥ ½ solves 4c³ − 3c = cos θ = det(A − q I)/(2p³). Newton's rounds, which come
-/// from above, start within 1e-3 of it.
+/// q + 2p cos(θ/3), cos θ = det(A − q I)/(2p³). Newton's method starts within 1e-3, from above.
 template <class T>
 T greatest_eigenvalue(const Sym<T, 3>& A) {
   const T one = filled<T>(1), q = trace(A) / 3;
@@ -28,7 +27,7 @@ T greatest_eigenvalue(const Sym<T, 3>& A) {
   return q + 2 * p * c;
 }
 
-/// Of a particle, the greatest first; in 2D of plane strain, and the last is that normal to the plane, 1.
+/// Principal stretches, descending; in 2D the last is the 1 normal to the plane.
 template <class T>
 using PrincipalStretches = Vec<T, 3>;
 
@@ -41,23 +40,21 @@ template <class T>
 PrincipalStretches<T> principal_stretches(const Mat<T, 3>& F) {
   const Sym<T, 3> C = right_cauchy_green(F);
   const T greatest = greatest_eigenvalue(C), J = determinant(F);
-  const T half = 0.5 * (trace(C) - greatest), product = J * J / greatest;  // of the squares of the others
+  const T half = 0.5 * (trace(C) - greatest), product = J * J / greatest;  // of the other squares
   const T second = half + root(max(T(half * half - product), T{}));
   return {root(greatest), root(second), root(T(product / second))};
 }
 
-/// A bound of m·Q m over all unit vectors m, n, with Q the acoustic tensor of waves along n. In principal
-/// axes of an isotropic law
+/// Upper bound of m·Q m over unit vectors m, n; Q: acoustic tensor of waves along n. For isotropic laws, in principal
+/// axes,
 ///   m·Q m = Σ_k along_k m_k² n_k² + Σ_{k≠l} across_kl m_k² n_l² + 2 Σ_{k<l} coupling_kl m_k n_k m_l n_l.
-/// The weights m_k² n_l² add up to 1, and with m_k n_k m_l n_l = (m_k n_l)(m_l n_k) the last sums share two
-/// of them for each pair of axes: it is at most the greatest of all `along` and of the eigenvalues of
-/// ((across_kl, coupling_kl), (coupling_kl, across_lk)). Waves along an axis reach `along` and `across`. Of a
-/// strain that is not a number neither is the bound; it is infinite or not a number where det F = 0.
+/// The weights m_k² n_l² add up to 1 and m_k n_k m_l n_l = (m_k n_l)(m_l n_k): the bound is the greatest `along` or
+/// eigenvalue of ((across_kl, coupling_kl), (coupling_kl, across_lk)). NaN for NaN; infinite or NaN for det F = 0.
 template <int Dim, class Along, class Across, class Coupling>
 auto greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
   using T = decltype(along(0));
   T greatest{};
-  const auto take = [&](const T& stiffness) {  // NaN comes in and stays
+  const auto take = [&](const T& stiffness) {  // keeps NaN
     greatest = ((stiffness <= greatest) | (greatest != greatest)) ? greatest : stiffness;
   };
   for (int k = 0; k < Dim; ++k) {

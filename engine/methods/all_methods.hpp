@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Every method, in the order in which they are listed.
+/// All methods, in listing order.
 inline constexpr std::array<const Formulation*, 21> all_methods{&og,
                                                                 &oas,
                                                                 &enog,

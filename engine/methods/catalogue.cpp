@@ -16,7 +16,7 @@
 namespace taut {
 namespace {
 
-/// Those of its family in the words of its paper, and of walls, which are every method's, and folds.
+/// Terms of the family with the method's citations; walls; self-contact.
 std::vector<TermInfo> terms(const Formulation& m) {
   std::vector<TermInfo> all = row_of(m.family).terms(m);
   for (TermInfo& term : all) {
@@ -30,15 +30,14 @@ std::vector<TermInfo> terms(const Formulation& m) {
   return all;
 }
 
-/// The laws of contact of methods that search neighbours, or of methods that keep their initial neighbours: bonds act
-/// between initial neighbours only, and particles that search may leave the neighbours with which faces move.
+/// `sph` requires searched neighbours, `surface` initial ones, with which its faces move.
 std::vector<ContactLaw> contact_laws_of(bool searches) {
   std::vector<ContactLaw> all;
   for (const ContactLawRow& row : contact_laws)
     if (row.between == ContactBetween::particles ||
         (row.between == ContactBetween::all_neighbors) == searches)
       all.push_back(row.law);
-  if (!searches)  // the simplest one first
+  if (!searches)  // simplest first
     std::ranges::stable_partition(all, [](ContactLaw law) { return law == ContactLaw::penalty; });
   return all;
 }
@@ -51,7 +50,7 @@ std::string joined(const std::vector<ContactLaw>& laws) {
   return names;
 }
 
-/// Its own, and the others that can be chosen.
+/// The default first.
 std::vector<LawChoice> laws(const ElasticSwitches* m) {
   std::vector<LawChoice> all;
   if (!m) return all;
@@ -92,8 +91,7 @@ std::vector<MethodInfo> table() {
   return all;
 }
 
-/// The settings' law among those of the method; its first where they have none. Throws UsageError if it is
-/// none of them.
+/// Law of the settings or the default. Throws UsageError if unavailable.
 const LawChoice& chosen_law(const MethodInfo& method, const Settings& settings) {
   for (const LawChoice& choice : method.laws)
     if (settings.law.empty() || choice.name == settings.law) return choice;

@@ -16,66 +16,59 @@
 
 namespace taut {
 
-/// A law of elasticity that a user may choose for a method.
 struct LawChoice {
-  std::string_view name;          // "st-venant-kirchhoff"
-  std::string_view material_law;  // the reference to compare with
+  std::string_view name;  // "st-venant-kirchhoff"
+  std::string_view material_law;
   Law law;
 };
 
-/// Meaning of the strain energy that a run reports.
+/// Meaning of the reported strain energy.
 enum class StrainEnergy {
-  potential,  // of the forces: a change of the total energy is dissipated or created by the method
-  of_stress,  // of a stress from its rate, which is no potential of the forces
-  recovered,  // of a stress that is recovered for display and that no force uses
+  potential,  // of the forces; only the method itself changes the total energy
+  of_stress,  // computed from an integrated stress; no potential of the forces
+  recovered,  // computed from a stress that is recovered for display
 };
 StrainEnergy strain_energy(const Formulation& m);
 
-/// Description of a method for `list` and `describe`, derived from its Formulation.
 struct MethodInfo {
   const Formulation& formulation;
   std::string_view name;
   std::string_view paper;
   std::string_view summary;
-  std::string_view material_law;  // the reference to compare with: "2d_deviator" or "neo_hookean"
-  std::vector<LawChoice> laws;    // of elasticity, which may be chosen; the first is the published one
-  Law law;                        // the published one; none: the stress follows from its rate
+  std::string_view material_law;  // reference: "2d_deviator" or "neo_hookean"
+  std::vector<LawChoice> laws;    // the published one first
+  Law law;                        // published; none: the stress is integrated
   std::string_view conserves;
   std::vector<TermInfo> terms;
   std::vector<MethodConstant> constants;  // in 2D
   double cfl;                             // default acoustic CFL number
-  ContactLaw contact;                     // the published one
-  std::vector<ContactLaw> contact_laws;   // those that the method can run with
-  bool keeps_neighbors;                   // see FamilyRow; contact then acts between parts of one body, too
-  bool several_materials;                 // in one scene
+  ContactLaw contact;                     // published
+  std::vector<ContactLaw> contact_laws;   // available
+  bool keeps_neighbors;                   // see FamilyRow; if true, contact also acts within a body
+  bool several_materials;                 // allowed in a scene
 };
 
-/// Every method by name, in the order in which they are listed.
+/// All methods, in listing order.
 std::span<const MethodInfo> methods();
-/// nullptr if there is none of that name.
+/// Returns nullptr for unknown names.
 const MethodInfo* find_method(std::string_view name);
-/// The constants that a user may set, with their defaults in this dimension.
+/// User-settable constants, with defaults for `dim`.
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim);
-/// Those of the settings, and for the rest their defaults, with the spacing `dp`, m.
+/// Values in the settings, otherwise the defaults. `dp` in m.
 ConstantValues constant_values(const Formulation& m, int dim, double dp, const Settings& settings);
 
-/// Every law of elasticity.
 std::span<const LawRow> laws();
-/// The one that the method runs with; nullptr for a method without one. Throws UsageError for a law that the
-/// method does not have.
+/// Law of a run, or nullptr. Throws UsageError if the method lacks it.
 const LawRow* law_row(const MethodInfo& method, const Settings& settings);
-/// Why the method cannot run with the law of this name (LawRow::choice); empty where it can.
+/// Reason why the method cannot use a law (LawRow::choice), or "".
 std::string reason_against_law(const MethodInfo& method, std::string_view law);
-/// The reference to compare a run with these settings with. Throws UsageError for a law that the method does
-/// not have.
+/// Reference of a run. Throws UsageError if the method lacks the law.
 std::string_view material_law(const MethodInfo& method, const Settings& settings, int dim = 2);
-/// Every law of contact, in the order in which they are offered.
+/// In listing order.
 std::span<const ContactLawRow> contact_rows();
-/// How the bodies of the scene act on each other with this method, never `published`. Throws SceneError for a
-/// law that the method cannot run with.
+/// Never `published`. Throws SceneError if the method cannot use the scene's law.
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method);
-/// How they do under `published`: by the law of the method, or by the penalty where that is `surface` and the
-/// scene has bodies without faces.
+/// Law for `published`: the method's, but `penalty` for `surface` if bodies have no faces.
 ContactLaw published_contact(const Scene& scene, const MethodInfo& method);
 
 }  // namespace taut

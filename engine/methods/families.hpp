@@ -14,18 +14,17 @@
 
 namespace taut {
 
-/// What the tables know of a family.
 struct FamilyRow {
   Family family;
-  bool keeps_neighbors;  // the neighbours of a particle inside its body are those of the start
+  bool keeps_neighbors;  // a body's particles keep initial neighbours
   std::vector<TermInfo> (*terms)(const Formulation& m);
   std::vector<MethodConstant> (*constants)(const Formulation& m, int dim);
-  const ElasticSwitches* (*elastic)(const Formulation& m);  // null: the stress follows from its rate
-  bool (*carries_stress)(const Formulation& m);             // integrates a stress and uses it in the forces
+  const ElasticSwitches* (*elastic)(const Formulation& m);  // null: the stress is integrated
+  bool (*carries_stress)(const Formulation& m);             // forces use an integrated stress
   std::unique_ptr<Simulation> (*make)(const SolverInput& input);
 };
 
-/// The row of the family whose methods have the type `F`. Those on the initial configuration have a law of elasticity.
+/// Methods on the initial configuration have an elastic law.
 template <class F, auto terms, auto constants>
 constexpr FamilyRow family_row(std::unique_ptr<Simulation> (*make)(const SolverInput& input)) {
   constexpr bool elastic = std::is_base_of_v<ElasticSwitches, F>;
@@ -54,7 +53,7 @@ constexpr FamilyRow family_row(std::unique_ptr<Simulation> (*make)(const SolverI
           .make = make};
 }
 
-/// Every family: a folder beside this file, an enumerator and its row here.
+/// Each family has a folder, an enumerator and a row.
 inline constexpr std::array families{
     family_row<UlSplitFormulation, ul_split::terms, ul_split::constants>(ul_split::make),
     family_row<UlCauchyFormulation, ul_cauchy::terms, ul_cauchy::constants>(ul_cauchy::make),

@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Tables::template of<M, Dim>, the kernels of the method of this name among those of a family.
+/// Returns the kernels Tables::of<M, dim> of the method, or null.
 template <class Tables, const auto&... M>
 const void* table_among(int dim, std::string_view method, MethodList<M...>) {
   const void* found = nullptr;

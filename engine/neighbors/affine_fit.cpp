@@ -17,7 +17,6 @@ constexpr double reach = 1.6;  // of neighbours, spacings
 
 Layout layout_of(const Snapshot& now) { return {now.dim, now.x0, now.diameter, now.body}; }
 
-/// Leaves of what was found around a particle from `begin` on what is near enough.
 void keep_near(const Layout& start, std::size_t i, std::vector<std::size_t>& found, std::size_t begin,
                double nearest) {
   const auto far = [&](std::size_t j) { return start.distance(i, j) > reach * nearest; };
@@ -93,7 +92,7 @@ FirstNeighbors first_neighbors(const Layout& start) {
 }
 
 LinearMap inverse_moment(const LinearMap& moment, int dim) {
-  constexpr double little = 1e-9;  // across a body that is one particle thick nothing is known
+  constexpr double little = 1e-9;  // for bodies one particle thick
   Matrix regular = Eigen::Map<const Matrix>(moment.data());
   const double trace = regular.trace();
   regular.diagonal().array() += trace > 0 ? little * trace : 1;

@@ -10,10 +10,9 @@
 
 namespace taut {
 
-/// A linear map in space, row by row.
+/// Linear map, row by row.
 using LinearMap = std::array<double, 9>;
 
-/// Where particles were at the start, and which body they belong to.
 struct Layout {
   int dim = 2;
   std::span<const double> x0;        // n × dim, m
@@ -25,9 +24,9 @@ struct Layout {
   double distance(std::size_t i, std::size_t j) const;  // m
 };
 
-/// Of each particle those of its body that were at most 1.6 times as far from it as the nearest.
+/// Neighbours in the same body, up to 1.6 times as far as the nearest.
 struct FirstNeighbors {
-  std::vector<std::size_t> first, neighbor;  // of particle i: from first[i] to first[i + 1]
+  std::vector<std::size_t> first, neighbor;  // those of i: first[i] … first[i + 1] − 1
   std::vector<double> spacing;               // to the nearest, m
 
   std::span<const std::size_t> operator[](std::size_t i) const {
@@ -36,15 +35,12 @@ struct FirstNeighbors {
 };
 FirstNeighbors first_neighbors(const Layout& start);
 
-/// The inverse of the moment Σ X ⊗ X of ways to neighbours, 1/m². In 2D the third axis is left alone, and so
-/// is what lies across a body that is one particle thick.
+/// Regularised inverse of Σ X ⊗ X over neighbours, 1/m²; in 2D without the third axis.
 LinearMap inverse_moment(const LinearMap& moment, int dim);
 
-/// The affine map F that takes the first neighbours of a particle nearest to where they are now (least
-/// squares): F = 1 + Σ (x_ij − X_ij) ⊗ X_ij (Σ X_ij ⊗ X_ij)⁻¹. It is exact for an affine motion, needs
-/// nothing of the method, and means little where a body has torn. In 2D F_zz = 1 (plane strain).
+/// Least-squares affine map of each particle's first neighbours, F = 1 + Σ (x_ij − X_ij) ⊗ X_ij (Σ X_ij ⊗ X_ij)⁻¹.
+/// Exact for affine motions with any method; meaningless where a body has torn. In 2D F_zz = 1.
 std::vector<LinearMap> affine_maps(const Snapshot& now);
-/// That of one particle, which costs a look at all others.
 LinearMap affine_map(const Snapshot& now, std::size_t i);
 
 }  // namespace taut

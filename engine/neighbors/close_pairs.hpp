@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Particles at places `x`, n × Dim, in the order of cells.
+/// Particles at `x`, n × Dim, sorted by cells.
 template <int Dim>
 class PlacesInCells {
  public:
@@ -22,7 +22,7 @@ class PlacesInCells {
   }
 
   const std::vector<int>& order() const { return order_; }
-  /// visit(j) for every j at most `reach` from i, i itself among them.
+  /// Calls visit(j) for every j within `reach`, including i.
   template <class Visit>
   void for_each_around(int i, const Visit& visit) const {
     grid_.for_each_row(x_[i], [&](int first, int last) {
@@ -40,8 +40,8 @@ class PlacesInCells {
   std::vector<int> order_;
 };
 
-/// Calls visit(i, j), i < j, for every two particles at places `x`, n × Dim, that are at most `reach` apart, m, and that
-/// are `wanted`(i, j). They are looked for on `threads` threads and visited on one, in the same order on any number.
+/// Calls visit(i, j), i < j, for all pairs with `wanted`(i, j) at most `reach`, m, apart; `x` is n × Dim. Visits on
+/// one thread, in an order that does not depend on `threads`.
 template <int Dim, class Wanted, class Visit>
 void for_each_pair_within(const std::vector<double>& x, double reach, const Wanted& wanted,
                           const Visit& visit, int threads = 1) {
@@ -63,7 +63,7 @@ void for_each_pair_within(const std::vector<double>& x, double reach, const Want
   });
 }
 
-/// Every two particles of one body, as they were laid.
+/// Visits pairs within a body, by initial positions.
 template <class Visit>
 void for_each_close_pair(const Snapshot& start, double reach, const Visit& visit, int threads = 1) {
   const auto of_one = [&](int i, int j) { return start.body[i] == start.body[j]; };
@@ -71,7 +71,7 @@ void for_each_close_pair(const Snapshot& start, double reach, const Visit& visit
                  : for_each_pair_within<2>(start.x0, reach, of_one, visit, threads);
 }
 
-/// Every two particles of two bodies, where they are.
+/// Visits pairs of two bodies, by current positions.
 template <class Visit>
 void for_each_meeting_pair(const Snapshot& now, double reach, const Visit& visit) {
   const auto of_two = [&](int i, int j) { return now.body[i] != now.body[j]; };

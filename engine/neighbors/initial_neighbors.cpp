@@ -26,7 +26,7 @@ NeighborLists neighbors_of(const InitialParticles& initial, double reach, int th
   std::vector<int> body(n);
   for (int i = 0; i < n; ++i) body[i] = initial.body[order[i]];
   NeighborSearch<Dim>()(grid, sorted, reach, threads, found, body.data());
-  const auto list = [&](int place) {  // of the search, which fills it up with the particle itself
+  const auto list = [&](int place) {  // padded with the particle itself
     return std::span(found.j.data() + static_cast<std::size_t>(lanes) * found.begin[place],
                      static_cast<std::size_t>(lanes) * (found.begin[place + 1] - found.begin[place]));
   };

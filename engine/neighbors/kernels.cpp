@@ -12,7 +12,7 @@ namespace {
 
 typedef int Indices __attribute__((vector_size(lanes * sizeof(int))));
 
-/// The lanes whose bits are set in the number, one after the other.
+/// Indices of the set bits.
 constexpr Indices packed[] = {{},  {0},    {1},    {0, 1},    {2},    {0, 2},    {1, 2},    {0, 1, 2},
                               {3}, {0, 3}, {1, 3}, {0, 1, 3}, {2, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 2, 3}};
 
@@ -30,7 +30,6 @@ std::size_t room_for(const SearchFields<Dim>& f, int i) {
   return most;
 }
 
-/// Looks at four candidates at once.
 template <int Dim>
 int find(const SearchFields<Dim>& f, int first, int last, int* count, int* found, std::size_t room,
          std::size_t& size) {

@@ -6,7 +6,6 @@
 
 namespace taut {
 
-/// Plain data of a CellGrid.
 template <int Dim>
 struct CellsView {
   Vec<double, Dim> origin{};
@@ -19,7 +18,7 @@ struct CellsView {
     for (int k = 0; k < Dim; ++k) c += stride[k] * static_cast<int>((x[k] - origin[k]) / size);
     return c;
   }
-  /// f(first, last) for each stretch of stored particles that may hold neighbours of a particle at x.
+  /// Calls f(first, last) for ranges with all neighbours of x.
   template <class F>
   void for_each_row(const Vec<double, Dim>& x, const F& f) const {
     const int c = cell_of(x);
@@ -36,19 +35,18 @@ struct CellsView {
 template <int Dim>
 struct SearchFields {
   CellsView<Dim> cells;
-  const double* x[Dim];  // m, with room for a pack that begins at the last particle
+  const double* x[Dim];  // m, padded for a pack at the last particle
   double support;        // m
-  const int* body;       // only pairs within a body; null: all
+  const int* body;       // null, or: only pairs within a body
 };
 
 template <int Dim>
 struct SearchKernels {
-  /// The neighbours of particles first … last − 1 into `found` from `size` on, which grows, those of each filled up with
-  /// the particle itself to whole packs; their numbers into `count`. Returns the first particle for which `room` is too
-  /// small.
+  /// Writes neighbours of particles first … last − 1 to `found` from `size` on, padded with the particle to whole
+  /// packs, and their numbers to `count`. Returns the first particle for which `room` is too small.
   int (*find)(const SearchFields<Dim>& f, int first, int last, int* count, int* found, std::size_t room,
               std::size_t& size);
-  /// `room` that is enough for particle i, from `size` on.
+  /// Upper bound of the room for particle i.
   std::size_t (*room_for)(const SearchFields<Dim>& f, int i);
 };
 

@@ -8,20 +8,18 @@
 
 #include "engine/core/columns.hpp"
 
-/// Neighbours of particles of which four are worked on at once, one a lane: a group of four that are stored
-/// one behind the other. Stored along the rows of a lattice or the layers of a round body, the same neighbour
-/// of each (the one to the right, say) mostly stands one behind the other too, and what is gathered of them
-/// is one load from a column. Each lane sums over the neighbours of its own particle in their order, so that
-/// the result does not depend on who shares its group.
+/// Neighbours of four consecutive particles, one per lane. Along lattice rows or layers they are mostly consecutive
+/// too, and one load per column gathers them. Each lane sums in the order of its neighbours, so that the result does
+/// not depend on the grouping.
 namespace taut {
 
-/// One neighbour of each of four particles. Groups with the same neighbourhood have the same slots.
+/// One neighbour per lane; equal neighbourhoods have equal slots.
 struct LaneSlot {
-  int step[lanes];  // from the first of the four particles to the neighbour of each
-  int in_line;      // 1: these stand one behind the other
+  int step[lanes];  // offset in storage from the group's first particle
+  int in_line;      // 1: neighbours are consecutive
 };
 
-/// What `columns` hold of the neighbours in a slot of the group that begins with particle `first`.
+/// Loads columns at a slot's neighbours.
 template <int N>
 [[gnu::always_inline]] inline void gather(const ColumnsView<N>& columns, int first, const LaneSlot& slot,
                                           Pack (&out)[N]) {
@@ -41,8 +39,7 @@ template <int N>
 struct LaneSlots {
   using Taken = std::array<int, lanes>;
   std::vector<LaneSlot> slots;
-  /// For each slot and lane, which of the lane's neighbours it is; −1 if none. Such a lane leads to any
-  /// particle: what the pair is multiplied with must be 0.
+  /// Index of each lane's neighbour, or −1: then any particle is loaded, and the pair's factor must be 0.
   std::vector<Taken> taken;
 };
 
@@ -50,7 +47,7 @@ namespace lane_neighbors {
 
 using Neighbors = std::array<std::vector<int>, lanes>;
 
-/// Slots as few as may be: the first neighbours of all lanes, the second, …
+/// Fewest slots: first neighbours, second neighbours, …
 inline std::vector<LaneSlots::Taken> in_turn(const Neighbors& neighbors) {
   std::vector<LaneSlots::Taken> taken;
   for (int n = 0;; ++n) {
@@ -62,7 +59,7 @@ inline std::vector<LaneSlots::Taken> in_turn(const Neighbors& neighbors) {
   }
 }
 
-/// All neighbours of a slot as far from their particles in storage.
+/// Slots of equal distances in storage.
 inline std::vector<LaneSlots::Taken> by_distance(const Neighbors& neighbors) {
   std::vector<LaneSlots::Taken> taken;
   std::size_t at[lanes] = {};
@@ -86,7 +83,7 @@ inline std::vector<LaneSlots::Taken> by_distance(const Neighbors& neighbors) {
 
 inline LaneSlot slot(int first, const Neighbors& neighbors, const LaneSlots::Taken& taken, int size) {
   LaneSlot slot{};
-  int begin = 0;  // of the line
+  int begin = 0;  // of consecutive neighbours
   bool found = false, in_line = true;
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const int own = static_cast<int>(lane);
@@ -105,9 +102,8 @@ inline LaneSlot slot(int first, const Neighbors& neighbors, const LaneSlots::Tak
 
 }  // namespace lane_neighbors
 
-/// Slots of the group that begins with particle `first`, of the neighbours of each of the four, which ascend;
-/// fewer in the last group. `size`: that of the columns to gather from. Of two ways to choose slots the
-/// cheaper one; one whose neighbours are not in line costs about as much as two that are.
+/// Slots of the group that begins with `first`, from ascending neighbours. Takes the cheaper of two choices;
+/// neighbours that are not consecutive cost twice.
 inline LaneSlots lane_slots(int first, const std::array<std::vector<int>, lanes>& neighbors, int size) {
   LaneSlots best;
   std::size_t least = 0;

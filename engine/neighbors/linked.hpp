@@ -10,9 +10,8 @@
 
 namespace taut {
 
-/// Of those around a place the ones beyond a slot, that no step from one beside it leads to, do not count: the others
-/// come to the front, in their order. Gives their number. Squared distances in spacings: from_place(one),
-/// between(one, other).
+/// Moves linked items to the front, in order, and returns their number. Items beyond a slot are not linked: no step
+/// leads to them from an item beside the place. Squared distances, in spacings: from_place(one), between(one, other).
 template <class T, class FromPlace, class Between>
 std::size_t bring_linked_to_front(std::span<T> near, const FromPlace& from_place, const Between& between) {
   constexpr double link2 = link_of_neighbors * link_of_neighbors;
@@ -25,11 +24,10 @@ std::size_t bring_linked_to_front(std::span<T> near, const FromPlace& from_place
     return from_place(one) >= link2 &&
            std::ranges::none_of(beside, [&](const T& other) { return between(one, other) < link2; });
   };
-  // std::ranges::remove_if gives a subrange, which clang 14 takes from no span of libstdc++ 12
+  // clang 14 rejects std::ranges::remove_if on spans of libstdc++ 12
   return static_cast<std::size_t>(std::remove_if(near.begin(), near.end(), is_beyond) - near.begin());
 }
 
-/// The same, and those beyond are gone.
 template <class T, class FromPlace, class Between>
 void leave_out_unlinked(std::vector<T>& near, const FromPlace& from_place, const Between& between) {
   const std::size_t linked = bring_linked_to_front(std::span<T>(near), from_place, between);

@@ -26,7 +26,7 @@ void NeighborSearch<Dim>::operator()(const CellGrid<Dim>& grid, const std::vecto
     std::size_t size = 0;
     while (first < last) {
       if (const std::size_t needed = size + kernels.room_for(fields, first); found.size() < needed) {
-        found.reserve(needed + needed / 8);  // resize alone would take twice as much
+        found.reserve(needed + needed / 8);  // resize alone might double the room
         found.resize(found.capacity());
       }
       first = kernels.find(fields, first, last, count_.data(), found.data(), found.size(), size);

@@ -13,12 +13,12 @@
 
 namespace taut {
 
-/// Cells at least as wide as the support, a border of empty ones around them. Particles are meant to be kept
-/// in the order of their cells, x fastest, so that three cells side by side are one stretch of memory.
+/// Cells at least as wide as the support, with a border. If particles are in the order of cells, x fastest, three
+/// adjacent cells are one range of memory.
 template <int Dim>
 class CellGrid {
  public:
-  /// Lays the grid around `x` and returns the order in which the particles must be stored (stable).
+  /// Places the grid around `x` and returns the order for storage (stable).
   const std::vector<int>& sort(const std::vector<Vec<double, Dim>>& x, double support) {
     place(x, support);
     const int n = static_cast<int>(x.size());
@@ -33,7 +33,6 @@ class CellGrid {
     return order_;
   }
 
-  /// f(first, last) for each stretch of stored particles that may hold neighbours of a particle at x.
   template <class F>
   void for_each_row(const Vec<double, Dim>& x, const F& f) const {
     view().for_each_row(x, f);
@@ -50,7 +49,7 @@ class CellGrid {
                          "the position of a particle is not finite, or too large for the neighbour search");
   }
 
-  /// NumericalError where there is a place without a cell; who makes steps says when that was.
+  /// Throws NumericalError if a position has no cell; the caller adds the time.
   void place(const std::vector<Vec<double, Dim>>& x, double support) {
     Vec<double, Dim> low = x[0], high = x[0];
     constexpr double farthest = 1e300;  // m; the sums below stay finite
@@ -60,7 +59,7 @@ class CellGrid {
         low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
       }
     }
-    // a body that flies apart must not ask for more memory: wider cells are as right, only slower
+    // wider cells limit the memory if a body flies apart
     const double most = 1000 + 8.0 * static_cast<double>(x.size());
     double& size = cells_at_.size;
     size = support;
@@ -71,14 +70,13 @@ class CellGrid {
       return cells;
     };
     while (count() > most) size *= 1.5;
-    if (!(size < 1e5 * farthest)) refuse();      // of a support that is no number
-    const double farthest_cell = 0x1p44 * size;  // the last digits of a place must tell its cell
+    if (!(size < 1e5 * farthest)) refuse();      // if the support is NaN
+    const double farthest_cell = 0x1p44 * size;  // farther away, rounding exceeds a cell
     for (int k = 0; k < Dim; ++k)
       if (std::max(std::abs(low[k]), std::abs(high[k])) > farthest_cell) refuse();
     cells_ = 1;
     for (int k = 0; k < Dim; ++k) {
-      cells_at_.origin[k] =
-          low[k] - 1.5 * size;  // not by one cell: rounding could put the first particle into the border
+      cells_at_.origin[k] = low[k] - 1.5 * size;  // more than one cell, since rounding could reach the border
       cells_at_.stride[k] = cells_;
       cells_ *= static_cast<int>(along(k));
     }
@@ -90,12 +88,11 @@ class CellGrid {
   std::vector<int> cell_, order_;
 };
 
-/// Neighbours of each particle, flat: those of i are j[lanes · begin[i]] … j[lanes · begin[i + 1] − 1],
-/// filled up with i itself to whole packs.
+/// Neighbours of i are j[lanes · begin[i]] … j[lanes · begin[i + 1] − 1], padded with i to whole packs.
 struct Neighbors {
   std::vector<int> begin;  // [n + 1] in packs
   std::vector<int> j;
-  long pairs = 0;  // directed, without the filling
+  long pairs = 0;  // directed, without padding
 
   const int* pack(int b) const { return &j[static_cast<std::size_t>(lanes) * b]; }
 
@@ -106,17 +103,16 @@ struct Neighbors {
   }
 };
 
-/// All pairs nearer than the support, of particles stored in the grid's order. The lists do not depend on the number of
-/// threads.
+/// All pairs nearer than the support, for particles in the grid's order; independent of the number of threads.
 template <int Dim>
 class NeighborSearch {
  public:
-  /// `body`: only pairs within a body; null: all.
+  /// `body`: only pairs within a body.
   void operator()(const CellGrid<Dim>& grid, const std::vector<Vec<double, Dim>>& x, double support,
                   int threads, Neighbors& out, const int* body = nullptr);
 
  private:
-  std::array<std::vector<double>, Dim> x_;  // each coordinate for itself, m
+  std::array<std::vector<double>, Dim> x_;  // [axis], m
   std::vector<int> count_;
   std::vector<std::vector<int>> found_;  // [chunk]
 };

@@ -9,8 +9,7 @@
 
 namespace taut {
 
-/// What initial_neighbors (initial_neighbors.hpp) gives, of one particle at a time: of a wide reach the lists of
-/// all would be most of what a simulation takes.
+/// initial_neighbors for one particle: lists of all with a wide reach would dominate the memory.
 template <int Dim>
 class NeighborsOfOne {
  public:
@@ -22,7 +21,7 @@ class NeighborsOfOne {
     std::ranges::transform(order_, x_.begin(), [this](int id) { return place(id); });
   }
 
-  /// In the order of ids.
+  /// Ascending ids.
   std::vector<int> operator()(int i) const {
     std::vector<int> near;
     near.reserve(Dim == 3 ? 256 : 64);

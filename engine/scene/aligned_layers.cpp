@@ -10,7 +10,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The nodes of patches by what numbers them, each made once.
 class Nodes {
  public:
   using Index = std::array<long, 3>;
@@ -35,16 +34,15 @@ long layers_of(double inner, double outer, double dp) {
   return std::max(1L, std::lround((outer - inner) / dp));
 }
 
-/// The surface of a cube of side 2 n, centred, seen from its centre: lines n/2 apart on it at equal angles. Each of
-/// its faces has n × n cells.
+/// Surface of a cube of side 2 n, n × n cells per face, with lines at equal angles from its centre.
 class RoundCube {
  public:
-  using Place = std::array<long, 3>;  // on the cube: the greatest of |place| is n
+  using Place = std::array<long, 3>;  // the greatest |component| is n
 
   explicit RoundCube(long n) : n_(n) {}
 
   long n() const { return n_; }
-  /// f(p, q, the face: which axis is its normal, and to which side)
+  /// Calls f(p, q, axis of the face's normal, its side).
   template <class F>
   void for_each_cell(const F& f) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -66,7 +64,7 @@ class RoundCube {
     return on_face(axis, side, 2 * p, 2 * q);
   }
 
-  /// Of length 1. Squares are added in the order of their size, whatever axes they belong to.
+  /// Returns a unit vector. Adds squares in order of size, for exact symmetry.
   Point direction(const Place& place) const {
     Point way{};
     std::array<double, 3> square{};
@@ -76,11 +74,11 @@ class RoundCube {
     for (double& component : way) component /= length;
     return way;
   }
-  /// Of a cell; that of all is 4π. The same for all cells that the cube's symmetries map onto each other.
+  /// Returns the solid angle of a cell, bit-identical for symmetric cells.
   double solid_angle(long p, long q) const {
     p = std::max(p, n_ - 1 - p), q = std::max(q, n_ - 1 - q);
     if (p < q) std::swap(p, q);
-    const auto below = [&](long a, long b) {  // seen in the middle of a face, from its centre to a corner
+    const auto below = [&](long a, long b) {  // of a rectangle from a face's centre to corner (a, b)
       const double x = tangent(2 * a - n_), y = tangent(2 * b - n_);
       return std::atan2(x * y, std::sqrt(1 + x * x + y * y));
     };
@@ -98,7 +96,7 @@ class RoundCube {
 
 RoundCube cube_of(const Ring& shell, double dp) {
   const double side =
-      std::sqrt(4 * pi / 6) * 0.5 * (shell.inner + shell.outer);  // of a square of a face's area
+      std::sqrt(4 * pi / 6) * 0.5 * (shell.inner + shell.outer);  // of a square with a face's area
   return RoundCube(std::max(1L, std::lround(side / dp)));
 }
 
@@ -106,12 +104,11 @@ Point from_centre(const Point& centre, double r, const Point& way) {
   return {centre[0] + r * way[0], centre[1] + r * way[1], centre[2] + r * way[2]};
 }
 
-/// A slice of a hollow cylinder, and the way from slice to slice.
 struct Slices {
   Ring ring;
   long layers, around, number;
-  double pitch;             // from slice to slice, m
-  Point from, along, u, v;  // u × v = along, of length 1
+  double pitch;             // between slices, m
+  Point from, along, u, v;  // unit vectors, u × v = along
 
   Slices(const Cylinder& pipe, double dp)
       : ring{Point{}, pipe.inner, pipe.radius, RoundLayout::aligned},
@@ -134,14 +131,14 @@ struct Slices {
          along[0] * u[1] - along[1] * u[0]};
   }
 
-  /// What is at x of the slice, so many pitches from the end.
+  /// Maps x of a slice to space.
   Point place(const Point& x, double pitches) const {
     Point at{};
     for (std::size_t k = 0; k < 3; ++k)
       at[k] = from[k] + pitches * pitch * along[k] + x[0] * u[k] + x[1] * v[k];
     return at;
   }
-  /// Between two particles of a layer and the next, or at a face: the corner `layer` from inside.
+  /// Cell corner at the inside of `layer`, before particle `turn`.
   Point corner(long layer, long turn) const {
     const double r =
         ring.inner + static_cast<double>(layer) * (ring.outer - ring.inner) / static_cast<double>(layers);
@@ -209,7 +206,6 @@ FacePatches aligned_patches(const Cylinder& pipe, double dp) {
   FacePatches faces;
   Nodes nodes(faces);
   const auto place = [&](const Nodes::Index& n) { return slices.place(slices.corner(n[0], n[1]), n[2]); };
-  /// Corners by layer, turn and slice
   const auto add = [&](int site, std::array<Nodes::Index, 4> corners, bool turned) {
     FacePatches::Patch patch{.site = site};
     for (std::size_t k = 0; k < corners.size(); ++k) {

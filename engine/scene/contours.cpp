@@ -18,8 +18,7 @@ double distance_to_segment(const Point& x, const Point& a, const Point& b) {
   return distance_between(x, {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), 0}, 2);
 }
 
-/// The faces of a grid: each side between two neighbours that a face crosses has a number, and the side that
-/// the face goes to from there.
+/// Stores where a face goes from each grid side that it crosses.
 class March {
  public:
   March(const PlaceGrid& grid, const std::function<bool(long, long)>& inside,
@@ -53,8 +52,8 @@ class March {
     long to = 0;
   };
 
-  /// Around the square by the clock's contrary: a face begins on a side where the way leaves the solid, and
-  /// ends on the nearest before it where the way comes in.
+  /// Visits a square anticlockwise: a face begins on a side that leaves the solid and ends on the nearest side before
+  /// it that enters.
   void visit(const PlaceGrid& grid, const std::function<Point(const Point&, const Point&)>& face, long i,
              long j) {
     constexpr std::array<std::array<long, 2>, 4> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
@@ -76,12 +75,11 @@ class March {
     }
   }
 
-  long columns_, rows_;  // with a border of places outside
+  long columns_, rows_;  // with a border of outside points
   std::vector<char> inside_;
-  std::map<long, Way> next_;  // by the number of the side
+  std::map<long, Way> next_;  // by side number
 };
 
-/// Marks those of the points from `first` to `last` that stay.
 void mark(const Chain& chain, std::size_t first, std::size_t last, double tolerance,
           std::vector<char>& stays) {
   std::vector<std::array<std::size_t, 2>> open = {{first, last}};
@@ -102,7 +100,6 @@ void mark(const Chain& chain, std::size_t first, std::size_t last, double tolera
   }
 }
 
-/// Which points of the chain a simplified one keeps.
 std::vector<char> points_that_stay(const Chain& chain, double tolerance) {
   std::vector<char> stays(chain.size());
   const auto farthest_from = [&](const Point& x) {
@@ -119,7 +116,6 @@ std::vector<char> points_that_stay(const Chain& chain, double tolerance) {
   return stays;
 }
 
-/// Those of the points that stay at which the face turns sharply.
 std::vector<std::size_t> corners_of(const Chain& chain, const std::vector<char>& stays) {
   constexpr double sharp = 40 * std::numbers::pi / 180;
   std::vector<std::size_t> kept, corners;
@@ -134,7 +130,7 @@ std::vector<std::size_t> corners_of(const Chain& chain, const std::vector<char>&
   return corners;
 }
 
-/// Points on the way from one point of the chain up to another, without it.
+/// Adds points from `from` on, without `to`.
 void add_evenly(const Chain& chain, std::size_t from, std::size_t to, double dp, std::size_t least,
                 Chain& result) {
   const std::size_t n = chain.size();
@@ -153,7 +149,7 @@ void add_evenly(const Chain& chain, std::size_t from, std::size_t to, double dp,
   }
 }
 
-/// So that the faces of what it holds are found wherever they are: with a border of two squares.
+/// Grid with a margin of two squares.
 PlaceGrid grid_over(const Bounds& box, double pitch) {
   PlaceGrid grid{.low = {box.low[0] - 2 * pitch, box.low[1] - 2 * pitch, 0}, .pitch = pitch};
   grid.columns = static_cast<long>(std::ceil((box.high[0] - box.low[0]) / pitch)) + 5;
@@ -245,7 +241,7 @@ std::vector<Chain> combined(Combination how, const std::vector<std::vector<Chain
   Paths paths;
   for (std::size_t k = 0; k < solids.size(); ++k)
     paths = k == 0 ? paths_of(solids[k]) : with(type, paths, paths_of(solids[k]));
-  // faces of curves that lie on each other are chords of different points: what is left between them goes
+  // drops slivers between chords of coincident curved faces
   constexpr double thin = 0.1;  // of dp
   std::erase_if(paths, [&](const Path& path) {
     double around = 0;

@@ -19,10 +19,8 @@ struct Bounds {
   }
 };
 
-/// The smallest box around both.
 Bounds joined(Bounds a, const Bounds& b);
 
-/// The smallest box around the places to which `place` moves the corners of a box.
 template <class Place>
 Bounds bounds_of_placed(const Bounds& box, const Place& place) {
   Bounds all;
@@ -36,68 +34,60 @@ Bounds bounds_of_placed(const Bounds& box, const Place& place) {
   return all;
 }
 
-/// Points on a face, m, one after the other; the first follows the last.
+/// Closed chain of points on a face, m.
 using Chain = std::vector<Point>;
 
-/// The faces of a body in 3D: quadrilaterals, whose corners lie exactly on them.
+/// Faces in 3D: quadrilaterals with corners exactly on the body's.
 struct FacePatches {
   struct Patch {
-    std::array<int, 4> node{};  // against the clock, seen from outside
-    int site = 0;               // of `sites`, that it lies in front of
+    std::array<int, 4> node{};  // anticlockwise, seen from outside
+    int site = 0;               // index of the site behind it
   };
   std::vector<Point> node;  // m
   std::vector<Patch> patches;
 };
 
-/// A particle at t = 0.
 struct InitialSite {
-  Point x{};          // m
-  double V0 = 0;      // m^dim
-  int turned = -1;    // the next site under the symmetry rotation of a round body; -1: no symmetry
-  double inside = 1;  // fraction of its cell inside the body
-  std::array<bool, 3> on_face{};  // whether it lies on a face normal to this axis
-  Point middle{};                 // x without jitter, m; decides which regions contain the particle
+  Point x{};                      // m
+  double V0 = 0;                  // m^dim
+  int turned = -1;                // next site under a round body's symmetry rotation; -1 = none
+  double inside = 1;              // fraction of the cell inside the body
+  std::array<bool, 3> on_face{};  // on a face normal to this axis
+  Point middle{};                 // x without jitter, m; decides membership of regions
 };
 
-/// Interface of all shapes; each is a struct of engine/scene/shapes/ that derives from it. Lengths are in m;
-/// components beyond `dim` are ignored.
-///
-/// A shape can lay its own particles in layers along its faces. The strain is then smooth up to a curved face; the steps
-/// of a lattice would leave noise there that does not fall with the spacing.
+/// Interface of all shapes. Lengths are in m; components beyond `dim` are ignored. A shape can place particles in
+/// layers along its faces: lattice steps there cause strain errors that do not fall with the spacing.
 struct ShapeBase {
   virtual ~ShapeBase() = default;
   bool operator==(const ShapeBase&) const = default;
 
-  /// The smallest box around the shape.
   virtual Bounds bounds() const = 0;
-  /// x lies inside, or at most `tolerance` outside.
+  /// Whether x is inside, or at most `tolerance` outside.
   virtual bool holds(const Point& x, int dim, double tolerance) const = 0;
-  /// Moves the shape along an axis.
   virtual void shift(std::size_t axis, double by) = 0;
   /// Area or volume, m^dim; an upper bound if not exact.
   virtual double measure(int dim) const = 0;
   virtual bool has_exact_measure() const;
-  /// The extent that must hold a whole number of particles, m; 0: none.
+  /// Extent that must hold a whole number of particles, m; 0 = none.
   virtual double thinnest(int dim) const;
-  /// The centre of reflections and rotations.
+  /// Centre of reflections and rotations.
   virtual Point middle() const;
-  /// A corner of the lattice of a body whose first shape this is.
+  /// Corner of the lattice if this is the first shape.
   virtual Point anchor() const;
-  /// The particles of a body of this shape alone; empty if the lattice fills it.
+  /// Particles of a body of this shape alone; empty if the lattice fills it.
   virtual std::vector<InitialSite> sites(int dim, double dp) const;
-  /// Faces in 2D: closed chains of points exactly on the faces, about dp apart, with the solid on the left. Each corner
-  /// is a point. Empty in 3D.
+  /// Faces in 2D: points about dp apart and at corners, solid on the left.
   virtual std::vector<Chain> outline(int dim, double dp) const;
-  /// Faces in 3D of a shape that lays its own particles; else empty.
+  /// Faces in 3D, if the shape places its particles.
   virtual FacePatches patches(double dp) const;
-  /// For shapes that turn the lattice: from lattice to space, from space to lattice, and the box around the shape along
-  /// the axes of the lattice.
+  /// Transformations of a rotated lattice, and bounds along its axes.
   virtual Point from_lattice(const Point& x) const;
   virtual Point to_lattice(const Point& x) const;
   virtual Bounds lattice_bounds() const;
 };
 
-/// A shape of any kind, as in `Shape shape = Disc(centre, radius); shape->bounds()`. Copies share it.
+/// A shape of any kind; copies share it.
 class Shape {
  public:
   template <std::derived_from<ShapeBase> S>
@@ -108,7 +98,7 @@ class Shape {
         }) {}
 
   const ShapeBase* operator->() const { return base_.get(); }
-  /// nullptr if the shape is of another kind.
+  /// Returns nullptr for another kind.
   template <class S>
   const S* as() const {
     return dynamic_cast<const S*>(base_.get());

@@ -72,8 +72,7 @@ Kick<Dim> Common<Dim>::kick(double dt, double t) {
 
 namespace {
 
-/// Of each body that of its middle particle, in each component for itself: what a few have gone wrong with does not
-/// change it.
+/// Component-wise median of each body, m/s; robust against outliers.
 template <int Dim>
 std::vector<Vec<double, Dim>> middle_velocities(const Particles<Dim>& s, int bodies) {
   std::vector<Vec<double, Dim>> middle(bodies);
@@ -91,7 +90,7 @@ std::vector<Vec<double, Dim>> middle_velocities(const Particles<Dim>& s, int bod
 
 }  // namespace
 
-/// Names the first particle in the order of creation that went wrong.
+/// Names the diverged particle with the lowest id.
 template <int Dim>
 void Common<Dim>::refuse_speeds() const {
   const double limit = greatest_mach_number * constants.c0,
@@ -125,7 +124,6 @@ double Common<Dim>::fastest() const {
   return std::sqrt(fastest2);
 }
 
-/// Of a state that was loaded: every particle is there once, with its body and material.
 template <int Dim>
 bool Common<Dim>::are_of_this_scene() const {
   std::vector<bool> seen(size());
@@ -138,7 +136,6 @@ bool Common<Dim>::are_of_this_scene() const {
   return true;
 }
 
-/// The places and velocities of a state that was loaded.
 template <int Dim>
 bool Common<Dim>::are_numbers() const {
   for (int i = 0; i < size(); ++i)
@@ -173,6 +170,9 @@ void Common<Dim>::store_motion(Snapshot& out, int i) const {
 template <int Dim>
 void Common<Dim>::begin_snapshot(Snapshot& out) const {
   begin_motion(out);
+  out.body_work.assign(initial.first.size() - 1, 0);
+  for (int id = 0; id < size(); ++id)
+    out.body_work[initial.body[id]] += external.drives.work(id) + external.loads.work(id);
   if (!out.x0.empty()) return;
   const std::size_t n = size();
   out.resize(Dim, n);

@@ -18,21 +18,19 @@
 
 namespace taut {
 
-/// A particle that is faster than its body by more than this multiple of the sound speed: the run has diverged, and the
-/// verdict says so. A body as a whole may fly, and spins up to some Mach number.
+/// A run has diverged if a particle's speed relative to its body exceeds this multiple of c0.
 inline constexpr double greatest_mach_number = 10;
-/// The same limit for a whole body, whose steps are shorter by this factor.
+/// The same limit for whole bodies, which may fly or spin fast.
 inline constexpr double greatest_mach_number_of_bodies = 1000;
-/// No run makes as many steps; a saved state with more is damaged.
+/// A saved state with more steps is damaged.
 inline constexpr long most_steps = 1L << 53;
 
-/// What the simulations of all methods have: particles, external actions, contact, probes and time.
 template <int Dim>
 class Common {
  public:
   using V = Vec<double, Dim>;
 
-  /// Particles in the order of creation, where they were laid. `support`: the radius of interaction, m.
+  /// Stores the particles in creation order. `support`: radius of interaction, m.
   Common(const SolverInput& input, double support);
 
   Constants constants;
@@ -42,27 +40,26 @@ class Common {
   External<Dim> external;
   ProbeRecorder<Dim> probes;
   TeamSize team;
-  bool stepping = false;  // false during set-up, which takes all threads
+  bool stepping = false;  // set-up uses all threads
   RunState run;
   double vmax = 0;  // greatest speed, m/s
 
   int size() const { return particles.size(); }
   int threads_now() const { return stepping ? team.threads() : run.threads; }
 
-  /// Puts the particles where they start; a scheme calls it once it has what it needs of the reference configuration.
+  /// Moves the particles to their starting positions. Call after storing the reference configuration.
   void go_to_start();
 
-  /// `by_speed`, s, shortened where a stiffened contact limits the step; or the step of the settings, if given.
+  /// Returns `by_speed`, s, reduced for stiff contact, or the fixed step of the settings.
   double fixed_or(double by_speed) const {
     constexpr double spare = 1.5;
     return constants.step > 0 ? constants.step
                               : by_speed / std::sqrt(std::max(1.0, contact.stiffening() / spare));
   }
 
-  /// For a pass that makes the velocities of a step of `dt`, s, which belong to the time `t`.
+  /// Kick for the velocities of a step of `dt`, s, at time `t`, s.
   Kick<Dim> kick(double dt, double t);
-  /// Impulse law: changes the new velocities of particles that meet those of other bodies so that the approach ends;
-  /// `follow(i, change)` corrects what depends on them. Positions have followed the new velocities for `gone`, s.
+  /// Impulse law; see Contact::stop_approach. `follow(i, change)` updates data that depend on v.
   template <class Follow>
   void stop_approach(double gone, const Follow& follow) {
     Particles<Dim>& p = particles;
@@ -85,7 +82,7 @@ class Common {
     run.time += dt;
     ++run.steps;
   }
-  /// Takes the greatest v² of a step; throws NumericalError if it is out of all bounds.
+  /// Takes the greatest v² of a step. Throws NumericalError if it is out of bounds.
   void set_greatest_speed(double v2) {
     vmax = std::sqrt(v2);
     refuse_divergence();
@@ -94,25 +91,23 @@ class Common {
     if (!is_within_bounds(vmax)) refuse_speeds();
   }
 
-  /// For methods that search nothing but contacts.
+  /// For methods that search only contacts.
   void show_contacts_to_probes() {
     probes.rebuilt(particles, contact.neighbors(size()), Contact<Dim>::reach * constants.dp);
   }
-  /// Between the bodies of a probe, or a body and a wall, over the last step, of `dt`, N.
+  /// Force on the first body of `probe` over the last step, N; `dt` in s.
   V contact_force(const Probe& probe, double dt) const {
     return (1 / dt) * contact.impulse(probe.bodies[0], probe.wall < 0 ? probe.bodies[1] : -1, probe.wall);
   }
 
-  /// Fills the totals of a snapshot and makes room for the positions, velocities and masses.
+  /// Allocates the fields of store_motion and sets the totals.
   void begin_motion(Snapshot& out) const;
-  /// Stores position, velocity and mass of particle i.
   void store_motion(Snapshot& out, int i) const;
-  /// Fills all of a snapshot but the fields of single particles that change.
+  /// Sets everything but the changing fields of particles.
   void begin_snapshot(Snapshot& out) const;
-  /// Stores particle i with its density, kg/m³, pressure and deviatoric stress, Pa; s_zz in 2D.
+  /// `rho` in kg/m³; `p`, `s` and `s_zz` (2D only) in Pa.
   void store(Snapshot& out, int i, double rho, double p, const Sym<double, Dim>& s, double s_zz) const;
 
-  /// `method` archives what a method adds to the particles.
   template <class Archive, class Method>
   void serialize(Archive& archive, const Method& method) {
     archive.match(initial.size());
@@ -135,7 +130,7 @@ class Common {
   }
 
  private:
-  /// `speed` in m/s; false for NaN.
+  /// m/s; false for NaN.
   bool is_within_bounds(double speed) const {
     return speed >= 0 && speed <= greatest_mach_number * constants.c0;
   }

@@ -9,8 +9,6 @@
 
 namespace taut {
 
-/// All that acts on particles from outside: drives, guides, loads, gravity and damping, and the measurement of
-/// reactions to them.
 template <int Dim>
 struct External {
   using V = Vec<double, Dim>;
@@ -27,15 +25,15 @@ struct External {
 
   bool active() const { return drives.active() || loads.active() || guides.active(); }
 
-  /// Once in each step of `dt`, before `act`: `t` is the time of the new velocities.
+  /// `t`: time of the new velocities, s. Call before `act`.
   void set_time(double dt, double t, const Particles<Dim>& p) {
     const int before = drives.number_of_active();
     drives.set_time(t);
-    if (drives.number_of_active() != before) update_steering();  // drives end, and none begins later
+    if (drives.number_of_active() != before) update_steering();  // drives end; none begins later
     loads.set_time(t - 0.5 * dt);
     if (reactions.active()) reactions.begin(p.v, dt);
   }
-  /// Replaces `v`, the new velocity of particle i without external actions, by the one with them, and counts their work.
+  /// Applies external actions to `v`, a new velocity without them, and records their work.
   void act(const Particles<Dim>& p, int i, double dt, V& v) {
     if (drives.moves(p.id[i])) return drives.replace(p, i, v);
     const bool loaded = loads.active();
@@ -46,8 +44,7 @@ struct External {
 
   Steering<Dim> steering() const { return {drives.active() || guides.active() ? axes_.data() : nullptr}; }
 
-  /// Force on particle i from its clamp, guide or drive over the last step, N; it includes the weight that they
-  /// carry, but no loads.
+  /// Force of clamp, guide or drive over the last step, N; includes the weight, not loads.
   V reaction(const Particles<Dim>& p, int i) const {
     const int id = p.id[i];
     const bool free = p.mobile[i] != 0 && !drives.moves(id);

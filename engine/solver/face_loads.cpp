@@ -17,12 +17,11 @@ namespace {
 template <int Dim>
 using Place = Eigen::Vector<double, Dim>;
 
-constexpr double layer_reach = 2.1;  // dp, of what tells the direction of a layer
-constexpr double close_reach = 2.2;  // dp, of what is looked at along the face
-constexpr double aside = 0.75;       // dp, along the face, of a particle that stands below another one
+constexpr double layer_reach = 2.1;  // dp, for the direction of a layer
+constexpr double close_reach = 2.2;  // dp, along the face
+constexpr double aside = 0.75;       // dp, greatest offset of a particle below another one
 
-constexpr double least_scaled =
-    0.5;  // of its area, n · S of a column that can share a force; ends of bars have 0.95 to 1.5
+constexpr double least_scaled = 0.5;  // least ratio of n · S to area of a column that shares a force
 
 template <int Dim>
 Place<Dim> place(const Point& p) {
@@ -42,17 +41,17 @@ Place<Dim> way(const InitialParticles& initial, int i, int j) {
   return place<Dim>(initial.x[j]) - place<Dim>(initial.x[i]);
 }
 
-/// Where in the layer particle i is; −1 if it is not of it.
+/// Index in the layer, or −1.
 int position(const std::vector<int>& layer, int i) {
   const auto found = std::ranges::lower_bound(layer, i);
   return found != layer.end() && *found == i ? static_cast<int>(found - layer.begin()) : -1;
 }
 
-/// The direction in which the layer is thin, away from the rest of the body; 0 where there is none.
+/// Outward unit normal of the layer; 0 if none.
 template <int Dim>
 Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int> near,
                     const std::vector<int>& layer, double spacing) {
-  constexpr double thin = 0.1;  // mean square across the layer over that along it
+  constexpr double thin = 0.1;  // variance across over variance along the layer
   Eigen::Matrix<double, Dim, Dim> spread = Eigen::Matrix<double, Dim, Dim>::Zero();
   Place<Dim> away = Place<Dim>::Zero();
   for (const int j : near) {
@@ -70,7 +69,7 @@ Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int>
   return side > 0 ? n : Place<Dim>(-n);
 }
 
-/// How much larger the face is than the layer below it, from the chords to those beside i in the layer.
+/// Ratio of face area to layer area.
 template <int Dim>
 double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                std::span<const int> near, double spacing) {
@@ -87,15 +86,15 @@ double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& in
   return std::pow(inside > 0 ? outside / inside : 1, Dim - 1);
 }
 
-/// The particles below one of the layer, down to the middle between its face and the opposite one.
+/// Particles below a layer particle, down to the middle of a thin body.
 struct Column {
-  bool thin = false;  // particles that feel its face may feel the opposite one
-  double middle = std::numeric_limits<double>::infinity();  // m, below the particle of the layer, if thin
+  bool thin = false;                                        // its gradients may reach the opposite face
+  double middle = std::numeric_limits<double>::infinity();  // depth, m; infinite unless thin
   double area = 0;                                          // Σ n · S, m^(dim − 1)
-  int at_middle = 0;                                        // number of its particles there
+  int at_middle = 0;
 };
 
-/// The particle farthest below i, by `near`, and how far, m.
+/// Deepest particle below i and its depth, m.
 template <int Dim>
 std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticles& initial,
                                const NeighborsOfOne<Dim>& near, double spacing) {
@@ -108,7 +107,7 @@ std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticle
   return known;
 }
 
-/// Faces are felt as far as `near` goes, so that two of them meet where they are less than twice that apart.
+/// `near`: reach of a face. Faces interact if closer than twice this reach.
 template <int Dim>
 Column column(int i, const Place<Dim>& n, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
               double spacing) {
@@ -125,11 +124,11 @@ Column column(int i, const Place<Dim>& n, const InitialParticles& initial, const
 
 struct Below {
   double distance = std::numeric_limits<double>::infinity();  // m
-  std::size_t k = 0;                                          // in the layer
+  std::size_t k = 0;                                          // index in the layer
   double depth = 0;                                           // m, along the normal
 };
 
-/// Of each free particle below the layer the nearest of the layer that stands above it.
+/// Nearest layer particle above each free particle, by id.
 template <int Dim>
 std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initial,
                            const NeighborsOfOne<Dim>& near, double spacing) {
@@ -147,7 +146,7 @@ std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initi
   return all;
 }
 
-/// The nearest beside i in the direction `along`, of unit length; −1 if there is none.
+/// Nearest particle in direction `along`, or −1.
 template <int Dim>
 int beside(int i, const Place<Dim>& along, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
            double spacing) {
@@ -163,7 +162,7 @@ int beside(int i, const Place<Dim>& along, const InitialParticles& initial, cons
   return found;
 }
 
-/// The directions along the face in which particle k of the layer has others beside it, or not, of unit length.
+/// Unit vectors along the face towards possible neighbours.
 template <int Dim>
 std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                                    const NeighborsOfOne<Dim>& near) {
@@ -182,9 +181,8 @@ std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const 
   }
 }
 
-/// By how much more than its area each particle of the layer stands for: at a corner or an edge of the body the end
-/// correction of the midpoint rule, without which the moment of a traction that is linear along the face is short by
-/// 1/n².
+/// End correction of the midpoint rule for the layer's areas; without it the moment of a linear traction has an error
+/// of 1/n².
 template <int Dim>
 std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& initial,
                                 const NeighborsOfOne<Dim>& near, double spacing) {
@@ -202,10 +200,10 @@ std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& 
   return weights;
 }
 
-/// Some look across others.
+/// Whether some normals are almost perpendicular to the first one.
 template <int Dim>
 bool are_of_two_faces(const std::vector<Point>& normals) {
-  constexpr double across = 0.3;  // greatest |n · m|; faces that do not meet are opposite
+  constexpr double across = 0.3;  // greatest |n · m|
   const auto first = std::ranges::find_if(normals, [](const Point& n) { return n != Point{}; });
   return std::ranges::any_of(normals, [&](const Point& n) {
     return n != Point{} && std::abs(place<Dim>(n).dot(place<Dim>(*first))) < across;

@@ -9,7 +9,6 @@
 namespace taut {
 namespace {
 
-/// `f`(Kernel<…>{}) of the kernel of this name.
 template <class F>
 auto with_kernel(KernelName name, const F& f) {
   switch (name) {
@@ -32,7 +31,7 @@ template <int Dim>
 InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const SolverInput& input,
                                                 GradientCorrection gradient, double normalised)
     : materials(input.law, input.materials), common_(common) {
-  // stored as they were made: along the rows of a lattice, the layers of a round body
+  // particles stay in creation order
   const Particles<Dim>& p = common.particles;
   const InitialParticles& initial = common.initial;
   const double h = common.constants.h;
@@ -56,7 +55,7 @@ InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const Solve
     of_four.mobile[i % lanes] = p.mobile[i];
     for (int c = 0; c < Sym<double, Dim>::size; ++c) of_four.B.c[c][i % lanes] = pairs.B[i].c[c];
   }
-  // normalised gradients keep the loads of their paper: they say less than all of a uniform field
+  // normalised gradients underestimate uniform fields: loads stay on the layer as in the paper
   if (gradient == GradientCorrection::corrected)
     common.external.loads.act_on_faces(input.scene, initial, FaceRule::uniform, surface(),
                                        common.run.support);
@@ -80,7 +79,7 @@ void InitialConfiguration<Dim>::check_pairs(const Scene& scene, const Formulatio
   }
 }
 
-/// By id: S_i = −Σ_j (V_i B_i + V_j B_j) k_ij, against which a uniform stress pushes; 0 inside a lattice.
+/// S_i = −Σ_j (V_i B_i + V_j B_j) k_ij by id, m^(Dim − 1); 0 inside a lattice.
 template <int Dim>
 std::vector<Point> InitialConfiguration<Dim>::surface() const {
   const auto& [begin, j, k, B] = pairs;

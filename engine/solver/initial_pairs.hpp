@@ -19,32 +19,23 @@
 
 namespace taut {
 
-/// How gradients on initial pairs are made right.
 enum class GradientCorrection : std::uint8_t { corrected, normalised };
 
-/// The pairs of particles of one body that are initial neighbours, seen from both sides, flat. They
-/// never change, and all that depends on them is computed once:
-///   k_ij = V_i V_j ∇_i W(X_i − X_j) = −k_ji,
-///   ∇f at i = [Σ_j (f_j − f_i) ⊗ k_ij] B_i,     force on i = Σ_j (V_i P_i B_i + V_j P_j B_j) k_ij.
-/// Each of the two gathers one tensor of a neighbour, and the same vector belongs to both. With a symmetric
-/// B the force is that of [Lee2016] Eq. 29c and of [TranDuc2023] §2.3, (R_j σ_j N_j + R_i σ_i N_i) ∇W: the
-/// derivative of Σ V_i ψ(F_i) by the positions; equal and opposite for each pair to the last bit.
-/// In k_ij a particle on a face counts as a whole cell, though its volume in V P B is the part inside the
-/// body: then differences are central from the first layer inside on, a uniform stress pushes at the faces
-/// alone, and both are of second order (summation by parts; with the parts in k_ij too the reaction of a
-/// clamp or a roller would sit in three layers, −5/6, −1/3, +1/6, and stresses converge with order ½).
+/// Pairs of initial neighbours within a body, from both sides: k_ij = V_i V_j ∇_i W(X_i − X_j) = −k_ji, and B of
+/// gradient_correction. Forces (internal_force_info, also [TranDuc2023] §2.3) are equal and opposite to the last bit.
+/// V in k_ij is the whole cell even on a face, in forces only the part inside. Then a uniform stress acts at faces
+/// only, to second order (summation by parts).
 template <int Dim>
 struct InitialPairs {
-  std::vector<int> begin, j;        // those of i are begin[i] … begin[i + 1] − 1, j ascends
+  std::vector<int> begin, j;        // begin[i] … begin[i + 1] − 1; j ascends
   std::vector<Vec<double, Dim>> k;  // m^(Dim − 1)
-  std::vector<Sym<double, Dim>> B;  // of each particle, 1/m^Dim
+  std::vector<Sym<double, Dim>> B;  // [particle] 1/m^Dim
 
   int size() const { return static_cast<int>(B.size()); }
 };
 
-/// The pairs as the passes go through them, four particles at a time, with `Width` constants of each pair, of
-/// which the first Dim are those of k_ij: 0 where a lane has no neighbour. Inside a lattice, where groups
-/// have the same neighbourhood, they share their constants. Plain data for passes.
+/// Pairs for passes over four particles, `Width` constants each, k_ij first; 0 in lanes without neighbour. Equal
+/// neighbourhoods share them. Plain data.
 template <int Dim, int Width = Dim>
 struct PairLanesView {
   struct Group {
@@ -58,14 +49,13 @@ struct PairLanesView {
   const LaneSlot* slots = nullptr;
   const Constants* constants = nullptr;
 
-  /// `f`(slot, constants) of each neighbour of the four particles.
   template <class F>
   [[gnu::always_inline]] void for_each(int group, const F& f) const {
     const Group& own = groups[group];
     for (int b = 0; b < own.size; ++b) f(slots[own.slots + b], constants[own.constants + b]);
   }
 
-  /// Σ_j (f_j − f_i) ⊗ k_ij of the vector field that is the first columns.
+  /// Σ_j (f_j − f_i) ⊗ k_ij of the first columns.
   template <int N>
   Mat<Pack, Dim> difference_sum(const ColumnsView<N>& f, int group) const {
     const int first = lanes * group;
@@ -94,7 +84,6 @@ struct PairLanesView {
     });
     return sum;
   }
-  /// sum += d ⊗ k_ij of the first Dim of d.
   template <int N>
   static void add_dyad(Mat<Pack, Dim>& sum, const Vec<Pack, N>& d, const Constants& of_pair) {
 #pragma GCC unroll 3
@@ -104,7 +93,6 @@ struct PairLanesView {
   }
 };
 
-/// Owner of such pairs.
 template <int Dim, int Width = Dim>
 class PairLanes {
  public:
@@ -112,7 +100,7 @@ class PairLanes {
   using Constants = typename View::Constants;
 
   PairLanes() = default;
-  /// `constants(p)` are those of pair p, an array; asked for on `threads` threads.
+  /// `constants(p)` returns the array of pair p; must be thread-safe.
   template <class Of>
   PairLanes(const InitialPairs<Dim>& pairs, int threads, const Of& constants);
 
@@ -126,23 +114,19 @@ class PairLanes {
 inline constexpr TermInfo deformation_info{
     "deformation", "F = I + Σ_j (u_j − u_i) ⊗ k_ij B_i, k_ij = V_i V_j ∇W of the start", "[Lee2016] Eq. 34",
     "solver/initial_pairs.hpp:difference_sum",
-    "pairs of the start: antisymmetric, within a body, gradients of linear fields exact"};
+    "initial pairs: pairs are antisymmetric, within one body, and exact for linear fields"};
 inline constexpr TermInfo deformation_rate_info{
     "deformation", "dF/dt = Σ_j (v_j − v_i) ⊗ k_ij B_i, k_ij = V_i V_j ∇W of the start", "[Lee2016] Eq. 33a",
     "solver/initial_pairs.hpp:difference_sum",
-    "pairs of the start: antisymmetric, within a body, gradients of linear fields exact"};
+    "initial pairs: pairs are antisymmetric, within one body, and exact for linear fields"};
 inline constexpr TermInfo internal_force_info{
     "internal force", "f_i = Σ_j (V_i P_i B_i + V_j P_j B_j) k_ij", "[Lee2016] Eq. 29c",
-    "solver/initial_pairs.hpp:pair_sum",
-    "pairs of the start: the force is minus the derivative of the energy"};
+    "solver/initial_pairs.hpp:pair_sum", "initial pairs: the force is minus the derivative of the energy"};
 
-/// How gradients of what particles carry are made right, B above.
-/// - corrected: B_i = [Σ_j (X_j − X_i) ⊗ k_ij]⁻¹, exact for linear fields. [Lee2016] Eq. 21, [TranDuc2023]
-/// §2.3
-/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1) with i itself. [Zhang2020] below Eq. 11
-///
-/// Differs from [Zhang2020], which says that "the integral" is normalised and prints no equation: here it is
-/// the gradient, and the force follows from the energy, so that linear momentum is kept.
+/// Correction B:
+/// - corrected: B_i = [Σ_j (X_j − X_i) ⊗ k_ij]⁻¹, exact for linear fields. [Lee2016] Eq. 21, [TranDuc2023] §2.3
+/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1) with i itself. [Zhang2020] below Eq. 11, which
+///   prints no equation; here the force derives from an energy, to conserve momentum.
 template <int Dim>
 Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<double, Dim>& moment, double V,
                                      double S) {
@@ -157,8 +141,7 @@ Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<doub
   return B;
 }
 
-/// X_i − X_j to within 2⁻⁴³ h: the same of all particles inside a lattice, whatever the rounding of their
-/// places.
+/// X_i − X_j to within 2⁻⁴³ h, equal for all particles inside a lattice.
 template <int Dim>
 Vec<double, Dim> difference_on_grid(const Vec<double, Dim>& X_i, const Vec<double, Dim>& X_j, double h) {
   const double pitch = std::ldexp(1.0, std::ilogb(h) - 42);
@@ -167,15 +150,14 @@ Vec<double, Dim> difference_on_grid(const Vec<double, Dim>& X_i, const Vec<doubl
   return d;
 }
 
-/// How far a pair is apart at most, m. A lattice may have neighbours at the very end of the support, where a
-/// kernel need not be 0: they do not count, whatever the rounding of their places says.
+/// Greatest distance of a pair, m. Excludes lattice neighbours at the end of the support, where kernels may not
+/// vanish.
 template <class K>
 double reach_of_pairs(double h) {
   return (1 - 1e-9) * K::support * h;
 }
 
-/// The pairs of particles at X with cells V, m^Dim, and those of their bodies that are `near`, within
-/// reach_of_pairs.
+/// `V`: cells, m^Dim; `near`: within reach_of_pairs.
 template <class K, int Dim>
 InitialPairs<Dim> make_initial_pairs(const NeighborLists& near, const std::vector<Vec<double, Dim>>& X,
                                      const std::vector<double>& V, double h, GradientCorrection gradient,
@@ -195,7 +177,7 @@ InitialPairs<Dim> make_initial_pairs(const NeighborLists& near, const std::vecto
       const double r = std::sqrt(dot(d, d));
       const Vec<double, Dim> k = (V[i] * V[j] * scale_dW * K::dw(r / h) / r) * d;
       sum_W += V[j] * scale_W * K::w(r / h);
-      add_outer(moment, 1.0, X[j] - X[i], k);  // linear fields are exact of the places as they are
+      add_outer(moment, 1.0, X[j] - X[i], k);  // unrounded: exact for linear fields
       pairs.k[p] = k;
     }
     pairs.B[i] = gradient_correction(gradient, moment, V[i], 1 + share * (sum_W - 1));

@@ -6,21 +6,19 @@
 
 namespace taut {
 
-/// Gives particles the velocities of a whole step, from the forces inside a body, contact and external actions. Plain
-/// data for passes; made by Common::kick.
+/// New velocities from all forces. Plain data for passes; made by Common::kick.
 template <int Dim>
 struct Kick {
   using V = Vec<double, Dim>;
 
   double dt;  // s
-  int size;   // particles
-  V *x, *v;   // m, m/s
+  int size;
+  V *x, *v;  // m, m/s
   const double *m, *mobile;
-  const V* contact;  // [i] N; null: no particle touches another body
-  V* impulse;        // [i] N s, that probes of reactions ask for; null: none does
+  const V* contact;  // [i] N; may be null
+  V* impulse;        // [i] N s, for probes; may be null
   void* outside;
-  /// Given the new velocity of particle i without loads, guides and drives in `v`, replaces it by the one with them; null
-  /// if there are none.
+  /// Applies external actions to `v`; may be null.
   void (*act)(void* outside, int i, double dt, V& v);
 
   [[gnu::always_inline]] const V& by_acceleration(int i, V a) const {
@@ -31,7 +29,7 @@ struct Kick {
     return take(i, next);
   }
 
-  /// Adds the forces of contact to those of four particles from `first` on; at the end there may be fewer.
+  /// The last group of four may be incomplete.
   [[gnu::always_inline]] void add_contact(int first, Vec<Pack, Dim>& force) const {
     if (!contact) return;
     const double* const of_contact = &contact[first][0];
@@ -41,15 +39,13 @@ struct Kick {
     separate(rows, columns);
     for (int k = 0; k < Dim; ++k) force[k] += columns[k];
   }
-  /// Adds the forces inside the bodies, N, and of contact to the impulses that probes ask for, before particles move.
-  /// Only if `impulse` is not null.
+  /// Records internal forces, N, and contact. Requires `impulse`; call before particles move.
   void note(int first, Vec<Pack, Dim> force) const {
     if (contact) force += four_of(contact + first, size - first);
     for (int lane = 0; lane < std::min(lanes, size - first); ++lane)
       impulse[first + lane] += dt * lane_of(force, lane);
   }
-  /// Adds `change` to v of four particles, then moves x by `after`, s, times the new v. Returns v² of each,
-  /// m²/s². At the end there may be fewer.
+  /// Adds `change` to v, then moves x by `after`, s, times v. Returns v², m²/s².
   [[gnu::always_inline]] Pack by_changes(int first, const Pack (&change)[Dim], double after) const {
     Pack rows[Dim], columns[Dim], v2{};
     if (act || first + lanes > size) {
@@ -62,7 +58,7 @@ struct Kick {
       return v2;
     }
     interleave(change, rows);
-    double* const x_at = reinterpret_cast<double*>(&x[first]);  // of `lanes` particles, row by row
+    double* const x_at = reinterpret_cast<double*>(&x[first]);  // row by row
     double* const v_at = reinterpret_cast<double*>(&v[first]);
 #pragma GCC unroll 3
     for (int k = 0; k < Dim; ++k) {
@@ -74,7 +70,7 @@ struct Kick {
     for (const Pack& of_four : columns) v2 += of_four * of_four;
     return v2;
   }
-  /// Advances v of four particles by `force` and contact, with `mobility` = mobile/m, 1/kg; x does not move.
+  /// x stays. `mobility` = mobile/m, 1/kg.
   [[gnu::always_inline]] Vec<Pack, Dim> by_forces(int first, const Pack& mobility,
                                                   Vec<Pack, Dim> force) const {
     if (contact) force += four_of(contact + first, size - first);
@@ -96,15 +92,15 @@ struct Kick {
   }
 };
 
-/// The components of velocity that guides and drives determine, for passes.
+/// Constraints by guides and drives, for passes.
 template <int Dim>
 struct Steering {
   static constexpr unsigned char driven = 1 << 7;
 
-  const unsigned char* axes;  // [id] bit k: a guide allows no motion along axis k; or driven. Null: none
+  const unsigned char* axes;  // [id] bit k: guided along axis k, or `driven`; may be null
 
   bool drives(int id) const { return axes && (axes[id] & driven) != 0; }
-  /// Removes from `v`, a velocity of a particle that is not driven, the components that its guide does not allow.
+  /// Sets guided components to 0. The particle must not be driven.
   void hold(int id, Vec<double, Dim>& v) const {
     if (!axes) return;
     for (int k = 0; k < Dim; ++k)

@@ -10,7 +10,7 @@ namespace taut {
 
 namespace {
 
-/// Its faces are flat, and meet at edges only; on others a lattice has steps, which look like edges.
+/// Boxes have flat faces; elsewhere lattice steps look like edges.
 bool is_of_boxes(const Body& body) {
   const auto is_box = [](const Shape& shape) { return shape.as<Box>() != nullptr; };
   return std::ranges::all_of(body.shapes, is_box) && std::ranges::all_of(body.without, is_box);
@@ -91,16 +91,15 @@ void Loads<Dim>::spread_by(const std::vector<double>& volume, const Scene& scene
   }
 }
 
-/// Throws SceneError where no particle of the region is ever free. A force is shared by those that are: what is driven to
-/// the end would keep its part. What is let go has it from then on.
+/// Throws SceneError if no particle of the region is ever free. Particles driven to the end take no share of a force.
 template <int Dim>
 auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParticles& initial, int body)
     -> std::vector<std::pair<int, V>> {
   const auto is_driven = [&](int id) {
     return initial.drive[id] >= 0 && !lets_go(scene.bodies[body].drives[initial.drive[id]], scene);
   };
-  std::vector<int> loaded;  // on faces those that are driven are part of the layer
-  double volume = 0;        // of the free ones
+  std::vector<int> loaded;  // particles driven to the end only for tractions and densities
+  double volume = 0;        // of particles that are free at some time
   for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
     if (initial.held[id] || load.where(initial.cell(id)) == 0) continue;
     if (is_driven(id) && load.kind == Load::Kind::force) continue;
@@ -113,7 +112,7 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
         "body." + name + ".loaded",
         "a load of body '" + name +
             "' is only on particles that are held, or driven to the end, where it has no effect");
-  // volumes that a unit of the load stands for: of all of the region, of a cubic metre, of a layer's face
+  // volume per unit of load: region, cubic metre, or layer per area
   const double over = load.kind == Load::Kind::force      ? volume
                       : load.kind == Load::Kind::traction ? scene.spacing
                                                           : 1;

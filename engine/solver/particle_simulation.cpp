@@ -20,10 +20,10 @@ void ParticleSimulation<Dim>::advance(double t, double short_of) {
   Common<Dim>& c = *common_;
   const bool outdated = outdated_;
   const long first = c.run.steps;
-  outdated_ = !has_snapshot();  // a run that breaks off keeps the last one
+  outdated_ = !has_snapshot();  // a diverged run keeps its last snapshot
   c.stepping = true;
   c.team.resume();
-  c.refuse_divergence();  // of the last call
+  c.refuse_divergence();  // in the last call
   try {
     while (c.run.time < t && !asked_to_stop()) {
       const double dt = scheme_->step_size();

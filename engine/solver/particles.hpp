@@ -7,8 +7,7 @@
 
 namespace taut {
 
-/// The particles of a simulation with what every method has of each, in the order of storage: that of cells where a
-/// method searches neighbours, else that of creation.
+/// Particle data of all methods, in storage order: by cell with searched neighbours, else by creation.
 template <int Dim>
 struct Particles {
   using V = Vec<double, Dim>;
@@ -16,13 +15,13 @@ struct Particles {
   std::vector<V> x, v;         // m, m/s
   std::vector<double> m;       // kg (per metre depth in 2D)
   std::vector<double> mobile;  // 1, or 0 where clamped
-  std::vector<int> id;         // place in the order of creation
+  std::vector<int> id;         // creation order
   std::vector<int> body;
-  std::vector<int> material;  // index into the materials of the scene
+  std::vector<int> material;  // index into Scene::materials
 
   int size() const { return static_cast<int>(x.size()); }
 
-  /// Where the particle of each id is stored.
+  /// Storage index of each id.
   std::vector<int> places_of_ids() const {
     std::vector<int> where(id.size());
     for (int i = 0; i < size(); ++i) where[id[i]] = i;
@@ -30,7 +29,7 @@ struct Particles {
   }
 };
 
-/// Stores the rows of each array in another order: row order[i] comes to i. Empty arrays stay empty.
+/// Moves row order[i] to i. Empty arrays stay empty.
 template <class... Arrays>
 void reorder(const std::vector<int>& order, int threads, Arrays&... arrays) {
   const auto one = [&](auto& array) {

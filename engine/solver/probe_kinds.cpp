@@ -18,7 +18,6 @@ namespace {
 
 using Points = std::vector<PointWeight>;
 
-/// Throws SceneError: "the probe 'name' …".
 [[noreturn]] void refuse(const Probe& probe, const std::string& reason) {
   throw SceneError("probe." + probe.name, "the probe '" + probe.name + "' " + reason);
 }
@@ -28,7 +27,7 @@ using Points = std::vector<PointWeight>;
 Points point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
   const auto& [scene, initial, reach] = in;
   const int body = probe.bodies[0], begin = initial.first[body], end = initial.first[body + 1];
-  constexpr double farthest = 1.5;  // spacings: beyond the corner of a face that lies across the layout
+  constexpr double farthest = 1.5;  // spacings; reaches corners of oblique faces
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = begin; i < end; ++i) {
     double squared = 0;
@@ -64,7 +63,7 @@ Points moving_point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
     moves_with[id] = initial.held[id] ? -1 : initial.drive[id] + 1;
   Points by_all = point(in, probe, at);
   const int body = probe.bodies[0];
-  if (in.scene.bodies[body].on_boundary) return by_all;  // on a particle it is that particle
+  if (in.scene.bodies[body].on_boundary) return by_all;  // a point on a particle is this particle
   const std::vector<unsigned char> driven = initial.driven();
   return point_of_motion(std::move(by_all), surroundings(in, body, driven), moves_with, at);
 }
@@ -102,7 +101,6 @@ void follow_stress(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
   if (f.at.empty()) refuse(f.probe, "has too few free particles around its point");
 }
 
-/// Particles that are clamped, driven, or guided along the component.
 template <int Dim>
 void follow_constrained(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
   const InitialParticles& initial = in.initial;
@@ -118,7 +116,7 @@ void follow_constrained(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
                       " is held or driven along its component");
 }
 
-/// Particles of two bodies are images in their order; in one body the image of each particle is at the mirrored place.
+/// Images are particles of equal index in two bodies, or at mirrored positions in one body.
 template <int Dim>
 void follow_images(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
   const auto& [scene, initial, reach] = in;
@@ -132,7 +130,7 @@ void follow_images(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
                       " and " + std::to_string(of_b) + " particles");
   if (a != b) return;
   using Cell = std::array<long, 3>;
-  // a quarter of a spacing: mirrored places are found in the same cell or, by round-off, in the next one
+  // a quarter of a spacing: images lie in the cell or, by round-off, in an adjacent one
   const auto cell = [side = 0.25 * scene.spacing](const Point& x) {
     return Cell{std::lround(x[0] / side), std::lround(x[1] / side), std::lround(x[2] / side)};
   };
@@ -187,7 +185,7 @@ Vec<double, Dim> place(const ProbeFollower<Dim>& f, const ProbeView<Dim>& now) {
   return now.place(f.at) + f.beside;
 }
 
-/// Mean by mass of a component of `of`, [stored particle].
+/// Mass-weighted mean of a component; `of`: [stored particle].
 template <int Dim>
 double mean(const ProbeFollower<Dim>& f, const ProbeView<Dim>& now, const std::vector<Vec<double, Dim>>& of) {
   double moment = 0, mass = 0;
@@ -224,7 +222,7 @@ double gap(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
   const std::vector<int>& bodies = f.probe.bodies;
   if (ContactsOfFaces<Dim>* const faces = now.source.faces()) return faces->gap(now.s, bodies[0], bodies[1]);
   const auto& diameter = now.diameter;
-  // at least this if no pair is in reach
+  // lower bound beyond the range
   double least = now.support - 0.5 * (diameter[now.first[bodies[0]]] + diameter[now.first[bodies[1]]]);
   for (const auto& [i, j] : f.pairs) {
     const Vec<double, Dim> d = now.s.x[i] - now.s.x[j];
@@ -235,12 +233,12 @@ double gap(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
 
 template <int Dim>
 double mirror_asymmetry(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
-  // a body that meets nothing may never be searched again
+  // a body without contact may never be searched again
   if (now.is_look && f.probe.bodies[0] == f.probe.bodies[1]) update_mirror_asymmetry<Dim>(f, now);
   return f.last;
 }
 
-/// Angle from the point's direction at the start, −π to π, right-handed about the axis.
+/// Angle from −π to π, right-handed about the axis.
 template <int Dim>
 double angle(const ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
   const Point& a = f.probe.turns_about;
@@ -255,7 +253,7 @@ double angle(const ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
 }
 template <int Dim>
 double turn(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
-  // whole turns are in the last value, which is less than half a turn away
+  // whole turns: less than half a turn since the last value
   f.last = f.last + std::remainder(angle(f, now) - f.last, 2 * std::numbers::pi);
   return f.last;
 }

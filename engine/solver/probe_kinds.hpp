@@ -13,50 +13,47 @@
 
 namespace taut {
 
-/// Access of probes to their solver.
 template <int Dim>
 class ProbeSource {
  public:
   using V = Vec<double, Dim>;
 
   virtual ~ProbeSource() = default;
-  virtual ContactsOfFaces<Dim>* faces() = 0;  // from which gaps are measured; may be null
-  virtual V reaction(int i) = 0;              // constraint force on stored particle i over the last step, N
-  virtual V contact_force(const Probe& probe, double dt) = 0;  // over the last step, of `dt`, N
-  /// Snapshot with the current stresses of these stored particles.
+  virtual ContactsOfFaces<Dim>* faces() = 0;                   // for gaps; may be null
+  virtual V reaction(int i) = 0;                               // constraint force over the last step, N
+  virtual V contact_force(const Probe& probe, double dt) = 0;  // over the last step, N
+  /// Current stresses of these stored particles.
   virtual const Snapshot& shown(const std::vector<int>& stored) = 0;
 };
 
 template <int Dim>
 struct ProbeRow;
 
-/// A probe during a run; each kind uses some of the members.
+/// A probe during a run.
 template <int Dim>
 struct ProbeFollower {
   Probe probe;
   const ProbeRow<Dim>* row = nullptr;
-  std::vector<PointWeight> at, to;         // material points, or particles of a body
-  Vec<double, Dim> beside{}, to_beside{};  // offset of a point from the single particle that represents it, m
-  std::vector<std::pair<int, int>> pairs;  // stored particles of two bodies within the support
-  std::vector<int> image;                  // [particle of a body] id of its mirror image
-  double last = 0;                         // last value, m or rad
+  std::vector<PointWeight> at, to;         // material points or a body's particles
+  Vec<double, Dim> beside{}, to_beside{};  // offset from a single particle, m
+  std::vector<std::pair<int, int>> pairs;  // stored particles within `support`
+  std::vector<int> image;                  // [particle] id of its mirror image
+  double last = 0;                         // m or rad
 };
 
-/// Data of the set-up of probes.
 struct ProbeSetUp {
   const Scene& scene;
   const InitialParticles& initial;
-  double reach;  // of material points, m
+  double reach;  // m
 };
 
-/// Particles as probes see them.
 template <int Dim>
 struct ProbeView {
   const Particles<Dim>& s;
-  const std::vector<int>& where;        // [id] place in the solver's order
-  const std::vector<int>& first;        // [body] its first particle
+  const std::vector<int>& where;        // [id] storage index
+  const std::vector<int>& first;        // [body] first particle
   const std::vector<double>& diameter;  // [id] m
-  double support;                       // range of `pairs`, m
+  double support;                       // m
 
   Vec<double, Dim> place(const std::vector<PointWeight>& point) const {
     Vec<double, Dim> x{};
@@ -65,29 +62,27 @@ struct ProbeView {
   }
 };
 
-/// The end of a step.
 template <int Dim>
 struct ProbeStep : ProbeView<Dim> {
   ProbeSource<Dim>& source;
-  const Snapshot* shown;              // with the stresses of the particles of rows with `takes_stress`
-  double time, dt;                    // s; dt is 0 at the start
-  const std::vector<double>& before;  // values of the probes before this one
-  bool is_look;                       // every so many steps, for values that are expensive
+  const Snapshot* shown;              // stresses for rows with `takes_stress`
+  double time, dt;                    // s; initially dt = 0
+  const std::vector<double>& before;  // of earlier probes
+  bool is_look;                       // true every few steps, for expensive values
 };
 
-/// A kind of probe.
 template <int Dim>
 struct ProbeRow {
   Probe::Kind kind;
-  /// Finds the particles of the probe; null if it needs none. Throws SceneError if the scene has none.
+  /// Finds the particles; may be null. Throws SceneError if there are none.
   void (*set_up)(ProbeFollower<Dim>&, const ProbeSetUp&);
   double (*value)(ProbeFollower<Dim>&, const ProbeStep<Dim>&);
-  /// Called after a neighbour search, which may have stored the particles in another order; may be null.
+  /// Called after a neighbour search, which may reorder particles; may be null.
   void (*rebuilt)(ProbeFollower<Dim>&, const ProbeView<Dim>&, const Neighbors&) = nullptr;
   bool takes_stress = false;
 };
 
-/// The row of the kind. Throws SceneError if there is none.
+/// Throws SceneError if the kind is unknown.
 template <int Dim>
 const ProbeRow<Dim>& probe_row(const Probe& probe);
 

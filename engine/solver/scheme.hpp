@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// One method's share of a simulation: its own fields, and a reference to the Common part, which ParticleSimulation owns.
+/// Algorithm and fields of one method; refers to Common, which ParticleSimulation owns.
 template <int Dim>
 class Scheme {
  public:
@@ -18,12 +18,12 @@ class Scheme {
   virtual double step_size() const = 0;  // s
   virtual void step(double dt) = 0;
 
-  /// Stores the particles of these groups of four, which ascend, in a snapshot that Common::begin_snapshot has begun.
+  /// Stores ascending groups of four in a snapshot from Common::begin_snapshot.
   virtual void show(Snapshot& out, std::span<const int> groups) const = 0;
-  /// Stores only what Simulation::motion needs. Returns false if energies need the stresses.
+  /// For Simulation::motion; false if energies need stresses.
   virtual bool show_motion(Snapshot& /*out*/) const { return false; }
 
-  /// Contact force on the body of `probe` from the other body or wall, over the last step of length `dt`, N.
+  /// See Common::contact_force.
   virtual Vec<double, Dim> contact_force(const Probe& probe, double dt) const = 0;
 
   virtual void save(Saver& saver) = 0;

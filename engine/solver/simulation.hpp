@@ -11,7 +11,7 @@
 
 namespace taut {
 
-/// The series of a scene's probes: one row per step.
+/// Probe values, one row per step.
 struct Series {
   std::vector<double> time;                // s
   std::vector<std::vector<double>> value;  // [probe][step]
@@ -29,48 +29,44 @@ struct Series {
   }
 };
 
-/// Progress of a simulation, and facts about its method.
 struct RunState {
   double time = 0;  // s
   long steps = 0;
   Series series;
-  long pairs = 0;                // directed pairs of neighbours, as of the last rebuild
+  long pairs = 0;                // directed neighbour pairs at the last rebuild
   double support = 0;            // radius of interaction, m
-  bool keeps_neighbors = false;  // the neighbours of a particle inside its body are those of the start
-  /// Stretch of two neighbours up to which the method follows its law of elasticity.
+  bool keeps_neighbors = false;  // initial neighbours within bodies
+  /// Greatest stretch of a pair within the law of elasticity.
   double lawful_stretch = std::numeric_limits<double>::infinity();
-  int threads = 1;  // greatest number in use
+  int threads = 1;  // maximum
 };
 
-/// A running simulation. One call of `advance` makes many steps; no virtual function is called inside a loop over
-/// particles.
+/// A running simulation. Virtual functions are never called inside loops over particles.
 class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// Steps until the first step at or past time `t` (never cut short: output does not alter a run). Throws
-  /// NumericalError when a value is no longer finite; `snapshot` is then the last one taken before.
+  /// Steps until the first step at or past `t`, s; output never shortens a step. Throws NumericalError if a value is
+  /// not finite.
   void advance_to(double t) { advance(t, std::numeric_limits<double>::infinity()); }
-  /// The same, but makes no step that ends at or past `short_of`. Returns once `t` is reached, or after the last step
-  /// before `short_of`.
+  /// As `advance_to`, but makes no step that ends at or past `short_of`, s.
   virtual void advance(double t, double short_of) = 0;
-  /// Makes `advance` return after the current step once `stop` is not 0. `stop` must outlive the simulation.
+  /// Makes `advance` return after the current step when `stop` is not 0; it must outlive the simulation.
   void heed(const std::atomic<int>& stop) { stop_ = &stop; }
 
-  /// All that its next steps depend on, and the series so far, as bytes for `load`.
+  /// State for `load`, including the series.
   virtual std::string save() = 0;
-  /// Continues from a state of the same scene and settings, written with the same checkpoint format. The next steps give
-  /// the same bytes on this kind of machine. Throws UsageError for any other state; the simulation is of no use
-  /// then. No state, damaged or made up, makes later steps reach foreign memory.
+  /// Continues from a state of the same scene, settings and checkpoint format, bit-identical on the same kind of
+  /// machine. Throws UsageError for others and is then unusable. Forged states cause no access outside arrays.
   virtual void load(std::string_view state) = 0;
 
-  /// The particles after the last step, computed on request. After NumericalError: the last snapshot before it.
+  /// State after the last step, made on request; after NumericalError the last snapshot before it.
   const Snapshot& snapshot() const {
     if (outdated_) take_snapshot(snapshot_);
     outdated_ = false;
     return snapshot_;
   }
-  /// Positions, velocities, masses and energies now; other fields may be empty. Costs at most as much as `snapshot`.
+  /// Positions, velocities, masses and energies; other fields may be empty.
   const Snapshot& motion() const { return outdated_ && take_motion(motion_) ? motion_ : snapshot(); }
   const Series& series() const { return run_state().series; }
   double time() const { return run_state().time; }  // s
@@ -84,18 +80,18 @@ class Simulation {
  protected:
   virtual const RunState& run_state() const = 0;
   virtual void take_snapshot(Snapshot& out) const = 0;
-  /// Returns false if energies need the stresses.
+  /// False if energies need stresses.
   virtual bool take_motion(Snapshot& /*out*/) const { return false; }
   bool asked_to_stop() const { return stop_->load(std::memory_order_relaxed) != 0; }
   bool has_snapshot() const { return !snapshot_.m.empty(); }
 
-  mutable Snapshot snapshot_;     // the last one that was asked for
-  mutable bool outdated_ = true;  // snapshot_
+  mutable Snapshot snapshot_;  // last request
+  mutable bool outdated_ = true;
 
  private:
   static inline const std::atomic<int> never_{0};
 
-  mutable Snapshot motion_;  // without other fields
+  mutable Snapshot motion_;
   const std::atomic<int>* stop_ = &never_;
 };
 

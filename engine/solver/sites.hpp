@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Constants of four particles; 0 in the filling.
+/// Constants of four particles; 0 in padding.
 template <int Dim>
 struct Sites {
   Sym<Pack, Dim> B;                   // 1/m^Dim

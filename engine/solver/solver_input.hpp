@@ -13,10 +13,10 @@
 
 namespace taut {
 
-/// The constants of a method by name: those of the settings, and for the rest their defaults; lengths in m.
+/// Constants by name; lengths in m.
 using ConstantValues = std::map<std::string_view, double>;
 
-/// `all`, and with them the values of the rows of a family.
+/// Common constants with the values of a family's rows.
 template <class C>
 C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, const ConstantValues& values) {
   C c{all};
@@ -24,20 +24,19 @@ C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, co
   return c;
 }
 
-/// What a solver is made from.
 struct SolverInput {
   const Formulation& method;
   const Scene& scene;
   const InitialParticles& initial;
   Constants constants;
   std::vector<Elasticity> materials;  // in the order of Scene::materials
-  Law law;                            // of a method whose law is free
+  Law law;                            // for methods with a choice of laws
   ContactLaw contact;                 // never `published`
-  bool keeps_neighbors;  // see FamilyRow; contact acts between parts of one body that were far apart
+  bool keeps_neighbors;               // see FamilyRow; distant parts of a body then interact by contact
   Stepping stepping;
   int threads;
-  InstructionSet kernels{};    // the greatest allowed
-  ConstantValues values = {};  // for the constants of the family
+  InstructionSet kernels{};    // best allowed
+  ConstantValues values = {};  // of the family
 };
 
 }  // namespace taut

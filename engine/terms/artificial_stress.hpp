@@ -6,12 +6,11 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// Gray's artificial stress: tension is met by a small repulsion between close particles.
-/// [Zhang2024] names it for SPH-OAS with neither equations nor values; these are Gray, Monaghan, Swift
-/// (2001): ε = 0.3, n = 4, R of both particles over ρ².
+/// Gray's artificial stress: close particles in tension repel each other. [Zhang2024] gives no equations for SPH-OAS;
+/// these are Gray et al. 2001 with ε = 0.3, n = 4.
 namespace taut {
 
-/// σ⁺ = Σ_k max(σ_k, 0) n_k ⊗ n_k over the principal stresses.
+/// σ⁺ = Σ_k max(σ_k, 0) n_k ⊗ n_k
 inline Sym<double, 2> positive_part(const Sym<double, 2>& sigma) {
   const double mean = 0.5 * trace(sigma);
   const double half = 0.5 * (sigma(0, 0) - sigma(1, 1));
@@ -19,11 +18,10 @@ inline Sym<double, 2> positive_part(const Sym<double, 2>& sigma) {
   const double greatest = mean + radius;
   if (mean - radius >= 0) return sigma;
   if (greatest <= 0) return {};
-  const double scale = 0.5 * greatest / radius;  // greatest · n ⊗ n = ½ greatest (I + deviator/radius)
+  const double scale = 0.5 * greatest / radius;
   return {scale * (radius + half), scale * sigma(0, 1), scale * (radius - half)};
 }
-/// In 3D each positive principal stress is found with its axis by Jacobi's rotations. Ours: the paper that
-/// names the stress has no instance in 3D, and prints a rotation of the plane.
+/// 3D version, ours: the paper treats the plane only.
 inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
   const Principal principal = principal_axes(sigma);
   Sym<double, 3> positive{};
@@ -31,19 +29,19 @@ inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
     if (principal.value[k] > 0) add_outer(positive, principal.value[k], principal.axis[k]);
   return positive;
 }
-/// As the stress divergence of [Khayyer2024] has it: without correction, with it, and with tensile control.
+/// TermInfos of uncorrected, corrected and tensile-controlled methods.
 inline constexpr TermInfo repulsion_info{
     "artificial stress", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺", "[Khayyer2024] Eq. 17–21",
     "terms/artificial_stress.hpp:positive_part",
-    "artificial stress: the positive part against principal stresses chosen by hand"};
+    "artificial stress: the positive part is that of given principal stresses"};
 inline constexpr TermInfo corrected_repulsion_info{
     "artificial stress", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺",
     "[Khayyer2024] Eq. 18–21, 31", "terms/artificial_stress.hpp:positive_part",
-    "artificial stress: the positive part against principal stresses chosen by hand"};
+    "artificial stress: the positive part is that of given principal stresses"};
 inline constexpr TermInfo surface_repulsion_info{
     "artificial stress, at surfaces", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺",
     "[Khayyer2024] Eq. 18–21, 31", "terms/artificial_stress.hpp:positive_part",
-    "artificial stress: the positive part against principal stresses chosen by hand"};
+    "artificial stress: the positive part is that of given principal stresses"};
 
 /// R = −ε σ⁺/ρ², Pa m⁶/kg²
 template <int Dim>
@@ -51,7 +49,7 @@ Sym<double, Dim> artificial_stress(const Sym<double, Dim>& sigma, double rho, do
   return (-epsilon / (rho * rho)) * positive_part(sigma);
 }
 
-/// m_j (R_i + R_j) (W/W(dp))ⁿ·∇_i W: its sum over j is an acceleration, m/s².
+/// Term j of an acceleration, m/s².
 template <class T, int Dim>
 Vec<T, Dim> artificial_stress_term(const Sym<T, Dim>& R_i, const Sym<T, Dim>& R_j, const T& m_j,
                                    const T& closeness, const T& dW, const Vec<T, Dim>& e_ij) {
@@ -60,6 +58,6 @@ Vec<T, Dim> artificial_stress_term(const Sym<T, Dim>& R_i, const Sym<T, Dim>& R_
 inline constexpr TermInfo artificial_stress_info{
     "artificial stress", "dv/dt = Σ m_j (R_i + R_j) (W/W(dp))ⁿ·∇W, R = −ε σ⁺/ρ²",
     "[Zhang2024] §6, Gray et al. 2001", "terms/artificial_stress.hpp:artificial_stress_term",
-    "artificial stress: pushes a stretched pair apart, the more the closer it is"};
+    "artificial stress: a stretched pair is repelled, more strongly when closer"};
 
 }  // namespace taut

@@ -5,11 +5,8 @@
 
 namespace taut {
 
-/// Π = α h c̄/ρ̄ (u·r)/(r² + (0.1 h)²) where the pair closes, 0 where it opens. [Khayyer2024] Eq. 16
-/// Σ m_j Π ∇_i W is an acceleration (Eq. 15). ≤ 0, and ∇_i W points to j: closing particles repel each other.
-/// `approach` = −u·r, the closing speed times r, m²/s; the result in m⁵/(kg s²).
-/// Differs from [TranDuc2023] §2.2, which prints no 1/ρ̄, so that its units are wrong, and no value of the
-/// small number in the denominator.
+/// Π, m⁵/(kg s²); Σ m_j Π ∇_i W is an acceleration, repulsive since Π ≤ 0. `approach` = −u·r, m²/s. Departure from
+/// [TranDuc2023] §2.2: it lacks 1/ρ̄, so that units are wrong, and the value 0.01.
 template <class T>
 T artificial_viscosity(const T& approach, const T& r2, const T& c_mean, const T& rho_mean, double alpha,
                        double h) {
@@ -18,6 +15,6 @@ T artificial_viscosity(const T& approach, const T& r2, const T& c_mean, const T&
 inline constexpr TermInfo artificial_viscosity_info{
     "artificial viscosity", "dv/dt = Σ m_j Π ∇W, Π = α h c̄/ρ̄ u·r/(r² + 0.01 h²) for approaching pairs",
     "[Khayyer2024] Eq. 15, 16", "terms/artificial_viscosity.hpp:artificial_viscosity",
-    "artificial viscosity: slows what closes by Eq. 16, leaves what opens"};
+    "artificial viscosity: approaching pairs are slowed by Eq. 16, separating ones are not"};
 
 }  // namespace taut

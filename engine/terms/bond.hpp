@@ -9,24 +9,20 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// Functions of one bond and of one particle of `oenog`, derived in methods/bonded/THEORY.md from the energy
-///   E = Σ_i [ V_i W(F_i) + G V0_i Σ_j w_ij (φ(s_ij) − φ_c(s°_ij)) ],   F_i = Σ_j (x_j − x_i) ⊗ g_ij,
-///   s = λ² = |x_j − x_i|²/r0_ij²,   s° = e·C_i e,   C = Fᵀ F,   e = X_ij/r0_ij,
-/// whose derivatives are the forces
-///   f_i = Σ_j k_ij φ′(λ_ij)/λ_ij (x_j − x_i) + Σ_j (T_i g_ij − T_j g_ji),   k_ij = G (V0_i w_ij + V0_j w_ji)/r0_ij²,
-///   T_i = V_i ∂W/∂F − G V0_i F_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e.
+/// Terms of `oenog`, derived in methods/bonded/THEORY.md, with
+///   F_i = Σ_j (x_j − x_i) ⊗ g_ij,   s = λ² = |x_j − x_i|²/r0_ij²,   s° = e·C_i e,   C = Fᵀ F,   e = X_ij/r0_ij,
+///   k_ij = G (V0_i w_ij + V0_j w_ji)/r0_ij².
 namespace taut {
 
-/// What stands for G in the bonds and in what is cancelled of them, Pa. Bonds alone have λ = G: where the law's
-/// λ is below 0, in bodies with a negative Poisson's ratio, what is left of it once theirs is cancelled gives way
-/// when the body is drawn out, with all of G at stretches of 1.1 to 1.25. So the bulk modulus of bonds is at most
-/// twice that of the law in the plane, and two and a half times in 3D: what it is where λ = 0.
+/// Modulus in place of G in bonds and their cancelled part, Pa. Bonds have λ = G: for a law with negative λ
+/// (Poisson's ratio < 0) cancelling leaves a body that softens in tension. So the bonds' bulk modulus is at most 2
+/// (3D: 2.5) times the law's.
 template <int Dim>
 double bond_modulus(double K, double G) {
   return std::min(G, Dim == 2 ? K + G / 3 : 1.5 * K);
 }
 
-/// φ = (2 s² − 3 s + 1/s)/24, of s = λ² = r²/r0²
+/// φ, s = λ²
 template <class T>
 T bond_energy(const T& s) {
   return (1.0 / 24) * (s * (2 * s - 3) + 1 / s);
@@ -35,12 +31,12 @@ inline constexpr TermInfo bond_energy_info{
     "energy", "E = Σ_i [ V_i W(F_i) + G V0_i Σ_j w_ij (φ(s_ij) − φ_c(s°_ij)) ]", "ours",
     "terms/bond.hpp:bond_energy", "bond: a linear displacement has the neo-Hookean energy and stress"};
 
-/// 3 φ′(λ)/λ of s = λ² and 1/(2s)
+/// 3 φ′(λ)/λ from s and ½/s
 template <class T>
 T three_bond_slopes(const T& s, const T& half_inverse) {
   return s - 0.75 - half_inverse * half_inverse;
 }
-/// φ′(λ)/λ of s = λ²: times k (x_j − x_i) with k = G (V0_i w_ij + V0_j w_ji)/r0² it is the force on i.
+/// φ′(λ)/λ; times k_ij (x_j − x_i) the force on i.
 template <class T>
 T bond_slope(const T& s) {
   return (1.0 / 3) * three_bond_slopes(s, T(0.5 / s));
@@ -48,19 +44,18 @@ T bond_slope(const T& s) {
 inline constexpr TermInfo bond_force_info{
     "bond force", "f_i = Σ_j k_ij φ′(λ_ij)/λ_ij (x_j − x_i), φ = (2λ⁴ − 3λ² + λ⁻²)/24",
     "ours, from [Zhang2024] Eq. 20", "terms/bond.hpp:bond_slope",
-    "bond: the slopes are those of the energies, and rise"};
+    "bond: slopes are the derivatives of the energies and increase"};
 
-/// φ″(λ), less the offset, of s = λ² and ½/s: 1 at rest with it. What a bond resists its own stretch with.
+/// φ″(λ) without the offset; with it φ″ = 1 at rest.
 inline constexpr double bond_stiffness_offset = -0.25;
 template <class T>
 T bond_stiffness(const T& s, const T& half_inverse) {
   return s + half_inverse * half_inverse;
 }
 
-/// Of s, where φ_c is φ
+/// Range of s with φ_c = φ; φ_c is linear outside.
 template <int Dim>
 inline constexpr std::array<double, 2> cancelled_range = {0.25, Dim == 2 ? 6.25 : 4};
-/// φ_c, its φ′/λ and the slope of that in s: what is cancelled of a bond whose s is that of F alone
 template <int Dim, class T>
 T within_cancelled(const T& s) {
   constexpr auto range = cancelled_range<Dim>;
@@ -79,8 +74,7 @@ template <int Dim>
 double cancelled_slope_rate(double s) {
   return s == within_cancelled<Dim>(s) ? (1 + 0.5 / (s * s * s)) / 3 : 0;
 }
-/// cancelled_slope of two s, each times three of a factor; one division takes as long as all else that is
-/// done of a bond.
+/// Products of cancelled_slope of s and t with three times their thirds; one division, which would dominate the cost.
 template <int Dim, class T>
 [[gnu::always_inline]] inline std::array<T, 2> cancelled_pulls(const T& s, const T& t, const T& third_of_s,
                                                                const T& third_of_t) {
@@ -94,14 +88,13 @@ inline constexpr TermInfo cancelled_info{"cancelled",
                                          "ours", "terms/bond.hpp:cancelled_slope",
                                          "bond: a linear displacement has the neo-Hookean energy and stress"};
 
-/// What the part (K + 4G/3)(1 − 2J)³ of W adds to the stiffness of a particle, over that of one at rest
+/// Stiffness with the part (K + 4G/3)(1 − 2J)³ of W, relative to rest.
 template <class T>
 T closing_stiffness(const T& J) {
   return 1 + 24 * max(1 - 2 * J, T{});
 }
 
-/// W, the neo-Hookean energy, in 2D of plane strain, with its continuation below J = ½; see above. T: of one
-/// particle or of four.
+/// Neo-Hookean W (2D: plane strain), continued below J = ½. T: one particle or four.
 template <class T>
 struct ClosedNeoHookean {
   T K, G;  // Pa
@@ -112,11 +105,11 @@ struct ClosedNeoHookean {
     return 0.5 * G * (cube_root * cube_root * (2 * t + (3 - Dim)) - 3) + 0.5 * K * (J - 1) * (J - 1) +
            wave_modulus() * power<3>(shut(J));
   }
-  /// ∂energy/∂F, Pa. `cube_root`: root(det F), which may be known already
+  /// ∂energy/∂F, Pa; `cube_root` = root(det F).
   template <int Dim>
   Mat<T, Dim> piola(const Mat<T, Dim>& F, const T& cube_root) const {
     const T t = half_trace(F), J = determinant(F), shear = G * cube_root * cube_root;
-    const T of_c = (-1.0 / 3) * shear * power<3>(cube_root) * (2 * t + (3 - Dim));  // 1/c = cube_root³
+    const T of_c = (-1.0 / 3) * shear * power<3>(cube_root) * (2 * t + (3 - Dim));
     const T of_J = K * (J - 1) - 6 * wave_modulus() * power<2>(shut(J)) + of_c * in_place_of(J).slope;
     return shear * F + of_J * cofactor(F);
   }
@@ -131,7 +124,7 @@ struct ClosedNeoHookean {
   struct Closed {
     T c, slope;  // dc/dJ
   };
-  /// What stands for J.
+  /// c(J): J from ½ on, above ¼ below.
   static Closed in_place_of(const T& J) {
     const T one = filled<T>(1);
     if (!any(J < 0.5)) return {J, one};
@@ -148,6 +141,6 @@ struct ClosedNeoHookean {
 };
 inline constexpr TermInfo stress_info{"stress", "f_i = Σ_j (T_i g_ij − T_j g_ji)", "ours",
                                       "terms/bond.hpp:ClosedNeoHookean",
-                                      "bond: the slopes are those of the energies, and rise"};
+                                      "bond: slopes are the derivatives of the energies and increase"};
 
 }  // namespace taut

@@ -7,28 +7,27 @@
 
 namespace taut {
 
-/// What acts by a law of contact. It decides which methods can run with the law.
+/// Partners of a contact law; they determine which methods can run with it.
 enum class ContactBetween {
-  particles,      // pairs of two bodies or of a fold, less than a spacing apart; every method
-  faces,          // faces move with initial neighbours; methods that keep their initial neighbours
-  all_neighbors,  // the method's own sums, as within a body; methods that search neighbours
+  particles,      // pairs of two bodies or a fold, less than a spacing apart; all methods
+  faces,          // methods with initial neighbours
+  all_neighbors,  // the method's own sums; methods that search neighbours
 };
 
-/// A law of contact. Each header of a law defines its row; contact_laws.hpp lists the rows.
+/// A contact law, defined in its own header and listed in contact_laws.hpp.
 struct ContactLawRow {
   ContactLaw law;
   std::string_view help;
   TermInfo term{};
   ContactBetween between;
-  // initial gap of two faces that are about to touch, in spacings; particles of oblique faces touch before the faces
+  // initial gap of touching faces, spacings: particles of oblique faces touch first
   double touching = 0.1;
 
-  // A law between particles has a force with its energy, or an impulse; `sph` has a force and an energy for walls. The
-  // force along a pair, N, and its energy, J (both per metre depth in 2D), at a distance r < dp, m; K: modulus of the
-  // contact, Pa.
+  // Force along a pair, N (2D: N/m), and its energy, J (2D: J/m), for r < dp, m; K: contact modulus, Pa. For
+  // particles, or in `sph` for walls.
   double (*force)(double r, double dp, double K, int dim) = nullptr;
   double (*energy)(double r, double dp, double K, int dim) = nullptr;
-  // Instead of a force: the impulse along a pair, N s (per metre depth in 2D); inverse masses in 1/kg.
+  // Impulse instead of a force, N s (2D: N s/m); inverse masses in 1/kg.
   double (*impulse)(double closing_speed, double inv_m_i, double inv_m_j) = nullptr;
 };
 

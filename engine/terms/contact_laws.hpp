@@ -11,7 +11,7 @@
 
 namespace taut {
 
-/// The method's own sums act between bodies; this row adds the law of walls.
+/// The method's own sums act between bodies, this force at walls.
 inline constexpr ContactLawRow sph_contact{
     .law = ContactLaw::sph,
     .help = "particles of two bodies interact like particles of one body, [Zhang2024]",
@@ -21,7 +21,7 @@ inline constexpr ContactLawRow sph_contact{
     .energy = penalty_energy,
 };
 
-/// Every law of contact, in the order in which they are offered.
+/// All contact laws, in the order of display.
 inline constexpr std::array contact_laws{sph_contact, impulse_contact, penalty_contact, lennard_jones_contact,
                                          surface_contact};
 

@@ -7,25 +7,22 @@
 
 namespace taut {
 
-/// Nearer than this, in spacings, two particles push no harder: the force has no bound there.
+/// Distance, in spacings, below which the force stays constant: it is unbounded.
 inline constexpr double lennard_jones_core = 0.1;
 
-/// p̄ of the law below, J (per metre depth in 2D): with ½ K dp^d it begins as stiff as the penalty of the
-/// same modulus K, Pa, and gets stiffer the nearer the particles come.
+/// Scale p̄, J (2D: J/m): initially as stiff as the penalty law with modulus K, Pa.
 inline double lennard_jones_scale(double dp, double K, int dim) {
   return 0.5 * K * dp * dp * (dim == 3 ? dp : 1);
 }
 
-/// Force between two particles of two bodies along the pair, N (per metre depth in 2D): p̄ (l⁶ − l⁴)/r where
-/// l = dp/r ≥ 1, 0 beyond.  [Zhang2020] Eq. 12 with n1 = 6, n2 = 4
-/// Differs from the paper: it leaves p̄ open, and k h_i + k h_j stands for "diameters" of the kernel; here
-/// bodies touch as under the other laws, when their particles are one spacing apart.
+/// Force, N (2D: N/m), n1 = 6, n2 = 4. Departure: the paper leaves p̄ open and has k h_i + k h_j for dp; here bodies
+/// touch at one spacing, as under other laws.
 inline double lennard_jones_force(double r, double dp, double K, int dim) {
   const double near = std::max(r, lennard_jones_core * dp), l2 = dp * dp / (near * near);
   return l2 > 1 ? lennard_jones_scale(dp, K, dim) * l2 * l2 * (l2 - 1) / near : 0;
 }
 
-/// J (per metre depth in 2D): p̄ (l⁶/6 − l⁴/4 + 1/12), the force of the core goes on as it is
+/// Energy, J (2D: J/m).
 inline double lennard_jones_energy(double r, double dp, double K, int dim) {
   const double near = std::max(r, lennard_jones_core * dp), l2 = dp * dp / (near * near);
   if (!(l2 > 1)) return 0;
@@ -38,7 +35,7 @@ inline constexpr ContactLawRow lennard_jones_contact{
     .help = "spring that hardens as particles approach, [Zhang2020] Eq. 12",
     .term = {"contact", "f = s/2 K1 K2/(K1 + K2) dp^d (l⁶ − l⁴)/r, l = dp/r ≥ 1, between bodies",
              "[Zhang2020] Eq. 12", "terms/lennard_jones_contact.hpp:lennard_jones_force",
-             "Lennard-Jones contact: none from one spacing on, and the slope of its energy"},
+             "Lennard-Jones contact: the force is the slope of the energy and vanishes beyond one spacing"},
     .between = ContactBetween::particles,
     .force = lennard_jones_force,
     .energy = lennard_jones_energy,

@@ -5,8 +5,7 @@
 
 namespace taut {
 
-/// V_j (s_i + s_j)·∇_i W: its sum over j divided by ρ_i is the shear acceleration, here in N/m³.
-/// [Zhang2024] Eq. 13
+/// Term j of a sum that over ρ_i is the shear acceleration; N/m³.
 template <class T, int Dim>
 Vec<T, Dim> nested_shear_term(const Sym<T, Dim>& s_i, const Sym<T, Dim>& s_j, const T& V_j, const T& dW,
                               const Vec<T, Dim>& e_ij) {
@@ -14,12 +13,11 @@ Vec<T, Dim> nested_shear_term(const Sym<T, Dim>& s_i, const Sym<T, Dim>& s_j, co
 }
 inline constexpr TermInfo nested_shear_info{"shear force", "dv/dt = Σ m_j (s_i + s_j)/(ρ_i ρ_j)·∇W",
                                             "[Zhang2024] Eq. 13", "terms/shear.hpp:nested_shear_term",
-                                            "force: what j does to i, i does to j in the other direction"};
+                                            "force: the forces of j on i and of i on j are opposite"};
 
-/// 2 V_j (e_ij·v_ij)/r_ij ∇_i W: its sum over j times ζ is ∇²v, 1/(m s).             [Zhang2024] Eq. 19
-/// The force acts along e_ij, so that a rigid rotation gives none. In the continuum the operator equals
-/// (∇²v + 2 ∇∇·v)/(d + 2): consistency asks for ζ = d + 2; the published 0.7 d + 2.1 is a calibration, and
-/// the ∇∇· part adds to the bulk stiffness.
+/// Term j of a sum that times ζ is ∇²v, 1/(m s). [Zhang2024] Eq. 19. Rigid rotation gives 0. In the continuum it is
+/// (∇²v + 2 ∇∇·v)/(d + 2): ζ = d + 2 would be consistent, the published 0.7 d + 2.1 is calibrated, and ∇∇·v adds bulk
+/// stiffness.
 template <class T, int Dim>
 Vec<T, Dim> laplacian_term(const Vec<T, Dim>& v_ij, const T& V_j, const T& dW, const T& inv_r,
                            const Vec<T, Dim>& e_ij) {
@@ -30,8 +28,7 @@ inline constexpr TermInfo laplacian_info{
     "terms/shear.hpp:laplacian_term",
     "laplacian: in the continuum it is (∇²v + 2 ∇∇·v)/(d + 2), the plain one ∇²v"};
 
-/// 2 V_j v_ij/r_ij ∂W/∂r: its sum over j is ∇²v, 1/(m s).                           [Zhang2024] Eq. 18
-/// Does not vanish for a rigid rotation.
+/// Term j of ∇²v, 1/(m s). Rigid rotation does not give 0.
 template <class T, int Dim>
 Vec<T, Dim> laplacian_term_nonconservative(const Vec<T, Dim>& v_ij, const T& V_j, const T& dW,
                                            const T& inv_r) {

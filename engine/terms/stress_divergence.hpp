@@ -5,10 +5,8 @@
 
 namespace taut {
 
-/// w_j (T_i + T_j)·∇_i W: its sum over j is a force per volume or an acceleration.
-///   T = σ·L, w = V, divided by ρ_i afterwards   [Khayyer2024] Eq. 28 (L = I: Eq. 9)
-///   T = σ/ρ², w = m                             [TranDuc2023] Eq. 2.3
-/// With T the artificial stress and w times f_ij it is Eq. 31 (L = I: Eq. 17).
+/// Term j of a force per volume (T = σ·L, w = V, [Khayyer2024] Eq. 28) or an acceleration (T = σ/ρ², w = m,
+/// [TranDuc2023] Eq. 2.3). With artificial stress T and w times f_ij: [Khayyer2024] Eq. 31.
 template <class T, int Dim>
 Vec<T, Dim> stress_divergence_term(const Mat<T, Dim>& T_i, const Mat<T, Dim>& T_j, const T& w_j, const T& dW,
                                    const Vec<T, Dim>& e_ij) {
@@ -17,14 +15,14 @@ Vec<T, Dim> stress_divergence_term(const Mat<T, Dim>& T_i, const Mat<T, Dim>& T_
 inline constexpr TermInfo stress_divergence_info{
     "stress divergence", "dv/dt = Σ m_j (σ_i + σ_j)/(ρ_i ρ_j)·∇W", "[Khayyer2024] Eq. 9",
     "terms/stress_divergence.hpp:stress_divergence_term",
-    "stress divergence: equal and opposite, and the pull of tension is towards the other"};
+    "stress divergence: forces are opposite, and tension attracts"};
 inline constexpr TermInfo corrected_divergence_info{
     "stress divergence", "dv/dt = Σ m_j (σ_i·L_i + σ_j·L_j)/(ρ_i ρ_j)·∇W", "[Khayyer2024] Eq. 28",
     "terms/stress_divergence.hpp:stress_divergence_term",
-    "stress divergence: equal and opposite, and the pull of tension is towards the other"};
+    "stress divergence: forces are opposite, and tension attracts"};
 inline constexpr TermInfo divergence_of_squares_info{
     "stress divergence", "dv/dt = Σ m_j (σ_i/ρ_i² + σ_j/ρ_j²)·∇W", "[TranDuc2023] Eq. 2.3",
     "terms/stress_divergence.hpp:stress_divergence_term",
-    "stress divergence: equal and opposite, and the pull of tension is towards the other"};
+    "stress divergence: forces are opposite, and tension attracts"};
 
 }  // namespace taut

@@ -6,10 +6,10 @@
 
 namespace taut {
 
-/// Jaumann rate of the deviatoric stress,
-///   ds/dt = 2G (D − tr D/n I) + ω s − s ω,   D = ½ (L + Lᵀ),  ω = ½ (L − Lᵀ),   Pa/s,
-/// n = d [Zhang2024] Eq. 7 or 3 [Khayyer2024] Eq. 6. With L dt in place of L it gives the increment.
-/// Differs from [Zhang2024], which prints no rotation terms: without them the stress is not objective.
+/// Jaumann rate of the deviatoric stress, Pa/s; increment if L dt replaces L:
+///   ds/dt = 2G (D − tr D/n I) + ω s − s ω,   D = ½ (L + Lᵀ),  ω = ½ (L − Lᵀ),
+/// n = d [Zhang2024] Eq. 7 or 3 [Khayyer2024] Eq. 6. Departure: [Zhang2024] lacks the rotation terms and would not be
+/// objective.
 template <Deviator deviator, int Dim>
 Sym<double, Dim> jaumann_rate(const Mat<double, Dim>& L, const Sym<double, Dim>& s, double G) {
   constexpr double n = deviator == Deviator::in_plane ? Dim : 3;
@@ -26,7 +26,6 @@ Sym<double, Dim> jaumann_rate(const Mat<double, Dim>& L, const Sym<double, Dim>&
   }
   return rate;
 }
-/// The same in the plane, where all rotations are about one axis.
 template <Deviator deviator>
 Sym<double, 2> jaumann_rate(const Mat<double, 2>& L, const Sym<double, 2>& s, double G) {
   constexpr double n = deviator == Deviator::in_plane ? 2 : 3;
@@ -35,14 +34,13 @@ Sym<double, 2> jaumann_rate(const Mat<double, 2>& L, const Sym<double, 2>& s, do
   return {2 * G * (L(0, 0) - mean) + turned, G * (L(0, 1) + L(1, 0)) + 0.5 * spin * (s(1, 1) - s(0, 0)),
           2 * G * (L(1, 1) - mean) - turned};
 }
-inline constexpr TermInfo jaumann_rate_info{"stress rate", "ds/dt = 2G (D − tr D/d I) + ω s − s ω",
-                                            "[Zhang2024] Eq. 7", "terms/stress_rate.hpp:jaumann_rate",
-                                            "stress rate: by hand for stretch and shear, for both deviators"};
+inline constexpr TermInfo jaumann_rate_info{
+    "stress rate", "ds/dt = 2G (D − tr D/d I) + ω s − s ω", "[Zhang2024] Eq. 7",
+    "terms/stress_rate.hpp:jaumann_rate",
+    "stress rate: stretch and shear give the values by hand for both deviators"};
 
-/// The deviatoric stress a time dt later, s → R s Rᵀ + 2G (D − tr D/n I) dt: Jaumann's rate with its rotation
-/// terms over the whole step, R = (I − ½ dt ω)⁻¹ (I + ½ dt ω). A rigid rotation of the particles then turns s
-/// and leaves its size, in a step of any length.
-/// Differs from [Khayyer2024] Eq. 24, s + dt ds/dt, by which s grows by 1 + 2 (ω dt)² in each step.
+/// Stress after dt, s → R s Rᵀ + 2G (D − tr D/n I) dt, R = (I − ½ dt ω)⁻¹ (I + ½ dt ω). A rigid rotation keeps the
+/// size of s. Departure: with [Khayyer2024] Eq. 24 s grows by 1 + 2 (ω dt)² per step.
 template <Deviator deviator>
 Sym<double, 2> turned_stress(const Mat<double, 2>& L, const Sym<double, 2>& s, double G, double dt) {
   const double half = 0.25 * dt * (L(0, 1) - L(1, 0)), scale = 1 / (1 + half * half);
@@ -56,6 +54,6 @@ Sym<double, 2> turned_stress(const Mat<double, 2>& L, const Sym<double, 2>& s, d
 inline constexpr TermInfo turned_stress_info{
     "stress rate", "ds/dt = 2G (D − tr D/3 I) + ω s − s ω", "[Khayyer2024] Eq. 6, 7",
     "terms/stress_rate.hpp:turned_stress",
-    "turned stress: a rigid turn of any size in one step turns it and keeps its size"};
+    "rotated stress: a rigid rotation in one step rotates it and keeps its magnitude"};
 
 }  // namespace taut

@@ -9,35 +9,30 @@
 
 namespace taut {
 
-/// Pressure per depth between two faces, Pa/m, of two materials whose moduli of compression are M = K + 4G/3:
-/// k = ½ s M1 M2/(M1 + M2)/dp. With s = 2 faces under a pressure p overlap by as much as it presses a layer
-/// of two spacings of the material. Stiffer is nearer to the truth, which has no overlap, and would ask for
-/// shorter steps: the fastest motion of two faces of `oenog` in 2D, whose outermost particles weigh 3/2 and
-/// −1/2 in a node, has ω = 2.1 c_p/dp for s = 2, 2.6 for 4 and 3.1 for 6, which is where its steps of 0.64 dp/c_p end
-/// to be stable. The energy of two rings that collide undamped drifts by 0.1 % for 2 at 2 mm, by 0.5 % for 4.
-/// Symmetric to the last bit.
+/// Stiffness k, Pa/m, of two materials with M = K + 4G/3. With s = 2 faces overlap by the compression of two spacings
+/// of material. A greater s overlaps less but needs shorter steps: `oenog` in 2D is stable up to s = 6. Symmetric to
+/// the last bit.
 inline double surface_stiffness(double M1, double M2, double stiffness, double dp) {
   const double softer = std::min(M1, M2), harder = std::max(M1, M2);
   return 0.5 * stiffness * (softer * (harder / (softer + harder))) / dp;
 }
 
-/// Its slope in M2, 1/m.
+/// Derivative in M2, 1/m.
 inline double surface_stiffness_slope(double M1, double M2, double stiffness, double dp) {
   const double share = M1 / (M1 + M2);
   return 0.5 * stiffness * share * share / dp;
 }
 
-/// Ratio of the stiffness of a contact with this factor s to the stiffness of the material, 1 at least.
+/// Contact stiffness relative to the material, at least 1.
 inline double stiffer_than_material(double stiffness) { return std::max(1.0, stiffness / 2); }
 
-/// J (per metre depth in 2D), of a piece of a face, m (m² in 3D), that lies `depth`, m, behind another face:
-/// ½ · ½ k δ² A. Of two faces that overlap each is seen from the other, and each counts for half.
+/// Energy, J (2D: J/m), of a piece of a face, m (m² in 3D), at `depth`, m, behind another: ½ · ½ k δ² A, as both
+/// faces count for half.
 inline double surface_energy(double depth, double area, double k) {
   return depth > 0 ? 0.25 * k * area * depth * depth : 0;
 }
 
-/// Its slope, N (per metre depth in 2D), ½ k δ A: it pushes the piece out of the other face and the other face
-/// back, 0 where they do not overlap.  Ours
+/// Force that separates the faces, N (2D: N/m).
 inline double surface_force(double depth, double area, double k) {
   return depth > 0 ? 0.5 * k * area * depth : 0;
 }
@@ -48,37 +43,25 @@ inline constexpr ContactLawRow surface_contact{
         {"contact",
          "f = ½ k δ A on a piece of a face δ behind another face, k = ½ s M1 M2/(M1 + M2)/dp, M = K + 4G/3",
          "ours", "terms/surface_contact.hpp:surface_force",
-         "surface contact: none before faces meet, and the slope of its energy"},
+         "surface contact: the force is zero before faces meet and then the slope of the energy"},
     .between = ContactBetween::faces,
     .touching = 0,
 };
 
-/// Share of a piece of a face that counts, of the cosine between its outward normal and that of the face it
-/// lies behind: all of it up to 60° from facing it, none from 76° on. At a corner one side meets a face and
-/// the other one, at 90° or a little less once it is strained, does not.
+/// Share of a piece by the cosine of the outward normals: 1 up to 60° from facing, 0 from 76° on, so that at a corner
+/// only the side that faces the other body counts.
 inline double facing_share(double cosine) { return std::clamp(-4 * cosine - 1, 0.0, 1.0); }
 inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.25 ? -4 : 0; }
 
-// In 3D the depth of a piece f of a face, a facet, behind another face is a mean over facets g of that face,
-//
+// In 3D the depth of a facet f behind a face is a mean over its facets g,
 //   δ = −Σ_g W p / Σ_g W,   p = (x_f − x_g) · (n_g − n_f)/|n_g − n_f|,   W = A_g s(n_f · n_g) w(ℓ²) c(p),
-//
-// with the height p over the plane half way between the two, the same seen from both, the projected share s, a
-// weight w of the distance ℓ beside each other, ℓ² = |x_f − x_g|² − p², within a radius R(p), and a share c of those
-// that are not too far off. What lies deep counts only where it overlaps: beside a step as high as the spacing the
-// rim above is no face that the foot of a body lies behind.
-//
-// With ½ (n_g − n_f) in p a facet that tilts would lie less deep, and edges that press each other would
-// turn out of each other's way. On two flat faces that are parallel δ is the exact depth, on round ones but for
-// terms of the third order; it turns with the bodies and is smooth where faces are, so that the force may be the
-// slope of the energy to the last term: both momenta and the energy hold, and what is symmetric stays so. A
-// nearest point jumps from facet to facet, and with it the force.
-//
-// Σ_g W covers f whole, 1, in the middle of the other face and half of it over its rim; `covered_share` of
-// the energy counts.  Ours
+// with the height p over the plane half way between, the projected share s, the weight w of the lateral distance ℓ <
+// R(p), ℓ² = |x_f − x_g|² − p², and the share c of near heights. With ½ (n_g − n_f) in p, pressed facets would tilt.
+// δ is exact for parallel flat faces, objective and smooth: the force is the energy's gradient, which conserves
+// momenta and energy. A nearest point would jump from facet to facet.
+// Σ_g W, the cover of f, is 1 amid the face and ½ over its rim; `covered_share` of the energy counts.
 
-/// R, m, of the height p, m: 1.5 spacings above, 1.05 from a depth of one spacing on. Less lets edges and corners
-/// through (0.85: 24 of 60 pairs of tilted boxes), more sees the rim of a step.
+/// R, m. A smaller one lets edges and corners through; a greater one includes rims of steps.
 inline double lateral_radius(double p, double dp) {
   const double t = std::clamp(-p / dp, 0.0, 1.0);
   return (1.5 - 0.45 * t * t * (3 - 2 * t)) * dp;
@@ -88,7 +71,7 @@ inline double lateral_radius_slope(double p, double dp) {  // dR/dp
   return 0.45 * 6 * t * (1 - t);
 }
 
-/// w, 1/m², of which ∫ w dA is 1, of the distance ℓ < radius, m.
+/// w, 1/m²; ∫ w dA = 1.
 inline double lateral_weight(double l2, double radius) {
   const double u = 1 - l2 / (radius * radius);
   return u > 0 ? 3 / (std::numbers::pi * radius * radius) * u * u : 0;
@@ -102,8 +85,7 @@ inline double lateral_slope_in_radius(double l2, double radius) {  // dw/dR, 1/m
   return u > 0 ? 6 / (std::numbers::pi * square * radius) * u * (2 - 3 * u) : 0;
 }
 
-/// In 3D a depth that nears the spacing is resisted the more: ½ · ½ k δ² (1 + δ²/dp²) A. Under an edge the pressure
-/// has no bound that the spacing would not exceed.
+/// Energy that stiffens towards δ = dp, ½ · ½ k δ² (1 + δ²/dp²) A: the pressure under an edge is unbounded.
 inline double hard_energy(double depth, double area, double k, double dp) {
   const double u = depth / dp;
   return (1 + u * u) * surface_energy(depth, area, k);
@@ -112,12 +94,11 @@ inline double hard_force(double depth, double area, double k, double dp) {
   const double u = depth / dp;
   return (1 + 2 * u * u) * surface_force(depth, area, k);
 }
-/// s: as `facing_share`, of the area that a facet has across the other normal. The faces of an edge or a corner
-/// that meet another face together press no harder than one that is flat.
+/// s, the share projected on the other normal, so that edges press no harder than flat faces.
 inline double projected_share(double cosine) { return -cosine * facing_share(cosine); }
 inline double projected_slope(double cosine) { return -facing_share(cosine) - cosine * facing_slope(cosine); }
 
-/// c, of a height p, m, over or behind, up to the reach, m: all of it up to 0.7 of the reach.
+/// c, the share of height p.
 inline double near_share(double p, double reach) {
   const double t = std::clamp((1 - std::abs(p) / reach) / 0.3, 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -127,7 +108,7 @@ inline double near_slope(double p, double reach) {  // 1/m
   return (p < 0 ? 1 : -1) * 6 / (0.3 * reach) * t * (1 - t);
 }
 
-/// All of it from a cover of 0.85 on, so that a face of uneven facets counts whole.
+/// Share of the energy, 1 from a cover of 0.85 on, so that uneven facets count fully.
 inline double covered_share(double cover) {
   const double t = std::clamp((cover - 0.15) / 0.7, 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -142,10 +123,9 @@ inline double covered_bend(double cover) {
   return t > 0 && t < 1 ? 6 / 0.49 * (1 - 2 * t) : 0;
 }
 
-/// How stiff that energy is in where a facet is, over what it is at first touch, ½ k A: in its depth, and, as edges
-/// and corners slip past each other, in its cover, which changes by less than 1.2 a spacing, its slope by some 4;
-/// twice, since facets share their nodes. A cover that is about to count, too. With the first part alone some
-/// pairs of tilted boxes doubled their energy in passing.
+/// Greatest stiffness relative to first touch, ½ k A: from the depth, and from the cover as edges and corners slide
+/// past each other, without which tilted boxes gain energy. Per spacing the cover changes by at most 1.2, its slope
+/// by 4; doubled, as facets share nodes.
 inline double hardening(double depth, double cover, double dp) {
   constexpr double soon = 0.1, first = 0.2, steepest = 1.2, bend = 4;
   if (cover < soon) return 1;

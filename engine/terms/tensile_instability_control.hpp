@@ -3,13 +3,11 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// In the inner region the stress divergence of a particle in tension takes differences instead of sums: with
-/// R = −σ⁺, σ⁺ the tensile part, σ_i·L_i becomes (σ_i + 2 R_i)·L_i.              [Khayyer2024] §3.4
-/// Linear momentum is not conserved there, since the pair forces of i and j differ.
+/// In the inner region, particles in tension take stress differences: σ_i·L_i becomes (σ_i + 2 R_i)·L_i.
+/// [Khayyer2024] §3.4. Pair forces differ, so momentum is not conserved.
 namespace taut {
 
-/// Adds to C = Σ_j W V_j, the particle itself included: below 0.9 it is one of the surface; 1.
-/// [Khayyer2024] Eq. 52
+/// Term j of C, including i itself.
 template <class T>
 T colour_term(const T& W, const T& V_j) {
   return W * V_j;
@@ -17,15 +15,15 @@ T colour_term(const T& W, const T& V_j) {
 inline constexpr TermInfo surface_info{
     "surface", "C = Σ W V_j < 0.9, and particles within 1.2 dp of them", "[Khayyer2024] Eq. 52",
     "terms/tensile_instability_control.hpp:colour_term",
-    "colour function: 1 inside a lattice, below 0.9 on its face, above one row deeper"};
+    "colour function: the value is 1 inside a lattice, below 0.9 on its face, above one row deeper"};
 
-/// 2 R_i·L_i·Σ V_j ∇_i W, force per volume of an inner particle, N/m³.          [Khayyer2024] Eq. 50, 51
+/// Force per volume, N/m³.
 inline Vec<double, 2> tensile_control(const Mat<double, 2>& R_L, const Vec<double, 2>& sum_V_gradient) {
   return 2.0 * (R_L * sum_V_gradient);
 }
 inline constexpr TermInfo tensile_control_info{
     "tensile control, inside", "dv/dt = Σ m_j 2 R_i·L_i/(ρ_i ρ_j)·∇W, R = −σ⁺", "[Khayyer2024] Eq. 49–51",
     "terms/tensile_instability_control.hpp:tensile_control",
-    "tensile control: turns the sum of equal tensions into their difference"};
+    "tensile control: the sum of equal tensions becomes their difference"};
 
 }  // namespace taut

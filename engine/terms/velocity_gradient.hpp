@@ -5,8 +5,7 @@
 
 namespace taut {
 
-/// L = ∇v = −Σ V_j v_ij ⊗ ∇_i W: adds the part of one neighbour, 1/s.             [Zhang2024] Eq. 14
-/// Differs from the paper in sign: it prints v_ij = v_i − v_j without the minus.
+/// Adds one neighbour, 1/s. Departure: [Zhang2024] prints v_ij = v_i − v_j without the minus.
 template <class T, int Dim>
 void add_velocity_gradient(Mat<T, Dim>& L, const T& V_j, const T& dW, const Vec<T, Dim>& v_ij,
                            const Vec<T, Dim>& e_ij) {
@@ -15,19 +14,19 @@ void add_velocity_gradient(Mat<T, Dim>& L, const T& V_j, const T& dW, const Vec<
 inline constexpr TermInfo velocity_gradient_info{
     "velocity gradient", "L = −Σ V_j v_ij ⊗ ∇W", "[Zhang2024] Eq. 14",
     "terms/velocity_gradient.hpp:add_velocity_gradient",
-    "velocity gradient: exact for a linear field after correction, on irregular particles"};
-/// With the rate of density that it, or the masses, give.
+    "velocity gradient: a linear field on irregular particles is exact after correction"};
+/// TermInfos that add the density rate, from ∇û or from masses.
 inline constexpr TermInfo transported_gradient_info{
     "velocity gradient", "∇û = Σ V_j û_ji ⊗ ∇W, dρ/dt = −ρ tr ∇û", "[Khayyer2024] Eq. 8, 13",
     "terms/velocity_gradient.hpp:add_velocity_gradient",
-    "velocity gradient: exact for a linear field after correction, on irregular particles"};
+    "velocity gradient: a linear field on irregular particles is exact after correction"};
 inline constexpr TermInfo corrected_gradient_info{
     "velocity gradient", "∇û = Σ V_j û_ji ⊗ L_i·∇W, dρ/dt = −ρ tr ∇û", "[Khayyer2024] Eq. 27, 29",
     "terms/velocity_gradient.hpp:add_velocity_gradient",
-    "velocity gradient: exact for a linear field after correction, on irregular particles"};
+    "velocity gradient: a linear field on irregular particles is exact after correction"};
 inline constexpr TermInfo gradient_and_masses_info{
     "velocity gradient", "∇u = Σ V_j u_ji ⊗ ∇W, dρ/dt = Σ m_j u_ij·∇W", "[TranDuc2023] §2.2",
     "terms/velocity_gradient.hpp:add_velocity_gradient",
-    "velocity gradient: exact for a linear field after correction, on irregular particles"};
+    "velocity gradient: a linear field on irregular particles is exact after correction"};
 
 }  // namespace taut

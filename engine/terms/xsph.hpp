@@ -5,8 +5,7 @@
 
 namespace taut {
 
-/// 2 m_j/(ρ_i + ρ_j) (u_j − u_i) W: its sum over j, times ε, is what the transport velocity û_i has more than
-/// u_i, m/s.                                                                    [Khayyer2024] Eq. 14
+/// Term j of a sum that times ε is û_i − u_i, m/s.
 template <class T, int Dim>
 Vec<T, Dim> xsph_term(const Vec<T, Dim>& v_ij, const T& rho_i, const T& rho_j, const T& V_j, const T& W) {
   return T(-2 * rho_j * V_j / (rho_i + rho_j) * W) * v_ij;
@@ -14,6 +13,6 @@ Vec<T, Dim> xsph_term(const Vec<T, Dim>& v_ij, const T& rho_i, const T& rho_j, c
 inline constexpr TermInfo xsph_info{
     "transport velocity", "û = u + ε Σ 2 m_j/(ρ_i + ρ_j) (u_j − u_i) W", "[Khayyer2024] Eq. 14",
     "terms/xsph.hpp:xsph_term",
-    "xsph: momentum stays, and so does angular momentum, of the transported motion"};
+    "xsph: momentum and the angular momentum of the transported motion are conserved"};
 
 }  // namespace taut

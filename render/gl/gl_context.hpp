@@ -7,8 +7,7 @@
 
 namespace taut::render {
 
-/// An OpenGL 3.3 core context without a window, in software. Which library provides it is chosen when taut is
-/// built (TAUT_GL): gl_context_TAUT_GL.cpp knows, and nothing else.
+/// OpenGL 3.3 core context in software. The build option TAUT_GL selects its source file.
 class GlContext {
  public:
   explicit GlContext(int width, int height);
@@ -16,13 +15,13 @@ class GlContext {
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// While it lives, the context is current in this thread, and what is drawn into `framebuffer()` is drawn
-  /// into `target`, which must be of the context's size. Row 0 of OpenGL is the bottom row of the image.
+  /// Makes the context current in this thread; `framebuffer()` draws into `target`, of equal size. OpenGL's row 0 is
+  /// at the bottom.
   class Current {
    public:
-    /// Throws UsageError where there is no memory for such a picture.
+    /// Throws UsageError without enough memory.
     Current(GlContext& context, Image& target);
-    ~Current();  // the finished picture is in the image
+    ~Current();  // completes the picture in the image
     Current(const Current&) = delete;
     Current& operator=(const Current&) = delete;
 

@@ -18,13 +18,12 @@ namespace {
   throw std::runtime_error("EGL " + what + " (error " + std::to_string(eglGetError()) + ")");
 }
 
-/// Mesa's, without a screen: it draws nowhere but into buffers that are asked for [EGL_MESA_platform_surfaceless,
-/// EGL_KHR_surfaceless_context]. It is never given back: contexts of all threads are on it.
+/// Mesa's display without a screen [EGL_MESA_platform_surfaceless, EGL_KHR_surfaceless_context]. All threads use it;
+/// it is never closed.
 EGLDisplay open_display() {
-  // the same bytes on every machine, whatever graphics it has
+  // equal bytes on all machines
   setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
-  // The small shaders compile in no time; a cache in the user's home is not worth its files and its warnings
-  // where the home cannot be written.
+  // a cache is not worth files in the home folder
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const EGLDisplay display =
       eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -43,7 +42,7 @@ EGLDisplay display() {
 
 struct GlContext::Handle {
   EGLContext context = EGL_NO_CONTEXT;
-  GLuint framebuffer = 0, color = 0;  // where it draws; they go with the context
+  GLuint framebuffer = 0, color = 0;
   ~Handle() {
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display(), context);
   }
@@ -53,7 +52,7 @@ GlContext::GlContext(int width, int height)
     : handle_(std::make_unique<Handle>()), width_(width), height_(height) {
   check_memory(width, height);
   const EGLDisplay on = display();
-  eglBindAPI(EGL_OPENGL_API);  // of this thread
+  eglBindAPI(EGL_OPENGL_API);  // per thread
   const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
@@ -98,7 +97,7 @@ GlContext::Current::~Current() {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer());
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, target_.width, target_.height, GL_BGRA, GL_UNSIGNED_BYTE, target_.pixels.data());
-  // the first row in memory is the top one
+  // the first row of the image is the top row
   const auto row = [&](int number) {
     return target_.pixels.begin() + static_cast<std::ptrdiff_t>(target_.offset(0, number));
   };

@@ -22,11 +22,10 @@ struct GlContext::Handle {
 GlContext::GlContext(int width, int height)
     : handle_(std::make_unique<Handle>()), width_(width), height_(height) {
   check_memory(width, height);
-  // The environment belongs to all threads.
+  // threads share the environment
   static std::mutex one_at_a_time;
   const std::scoped_lock lock(one_at_a_time);
-  // The small shaders compile in no time; a cache in the user's home is not worth its files and its warnings
-  // where the home cannot be written.
+  // a cache is not worth files in the home folder
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_BGRA,
@@ -54,11 +53,11 @@ GlContext::Current::Current(GlContext& context, Image& target) : context_(contex
                          target.height)) {
     fail_for_memory(target.width, target.height);
   }
-  OSMesaPixelStore(OSMESA_Y_UP, 0);  // the first row in memory is the top one
+  OSMesaPixelStore(OSMESA_Y_UP, 0);  // the first row of the image is the top row
 }
 
 GlContext::Current::~Current() {
-  glFinish();  // copies the picture into the image
+  glFinish();  // completes the picture in the image
   OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
 }
 

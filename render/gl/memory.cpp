@@ -17,12 +17,11 @@ void fail_for_memory(int width, int height) {
 }
 
 void check_memory(int width, int height) {
-  // the picture in OpenGL and a copy of it, 4 bytes a pixel each; the samples of a band, 2 × 2 of 8 bytes a pixel,
-  // at most 16 Mi; some for the rest
+  // picture and copy, 4 bytes per pixel; samples of a band, 4 of 8 bytes per pixel
   constexpr std::size_t samples = std::size_t{128} << 20, beside = std::size_t{32} << 20;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const std::size_t bytes = 8 * pixels + std::min(32 * pixels, samples) + beside;
-  // not touched: it costs some microseconds
+  // untouched, hence quick
   const std::unique_ptr<void, void (*)(void*)> trial(std::malloc(bytes), std::free);
   if (!trial) fail_for_memory(width, height);
 }

@@ -16,16 +16,16 @@
 namespace taut::render {
 namespace {
 
-// Each pixel is the mean of 2 × 2 samples.
+// per direction
 constexpr int samples = 2;
 
-// Bounds the buffers of a band to 16 Mi samples of 8 bytes; a picture of 1920 × 1080 is one band.
+// limits the buffers; 1920 × 1080 needs one band
 constexpr int samples_per_band = 1 << 24;
 
-// What a surface keeps of its colour: x to the right, y downwards, z towards the camera. What looks at the
-// camera keeps all of it, and what is turned away from the light `ambient` of it.
+// x to the right, y downwards, z towards the camera. Surfaces keep their colour if they face the camera, the share
+// `ambient` if they face away from the light.
 constexpr std::array<float, 3> to_light = {-0.32f, -0.44f, 0.839f};
-constexpr float ambient = 0.72f;  // of a particle; and in the shader of the surface that all of them make
+constexpr float ambient = 0.72f;  // of a particle
 #define TAUT_LIGHT                                                  \
   "float light_on(vec3 normal, float ambient) {\n"                  \
   "  const vec3 to_light = vec3(-0.32, -0.44, 0.839);\n"            \
@@ -33,7 +33,7 @@ constexpr float ambient = 0.72f;  // of a particle; and in the shader of the sur
   "  return min(ambient + (1.0 - ambient) * light, 1.0);\n"         \
   "}\n"
 
-// `band`: width of the plot, top and height of the band, pixels; `depth`: greatest z, and 1 / range of z.
+// `band`: width of the plot, top and height of the band, pixels; `depth`: greatest z, 1 / range
 constexpr const char* ball_vertex_shader = R"(#version 330 core
 layout(location = 0) in vec4 ball;   // x, y, z, radius in pixels
 layout(location = 1) in vec4 color;
@@ -85,9 +85,8 @@ void main() { color = vec4(triangle_color.rgb, 1.0); })";
 constexpr const char* resolve_vertex_shader = R"(#version 330 core
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); })";
 
-// Pairs of opposite places about the pixel: on a plane their mean is as deep as it, in a hollow nearer. Half
-// their difference is the slope. What is much farther than the pair is wide belongs
-// to something else.
+// Opposite points: their mean depth equals the pixel's on a plane, and is nearer in a hollow; half their difference
+// is the slope. Much farther points are other objects.
 constexpr const char* resolve_fragment_shader = "#version 330 core\n" TAUT_LIGHT R"(
 uniform sampler2D colors, depths;
 uniform ivec2 corner;    // of the picture's part, pixels
@@ -123,7 +122,7 @@ void main() {
     float b = (z - depth_at(place - far * way)) / far;
     float weight_a = clamp(2.0 - abs(a), 0.0, 1.0), weight_b = clamp(2.0 - abs(b), 0.0, 1.0);
     slope += 0.25 * (weight_a * a - weight_b * b) / max(weight_a + weight_b, 0.1) * way;
-    // what stands far in front casts less of a shadow than what is next to the pixel
+    // distant occluders shade a pixel less than near ones
     float shadow_a = clamp(a, -1.0, mix(0.5, 1.0, weight_a));
     float shadow_b = clamp(b, -1.0, mix(0.5, 1.0, weight_b));
     hollow += 0.125 * max(shadow_a + shadow_b, 0.0);
@@ -144,7 +143,7 @@ GLuint make_texture(GLint format, GLenum kind, GLenum type, GLint filter, int wi
   return texture;
 }
 
-/// Numbers, `floats` of them, and behind them a colour.
+/// Declares `floats` numbers and a colour.
 void declare_attributes(int floats, std::size_t stride) {
   const auto place = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
   const auto bytes = static_cast<GLsizei>(stride);
@@ -161,7 +160,7 @@ float light_on(float x, float y, float z) {
   return std::min(ambient + (1 - ambient) * light, 1.0f);
 }
 
-/// Of all that is drawn, in pixels of the plot and of depth.
+/// Bounds of all objects, pixels.
 struct SolidPainter::Extent {
   float left = 1e30f, right = -1e30f, top = 1e30f, bottom = -1e30f, far = 1e30f, near = -1e30f;
 
@@ -170,7 +169,7 @@ struct SolidPainter::Extent {
     top = std::min(top, y - radius), bottom = std::max(bottom, y + radius);
     far = std::min(far, z - radius), near = std::max(near, z + radius);
   }
-  float range() const { return std::max(near - far, 1e-3f) * 1.001f; }  // the farthest is no background
+  float range() const { return std::max(near - far, 1e-3f) * 1.001f; }  // farthest point is not background
 };
 
 SolidPainter::SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background)
@@ -252,13 +251,13 @@ void SolidPainter::draw_band(int top, int height, int ball_corners, int corners,
   }
 }
 
-/// The rows from `top` on; the band has `below` more than these at its lower end.
+/// Draws rows from `top`; the band has `below` more below them.
 void SolidPainter::resolve(std::uint32_t picture, int top, int height, int below, const Extent& extent) {
-  const int bottom = image_height_ - (plot_.y + top + height);  // row 0 of OpenGL is the bottom one
+  const int bottom = image_height_ - (plot_.y + top + height);  // OpenGL's row 0 is the bottom
   glBindFramebuffer(GL_FRAMEBUFFER, picture);
   glViewport(0, 0, image_width_, image_height_);
   glDisable(GL_DEPTH_TEST);
-  // no more than what something is drawn in: the rest is white
+  // the rest has the background's colour
   const auto within = [](float value, int most) {
     return static_cast<int>(std::clamp(value, 0.0f, static_cast<float>(most)));
   };

@@ -6,7 +6,7 @@
 namespace taut::render {
 namespace {
 
-/// The linear light of each of the 256 sRGB levels (IEC 61966-2-1).
+/// Linear light by level (IEC 61966-2-1).
 std::array<double, 256> linear_table() {
   std::array<double, 256> table;
   for (int i = 0; i < 256; ++i) {
@@ -16,7 +16,7 @@ std::array<double, 256> linear_table() {
   return table;
 }
 
-/// CIE 15: the cube root, with a straight line near black.
+/// Lightness by CIE 15.
 double lightness_root(double t) {
   constexpr double delta = 6.0 / 29.0;
   return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29.0;

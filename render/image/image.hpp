@@ -7,7 +7,7 @@
 
 namespace taut::render {
 
-/// Part of a picture: pixels, from the top left.
+/// Part of a picture, pixels from the top left.
 struct Rect {
   int x = 0, y = 0, width = 0, height = 0;
 };
@@ -15,12 +15,11 @@ struct Rect {
 using Rgb = std::array<std::uint8_t, 3>;
 inline constexpr Rgb white = {255, 255, 255};
 
-/// As black on it is easier to read than white. Weights: ITU-R BT.709, of the values as stored. At 118 the contrasts
-/// with black and with white are about the same.
+/// Whether black is easier to read on this colour than white: ITU-R BT.709 of stored values; contrasts are equal at
+/// 118.
 inline bool is_light(Rgb color) { return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] > 118; }
 
-/// A picture, row after row from the top. A pixel is four bytes B, G, R, 255: OSMesa draws into it, Cairo
-/// draws over it.
+/// A picture, by rows from the top. A pixel is B, G, R, 255.
 struct Image {
   int width = 0;
   int height = 0;

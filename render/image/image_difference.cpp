@@ -20,7 +20,7 @@ void require_same_size(const Image& a, const Image& b) {
                    "; draw both with the same --size");
 }
 
-/// Finds the window with the most differing pixels, fed row by row.
+/// Window with most differing pixels.
 class DensestWindow {
  public:
   DensestWindow(int width, int height)
@@ -30,7 +30,7 @@ class DensestWindow {
         history_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height_)) {}
 
   void add_row(int row, const std::vector<std::uint8_t>& differs) {
-    // a ring of the last rows: the one that leaves the window makes room for the one that enters
+    // ring buffer of the window's rows
     std::uint8_t* slot = &history_[static_cast<std::size_t>(row % height_) * differs.size()];
     for (std::size_t i = 0; i < differs.size(); ++i) {
       column_sums_[i] += differs[i] - slot[i];
@@ -101,9 +101,8 @@ ImageDifference compare(const Image& a, const Image& b, double tolerance) {
 }
 
 double excess(const ImageDifference& difference, const DifferenceLimit& limit) {
-  const auto times = [](double value, double most) {
-    return value > 0 ? value / most : 0.0;
-  };  // most may be 0
+  // limits may be 0
+  const auto times = [](double value, double most) { return value > 0 ? value / most : 0.0; };
   return std::max({times(difference.share, limit.share), times(difference.densest, limit.densest),
                    times(difference.greatest, limit.greatest)});
 }
@@ -115,7 +114,7 @@ bool alike(const ImageDifference& difference, const DifferenceLimit& limit) {
 Image difference_picture(const Image& a, const Image& b, double tolerance) {
   constexpr Rgb slight = {0xfd, 0x8d, 0x3c};
   constexpr Rgb strong = {0x80, 0x00, 0x26};
-  constexpr double strong_at = 50;  // ΔE*ab that is drawn darkest, half of black to white
+  constexpr double strong_at = 50;  // ΔE*ab of the darkest colour
   const ImageDifference difference = compare(a, b, tolerance);
   Image picture(a.width, a.height);
   for (int row = 0; row < a.height; ++row) {

@@ -6,39 +6,35 @@
 
 namespace taut::render {
 
-/// A difference in colour (ΔE*ab) that an eye just notices; rounding on another processor stays well below
-/// it.
+/// ΔE*ab; other processors' rounding stays well below.
 inline constexpr double just_noticeable = 2.3;
 
-/// How two pictures of one size differ. The share tells of a change spread over the picture, the densest
-/// window of a small change in one place (one particle moved), which the share alone would hide.
+/// Differences of pictures: the share measures widespread ones, the densest window local ones, such as one particle.
 struct ImageDifference {
-  double share = 0;           // of pixels that differ by more than the tolerance, 0 to 1
-  double greatest = 0;        // greatest difference of a pixel, ΔE*ab (black to white is 100)
-  double densest = 0;         // share of differing pixels in the worst window of 16 × 16 pixels, 0 to 1
-  int column = 0, row = 0;    // top left corner of that window
-  int width = 0, height = 0;  // of that window: smaller than 16 in smaller pictures
+  double share = 0;           // of pixels beyond the tolerance, 0 to 1
+  double greatest = 0;        // ΔE*ab
+  double densest = 0;         // share in the worst window of 16 × 16 pixels
+  int column = 0, row = 0;    // top left of that window
+  int width = 0, height = 0;  // of that window; smaller in small pictures
 };
 
-/// What is taken for the same picture. Rounding alone leaves no pixel beyond the tolerance; an edge that
-/// falls on the other side of a pixel centre leaves a few, never many side by side.
+/// Limits for equal pictures. Rounding may move edges across pixel centres, but rarely side by side.
 struct DifferenceLimit {
   double share = 0.002;
   double densest = 0.05;
   double greatest = std::numeric_limits<double>::infinity();  // ΔE*ab
 };
 
-/// UsageError if the sizes differ.
+/// Throws UsageError for different sizes.
 ImageDifference compare(const Image& a, const Image& b, double tolerance = just_noticeable);
 
-/// How many times its limit a difference is, in the worst respect: alike up to 1. The greatest of several
-/// tells the worst picture.
+/// Greatest ratio to a limit; alike up to 1.
 double excess(const ImageDifference& difference, const DifferenceLimit& limit = {});
 
 bool alike(const ImageDifference& difference, const DifferenceLimit& limit = {});
 
-/// `a` in pale gray with the differing pixels from orange (at the tolerance) to dark red, and a frame about
-/// the densest window. UsageError if the sizes differ.
+/// Shows `a` in pale gray, differences from orange (at the tolerance) to dark red, and a frame around the densest
+/// window. Throws UsageError for different sizes.
 Image difference_picture(const Image& a, const Image& b, double tolerance = just_noticeable);
 
 }  // namespace taut::render

@@ -22,16 +22,14 @@
 namespace taut::render {
 namespace {
 
-/// Keep a forged header from asking for all of the memory: twice the largest side that is drawn, for panels, and
-/// as many pixels as are drawn.
+// protect from forged headers; sides allow for panels
 constexpr png_uint_32 greatest_side = 16384;
-constexpr png_alloc_size_t most_beside =
-    8 << 20;  // bytes of a chunk beside the pixels, as of a palette or a text
+constexpr png_alloc_size_t most_beside = 8 << 20;  // bytes of other chunks
 constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
-// libpng's simplified API has no longjmp, but converts what it reads to sRGB, so the classic one it is.
+// libpng's simplified API needs no longjmp, but converts to sRGB.
 
-/// What libpng complained of. It leaves through longjmp, so this outlives the frames that are skipped.
+/// libpng's error. It outlives the frames that longjmp skips.
 struct Complaint {
   char message[128] = {0};
 };
@@ -44,7 +42,7 @@ void on_error(png_structp png, png_const_charp message) {
 
 void on_warning(png_structp, png_const_charp) {}
 
-/// Calls `work`; false if libpng gave up in it. longjmp runs no destructors: nothing in `work` may need one.
+/// Returns false if libpng failed. longjmp runs no destructors: `work` must not need any.
 template <class Work>
 bool completes(png_structp png, const Work& work) {
   if (setjmp(png_jmpbuf(png))) return false;
@@ -67,7 +65,7 @@ void read_header(Reader& reader, std::FILE* file, Alpha alpha) {
   png_set_user_limits(reader.png, greatest_side, greatest_side);
   png_set_chunk_malloc_max(reader.png, most_beside);
   png_read_info(reader.png, reader.info);
-  // whatever the file holds becomes B, G, R, 255 or how opaque it is
+  // gives B, G, R and opacity or 255
   png_set_expand(reader.png);
   png_set_scale_16(reader.png);
   if (alpha == Alpha::dropped) png_set_strip_alpha(reader.png);
@@ -78,12 +76,12 @@ void read_header(Reader& reader, std::FILE* file, Alpha alpha) {
   png_read_update_info(reader.png, reader.info);
 }
 
-/// The highest byte first.
+/// Appends the most significant byte first.
 void append_number(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
   for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
 }
 
-/// A part of a PNG file: its length, its kind, what it holds, and a checksum [PNG §5.3].
+/// Appends length, kind, content, checksum [PNG §5.3].
 void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
                   std::span<const std::uint8_t> holds) {
   append_number(file, static_cast<std::uint32_t>(holds.size()));
@@ -93,7 +91,7 @@ void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
   append_number(file, crc32_gzip_refl(0, &file[from], file.size() - from));
 }
 
-/// R, G, B of each pixel of a row, behind the filter that it has: none, which flat colours do not need.
+/// Writes filter type none, which flat colours do not need, then R, G, B.
 void put_row(const Image& image, int row, std::uint8_t* to) {
   *to++ = PNG_FILTER_VALUE_NONE;
   const std::uint8_t* from = &image.pixels[image.offset(0, row)];
@@ -101,15 +99,14 @@ void put_row(const Image& image, int row, std::uint8_t* to) {
     to[0] = from[2], to[1] = from[1], to[2] = from[0];
 }
 
-/// Level 0, with a code made for the picture: on pictures of particles as quick as level 1 and nearly as small. In
-/// ISA-L 2.30 that and level 2 give other bytes for one of some thousand places in memory where a picture lies. Large:
-/// not for the stack.
+/// ISA-L at level 0 with the picture's code, about as fast and compact as level 1. In ISA-L 2.30, the output of
+/// levels 1 and 2 may depend on memory addresses. Too large for the stack.
 struct Deflater {
   isal_zstream stream;
   isal_hufftables code;
   std::uint8_t deflated[1 << 16];
 
-  /// `seen`: what a part of the bytes is made of.
+  /// `seen`: histogram of some bytes.
   explicit Deflater(isal_huff_histogram& seen) {
     isal_deflate_init(&stream);
     stream.gzip_flag = IGZIP_ZLIB;
@@ -118,10 +115,10 @@ struct Deflater {
         isal_deflate_set_hufftables(&stream, &code, IGZIP_HUFFTABLE_CUSTOM) != COMP_OK)
       throw std::logic_error("the compression code of a picture cannot be set up");
   }
-  Deflater(const Deflater&) = delete;  // too large to be copied unnoticed
+  Deflater(const Deflater&) = delete;
   Deflater& operator=(const Deflater&) = delete;
 
-  /// Appends to `out` what comes of `bytes`, and at the end of the stream all that is left of it.
+  /// Appends to `out`, completely at the end of the stream.
   void add(std::span<std::uint8_t> bytes, bool at_end, std::vector<std::uint8_t>& out) {
     stream.next_in = bytes.data();
     stream.avail_in = static_cast<std::uint32_t>(bytes.size());
@@ -135,14 +132,14 @@ struct Deflater {
   }
 };
 
-/// The rows as a PNG file holds them, a few at a time, which stay in the cache.
+/// Rows of the file, in bands that fit into the cache.
 class Bands {
  public:
   explicit Bands(const Image& image)
       : image_(image), width_(3 * static_cast<std::size_t>(image.width) + 1), rows_(rows_at_once * width_) {}
 
   int count() const { return (image_.height + rows_at_once - 1) / rows_at_once; }
-  /// Good until the next call.
+  /// Valid until the next call.
   std::span<std::uint8_t> operator()(int band) {
     const int first = band * rows_at_once, rows = std::min(rows_at_once, image_.height - first);
     for (int k = 0; k < rows; ++k) put_row(image_, first + k, &rows_[static_cast<std::size_t>(k) * width_]);
@@ -156,10 +153,10 @@ class Bands {
   std::vector<std::uint8_t> rows_;
 };
 
-/// Of a sixth of the bands, which tells enough of a picture.
+/// Histogram of every sixth band.
 std::unique_ptr<isal_huff_histogram> histogram(Bands& bands) {
   constexpr int apart = 6;
-  auto seen = std::make_unique<isal_huff_histogram>();  // all zero
+  auto seen = std::make_unique<isal_huff_histogram>();  // zeros
   for (int k = std::min(apart, bands.count()) / 2; k < bands.count(); k += apart) {
     const std::span<std::uint8_t> bytes = bands(k);
     isal_update_histogram(bytes.data(), static_cast<int>(bytes.size()), seen.get());
@@ -167,7 +164,6 @@ std::unique_ptr<isal_huff_histogram> histogram(Bands& bands) {
   return seen;
 }
 
-/// All rows, as a zlib stream.
 std::vector<std::uint8_t> compressed_rows(const Image& image) {
   Bands bands(image);
   const auto deflater = std::make_unique<Deflater>(*histogram(bands));
@@ -200,7 +196,7 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 void write_png(const Image& image, const std::filesystem::path& path) { write_png(encode_png(image), path); }
 
 void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  // In the same folder, so that the rename stays within one file system and is atomic.
+  // renaming in a folder is atomic
   std::filesystem::path part = path;
   part += ".part" + std::to_string(getpid());
 
@@ -208,7 +204,7 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
   if (!file) fail_to_write(path, std::strerror(errno));
   const bool all = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   int reason = all ? 0 : errno;
-  // a full disk may show only when the last bytes leave the buffer
+  // a full disk may appear only here
   if (std::fclose(file) != 0 && all) reason = errno;
 
   std::error_code error;

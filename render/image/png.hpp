@@ -9,18 +9,16 @@
 
 namespace taut::render {
 
-/// The bytes of an RGB file of 8 bits per channel.
 std::vector<std::uint8_t> encode_png(const Image& image);
 
-/// Writes such bytes to a file. The file appears whole or not at all; OutputError if it cannot.
+/// Writes the whole file or nothing. Throws OutputError.
 void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 void write_png(const Image& image, const std::filesystem::path& path);
 
-/// Whether the fourth byte of a pixel is how opaque it is, or 255.
+/// Fourth byte of a pixel: 255 or opacity.
 enum class Alpha : std::uint8_t { dropped, kept };
 
-/// Reads any PNG of at most 8192 × 8192 pixels in all, and 16384 on a side, as RGB.
-/// UsageError if it is missing, broken or not a PNG.
+/// Reads any PNG of at most 8192 × 8192 pixels, 16384 per side, as RGB. Throws UsageError.
 Image read_png(const std::filesystem::path& path, Alpha alpha = Alpha::dropped);
 
 }  // namespace taut::render

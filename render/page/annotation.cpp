@@ -10,9 +10,9 @@ namespace {
 // Lengths in em.
 constexpr double title_size = 1.3;
 constexpr double baseline_of_header = 1.8;
-constexpr double end_of_header = 2.4;  // below the title's letters and above the number at the bar's end
+constexpr double end_of_header = 2.4;  // below the title
 
-constexpr double most_of_note = 0.5;  // of the room of a title, where the title is long too
+constexpr double most_of_note = 0.5;  // share of the space
 
 constexpr double most_room_of_legend = 14;
 
@@ -38,7 +38,7 @@ Annotation::Annotation(Image& image, const PageLayout& layout, ColorKey key, dou
     : layout_(layout), until_(until), canvas_(image, background), key_(std::move(key)) {}
 
 void Annotation::draw(const FrameView& frame, const OffScale& off_scale) {
-  canvas_.begin();  // OpenGL wrote into it
+  canvas_.begin();  // after OpenGL
   draw_header(frame);
   key_.draw(canvas_, layout_.key, layout_.font, frame.field, frame.unit);
   key_.draw_off_scale(canvas_, layout_.key, layout_.font, off_scale);

@@ -7,8 +7,8 @@ namespace {
 
 // Lengths in em.
 constexpr double axis_length = 1.5;
-constexpr double letter_at = 1.95;  // from where the axes meet
-constexpr double corner_gap = 2.4;  // from the corner to there
+constexpr double letter_at = 1.95;  // from the origin
+constexpr double corner_gap = 2.4;  // from the origin
 constexpr double letter_size = 0.94;
 
 }  // namespace
@@ -16,7 +16,7 @@ constexpr double letter_size = 0.94;
 void draw_axes_marker(Canvas& canvas, const Rect& plot, const AxesMarker& axes, double em) {
   const double x = plot.x + plot.width - corner_gap * em, y = plot.y + plot.height - corner_gap * em;
   std::array<std::size_t, 3> order{0, 1, 2};
-  std::ranges::sort(order, {}, [&](std::size_t axis) { return axes[axis][2]; });  // the nearest on top
+  std::ranges::sort(order, {}, [&](std::size_t axis) { return axes[axis][2]; });
   canvas.use(Weight::regular, letter_size * em);
   for (const std::size_t axis : order) {
     const auto& [right, up, towards] = axes[axis];

@@ -5,7 +5,6 @@
 
 namespace taut::render {
 
-/// Three lines with their letters in the lower right corner of a plot.
 void draw_axes_marker(Canvas& canvas, const Rect& plot, const AxesMarker& axes, double em);
 
 }  // namespace taut::render

@@ -11,38 +11,38 @@
 
 namespace taut::render {
 
-// Gray levels: 1 is the background, 0 what stands out from it most. Black is too hard on white.
+// Gray levels from 0 (full contrast) to 1 (background).
 inline constexpr double ink = 0.13;
 inline constexpr double faint = 0.42;
-inline constexpr double cap_height = 0.73;  // of the digits of DejaVu Sans, per size
+inline constexpr double cap_height = 0.73;  // of digits, per font size
 
-/// A hairline that falls on whole pixels.
+/// Width of a thin line, in whole pixels.
 double line_width(double em);
 
-/// Texts and lines, drawn over an image with Cairo. Pixels from the top left corner.
+/// Draws over an image with Cairo; pixels from the top left.
 class Canvas {
  public:
   enum class Align { left, centre, right };
 
-  /// The image must outlive the canvas and keep its pixels where they are.
+  /// The image's pixels must outlive the canvas.
   explicit Canvas(Image& image, Rgb background = white);
 
-  /// To be called after something else has drawn into the image, and when all is drawn.
+  /// Call `begin` after other changes to the image, `end` after drawing.
   void begin();
   void end();
 
   cairo_t* cairo() { return cairo_.get(); }
-  /// From 0, white on a dark background and black on a light one, to 1, the background.
+  /// Level from 0 (white on dark, black on light) to 1 (background).
   void gray(double level);
   void color(Rgb color);
   void use(Weight weight, double size);
   void fill(double x, double y, double width, double height);
-  /// Baseline at (x, y).
+  /// Draws text with its baseline at (x, y).
   void text(const std::string& text, double x, double y, Align align);
-  /// Turned to be read from below, its middle at (x, y) of the baseline.
+  /// Draws text upwards; (x, y) is the middle of its baseline.
   void turned_text(const std::string& text, double x, double y);
   double width_of(const std::string& text);
-  /// Shortened with an ellipsis until it is no wider than `room`.
+  /// Shortens text with an ellipsis to `room`.
   std::string fitted(std::string text, double room);
 
  private:
@@ -52,7 +52,7 @@ class Canvas {
   };
   Font regular_, bold_;
   Rgb background_;
-  double contrast_;  // 0 or 1: what stands out from the background most
+  double contrast_;  // strongest contrast to the background, 0 or 1
   std::unique_ptr<cairo_surface_t, Deleter> surface_;
   std::unique_ptr<cairo_t, Deleter> cairo_;
 };

@@ -13,12 +13,12 @@
 namespace taut::render {
 namespace {
 
-// where Debian, Fedora, Arch and openSUSE keep it
+// Debian, Fedora, Arch, openSUSE
 constexpr std::array<std::string_view, 4> folders = {"/usr/share/fonts/truetype/dejavu",
                                                      "/usr/share/fonts/dejavu-sans-fonts",
                                                      "/usr/share/fonts/TTF", "/usr/share/fonts/truetype"};
 
-/// Lives as long as Cairo holds the face, which is longer than whoever asked for it.
+/// Owned by Cairo, which may outlive the Font.
 struct Face {
   FT_Library library = nullptr;
   FT_Face face = nullptr;

@@ -10,17 +10,14 @@ namespace taut::render {
 
 enum class Weight { regular, bold };
 
-/// The file of DejaVu Sans, from the folders where systems keep it. OutputError naming the package if it is
-/// missing.
+/// Finds DejaVu Sans. Throws OutputError with its package.
 std::filesystem::path find_font(Weight weight);
 
-/// A font for Cairo, straight from its file: no fontconfig, no hinting, so letters are the same on every
-/// machine.
+/// A font from its file, without fontconfig and hinting: letters are equal on all machines.
 class Font {
  public:
   explicit Font(const std::filesystem::path& file);
 
-  /// Makes it the current font; size in pixels.
   void use(cairo_t* cairo, double size) const;
 
  private:

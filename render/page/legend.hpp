@@ -8,7 +8,6 @@
 
 namespace taut::render {
 
-/// Colours and the names of what has them, below each other.
 class Legend {
  public:
   struct Entry {
@@ -17,9 +16,9 @@ class Legend {
   };
   explicit Legend(std::vector<Entry> entries) : entries_(std::move(entries)) {}
 
-  /// Names that are too long are shortened; for entries that find no room a line says how many they are.
+  /// Shortens long names, and counts entries that do not fit.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view title) const;
-  /// About as wide as what is written where it is `height` pixels high, em.
+  /// Approximate width for a height in pixels, em.
   double width(int height, double em) const;
 
  private:

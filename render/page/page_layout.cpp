@@ -6,16 +6,16 @@
 namespace taut::render {
 namespace {
 
-// Below these sizes letters would take the room from the particles.
+// smaller pictures have no texts
 constexpr int least_text_width = 240;
 constexpr int least_text_height = 120;
-constexpr double least_font = 9;  // the smallest that DejaVu Sans is legible at
+constexpr double least_font = 9;  // smallest legible size
 
-// Lengths in em, the height of the font.
+// Lengths in em.
 constexpr double margin = 1.1;
-constexpr double header = 3.0;          // title, method, time
-constexpr double footer = 2.3;          // scale bar
-constexpr double key_gap = 1.1;         // between plot and colour bar or legend
+constexpr double header = 3.0;  // title, method, time
+constexpr double footer = 2.3;  // scale bar
+constexpr double key_gap = 1.1;
 constexpr double most_of_width = 0.36;  // for a legend
 
 int pixels(double length) { return static_cast<int>(std::lround(length)); }

@@ -10,22 +10,21 @@ namespace {
 constexpr double bar_width = 1.15;
 constexpr double small_size = 0.94;
 constexpr double tick_length = 0.3;
-constexpr double tick_gap = 0.25;      // between tick and number
-constexpr double tick_spacing = 3.8;   // least distance between numbers
-constexpr double label_gap = 0.75;     // between the widest number and the turned label
-constexpr double most_beyond = 0.3;    // of numbers and label, into the margin
-constexpr double arrow_height = 0.42;  // these two fit between the bar and the header
+constexpr double tick_gap = 0.25;
+constexpr double tick_spacing = 3.8;   // minimum between numbers
+constexpr double label_gap = 0.75;     // between numbers and label
+constexpr double most_beyond = 0.3;    // into the margin
+constexpr double arrow_height = 0.42;  // arrow and gap fit below the header
 constexpr double arrow_gap = 0.13;
-constexpr double swatch_size = 0.75;     // of what is no number, below the arrow
-constexpr double swatch_gap = 0.35;      // before the words beside it
-constexpr double width_of_swatch = 6.6;  // with the words
+constexpr double swatch_size = 0.75;     // of NaN, below the arrow
+constexpr double swatch_gap = 0.35;      // to its text
+constexpr double width_of_swatch = 6.6;  // with its text
 
-/// The numbers and the label stand to its right.
 Rect bar_in(const Rect& room, double em) {
   return {room.x, room.y, static_cast<int>(std::lround(bar_width * em)), room.height};
 }
 
-/// Of a number in DejaVu Sans, per size.
+/// Width in DejaVu Sans, per font size.
 double width_of_number(std::string_view label) {
   constexpr double digit = 0.636, point = 0.318, minus = 0.838;
   double width = label.starts_with("−") ? minus : 0;
@@ -33,7 +32,7 @@ double width_of_number(std::string_view label) {
   return width;
 }
 
-/// Of a bar whose widest number is so wide; em.
+/// Width of a bar with numbers up to `widest`, em.
 double width_with(double widest) {
   return bar_width + tick_length + tick_gap + widest + label_gap + cap_height;
 }
@@ -55,7 +54,7 @@ ColorBar::ColorBar(double low, double high, const std::array<Rgb, 256>& colors, 
 Ticks ColorBar::ticks(int height, double em, std::string_view unit) const {
   const int room = std::clamp(static_cast<int>(height / (tick_spacing * em)), 3, 12);
   Ticks all = nice_ticks(low_, high_, unit, room);
-  return all.at.size() < 2 ? nice_ticks(low_, high_, unit, 5) : all;  // one number says nothing
+  return all.at.size() < 2 ? nice_ticks(low_, high_, unit, 5) : all;  // one number is useless
 }
 
 double ColorBar::width(int height, double em, std::string_view unit) const {
@@ -82,7 +81,7 @@ void ColorBar::draw(Canvas& canvas, const Rect& room, double em, std::string_vie
   for (const Tick& tick : ticks_.at) widest = std::max(widest, canvas.width_of(tick.label));
   canvas.use(Weight::regular, em);
   const std::string label = label_of_bar(canvas, field, ticks_.unit, bar.height);
-  const double right = bar.width + (width_with(widest / em) - bar_width) * em;  // whole pixels of bar
+  const double right = bar.width + (width_with(widest / em) - bar_width) * em;  // the bar has whole pixels
   if (right > room.width + most_beyond * em || (label.empty() && !ticks_.unit.empty())) return;
   canvas.turned_text(label, bar.x + right, bar.y + 0.5 * bar.height);
   draw_ticks(canvas, bar, em);

@@ -8,9 +8,9 @@
 
 namespace taut::render {
 
-/// What a picture shows that its bar has no place for.
+/// Values outside a colour bar.
 struct OffScale {
-  bool below = false, above = false;  // drawn in the colour of an end, and lies beyond it
+  bool below = false, above = false;  // drawn in the colour of an end
   bool no_number = false;
   bool operator==(const OffScale&) const = default;
   OffScale& operator|=(const OffScale& other) {
@@ -19,19 +19,16 @@ struct OffScale {
   }
 };
 
-/// The colours from low to high with numbers beside them, and what they stand for.
 class ColorBar {
  public:
-  /// `colors` are evenly spaced from `low` to `high`; what is no number has a colour of its own.
+  /// `no_number`: colour of NaN.
   ColorBar(double low, double high, const std::array<Rgb, 256>& colors, Rgb no_number);
 
-  /// How much room it needs where it is `height` pixels high and its values are of this unit, em.
+  /// Width for a height in pixels and values in `unit`, em.
   double width(int height, double em, std::string_view unit) const;
-  /// At the left of `room`, as high as it. Without numbers where there is no room for them or for what they
-  /// are numbers of.
+  /// Fills the height of `room`, from its left edge. Omits numbers if they, or their unit, do not fit.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
-  /// Arrows at the ends beyond which something lies, and below what is no number, in place of what was drawn
-  /// before.
+  /// Replaces arrows at exceeded ends, and a NaN swatch.
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& found) const;
 
  private:
@@ -42,14 +39,13 @@ class ColorBar {
   std::array<Rgb, 256> colors_;
   Rgb no_number_;
   Ticks ticks_;
-  std::string tick_unit_;  // the unit that ticks_ were made for
+  std::string tick_unit_;  // of ticks_
 };
 
-/// "von Mises stress (MPa)" no longer than `room`: the name is shortened, the unit never. Nothing where there
-/// is no room for a unit.
+/// "von Mises stress (MPa)": to fit, the name is shortened, never the unit. May be empty.
 std::string label_of_bar(Canvas& canvas, std::string_view field, const std::string& unit, double room);
 
-/// A bar of a round length below a plot, about a fifth of its width.
+/// Draws a bar of a round length, about a fifth of the plot.
 void draw_scale_bar(Canvas& canvas, const Rect& plot, double pixels_per_metre, double em);
 
 }  // namespace taut::render

@@ -12,15 +12,14 @@ constexpr int least_prefix = -15;
 constexpr std::array<std::string_view, 10> prefixes = {"f", "p", "n", "µ", "m", "", "k", "M", "G", "T"};
 constexpr int greatest_prefix = 12;
 
-/// Floors the logarithm, and takes 999.9999999 for 1000.
+/// Rounds 999.9999999 up to 1000.
 int decade(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
 
 int floor_to_three(int exponent) {
   return 3 * static_cast<int>(std::floor(static_cast<double>(exponent) / 3.0));
 }
 
-/// A prefix multiplies the symbol that follows, power and all ("mm²" is 1e-6 m²), and kilograms have one
-/// already.
+/// False for powers ("mm²" is 1e-6 m²) and kg.
 bool takes_prefix(std::string_view unit) {
   constexpr std::array<std::string_view, 7> symbols = {"Pa", "m", "s", "N", "J", "W", "Hz"};
   return std::ranges::any_of(symbols, [&](std::string_view symbol) {
@@ -37,7 +36,7 @@ std::string power_of_ten(int exponent) {
   return text;
 }
 
-/// The least of 1, 2, 5, 10 times a power of ten that is not below `length` > 0.
+/// Least 1, 2 or 5 times a power of ten from `length` > 0.
 double nice_step(double length) {
   const double power = std::pow(10.0, decade(length));
   for (const double digit : {1.0, 2.0, 5.0}) {
@@ -53,7 +52,6 @@ Scale scale_for(double greatest, std::string_view unit) {
   if (!(greatest > 0) || !std::isfinite(greatest)) return {1, std::string(unit)};
   int exponent = floor_to_three(decade(greatest));
   if (takes_prefix(unit)) {
-    // nobody counts in kiloseconds
     exponent = std::clamp(exponent, least_prefix, unit == "s" ? 0 : greatest_prefix);
     const auto index = static_cast<std::size_t>((exponent - least_prefix) / 3);
     return {std::pow(10.0, -exponent), std::string(prefixes[index]) + std::string(unit)};
@@ -69,7 +67,7 @@ Ticks nice_ticks(double low, double high, std::string_view unit, int most) {
   const double from = low * scale.factor;
   const double to = high * scale.factor;
   if (!(to > from) || !std::isfinite(to - from)) return ticks;
-  // the smallest step that places no more than `most`; any smaller than the first one places more
+  // smallest step for `most` ticks
   double step = nice_step((to - from) / (most + 1));
   const auto first = [&] { return std::ceil(from / step - 1e-6); };
   const auto last = [&] { return std::floor(to / step + 1e-6); };

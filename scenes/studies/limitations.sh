@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Runs the commands that show limitations in engine/METHODS.md, and writes their verdicts and measures as Markdown.
+# Runs the commands that demonstrate limitations in engine/METHODS.md, and writes verdicts and measures as Markdown.
 #
 #     scenes/studies/limitations.sh                    # all, into results/limitations.md; some minutes
-#     scenes/studies/limitations.sh FILE PATTERN       # those that match PATTERN, into FILE
+#     scenes/studies/limitations.sh FILE PATTERN       # commands that match PATTERN, into FILE
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 taut=${TAUT:-$here/../../build/taut}
@@ -23,7 +23,7 @@ cd "$runs"
     code=0
     "$taut" ${command#taut } --no-render --quiet --out run >report 2>said || code=$?
     case $code in
-      0 | 3) sed -n '/^  measure /,/^$/{/^$/d;p}; /^  verdict /p; /^  energy /p; /^  law /p' report ;;  # 3: diverged
+      0 | 3) sed -n '/^  measure /,/^$/{/^$/d;p}; /^  verdict /p; /^  energy /p; /^  warning /p; /^  law /p' report ;;  # 3: diverged
       2) sed 's|^[^ ]*/scenes/||' said ;;  # refused
       *) cat said >&2; exit 1 ;;
     esac

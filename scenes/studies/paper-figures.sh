@@ -1,5 +1,5 @@
 #!/bin/sh
-# Figures of the papers, made again: panels with a column for each run and a row for each time.
+# Reproduces figures of the papers as panels, with a column for each run and a row for each time.
 #
 #     scenes/studies/paper-figures.sh FIGURE [FOLDER [SPACING]]
 #
@@ -26,9 +26,9 @@
 #     lee-25      twisting column with 4, 5, 6 and 7 particles across, pf-jst
 #     lee-28      twisting column, ν = 0.499, pf-jst, pfj-jst, and oenog
 #
-# FOLDER takes the runs and the panel FIGURE.png (default: out/FIGURE); SPACING is that of the particles in m (default:
-# as published). A run of Zhang's takes seconds, one of Khayyer's finest a minute. taut is found as build/taut, or where
-# TAUT says.
+# FOLDER receives the runs and the panel FIGURE.png (default: out/FIGURE); SPACING is the particle spacing in m
+# (default: as published). A run of Zhang's takes seconds, Khayyer's finest a minute. Uses build/taut, or the program
+# in TAUT.
 set -eu
 taut=${TAUT:-$(dirname "$0")/../../build/taut}
 figure=${1:?which figure? the head of this script lists them}
@@ -36,13 +36,13 @@ folder=${2:-out/$figure}
 spacing=${3:-}
 runs=''
 
-# run NAME SCENE METHOD [options of taut run]: into FOLDER/NAME, a column of the panel
+# run NAME SCENE METHOD [options of taut run]: runs into FOLDER/NAME, a column of the panel
 run() {
   name=$1 scene=$2 method=$3
   shift 3
   "$taut" run "$scene" --method "$method" ${spacing:+--spacing "$spacing"} --no-render --save-particles \
     --fields "$field" --every "$every" --until "$until" --out "$folder/$name" "$@" >/dev/null ||
-    [ $? -eq 3 ]   # a run that diverges is part of the figure as far as it came
+    [ $? -eq 3 ]   # a diverged run is part of the figure until it diverges
   runs="$runs $folder/$name"
 }
 
@@ -155,6 +155,6 @@ case $figure in
     run oenog twisting-column oenog --set poisson_ratio=0.499
     panel 0.1,0.25 420x640 ;;
   *)
-    echo "$0: there is no figure '$figure'; the head of this script lists them" >&2
+    echo "$0: unknown figure '$figure'; the header of this script lists the figures" >&2
     exit 2 ;;
 esac

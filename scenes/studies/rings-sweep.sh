@@ -1,32 +1,32 @@
 #!/bin/sh
-# A sweep: how fast may two rubber rings collide before a method lets them tear?
+# A sweep that finds the speed at which colliding rubber rings fracture.
 #
 #     scenes/studies/rings-sweep.sh [FOLDER [SPACING]]
 #
-# FOLDER takes runs and results (default: out/rings-sweep), SPACING is that of the particles in m (default: 0.002, a
-# few seconds; 0.001 as published, under a minute). taut is found as build/taut, or where TAUT says. May be stopped
-# (Ctrl-C, kill, power cut) and started again: what is done is not done twice.
+# FOLDER receives runs and results (default: out/rings-sweep); SPACING is the particle spacing in m (default: 0.002, a
+# few seconds; 0.001 as published, under a minute). Uses build/taut, or the program in TAUT. Can be stopped (Ctrl-C,
+# kill, power cut) and resumed; finished runs are not repeated.
 set -eu
 taut=${TAUT:-$(dirname "$0")/../../build/taut}
 folder=${1:-out/rings-sweep}
 spacing=${2:-0.002}
 
-# 1. What would run. The grid stands in rings-speed-limit.toml beside this script; it could as well be given here:
+# 1. List the runs. The grid is in rings-speed-limit.toml beside this script; on the command line it would be
 #    taut sweep colliding-rings --grid v0=0.02:0.16:0.02 --grid method=og,oas,enog
 "$taut" sweep rings-speed-limit --spacing "$spacing" --out "$folder" --list
 
-# 2. Run it, on all cores. A run that tears or diverges is a row like any other, so the exit code is 0.
+# 2. Run on all cores. A run that fractures or diverges is an ordinary row, so the exit code is 0.
 "$taut" sweep rings-speed-limit --spacing "$spacing" --out "$folder"
 
-# 3. Read the answer off results.csv: columns have names (results.json has the same as a tree).
+# 3. Derive the answer from results.csv by column names (results.json has the same as a tree).
 echo
-echo "The greatest speed up to which a method keeps the rings whole, in c0:"
+echo "Highest speed at which the rings stay intact, by method, in c0:"
 awk -F, '
   NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
   {
     method = $column["set.method"]; speed = $column["set.v0"]
     if (!(method in limit)) limit[method] = "none"
     if ($column["verdict"] != "stable") torn[method] = 1
-    if (!torn[method]) limit[method] = speed      # the rows come with speeds rising
+    if (!torn[method]) limit[method] = speed      # rows are ordered by rising speed
   }
   END { for (method in limit) print "  " method, limit[method] }' "$folder/results.csv" | sort

@@ -1,18 +1,19 @@
 #!/bin/sh
-# How do velocity and stress of the swinging cube converge? [Lee2016] Fig. 6, with and without its boundary projection.
+# Convergence of velocity and stress of the swinging cube, [Lee2016] Fig. 6, with and without its boundary projection.
 #
-#     scenes/studies/swinging-convergence.sh [FOLDER]     # about 5 minutes on 2 cores; may be stopped and started again
+#     scenes/studies/swinging-convergence.sh [FOLDER]     # about 5 minutes on 2 cores; can be stopped and resumed
 #
-# Root mean squares of the errors over the particles and over four times, an eighth, three, five and seven eighths of the
-# period, when velocity and stress are both alive: at one time an error may pass through zero. The stress is that of all
-# nine components. Prints errors in % of the greatest velocity and stress at those times, their orders from one spacing to
-# the next, and those from the coarsest to the finest; leaves them in FOLDER (default: out/swinging-convergence) as
-# convergence.dat, and convergence.png drawn from it. taut is found as build/taut, or where TAUT says.
+# Errors are RMS values over the particles and over four times, 1/8, 3/8, 5/8 and 7/8 of the period, when velocity and
+# stress both differ from 0; a single time could be near a zero of the error. The stress error uses all nine
+# components. Prints errors in % of the maximum velocity and stress at those times, the order between successive
+# spacings, and the order from the coarsest to the finest. Writes them to FOLDER (default: out/swinging-convergence)
+# as convergence.dat and convergence.png. Uses build/taut, or the program in TAUT.
 set -eu
 taut=${TAUT:-$(dirname "$0")/../../build/taut}
 folder=${1:-out/swinging-convergence}
 
-# sweep NAME METHODS [options of taut sweep]. U0 so little that a neo-Hookean cube is a linear one; a period is 16.0112 ms
+# sweep NAME METHODS [options of taut sweep]. U0 is so small that a neo-Hookean cube is linear; the period is 16.0112
+# ms
 sweep() {
   name=$1 methods=$2
   shift 2
@@ -24,7 +25,7 @@ sweep plain tl,pf-jst,pfj-jst,pfhj-jst,oenog
 sweep projected pf-jst --set method.boundary_projection=1
 
 awk '
-  # the fields of a line of a table with commas, some in quotes
+  # splits a line of a table at commas, with quoted fields
   function cut(line, field,    n, rest) {
     for (n = 0; line != ""; line = rest) {
       if (match(line, /^"([^"]|"")*"/)) { field[++n] = substr(line, 2, RLENGTH - 2); rest = substr(line, RLENGTH + 2) }
@@ -39,7 +40,7 @@ awk '
     name = f[at["set.method"]] series; h = f[at["set.spacing"]]
     if (!(name in seen)) { seen[name] = 1; names[++count] = name }
     normal = f[at["measures.normal_stress_error.error"]]; shear = f[at["measures.shear_stress_error.error"]]
-    # the greatest shear stress over the greatest normal stress is (1 - 2 nu)/(1 + nu) at nu = 0.3
+    # at nu = 0.3 the maximum shear stress over the maximum normal stress is (1 - 2 nu)/(1 + nu)
     v[name, h] += f[at["measures.velocity_error.error"]]^2 / 4
     s[name, h] += (normal^2 + 2.0 / 3 * (0.4 / 1.3 * shear)^2) / 4
   }

@@ -1,11 +1,9 @@
 // Speed of every method, in 2D on the colliding rings, in 3D on the oscillating plate with three layers:
-//   enog/2d/threads:1         particle-steps per second, and seconds per directed pair of neighbours and step,
-//                             all passes and rebuilds together
-//   enog/2d/to_transcription  how many times as fast as the transcription of its paper on the same particles,
-//                             both on one thread, turn by turn, the best of each
-// The transcriptions (tests/engine/methods/naive_*.hpp) are what one would write first: pair by pair with
-// lists of neighbours in std::vector, small matrices, every kernel and stress evaluated where the paper has
-// it, at -O2. That of oenog takes its forces worked out, not from dual numbers.
+//   enog/2d/threads:1         particle-steps/s, and seconds per directed pair and step, including rebuilds
+//   enog/2d/to_transcription  speed-up over the paper's transcription (tests/engine/methods/naive_*.hpp) on one
+//                             thread, best of alternating runs
+// Transcriptions evaluate every kernel and stress where the paper does. The transcription of oenog uses explicit
+// forces, not dual numbers.
 
 #include <algorithm>
 #include <chrono>
@@ -31,14 +29,14 @@ namespace {
 using namespace taut::cli;
 using namespace taut::test;
 
-/// The stretch of a scene's motion that is measured, in slices.
+/// Measured part of a scene's motion, in slices.
 struct Motion {
   const char* scene;
   double from, slice;  // s
   int slices;
-  int transcribed;  // steps of the transcription that are timed together
+  int transcribed;  // steps of the transcription per timing
 };
-// before fragments of a torn ring differ; about 24 steps a slice, and one to three rebuilds
+// ends before rings fracture; about 24 steps and one to three rebuilds per slice
 constexpr Motion rings{"colliding-rings", 7e-4, 1e-4, 7, 10};
 constexpr Motion plate{"oscillating-plate-3d", 0, 3e-5, 20, 1};
 const Motion& motion_of(int dim) { return dim == 2 ? rings : plate; }
@@ -52,7 +50,7 @@ SceneFile scene_of(const Subject& subject) {
   return read_scene(find_scene(motion_of(subject.dim).scene), {{"method", subject.method}});
 }
 
-/// A simulation that goes through its stretch again and again.
+/// Repeats the measured part of a simulation.
 class Stretch {
  public:
   Stretch(const Subject& subject, int threads) : motion_(motion_of(subject.dim)) {
@@ -69,7 +67,7 @@ class Stretch {
 
   bool over() const { return done_ == motion_.slices; }
   void go_back() { simulation_->load(start_), done_ = 0; }
-  /// The steps of the next slice.
+  /// Returns the number of steps of the next slice.
   long advance() {
     const long before = simulation_->steps();
     simulation_->advance_to(motion_.from + ++done_ * motion_.slice);
@@ -112,7 +110,7 @@ Step steps_of(Run made) {
   return [run] { run->step(); };
 }
 
-/// One step of the method's transcription, which refers to `scene`.
+/// One step of the transcription, which keeps a reference to `scene`.
 template <int Dim>
 Step transcription(const Scene& scene, const Settings& settings) {
   const MethodInfo& method = *find_method(settings.method);
@@ -148,7 +146,7 @@ void compare_with_transcription(benchmark::State& state, const Subject& subject)
   const Step step = subject.dim == 2 ? transcription<2>(file.scene, file.settings)
                                      : transcription<3>(file.scene, file.settings);
   Stretch stretch(subject, 1);
-  double engine = std::numeric_limits<double>::max(), paper = engine;  // s per step, the best
+  double engine = std::numeric_limits<double>::max(), paper = engine;  // s per step
   for (auto _ : state) {
     const int steps = motion_of(subject.dim).transcribed;
     paper = std::min(paper, seconds([&] {
@@ -180,7 +178,7 @@ void register_methods() {
           ->Arg(2)
           ->UseRealTime()
           ->Unit(benchmark::kMillisecond);
-      if (dim == 2 || subject.method != "tl-small-strain")  // in 3D it has no transcription
+      if (dim == 2 || subject.method != "tl-small-strain")  // no 3D transcription
         benchmark::RegisterBenchmark((name + "/to_transcription").c_str(), compare_with_transcription,
                                      subject)
             ->Iterations(dim == 2 ? 5 : 3)

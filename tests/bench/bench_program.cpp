@@ -1,8 +1,7 @@
-// What a user waits for beside the solver, with the program itself:
-//   frames/2d         frames per second of `taut render`: 1280 × 720, the 4 400 particles of the colliding rings,
-//                     its start and the reading of the particles included
-//   start/list        from spawn to exit of `taut list methods`
-//   start/one-step    and of a run of one step, without pictures
+// Times of the program outside the solver:
+//   frames/2d         frames/s of `taut render` with 4 400 particles at 1280 × 720, including start and input
+//   start/list        `taut list methods`
+//   start/one-step    a run of one step without pictures
 
 #include <cerrno>
 #include <cstring>
@@ -25,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 
-/// Waits for its end; what it says is not read.
+/// Waits for the end; discards standard output.
 void run_taut(Arguments arguments) {
   arguments.insert(arguments.begin(), TAUT_PROGRAM);
   std::vector<char*> raw;
@@ -45,7 +44,6 @@ void run_taut(Arguments arguments) {
     throw std::runtime_error(arguments[0] + " " + arguments[1] + " has failed");
 }
 
-/// A folder for runs and frames while the benchmark runs.
 class Scratch {
  public:
   Scratch() { fs::create_directories(folder_); }

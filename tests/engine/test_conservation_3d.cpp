@@ -18,7 +18,7 @@ namespace {
 constexpr int steps = 150;
 constexpr double round_off = 1e-13;  // of the scale, over all steps
 
-/// A block that turns about no axis of its own and a ball that hits it off its centre, both shaken.
+/// A block rotating about no principal axis, hit off-centre by a ball; both are perturbed.
 Scene solid_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -60,7 +60,7 @@ bool claims(const MethodInfo& method, const char* what) {
 }  // namespace
 
 TEST_SUITE("conservation") {
-  TEST_CASE("in 3D momenta are kept to round-off in a collision by every method that claims it") {
+  TEST_CASE("in 3D every method that claims it conserves momenta to round-off in a collision") {
     const Scene scene = solid_collision();
     for (const MethodInfo& method : methods()) {
       if (method.formulation.greatest_dim < 3) continue;
@@ -68,28 +68,27 @@ TEST_SUITE("conservation") {
       const auto simulation = make_simulation(scene, with_method(std::string(method.name)));
       const Snapshot start = simulation->snapshot();
       const Balance before = balance(start, scene);
-      // no component of what is kept is 0 by chance
+      // no component is 0 by chance
       for (std::size_t k = 0; k < 3; ++k) {
         CHECK(std::abs(before.linear_momentum[k]) > 0.01 * before.momentum_scale);
         CHECK(std::abs(before.angular_momentum[k]) > 0.01 * before.angular_scale);
       }
       make_steps(*simulation, steps);
       const Balance after = balance(simulation->snapshot(), scene);
-      CHECK(std::abs(along_x(simulation->snapshot()) / along_x(start) - 1) > 0.1);  // the bodies did collide
+      CHECK(std::abs(along_x(simulation->snapshot()) / along_x(start) - 1) > 0.1);
       CHECK(change(before.linear_momentum, after.linear_momentum) < round_off * before.momentum_scale);
       const double turn = change(before.angular_momentum, after.angular_momentum) / before.angular_scale;
       if (claims(method, "angular momentum"))
         CHECK(turn < round_off);
       else
         CHECK(turn > 1e-4);
-      // enog gains energy where bodies turn: its forces keep their axes; pf in zigzags, which nothing damps
-      // in its Runge–Kutta stages; 0.001: the penalty and its step
+      // enog gains energy as its shear forces do not rotate, and pf in undamped zigzags; 0.001: penalty and its step
       if (method.name != "enog" && method.name != "pf")
         CHECK(after.kinetic + after.strain < 1.001 * before.kinetic);
     }
   }
 
-  TEST_CASE("in 3D a body that flies without strain keeps every velocity and stays unstressed") {
+  TEST_CASE("in 3D an unstrained body in free flight keeps every velocity and stays unstressed") {
     Scene scene = solid_collision();
     scene.bodies.pop_back();
     const double speed = 0.1 * scene.materials[0].sound_speed();
@@ -107,7 +106,7 @@ TEST_SUITE("conservation") {
           stress = std::max(stress, std::abs(each));
       }
       CHECK(now.x[0] - now.x0[0] > scene.spacing);
-      // the rounding of strains from positions is that of x over the spacing, not of velocities
+      // strains from positions have the round-off of x over the spacing
       const double bound = keeps_neighbors(method) ? 100 * round_off : round_off;
       CHECK(change_of_v < bound * speed);
       CHECK(stress < bound * scene.materials[0].youngs_modulus);

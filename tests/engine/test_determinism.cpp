@@ -30,7 +30,7 @@ bool same_bytes(const Snapshot& a, const Snapshot& b) {
          same(a.diameter, b.diameter) && same(a.body, b.body) && same(a.held, b.held);
 }
 
-/// The two small scenes, with probes: some look at forces within a step.
+/// The two small scenes with probes, some of which use forces within a step.
 std::vector<Scene> probed_scenes() {
   std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
   for (Scene& scene : scenes) {
@@ -43,7 +43,6 @@ std::vector<Scene> probed_scenes() {
   return scenes;
 }
 
-/// f(scene, method) for each of both.
 template <class F>
 void for_each_run(const F& f) {
   for (const Scene& scene : probed_scenes()) {
@@ -62,7 +61,7 @@ TEST_SUITE("determinism") {
   TEST_CASE("threads: 1, 2 and 3 give the same bytes") {
     for_each_run([](const Scene& scene, const std::string& method) {
       Settings settings = with_method(method);
-      // one thread takes the first 16 steps, then all take at least one; more threads than cores are slow
+      // one thread takes the first 16 steps, then all take at least one
       const int few = 32;
       const auto alone = make_simulation(scene, settings);
       make_steps(*alone, few);
@@ -79,12 +78,12 @@ TEST_SUITE("determinism") {
     });
   }
 
-  TEST_CASE("threads: an expression of the scene is asked by one at a time") {
-    // as those of a scene file, whose parser keeps what it works with
+  TEST_CASE("threads: a scene expression is evaluated by one thread at a time") {
+    // like scene-file expressions, whose parser has state
     static std::atomic<int> asking, together;
     const auto alone = [](double value) {
       if (asking.fetch_add(1) > 0) ++together;
-      for (int k = 0; k < 2000; ++k) asking.load();  // that another one may come in between
+      for (int k = 0; k < 2000; ++k) asking.load();  // lets another thread interfere
       asking.fetch_sub(1);
       return value;
     };
@@ -108,7 +107,7 @@ TEST_SUITE("determinism") {
     }
   }
 
-  TEST_CASE("threads: where nobody says how many, each has something to do") {
+  TEST_CASE("threads: the default number gives each thread work") {
     Settings settings = with_method("tl");
     settings.threads = 0;
     const auto simulation = make_simulation(small_collision(), settings);
@@ -116,7 +115,7 @@ TEST_SUITE("determinism") {
     CHECK(simulation->threads() == 1);
   }
 
-  TEST_CASE("runs: two of the same give the same bytes, and something moved") {
+  TEST_CASE("runs: two equal runs give the same bytes, and bodies move") {
     for_each_run([](const Scene& scene, const std::string& method) {
       const Snapshot first = state_after(steps, scene, with_method(method));
       CHECK(same_bytes(first, state_after(steps, scene, with_method(method))));
@@ -125,7 +124,7 @@ TEST_SUITE("determinism") {
     });
   }
 
-  TEST_CASE("instruction sets: each that this machine has gives the same bytes") {
+  TEST_CASE("instruction sets: every one available gives the same bytes") {
     for_each_run([](const Scene& scene, const std::string& method) {
       Settings settings = with_method(method);
       const Snapshot best = state_after(steps, scene, settings);
@@ -136,10 +135,10 @@ TEST_SUITE("determinism") {
     });
   }
 
-  TEST_CASE("output: looking 10, 100 times or once gives the same bytes and the same series") {
+  TEST_CASE("output: 1, 10 and 100 outputs give the same bytes and the same series") {
     for_each_run([](const Scene& scene, const std::string& method) {
       const auto once = make_simulation(scene, with_method(method));
-      // between two steps, so that the rounding of k/looks does not decide which one is the last
+      // between two steps, so that round-off in k/looks does not matter
       const double until = 0.5 * (state_after(steps - 1, scene, with_method(method)).time +
                                   state_after(steps, scene, with_method(method)).time);
       once->advance_to(until);
@@ -151,7 +150,7 @@ TEST_SUITE("determinism") {
         CHECK(same(often->series().time, once->series().time));
         CHECK(same(often->series().value[0], once->series().value[0]));
       }
-      CHECK(once->series().time.size() == steps + 1);  // every step, and the start
+      CHECK(once->series().time.size() == steps + 1);
     });
   }
 
@@ -164,7 +163,7 @@ TEST_SUITE("determinism") {
     });
   }
 
-  TEST_CASE("stepping: dual and single are not the same run") {
+  TEST_CASE("stepping: dual and single stepping give different runs") {
     for_each_run([](const Scene& scene, const std::string& method) {
       const Snapshot dual = state_after(steps, scene, with_method(method, Stepping::dual));
       const Snapshot single = state_after(steps, scene, with_method(method, Stepping::single));
@@ -173,10 +172,10 @@ TEST_SUITE("determinism") {
         difference = std::max(difference, std::abs(dual.x[k] - single.x[k]));
       const auto& constants = find_method(method)->constants;
       if (std::ranges::find(constants, "cfl_advection", &MethodConstant::name) == constants.end())
-        CHECK(difference == 0);  // it holds no geometry between steps
+        CHECK(difference == 0);  // no geometry is kept between steps
       else
-        CHECK(difference > 1e-6 * scene.spacing);  // far beyond rounding
-      CHECK(difference < scene.spacing);           // the same motion all the same
+        CHECK(difference > 1e-6 * scene.spacing);  // far beyond round-off
+      CHECK(difference < scene.spacing);
     });
   }
 }

@@ -28,7 +28,7 @@ std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// All tests of the engine, with strings that are broken over lines put together.
+/// Sources of all engine tests, with broken string literals joined.
 const std::string& test_sources() {
   static const std::string text = [] {
     std::string all;
@@ -39,7 +39,7 @@ const std::string& test_sources() {
   return text;
 }
 
-/// A declaration: after a type, or as a member's definition; not a mention in a comment or a call.
+/// Returns whether the header declares `name`; mentions in comments or calls do not count.
 bool declares(const std::string& header, const std::string& name) {
   const std::regex declaration("(^|\n)(?! *//)[^\n=]*[\\w>&] (\\w+<[^\n]*>::)?" + name +
                                " *[({]|(struct|class) " + name + "\\b");
@@ -71,7 +71,7 @@ void check_constants(MethodList<M...>, const Rows& rows_of) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("equations: every term names a source, a function that is there and a test that is there") {
+  TEST_CASE("equations: every term names a source, an existing function and an existing test") {
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
       CHECK(method.terms.size() >= 4);
@@ -92,7 +92,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("equations: every citation of a paper is of a term that its method has") {
+  TEST_CASE("equations: every citation belongs to a term of its method") {
     for (const MethodInfo& method : methods()) {
       for (const Citation& citation : method.formulation.citations) {
         // a paper's list serves all its methods of a family
@@ -106,7 +106,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("constants: each setting reaches a place of its own, and what is left out its default") {
+  TEST_CASE("constants: each setting has its own place, and omitted ones have their default") {
     check_constants(ul_split::Methods{}, ul_split::constants);
     check_constants(ul_cauchy::Methods{}, ul_cauchy::constants);
     check_constants(bonded::Methods{}, bonded::constants);
@@ -124,7 +124,7 @@ TEST_SUITE("unit") {
     CHECK(std::ranges::find(spatial, "zeta", &MethodConstant::name)->value == Approx(4.2));
   }
 
-  TEST_CASE("tests: no name has a semicolon, at which CMake would break it and run nothing") {
+  TEST_CASE("tests: no name has a semicolon, because CMake would split it and run nothing") {
     const std::regex named("TEST_CASE\\(\\s*\"[^\"]*;");
     for (const char* folder : {"tests/engine", "tests/render", "tests/cli", "tests/scenes"}) {
       for (const auto& entry : std::filesystem::recursive_directory_iterator(source / folder)) {
@@ -136,7 +136,7 @@ TEST_SUITE("unit") {
     CHECK(std::regex_search("TEST_CASE(\n  \"a; b\")", named));
   }
 
-  TEST_CASE("equations: a function or a test that is not there is found out") {
+  TEST_CASE("equations: a missing function or test is found") {
     CHECK(declares("double f(double x) {", "f"));
     CHECK_FALSE(declares("/// see f(x) of another\ndouble g(double x) {", "f"));
     CHECK_FALSE(declares("double fall(double x) {", "f"));

@@ -19,7 +19,6 @@ using namespace taut::test;
 
 namespace {
 
-/// The message of the error E that make_simulation throws.
 template <class E>
 std::string message(const Scene& scene, const Settings& settings) {
   try {
@@ -40,7 +39,7 @@ bool contains(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("methods: each is found by its name, and says what it is") {
+  TEST_CASE("methods: each is found by its name and has a description") {
     CHECK(methods().size() >= 4);
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
@@ -63,21 +62,21 @@ TEST_SUITE("unit") {
     CHECK(find_method("") == nullptr);
   }
 
-  TEST_CASE("methods: an unknown one is named") {
+  TEST_CASE("methods: an unknown method is named") {
     CHECK(contains(usage_error(with_method("nog")), "'nog'"));
     CHECK_FALSE(usage_error(with_method("")).empty());
   }
 
-  TEST_CASE("constants: an unknown one is named, with those there are") {
+  TEST_CASE("constants: an unknown constant is named with the known ones") {
     Settings settings = with_method("enog");
     settings.constants = {{"zeal", 1}};
     CHECK(contains(usage_error(settings), "'zeal'"));
     CHECK(contains(usage_error(settings), "zeta"));
-    settings.constants = {{"epsilon", 0.3}};  // of another method
+    settings.constants = {{"epsilon", 0.3}};
     CHECK(contains(usage_error(settings), "'epsilon'"));
   }
 
-  TEST_CASE("constants: both bounds are allowed, beyond them is an error that names them") {
+  TEST_CASE("constants: both bounds are allowed, and values beyond are refused with the bounds") {
     for (const MethodInfo& method : methods()) {
       for (const MethodConstant& constant : method.constants) {
         CAPTURE(std::string(method.name));
@@ -100,7 +99,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("constants: what is set is used") {
+  TEST_CASE("constants: every set constant is used") {
     for (const MethodInfo& method : methods()) {
       const Settings plain = with_method(std::string(method.name));
       for (const MethodConstant& constant : method.constants) {
@@ -108,23 +107,24 @@ TEST_SUITE("unit") {
         CAPTURE(std::string(constant.name));
         Scene scene = constant.name == "boundary_projection" ? small_clamped_plate() : small_collision();
         scene.contact = constant.name == "contact_stiffness" ? ContactLaw::penalty : ContactLaw::published;
-        const int steps = constant.name == "contact_stiffness" ? 40 : 20;  // until the bodies touch
+        const int steps = constant.name == "contact_stiffness" ? 40 : 20;
         const Snapshot usual = state_after(steps, scene, plain);
         Settings settings = plain;
-        if (constant.name == "riemann_limiter") settings.constants["beta_least"] = 0;  // it says nothing at 1
+        if (constant.name == "riemann_limiter")
+          settings.constants["beta_least"] = 0;  // it has no effect at 1
         settings.constants[std::string(constant.name)] = constant.value;
         const Snapshot same = state_after(steps, scene, settings);
-        // less surface is no choice: what is left without artificial stress there is torn at once
+        // less artificial stress at the surface tears the body
         const double low = constant.name == "surface_colour" ? constant.high : constant.low;
         const double middle = 0.5 * (constant.value + low);
         settings.constants[std::string(constant.name)] = middle == constant.value ? constant.high : middle;
         CHECK(state_after(steps, scene, settings).v != same.v);
-        if (constant.name != "riemann_limiter") CHECK(same.v == usual.v);  // the default is the default
+        if (constant.name != "riemann_limiter") CHECK(same.v == usual.v);
       }
     }
   }
 
-  TEST_CASE("settings: a law that a method does not have is refused, with those it has") {
+  TEST_CASE("settings: a law that a method lacks is refused with the available ones") {
     const Scene scene = small_collision();
     const auto message = [&](const char* method, const char* law) -> std::string {
       Settings settings = with_method(method);
@@ -154,13 +154,13 @@ TEST_SUITE("unit") {
     Settings settings = with_method("enog");
     const double usual = state_after(1, scene, settings).time;
     const double h = 1.3 * scene.spacing, c0 = scene.materials[0].sound_speed();
-    const double vmax = 0.12 * c0;  // about: the shake adds to it
+    const double vmax = 0.12 * c0;  // approximate: perturbations add to it
     CHECK(usual == relative(0.4 * h / (c0 + vmax), 0.05));
     settings.cfl = 0.1;
     CHECK(state_after(1, scene, settings).time == relative(usual * 0.1 / 0.4));
   }
 
-  TEST_CASE("settings: the step follows a wave that is faster than in rubber, and nothing else") {
+  TEST_CASE("settings: the step shortens only for waves faster than in rubber") {
     Scene scene = small_collision();
     for (Body& body : scene.bodies) body.velocity = {};
     const auto step = [&](const char* method, double nu) {
@@ -173,7 +173,7 @@ TEST_SUITE("unit") {
     for (const char* method : {"og", "enog", "d-ulsph-r-tic", "ccb"}) {
       CAPTURE(std::string(method));
       for (const double nu : {0.2, 0.3, 0.49}) CHECK(step(method, nu) == relative(1, 1e-14));
-      // √(K + ζG) over that of ν = 0, or of 0.2 by enog; ν = 0.2, 0 and −0.5 have G = ¾, 3/2 and 6 K
+      // √(K + ζG) relative to ν = 0, or 0.2 for enog; ν = 0.2, 0 and −0.5 have G = ¾, 3/2 and 6 K
       const bool enog = std::string(method) == "enog";
       const double zeta = enog ? 3.5 : 4.0 / 3, known = 1 + (enog ? 0.75 : 1.5) * zeta;
       CHECK(step(method, 0) == relative(std::sqrt(known / (1 + 1.5 * zeta)), 1e-9));
@@ -181,7 +181,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("divergence: at the default step a block of any Poisson's ratio rings on") {
+  TEST_CASE("divergence: a block of any Poisson's ratio is stable at the default step") {
     Scene scene = small_collision();
     scene.bodies.resize(1);
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.012, 0.008, 0}}};
@@ -207,7 +207,7 @@ TEST_SUITE("unit") {
     Scene scene = small_collision();
     scene.materials.push_back(scene.materials[0]);
     scene.bodies[1].material = 1;
-    CHECK_NOTHROW(make_simulation(scene, with_method("enog")));  // the same twice
+    CHECK_NOTHROW(make_simulation(scene, with_method("enog")));
     scene.materials[1].youngs_modulus *= 2;
     const std::string error = message<SceneError>(scene, with_method("enog"));
     CHECK(contains(error, "'disc'"));
@@ -223,7 +223,7 @@ TEST_SUITE("unit") {
     CHECK(contains(message<UsageError>(scene, settings), "it must be from 0.87 to 0.99"));
   }
 
-  TEST_CASE("scene: three dimensions are refused by a method that has no form in them") {
+  TEST_CASE("scene: a method without a 3D form refuses three dimensions") {
     Scene scene = small_collision();
     scene.dim = 3;
     const std::string error = message<SceneError>(scene, with_method("ccb"));
@@ -231,13 +231,13 @@ TEST_SUITE("unit") {
     CHECK(contains(error, "oenog"));
   }
 
-  TEST_CASE("divergence: a step far too large is an error with step, time and particle") {
+  TEST_CASE("divergence: a far too large step gives an error with step, time and particle") {
     const Scene scene = small_collision();
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
       Settings settings = with_method(std::string(method.name));
       settings.cfl = 5;
-      for (const MethodConstant& constant : method.constants)  // which a step of its own keeps stable
+      for (const MethodConstant& constant : method.constants)  // they would stabilise it
         if (constant.name.starts_with("eps_")) settings.constants[std::string(constant.name)] = 0;
       const auto simulation = make_simulation(scene, settings);
       const auto particles = static_cast<long>(simulation->snapshot().size());
@@ -258,11 +258,11 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("divergence: of several particles too fast the first in the order of creation is named") {
+  TEST_CASE("divergence: the first too fast particle in the order of creation is named") {
     Scene scene = small_collision();
     const double c0 = scene.materials[0].sound_speed();
     scene.bodies[0].velocity = {};
-    const auto thrown_off = [](const Point& x) { return x[1] > -0.0165; };  // less than half of the body
+    const auto thrown_off = [](const Point& x) { return x[1] > -0.0165; };
     scene.bodies[1].velocity = {[=](const Point& x) { return thrown_off(x) ? 11 * c0 : 0.0; }, {}, {}};
     scene.bodies[1].shapes = {Box{{-0.04, -0.02, 0}, {-0.035, -0.015, 0}}};  // stored before the ring
     for (const MethodInfo& method : methods()) {

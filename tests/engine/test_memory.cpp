@@ -15,14 +15,13 @@ using namespace taut::test;
 
 namespace {
 
-/// What this program holds of the heap, bytes.
 double in_use() {
   const auto now = mallinfo2();
   return static_cast<double>(now.uordblks) + static_cast<double>(now.hblkhd);
 }
 
-/// Of a solver that has made some steps, its snapshot and the indicators of its rows, kB for each particle. On layers,
-/// where no two particles have the same neighbourhood.
+/// Memory of a solver with snapshot and indicators, kB per particle, on layers, where no two neighbourhoods are
+/// equal.
 double kilobytes_each(const std::string& method) {
   const Scene scene = colliding_rings(/*v0*/ 0.06, /*dp*/ 0.0005);
   const double before = in_use();
@@ -37,7 +36,7 @@ double kilobytes_each(const std::string& method) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("memory: what a particle takes in 2D") {
+  TEST_CASE("memory: a particle in 2D takes no more than its known size") {
     if (in_use() == 0) return;  // a sanitizer has the heap
     const std::pair<std::string, double> known[] = {
         {"tl", 0.88},    {"pf-jst", 1.19},

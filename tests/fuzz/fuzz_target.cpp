@@ -40,7 +40,7 @@ constexpr Target table[] = {
     {"resume", read_resumed},
 };
 
-/// The current folder is a new one while it lives, in which the only scenes with names are.
+/// A temporary current folder.
 class OwnFolder {
  public:
   OwnFolder() : before_(fs::current_path()) {

@@ -1,4 +1,4 @@
-// libFuzzer's side of the targets: the variable TAUT_FUZZ_TARGET names the one that is fuzzed.
+// TAUT_FUZZ_TARGET names the target.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  // of the processor: what else a machine does makes no finding; libFuzzer's own limit is for what waits
+  // processor time; libFuzzer limits waits
   constexpr double most = 10;  // s
   const std::clock_t begin = std::clock();
   taut::fuzz::feed(*target, {reinterpret_cast<const char*>(bytes), size});

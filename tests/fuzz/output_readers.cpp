@@ -77,7 +77,7 @@ void look_at(const StoredResults& results) {
   keep_methods(of_one, {results.runs.front().method()});
 }
 
-/// A sweep of one run, whose folder holds `record` and the scene that the run would have.
+/// A sweep whose run folders contain `record`.
 SweepPlan sweep_with(const std::string& record) {
   SweepOptions options;
   options.what = write("small.toml", small_scenes.front().text).string();
@@ -128,7 +128,7 @@ void read_picture(std::string_view bytes) {
   attempt([&] { faces_of(read_mask(path, MaskOf::darkness), 0.3); });
   render::read_png(path, render::Alpha::kept);
   const render::Image picture = render::read_png(path);
-  constexpr int most = 512;  // pixels a side: it takes a while
+  constexpr int most = 512;  // pixels per side
   if (picture.width > most || picture.height > most) return;
   render::write_png(picture, folder() / "again.png");
   expect(render::read_png(folder() / "again.png") == picture, "a picture written and read again is another");

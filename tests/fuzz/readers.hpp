@@ -4,7 +4,7 @@
 
 namespace taut::fuzz {
 
-// What is written by hand: scene_readers.cpp.
+// scene_readers.cpp
 void read_toml(std::string_view bytes);
 void read_scene_file(std::string_view bytes);
 void read_sweep_file(std::string_view bytes);
@@ -12,21 +12,21 @@ void read_expression(std::string_view bytes);
 void read_outline(std::string_view bytes);
 void read_svg_file(std::string_view bytes);
 
-// What is typed: typed_readers.cpp.
+// typed_readers.cpp
 void read_session_lines(std::string_view bytes);
 void read_arguments(std::string_view bytes);
 void read_completion(std::string_view bytes);
 void read_values(std::string_view bytes);
 void read_text(std::string_view bytes);
 
-// What a run or a sweep has left: output_readers.cpp.
+// output_readers.cpp
 void read_particle_file(std::string_view bytes);
 void read_picture(std::string_view bytes);
 void read_results_files(std::string_view bytes);
 void read_records(std::string_view bytes);
 void read_tables(std::string_view bytes);
 
-// What a run goes on from: state_readers.cpp.
+// state_readers.cpp
 void read_checkpoint_file(std::string_view bytes);
 void read_state(std::string_view bytes);
 void read_resumed(std::string_view bytes);

@@ -22,7 +22,7 @@ using namespace cli;
 
 namespace {
 
-/// The files that a scene of the corpus may name.
+/// Files that scenes of the corpus can name.
 void write_neighbours() {
   write("table.csv", "t,tip,x\n0,0,0\n0.5,0.1,0.5\n1,0,1\n");
   write("particles.csv", "x,y,z,volume\n0,0,0,0.01\n0.1,0,0,0.01\n0.2,0,0.1,0.01\n");
@@ -37,7 +37,7 @@ void make_particles(SceneFile& file) {
   if (is_small(file.scene)) start(file);
 }
 
-/// Reads what a run of the scene would leave as scene.toml, which must make the same run.
+/// The resolved scene must make the same run.
 void check_resolved(const SceneFile& file) {
   const std::string once = resolved_text(file, folder());
   SceneFile again;
@@ -84,7 +84,7 @@ void read_sweep_file(std::string_view bytes) {
   write("small.toml", parts[1]);
   const std::filesystem::path path = write("sweep.toml", parts[0]);
   if (!is_sweep_file(path)) return;
-  constexpr std::size_t most_rows = 4;  // each is read as a scene
+  constexpr std::size_t most_rows = 4;
   if (read_sweep(path).rows.size() > most_rows) return;
   SceneFile scene = read_scene(folder() / "small.toml");
   if (!is_small(scene.scene)) return;
@@ -111,7 +111,7 @@ void read_expression(std::string_view bytes) {
   each([&] { compile_in_time(text, names)({0.1, 0.2, 0.3}, 0.5); });
   each([&] { compile_of_values(text, names, {"tip", "gap"})({1, 2}, 0.5); });
   each([&] { names_in(text); });
-  each([&] { evaluate("1", {{text, 1}}); });  // a parameter may have any name that TOML has
+  each([&] { evaluate("1", {{text, 1}}); });  // TOML allows any name
 }
 
 void read_outline(std::string_view bytes) {

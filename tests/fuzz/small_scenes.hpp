@@ -7,10 +7,9 @@
 
 namespace taut::fuzz {
 
-/// Whether its particles are soon made. Others are as good a scene, and a long run.
+/// Larger scenes are valid but slow.
 bool is_small(const Scene& scene);
 
-/// A scene of a few particles, and the method that runs it.
 struct SmallScene {
   std::string_view method, text;
 };
@@ -80,7 +79,7 @@ frames = 2
 size = [64, 64]
 )";
 
-/// One for each family of methods, those with most to remember, and some in 3D.
+/// One per family, the ones with the largest state, some in 3D.
 inline constexpr std::array small_scenes = {
     SmallScene{"enog", two_discs},          SmallScene{"oenog", two_discs},
     SmallScene{"d-ulsph-r-tic", two_discs}, SmallScene{"tl", two_discs},

@@ -46,7 +46,6 @@ void step(Simulation& simulation, int steps) {
   for (int k = 0; k < steps; ++k) simulation.advance_to(std::nextafter(simulation.time(), later));
 }
 
-/// A state of the scene some steps after its start.
 const std::string& state_of(std::size_t number) {
   static std::array<std::string, small_scenes.size()> known;
   if (known[number].empty()) {
@@ -58,7 +57,7 @@ const std::string& state_of(std::size_t number) {
   return known[number];
 }
 
-/// Stands for a person who ends the run when so many lines have appeared: 1 at its start, 2 at a quarter of it.
+/// Interrupts a run after `lines` lines of progress: at its start, at a quarter.
 class Impatient : public std::streambuf {
  public:
   explicit Impatient(int lines) : lines_(lines) {}
@@ -75,12 +74,12 @@ class Impatient : public std::streambuf {
 RunOptions run_options(const SmallScene& scene) {
   RunOptions options = options_of(scene);
   options.out = (folder() / "run").string();
-  options.checkpoint_every = 1;  // only the last one, at the interrupt
+  options.checkpoint_every = 1;  // only at the interrupt
   options.save_particles = true;
   return options;
 }
 
-/// The files of a run that was interrupted at a quarter of its way, by their names.
+/// Files by name.
 const std::map<std::string, std::string>& interrupted_run() {
   static std::map<std::string, std::string> files;
   if (!files.empty()) return files;
@@ -96,7 +95,6 @@ const std::map<std::string, std::string>& interrupted_run() {
   return files;
 }
 
-/// Kind, version and format of a checkpoint.
 std::string header_of_checkpoint() {
   write_checkpoint(folder() / "empty.bin", {});
   Checkpoint empty;
@@ -110,7 +108,7 @@ std::string header_of_checkpoint() {
 
 }  // namespace
 
-/// The bytes are a checkpoint but for its header and its checksum.
+/// Bytes without header and checksum.
 void read_checkpoint_file(std::string_view bytes) {
   static const std::string header = header_of_checkpoint();
   std::string file = header + std::string(bytes);

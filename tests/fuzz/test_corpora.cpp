@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
-  std::error_code none;  // a target may have found nothing
+  std::error_code none;  // can be missing
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
@@ -28,14 +28,14 @@ std::string bytes_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Of what a target reads: that it ends is for ctest to see.
+/// Memory only; ctest limits time.
 void limit_memory() {
   constexpr rlim_t most = rlim_t{1} << 30;  // bytes
   const rlimit limit{most, most};
   ::setrlimit(RLIMIT_DATA, &limit);
 }
 
-/// Names each input before it is read, so that the last line is of the one that ended the program.
+/// Prints each name first: the last one crashed.
 int feed_all(const Target& target, const std::vector<fs::path>& files) {
   limit_memory();
   int failures = 0;
@@ -54,7 +54,7 @@ int feed_all(const Target& target, const std::vector<fs::path>& files) {
 }  // namespace
 
 TEST_SUITE("fuzz") {
-  TEST_CASE("what once was found, and what reaches far, is read or refused") {
+  TEST_CASE("every stored finding and every input of the corpus is read or refused") {
     const fs::path here = fs::path(TAUT_SOURCE_DIR) / "tests/fuzz";
     for (const Target& target : targets()) {
       std::vector<fs::path> files = files_in(here / "found" / target.name);
@@ -67,7 +67,7 @@ TEST_SUITE("fuzz") {
     }
   }
 
-  TEST_CASE("every folder of inputs has its target") {
+  TEST_CASE("every folder of inputs has a target") {
     const fs::path here = fs::path(TAUT_SOURCE_DIR) / "tests/fuzz";
     for (const char* kind : {"found", "corpus"})
       for (const fs::path& folder : files_in(here / kind))

@@ -31,13 +31,13 @@ using namespace cli;
 
 namespace {
 
-/// Paths lead nowhere but into the folder of the target.
+/// Keeps paths inside the folder.
 std::string without_slashes(std::string text) {
   std::ranges::replace(text, '/', '_');
   return text;
 }
 
-/// A line that would step for long finds that it has been asked to stop.
+/// Interrupts long stepping.
 void run_line(Session& session, const std::string& line, const Dialogue& to) {
   const Interrupts interrupts;
   std::istringstream words(line);
@@ -47,7 +47,7 @@ void run_line(Session& session, const std::string& line, const Dialogue& to) {
   run_session_line(session, line, {to.out, interrupts, to.progress});
 }
 
-/// Reads the options of `taut run` and all that the run would check beforehand.
+/// Includes all checks that precede a run.
 std::function<int(Streams)> declare_plan(Options& command) {
   auto options = std::make_shared<RunOptions>();
   options->scene = "small.toml";
@@ -60,14 +60,13 @@ std::function<int(Streams)> declare_plan(Options& command) {
   };
 }
 
-/// The options of a command are read; it does nothing.
 template <std::size_t Number>
 std::function<int(Streams)> declare_only(Options& command) {
   const std::function<int(Streams)> kept = commands()[Number].declare(command);
   return [kept](Streams) { return 0; };
 }
 
-/// The commands of taut, of which only those act that look into nothing but the program itself.
+/// Only commands that read no files run.
 std::vector<Command> harmless_commands() {
   const std::span<const Command> all = commands();
   constexpr std::size_t most = 24;
@@ -86,7 +85,7 @@ std::vector<Command> harmless_commands() {
   return harmless;
 }
 
-/// What stands between the first and the last letter of `quoted`, in which `mark` is written twice.
+/// `mark` is doubled inside the quotes.
 std::string unquoted(std::string_view quoted, char mark) {
   std::string text;
   expect(quoted.size() >= 2 && quoted.front() == mark && quoted.back() == mark, "no quotes");
@@ -100,7 +99,7 @@ std::string unquoted(std::string_view quoted, char mark) {
 
 }  // namespace
 
-/// Lines, then the scene if it is another one.
+/// Lines, then optionally another scene.
 void read_session_lines(std::string_view bytes) {
   const std::vector<std::string> parts = parts_of(bytes, 2);
   RunOptions options;
@@ -112,14 +111,14 @@ void read_session_lines(std::string_view bytes) {
   std::ostringstream out;
   Progress progress(out, Progress::Style::none);
   const Interrupts interrupts;
-  std::size_t left = 8;  // lines; a frame takes a while
+  std::size_t left = 8;
   for (const std::string& line : lines_of(without_slashes(parts[0]))) {
     if (left-- == 0) return;
     attempt([&] { run_line(session, line, {out, interrupts, progress}); });
     std::istringstream text(line);
     std::vector<std::string> words;
     for (std::string word; text >> word;) words.push_back(word);
-    if (words.empty()) words.emplace_back();  // nothing is typed yet
+    if (words.empty()) words.emplace_back();
     session_choices(session, words);
   }
 }

@@ -17,7 +17,7 @@ void check_near(const Vector& a, const Vector& b) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("a camera's axes are at right angles, of length 1, right-handed, and up is up") {
+  TEST_CASE("a camera's axes are orthonormal and right-handed, and its up points upwards") {
     for (const Camera& camera : {Camera{}, Camera{.from = {3, 0.1, -7}, .up = {0, 2, 0}},
                                  Camera{.from = {-1e-3, 2e-3, 0}, .up = {1, 1, 1}}}) {
       const auto [right, up, back] = axes_of(camera);
@@ -29,13 +29,13 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("a camera that looks along its up takes y for it, and x where it looks along y") {
+  TEST_CASE("a camera that looks along its up vector uses y as up, or x where it looks along y") {
     check_near(axes_of({.from = {0, 0, 2}}).up, {0, 1, 0});
     check_near(axes_of({.from = {0, 0, 2}}).right, {1, 0, 0});
     check_near(axes_of({.from = {0, 3, 0}, .up = {0, -1, 0}}).up, {1, 0, 0});
   }
 
-  TEST_CASE("a camera that orbits keeps its distance and its up, and comes back") {
+  TEST_CASE("an orbiting camera keeps its distance and its up vector, and orbits back to its start") {
     const Camera camera{.from = {0, -2, 0}};
     check_near(orbited(camera, 90, 0).from, {2, 0, 0});
     check_near(orbited(camera, 0, 30).from, {0, -std::sqrt(3.0), 1});
@@ -44,21 +44,20 @@ TEST_SUITE("unit") {
     CHECK(orbited(camera, 25, 40).up == camera.up);
   }
 
-  TEST_CASE("lengths are true in parallel projection, and in perspective in the front plane alone") {
+  TEST_CASE("lengths are true in parallel projection, and in perspective only in the front plane") {
     const View view{-1, 1, -0.5, 1.5};
     const Camera camera{.from = {0, -1, 0}, .field_of_view = 90, .front = 0.25};
     const Projection parallel({.from = {0, -1, 0}}, view), perspective(camera, view);
     check_near(parallel({0.3, 0.7, 0.4}).at, {0.3, 0.4, -0.7});
     check_near(perspective({0.3, -0.25, 0.4}).at, {0.3, 0.4, 0.25});
-    // the camera is as far from the front as half of the view is high, 1 m: 1 m behind it all is half as
-    // large
+    // the camera is 1 m from the front plane
     const Projection::Seen seen = perspective({0.3, 0.75, 0.4});
     CHECK(seen.scale == Approx(0.5));
     check_near(seen.at, {0.15, 0.5 - 0.05, -0.75});
     CHECK(perspective({0, -2, 0}).scale < 0);  // behind the camera
   }
 
-  TEST_CASE("a short way is seen as the places of its ends") {
+  TEST_CASE("a short vector is projected like the difference of its ends") {
     const View view{-1, 2, -0.5, 1.5};
     for (const double angle : {0.0, 40.0}) {
       const Projection projection({.from = {1, -2, 1}, .field_of_view = angle, .front = 1}, view);

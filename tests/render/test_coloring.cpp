@@ -25,27 +25,26 @@ Image picture(const Particles& particles, const Look& with) { return Renderer(wi
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE(
-      "a diverging map has its middle at 0, or at what else it diverges from, in any range that holds it") {
+  TEST_CASE("a diverging map has its middle at its middle value, in any range that contains this value") {
     const Colormap& coolwarm = *find_colormap("coolwarm");
     struct Case {
       Range range;
-      double middle, value, t;  // where in the map
+      double middle, value, t;  // t: place in the map
     };
     for (const auto& [range, middle, value, t] : {Case{{-1e6, 4e6}, 0, 0, 0.5},
                                                   {{-1e6, 4e6}, 0, 4e6, 1},
                                                   {{-1e6, 4e6}, 0, 1e6, 0.625},
                                                   {{-1e6, 4e6}, 0, -1e6, 0.375},
-                                                  {{-1e6, 4e6}, 0, -3e6, 0.375},  // of the end
+                                                  {{-1e6, 4e6}, 0, -3e6, 0.375},
                                                   {{-4, 1}, 0, -4, 0},
                                                   {{0.5, 3}, 1, 1, 0.5},
                                                   {{0.5, 3}, 1, 0.5, 0.375},
                                                   {{-0.5, 2.5}, 1, 1, 0.5},
-                                                  {{0, 4}, 0, 0, 0},  // lies to no side of it
+                                                  {{0, 4}, 0, 0, 0},  // all on one side
                                                   {{2, 4}, 0, 2, 0},
                                                   {{-3, 3}, 0, -3, 0},
                                                   {{-3, 3}, 0, 1.5, 0.75}}) {
-      const std::pair range_and_value(range.low, value);  // clang captures no bindings
+      const std::pair range_and_value(range.low, value);
       CAPTURE(range_and_value.first);
       CAPTURE(range_and_value.second);
       Look with = look(640, 360, unit_view);
@@ -56,15 +55,15 @@ TEST_SUITE("image") {
       const int row = layout.key.y + static_cast<int>(std::lround((1 - share) * (layout.key.height - 1)));
       const Rgb color = coolwarm.at(t);
       for (const Rgb& seen : {color_at(image, unit_view, 0, 0), image.at(layout.key.x + 4, row)})
-        for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(seen[k] - color[k]) <= 3);  // 256 colours a range
+        for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(seen[k] - color[k]) <= 3);  // 256 colours
     }
-    Look with = look(100, 100, unit_view);  // other maps go from end to end
+    Look with = look(100, 100, unit_view);  // spans the whole range
     with.range = {-1, 4};
     CHECK(color_at(picture(particle(0, 0, 0.4, -1), with), unit_view, 0, 0) == with.colormap->at(0));
   }
 
   TEST_CASE(
-      "only what is in the picture puts an arrow at the bar's end, in 2D, in cells, in 3D and in a panel") {
+      "only particles in the picture put an arrow at the bar's end, in 2D, in cells, in 3D and in a panel") {
     const PageLayout layout = make_layout(640, 360, unit_view);
     const int middle = layout.key.x + static_cast<int>(0.5 * 1.15 * layout.font), above = layout.key.y - 4;
     const std::vector<double> cell{0.1, 0, 0, 0.1}, cell_in_space{0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1};
@@ -90,11 +89,10 @@ TEST_SUITE("image") {
         }
   }
 
-  TEST_CASE("what is no number has its colour explained below the bar, in the same page") {
+  TEST_CASE("the colour of NaN is explained below the bar if the picture contains NaN") {
     const Look with = look(640, 360, unit_view);
     const PageLayout layout = make_layout(640, 360, unit_view);
-    const int bottom =
-        layout.key.y + layout.key.height + 6;  // below the least number, of which half hangs out
+    const int bottom = layout.key.y + layout.key.height + 6;
     const Rect below{layout.key.x, bottom, 640 - layout.key.x, 360 - bottom};
     struct Found {
       int swatch = 0, other = 0, at_edge = 0;
@@ -116,13 +114,13 @@ TEST_SUITE("image") {
     CHECK(key_of(some).other > 30);
     CHECK(key_of(some).at_edge == 0);
     CHECK(key_of(none).swatch + key_of(none).other == 0);
-    CHECK(key_of(picture(particle(9, 0, 0.1, NAN), with)).swatch == 0);  // is not in the picture
+    CHECK(key_of(picture(particle(9, 0, 0.1, NAN), with)).swatch == 0);  // outside
     int elsewhere = 0;
     for (int row = 0; row < below.y; ++row)
       for (int column = layout.plot.x + layout.plot.width; column < 640; ++column)
         elsewhere += some.at(column, row) != none.at(column, row);
     CHECK(elsewhere == 0);
-    Renderer renderer(with);  // frame after frame
+    Renderer renderer(with);
     for (const double value : std::vector<double>{NAN, 0.5, NAN, -3}) {
       const Particles one = particle(0, 0, 0.1, value);
       CHECK(renderer.draw(one.frame()) == picture(one, with));
@@ -143,7 +141,7 @@ TEST_SUITE("image") {
     CHECK(swatch >= 100);
   }
 
-  TEST_CASE("a legend of more things than lines says how many more, whatever their names") {
+  TEST_CASE("a legend with too many entries states how many more there are") {
     Look with = look(320, 180, unit_view);
     with.range.reset(), with.colormap = nullptr;
     const auto drawn = [&](std::size_t count, const std::string& name) {
@@ -152,7 +150,6 @@ TEST_SUITE("image") {
     };
     const Image image = drawn(20, "a");
     CHECK_FALSE(image == drawn(25, "a"));  // 13 and 18 more
-    // "and 13 more" is longer than any name, and has the room that a name of its length would have
     const auto left_of_legend = [](const Image& of) {
       int column = of.width / 2;
       while (of.at(column, 30) == white) ++column;
@@ -161,7 +158,7 @@ TEST_SUITE("image") {
     CHECK(left_of_legend(image) == left_of_legend(drawn(2, "and 13 more")));
   }
 
-  TEST_CASE("a method's name stands behind the longest title") {
+  TEST_CASE("a method's name follows even the longest title") {
     const std::string title(200, 'T');
     for (const auto& [width, height] : {std::pair(320, 180), {1280, 720}}) {
       Particles none;
@@ -174,7 +171,7 @@ TEST_SUITE("image") {
       Renderer renderer(of_both);
       const Image method = renderer.draw(with);
       CHECK_FALSE(method == Image(renderer.draw(without)));
-      CHECK_FALSE(method == Image(renderer.draw(other)));  // to its last letter
+      CHECK_FALSE(method == Image(renderer.draw(other)));  // differs in the last letter
     }
   }
 }

@@ -25,12 +25,11 @@ TEST_SUITE("unit") {
     CHECK(find_colormap("virids") == nullptr);
   }
 
-  TEST_CASE("the ends of the colour maps") {
+  TEST_CASE("the ends of the colour maps are those published") {
     struct Ends {
       const char* key;
       Rgb low, high;
     };
-    // as published
     const Ends expected[] = {{"viridis", {68, 1, 84}, {253, 231, 37}},
                              {"plasma", {13, 8, 135}, {240, 249, 33}},
                              {"cividis", {0, 34, 78}, {254, 232, 56}},
@@ -50,8 +49,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("colours between the stops are those of the published table") {
-    // entries 20, 60, 100 and 150 of the table of 256 colours of viridis; the stops keep within 3 levels
+  TEST_CASE("colours between the stops match the published table") {
+    // viridis has 256 colours; interpolated stops stay within 3 levels of them
     struct Entry {
       int index;
       Rgb color;
@@ -70,7 +69,7 @@ TEST_SUITE("unit") {
       if (map.diverging || map.key == "rainbow") continue;
       CAPTURE(std::string(map.key));
       const auto table = map.table();
-      // over 8 of 256 colours: rounding to whole levels may undo one step
+      // rounding can undo a single step
       for (std::size_t i = 8; i < table.size(); ++i) {
         CAPTURE(i);
         CHECK(lab_of(table[i]).L > lab_of(table[i - 8]).L);
@@ -92,14 +91,14 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("no map comes near the colour of what is not a number") {
+  TEST_CASE("no map comes near the colour of NaN") {
     for (const Colormap& map : colormaps()) {
       CAPTURE(std::string(map.key));
       for (const Rgb color : map.table()) CHECK(color_difference(color, not_a_number_color) > 30);
     }
   }
 
-  TEST_CASE("colours of things that are counted differ, from each other and from what is not a number") {
+  TEST_CASE("category colours differ from each other and from the colour of NaN") {
     for (std::size_t i = 0; i < 16; ++i) {
       CAPTURE(i);
       CHECK(color_difference(category_color(i), not_a_number_color) > 30);
@@ -108,7 +107,7 @@ TEST_SUITE("unit") {
     CHECK(category_color(16) == category_color(0));
   }
 
-  TEST_CASE("the middle of a diverging map is seen on white, and on black") {
+  TEST_CASE("the middle of a diverging map is visible on white and on black") {
     for (const Colormap& map : colormaps()) {
       if (!map.diverging) continue;
       CHECK(color_difference(map.at(0.5), white) > 20);
@@ -116,10 +115,10 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("the colour space") {
+  TEST_CASE("conversion to Lab colours matches reference values") {
     CHECK(lab_of({255, 255, 255}).L == Approx(100).epsilon(1e-4));
     CHECK(lab_of({0, 0, 0}).L == Approx(0));
-    // pure sRGB red: L* = 53.24, a* = 80.09, b* = 67.20
+    // L* = 53.24, a* = 80.09, b* = 67.20
     const Lab red = lab_of({255, 0, 0});
     CHECK(red.L == Approx(53.24).epsilon(1e-3));
     CHECK(red.a == Approx(80.09).epsilon(1e-3));

@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// The smallest rectangle that holds all pixels of a colour left of the colour bar.
+/// Bounding box of a colour left of `beyond`.
 struct Found {
   int left = 1 << 20, right = -1, top = 1 << 20, bottom = -1;
 };
@@ -50,7 +50,7 @@ bool same(const Image& a, const Image& b) { return a.pixels == b.pixels; }
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("each picture of a panel is in its row and column, all on one scale") {
+  TEST_CASE("each picture of a panel is in its row and column, and all have one scale") {
     const PanelOptions options = two_by_two();
     Panel panel(options);
     Particles low, high;
@@ -66,7 +66,7 @@ TEST_SUITE("image") {
     CHECK(first.bottom < last.top);
     CHECK(first.right - first.left == last.right - last.left);
     CHECK(first.bottom - first.top == last.bottom - last.top);
-    // the rim of a disc is blended with the white behind it
+    // the rim is blended
     CHECK(first.right - first.left == Approx(first.bottom - first.top).epsilon(0.05));
   }
 
@@ -111,7 +111,7 @@ TEST_SUITE("image") {
     CHECK_THROWS_AS(Panel{options}, UsageError);
   }
 
-  TEST_CASE("a panel of more pixels than are drawn is refused before there is memory for them") {
+  TEST_CASE("a panel with more pixels than the limit is refused before memory is allocated") {
     PanelOptions options = two_by_two();
     options.look.size.reset();
     options.rows.assign(20000, "t");
@@ -120,7 +120,7 @@ TEST_SUITE("image") {
     CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("at most 67 million are allowed"), UsageError);
   }
 
-  TEST_CASE("a bare panel is its pictures and nothing else, on any background") {
+  TEST_CASE("a bare panel contains only its pictures, on any background") {
     PanelOptions options = two_by_two();
     options.look.bare = true, options.look.background = {0, 0, 0};
     Panel panel(options);
@@ -128,7 +128,7 @@ TEST_SUITE("image") {
     panel.draw(0, 0, one_disc(disc, 0));
     const Image& image = panel.finish();
     const Found found = find_color(image, {68, 1, 84}, image.width);
-    CHECK(found.right - found.left > 60);  // a fifth of the view, in a picture that is half of the panel
+    CHECK(found.right - found.left > 60);  // a fifth of the view
     int bright = 0;
     for (int row = 0; row < image.height; ++row)
       for (int column = 0; column < image.width; ++column) bright += image.at(column, row)[0] > 100;

@@ -30,7 +30,7 @@ Image drawn(const Particles& particles, const Look& with) {
   return renderer.draw(particles.frame());
 }
 
-/// The smallest rectangle that holds all that is not white.
+/// Bounding box of non-white pixels.
 Rect extent(const Image& image) {
   int left = image.width, right = -1, top = image.height, bottom = -1;
   for (int row = 0; row < image.height; ++row) {
@@ -46,14 +46,13 @@ Rect extent(const Image& image) {
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("an empty frame is white where no text is") {
+  TEST_CASE("an empty frame is white where there is no text") {
     Renderer renderer(look(160, 100, unit_view));
     CHECK_FALSE(renderer.draw(one_disc(0, 0, 1, 0).frame()) == Image(160, 100));
     CHECK(renderer.draw(Particles().frame()) == Image(160, 100));
   }
 
-  TEST_CASE(
-      "an arrow stands at an end of the bar while something lies beyond it by more than half a colour") {
+  TEST_CASE("an arrow marks an end of the bar while a value lies beyond it by more than half a colour") {
     const Look with = look(640, 360, unit_view);
     const PageLayout layout = make_layout(640, 360, unit_view);
     const int middle = layout.key.x + static_cast<int>(0.5 * 1.15 * layout.font);
@@ -70,7 +69,7 @@ TEST_SUITE("image") {
                                              {-0.001, white, white},
                                              {std::numeric_limits<double>::infinity(), high, white},
                                              {std::numeric_limits<double>::quiet_NaN(), white, white}}) {
-      const auto& value_now = value;  // clang captures no bindings
+      const auto& value_now = value;
       CAPTURE(value_now);
       const Image image = drawn(one_disc(0, 0, 0.1, value), with);
       CHECK(image.at(middle, above) == top);
@@ -78,7 +77,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("what is counted has a colour each, and a legend in place of the bar, wider for long names") {
+  TEST_CASE("categories have a colour each and a legend in place of the bar, wider for long names") {
     Look with = look(640, 360, unit_view);
     with.range.reset(), with.colormap = nullptr;
     with.categories = {"ring", "a plate with a very long name", "ball"};
@@ -95,10 +94,10 @@ TEST_SUITE("image") {
       CHECK(in_legend > 20);
     }
     with.categories.assign(100, "one of many");
-    CHECK(extent(drawn(three, with)).height < 360);  // those that find no room are left out
+    CHECK(extent(drawn(three, with)).height < 360);  // some entries left out
   }
 
-  TEST_CASE("on a dark background texts are light, and nothing is left of the white one") {
+  TEST_CASE("on a dark background texts are light, and no white remains") {
     for (const bool solid : {false, true}) {
       CAPTURE(solid);
       Look with = look(640, 360, unit_view);
@@ -122,12 +121,12 @@ TEST_SUITE("image") {
           light += color[0] > 200 && color[2] > 200;
           lighter += color[0] > 240 && color[2] > 240;
         }
-      CHECK(light > 100);  // of the texts
+      CHECK(light > 100);  // texts
       CHECK(lighter == 0);
     }
   }
 
-  TEST_CASE("a glyph of another size is a disc, or a ball, of that diameter") {
+  TEST_CASE("a glyph with its own size is a disc, or a ball, of that diameter") {
     for (const bool solid : {false, true}) {
       CAPTURE(solid);
       Look with = look(400, 400, unit_view);
@@ -151,7 +150,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("an empty frame in 3D is white too") {
+  TEST_CASE("an empty frame in 3D is white") {
     // If libGL comes before OSMesa in the link line, OpenGL does nothing, and reports no error.
     Look with = look(160, 100, unit_view);
     with.camera.emplace();
@@ -159,13 +158,13 @@ TEST_SUITE("image") {
     frame.dim = 3;
     Renderer renderer(with);
     Image& image = const_cast<Image&>(renderer.draw(frame));
-    // an image begins white: only what was something else before tells that it was cleared
+    // new images are white already
     std::fill(image.pixels.begin(), image.pixels.end(), 7);
     renderer.draw(frame);
     CHECK(image == Image(160, 100));
   }
 
-  TEST_CASE("frame after frame is drawn as if it were the only one, whatever changes") {
+  TEST_CASE("a renderer draws each frame as if it were the only one, whatever changes between frames") {
     const Particles rings = two_rings(), disc = one_disc(0.03, 0.01, 0.02, 1),
                     beyond = one_disc(0, 0, 0.02, 2);
     const std::vector<double> cell = {0.02, 0.01, -0.01, 0.02};
@@ -188,29 +187,29 @@ TEST_SUITE("image") {
       CHECK(color_at(image, unit_view, 0.2, 0.3) == color);
       CHECK(color_at(image, unit_view, 0.2, 0.5) == color);
       CHECK(color_at(image, unit_view, 0.2, 0.6) == white);
-      CHECK(color_at(image, unit_view, 0.2, -0.3) == white);  // upright
+      CHECK(color_at(image, unit_view, 0.2, -0.3) == white);  // y is up
       CHECK(color_at(image, unit_view, -0.2, 0.3) == white);
     }
   }
 
-  TEST_CASE("a disc is round, of its size, and smooth at its rim") {
+  TEST_CASE("a disc is round, has its size and is smooth at its rim") {
     const Image image = drawn(one_disc(0.1, 0, 1.0, 0), look(200, 100, unit_view));
     const Rect rect = extent(image);
     CHECK(rect.width == 50);  // half of the view's height
     CHECK(rect.height == 50);
     double area = 0;
     for (int row = 0; row < 100; ++row) {
-      // viridis begins with 84 of 255 in blue: how much of a pixel is covered can be read off
+      // viridis' first blue is 84: gives the covered part
       for (int column = 0; column < 200; ++column) area += (255 - image.at(column, row)[2]) / (255.0 - 84);
     }
     CHECK(area == Approx(M_PI * 25 * 25).epsilon(0.005));
   }
 
-  TEST_CASE("a disc of a few pixels has its size, and one that is smaller fills its square") {
-    // by hand: r from a radius of 2 pixels on, √2 r + ¼ up to 1, and between them what lies between
+  TEST_CASE("a disc of a few pixels has its size, and a smaller one fills its square") {
+    // radius drawn: r from 2 pixels, √2 r + ¼ up to 1, interpolated between
     for (const auto& [radius, drawn_as] :
          {std::pair{0.8, 1.38137}, {1.0, 1.66421}, {1.5, 1.93566}, {2.0, 2.0}, {3.0, 3.0}, {6.0, 6.0}}) {
-      const auto& radius_now = radius;  // clang captures no bindings
+      const auto& radius_now = radius;
       CAPTURE(radius_now);
       const Image image = drawn(one_disc(0.003, 0.001, 2 * radius / 50, 0), look(100, 100, unit_view));
       double area = 0;
@@ -220,7 +219,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("axes are equal and the whole view is seen, whatever the shape of the picture") {
+  TEST_CASE("axes have equal scales and the whole view is visible, whatever the shape of the picture") {
     const View wide = {0, 10, 0, 1};
     for (const auto& [width, height] : {std::pair{100, 100}, {200, 70}, {70, 200}}) {
       Particles corners;
@@ -246,12 +245,12 @@ TEST_SUITE("image") {
     CHECK(color_at(image, unit_view, 0.75, 0) == Rgb{253, 231, 37});
   }
 
-  TEST_CASE("what is not a number has a colour of its own") {
+  TEST_CASE("NaN has a colour of its own") {
     const Image image = drawn(one_disc(0, 0, 0.4, NAN), look(100, 100, unit_view));
     CHECK(color_at(image, unit_view, 0, 0) == Rgb{255, 0, 255});
   }
 
-  TEST_CASE("particles without a finite place or size are left out") {
+  TEST_CASE("particles without a finite position or size are left out") {
     Particles particles;
     particles.add(NAN, 0, 0.4, 0.5);
     particles.add(0, INFINITY, 0.4, 0.5);
@@ -268,7 +267,7 @@ TEST_SUITE("image") {
     CHECK(image.at(4, 50) == white);
   }
 
-  TEST_CASE("of two overlapping discs the nearer centre has the pixel, whatever their order") {
+  TEST_CASE("a pixel of two overlapping discs shows the nearer centre, whatever their order") {
     Particles forth, back;
     forth.add(-0.2, 0, 0.8, 0), forth.add(0.2, 0, 0.8, 1);
     back.add(0.2, 0, 0.8, 1), back.add(-0.2, 0, 0.8, 0);
@@ -280,7 +279,7 @@ TEST_SUITE("image") {
     CHECK(difference.share < 0.002);
   }
 
-  TEST_CASE("neighbours too small for gaps look like a solid") {
+  TEST_CASE("neighbours too small for gaps look solid") {
     Particles particles;
     for (int i = -20; i <= 20; ++i) {
       for (int j = -20; j <= 20; ++j) particles.add(0.037 * i, 0.037 * j, 0.037, 0);  // 1.85 pixels
@@ -291,13 +290,13 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("the same frame gives the same bytes, from one renderer or two") {
+  TEST_CASE("the same frame gives the same bytes, from one renderer or from two") {
     const Particles particles = two_rings();
     const Particles other = one_disc(0, 0, 0.02, 1);
     const Look with = look(640, 360, rings_view);
     Renderer first(with);
     Renderer second(with);
-    first.draw(other.frame());  // few particles, then many, then few
+    first.draw(other.frame());
     const Image once = first.draw(particles.frame());
     first.draw(other.frame());
     CHECK(second.draw(particles.frame()) == once);
@@ -309,7 +308,7 @@ TEST_SUITE("image") {
     CHECK(text_of(folder / "a.png") == text_of(folder / "b.png"));
   }
 
-  TEST_CASE("a large picture is the small one enlarged") {
+  TEST_CASE("a disc in a large picture has its place and size to a pixel") {
     const Image image = drawn(one_disc(0, 0, 1.9, 0.5), look(5000, 2400, unit_view));
     const PageLayout layout = make_layout(5000, 2400, unit_view);
     const Rgb color = find_colormap("viridis")->table()[128];
@@ -322,7 +321,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("the colour bar goes from low at the bottom to high at the top, and what is written is seen") {
+  TEST_CASE("the colour bar goes from low at the bottom to high at the top, and its texts are visible") {
     Particles particles = one_disc(0, 0, 0.1, 0);
     const Look with = look(640, 360, unit_view);
     Renderer renderer(with);
@@ -345,7 +344,7 @@ TEST_SUITE("image") {
     CHECK(changes([&] { frame.unit = "m"; }));
   }
 
-  TEST_CASE("texts of any length leave the particles and the time alone") {
+  TEST_CASE("texts of any length do not cover the particles or the time") {
     const std::string longest(500, 'W');
     std::string letters;
     for (int i = 0; i < 100; ++i) letters += "ß→";
@@ -374,7 +373,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("pictures of the least and of odd sizes") {
+  TEST_CASE("pictures of the smallest size and of odd sizes are drawn") {
     for (const auto& [width, height] : {std::pair{64, 64}, {65, 333}, {333, 65}, {240, 120}, {1001, 121}}) {
       const Image image = drawn(one_disc(0, 0, 0.5, 0), look(width, height, unit_view));
       CHECK(color_at(image, unit_view, 0, 0) == Rgb{68, 1, 84});
@@ -406,7 +405,7 @@ TEST_SUITE("unit") {
     refused([](Look& with) { with.colormap = nullptr; });
   }
 
-  TEST_CASE("a look with something open is a bug") {
+  TEST_CASE("a look with an unset key throws a logic error") {
     const auto refused = [](auto&& change) {
       Look with = look(100, 100, unit_view);
       change(with);
@@ -417,7 +416,9 @@ TEST_SUITE("unit") {
     refused([](Look& with) { with.range.reset(); });
   }
 
-  TEST_CASE("particles in 3D need a camera, those in 2D have none, and a camera is in its bounds") {
+  TEST_CASE(
+      "3D particles need a camera, 2D particles must not have one, and a camera is checked against its "
+      "bounds") {
     Look with = look(64, 64, unit_view);
     FrameView frame;
     frame.dim = 3;
@@ -436,7 +437,7 @@ TEST_SUITE("unit") {
     refused({.field_of_view = 121});
   }
 
-  TEST_CASE("arrays that do not match are a bug") {
+  TEST_CASE("arrays of unequal lengths throw a logic error") {
     Renderer renderer(look(64, 64, unit_view));
     Particles particles = one_disc(0, 0, 1, 1);
     particles.x.pop_back();

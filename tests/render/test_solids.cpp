@@ -15,7 +15,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Particles in 3D that a test can move about.
 struct Bodies {
   std::vector<double> x, diameter, value, cell;
 
@@ -35,7 +34,7 @@ struct Bodies {
 
 const Camera along_y{.from = {0, -1, 0}};
 
-/// The whole picture is the plot.
+/// The plot fills the picture.
 Look bare(const Camera& camera, int width = 200, int height = 200) {
   Look with = look(width, height, unit_view);
   with.camera = camera;
@@ -59,7 +58,7 @@ Bodies lattice(int n) {
   return bodies;
 }
 
-/// How far the colour is from a darker one of the same hue, of 255.
+/// Greatest deviation of a channel from `base` scaled to the colour's brightness.
 double hue_difference(Rgb color, Rgb base) {
   const double light = static_cast<double>(color[0] + color[1] + color[2]) / (base[0] + base[1] + base[2]);
   double difference = light > 1.01 ? 255 : 0;
@@ -70,7 +69,7 @@ double hue_difference(Rgb color, Rgb base) {
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("a sphere is seen as a disc of its size, wherever the camera stands, and keeps its hue") {
+  TEST_CASE("a sphere is a disc of its size from any camera position, and keeps its hue") {
     const Rgb base = find_colormap("viridis")->table()[191];
     for (const Camera& camera : {along_y, Camera{}, Camera{.from = {0, 0, 5}}}) {
       Bodies one;
@@ -79,7 +78,7 @@ TEST_SUITE("image") {
       int inside = 0, wrong = 0;
       for (int row = 0; row < 200; ++row) {
         for (int column = 0; column < 200; ++column) {
-          const double r = std::hypot(column - 99.5, row - 99.5);  // pixels; the sphere has 50
+          const double r = std::hypot(column - 99.5, row - 99.5);  // radius 50 pixels
           if (r > 51) wrong += image.at(column, row) != white;
           if (r < 49) ++inside, wrong += hue_difference(image.at(column, row), base) > 2;
         }
@@ -87,13 +86,13 @@ TEST_SUITE("image") {
       CHECK(inside > 7000);
       CHECK(wrong == 0);
       const auto [left, right] = std::pair(image.at(80, 80), image.at(125, 125));
-      CHECK(left[1] > right[1] + 20);  // the light comes from the upper left
+      CHECK(left[1] > right[1] + 20);  // light from the upper left
       CHECK(hue_difference(image.at(100, 100), base) <= 2);
-      CHECK(image.at(100, 100)[1] > 0.9 * base[1]);  // what looks at the camera has its colour
+      CHECK(image.at(100, 100)[1] > 0.9 * base[1]);  // facing the camera
     }
   }
 
-  TEST_CASE("the nearer of two spheres is seen, whatever their order, and both where they meet") {
+  TEST_CASE("the nearer of two spheres is visible, whatever their order, and both where they intersect") {
     for (const bool swapped : {false, true}) {
       Bodies two;
       const auto add_near = [&] { two.add({0, -0.6, 0}, 0.8, 1); };
@@ -103,11 +102,10 @@ TEST_SUITE("image") {
       const Rgb yellow = find_colormap("viridis")->at(1);
       const Image front = drawn(two, bare(along_y));
       CHECK(hue_difference(front.at(100, 100), yellow) <= 2);
-      CHECK(hue_difference(front.at(144, 100), yellow) > 10);  // the other shows beside it
+      CHECK(hue_difference(front.at(144, 100), yellow) > 10);  // the other sphere
       const Image behind = drawn(two, bare({.from = {0, 1, 0}}));
       CHECK(hue_difference(behind.at(100, 100), yellow) > 10);
     }
-    // two that overlap at one depth share the picture in the middle
     Bodies pressed;
     pressed.add({-0.2, 0, 0}, 0.8, 0), pressed.add({0.2, 0, 0}, 0.8, 1);
     const Image image = drawn(pressed, bare(along_y));
@@ -115,9 +113,9 @@ TEST_SUITE("image") {
     CHECK(hue_difference(image.at(102, 100), find_colormap("viridis")->at(1)) <= 2);
   }
 
-  TEST_CASE("spheres that others hide are left out, and no pixel shows it") {
+  TEST_CASE("hidden spheres are left out without a change of any pixel") {
     Bodies all = lattice(20);
-    for (std::size_t i = 0; i < all.diameter.size(); ++i)  // some overlap, and between some there are gaps
+    for (std::size_t i = 0; i < all.diameter.size(); ++i)  // overlaps and gaps
       all.diameter[i] *= 1 + 0.5 * std::sin(7.0 * static_cast<double>(i));
     const View view = unit_view;
     const PageLayout layout = make_layout(400, 300, view, false);
@@ -128,7 +126,7 @@ TEST_SUITE("image") {
       solids.place_balls(all.frame(), projection, colors);
       const std::vector<Ball> seen(solids.balls().begin(), solids.balls().end());
       std::vector<Ball> every;
-      for (std::size_t i = 0; i < all.value.size(); i += 1000) {  // too few to be looked through
+      for (std::size_t i = 0; i < all.value.size(); i += 1000) {  // too few for culling
         FrameView part = all.frame();
         part.x = part.x.subspan(3 * i, 3000), part.value = part.value.subspan(i, 1000);
         part.diameter = part.diameter.subspan(i, 1000);
@@ -145,7 +143,7 @@ TEST_SUITE("image") {
       };
       paint(few, seen);
       paint(many, every);
-      int greatest = 0;  // depths are rounded to another range without those behind
+      int greatest = 0;  // depth range and rounding change
       for (std::size_t k = 0; k < few.pixels.size(); ++k)
         greatest = std::max(greatest, std::abs(few.pixels[k] - many.pixels[k]));
       CHECK(greatest <= 1);
@@ -153,7 +151,7 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("a box of cells is a closed surface") {
-    // sheared: 12³ cells without those inside; seen along y a parallelogram 0.96 wide that leans by 0.24
+    // outer cells of 12³, sheared: seen along y 0.96 wide, leaning by 0.24
     Bodies box;
     const int n = 12;
     const double dp = 0.08;
@@ -197,7 +195,7 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("a hollow between bodies is darker than an open face") {
-    Bodies bodies;  // a floor seen from above, and a tower on it
+    Bodies bodies;  // a floor and a tower
     for (int i = -10; i <= 10; ++i)
       for (int j = -10; j <= 10; ++j) {
         bodies.add({0.09 * i, 0.09 * j, 0}, 0.09, 0.5);
@@ -208,14 +206,14 @@ TEST_SUITE("image") {
     bodies.add({0, 0, 0.25}, 0.4, 0.5);
     bodies.add_cell({0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4});
     const Image covered = drawn(bodies, bare(above));
-    CHECK(covered.at(124, 100)[1] < open.at(124, 100)[1] - 10);  // four pixels beside the tower
-    CHECK(covered.at(170, 100) == open.at(170, 100));            // far from it
+    CHECK(covered.at(124, 100)[1] < open.at(124, 100)[1] - 10);  // beside the tower
+    CHECK(covered.at(170, 100) == open.at(170, 100));
     const Rgb base = find_colormap("viridis")->table()[128];
     CHECK(hue_difference(covered.at(124, 100), base) <= 2);
   }
 
-  TEST_CASE("a picture in 3D drawn in bands is like one that is not") {
-    // 4000 × 2400 pixels are more than a band holds, and half of that is not
+  TEST_CASE("a 3D picture drawn in bands is like one drawn at once") {
+    // several bands, and one
     const Bodies bodies = lattice(9);
     const Image small = drawn(bodies, bare({}, 2000, 1200)), large = drawn(bodies, bare({}, 4000, 2400));
     double greatest = 0;

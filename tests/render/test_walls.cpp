@@ -15,7 +15,6 @@ using namespace taut::test;
 
 namespace {
 
-/// One particle before a wall.
 struct Scene {
   std::vector<double> x, diameter{0.2}, value{0.5};
   std::vector<WallFace> walls;
@@ -51,10 +50,10 @@ const Rect whole{0, 0, 200, 200};
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("a wall in 2D is a line along its face, with strokes behind it and none before") {
+  TEST_CASE("a wall in 2D is a line along its face, with strokes only behind it") {
     struct Case {
       WallFace wall;
-      Rect behind, before;  // of the picture: 100 pixels are a metre, y upwards
+      Rect behind, before;  // 100 pixels per metre, y upwards
     };
     for (const Rgb background : {white, Rgb{0, 0, 0}}) {
       for (const auto& [wall, behind, before] :
@@ -77,12 +76,12 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("the strokes of a wall in 2D stay with the wall as the view moves") {
+  TEST_CASE("the strokes of a wall in 2D move with the wall") {
     Scene here(2, {{0, -0.5, 0}, {0, 1, 0}}), there = here;
-    there.walls[0].at[0] = 0.1;  // 10 pixels
+    there.walls[0].at[0] = 0.1;
     there.x[0] = 0.1;
     const Image a = drawn(here, bare(2)), b = drawn(there, bare(2));
-    int greatest = 0;  // of a gray level; the places are rounded
+    int greatest = 0;  // rounding
     for (int row = 0; row < 200; ++row)
       for (int column = 10; column < 200; ++column)
         greatest = std::max(greatest, std::abs(a.at(column - 10, row)[0] - b.at(column, row)[0]));
@@ -90,7 +89,7 @@ TEST_SUITE("image") {
     CHECK_FALSE(a == b);
   }
 
-  TEST_CASE("a wall that the view does not reach leaves no trace, nor does one at no finite place") {
+  TEST_CASE("a wall outside the view or at a non-finite place leaves no trace") {
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
       Scene scene(dim, {{0, 0, 0}, {0, 0, 1}});
@@ -110,7 +109,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("frames before a wall do not see the frame before, and the wall stays in the plot") {
+  TEST_CASE("a wall is drawn independently of the previous frame and stays in the plot") {
     Scene first(2, {{0, -0.5, 0}, {0.6, 0.8, 0}}), second = first;
     second.walls[0].at[1] = -0.3;
     const Look with = look(640, 360, unit_view);
@@ -134,8 +133,9 @@ TEST_SUITE("image") {
     CHECK(outside == 0);
   }
 
-  TEST_CASE("a wall in 3D is a grid on its face, behind what stands before it and before what is behind it") {
-    // The camera looks along y; the face is seen straight on.
+  TEST_CASE(
+      "a wall in 3D is a grid on its face that hides objects behind it and is hidden by objects before it") {
+    // camera perpendicular to the face
     const auto center = [](double y) { return WallFace{{0, y, 0}, {0, -1, 0}}; };
     for (const Rgb background : {white, Rgb{0, 0, 0}}) {
       Scene behind(3, center(0.5)), before(3, center(-0.5)), none(3, center(0));
@@ -155,7 +155,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("a wall seen from its edge is a line, and one through the camera does not hang") {
+  TEST_CASE("a wall seen from its edge is a line, and a wall through the camera is drawn") {
     const Image edge = drawn(Scene(3, {{0, 0, -0.5}, {0, 0, 1}}), bare(3));
     CHECK(painted(edge, {0, 140, 200, 20}) > 20);
     CHECK(painted(edge, {0, 160, 200, 40}) == 0);
@@ -166,7 +166,7 @@ TEST_SUITE("image") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("the grid on a wall lies on its face, about the points, in whole cells from the wall's place") {
+  TEST_CASE("the grid on a wall lies on its face around the points, in whole cells from the wall's place") {
     for (const Vector& normal : {Vector{0, 0, 1}, Vector{0, -1, 0}, Vector{0.6, 0, -0.8}, Vector{1, 0, 0}}) {
       const WallFace wall{{0.1, 0.2, 0.3}, normal};
       const std::vector<Vector> points{{1, 2, 3}, {1.4, 2.2, 3.3}};
@@ -177,13 +177,13 @@ TEST_SUITE("unit") {
         for (const Vector& end : {from, to}) {
           const Vector d{end[0] - wall.at[0], end[1] - wall.at[1], end[2] - wall.at[2]};
           CHECK(dot(d, normal) == Approx(0).scale(1).epsilon(1e-12));
-          const double cells = dot(d, d) / (0.25 * 0.25);  // p² + q² of whole numbers
+          const double cells = dot(d, d) / (0.25 * 0.25);  // p² + q²
           CHECK(cells == Approx(std::round(cells)).epsilon(1e-9));
         }
     }
   }
 
-  TEST_CASE("a point that is lost makes no grid without end") {
+  TEST_CASE("a lost point does not make an endless grid") {
     const WallFace wall{{0, 0, 0}, {0, 0, 1}};
     std::vector<Vector> points(100, Vector{1, 1, 1});
     const std::size_t whole_ones = grid_on(wall, points, 0.1).size();

@@ -1,5 +1,5 @@
-# What `run` lets the program do: sourced by each of its pieces, which stands in an empty folder of its own. The
-# commands of the last part are the pieces `command_…`; each of the program's commands is in one of them.
+# Pieces that `run` executes; each sources this file and starts in an empty folder of its own. The functions
+# `command_…` at the end run every command of the program.
 
 short_run() {  # SCENE METHOD SPACING UNTIL
   taut run "$1" --method "$2" --spacing "$3" --until "$4" --threads 2 --frames 2 --size 160x120 --save-particles \
@@ -19,7 +19,7 @@ frame a.png
 END
 }
 
-# A run that is interrupted once it has a checkpoint, and goes on to its end. One that is done before that is fine.
+# Interrupts a run once it has a checkpoint, and resumes it; a run that ends before is accepted.
 resumed() {  # SCENE METHOD SPACING UNTIL
   local code=0
   "$taut" run "$1" --method "$2" --spacing "$3" --until "$(times "$4" 3)" --checkpoint-every "$(times "$4" 0.2)" \
@@ -40,7 +40,7 @@ expect() {
   ((code == $1)) || { echo "exit code $code instead of $1: ${*:2}" >&2; return 99; }
 }
 
-rings() {  # OUT OPTION...: 120 particles or so
+rings() {  # OUT OPTION...: about 120 particles
   taut run colliding-rings --spacing 0.004 --until 4e-4 --frames 3 --size 320x180 --save-particles --quiet \
     --threads 2 --out "$@"
 }
@@ -193,7 +193,7 @@ command_session() {
   expect 2 taut session colliding-rings --strict <<<nonsense
 }
 
-# on a terminal: lines are edited and completed, progress is shown, a picture is made of characters
+# on a terminal: line editing, completion, progress, a preview made of characters
 command_terminal() {
   [[ $(type -P script) ]] || return 0
   printf 'st\t 3\ninfo\npreview\nrun until 1e-4\nquit\n' |

@@ -9,7 +9,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Of scenes/bending-column.toml at Poisson's ratio 0.499, a first swing long.
+/// scenes/bending-column.toml at ν = 0.499, first swing.
 double pressure_checkerboard(const TemporaryFolder& folder, const std::vector<std::string>& more) {
   std::vector<std::string> arguments{
       "run", "bending-column", "--set", "poisson_ratio=0.499", "--until", "0.6", "--out", folder.str("out")};
@@ -25,9 +25,10 @@ double pressure_checkerboard(const TemporaryFolder& folder, const std::vector<st
 
 TEST_SUITE("failure") {
   TEST_CASE(
-      "bending column: near incompressibility the pressure of pf-jst alternates, that of pfj-jst hardly") {
+      "bending column: near incompressibility the pressure of pf-jst alternates three times as much as with "
+      "pfj-jst") {
     const TemporaryFolder folder;
-    for (const std::string spacing : {"0.3333", "0.2"}) {  // [Lee2016] Fig. 23: 3 × 18, and finer
+    for (const std::string spacing : {"0.3333", "0.2"}) {  // [Lee2016] Fig. 23, and finer
       CAPTURE(spacing);
       const double smooth = pressure_checkerboard(folder, {"--spacing", spacing});
       CHECK(smooth > 1e-4);

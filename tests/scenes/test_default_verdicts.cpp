@@ -10,7 +10,6 @@ namespace of_this_file {
 using namespace taut::cli;
 using namespace taut::test;
 
-/// The head of each shipped scene states how a run with its defaults ends.
 namespace {
 
 struct Documented {

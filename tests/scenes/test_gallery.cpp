@@ -34,6 +34,17 @@ SceneFile read(const fs::path& scene, const std::string& spacing = {}) {
   return file;
 }
 
+/// Values of the probes of a scene at `until`, s.
+std::vector<double> values_at(double until, const char* name, const char* method) {
+  SceneFile file = read(gallery / name);
+  file.settings.method = method;
+  const auto simulation = make_simulation(file.scene, file.settings);
+  simulation->advance_to(until);
+  std::vector<double> last;
+  for (const std::vector<double>& value : simulation->series().value) last.push_back(value.back());
+  return last;
+}
+
 }  // namespace
 
 TEST_SUITE("cli") {
@@ -56,18 +67,19 @@ TEST_SUITE("cli") {
       make_steps(*simulation, 5);
       CHECK(simulation->time() > 0);
     }
-    CHECK(scenes == 9);
+    CHECK(scenes == 11);
   }
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("gallery: the period of a beam that swings to one side is that of its crossings of their mean") {
+  TEST_CASE(
+      "gallery: the period of a beam that swings to one side follows from crossings of the mean deflection") {
     const SceneFile file = read(gallery / "swinging-beam.toml", "0.005");
     const auto simulation = make_simulation(file.scene, file.settings);
     simulation->advance_to(file.scene.until);
     const Series& series = simulation->series();
     const auto& [t, y] = std::tie(series.time, series.value[0]);
-    // from the mean of all to that over the whole periods between the first crossing downwards and the last
+    // mean over whole periods
     double level = 0, period = 0;
     int crossings = 0;
     for (std::size_t i = 1; i < t.size(); ++i) level += (y[i] + y[i - 1]) / 2 * (t[i] - t[i - 1]) / t.back();
@@ -91,9 +103,7 @@ TEST_SUITE("analytic") {
     CHECK(std::abs(*measured[0].value / period - 1) < 0.01);
   }
 
-  TEST_CASE(
-      "gallery: the force of a bar that is drawn out is that of its law, with a negative Poisson's ratio "
-      "too") {
+  TEST_CASE("gallery: the force of a pulled bar follows its law, also with a negative Poisson's ratio") {
     for (const double poisson_ratio : {0.4, -0.4}) {
       CAPTURE(poisson_ratio);
       SceneFile file = read(gallery / "pulled-bar.toml");
@@ -116,7 +126,7 @@ TEST_SUITE("analytic") {
         CAPTURE(at);
         const std::size_t i = std::ranges::lower_bound(stretch, at) - stretch.begin();
         REQUIRE(i < stretch.size());
-        double thin = 0.3, thick = 1.8;  // where nothing pulls across
+        double thin = 0.3, thick = 1.8;  // zero lateral stress
         for (int k = 0; k < 50; ++k) {
           const double middle = 0.5 * (thin + thick);
           (piola(stretch[i], middle)(1, 1) > 0 ? thick : thin) = middle;
@@ -124,6 +134,27 @@ TEST_SUITE("analytic") {
         CHECK(force[i] / (0.04 * piola(stretch[i], thin)(0, 0)) == relative(1, 0.002));
       }
     }
+  }
+}
+
+TEST_SUITE("failure") {
+  TEST_CASE("gallery: tension resists a lateral force with oenog, and hardly with enog") {
+    // a clamped beam under tension, for small strains: E' I = E h³/12/(1 − ν²)
+    const double E = 1e7 / (1 - 0.09), L = 0.4, h = 0.01, strain = 0.05, Q = 55, T = E * h * strain;
+    const double deflection = Q / (2 * T) * ((1 + strain) * L / 4 - std::sqrt(E * h * h * h / 12 / T));
+    CHECK(values_at(0.55, "tensioned-strip.toml", "oenog")[0] == relative(deflection, 0.1));
+    CHECK(values_at(0.55, "tensioned-strip.toml", "enog")[0] > 6 * deflection);
+  }
+
+  TEST_CASE("gallery: a column buckles at Euler's load with oenog, and not with enog") {
+    const double E = 1e7 / (1 - 0.09), L = 0.4, h = 0.02, pi = 3.14159265358979;
+    const double load = 4 * pi * pi * E * h * h * h / 12 / (L * L);  // N/m
+    const std::vector<double> oenog = values_at(0.7, "pressed-column.toml", "oenog"),
+                              enog = values_at(0.7, "pressed-column.toml", "enog");
+    CHECK(oenog[0] > h);
+    CHECK(oenog[1] == relative(load, 0.05));
+    CHECK(enog[0] < 0.01 * h);
+    CHECK(enog[1] > 2 * load);
   }
 }
 

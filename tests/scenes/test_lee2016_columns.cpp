@@ -12,7 +12,7 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/measures.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/error.hpp"
 #include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
@@ -22,14 +22,14 @@ namespace of_this_file {
 using namespace taut;
 using namespace taut::cli;
 
-/// What [Lee2016] says of its §8.6 to 8.9, with its numbers of particles.
+/// Tests of [Lee2016] §8.6–8.9.
 namespace {
 
 struct Run {
   std::map<std::string, MeasureResult> measure;
   Verdict verdict = Verdict::stable;
-  double checkerboard = 0;  // greatest, of the pressure
-  double gain = 0;          // greatest energy above what was given, over what was given
+  double checkerboard = 0;  // of the pressure
+  double gain = 0;          // over the energy supplied
   Snapshot end;
 
   double value(const std::string& name) const {
@@ -52,7 +52,7 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
   const auto simulation = make_simulation(file.scene, file.settings);
   Judge judge(file.scene, *simulation);
   IndicatorGauge gauge(file.scene, simulation->snapshot());
-  IndicatorRecord record;  // of the pressure
+  IndicatorRecord record;
   const Balance start = balance(simulation->snapshot(), file.scene);
   Run run;
   constexpr int looks = 40;
@@ -83,7 +83,7 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
 
 const Setting smoothed_J{"method.eps_J4", "0.125"};
 
-/// Root of the mean square distance of two runs' particles at the end, m.
+/// RMS distance of two runs' particles, m.
 double apart(const Run& a, const Run& b) {
   double sum = 0;
   for (std::size_t k = 0; k < a.end.x.size(); ++k) sum += std::pow(a.end.x[k] - b.end.x[k], 2);
@@ -99,9 +99,9 @@ std::vector<Setting> with(std::vector<Setting> settings, const Setting& more) {
 
 TEST_SUITE("analytic") {
   // §8.8, Fig. 22
-  TEST_CASE("bending column in 3D: pf-jst and oenog swing as finite elements do") {
+  TEST_CASE("bending column in 3D: pf-jst and oenog swing like finite elements") {
     const Run column = run("bending-column-3d", "pf-jst");
-    // the place at 1.5 s, over how far it is from the one at the start
+    // error at 1.5 s over the displacement
     const double off = std::hypot(column.off("top_x_1500ms"), column.off("top_y_1500ms"));
     CHECK(off < 0.05 * std::hypot(2.689, 0.759));
     CHECK(column.gain < 1e-9);
@@ -113,11 +113,13 @@ TEST_SUITE("analytic") {
   }
 
   // §8.9, Fig. 25, 26
-  TEST_CASE("twisting column: pf-jst twists as finite elements do, the finer the nearer, about the axis") {
+  TEST_CASE(
+      "twisting column: pf-jst twists like finite elements, converges with the spacing and stays on the "
+      "axis") {
     double before = 1;
-    // 4 × 19 × 4, "overly flexible", 5 × 25 × 5 and 7 × 37 × 7
+    // 4 ("overly flexible"), 5 and 7 particles across
     for (const auto& [spacing, most] : {std::pair{"0.3333333", 1.0}, {"0.25", 0.1}, {"0.1666667", 0.03}}) {
-      const auto& spacing_now = spacing;  // clang captures no bindings
+      const auto& spacing_now = spacing;
       CAPTURE(spacing_now);
       const Run column = run("twisting-column", "pf-jst", {{"spacing", spacing}, {"until", "0.26"}});
       CHECK(column.off("twist_100ms") > 0);
@@ -130,11 +132,11 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("twisting column: oenog twists as finite elements do, about the axis") {
+  TEST_CASE("twisting column: oenog twists like finite elements and stays on the axis") {
     const Run column = run("twisting-column", "oenog");
     CHECK(column.error("twist_100ms") < 0.015);
     CHECK(column.error("twist_250ms") < 0.015);
-    CHECK(column.value("twist_rmse") < 0.006);  // 0.004
+    CHECK(column.value("twist_rmse") < 0.006);
     CHECK(column.value("axis_x") < 1e-10);
     CHECK(column.value("axis_z") < 1e-10);
     CHECK(column.verdict == Verdict::stable);
@@ -143,8 +145,7 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("failure") {
   // §8.6, Fig. 16
-  TEST_CASE(
-      "punch: at ν = 0.499 the pressure of tl and pf-jst checkers, that of the methods with J does not") {
+  TEST_CASE("punch: at ν = 0.499 tl and pf-jst have a pressure checkerboard, and methods with J have none") {
     const Run smooth = run("punch", "pfj-jst", {smoothed_J});
     CHECK(smooth.checkerboard < 0.06);
     for (const std::string method : {"tl", "pf", "pf-jst"}) {
@@ -160,7 +161,7 @@ TEST_SUITE("failure") {
   }
 
   // §8.7, Fig. 18, 20
-  TEST_CASE("punch cube: tl and pf without dissipation come apart, pf-jst goes through it") {
+  TEST_CASE("punch cube: tl and pf without dissipation fracture, and pf-jst survives") {
     const Run smooth = run("punch-cube", "pf-jst");
     CHECK(smooth.verdict <= Verdict::hourglass);
     CHECK(smooth.gain < 1e-9);
@@ -174,19 +175,21 @@ TEST_SUITE("failure") {
   }
 
   // §8.7, Fig. 19
-  TEST_CASE("punch cube: of Mooney–Rivlin rubber the methods with J and with H too hold, and are alike") {
+  TEST_CASE("punch cube: with Mooney–Rivlin rubber the methods with J and with H too survive and agree") {
     const std::vector<Setting> rubber{
         {"law", "mooney-rivlin"}, {"poisson_ratio", "0.495"}, {"until", "0.0125"}, smoothed_J};
     const Run with_J = run("punch-cube", "pfj-jst", rubber), with_H = run("punch-cube", "pfhj-jst", rubber);
     for (const Run& cube : {with_J, with_H}) {
-      CHECK(cube.verdict <= Verdict::hourglass);  // what is drawn out beside the punch is no crack
+      CHECK(cube.verdict <= Verdict::hourglass);  // a strip beside the punch is no crack
       CHECK(cube.gain < 1e-9);
     }
     CHECK(apart(with_J, with_H) < 1e-3);
   }
 
   // Remark 2
-  TEST_CASE("twisting column: with the neo-Hookean law H of its own matters by the square of the step only") {
+  TEST_CASE(
+      "twisting column: in a neo-Hookean law an independent H changes the result only by the square of the "
+      "step") {
     std::vector<double> off;
     for (const std::string cfl : {"0.24", "0.12"}) {
       const std::vector<Setting> brief{{"spacing", "0.25"}, {"until", "0.02"}, {"cfl", cfl}, smoothed_J};
@@ -198,9 +201,8 @@ TEST_SUITE("failure") {
   }
 
   // §8.8, Fig. 23
-  TEST_CASE("bending column in 3D: at ν = 0.499 the pressure of pf-jst checkers, that of pfj-jst does not") {
-    // with three particles across; at the greater step of the method a section of two cells breathes ever
-    // more
+  TEST_CASE("bending column in 3D: at ν = 0.499 pf-jst has a pressure checkerboard, and pfj-jst has none") {
+    // at the default step a section of two cells oscillates with growing amplitude
     const std::vector<Setting> coarse{
         {"poisson_ratio", "0.499"}, {"spacing", "0.5"}, {"cfl", "0.1"}, {"until", "0.3"}};
     const Run smooth = run("bending-column-3d", "pfj-jst", with(coarse, smoothed_J));
@@ -209,7 +211,7 @@ TEST_SUITE("failure") {
   }
 
   // §8.9, Fig. 28
-  TEST_CASE("twisting column: at ν = 0.499 the pressure of pf-jst checkers, that of pfj-jst does not") {
+  TEST_CASE("twisting column: at ν = 0.499 pf-jst has a pressure checkerboard, and pfj-jst has none") {
     const std::vector<Setting> stiff{{"poisson_ratio", "0.499"}, {"spacing", "0.25"}, {"until", "0.06"}};
     const Run smooth = run("twisting-column", "pfj-jst", with(stiff, smoothed_J));
     CHECK(smooth.verdict == Verdict::stable);

@@ -15,7 +15,7 @@
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/lines.hpp"
 #include "engine/diagnostics/measures.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
 
@@ -24,16 +24,16 @@ namespace of_this_file {
 using namespace taut;
 using namespace taut::cli;
 
-/// What [Lee2016] says of its §8.1 and 8.3 to 8.5, with its numbers of particles.
+/// Tests of [Lee2016] §8.1 and §8.3–8.5.
 namespace {
 
 struct Run {
   std::map<std::string, MeasureResult> measure;
   Verdict verdict = Verdict::stable;
-  double zigzag = 0, noise = 0;  // greatest, of the places and of the pressure
+  double zigzag = 0, noise = 0;  // of positions, of the pressure
   Conservation kept;
-  double gain = 0;    // greatest energy above what was given, over what was given
-  double volume = 1;  // that is farthest from the one at the start, over it
+  double gain = 0;    // over the energy supplied
+  double volume = 1;  // farthest from 1
 
   double value(const std::string& name) const {
     INFO(name);
@@ -43,8 +43,7 @@ struct Run {
   double off(const std::string& name) const { return value(name) - *measure.at(name).reference; }
 };
 
-/// The share of the pressure that alternates from particle to particle, over those that start beyond x, m:
-/// the greatest part over the greatest whole, as an indicator counts it.
+/// Alternating part over the whole pressure, of particles that start beyond x, m.
 class PressureNoise {
  public:
   PressureNoise(const Snapshot& start, double spacing, double beyond)
@@ -123,13 +122,12 @@ const std::vector<std::string> with_jst = {"pf-jst", "pfj-jst", "pfhj-jst"};
 
 TEST_SUITE("failure") {
   // §8.1, Fig. 3, 4
-  TEST_CASE(
-      "cable in 3D: waves come when they should, and what harmonic dissipation takes are the overshoots") {
+  TEST_CASE("cable in 3D: waves arrive on time, and harmonic dissipation removes only overshoots") {
     const double displacement = 2.5e-3, speed = 5;  // m, m/s
     double before = speed;
     for (const std::string eps : {"0", "0.03125", "0.125"}) {
       CAPTURE(eps);
-      // to the free end and half-way back
+      // the wave is half-way back
       const Run cable = run("cable-3d", "pf-jst", {{"method.eps_v2", eps}, {"until", "0.004"}});
       CHECK(cable.value("end_rmse") < 0.05 * displacement);
       const double beyond = std::max(cable.value("overshoot"), -cable.value("undershoot")) - speed;
@@ -143,7 +141,8 @@ TEST_SUITE("failure") {
   }
 
   // §8.3, Fig. 7, 8
-  TEST_CASE("spinning cube: both momenta are kept to round-off, the pressure is smooth") {
+  TEST_CASE(
+      "spinning cube: linear and angular momentum are conserved to round-off, and the pressure is smooth") {
     for (const std::string& method : with_jst) {
       CAPTURE(method);
       const Run cube = run("spinning-cube", method);
@@ -157,10 +156,8 @@ TEST_SUITE("failure") {
     CHECK(*free.kept.angular_momentum > 1e-6);
   }
 
-  // Waves of ten particles a length run slow. Of the side, the corner of pf-jst is off by 2.5 % after one
-  // turn and by 6.5 % after three, whatever weights the particles on faces have; that of oenog by 1.3 and 4.0
-  // %.
-  TEST_CASE("spinning cube: the corner goes as that of finite elements, ten particles along a side") {
+  // Corner errors after one and three turns: pf-jst 2.5 % and 6.5 %, oenog 1.3 % and 4.0 %.
+  TEST_CASE("spinning cube: with ten particles along a side the corner follows finite elements") {
     for (const std::string method : {"pf-jst", "oenog"}) {
       CAPTURE(method);
       CHECK(run("spinning-cube", method, {{"spacing", "1/9"}, {"until", "0.05"}}).value("corner_error") <
@@ -170,8 +167,9 @@ TEST_SUITE("failure") {
   }
 
   // §8.4, Fig. 9 to 11
-  TEST_CASE("tensile cube: zigzags of tl and of pf without dissipation, none with, and all of these alike") {
-    const double height = 0.26;  // greatest rise of the top, m
+  TEST_CASE(
+      "tensile cube: tl and pf without dissipation zigzag, and methods with dissipation do not and agree") {
+    const double height = 0.26;  // m
     const Run first = run("tensile-cube", "pf-jst");
     for (const std::string& method : with_jst) {
       CAPTURE(method);
@@ -179,7 +177,8 @@ TEST_SUITE("failure") {
       CHECK(cube.verdict == Verdict::stable);
       CHECK(std::abs(cube.off("top_580us")) < 0.05 * height);
       CHECK(std::abs(cube.off("top_1700us")) < 0.05 * height);
-      CHECK(std::abs(cube.off("top_2100us")) < 0.11 * height);  // 9 %, as the dissipation has it, see below
+      // 9 %, due to the dissipation, see below
+      CHECK(std::abs(cube.off("top_2100us")) < 0.11 * height);
       CHECK(cube.value("foot_rmse") == 0);
       for (const char* top : {"top_580us", "top_1700us", "top_2100us"})
         CHECK(std::abs(cube.value(top) - first.value(top)) < 0.005 * height);
@@ -194,9 +193,8 @@ TEST_SUITE("failure") {
     }
   }
 
-  // That the top comes back early at 8³ is what ε₄ = 1/8 does there, however well it is solved: with half the spacing and
-  // the same ε₄ dp³ it is 10 %, with a third and a quarter 10.4 and 10.5 %.
-  TEST_CASE("tensile cube: the dissipation of 8³ brings the top back early at half the spacing too") {
+  // With the same ε₄ dp³ the error stays at 10 % for half, a third and a quarter of the spacing.
+  TEST_CASE("tensile cube: the dissipation of 8³ makes the top return early at half the spacing too") {
     const double height = 0.26;  // m
     const Run fine =
         run("tensile-cube", "pf-jst", {{"spacing", "1/14"}, {"method.eps_v4", "1"}, {"until", "0.0021"}});
@@ -205,11 +203,12 @@ TEST_SUITE("failure") {
     CHECK(std::abs(fine.off("top_580us")) < 0.02 * height);
   }
 
-  // §8.5, Fig. 13, 14. At the edge of the punch, which sticks, particles part. Of a neo-Hookean material {p,
-  // F, H, J} is {p, F, J} but for steps of time, as on the tensile cube.
-  TEST_CASE("coining: the pressure of pf checkers, that of the dissipated methods does not, down to 46 %") {
-    const double beyond = 0.015;             // half a punch away from its edge, m
-    const double least_volume = 1 - 0.0285;  // finite elements, at 0.12 ms: the first wave of pressure
+  // §8.5, Fig. 13, 14. Particles separate at the punch's edge. {p, F, H, J} equals {p, F, J} for neo-Hookean.
+  TEST_CASE(
+      "coining: at 46 % of its height pf has a pressure checkerboard, and methods with dissipation have "
+      "none") {
+    const double beyond = 0.015;             // half a punch from its edge, m
+    const double least_volume = 1 - 0.0285;  // finite elements, at 0.12 ms
     const Run rough = run("coining", "pf", {}, beyond), other = run("coining", "oenog");
     CHECK(std::abs(other.volume - least_volume) < 0.005);
     for (const std::string method : {"pf-jst", "pfj-jst"}) {
@@ -218,7 +217,7 @@ TEST_SUITE("failure") {
       CHECK(block.verdict == Verdict::hourglass);  // at the punch's edge
       CHECK(block.noise < 0.2 * rough.noise);
       CHECK(std::abs(block.off("bulge")) < 0.1 * 1.95e-3);
-      // finite elements are ± 0.1 mm
+      // finite elements: ± 0.1 mm
       CHECK(std::abs(block.off("highest_point")) < 0.1 * 3.3e-3 + 0.1e-3);
       CHECK(std::abs(block.volume - least_volume) < 0.005);
       CHECK(block.gain < 1e-6);

@@ -13,7 +13,7 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/measures.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
 #include "tests/support/relative.hpp"
@@ -24,7 +24,6 @@ using namespace taut;
 using namespace taut::cli;
 using taut::test::relative;
 
-/// What is claimed of `oenog` in the shipped scenes with motion, and how its errors fall with the spacing.
 namespace {
 
 SceneFile scene(const std::string& name, double spacing, std::vector<Setting> settings = {},
@@ -36,7 +35,6 @@ SceneFile scene(const std::string& name, double spacing, std::vector<Setting> se
   return file;
 }
 
-/// A run to the end of its scene.
 struct Whole {
   SceneFile file;
   std::unique_ptr<Simulation> simulation;
@@ -61,10 +59,10 @@ struct Whole {
   }
 };
 
-/// Exponent p of an error that falls as spacing^p.
+/// Order p of an error ∝ spacing^p.
 double order(double coarse, double fine, double ratio) { return std::log(coarse / fine) / std::log(ratio); }
 
-/// The colliding rings with the right one moved across their flight, m.
+/// The right ring is shifted by `across`, m.
 SceneFile askew_rings(double spacing, double across) {
   SceneFile file = scene("colliding-rings", spacing);
   for (Shape& shape : file.scene.bodies.at(1).shapes) shape.shift(1, across);
@@ -72,7 +70,7 @@ SceneFile askew_rings(double spacing, double across) {
 }
 
 Judge judged(const SceneFile& file) {
-  constexpr int looks = 1000;  // as the history of a run
+  constexpr int looks = 1000;
   const auto simulation = make_simulation(file.scene, file.settings);
   Judge judge(file.scene, *simulation);
   IndicatorGauge gauge(file.scene, simulation->snapshot());
@@ -87,12 +85,12 @@ Judge judged(const SceneFile& file) {
 }  // namespace
 
 TEST_SUITE("convergence") {
-  TEST_CASE("ringing ring: the period of oenog falls to the exact one with order 1.5 at least") {
+  TEST_CASE("ringing ring: the period of oenog converges to the exact one with order 1.5 at least") {
     const double exact_period = 10.40371e-3;  // s
     const auto error = [exact_period](double spacing) {
       return Whole(scene("ringing-ring", spacing)).measured("period") / exact_period - 1;
     };
-    // measured −1.57e-3, −0.82e-3, −0.54e-3: from below, so that no zero between them feigns an order
+    // −1.57e-3, −0.82e-3, −0.54e-3: no zero crossing fakes the order
     const double coarse = error(0.002), middle = error(0.00125), fine = error(0.001);
     CHECK(coarse > -2e-3);
     CHECK(coarse < middle);
@@ -101,35 +99,32 @@ TEST_SUITE("convergence") {
     CHECK(order(-coarse, -fine, 2) > 1.5);
   }
 
-  TEST_CASE("colliding rings: time lines of oenog come to those of finite elements with order 1 at least") {
+  TEST_CASE("colliding rings: time lines of oenog converge to finite elements with order 1 at least") {
     const Whole coarse(scene("colliding-rings", 0.002)), fine(scene("colliding-rings", 0.001));
     for (const char* line : {"diameter_rmse", "speed_rmse"}) {
       CAPTURE(std::string(line));
-      CHECK(fine.measured(line) < 0.005);  // measured .0023 and .0031
+      CHECK(fine.measured(line) < 0.005);
       CHECK(order(coarse.measured(line), fine.measured(line), 2) > 1);
     }
     for (const Whole* rings : {&coarse, &fine}) {
-      // 10 mm apart at 2 · 7.071068 m/s: touch is where faces meet, whatever the spacing
+      // surfaces touch at the same time for any spacing
       CHECK(std::abs(rings->measured("touch_time") - 0.01 / (2 * 7.071068)) < 1e-7);  // s
       CHECK(rings->measured("mirror_asymmetry") == 0);
     }
     CHECK(std::abs(fine.measured("rebound_ratio") / 0.8107 - 1) < 0.005);
   }
 
-  TEST_CASE(
-      "colliding rings: time lines of enog come within 3 % of finite elements of its own material, no "
-      "nearer") {
+  TEST_CASE("colliding rings: time lines of enog are 2 to 3 % off finite elements of its own material") {
     const Whole rings(scene("colliding-rings", 0.001, {}, "enog"));
     for (const char* line : {"diameter_rmse", "speed_rmse"}) {
       CAPTURE(std::string(line));
-      CHECK(rings.measured(line) < 0.03);  // measured .025 and .028, and .028 at half the spacing
+      CHECK(rings.measured(line) < 0.03);  // also at half the spacing
       CHECK(rings.measured(line) > 0.02);
     }
   }
 
-  TEST_CASE("ball and plate: time lines of oenog come to those of finite elements with order 1.5 at least") {
+  TEST_CASE("ball and plate: time lines of oenog converge to finite elements with order 1.5 at least") {
     const Whole coarse(scene("ball-plate", 0.004)), fine(scene("ball-plate", 0.0025));
-    // measured .0094 and .0032, .0070 and .0022
     for (const char* line : {"deflection_rmse", "speed_rmse"}) {
       CAPTURE(std::string(line));
       CHECK(coarse.measured(line) < 0.012);
@@ -140,12 +135,13 @@ TEST_SUITE("convergence") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("colliding rings: without damping oenog throws them back as finite elements do") {
+  TEST_CASE("colliding rings: without damping oenog rebounds like finite elements") {
     const Whole rings(scene("colliding-rings", 0.001, {{"method.damping", "0"}}));
     CHECK(std::abs(rings.measured("rebound_ratio") / 0.8107 - 1) < 0.005);
   }
 
-  TEST_CASE("colliding rings: where the particles of the faces meet does not matter to oenog") {
+  TEST_CASE(
+      "colliding rings: the rebound of oenog does not depend on the offset between particles of the faces") {
     constexpr double dp = 0.001;
     const double mirrored = Whole(askew_rings(dp, 0)).measured("rebound_ratio");
     for (const double across : {1e-9, 0.25 * dp}) {
@@ -156,12 +152,12 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("colliding rings: oenog only ever pushes them apart") {
-    // the left one flies to the right: whatever the right one does to it is to the left, free of it nothing
+  TEST_CASE("colliding rings: the contact of oenog never pulls") {
+    // the left ring moves right: a push never increases its speed
     for (const double spacing : {0.002, 0.001}) {
       const Whole rings(scene("colliding-rings", spacing));
       const std::vector<double>& speed = rings.probe("speed");
-      double pulled = 0;  // m/s, by the worst step
+      double pulled = 0;  // m/s, per step
       for (std::size_t k = 1; k < speed.size(); ++k) pulled = std::max(pulled, speed[k] - speed[k - 1]);
       CHECK(pulled < 1e-12 * speed.front());
       CHECK(speed.back() < -0.7 * speed.front());
@@ -170,7 +166,8 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("colliding rings: at 0.14 c0 oenog and pf-jst stay whole, tl lets faces through each other") {
+  TEST_CASE(
+      "colliding rings: at 0.14 c0 oenog and pf-jst stay intact, and in tl faces penetrate each other") {
     const auto fast = [](const char* method, double spacing) {
       return judged(scene("colliding-rings", spacing, {{"v0", "0.14"}}, method));
     };
@@ -183,7 +180,7 @@ TEST_SUITE("failure") {
   }
 
   TEST_CASE(
-      "colliding rings: walls that meet at 0.1 c0 come apart again with oenog, and grow together with enog") {
+      "colliding rings: walls that meet at 0.1 c0 separate again with oenog, and stick together with enog") {
     const auto rebound = [](const char* method) {
       return Whole(scene("colliding-rings", 0.002, {{"v0", "0.1"}}, method)).measured("rebound_ratio");
     };
@@ -191,23 +188,23 @@ TEST_SUITE("failure") {
     CHECK(rebound("enog") < 0.3);
   }
 
-  TEST_CASE("colliding rings: at 0.16 c0 and 0.8 mm the sides of the crease keep each other apart") {
+  TEST_CASE("colliding rings: at 0.16 c0 and 0.8 mm the sides of the crease do not penetrate each other") {
     SceneFile file = scene("colliding-rings", 0.0008, {{"v0", "0.16"}});
-    file.scene.until = 0.005;  // the crease is at its sharpest at 4 ms; its sides start three spacings apart
+    file.scene.until = 0.005;  // sharpest at 4 ms
     CHECK(name(judged(file).verdict()) == "stable");
   }
 
-  TEST_CASE("colliding rings: at 0.16 c0 the mixed methods hold in the crease with a short kernel") {
+  TEST_CASE("colliding rings: at 0.16 c0 the mixed methods survive the crease with a short kernel") {
     const auto fastest = [](const char* method, const char* h, const char* eps) {
       SceneFile file = scene("colliding-rings", 0.00125,
                              {{"v0", "0.16"}, {"method.h", h}, {"method.eps_v2", eps}}, method);
-      file.scene.until = 0.005;  // the crease is at its sharpest at 4.1 ms
+      file.scene.until = 0.005;  // sharpest at 4.1 ms
       return judged(file);
     };
     for (const char* method : {"pf-jst", "pfj-jst"}) {
       CAPTURE(std::string(method));
       CHECK(fastest(method, "0.8", "0").verdict() < Verdict::penetrated);
-      // the dissipation of shocks takes the zigzags of the crease, and holds with a longer kernel too
+      // shock dissipation removes zigzags
       CHECK(name(fastest(method, "0.8", "0.125").verdict()) == "stable");
       CHECK(name(fastest(method, "1.05", "0.125").verdict()) == "stable");
     }

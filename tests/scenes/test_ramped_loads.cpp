@@ -6,7 +6,7 @@
 #include "cli/scene/scene_file.hpp"
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/balance.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/simulation.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/runs.hpp"
@@ -19,8 +19,8 @@ using namespace taut::test;
 
 namespace {
 
-/// A clamped beam at rest, bent by a shear traction on half of it or by its weight; both grow from 0 within T. Its
-/// first energies are as small as the round-off of its strain energy.
+/// A clamped beam at rest, loaded from 0 during T by a shear traction or its weight. Its first energies are near
+/// round-off.
 constexpr const char* beam = R"(
 title = "Beam at rest under a ramped load"
 spacing = "0.002"
@@ -48,7 +48,7 @@ class Beam {
   explicit Beam(const std::string& load) {
     std::ofstream(folder_ / "beam.toml") << (load == weight ? load + beam : beam + load);
   }
-  /// The verdict after the first steps up to `until`, observed at every `each`-th step.
+  /// Verdict until `until`, s, from every `each`-th step.
   Verdict verdict(const std::vector<Setting>& settings, double until = 2e-4, int each = 1) const {
     SceneFile file = read_scene(folder_ / "beam.toml", settings);
     file.settings.threads = 1;
@@ -65,7 +65,6 @@ class Beam {
   TemporaryFolder folder_;
 };
 
-/// Checks every load with 20 times of growth and two methods with initial neighbours.
 void check_stable(const Beam& beam, const std::vector<double>& loads) {
   for (const std::string method : {"oenog", "tl"})
     for (const double load : loads)

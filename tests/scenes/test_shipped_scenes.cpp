@@ -24,7 +24,6 @@ using namespace taut;
 using namespace taut::test;
 using namespace taut::cli;
 
-/// The scenes that come with taut, run with the methods they were made for, against their own references.
 namespace {
 
 struct Outcome {
@@ -59,28 +58,29 @@ Outcome run(const std::string& name, const std::string& method, double spacing,
 }  // namespace
 
 TEST_SUITE("convergence") {
-  TEST_CASE("rotating plate: the corner of oenog comes nearer to finite elements with the spacing") {
+  TEST_CASE("rotating plate: the corner of oenog converges to finite elements with the spacing") {
     const Outcome coarse = run("rotating-plate", "oenog", 0.1), fine = run("rotating-plate", "oenog", 0.05);
     REQUIRE(coarse.measure.at("corner_error"));
     REQUIRE(fine.measure.at("corner_error"));
     CHECK(*coarse.measure.at("corner_error") < 0.03);
     CHECK(*fine.measure.at("corner_error") < 0.012);
     CHECK(*fine.measure.at("corner_error") < 0.5 * *coarse.measure.at("corner_error"));
-    CHECK(*fine.measure.at("corner_angle") < 1e-3);  // of more than three turns
+    CHECK(*fine.measure.at("corner_angle") < 1e-3);  // after three turns
   }
 }
 
 TEST_SUITE("convergence") {
   TEST_CASE(
-      "elastic cable: with tensile control the error halves with the spacing, with artificial stress not") {
-    // [Khayyer2024] Table 3, on a cable of a quarter of the length
+      "elastic cable: the error halves with the spacing with tensile control, and not with artificial "
+      "stress") {
+    // [Khayyer2024] Table 3, a quarter of the length
     const auto error = [](const char* method, double spacing) {
       const auto cable = run("elastic-cable", method, spacing, 2.5e-3, {{"L", "2.5"}});
       REQUIRE(cable.measure.at("end_rmse"));
       return *cable.measure.at("end_rmse");
     };
     const double coarse = error("d-ulsph-r-tic", 0.05);
-    // four rows of particles have no inside, where the two would differ
+    // no interior in four rows
     CHECK(error("d-ulsph-r-as", 0.05) == coarse);
     CHECK(coarse > 1e-4);
     CHECK(error("d-ulsph-r-tic", 0.025) < 0.6 * coarse);
@@ -90,7 +90,7 @@ TEST_SUITE("convergence") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("elastic cable: d-ulsph-r-tic is no farther from the exact solution than published") {
-    // [Khayyer2024] Table 3(a), which is above: 4.55e-4, 2.35e-4, and at dp = 0.0125 1.204e-4 m
+    // here: 4.55e-4 and 2.35e-4 m; published: [Khayyer2024] Table 3(a)
     for (const auto& [spacing, published] : {std::pair(0.05, 4.88234e-4), {0.025, 2.44817e-4}}) {
       const auto cable = run("elastic-cable", "d-ulsph-r-tic", spacing, 0.01, {});
       REQUIRE(cable.measure.at("end_rmse"));
@@ -112,11 +112,11 @@ TEST_SUITE("analytic") {
         measure(file.scene, simulation->series(), "neo_hookean", lines.samples()).at(0);
     REQUIRE(rmse.value);
     CHECK(rmse.reference_name == "rod theory, M of plane strain");
-    CHECK(*rmse.value < 1e6);  // the pulse has 24e6 Pa in aluminium, 34e6 Pa in copper
+    CHECK(*rmse.value < 1e6);  // pulse: 24e6 and 34e6 Pa
   }
 
   TEST_CASE("elastic cable: the end of oenog follows the exact solution") {
-    // the end is 2.5 mm away and back within 4.5e-3 s
+    // returns within 4.5e-3 s
     const Outcome cable = run("elastic-cable", "oenog", 0.1, 5e-3);
     REQUIRE(cable.measure.at("end_rmse"));
     CHECK(*cable.measure.at("end_rmse") < 1e-4);
@@ -124,8 +124,8 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("ringing ring: one mode alone rings, and its period comes to the exact one with the spacing") {
-    // a second mode would move every crossing of zero in its own way; the first period and the next two agree
+  TEST_CASE("ringing ring: only one mode rings, and its period converges to the exact one with the spacing") {
+    // a second mode would change the later periods
     const auto period = [](double spacing, double& later) {
       SceneFile file =
           read_scene(find_scene("ringing-ring"), {{"method", "tl"}, {"spacing", exact(spacing)}});
@@ -142,12 +142,12 @@ TEST_SUITE("analytic") {
     const double coarse = period(0.001, coarse_later), fine = period(0.0005, fine_later);
     CHECK(std::abs(coarse / coarse_later - 1) < 5e-5);
     CHECK(std::abs(fine / fine_later - 1) < 5e-5);
-    // tl is of second order: two spacings say where it goes to
+    // second-order extrapolation
     const double limit = fine - (coarse - fine) / 3;
     CHECK(std::abs(limit / 10.40371e-3 - 1) < 1e-3);
   }
 
-  TEST_CASE("ringing ring: a mode of linear elasticity, so that half the speed gives half the motion") {
+  TEST_CASE("ringing ring: the mode is linear, so that half the speed gives half the motion") {
     const Outcome whole = run("ringing-ring", "oenog", 0.002, {}, {{"v0", "1e-4"}});
     const Outcome half = run("ringing-ring", "oenog", 0.002, {}, {{"v0", "5e-5"}});
     REQUIRE(whole.measure.at("first_peak"));
@@ -158,18 +158,18 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("rotating plate: oenog keeps the angular momentum over three turns to rounding") {
+  TEST_CASE("rotating plate: oenog conserves the angular momentum over three turns to round-off") {
     const Outcome plate = run("rotating-plate", "oenog", 0.1);
     const double start = plate.start.angular_momentum[2];
-    REQUIRE(start > 19000);  // ω ρ/6 is 19250 kg m²/s; a lattice has a little less
+    REQUIRE(start > 19000);  // ω ρ/6 = 19250 kg m²/s, slightly less on a lattice
     CHECK(plate.reached >= 0.2);
     CHECK(std::abs(plate.end.angular_momentum[2] / start - 1) < 1e-12);
   }
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("rotating plate: enog gains angular momentum until the plate is lost") {
-    // its shear force keeps the attitude it had when it arose
+  TEST_CASE("rotating plate: enog gains angular momentum until the plate diverges or doubles its energy") {
+    // its shear forces do not rotate with the material
     const Outcome early = run("rotating-plate", "enog", 0.04, 0.015);
     CHECK(early.end.angular_momentum[2] > 1.01 * early.start.angular_momentum[2]);
     const Outcome late = run("rotating-plate", "enog", 0.04, 0.09);

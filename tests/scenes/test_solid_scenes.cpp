@@ -16,7 +16,7 @@
 #include "engine/diagnostics/curve.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/measures.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
 
@@ -25,7 +25,6 @@ namespace of_this_file {
 using namespace taut;
 using namespace taut::cli;
 
-/// The scenes in three dimensions, in their quick versions, against their own references.
 namespace {
 
 struct Run {
@@ -69,18 +68,18 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("oscillating plate in 3D: oenog swings as finite elements do with three layers of particles") {
+  TEST_CASE("oscillating plate in 3D: oenog swings like finite elements with three layers of particles") {
     const Run plate = run("oscillating-plate-3d", "oenog", {{"side", "0.2"}, {"until", "0.0074"}});
-    CHECK(plate.error("first_peak") < 0.01);  // 0.005
+    CHECK(plate.error("first_peak") < 0.01);
     CHECK(plate.verdict == Verdict::stable);
   }
 
-  TEST_CASE("oscillating plate in 3D: tl and enog are soft with three layers, and smooth") {
-    // what a plate of the same amplitude and period as that of finite elements does within the first quarter
+  TEST_CASE("oscillating plate in 3D: tl and enog are too soft with three layers, and smooth") {
+    // a sine with the amplitude and period of finite elements
     const double time = 0.003, period = 0.01367, peak = 2.16e-3;
     const double should = peak * std::sin(2 * std::numbers::pi * time / period);
     for (const auto& [method, least, most] : {std::tuple{"tl", 1.03, 1.08}, {"enog", 1.06, 1.1}}) {
-      const auto said = std::string(method);  // clang captures no bindings
+      const auto said = std::string(method);
       CAPTURE(said);
       SceneFile file = read_scene(find_scene("oscillating-plate-3d"),
                                   {{"method", method}, {"side", "0.2"}, {"until", exact(time)}});
@@ -95,27 +94,26 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE(
-      "colliding balls: oenog flattens and rebounds as finite elements do, in mirror images to the bit") {
+  TEST_CASE("colliding balls: oenog flattens and rebounds like finite elements, with exact mirror symmetry") {
     const Run balls = run("colliding-balls", "oenog", {{"spacing", "0.0025"}});
-    CHECK(balls.error("rebound_ratio") < 0.003);        // 0.001; 0.008 where particles meet and not faces
-    CHECK(balls.error("least_pole_distance") < 0.003);  // 0.0002
-    CHECK(balls.error("least_diameter") < 0.007);       // 0.006; 0.010 where particles meet
+    CHECK(balls.error("rebound_ratio") < 0.003);  // particle contact: 0.008
+    CHECK(balls.error("least_pole_distance") < 0.003);
+    CHECK(balls.error("least_diameter") < 0.007);  // particle contact: 0.010
     CHECK(balls.error("touch_time") < 0.015);
-    CHECK(balls.error("separation_time") < 0.02);  // 0.018; 0.043 of shells that are cut from a lattice
-    CHECK(*balls.measure.at("diameter_rmse").value < 0.017);  // 0.014; 0.072
-    CHECK(*balls.measure.at("speed_rmse").value < 0.005);     // 0.0038; 0.031
+    CHECK(balls.error("separation_time") < 0.02);  // lattice: 0.043
+    CHECK(*balls.measure.at("diameter_rmse").value < 0.017);
+    CHECK(*balls.measure.at("speed_rmse").value < 0.005);
     CHECK(*balls.measure.at("mirror_asymmetry").value == 0);
     CHECK(balls.verdict == Verdict::stable);
     CHECK(balls.pieces == 2);
   }
 
-  TEST_CASE("ball and plate in 3D: oenog bends the plate as finite elements do, alike on all sides") {
+  TEST_CASE("ball and plate in 3D: oenog bends the plate like finite elements, symmetrically") {
     const Run ball = run("ball-plate-3d", "oenog", {{"spacing", "0.0066667"}, {"until", "0.012"}});
-    CHECK(ball.error("deflection") < 0.04);  // 0.032 with three layers
+    CHECK(ball.error("deflection") < 0.04);  // 0.032
     CHECK(ball.error("ball_lowest") < 0.04);
     CHECK(ball.error("rebound_ratio") < 0.04);
-    // to the time when the ball has left the plate; particles that meet slip past each other, by 1e-3 m
+    // particle contact would break the symmetry by 1e-3 m
     CHECK(*ball.measure.at("mirror_asymmetry_x").value < 1e-12);
     CHECK(*ball.measure.at("mirror_asymmetry_z").value < 1e-12);
     CHECK(ball.verdict == Verdict::stable);

@@ -12,7 +12,7 @@
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/measures.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/error.hpp"
 #include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
@@ -24,7 +24,6 @@ using namespace taut;
 using namespace taut::test;
 using namespace taut::cli;
 
-/// The scenes that come to rest, coarse, against their own references.
 namespace {
 
 struct Rest {
@@ -70,7 +69,7 @@ Rest run(const SceneFile& file) {
   return rest;
 }
 
-/// Of the shear stress σ_rθ of the sheared annulus at small strains: shares of its size.
+/// Errors of σ_rθ at small strains, relative.
 struct ShearError {
   double rms = 0, worst = 0;
 };
@@ -85,7 +84,7 @@ ShearError shear_error(const std::string& method, double spacing) {
   for (std::size_t i = 0; i < now.size(); ++i) {
     const Point X = now.initial(i);
     const double r = std::hypot(X[0], X[1]), c = X[0] / r, s = X[1] / r;
-    if (r < a + spacing) continue;  // held
+    if (r < a + spacing) continue;
     const StressTensor sigma = now.stress(i);
     const double shear = sigma.xy * (c * c - s * s) + (sigma.yy - sigma.xx) * c * s;
     difference += std::pow(shear - q / (r * r), 2);
@@ -95,8 +94,7 @@ ShearError shear_error(const std::string& method, double spacing) {
   return {std::sqrt(difference / size), worst};
 }
 
-/// Tip (x, y) over L of the thin beam theta'' = −a cos theta, theta(0) = 0, theta'(1) = 0 with y downwards,
-/// found by shooting with Runge–Kutta steps.
+/// Tip (x, y) over L of theta'' = −a cos theta, theta(0) = 0, theta'(1) = 0, y downwards, by shooting (Runge–Kutta).
 std::array<double, 2> elastica(double a) {
   using State = std::array<double, 4>;  // theta, theta', x, y
   const auto rate = [a](const State& s) {
@@ -128,7 +126,7 @@ std::array<double, 2> elastica(double a) {
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("elastica: the reference's series is the solution of the thin beam, whatever its size") {
+  TEST_CASE("elastica: the reference's series solves the thin beam for any size") {
     for (const double force : {-10.0, 25.0, 150.0, 249.0}) {
       CAPTURE(force);
       const SceneFile file =
@@ -151,13 +149,13 @@ TEST_SUITE("analytic") {
         const SceneFile file = scene("truss", method, 0.005, {{"force", std::to_string(force)}});
         const double s =
             1 + file.scene.references.at("neo_hookean").solution.at("extension").at(0)({}, 0) / 0.2;
-        const double turned = 0.5 * (s * s - 1) * 1e5;  // second Piola–Kirchhoff stress times the section
+        const double turned = 0.5 * (s * s - 1) * 1e5;  // second Piola–Kirchhoff stress times section
         CHECK((method == std::string("icb") ? turned : s * turned) == Approx(force).epsilon(1e-9));
       }
     }
   }
 
-  TEST_CASE("truss: icb comes to rest at its exact extension, also compressed") {
+  TEST_CASE("truss: icb comes to rest at its exact extension, also in compression") {
     for (const char* force : {"7000", "-3000"}) {
       const Rest coarse = run(scene("truss", "icb", 0.01, {{"force", force}}));
       const Rest fine = run(scene("truss", "icb", 0.005, {{"force", force}}));
@@ -167,19 +165,21 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("loaded square: normalised kernels come close to the exact field, others miss the corners") {
+  TEST_CASE(
+      "loaded square: normalised kernels come close to the exact field, and others fail at the corners") {
     const Rest with = run(scene("loaded-square", "tl-small-strain", 2.5e-5));
     CHECK(with.error("displacement_rmse") < 0.02);
     CHECK(with.error("displacement_error") < 0.06);
     const Rest without = run(scene("loaded-square", "tl-small-strain", 2.5e-5, {{"method.normalised", "0"}}));
     CHECK(without.error("displacement_rmse") > 0.05);
     CHECK(without.error("displacement_error") > 0.3);
-    // linear: the same share at any load, even where particles are pulled far apart
+    // linear: independent of the load
     const Rest heavy = run(scene("loaded-square", "tl-small-strain", 2.5e-5, {{"load", "64"}}));
     CHECK(heavy.value("displacement_rmse") == Approx(with.value("displacement_rmse")).epsilon(1e-5));
   }
 
-  TEST_CASE("sheared annulus: closer to the exact field with normalised kernels, and with finer spacing") {
+  TEST_CASE(
+      "sheared annulus: normalised kernels and a finer spacing bring the field closer to the exact one") {
     const double fine =
         run(scene("sheared-annulus", "tl-small-strain", 1.6667e-5)).error("displacement_rmse");
     CHECK(fine < 0.02);
@@ -190,7 +190,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("sheared annulus: the shear stress of tl and oenog is right up to the faces") {
+  TEST_CASE("sheared annulus: the shear stress of tl and oenog is correct up to the faces") {
     for (const char* method : {"tl", "oenog"}) {
       CAPTURE(std::string(method));
       const ShearError fine = shear_error(method, 1e-5);
@@ -200,10 +200,10 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("loaded square: the tension of tl and oenog at the loaded sides is that of the load") {
+  TEST_CASE("loaded square: the tension of tl and oenog at the loaded sides equals the load") {
     const double k = 50 * 0.02, l = 5e-4;
     for (const auto& [method, most] : {std::pair("tl", 0.01), std::pair("oenog", 0.05)}) {
-      const auto said = std::string(method);  // clang captures no bindings
+      const auto said = std::string(method);
       CAPTURE(said);
       SceneFile file = scene("loaded-square", method, 2.5e-5, {{"load", "0.02"}});
       const auto simulation = make_simulation(file.scene, file.settings);
@@ -221,7 +221,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("convergence") {
-  TEST_CASE("bent beam: the deflection of icb comes nearer to finite elements with the spacing") {
+  TEST_CASE("bent beam: the deflection of icb converges to finite elements with the spacing") {
     const Rest coarse = run(scene("beam-bending", "icb", 0.004)),
                fine = run(scene("beam-bending", "icb", 0.0025));
     CHECK(fine.verdict == Verdict::stable);
@@ -232,13 +232,13 @@ TEST_SUITE("convergence") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("bent beam: ccbwat bends a fifth or more too far, as published") {
+  TEST_CASE("bent beam: ccbwat bends at least a fifth too far, as published") {
     const double error = run(scene("beam-bending", "ccbwat", 0.02 / 6)).error("deflection_y");
     CHECK(error > 0.2);
     CHECK(error < 0.3);
   }
 
-  TEST_CASE("bent beam: ccb breaks under a sudden force, which icb carries") {
+  TEST_CASE("bent beam: ccb breaks under a sudden force, and icb carries it") {
     const auto sudden = [](const char* method) {
       SceneFile file = scene("beam-bending", method, 0.0025, {{"zeta", "0"}, {"rise", "0"}});
       file.scene.until = 0.08;
@@ -248,7 +248,7 @@ TEST_SUITE("failure") {
     CHECK(sudden("icb") == Verdict::stable);
   }
 
-  TEST_CASE("truss: ccb breaks in tension, ccbwat above 3000 N, both carry compression") {
+  TEST_CASE("truss: ccb breaks in tension, ccbwat above 3000 N, and both carry compression") {
     const auto verdict = [](const char* method, const char* force) {
       return run(scene("truss", method, 0.005, {{"force", force}})).verdict;
     };

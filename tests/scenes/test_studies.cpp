@@ -15,7 +15,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Runs a script of scenes/studies/ in `folder`.
 Outcome study(const TemporaryFolder& folder, const std::string& command) {
   const std::string line = "cd '" + folder.path().string() +
                            "' && TAUT='" TAUT_BINARY_DIR "/taut' '" TAUT_SOURCE_DIR "/scenes/studies/'" +
@@ -29,7 +28,7 @@ bool ffmpeg_is_there() { return std::system("ffmpeg -version >/dev/null 2>&1") =
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("the study of an image sequence leaves frames, a panel and movies") {
+  TEST_CASE("the study of an image sequence writes frames, a panel and movies") {
     const TemporaryFolder folder;
     const Outcome outcome = study(folder, "rings-movie.sh rings 0.005 12");
     CAPTURE(outcome.err);
@@ -41,14 +40,14 @@ TEST_SUITE("cli") {
     CHECK(fs::exists(folder / "rings/close.gif") == ffmpeg_is_there());
   }
 
-  TEST_CASE("the study of a sweep reads the answer off its results") {
+  TEST_CASE("the study of a sweep derives its answer from the results") {
     const TemporaryFolder folder;
     const Outcome outcome = study(folder, "rings-sweep.sh rings 0.005");
     CAPTURE(outcome.err);
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.out, "0 of 24 runs are done"));
     CHECK(lines_of(folder / "rings/results.csv").size() == 25);
-    // of the rows with method M: the greatest speed below the first that is not stable
+    // highest speed below the first unstable one
     for (const std::string method : {"og", "oas", "enog"}) {
       std::string limit = "none";
       const auto results = json_of(folder / "rings/results.json");
@@ -62,7 +61,7 @@ TEST_SUITE("cli") {
     CHECK(contains(study(folder, "rings-sweep.sh rings 0.005").out, "24 of 24 runs are done"));
   }
 
-  TEST_CASE("the study of the papers' figures makes panels and a history") {
+  TEST_CASE("the study of the papers' figures writes panels and a history") {
     const TemporaryFolder folder;
     const Outcome rings = study(folder, "paper-figures.sh zhang-14 rings 0.005");
     CAPTURE(rings.err);
@@ -80,7 +79,7 @@ TEST_SUITE("cli") {
     CHECK(study(folder, "paper-figures.sh zhang-99 none").code == 2);
   }
 
-  TEST_CASE("the tables of a study are made from its stored results by one command") {
+  TEST_CASE("one command makes the tables of a study from its stored results") {
     const TemporaryFolder folder;
     const auto write_study = [&](const std::string& name, const std::string& more) {
       std::ofstream(folder / (name + ".toml")) << "title = \"Small\"\nscene = \"colliding-rings\"\n" + more;
@@ -106,7 +105,7 @@ TEST_SUITE("cli") {
     CHECK(contains(accuracy, "| method | 5 mm | 2.5 mm | order | finest, s |"));
     CHECK(contains(accuracy, "error of rebound_ratio, % of the reference"));
     CHECK(contains(accuracy, "| method | within 5 % | within 1 % | within 0.5 % |"));
-    for (const auto& run : chart["runs"])  // each error of the table is the error in results.json
+    for (const auto& run : chart["runs"])
       if (run["set"]["method"] == "oenog")
         CHECK(contains(accuracy, " " + percent(run["measures"]["rebound_ratio"]["error"]) + " "));
     const std::string map = tables_of("small-map");
@@ -114,10 +113,10 @@ TEST_SUITE("cli") {
     CHECK(contains(map, "| `oenog` | stable | stable |"));
     const std::string history = tables_of("small-history");
     CHECK(contains(history, "| run | verdict | touch_time |"));
-    CHECK(tables_of("small-history") == history);  // the same results give the same bytes
+    CHECK(tables_of("small-history") == history);
   }
 
-  TEST_CASE("the study of limitations reports what its stored page has") {
+  TEST_CASE("the study of limitations reproduces its stored page") {
     const TemporaryFolder folder;
     const Outcome outcome = study(folder, "limitations.sh made.md truss");
     CAPTURE(outcome.err);
@@ -128,7 +127,6 @@ TEST_SUITE("cli") {
     REQUIRE(first != std::string::npos);
     CHECK(contains(made, "  extension  "));
     CHECK(contains(stored, made.substr(first)));
-    // every command of the page of methods is there
     const std::string methods = text_of(fs::path(TAUT_SOURCE_DIR) / "engine/METHODS.md");
     static const std::regex command("`taut run [^`]*`");
     for (std::sregex_iterator found(methods.begin(), methods.end(), command), end; found != end; ++found)
@@ -151,7 +149,7 @@ TEST_SUITE("cli") {
     CHECK(tables == 12);
   }
 
-  TEST_CASE("the study of a snapshot test makes a baseline, then passes, then finds what has changed") {
+  TEST_CASE("the study of a snapshot test makes a baseline, then passes, then finds a change") {
     const TemporaryFolder folder;
     const Outcome first = study(folder, "snapshot-in-ci.sh baseline");
     CHECK(first.code == 0);
@@ -163,7 +161,7 @@ TEST_SUITE("cli") {
     CHECK(contains(changed.out, "out/snapshot-baseline/difference.png"));
   }
 
-  TEST_CASE("the study of a test of numbers passes, and finds what has moved") {
+  TEST_CASE("the study of a test of numbers passes, and finds a change") {
     const TemporaryFolder folder;
     const Outcome same = study(folder, "numbers-in-ci.sh");
     CAPTURE(same.out);

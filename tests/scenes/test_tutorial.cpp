@@ -15,18 +15,18 @@ using namespace taut::test;
 
 namespace {
 
-/// A command of a page, "taut run beam.toml", with the exit code that its comment announces.
+/// A command and the exit code announced in its comment.
 struct PageCommand {
   std::string line;
   int code = 0;
 };
 
-/// Reads pages as a newcomer does: writes and appends the files of their fenced blocks, runs their commands.
+/// Follows a page: writes the files of its fenced blocks and runs its commands.
 class Reader {
  public:
   explicit Reader(const fs::path& page) : text_(text_of(page)) {}
 
-  /// Calls `run` for each command in the order of the page, after the files before it are written into `folder`.
+  /// Calls `run` for each command, after the preceding files are written.
   template <class Run>
   void follow(const TemporaryFolder& folder, const Run& run) {
     static const std::regex target(R"((Write|Append) this (?:in)?to `([^`]+)`:$)");
@@ -78,7 +78,7 @@ TEST_SUITE("cli") {
       CHECK(fs::exists(folder / picture));
   }
 
-  TEST_CASE("every command of the front page runs, with coarse particles") {
+  TEST_CASE("every command of the front page runs with coarse particles") {
     const TemporaryFolder folder;
     int commands = 0;
     Reader(fs::path(TAUT_SOURCE_DIR) / "README.md").follow(folder, [&](const PageCommand& command) {

@@ -6,7 +6,7 @@
 namespace taut::test {
 namespace {
 
-/// The cells between the bars of a line; none for a line that is no row.
+/// Empty for lines that are no table row.
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
   if (!line.starts_with('|')) return cells;
@@ -42,7 +42,7 @@ std::vector<std::string> in_backticks(const std::string& text) {
 
 std::optional<RoomTable> RoomTable::read(const std::string& markdown) {
   RoomTable table;
-  std::size_t column = 0;  // "may include"; 0: before the table
+  std::size_t column = 0;  // "may include"; 0 before the table
   std::istringstream lines(markdown);
   for (std::string line; std::getline(lines, line);) {
     const std::vector<std::string> cells = cells_of(line);

@@ -7,16 +7,14 @@
 
 namespace taut::test {
 
-/// A row of a table of rooms.
 struct RoomRow {
-  std::vector<std::string> names;  // "terms/", "simulation.hpp", "colormap" (its .hpp and its .cpp)
+  std::vector<std::string> names;  // "terms/", "simulation.hpp", "colormap" (.hpp and .cpp)
   std::vector<std::string> may_include;
-  bool all_above = false;  // the words "all above" stand for the names of all rows above
+  bool all_above = false;  // the rows above
 };
 
-/// The rooms of a part of the repository, from the bottom up, as its README.md has them: the first table with
-/// a column "may include". The first column names rooms, or files that are none's, in backticks. Several
-/// rooms in one row keep apart; several files are as one room.
+/// First table of a README.md with a column "may include", lowest room first. Only files of one row can include each
+/// other.
 ///
 ///     | room | what for | may include |
 ///     |---|---|---|
@@ -24,13 +22,11 @@ struct RoomRow {
 ///     | `methods/` | one algorithm box a room | all above |
 class RoomTable {
  public:
-  /// None without such a table.
   static std::optional<RoomTable> read(const std::string& markdown);
 
   const std::vector<RoomRow>& rows() const { return rows_; }
-  /// The longest name that `file`, a path inside the part, belongs to; empty: to none.
+  /// Longest matching name; empty if none matches.
   std::string room_of(std::string_view file) const;
-  /// The row with the name `room`.
   std::size_t row_of(std::string_view room) const;
   bool allows(const std::string& from, const std::string& to) const;
 
@@ -38,7 +34,6 @@ class RoomTable {
   std::vector<RoomRow> rows_;
 };
 
-/// The words of `text` in backticks.
 std::vector<std::string> in_backticks(const std::string& text);
 
 }  // namespace taut::test

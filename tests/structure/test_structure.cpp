@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -9,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/structure/files.hpp"
 #include "tests/structure/room_table.hpp"
 
 using namespace taut::test;
@@ -16,41 +16,14 @@ using namespace taut::test;
 namespace {
 
 namespace fs = std::filesystem;
-using Texts = std::vector<std::string>;
-
-const fs::path top = TAUT_SOURCE_DIR;
 const Texts parts = {"engine", "render", "cli"};
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// Everything below a folder, as paths inside it, without what starts with a dot.
-Texts files_below(const fs::path& folder, const std::set<std::string>& extensions) {
-  Texts files;
-  for (fs::recursive_directory_iterator entry(folder), end; entry != end; ++entry) {
-    const std::string name = entry->path().filename().string();
-    const bool built = entry->is_directory() && fs::exists(entry->path() / "CMakeCache.txt");
-    if (name.starts_with('.') || built)
-      entry.disable_recursion_pending();
-    else if (extensions.contains(entry->path().extension().string()))
-      files.push_back(entry->path().lexically_relative(folder).string());
-  }
-  std::ranges::sort(files);
-  return files;
-}
-
-Texts sources_below(const fs::path& folder) { return files_below(folder, {".cpp", ".hpp"}); }
-
-/// The table of a part's README.md.
 RoomTable rooms_of(const std::string& part) {
   const auto table = RoomTable::read(text_of(top / part / "README.md"));
   REQUIRE_MESSAGE(table, part << "/README.md has no table of rooms");
   return *table;
 }
 
-/// What a source includes of this part.
 Texts includes_of(const fs::path& source, const std::string& part) {
   const std::string before = "#include \"" + part + "/";
   std::istringstream lines(text_of(source));
@@ -66,18 +39,14 @@ std::size_t lines_of(const fs::path& file) {
   return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }
 
-/// Of the widest line, in characters: bytes that begin one.
 std::size_t widest_line(const fs::path& file) {
   std::istringstream lines(text_of(file));
-  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
   std::size_t widest = 0;
-  for (std::string line; std::getline(lines, line);)
-    widest = std::max(widest, static_cast<std::size_t>(std::ranges::count_if(line, begins)));
+  for (std::string line; std::getline(lines, line);) widest = std::max(widest, columns_of(line));
   return widest;
 }
 
-/// What a text links to, and the paths that it names in backticks; of these, only what begins with a folder
-/// that is there: others are of run folders, builds and machines.
+/// Link targets, and backticked paths whose first folder exists in the repository.
 std::set<std::string> named_paths(const std::string& text, const fs::path& folder) {
   std::set<std::string> paths;
   static const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))"),
@@ -95,7 +64,7 @@ std::set<std::string> named_paths(const std::string& text, const fs::path& folde
 }  // namespace
 
 TEST_SUITE("structure") {
-  TEST_CASE("a table of rooms is read as it is meant") {
+  TEST_CASE("a table of rooms is read correctly") {
     const auto table = RoomTable::read(
         "text\n| a | b |\n|---|---|\n| `x` | `y` |\n\n| room | may include |\n|---|---|\n"
         "| `error` `a.hpp` | |\n| `core/` | |\n| `terms/` `laws/` | `core/` |\n| `core/deep/` | all above "
@@ -114,7 +83,7 @@ TEST_SUITE("structure") {
     CHECK_FALSE(RoomTable::read("| room | holds |\n|---|---|\n| `a/` | b |\n"));
   }
 
-  TEST_CASE("every room includes only what its table lets it, and the table has no arrow back") {
+  TEST_CASE("every room includes only the rooms that its table allows, and allowed rooms are in rows above") {
     for (const std::string& part : parts) {
       const RoomTable table = rooms_of(part);
       for (std::size_t row = 0; row < table.rows().size(); ++row) {
@@ -143,7 +112,7 @@ TEST_SUITE("structure") {
     }
   }
 
-  TEST_CASE("parts include what is below them only") {
+  TEST_CASE("parts include only lower parts") {
     for (std::size_t low = 0; low < parts.size(); ++low)
       for (std::size_t high = low + 1; high < parts.size(); ++high)
         for (const std::string& source : sources_below(top / parts[low])) {
@@ -167,8 +136,8 @@ TEST_SUITE("structure") {
 
   TEST_CASE("rooms and files stay small") {
     constexpr std::size_t most_units = 20, most_rooms = 14, most_lines = 500;
-    constexpr std::size_t most_columns = 122;  // of clang-format 110; raw texts and tables need some more
-    std::map<std::string, std::set<std::string>> units;  // a header and its source are one
+    constexpr std::size_t most_columns = 122;            // clang-format: 110; raw strings need more
+    std::map<std::string, std::set<std::string>> units;  // header and source are one unit
     std::set<std::string> rooms_of_cli;
     for (const std::string part : {"engine", "render", "cli", "tests"})
       for (const std::string& source : sources_below(top / part)) {
@@ -180,7 +149,7 @@ TEST_SUITE("structure") {
         if (part == "cli" && path.parent_path() != "cli") rooms_of_cli.insert(path.parent_path().string());
       }
     for (const auto& [room, names] : units) {
-      const auto& room_now = room;  // clang captures no bindings
+      const auto& room_now = room;
       CAPTURE(room_now);
       CHECK(names.size() <= most_units);
     }
@@ -198,7 +167,7 @@ TEST_SUITE("structure") {
     }
   }
 
-  TEST_CASE("what the texts of the repository link to and name is there") {
+  TEST_CASE("every path that the documents link to or name exists") {
     const Texts texts = files_below(top, {".md"});
     REQUIRE_FALSE(texts.empty());
     for (const std::string& text : texts) {
@@ -211,7 +180,7 @@ TEST_SUITE("structure") {
     }
   }
 
-  TEST_CASE("every test that the page of promises links to is there, by its name") {
+  TEST_CASE("every test that the page of promises links to exists under that name") {
     const fs::path page = top / "cli/PROMISES.md";
     const std::string text = text_of(page);
     static const std::regex link(R"(\[([^\]`]+)\]\(([^)]+\.cpp)\))"), broken(R"("\s*\n\s*")");

@@ -9,7 +9,7 @@
 
 namespace taut::test {
 
-/// The engine's values are those expected, within a share of the greatest magnitude of the field.
+/// Equality within `share` of the greatest magnitude.
 inline void check_field(const std::string& field, const std::vector<double>& engine,
                         const std::vector<double>& expected, double share = 1e-10) {
   CAPTURE(field);
@@ -23,7 +23,6 @@ inline void check_field(const std::string& field, const std::vector<double>& eng
   CHECK(difference <= share * greatest);
 }
 
-/// The components of places one after the other.
 template <class Places>
 std::vector<double> flat(const Places& places) {
   std::vector<double> all;

@@ -16,13 +16,12 @@
 namespace taut::test {
 
 using namespace std::chrono_literals;
-inline constexpr auto patience =
-    60s;  // before a test gives up on the program; no more than a moment is ever needed
+inline constexpr auto patience = 60s;
 
-/// The program itself, in a process of its own that a signal can be sent to.
+/// A child process that receives signals.
 class ChildProgram {
  public:
-  /// It reads the file `input`.
+  /// `input`: file for standard input.
   explicit ChildProgram(std::vector<std::string> arguments, const std::string& input = "/dev/null") {
     arguments.insert(arguments.begin(), TAUT_BINARY_DIR "/taut");
     std::vector<char*> raw;
@@ -57,7 +56,7 @@ class ChildProgram {
     return ::waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
            info.si_pid != 0;
   }
-  /// The signal that ended it; 0 if none did.
+  /// Terminating signal; 0 if none.
   int ending_signal() {
     int status = 0;
     wait([&] { return ::waitpid(process_, &status, WNOHANG) != 0; });

@@ -1,7 +1,5 @@
-// A library that a program is started with (LD_PRELOAD), so that a test sees in which order it writes, renames and
-// waits for the disk: a line for each call in the file that TAUT_FILE_CALLS names. With TAUT_NO_LOCKS set there are
-// no locks, as on some file systems. Before its first lock it makes the file that TAUT_GATE names, and waits until
-// that is gone.
+// LD_PRELOAD library: logs writes, renames and syncs to TAUT_FILE_CALLS. TAUT_NO_LOCKS makes locks fail. The first
+// lock creates TAUT_GATE and waits for its removal.
 
 #include <array>
 #include <cerrno>
@@ -24,7 +22,7 @@ std::string path_of(int descriptor) {
 
 void note(const std::string& call, const std::string& path, const std::string& other = "") {
   const char* const log = std::getenv("TAUT_FILE_CALLS");
-  if (!log || path.empty() || path[0] != '/') return;  // streams and pipes are no files
+  if (!log || path.empty() || path[0] != '/') return;  // streams, pipes
   const int file = ::open(log, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
   const std::string line = call + '\t' + path + '\t' + other + '\n';
   ::syscall(SYS_write, file, line.data(), line.size());

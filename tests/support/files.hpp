@@ -28,7 +28,6 @@ inline int files_in(const fs::path& folder) {
   return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-/// A folder of one's own for the time of a test.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

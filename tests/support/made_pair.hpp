@@ -6,7 +6,7 @@
 
 namespace taut::test {
 
-/// One of two particles with every value different, which close.
+/// All values of the pair differ.
 struct PairedParticle {
   Vec<double, 2> x, v;  // m, m/s
   double m, V, p;       // kg/m, m², Pa
@@ -18,7 +18,7 @@ inline constexpr PairedParticle first_of_pair{{0.1, 0.7}, {-3, 1}, 1.7, 0.9, 5, 
 inline constexpr PairedParticle second_of_pair{{-0.5, 0.2}, {2, 0.5}, 0.8, 1.1, -7, {-1, 6, 3}};
 inline constexpr double slope_of_pair = -0.83;  // ∂W/∂r, 1/m³
 
-/// What a term is given for the pair (i, j).
+/// Pair geometry as passed to a term.
 struct Seen {
   Vec<double, 2> e, v_ij;
   double r, inv_r, closing_speed;
@@ -35,7 +35,7 @@ struct Seen {
 
 inline double magnitude(const Vec<double, 2>& a) { return std::sqrt(dot(a, a)); }
 
-/// The second particle's velocity such that the pair turns rigidly.
+/// Particle j of a rigidly rotating pair.
 inline PairedParticle turning_with(const PairedParticle& i, PairedParticle j, double omega) {
   const Vec<double, 2> x_ij = i.x - j.x;
   j.v = {i.v[0] + omega * x_ij[1], i.v[1] - omega * x_ij[0]};

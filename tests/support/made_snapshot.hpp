@@ -6,7 +6,7 @@
 
 namespace taut::test {
 
-/// Particles of 1 kg and 1 kg/m³ at rest and without stress, all of body 0.
+/// 1 kg and 1 kg/m³ each, at rest, unstressed, body 0.
 inline Snapshot made_snapshot(int dim, const std::vector<Point>& places) {
   Snapshot now;
   now.dim = dim;
@@ -25,7 +25,6 @@ inline Snapshot made_snapshot(int dim, const std::vector<Point>& places) {
   return now;
 }
 
-/// One body per material.
 inline Scene made_scene(int dim, double spacing, const std::vector<Material>& materials) {
   Scene scene;
   scene.dim = dim;
@@ -39,7 +38,7 @@ inline Scene made_scene(int dim, double spacing, const std::vector<Material>& ma
   return scene;
 }
 
-/// K = 1 Pa and G = 1.5 Pa exactly: E = 3, ν = 0.
+/// K = 1 Pa and G = 1.5 Pa exactly.
 inline Material unit_bulk() {
   return {.name = "soft", .density = 1, .youngs_modulus = 3, .poisson_ratio = 0};
 }

@@ -7,8 +7,7 @@
 
 namespace taut::test {
 
-/// Of each place the others nearer than `reach`, in the order of their numbers: all of those that are not
-/// farther along x are looked at.
+/// Sorted indices of other places nearer than `reach`; sweeps along x.
 template <class Place>
 std::vector<std::vector<std::size_t>> neighbors_within(double reach, const std::vector<Place>& places) {
   std::vector<std::size_t> order(places.size());

@@ -6,7 +6,7 @@
 
 namespace taut::test {
 
-/// PATH is this folder alone while it lives.
+/// Sets PATH to one folder while alive.
 class OnlyPath {
  public:
   explicit OnlyPath(const fs::path& folder) : old_(std::getenv("PATH")) {

@@ -13,7 +13,7 @@
 
 namespace taut::test {
 
-/// Bodies of one shape each, of the rubber of the rings.
+/// One ring-rubber body per shape, surface contact.
 inline Scene scene_of_shapes(const std::vector<Shape>& shapes, int dim, double dp) {
   Scene scene;
   scene.name = "faces";
@@ -30,7 +30,7 @@ inline Scene scene_of_shapes(const std::vector<Shape>& shapes, int dim, double d
   return scene;
 }
 
-/// The particles of a scene and what its faces do to them, without a method.
+/// Surface contact forces without a method.
 template <int Dim>
 class Pressed {
  public:
@@ -54,7 +54,7 @@ class Pressed {
     for (int i = 0; i < s.size(); ++i)
       if (s.body[i] == body) s.x[i] += by;
   }
-  /// Of every particle, N.
+  /// On each particle, N.
   const std::vector<V>& forces() {
     faces_.search(s, walls_, {});
     return forces_as_found();
@@ -110,8 +110,7 @@ class Pressed {
   std::vector<V> force_;
 };
 
-/// Where a point of a column along y goes as the face x = 0 is laid on a circle of radius |r|, m, with what is
-/// at x > 0 inside it, or outside if r < 0.
+/// Bends the face x = 0 onto a circle of radius |r|, m, with the column (x > 0) inside it if r > 0.
 template <int Dim>
 Vec<double, Dim> bent(Vec<double, Dim> x, double r) {
   const double angle = x[1] / r, away = r - x[0];
@@ -119,8 +118,7 @@ Vec<double, Dim> bent(Vec<double, Dim> x, double r) {
   return x;
 }
 
-/// How many particles of a column, 20 mm along y and 6 mm across, a contact has to look at after a motion of it,
-/// of those that were at least `inside`, m, from its ends.
+/// Contact candidates of a moved 20 mm × 6 mm column, initially at least `inside`, m, from its ends.
 template <int Dim, class Motion>
 int touching_after(const Motion& motion, double dp, double inside) {
   constexpr double height = 0.02;

@@ -15,7 +15,6 @@ namespace taut::test {
 
 using namespace cli;
 
-/// What the program left on its two streams, and its exit code.
 struct Outcome {
   int code;
   std::string out, err;
@@ -31,13 +30,11 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// Throws when the file is not whole.
 inline nlohmann::ordered_json json_of(const fs::path& path) {
   return nlohmann::ordered_json::parse(text_of(path));
 }
 
-/// Two soft discs of some 80 particles each that touch and press on each other. The parameter `pull`
-/// stretches each along y.
+/// Two soft discs of about 80 particles that press on each other; `pull` stretches along y.
 inline std::string write_tiny_scene(const TemporaryFolder& folder) {
   std::ofstream(folder / "discs.toml") << R"(
 title = "Two discs"
@@ -83,7 +80,7 @@ frames = 4
   return folder.str("discs.toml");
 }
 
-/// The arguments of a run of that scene into the folder `out`, on one thread, with more arguments behind.
+/// A single-threaded run of the tiny scene into `out`.
 inline std::vector<std::string> tiny_run(const TemporaryFolder& folder, const std::string& out,
                                          const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments{

@@ -4,11 +4,11 @@
 
 namespace taut::test {
 
-/// Equal within `epsilon` of the value, 1.2e-5 unless it says otherwise, or of `scale` more where a value may be 0.
-/// That of doctest allows epsilon · (1 + |value|): anything, where values are metres or seconds of small things.
+/// Relative comparison, by default within 1.2e-5, plus `scale`; doctest's epsilon · (1 + |value|) accepts any small
+/// values.
 class Approx : public doctest::Approx {
  public:
-  explicit Approx(double value) : doctest::Approx(value) { scale(1e-290); }  // 0 is 0
+  explicit Approx(double value) : doctest::Approx(value) { scale(1e-290); }
 };
 
 inline doctest::Approx relative(double value, double epsilon = 1e-9) {

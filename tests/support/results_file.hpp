@@ -6,8 +6,7 @@
 
 namespace taut::test {
 
-/// A results.csv with the columns that charts and maps need; `rows` are "status,method,spacing,steps,verdict,
-/// since.fractured,error,reference,seconds" lines.
+/// Lines of `rows`: "status,method,spacing,steps,verdict,since.fractured,error,reference,seconds".
 inline std::string write_results(const fs::path& folder, const std::string& rows,
                                  const std::string& scene = "rod", const std::string& extra_column = "none") {
   fs::create_directories(folder);

@@ -12,13 +12,11 @@
 
 namespace taut::test {
 
-/// Particles act on their neighbours of the start: strains come from positions, and there is nothing to
-/// rebuild.
+/// Methods whose neighbours are never rebuilt.
 inline bool keeps_neighbors(const MethodInfo& method) {
   return std::ranges::find(method.contact_laws, ContactLaw::sph) == method.contact_laws.end();
 }
 
-/// Settings of a method on one thread.
 inline Settings with_method(const std::string& method, Stepping stepping = Stepping::dual) {
   Settings settings;
   settings.method = method;
@@ -32,7 +30,7 @@ inline void make_steps(Simulation& simulation, long steps) {
   while (simulation.steps() < end) simulation.advance_to(std::nextafter(simulation.time(), 1.0));
 }
 
-/// At the time `t` ahead, between two steps; the simulation has made the second one.
+/// State at `t`, interpolated; the simulation has passed `t`.
 inline Snapshot state_at(double t, Simulation& simulation) {
   simulation.advance(t, t);
   const Snapshot before = simulation.snapshot();
@@ -40,14 +38,13 @@ inline Snapshot state_at(double t, Simulation& simulation) {
   return blend(before, simulation.snapshot(), t);
 }
 
-/// The state after `steps` steps.
 inline Snapshot state_after(long steps, const Scene& scene, const Settings& settings) {
   const auto simulation = make_simulation(scene, settings);
   make_steps(*simulation, steps);
   return simulation->snapshot();
 }
 
-/// The first probe at time `t`, linear between steps.
+/// First probe at `t`, interpolated.
 inline double value_at(const Series& series, double t) {
   const auto after = std::ranges::lower_bound(series.time, t) - series.time.begin();
   const double t0 = series.time[after - 1], t1 = series.time[after];

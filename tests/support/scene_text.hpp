@@ -14,7 +14,6 @@ namespace taut::test {
 
 using namespace cli;
 
-/// A folder of this test program that goes away with it.
 inline std::filesystem::path scratch_folder() {
   struct Folder {
     std::filesystem::path path =
@@ -45,7 +44,6 @@ inline std::string replaced(std::string text, std::string_view old_part, std::st
   return text.replace(at, old_part.size(), new_part);
 }
 
-/// A small scene that is right.
 inline const std::string small_scene = R"(title = "Small"
 spacing = 0.1
 until = 2
@@ -83,7 +81,7 @@ values = { peak = 3 }
 color = "von_mises"
 )";
 
-/// The small scene with one part replaced; '@' in the new part marks the place where an error is expected.
+/// The small scene with one part replaced; '@' marks the expected place of the error.
 struct MarkedScene {
   std::string text;
   FilePlace place;
@@ -101,7 +99,7 @@ struct MarkedScene {
   }
 };
 
-/// Reading the scene must throw at the mark, with a message that holds each of `parts`.
+/// Expects an error at the mark whose message contains all `parts`.
 inline void check_error(std::string_view old_part, std::string_view new_part,
                         std::initializer_list<const char*> parts) {
   const MarkedScene scene(old_part, new_part);

@@ -7,7 +7,6 @@
 #include "engine/scene/shapes/box.hpp"
 #include "engine/scene/shapes/round_shapes.hpp"
 
-/// The scenes of the folder scenes/ in C++, and small ones of a few hundred particles.
 namespace taut::test {
 
 inline Expression constant(double value) {
@@ -92,14 +91,13 @@ inline Scene ball_plate(double v0 = 0.02, double dp = 0.0025) {
   return scene;
 }
 
-/// A shake that leaves no particle on a lattice, from −1 to 1.
+/// Off-lattice pattern, −1 … 1; `wavelength` in m.
 inline double shake(const Point& x, double wavelength) {
   const double k = 2 * std::numbers::pi / wavelength;
   return std::sin(k * (x[0] + 0.37 * x[1])) * std::cos(k * (0.61 * x[0] - x[1]) + 0.4);
 }
 
-/// A ring and a disc that fly into each other, shaken, off centre and fast: both strain at once, touch after
-/// some ten steps, and are rebuilt every few.
+/// Perturbed ring and disc: touch after about ten steps, rebuild neighbours every few.
 inline Scene small_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -119,7 +117,7 @@ inline Scene small_collision() {
   return scene;
 }
 
-/// A clamped plate, shaken, and a disc that hits it where it is held: half on the clamp, half beside it.
+/// Perturbed clamped plate, hit by a disc at the edge of the clamp.
 inline Scene small_clamped_plate() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed(), L = 0.016, H = 0.005;
   Scene scene;
@@ -139,7 +137,7 @@ inline Scene small_clamped_plate() {
   return scene;
 }
 
-/// A free square plate that turns about its own centre, with `speed` of its corners in sound speeds.
+/// `speed` of the corners, in sound speeds.
 inline Scene rotating_plate(double speed) {
   const double dp = 0.001, half = 0.01;
   Scene scene;
@@ -156,7 +154,7 @@ inline Scene rotating_plate(double speed) {
   return scene;
 }
 
-/// In 3D a block that turns and a ball that hits it off its centre, both shaken.
+/// 3D: a rotating block, hit off centre by a ball, both perturbed.
 inline Scene small_solid_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -179,8 +177,7 @@ inline Scene small_solid_collision() {
   return scene;
 }
 
-/// In 3D a clamped block, shaken, and a ball that hits it where it is held: half on the clamp, half beside
-/// it.
+/// 3D: a perturbed clamped block, hit by a ball at the edge of the clamp.
 inline Scene small_clamped_block() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed(), L = 0.006, H = 0.003;
   Scene scene;
@@ -202,7 +199,7 @@ inline Scene small_clamped_block() {
   return scene;
 }
 
-/// The scene with each particle moved by up to `share` of a spacing along each axis.
+/// Offsets up to `share` of a spacing.
 inline Scene jittered(Scene scene, double share) {
   scene.jitter = {share, 5};
   return scene;

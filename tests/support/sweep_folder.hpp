@@ -13,14 +13,13 @@ namespace taut::test {
 
 using Texts = std::vector<std::string>;
 
-/// For sh: one word, whatever is in it.
 inline std::string shell_word(const std::string& text) {
   std::string word = "'";
   for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
   return word + "'";
 }
 
-/// The program itself, in a process of its own: this one may have threads by now, and then cannot be forked.
+/// A child process through sh: a process with threads must not fork.
 inline Outcome program(const Texts& arguments, const fs::path& folder = ".") {
   const TemporaryFolder streams;
   std::string command = "cd " + shell_word(folder.string()) + " && " TAUT_BINARY_DIR "/taut";
@@ -29,7 +28,6 @@ inline Outcome program(const Texts& arguments, const fs::path& folder = ".") {
   return {WEXITSTATUS(status), text_of(streams / "out"), text_of(streams / "err")};
 }
 
-/// A sweep of the tiny scene into the folder `out`.
 inline std::vector<std::string> tiny_sweep(const TemporaryFolder& folder, const std::string& out,
                                            const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"sweep", write_tiny_scene(folder), "--out", folder.str(out), "--quiet"};
@@ -37,7 +35,7 @@ inline std::vector<std::string> tiny_sweep(const TemporaryFolder& folder, const 
   return arguments;
 }
 
-/// The lines of a results.csv without the columns that differ from time to time, which are the last ones.
+/// Lines of results.csv without columns that vary between repetitions.
 inline std::vector<std::string> results(const fs::path& folder) {
   std::vector<std::string> lines = lines_of(folder / "results.csv");
   REQUIRE(lines.size() > 1);
@@ -58,7 +56,7 @@ inline std::vector<std::string> statuses(const fs::path& folder) {
   return all;
 }
 
-/// When each run of a sweep that has ended did so.
+/// End time of each finished run, by folder.
 inline std::map<std::string, fs::file_time_type> ends(const fs::path& folder) {
   std::map<std::string, fs::file_time_type> times;
   for (const auto& entry : fs::directory_iterator(folder))

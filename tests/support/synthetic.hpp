@@ -11,7 +11,6 @@ namespace taut::test {
 
 using namespace render;
 
-/// Particles that a test can move about.
 struct Particles {
   std::vector<double> x, diameter, value;
 
@@ -28,7 +27,6 @@ struct Particles {
   }
 };
 
-/// A square lattice in a ring of radii 0.03 and 0.04 m, coloured by the polar angle from 0 to 1.
 inline void add_ring(Particles& particles, double centre, double dp) {
   for (double a = -0.04 + 0.5 * dp; a < 0.04; a += dp) {
     for (double b = -0.04 + 0.5 * dp; b < 0.04; b += dp) {
@@ -54,7 +52,6 @@ inline Look look(int width, int height, View view) {
 inline constexpr View unit_view = {-1, 1, -1, 1};
 inline constexpr View rings_view = {-0.09, 0.09, -0.05, 0.05};
 
-/// The colour of the pixel that shows the place (x, y) of the scene.
 inline Rgb color_at(const Image& image, const View& view, double x, double y) {
   const PageLayout layout = make_layout(image.width, image.height, view);
   return image.at(layout.plot.x + static_cast<int>(std::floor(layout.column(x))),

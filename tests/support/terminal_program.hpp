@@ -13,10 +13,10 @@
 
 namespace taut::test {
 
-/// The program itself at a terminal of 80 × 24 characters, with somebody who types.
+/// A pseudo-terminal of 80 × 24 characters.
 class TerminalProgram {
  public:
-  /// Its history and whatever else it keeps goes into the folder `state`.
+  /// `state`: folder for history and other state.
   TerminalProgram(std::vector<std::string> arguments, const std::string& state) {
     arguments.insert(arguments.begin(), TAUT_BINARY_DIR "/taut");
     std::vector<std::string> variables{"TERM=xterm-256color", "COLORTERM=truecolor", "LC_ALL=C.UTF-8",
@@ -40,7 +40,7 @@ class TerminalProgram {
   void type(const std::string& keys) const {
     REQUIRE(::write(terminal_, keys.data(), keys.size()) == static_cast<ssize_t>(keys.size()));
   }
-  /// Waits until the screen has shown `text` since the last call, and gives all that it has shown since.
+  /// Waits until `text` is printed; returns the output up to its end.
   std::string wait_for(const std::string& text) {
     while (shown_.find(text) == std::string::npos) {
       CAPTURE(shown_);
@@ -52,7 +52,7 @@ class TerminalProgram {
     shown_.erase(0, end);
     return before;
   }
-  /// Waits until it takes keys: it writes the prompt a moment before it has the terminal to itself.
+  /// Waits for the prompt and for raw mode, which follows a moment later.
   std::string wait_for_prompt() {
     const std::string shown = wait_for("> ");
     termios mode{};
@@ -78,7 +78,7 @@ class TerminalProgram {
     all.push_back(nullptr);
     return all;
   }
-  /// False when the program has ended, or says nothing for long.
+  /// False at the end, or after a long silence.
   bool read() {
     constexpr int patience = 20'000;  // ms
     pollfd ready{terminal_, POLLIN, 0};

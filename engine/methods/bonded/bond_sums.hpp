@@ -8,17 +8,16 @@
 
 namespace taut {
 
-/// Sums of the stress pass over the bonds of four particles.
 template <int Dim>
 struct BondSums {
   Mat<Pack, Dim> A{};      // Σ_j (x_j − x_i) ⊗ a_ij
   Vec<Pack, Dim> force{};  // N
-  Pack energy{};           // J; if requested
-  Pack stiffest{};         // greatest s + 1/(4s²)
+  Pack energy{};           // J, if requested
+  Pack stiffest{};         // maximum s + 1/(4s²)
 };
 
-/// Returns the sums, with damping. `places`: x and x + 3 τ v; with d = x_j − x_i and `ahead` the same of x + 3 τ v,
-/// d·ahead/r0² = s + 3 τ q̇, which replaces s in 3 φ′/λ = s − ¾ − 1/(4s²). r² is at least `least_r2`, in m².
+/// `places` contains x and x + 3 τ v. For damping, s + 3 τ q̇ replaces s in 3 φ′/λ = s − ¾ − 1/(4s²). r² is at least
+/// `least_r2`, m².
 template <bool WithEnergy, int Dim, class Storage>
 [[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBondsView<Dim, Storage>& bonds,
                                                       const ColumnsView<2 * Dim>& places, int group,
@@ -57,9 +56,9 @@ template <bool WithEnergy, int Dim, class Storage>
 inline constexpr TermInfo bonded_damping_info{
     "damping", "f_i = Σ_j k_ij τ q̇_ij (x_j − x_i), q = ½ (λ² − 1), τ = damping dp √(ρ0/G)", "ours",
     "methods/bonded/bond_sums.hpp:bond_sums",
-    "oenog: the damping takes a zigzag away and leaves the first mode alone"};
+    "oenog: damping removes a zigzag and leaves the first mode unchanged"};
 
-/// Adds Σ_j (Q_i + Q_j) a_ij to the forces on four particles.
+/// Adds Σ_j (Q_i + Q_j) a_ij to `f`.
 template <int Dim, class Storage>
 [[gnu::always_inline]] inline void add_stress_force(const PackedBondsView<Dim, Storage>& bonds,
                                                     const ColumnsView<Dim * Dim>& Q, int group,

@@ -13,33 +13,30 @@
 
 namespace taut {
 
-/// Cancellation for four particles of lattices along the axes with rectangular cells: the e ⊗ e of the diagonals of a
-/// face, and of the cell, differ in signs only.
+/// Cancellation on axis-aligned lattices: e ⊗ e of diagonals differ only in signs.
 template <int Dim>
 struct alignas(sizeof(Pack)) CancelledOnLattice {
   static constexpr int faces = Dim == 2 ? 1 : 3;
   struct Face {
-    Pack aa, bb, ab;  // e ⊗ e of the diagonal with e_a e_b > 0, in the plane of the axes a < b
-    Pack third[2];    // ⅓ G V0_i w_ij, J; for e_a e_b > 0 and < 0
+    Pack aa, bb, ab;  // e ⊗ e of the diagonal with e_a e_b > 0, a < b
+    Pack third[2];    // ⅓ G V0_i w_ij, J; e_a e_b > 0 and < 0
   };
   struct Across {
-    Sym<Pack, 3> dyad;  // e ⊗ e of the diagonal with all products > 0
+    Sym<Pack, 3> dyad;  // e ⊗ e of the diagonal with positive products
     Pack third[4];      // all products > 0; only xy, xz or yz > 0
   };
   Pack axis[Dim];  // ⅓ G V0_i w_ij, J
   Face face[faces];
   Across across;  // in 3D
 
-  /// Adds a bond of the particle of this lane; bonds that are parallel to round-off are merged. Returns false if it
-  /// does not fit the lattice.
+  /// Adds a bond of a lane. Returns false if it does not fit the lattice.
   bool add(int lane, const Sym<double, Dim>& dyad, double Gw);
-  /// Returns G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e for C.
+  /// As CancelledView::slopes.
   Sym<Pack, Dim> slopes(const Sym<Pack, Dim>& C) const;
 
  private:
-  /// Returns the axes of the n-th face.
   static constexpr std::array<int, 2> plane(int n) { return {n == 2 ? 1 : 0, n == 0 ? 1 : 2}; }
-  /// Stores the first value of a lane; returns false for a different value.
+  /// Returns false for a second value.
   static bool can_store(Pack& known, int lane, double value) {
     if (known[lane] == 0) known[lane] = value;
     return std::abs(known[lane] - value) < 1e-12;
@@ -107,18 +104,17 @@ Sym<Pack, Dim> CancelledOnLattice<Dim>::slopes(const Sym<Pack, Dim>& C) const {
   return S;
 }
 
-/// Cancellation of bonds (THEORY.md, Energy) for four particles at once, as plain data for passes. It visits no
-/// neighbours: of a linear displacement a bond sees s° = e·C e. Opposite bonds are merged. Storage as in PackedBonds.
+/// Cancellation (THEORY.md, Energy); opposite bonds are merged.
 template <int Dim, class Storage = AlignedPack>
 struct CancelledView {
   static constexpr int dyad_size = Sym<Pack, Dim>::size - 1;
-  /// e ⊗ e of one bond of each of four particles, without the last component: the trace is 1.
+  /// e ⊗ e without its last component; the trace is 1.
   struct Dyad {
     Storage c[dyad_size];
   };
   class Stretch;
   struct GroupRows {
-    int dyad, third, count;  // first indices; the count is even, with a filling of strength 0
+    int dyad, third, count;  // first indices; the count is even
     int on_lattice;          // −1 if off-lattice
   };
 
@@ -127,20 +123,19 @@ struct CancelledView {
   const Storage* thirds = nullptr;  // ⅓ G V0_i w_ij, J
   const CancelledOnLattice<Dim>* on_lattice = nullptr;
 
-  /// Returns G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e of a group for C = Fᵀ F, in J.
+  /// Returns G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e, J.
   Sym<Pack, Dim> slopes(int group, const Sym<Pack, Dim>& C) const;
-  /// Returns G V0_i Σ_j w_ij φ_c(s°), in J.
+  /// Returns G V0_i Σ_j w_ij φ_c(s°), J.
   Pack energy(int group, const Sym<Pack, Dim>& C) const;
 };
 
-/// Owner of such data.
 template <int Dim, class Storage = AlignedPack>
 class CancelledBonds {
  public:
   using View = CancelledView<Dim, Storage>;
 
   CancelledBonds() = default;
-  /// `terms_of(i)` returns the CancelledTerms of particle i < n; it is called on `threads` threads.
+  /// `terms_of(i)` returns CancelledTerms of particle i < n.
   template <class TermsOf>
   CancelledBonds(int n, int threads, const TermsOf& terms_of);
 
@@ -161,7 +156,7 @@ class CancelledBonds {
   SharedRows<CancelledOnLattice<Dim>> on_lattice_;
 };
 
-/// s° of bonds as a linear function of the stored components of e ⊗ e.
+/// Computes s° from e ⊗ e.
 template <int Dim, class Storage>
 class CancelledView<Dim, Storage>::Stretch {
  public:

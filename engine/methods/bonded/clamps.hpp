@@ -11,13 +11,12 @@
 
 namespace taut {
 
-/// Clamp places as columns behind the particles. The places of a driven region follow it.
+/// Clamp places, stored in columns after the particles.
 template <int Dim>
 class Clamps {
  public:
   using V = Vec<double, Dim>;
 
-  /// Resizes the columns and appends the places, where the stress is 0.
   void add_places(const std::vector<ClampPlace>& all, const Particles<Dim>& s, const Drives<Dim>& drives,
                   Columns<2 * Dim>& places, Columns<Dim * Dim>& Q) {
     const std::vector<int> where = stored_places(s.id);
@@ -38,7 +37,7 @@ class Clamps {
 
   bool has_driven() const { return !driven_.empty(); }
 
-  /// Moves the places with the driven particles behind them; `ahead`, in s, as in x + ahead v.
+  /// Moves driven places; `ahead` in s.
   void follow(const Particles<Dim>& s, double ahead, const ColumnsView<2 * Dim>& places) const {
     for (const auto& [place, behind, from_behind] : driven_)
       for (int k = 0; k < Dim; ++k) {
@@ -47,7 +46,7 @@ class Clamps {
       }
   }
 
-  /// Calls use(particle behind the place, force on the free particle, in N) for each bond into a clamp.
+  /// Calls use(rigid particle, force on the free particle in N) for each bond.
   template <class Storage, class Use>
   void for_each_pull(const PackedBonds<Dim, Storage>& packed, const ColumnsView<2 * Dim>& places,
                      const ColumnsView<Dim * Dim>& Q, double least_r2, const Use& use) const {
@@ -75,9 +74,9 @@ class Clamps {
  private:
   struct Driven {
     int place, behind;  // stored indices
-    V from_behind;      // from the particle to the place, m
+    V from_behind;      // from particle to place, m
   };
-  int first_ = 0;            // first place in the columns
+  int first_ = 0;            // column of the first place
   std::vector<int> behind_;  // [place] stored index of the rigid particle
   std::vector<Driven> driven_;
 };

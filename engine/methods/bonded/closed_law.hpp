@@ -6,10 +6,10 @@
 
 namespace taut {
 
-/// Continuation of any law below J = ½, as in ClosedNeoHookean: c replaces det F in the shear part, and the energy has
-/// (K + 4G/3)(1 − 2J)³ more. A law of F alone has the latter only.
+/// Continues laws below J = ½: c replaces det F in shear, and (K + 4G/3)(1 − 2J)³ is added. Laws of F alone have the
+/// latter only.
 struct Closing {
-  double J, c, per_J;  // det F; its replacement c and dc/dJ
+  double J, c, per_J;  // det F; its replacement; dc/dJ
   double shut;         // 1 − 2J, or 0
 
   explicit Closing(double det) : J(det), c(det), per_J(1), shut(0) {
@@ -44,7 +44,6 @@ Mat<double, Dim> closed_piola(const L& law, const Mat<double, Dim>& F) {
   }
 }
 
-/// The same for four particles with their materials.
 template <class L, int Dim>
 Pack closed_energy(const L* laws, const int* material, const Mat<Pack, Dim>& F) {
   Pack energy{};

@@ -9,7 +9,7 @@ namespace {
 
 constexpr TermInfo time_info{
     "time", "position Verlet, one step", "[Zhang2024] Eq. 22–25", "methods/bonded/solver.cpp:step",
-    "oenog: 40 steps are those of the formulas, with a clamp, two materials and on a ring"};
+    "oenog: 40 steps equal the transcription, with a clamp, two materials and on a ring"};
 
 }  // namespace
 
@@ -20,7 +20,7 @@ std::vector<TermInfo> terms(const BondedFormulation& m) {
 
 std::vector<ConstantRow<BondedConstants>> constants(const BondedFormulation& m, int dim) {
   constexpr std::string_view help = "half of the least reach of bonds over the spacing";
-  // in 3D the 26 nearest of a cubic lattice and no others, for which there are weights: between √3/2 and 1
+  // 3D: this range selects the 26 nearest on a cubic lattice
   const MethodConstant h = dim == 3 ? MethodConstant{"h", m.h_over_dp_3d, 0.87, 0.99, help, true, true}
                                     : MethodConstant{"h", m.h_over_dp, 0.8, 2.0, help, true, true};
   return {{&BondedConstants::h, h},

@@ -8,15 +8,12 @@
 #include "engine/methods/bonded/shown_stress.hpp"
 #include "engine/terms/bond.hpp"
 
-/// Plain data of the bonded family, for its passes.
 namespace taut {
 
-/// The family's own law for four particles.
 struct alignas(sizeof(Pack)) GroupLaw {
-  Pack V;  // m^Dim, weights the energy; 0 of the filling and of particles without F
+  Pack V;  // m^Dim; 0 in padding and without F
   ClosedNeoHookean<Pack> law;
 };
-/// Indices of a group's constants.
 struct GroupRows {
   int law, B;
 };
@@ -31,23 +28,23 @@ template <int Dim>
 struct BondedFields {
   using V = Vec<double, Dim>;
 
-  int size;                     // particles
+  int size;
   V* x;                         // m
   const V* v;                   // m/s
-  ColumnsView<2 * Dim> places;  // x, x + 3 τ v; clamp places behind the particles
+  ColumnsView<2 * Dim> places;  // x, x + 3 τ v; clamp places after the particles
   ColumnsView<Dim * Dim> Q;     // T B, row by row
-  const double* mobility;       // 1/m, or 0 of constrained particles, 1/kg
+  const double* mobility;       // 1/kg; 0 if constrained
   Vec<Pack, Dim>* bond_force;   // [group] N
   double lead;                  // 3 τ of the bonds, s
-  double least_r2;              // m²: a bond is never shorter than a hundredth of a spacing
-  bool own_law;                 // the law in GroupLaw; else `laws`
+  double least_r2;              // minimum r², m²
+  bool own_law;                 // GroupLaw instead of `laws`
   LawsInUse laws;
-  const int* material;  // with the filling of the last group
+  const int* material;  // padded to whole groups
   const GroupRows* groups;
   const GroupLaw* group_laws;
   const Mat<Pack, Dim>* B;
   BondsView<Dim, AlignedPack> bonds;
-  BondsView<Dim, HalfPack> halved_bonds;  // off-lattice in 3D, where each particle has constants of its own
+  BondsView<Dim, HalfPack> halved_bonds;  // for off-lattice 3D
   bool halved;
 
   int group_count() const { return (size + lanes - 1) / lanes; }
@@ -56,7 +53,6 @@ struct BondedFields {
   void set_place(int i) const {
     for (int k = 0; k < Dim; ++k) places[k][i] = x[i][k], places[Dim + k][i] = x[i][k] + lead * v[i][k];
   }
-  /// pass(bonds) with the bonds in use.
   template <class Pass>
   auto with_bonds(const Pass& pass) const {
     if constexpr (Dim == 3)
@@ -65,7 +61,6 @@ struct BondedFields {
   }
 };
 
-/// A group of four particles in a snapshot.
 template <int Dim>
 struct alignas(sizeof(Pack)) ShownGroup {
   ShownStress<Pack, Dim> stress;

@@ -14,7 +14,6 @@
 
 namespace taut {
 
-/// W of one particle: the own law of the family or the chosen one.
 struct LawOfOne {
   const std::vector<Elasticity>& materials;
   bool own;
@@ -32,7 +31,7 @@ struct LawOfOne {
   }
 };
 
-/// Sites of Interfaces in storage order, computed one by one: there are few (THEORY.md, Interfaces).
+/// Sites in storage order (THEORY.md, Interfaces).
 template <int Dim>
 class InterfaceSites {
  public:
@@ -40,24 +39,22 @@ class InterfaceSites {
   using Square = Mat<double, Dim>;
 
   InterfaceSites() = default;
-  /// For particles stored in the order of `ids`.
   InterfaceSites(const BondedSetup& setup, const std::vector<int>& ids);
 
-  /// Replaces Q of the particles that have a site and adds the forces of their kinks to the bond forces.
   template <class Column, class Law>
   void pass(const Column& x, const Law& law, int threads, Columns<Dim * Dim>& Q,
             std::vector<Vec<Pack, Dim>>& bond_force);
-  /// Returns the energy of particle i minus the energy it would have within its own material alone, in J.
+  /// Returns the energy of particle i minus its energy without interface, J.
   template <class Column, class Law>
   double energy_of_kink(int i, const Column& x, const Law& law) const;
 
  private:
   struct StoredSiteBond {
     int j;
-    Direction g, e;                 // 1/m; direction at the start
+    Direction g, e;                 // 1/m; initial direction
     double per_r0_squared;          // 1/m²
     double strength, own_strength;  // J, see SiteBond
-    int pull;                       // index in pulls_ of a bond across, else −1
+    int pull;                       // index in pulls_ if across, else −1
   };
   struct Kink {
     int j;
@@ -68,12 +65,11 @@ class InterfaceSites {
     double V, share;
     Direction N, m;
     Square B;
-    int bond, bonds, kink, kinks;  // first and one past the last
+    int bond, bonds, kink, kinks;  // first; one past the last
   };
   struct Deformations {
     Square mean, own, other, across;
   };
-  /// A particle of a group takes weight × pulls_[pull].
   struct PullShare {
     int pull, lane;
     double weight;
@@ -81,7 +77,7 @@ class InterfaceSites {
   struct GroupShares {
     int group, begin, end;
   };
-  /// Energy of a bond across as a function of s, s° of F_across and s° of F_own, and its slopes in each.
+  /// Energy and its derivatives by s, s° of F_across and s° of F_own.
   struct AcrossEnergy {
     double energy, of_s, of_across, of_own;
   };
@@ -103,7 +99,7 @@ class InterfaceSites {
   std::vector<int> site_of_;  // [stored] or −1
   std::vector<StoredSiteBond> bonds_;
   std::vector<Kink> kinks_;
-  std::vector<Direction> pulls_;  // ∂E/∂b of each site, J; forces along the bonds across, N
+  std::vector<Direction> pulls_;  // ∂E/∂b of each site, J; forces along bonds across, N
   std::vector<PullShare> shares_;
   std::vector<GroupShares> affected_;
 };
@@ -143,7 +139,7 @@ InterfaceSites<Dim>::InterfaceSites(const BondedSetup& setup, const std::vector<
   share_out();
 }
 
-/// Sorts the shares by group, so that no two threads add to one group.
+/// Sorts shares by group, for one thread per group.
 template <int Dim>
 void InterfaceSites<Dim>::share_out() {
   struct Part {
@@ -190,7 +186,7 @@ auto InterfaceSites<Dim>::deformations(const StoredSite& site, const Column& x) 
   return of;
 }
 
-/// Without φ(s), the energy of the spring in PackedBonds.
+/// Excludes φ(s), the energy of the spring.
 template <int Dim>
 auto InterfaceSites<Dim>::energy_across(const StoredSiteBond& bond, double s, double across, double own)
     -> AcrossEnergy {

@@ -6,7 +6,6 @@
 
 namespace taut {
 
-/// The loops of a method; passes.hpp documents them.
 template <int Dim>
 struct BondedKernels {
   using Fields = BondedFields<Dim>;

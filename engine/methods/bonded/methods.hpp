@@ -16,9 +16,9 @@ inline constexpr BondedFormulation oenog{
         .contact = ContactLaw::surface,
         .contact_stiffness = 2,  // (K + 4G/3)/2 per spacing, see terms/surface_contact.hpp
         .several_materials = true,
-        .h_over_dp = 0.8,     // the eight nearest on a square lattice, see THEORY.md
-        .h_over_dp_3d = 0.9,  // the 26 nearest of a cubic one
-        .cfl = 0.64,          // over dp/(c_p + |v|max), c_p of compression; the lattice is stable up to 0.97
+        .h_over_dp = 0.8,     // 8 neighbours on a square lattice
+        .h_over_dp_3d = 0.9,  // 26 on a cubic lattice
+        .cfl = 0.64,          // over dp/(c_p + |v|max); limit of lattices 0.97
     },
     {.law = Law::neo_hookean, .others = OtherLaws::all}};
 

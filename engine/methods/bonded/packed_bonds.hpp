@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// One bond of each of four particles; 0 in the filling.
+/// One bond of each lane; 0 in padding.
 template <class Storage>
 struct alignas(sizeof(Pack)) Spring {
   Pack third_of_k;       // k/3, N/m (per metre depth in 2D)
@@ -29,7 +29,7 @@ struct alignas(sizeof(Pack)) Spring {
   Pack half_inverse(const Pack& r2) const { return half_r0_squared / r2; }
 };
 
-/// The same in half the bytes. 1/r0² stays in double precision: otherwise a bond at rest would pull.
+/// 1/r0² stays double, so that bonds at rest have no force.
 template <>
 struct Spring<HalfPack> {
   HalfPack third_of_k;
@@ -49,19 +49,17 @@ struct Spring<HalfPack> {
   }
 };
 
-/// A bond of a free particle that ends at a clamp place.
 struct BondToClamp {
   int group, lane, bond, place;
 };
 
-/// Bonds of groups of four contiguous particles, with the constants of each, as plain data for passes. A particle sums
-/// over its bonds in the order in which their other ends are stored, bonds with an a_ij first. Storage is AlignedPack, or
-/// HalfPack if no two groups have the same constants.
+/// Bonds of groups of four particles: those with a_ij first, each part in storage order of the neighbours. HalfPack
+/// is used if groups share no constants.
 template <int Dim, class Storage>
 struct PackedBondsView {
-  struct GroupRows {  // first indices of the group's bonds
+  struct GroupRows {  // first indices
     int slot, count, spring, scale;
-    int a, a_count;  // the first bonds have an a_ij
+    int a, a_count;  // a prefix of the bonds has a_ij
   };
 
   const GroupRows* groups = nullptr;
@@ -74,18 +72,16 @@ struct PackedBondsView {
   const LaneSlot* slots(const GroupRows& own) const { return all_slots + own.slot; }
   const Spring<Storage>* springs(const GroupRows& own) const { return all_springs + own.spring; }
   const Vec<Storage, Dim>* a_ij(const GroupRows& own) const { return all_a_ij + own.a; }
-  /// Share of this end in the energy of a bond: G V0_i w_ij, J.
   const Storage* energy_scales(const GroupRows& own) const { return all_energy_scales + own.scale; }
 };
 
-/// Owner of such bonds.
 template <int Dim, class Storage>
 class PackedBonds {
  public:
   using View = PackedBondsView<Dim, Storage>;
 
   PackedBonds() = default;
-  /// For particles stored in the order of `ids`.
+  /// `ids` in storage order.
   PackedBonds(const BondedSetup& setup, const std::vector<int>& ids, int threads = 1);
 
   View view() const {
@@ -94,7 +90,7 @@ class PackedBonds {
   const std::vector<BondToClamp>& bonds_to_clamp() const { return bonds_to_clamp_; }
 
  private:
-  struct LaneBond : BondConstants {};  // j: where the other end is stored
+  struct LaneBond : BondConstants {};  // j is a stored index
   using BondsOfFour = std::array<std::vector<LaneBond>, lanes>;
   struct PackedGroup {
     std::vector<LaneSlot> slots;
@@ -112,19 +108,18 @@ class PackedBonds {
   std::vector<typename View::GroupRows> groups_;
   SharedRows<LaneSlot> slots_;
   SharedRows<Spring<Storage>> springs_;
-  SharedRows<Vec<Storage, Dim>> a_ij_;  // times a constant that B removes
+  SharedRows<Vec<Storage, Dim>> a_ij_;  // up to a factor that B removes
   SharedRows<Storage> energy_scales_;
   std::vector<BondToClamp> bonds_to_clamp_;
 };
 
-/// Inverts `ids`: returns where each particle is stored.
 inline std::vector<int> stored_places(const std::vector<int>& ids) {
   std::vector<int> where(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) where[ids[i]] = static_cast<int>(i);
   return where;
 }
 
-/// Clamp places are stored behind all groups.
+/// Clamp places follow all groups.
 template <int Dim, class Storage>
 PackedBonds<Dim, Storage>::PackedBonds(const BondedSetup& setup, const std::vector<int>& ids, int threads) {
   const int n = static_cast<int>(ids.size()), groups = (n + lanes - 1) / lanes, size = groups * lanes;

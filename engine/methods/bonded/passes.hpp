@@ -10,25 +10,23 @@
 
 namespace taut {
 
-/// Groups that a pass works on together: the long dependency chains of a root and a law overlap with those of other
-/// groups only if no bond loops lie between them.
+/// Groups per block; its separate loops overlap latencies.
 inline constexpr int groups_of_block = 8;
 template <int Dim>
 int block_count(const BondedFields<Dim>& f) {
   return (f.group_count() + groups_of_block - 1) / groups_of_block;
 }
 
-/// Strain of four particles.
 template <int Dim>
 struct StrainOfFour {
   Mat<Pack, Dim> F;      // 0 where V is 0
   Vec<Pack, Dim> force;  // of the bonds, N
-  Pack energy;           // of the bonds, J; if requested
-  Pack stiffest;         // greatest stiffness of bonds and particles, over the stiffness at rest
-  Pack root;             // J^(−1/3), if the law is the own one
+  Pack energy;           // of the bonds, J, if requested
+  Pack stiffest;         // maximum stiffness relative to rest
+  Pack root;             // J^(−1/3) for the default law
 };
 
-/// Advances x by `dt`, half a step, also in the columns.
+/// Advances x by `dt`, half a step.
 template <const BondedFormulation&, int Dim>
 void half_drift(const BondedFields<Dim>& f, double dt, const Threads& threads) {
   parallel_for(f.group_count(), threads, [&](int group) {
@@ -38,7 +36,7 @@ void half_drift(const BondedFields<Dim>& f, double dt, const Threads& threads) {
       return;
     }
     Pack x_rows[Dim], v_rows[Dim], x[Dim], v[Dim];
-    double* const x_at = reinterpret_cast<double*>(&f.x[first]);  // of `lanes` particles, row by row
+    double* const x_at = reinterpret_cast<double*>(&f.x[first]);  // of `lanes` particles
     const double* const v_at = reinterpret_cast<const double*>(&f.v[first]);
 #pragma GCC unroll 3
     for (int k = 0; k < Dim; ++k) {
@@ -69,7 +67,7 @@ void strain(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, in
   out.stiffest = max(Pack(sums.stiffest + bond_stiffness_offset), closing);
 }
 
-/// Returns V_i W(F_i) minus the cancellation of four particles, in J.
+/// Returns V_i W(F_i) minus the cancellation, J.
 template <const BondedFormulation& M, int Dim, class Storage>
 Pack energy_of_four(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, int group,
                     const Mat<Pack, Dim>& F) {
@@ -105,7 +103,7 @@ void set_stress(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds
     for (int k = 0; k < Dim; ++k) store(Q(a, k), f.Q[a * Dim + k] + lanes * group);
 }
 
-/// Bond forces and Q of every particle. Returns the greatest stiffness of bonds and particles, over that at rest.
+/// Returns the maximum stiffness relative to rest.
 template <const BondedFormulation& M, int Dim>
 double stress_pass(const BondedFields<Dim>& f, const Threads& threads) {
   return f.with_bonds([&](const auto& bonds) {
@@ -126,7 +124,7 @@ double stress_pass(const BondedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Returns the bond forces plus Σ_j (Q_i + Q_j) a_ij on four particles, in N.
+/// Returns bond and stress forces, N.
 template <int Dim, class Storage>
 [[gnu::always_inline]] inline Vec<Pack, Dim> inner_force(const BondedFields<Dim>& f,
                                                          const BondsView<Dim, Storage>& bonds, int group) {
@@ -135,7 +133,7 @@ template <int Dim, class Storage>
   return force;
 }
 
-/// Advances v by all forces and x by the second half step. Returns the greatest v², in m²/s².
+/// Advances v, then x by half a step. Returns the maximum v², m²/s².
 template <const BondedFormulation&, int Dim>
 double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threads& threads) {
   return f.with_bonds([&](const auto& bonds) {
@@ -159,7 +157,7 @@ double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threa
   });
 }
 
-/// The forces inside the bodies on every particle, N.
+/// Computes bond and stress forces, N.
 template <const BondedFormulation&, int Dim>
 void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threads& threads) {
   f.with_bonds([&](const auto& bonds) {
@@ -171,7 +169,7 @@ void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threa
   });
 }
 
-/// Sets F and returns the energy of four particles at `places`, J.
+/// Sets F and returns the energy, J.
 template <const BondedFormulation& M, int Dim>
 Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>& now) {
   return f.with_bonds([&](const auto& bonds) {
@@ -180,7 +178,7 @@ Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>&
   });
 }
 
-/// Energies of all groups, J.
+/// Computes the energy of each group, J.
 template <const BondedFormulation& M, int Dim>
 void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& threads) {
   parallel_pass(f.group_count(), threads, [&](int group) {
@@ -189,7 +187,6 @@ void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& th
   });
 }
 
-/// Stress of F of four particles; rigid particles have none.
 template <const BondedFormulation& M, int Dim>
 ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, const Mat<Pack, Dim>& F) {
   if (f.own_law) return shown_neo_hookean(f.law(group).law.K, f.law(group).law.G, F);
@@ -206,7 +203,7 @@ ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, con
   return all;
 }
 
-/// Energies and stresses of the groups, each into one of `out`, at `places`, with the displacements u, m.
+/// Computes energies and stresses; `u`: displacements, m.
 template <const BondedFormulation& M, int Dim>
 void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const AlignedPack* u,
                const int* groups, int count, ShownGroup<Dim>* out, const Threads& threads) {
@@ -214,10 +211,10 @@ void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const
     const int group = groups[k];
     StrainOfFour<Dim> now;
     out[k].energy = strain_and_energy<M>(f, group, now);
-    // rigid particles, and tips whose bonds hardly span the space, have no F of their own
+    // rigid particles and weakly bonded tips have no F
     const PackIndex has_own = f.law(group).V > 0;
     for (int a = 0; a < Dim; ++a) now.F(a, a) = has_own ? now.F(a, a) : filled<Pack>(1);
-    // in 3D the volume is that of the own F: near incompressibility the recovered one, which no force keeps, is off
+    // the recovered volume is wrong near incompressibility
     Mat<Pack, Dim> F = recovered_deformations<Dim>(recovered, u, f.size, lanes * group, now.F);
     if constexpr (Dim == 3)
       keep_volume(recovered, f.size, lanes * group, F, has_own ? determinant(now.F) : determinant(F));

@@ -9,15 +9,15 @@
 
 namespace taut {
 
-/// Stress for snapshots; below J = ½ the law without its continuation. T: one particle or four.
+/// Stress for snapshots. T: one particle or four.
 template <class T, int Dim>
 struct alignas(alignment_of<T>) ShownStress {
-  T J, p;         // p in Pa
-  Sym<T, Dim> s;  // the deviator, Pa
-  T s_zz;         // out of plane, in 2D
+  T J, p;         // Pa
+  Sym<T, Dim> s;  // deviator, Pa
+  T s_zz;         // out of plane
 };
 
-/// Returns p = −K (J − 1) and s = G J^(−5/3) dev(F Fᵀ) with (F Fᵀ)_zz = 1 in 2D and J at least 0.05.
+/// Returns p = −K (J − 1), s = G J^(−5/3) dev(F Fᵀ) with (F Fᵀ)_zz = 1 in 2D and J ≥ 0.05.
 template <int Dim>
 ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat<Pack, Dim>& F) {
   const Pack J = determinant(F), root = inverse_cube_root(max(J, filled<Pack>(0.05)));
@@ -30,7 +30,7 @@ ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat
   return {J, -K * (J - 1), shear * b, shear * (1 - mean)};
 }
 
-/// The same of another law; only a pressure −K (J − 1) where J is below 0.05.
+/// Returns only the pressure −K (J − 1) below J = 0.05.
 template <class L, int Dim>
 ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   const double J = determinant(F);
@@ -41,8 +41,7 @@ ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   return {J, p, sigma, zz + p};
 }
 
-/// Replaces F of the four particles from `first` on by the recovered gradient of the displacements u, in m, where there
-/// is one.
+/// Replaces F by the recovered gradient of u, m.
 template <int Dim>
 Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const AlignedPack* u, int size,
                                       int first, Mat<Pack, Dim> F) {
@@ -67,11 +66,10 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const Alig
   return F;
 }
 
-/// Scales F of the four particles from `first` on to the volume ratio J of their own gradient, unless that averages two
-/// sides.
+/// Scales F to the volume ratio J, unless the own gradient averages two sides.
 template <int Dim>
 void keep_volume(const RecoveredView& recovered, int size, int first, Mat<Pack, Dim>& F, const Pack& J) {
-  const Pack least = filled<Pack>(0.05);  // crushed or inverted particles keep no volume
+  const Pack least = filled<Pack>(0.05);  // crushed or inverted particles
   const Pack ratio = max(J, least) / max(determinant(F), least);
   const Pack root = inverse_cube_root(ratio);
   Pack scale = ratio * root * root;

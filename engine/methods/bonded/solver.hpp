@@ -14,7 +14,6 @@
 
 namespace taut {
 
-/// Owner of the bonds of a run and of their cancellation.
 template <int Dim, class Storage>
 struct StoredBonds {
   PackedBonds<Dim, Storage> packed;
@@ -23,12 +22,10 @@ struct StoredBonds {
   BondsView<Dim, Storage> view() const { return {packed.view(), cancelled.view()}; }
 };
 
-/// Bodies held together by bonds (THEORY.md), which touch by a contact law. Time integration is position Verlet.
-///
-/// Two passes a step over groups of four particles, one a lane. The stress pass visits x_j and v_j; it computes F_i, the
-/// bond forces and Q_i = T_i B_i. With g_ij = B_i a_ij and a_ij = −a_ji the stress force is
+/// Bonded bodies (THEORY.md) with position Verlet. The stress pass computes F_i, bond forces and Q_i = T_i B_i. With
+/// g_ij = B_i a_ij and a_ij = −a_ji, the force pass computes
 ///   Σ_j (T_i g_ij − T_j g_ji) = Σ_j (Q_i + Q_j) a_ij,
-/// which the force pass computes from Q. So the passes share one vector a bond.
+/// so both share one vector per bond.
 template <int Dim>
 class Bonded final : public Scheme<Dim> {
  public:
@@ -69,13 +66,13 @@ class Bonded final : public Scheme<Dim> {
   Particles<Dim>& p_;
   const Constants& c_;
   std::vector<Elasticity> materials_;
-  bool own_law_;  // the law in GroupLaw
+  bool own_law_;
   Materials laws_;
-  std::vector<int> material_;  // [stored], with the filling of the last group
+  std::vector<int> material_;  // [stored], padded to whole groups
   Constraints constraints_;    // [id]
   double wave_speed_;          // m/s, see BondedSetup
-  double layout_ = 1;          // ω² of the highest mode at the start over ω² of a lattice, at least 1
-  double stiffest_ = 1;  // greatest stiffness of bonds and particles in the last step, over the one at rest
+  double layout_ = 1;          // highest ω² relative to a lattice, ≥ 1
+  double stiffest_ = 1;        // maximum stiffness relative to rest
   SharedRows<GroupLaw> group_laws_;
   SharedRows<Mat<Pack, Dim>> B_;
   std::vector<GroupRows> groups_;
@@ -86,10 +83,10 @@ class Bonded final : public Scheme<Dim> {
   Columns<Dim * Dim> Q_;
   Columns<1> mobility_;
   std::vector<Vec<Pack, Dim>> bond_force_;
-  BondedFields<Dim> f_{};  // pointers to all of these
-  // computed for the first snapshot, and again once a drive has ended
+  BondedFields<Dim> f_{};
+  // recomputed after a drive ends
   mutable RecoveredGradient recovered_;
-  mutable long released_ = 0;  // particles whose drive has ended, in recovered_
+  mutable long released_ = 0;  // particles whose drives have ended
 };
 
 }  // namespace taut

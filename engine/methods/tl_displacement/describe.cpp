@@ -10,7 +10,7 @@ namespace {
 
 constexpr TermInfo time_info{"time", "position Verlet, one step", "[Zhang2020] Eq. 10, 11",
                              "methods/tl_displacement/solver.cpp:step",
-                             "total Lagrangian: a ring and a disc that collide"};
+                             "total Lagrangian: a colliding ring and disc follow the transcription"};
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::vector<ConstantRow<TlDisplacementConstants>> constants(const TlDisplacement
   using C = TlDisplacementConstants;
   if (m.gradient == GradientCorrection::corrected) return {{&C::h, smoothing_length(m, dim, 0.8)}};
   return {
-      {&C::h, smoothing_length(m, dim, 0.36)},  // no more neighbours than the four nearest are asked for
+      {&C::h, smoothing_length(m, dim, 0.36)},  // selects the four nearest
       {&C::normalised,
        {"normalised", 1.0, 0.0, 1.0, "1: gradients divided by the sum of the kernel; 0: not", false, true}}};
 }

@@ -8,13 +8,12 @@
 
 namespace taut {
 
-/// Plain data of a total-Lagrangian method whose only unknowns are the positions, for its passes.
 template <int Dim>
 struct TlDisplacementFields {
   using V = Vec<double, Dim>;
 
-  int size;  // particles
-  V* x;      // m
+  int size;
+  V* x;  // m
   const V *v, *X;
   const int* material;
   const Sites<Dim>* sites;

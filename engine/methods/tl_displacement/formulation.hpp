@@ -16,7 +16,7 @@ struct TlDisplacementFormulation : Formulation, ElasticSwitches, TlDisplacementS
 };
 
 struct TlDisplacementConstants : Constants {
-  double normalised = 0;  // 1: gradients over the sum of kernels, where not corrected
+  double normalised = 0;  // 1: divides uncorrected gradients by the kernel sum
 };
 
 }  // namespace taut

@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// [TranDuc2023] on the initial configuration, with its kernel of §2.1 and its penalty contact.
+/// [TranDuc2023] §2.3 with the kernel of §2.1.
 inline constexpr TlDisplacementFormulation icb{
     {
         .name = "icb",
@@ -34,8 +34,8 @@ inline constexpr TlDisplacementFormulation tl{
     {.law = Law::neo_hookean, .others = OtherLaws::all},
     {}};
 
-/// [Zhang2020] states neither h nor where the Gaussian ends, and has no numbers for its contact. h = dp: sums
-/// over a square lattice are right to 1e-3 then, and not with less.
+/// [Zhang2020] states neither h, the cut-off nor contact constants. h = dp is the least with lattice sums accurate to
+/// 1e-3.
 inline constexpr TlDisplacementFormulation tl_small_strain{
     {
         .name = "tl-small-strain",

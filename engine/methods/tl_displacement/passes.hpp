@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// x moves on, and u with it.
+/// Advances x and computes u.
 template <const TlDisplacementFormulation&, int Dim>
 void drift(const TlDisplacementFields<Dim>& f, double dt, const Threads& threads) {
   parallel_for(f.groups(), threads, [&](int group) {
@@ -17,7 +17,6 @@ void drift(const TlDisplacementFields<Dim>& f, double dt, const Threads& threads
   });
 }
 
-/// F = I + ∇u of four particles
 template <int Dim>
 Mat<Pack, Dim> deformation(const TlDisplacementFields<Dim>& f, int group) {
   Mat<Pack, Dim> F = product(f.pairs.difference_sum(f.displacement, group), f.sites[group].B);
@@ -25,7 +24,7 @@ Mat<Pack, Dim> deformation(const TlDisplacementFields<Dim>& f, int group) {
   return F;
 }
 
-/// V P(F) B of every particle.
+/// Computes V P(F) B.
 template <const TlDisplacementFormulation& M, int Dim>
 void stress_pass(const TlDisplacementFields<Dim>& f, const Threads& threads) {
   f.laws.template visit<M>([&]<class L>(const L* of_materials) {
@@ -39,7 +38,7 @@ void stress_pass(const TlDisplacementFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Internal and contact force; then v and the second half of x. Returns the greatest v², m²/s².
+/// Advances v by all forces, then x by half a step. Returns the maximum v², m²/s².
 template <const TlDisplacementFormulation&, int Dim>
 double force_pass(const TlDisplacementFields<Dim>& f, const Kick<Dim>& kick, const Threads& threads) {
   if (kick.impulse)
@@ -55,7 +54,6 @@ double force_pass(const TlDisplacementFields<Dim>& f, const Kick<Dim>& kick, con
   });
 }
 
-/// F of the groups, each into one of `out`.
 template <const TlDisplacementFormulation&, int Dim>
 void deform(const TlDisplacementFields<Dim>& f, const int* groups, int count, Mat<Pack, Dim>* out,
             const Threads& threads) {

@@ -53,7 +53,6 @@ void TlDisplacement<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// take(i, F, J) of each particle of the groups.
 template <int Dim>
 template <class Take>
 void TlDisplacement<Dim>::with_strains(std::span<const int> groups, const Take& take) const {

@@ -6,10 +6,8 @@
 
 namespace taut {
 
-/// Total-Lagrangian methods whose only unknowns are the positions: the deformation gradient comes from them
-/// at every step. [Lee2016] Eq. 34, [TranDuc2023] §2.3, [Zhang2020]. The forces are those of an energy,
-/// unless the law has none, and time goes in position Verlet steps (the leap-frog of [Zhang2020] Eq. 10, 11
-/// with its forces at mid-step), so that the energy has no drift. There is no dissipation.
+/// Computes F from positions: [Lee2016] Eq. 34, [TranDuc2023] §2.3, [Zhang2020]. Position Verlet, as [Zhang2020] Eq.
+/// 10, 11 with forces at mid-step, conserves the energy of laws that have one.
 template <int Dim>
 class TlDisplacement final : public Scheme<Dim> {
  public:
@@ -37,7 +35,7 @@ class TlDisplacement final : public Scheme<Dim> {
   PairLanes<Dim> pair_lanes_;
   Columns<Dim> displacement_;
   Columns<Dim * Dim> stress_;
-  TlDisplacementFields<Dim> f_;  // pointers to all of these
+  TlDisplacementFields<Dim> f_;
 };
 
 }  // namespace taut

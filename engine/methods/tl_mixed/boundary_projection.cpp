@@ -33,10 +33,10 @@ void refer_to_centroid(std::vector<Point>& Z, const std::vector<double>& m) {
 
 }  // namespace
 
-/// The weights and the factor of Σ_a w_a(X_B) w_a(X_B′)/m_a over the points that have the component.
+/// One component: points and K_BB′ = Σ_a w_a(X_B) w_a(X_B′)/m_a.
 struct BoundaryProjection::Factor {
   std::vector<int> points;
-  Sparse w;  // w_a(X_B), a column for each point
+  Sparse w;  // w_a(X_B), a column per point
   std::unique_ptr<Eigen::SimplicialLDLT<Sparse>> K;
 };
 
@@ -75,10 +75,10 @@ Point BoundaryProjection::interpolated(const BoundaryPoint& point, const std::ve
   return sum;
 }
 
-/// With C the sums of (ii), (iii) over w_B and A those over the rigid motions:
+/// C contains the sums of (ii), (iii) over w_B, A those over rigid motions:
 ///   K β + C δ = r,   Cᵀ β + A δ = 0   →   (A − Cᵀ K⁻¹ C) δ = −Cᵀ K⁻¹ r,   β = K⁻¹ (r − C δ).
 void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z) const {
-  refer_to_centroid(Z, m_);  // (iii) is the same about any point
+  refer_to_centroid(Z, m_);  // (iii) holds about any origin
   Eigen::Matrix<double, 6, 6> S = Eigen::Matrix<double, 6, 6>::Zero();
   for (std::size_t a = 0; a < v.size(); ++a) {
     const Eigen::Matrix3d turn = turns(vector(Z[a]));
@@ -88,7 +88,7 @@ void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z)
   }
   S.bottomLeftCorner<3, 3>() = S.topRightCorner<3, 3>().transpose();
   Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
-  std::array<Eigen::MatrixXd, 3> solved;  // K⁻¹ of r and of the 6 columns of C
+  std::array<Eigen::MatrixXd, 3> solved;  // K⁻¹ of r and C
   for (int k = 0; k < 3; ++k) {
     const auto& points = factors_[k].points;
     if (points.empty()) continue;
@@ -106,7 +106,7 @@ void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z)
     S -= C.transpose() * solved[k].rightCols<6>();
     right -= C.transpose() * solved[k].col(0);
   }
-  // where all that could move is prescribed, there is no momentum to keep: the least δ then
+  // minimum-norm, as S may be singular
   const Eigen::Matrix<double, 6, 1> delta = least_squares(S, right).x;
   for (std::size_t a = 0; a < v.size(); ++a) {
     const Eigen::Vector3d rigid = delta.head<3>() + turns(vector(Z[a])) * delta.tail<3>();

@@ -8,23 +8,20 @@
 
 namespace taut {
 
-/// L[f]_i = Σ_j w_ij (f_j − f_i) on the pairs of the start, with
+/// Weights of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale`, m²:
 ///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²),   r_ij = X_i − X_j,            [Lee2016] Eq. A.1, A.2
-/// and α, β such that L of a linear field is 0 and that of |X − X_i|² is 2 Dim (A.3–A.5, printed for 3D).
-/// ΔW = W″ + (Dim − 1) W′/r. The w_ij are stored times `scale`, m². Where the neighbours hardly tell |X −
-/// X_i|² from a linear field, β is 0 and the second condition is left out: those at the corner of a lattice
-/// that are all within dp along each axis do not at all, jittered ones so little that w_ij would shrink the step
-/// a thousandfold. Not symmetric: Σ V_i L[f]_i ≠ 0.
+/// L is exact for linear fields and |X − X_i|² (A.3–A.5). Where neighbours hardly distinguish these, as at corners,
+/// β = 0 avoids tiny steps. L is not symmetric.
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
                                         double h, double scale, int threads = 1) {
   constexpr int N = Dim + 1;
-  // of Σ V r⁴, of what no linear field has: on lattices 0.03 at least, at corners, and 1 inside
+  // minimum nonlinear share of Σ V r⁴; lattice corners have 0.03
   constexpr double least_told = 0.02;
   std::vector<double> w(pairs.j.size());
   parallel_for(pairs.size(), threads, [&](int i) {
-    // lengths in h, so that the rows of the system are of one size; the last column is the right side
+    // lengths in h; the last column is the right-hand side
     double A[N][N + 1] = {};
     A[Dim][N] = 2 * Dim;
     const auto basis = [&](int p, double(&r)[N]) {
@@ -71,10 +68,9 @@ std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
 inline constexpr TermInfo corrected_laplacian_info{
     "dissipation", "D(U) = c_p dp (ε₂ L[U] − ε₄ dp² L*[L[U]]), L corrected", "[Lee2016] Eq. 36, 37, A.1–A.5",
     "methods/tl_mixed/corrected_laplacian.hpp:corrected_laplacian",
-    "corrected Laplacian: 0 of linear fields, 2 d of the square of the distance, at surfaces too"};
+    "corrected Laplacian: linear fields give 0 and the squared distance 2 d, also at surfaces"};
 
-/// V_j w_ji/V_i of each pair, so that L*[f]_i = Σ_j (V_j w_ji/V_i f_j − w_ij f_i) is the adjoint of L:
-/// Σ V_i g_i L[f]_i = Σ V_i f_i L*[g]_i.
+/// Weights V_j w_ji/V_i of the adjoint, L*[f]_i = Σ_j (V_j w_ji/V_i f_j − w_ij f_i).
 template <int Dim>
 std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
                                     const std::vector<double>& V, int threads) {
@@ -89,8 +85,7 @@ std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::v
   return adjoint;
 }
 
-/// k_ij, w_ij, and what L[U] of a neighbour counts in the second Laplacian: as in L*, or with `adjoint` = 0
-/// in L.
+/// Lanes of k_ij, w_ij and the adjoint weight (w_ij for `adjoint` = 0).
 template <int Dim>
 using LaplacianLanes = PairLanes<Dim, Dim + 2>;
 template <int Dim>
@@ -130,7 +125,7 @@ DifferencesAndLaplacian<Dim, N> differences_and_laplacian(const LaplacianView<Di
   return sum;
 }
 
-/// L*[U], or L[U] without the adjoint.
+/// L*[U], or L[U] with `adjoint` = 0.
 template <int Dim, int N>
 Vec<Pack, N> second_laplacian(const LaplacianView<Dim>& pairs, const ColumnsView<N>& U, int group) {
   const int first = lanes * group;
@@ -144,9 +139,7 @@ Vec<Pack, N> second_laplacian(const LaplacianView<Dim>& pairs, const ColumnsView
   return sum;
 }
 
-/// The spectral radius of dp⁴ L*[L[·]], from below but for a per cent or two: 100 rounds of power iteration.
-/// 40 inside a cubic lattice with 26 neighbours, 75 at the edges of three layers of particles in the middle
-/// of cells. The same for any number of threads.
+/// Spectral radius of dp⁴ L*[L[·]], 1 to 2 % low.
 template <int Dim>
 double biharmonic_spectral_radius(const LaplacianView<Dim>& pairs, int particles, int threads) {
   constexpr int fields = 2;

@@ -10,7 +10,8 @@ namespace taut::tl_mixed {
 namespace {
 
 constexpr TermInfo time_info{"time", "TVD Runge–Kutta, two stages", "[Lee2016] Eq. 43",
-                             "methods/tl_mixed/solver.cpp:step", "mixed: a ring and a disc that collide"};
+                             "methods/tl_mixed/solver.cpp:step",
+                             "mixed: a colliding ring and disc follow the transcription"};
 
 }  // namespace
 

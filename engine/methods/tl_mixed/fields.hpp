@@ -6,29 +6,27 @@
 #include "engine/solver/initial_pairs.hpp"
 #include "engine/solver/sites.hpp"
 
-/// Plain data of the mixed total-Lagrangian methods, for their passes.
 namespace taut {
 
-/// Unknowns beside places and velocities, four particles at a time, or their rates.
+/// Unknowns or rates of four particles.
 template <int Dim>
 struct Strains {
   Mat<Pack, Dim>* F;
-  AlignedPack* J;     // volume ratio, where it is an unknown; else null
-  Mat<Pack, Dim>* H;  // cofactor of F, where it is one; else null
+  AlignedPack* J;     // may be null
+  Mat<Pack, Dim>* H;  // cofactor of F; may be null
 };
 
-/// External actions on stages of a step, on particle i at a time; see Common.
+/// External actions on particle i; may be null.
 template <int Dim>
 struct StageActions {
   using V = Vec<double, Dim>;
 
   void* of;
-  /// Adds the acceleration by loads to `a`; null: there are none.
+  /// Adds loads to `a`.
   void (*load)(void* of, int i, V& a);
-  /// Replaces the velocity `v` after the first stage where drives or guides determine it; null: there are none.
+  /// Sets a prescribed `v` after the first stage.
   void (*steer)(void* of, int i, V& v);
-  /// Replaces the velocity `v` at the end of a step of `dt` that began with `before`, and counts the work of loads and
-  /// drives; null: none acts.
+  /// Sets a prescribed `v` after a step and counts work.
   void (*close)(void* of, int i, double dt, const V& before, V& v);
 };
 
@@ -36,7 +34,7 @@ template <int Dim>
 struct TlMixedFields {
   using V = Vec<double, Dim>;
 
-  int size;  // particles
+  int size;
   V *x, *v;  // m, m/s
   const double* m;
   V* v_start;  // m/s, at the start of the step
@@ -46,14 +44,14 @@ struct TlMixedFields {
   const Sites<Dim>* sites;
   LawsInUse laws;
   double wave_speed;                              // c_p, m/s
-  PairLanesView<Dim> pairs;                       // of a method without dissipation: k_ij
-  PairLanesView<Dim, Dim + 2> dissipating_pairs;  // of one with it: k_ij, w_ij dp² and that of L*
-  Strains<Dim> now, start, rate;  // at the stage, at the start of the step; rates at the stage
-  ColumnsView<Dim + 1> flow;      // v, m/s, and J
-  ColumnsView<Dim * Dim> stress;  // V P B, row by row
-  ColumnsView<Dim + 1> once;      // dp² L of (v, J)
-  ColumnsView<Dim> a, a_start;    // without contact and loads; of all at the start, m/s²
-  ColumnsView<1> dissipation_J;   // 1/s
+  PairLanesView<Dim> pairs;                       // k_ij
+  PairLanesView<Dim, Dim + 2> dissipating_pairs;  // k_ij, w_ij dp², adjoint weight
+  Strains<Dim> now, start, rate;                  // at the stage, at the start of the step; rates
+  ColumnsView<Dim + 1> flow;                      // v, m/s, and J
+  ColumnsView<Dim * Dim> stress;                  // V P B, row by row
+  ColumnsView<Dim + 1> once;                      // dp² L of (v, J)
+  ColumnsView<Dim> a, a_start;                    // internal; total at the start, m/s²
+  ColumnsView<1> dissipation_J;                   // 1/s
 
   int groups() const { return (size + lanes - 1) / lanes; }
 };

@@ -6,11 +6,10 @@
 
 namespace taut {
 
-/// What a method integrates in time, with the positions.
 enum class Unknowns : std::uint8_t {
-  v_F,      // velocity and deformation gradient: {p, F}, [Lee2016] §3.3.2
-  v_F_J,    // and the volume ratio: {p, F, J}
-  v_F_H_J,  // and the cofactor of the deformation gradient: {p, F, H, J}
+  v_F,      // {p, F}, [Lee2016] §3.3.2
+  v_F_J,    // {p, F, J}
+  v_F_H_J,  // {p, F, H, J}
 };
 
 struct TlMixedSwitches {
@@ -23,18 +22,17 @@ struct TlMixedFormulation : Formulation, ElasticSwitches, TlMixedSwitches {
 };
 
 struct TlMixedConstants : Constants {
-  double eps_v2 = 0, eps_v4 = 0;   // harmonic and biharmonic dissipation of the momentum
-  double eps_J2 = 0, eps_J4 = 0;   // the same of the volume ratio
-  double adjoint = 0;              // 1: biharmonic term by the adjoint, 0: as printed
-  double projection = 0;           // 1: on what conserves momenta
-  double boundary_projection = 0;  // 1: prescribed where the kernel looks, too
+  double eps_v2 = 0, eps_v4 = 0;   // dissipation of momentum: harmonic, biharmonic
+  double eps_J2 = 0, eps_J4 = 0;   // dissipation of J
+  double adjoint = 0;              // 1: adjoint, 0: as printed
+  double projection = 0;           // 1: conserves momenta
+  double boundary_projection = 0;  // 1: prescribes interpolated velocities
 };
 
-/// Its volume ratio J has an equation of its own.
 constexpr bool follows_volume_ratio(const TlMixedFormulation& m) { return m.unknowns != Unknowns::v_F; }
 
 constexpr bool consistent(const TlMixedFormulation& m) {
-  return m.kernel == KernelName::wendland_c2 &&  // which the set-up in solver.cpp takes
+  return m.kernel == KernelName::wendland_c2 &&  // assumed in solver.cpp
          (!follows_volume_ratio(m) || (takes_volume_ratio(m.law) && m.others != OtherLaws::all));
 }
 

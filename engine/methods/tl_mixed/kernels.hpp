@@ -6,13 +6,12 @@
 
 namespace taut {
 
-/// The loops of a method; passes.hpp documents them.
 template <int Dim>
 struct TlMixedKernels {
   using Fields = TlMixedFields<Dim>;
   using Actions = StageActions<Dim>;
 
-  bool has_J, has_H;  // the method follows the volume ratio, the cofactor
+  bool has_J, has_H;  // J, H is an unknown
   void (*start_gradients)(const Fields& f);
   double (*greatest_stiffness)(const Fields& f, const Threads& threads);
   void (*stiffnesses)(const Fields& f, AlignedPack* out);

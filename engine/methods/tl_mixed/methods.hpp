@@ -3,7 +3,7 @@
 #include "engine/methods/lee2016.hpp"
 #include "engine/methods/tl_mixed/formulation.hpp"
 
-/// The mixed methods of [Lee2016].
+/// Methods of [Lee2016].
 namespace taut {
 
 inline constexpr TlMixedFormulation pf{

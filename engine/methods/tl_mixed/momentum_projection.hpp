@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// What turns, of four particles at a time: about the axis beside the plane in 2D, about any axis in 3D.
+/// Torque and inertia summed in lanes.
 template <int Dim>
 struct Turning;
 template <>
@@ -29,13 +29,13 @@ struct Turning<3> {
     add_outer(inertia, Pack(-V), z);
     for (int k = 0; k < 3; ++k) inertia(k, k) += V * dot(z, z);
   }
-  Vec<double, 3> rate() const { return inverse(sum(inertia)) * sum(torque); }  // 0 for particles on one line
+  Vec<double, 3> rate() const { return inverse(sum(inertia)) * sum(torque); }  // 0 for collinear particles
   static Vec<Pack, 3> times(const Vec<double, 3>& lambda, const Vec<Pack, 3>& z) {
     return cross(spread(lambda), z);
   }
 };
 
-/// The volumes of the four particles from i on, 0 from `last` on.
+/// Volumes from i on, 0 from `last` on.
 inline Pack volumes_of_four(const double* V, int i, int last) {
   if (i + lanes <= last) return load(V + i);
   Pack four{};
@@ -43,13 +43,10 @@ inline Pack volumes_of_four(const double* V, int i, int last) {
   return four;
 }
 
-/// The accelerations nearest to `a`, in the mean square over the volume, that change neither the linear nor
-/// the angular momentum of a body:  Σ V a = 0,  Σ V Z × a = 0.                          [Lee2016] Eq. 45–48
-/// a_i − ω × (Z_i − Z̄) − ā, with Z̄ and ā means over the volume and ω the torque over the inertia about Z̄:
-/// the paper's system (Eq. 48) with its two unknowns apart. One body is the particles first … last − 1, of
-/// one density. The sums are taken in the order of the particles, four of the body at a time, so that they
-/// depend neither on the number of threads nor on where the body is stored. With a share below 1 the
-/// accelerations go that part of the way. `a` has room for a pack that begins at the last particle.
+/// Changes the accelerations of a body least, weighted by volume, to zero force and torque:
+///   Σ V a = 0,  Σ V Z × a = 0.                                                           [Lee2016] Eq. 45–48
+/// The result is a_i − ω × (Z_i − Z̄) − ā with ω = torque/inertia, for particles first … last − 1 of one density; `a`
+/// is padded by a pack. `share` < 1 applies a part. Independent of threads and storage.
 template <int Dim>
 void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, const double* V, int first,
                         int last, double share = 1) {
@@ -64,7 +61,7 @@ void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, co
   }
   const Pack per_volume = filled<Pack>(1 / sum(volume));
   const Vec<Pack, Dim> mean_a = per_volume * spread(sum(sum_a)), mean_Z = per_volume * spread(sum(sum_Z));
-  Turning<Dim> turning;  // torque and inertia over the density
+  Turning<Dim> turning;  // divided by density
   for (int i = first; i < last; i += lanes)
     turning.add(volumes_of_four(V, i, last), places(i) - mean_Z, vector_at<Dim>(a, i));
   const auto omega = turning.rate();
@@ -78,7 +75,7 @@ void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, co
         for (int lane = 0; lane < last - i; ++lane) a[k][i + lane] = left[k][lane];
   }
 }
-/// f − Σ V f/Σ V of a body.                                                                 [Lee2016] Eq. 51
+/// Removes the volume-weighted mean. [Lee2016] Eq. 51
 inline void subtract_mean(const ColumnsView<1>& f, const double* V, int first, int last, double share) {
   Pack volume{}, total{};
   for (int i = first; i < last; i += lanes) {
@@ -93,6 +90,6 @@ inline void subtract_mean(const ColumnsView<1>& f, const double* V, int first, i
 inline constexpr TermInfo projection_info{
     "projection", "forces and D(v) nearest to those with Σ V a = 0, Σ V Z × a = 0", "[Lee2016] Eq. 45–51",
     "methods/tl_mixed/momentum_projection.hpp:project_on_momenta",
-    "projection: the nearest accelerations without force and torque"};
+    "projection: the result is the nearest field without force and torque"};
 
 }  // namespace taut

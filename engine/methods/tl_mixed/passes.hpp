@@ -11,14 +11,13 @@
 
 namespace taut {
 
-/// Access to the unknowns of method M.
 template <const TlMixedFormulation& M, int Dim>
 struct UnknownsOf {
   using Mat = taut::Mat<Pack, Dim>;
 
   static constexpr bool has_J = follows_volume_ratio(M);
   static constexpr bool has_H = M.unknowns == Unknowns::v_F_H_J && Dim == 3;
-  static constexpr int fields = Dim + has_J;  // that the dissipation acts on
+  static constexpr int fields = Dim + has_J;  // that dissipate
 
   static Pack volume_ratio(const Strains<Dim>& u, int group) {
     if constexpr (has_J)
@@ -45,14 +44,13 @@ struct UnknownsOf {
     else
       return f.pairs;
   }
-  /// The columns that method M has of (v, J).
+  /// Columns of (v, J) in use.
   static ColumnsView<fields> own(const ColumnsView<Dim + 1>& columns) {
     return {columns.all, columns.length};
   }
 };
 
-/// F, J and H of bodies that start displaced: F is the gradient that the kernel sees of their places, as its rate is of
-/// their velocities, J its determinant and H its cofactor. `flow` has x − X.
+/// Initial F, J and H; `flow` contains x − X.
 template <const TlMixedFormulation& M, int Dim>
 void start_gradients(const TlMixedFields<Dim>& f) {
   using U = UnknownsOf<M, Dim>;
@@ -63,7 +61,7 @@ void start_gradients(const TlMixedFields<Dim>& f) {
   }
 }
 
-/// ρ0 c² of the fastest wave through the strained bodies, at most, Pa.
+/// Maximum bound of ρ0 c², Pa.
 template <const TlMixedFormulation& M, int Dim>
 double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -77,7 +75,7 @@ double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// That of the particles of each group, into out[group].
+/// Bound of each particle.
 template <const TlMixedFormulation& M, int Dim>
 void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   using U = UnknownsOf<M, Dim>;
@@ -90,7 +88,7 @@ void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   });
 }
 
-/// The columns that the next passes gather: (v, J) and V P B.
+/// Fills `flow` and `stress`.
 template <const TlMixedFormulation& M, int Dim>
 void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -107,7 +105,6 @@ void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// dF/dt, dJ/dt, dH/dt, internal force and L[U].
 template <const TlMixedFormulation& M, int Dim>
 void gather_pass(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -131,13 +128,13 @@ void gather_pass(const TlMixedFields<Dim>& f, const Threads& threads) {
 }
 inline constexpr TermInfo volume_ratio_info{
     "volume ratio", "dJ/dt = H : Σ_j (v_j − v_i) ⊗ k_ij B_i, H = cof F", "[Lee2016] Eq. 33c",
-    "methods/tl_mixed/passes.hpp:gather_pass", "mixed: a ring and a disc that collide"};
+    "methods/tl_mixed/passes.hpp:gather_pass", "mixed: a colliding ring and disc follow the transcription"};
 inline constexpr TermInfo cofactor_info{
     "cofactor", "dH/dt = F ⨯ Σ_j (v_j − v_i) ⊗ k_ij B_i; H = cof F in 2D", "[Lee2016] Eq. 33b",
     "methods/tl_mixed/passes.hpp:gather_pass",
-    "mixed: in 3D a block and a ball that collide, and a clamped block hit on its clamp"};
+    "mixed: in 3D collisions and a block hit on its clamp follow the transcription"};
 
-/// D(U) = c_p dp ε₂ L[U] − c_p dp³ ε₄ L*[L[U]] of the velocity and of J.                [Lee2016] Eq. 35–38
+/// Adds D(U) = c_p dp ε₂ L[U] − c_p dp³ ε₄ L*[L[U]]. [Lee2016] Eq. 35–38
 template <const TlMixedFormulation& M, int Dim>
 void dissipation_pass(const TlMixedFields<Dim>& f, const TlMixedConstants& c, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -157,29 +154,26 @@ void dissipation_pass(const TlMixedFields<Dim>& f, const TlMixedConstants& c, co
   }
 }
 
-/// For the body first … last − 1: the sum of the accelerations and of their moments about Z comes to 0 (Eq. 45–49), and
-/// the sum of the dissipation of J (Eq. 51).
+/// Removes force and torque (Eq. 45–49), and the sum of the dissipation of J (Eq. 51).
 template <const TlMixedFormulation& M, int Dim>
 void project(const TlMixedFields<Dim>& f, const TlMixedConstants& c, int first, int last) {
   project_on_momenta(f.a, f.x, f.V0, first, last, c.projection);
   if constexpr (UnknownsOf<M, Dim>::has_J) subtract_mean(f.dissipation_J, f.V0, first, last, c.projection);
 }
 
-/// `f`(i) of the particles of a group, which are fewer in the last one.
 template <int Dim, class F>
 [[gnu::always_inline]] inline void each_of(const TlMixedFields<Dim>& f, int group, const F& use) {
   const int first = lanes * group, last = std::min(first + lanes, f.size);
   for (int i = first; i < last; ++i) use(i);
 }
 
-/// For the probes of reactions: the two stages share the step.
+/// Adds the impulse of a stage, half the step.
 template <int Dim>
 [[gnu::noinline]] void watch(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, int group,
                              Vec<Pack, Dim> a) {
   each_of(f, group, [&](int i) { kick.impulse[i] += (0.5 * kick.dt * f.m[i]) * lane_of(a, i % lanes); });
 }
 
-/// dv/dt
 template <int Dim>
 [[gnu::always_inline]] inline Vec<Pack, Dim> acceleration(const TlMixedFields<Dim>& f, const Kick<Dim>& kick,
                                                           const StageActions<Dim>& actions, int group) {
@@ -196,7 +190,7 @@ template <int Dim>
   return f.sites[group].mobile * a;
 }
 
-/// The first stage. Driven particles have the velocity of the end of the step.
+/// First stage. Driven particles get their final velocity.
 template <const TlMixedFormulation& M, int Dim>
 void predict(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActions<Dim>& actions,
              const Threads& threads) {
@@ -222,7 +216,7 @@ void predict(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActi
   });
 }
 
-/// The mean of start and second stage, ½ (U + U* + Δt U̇(U*)). Returns the greatest v², m²/s².
+/// Second stage, ½ (U + U* + Δt U̇(U*)). Returns the maximum v², m²/s².
 template <const TlMixedFormulation& M, int Dim>
 double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActions<Dim>& actions,
                const Threads& threads) {
@@ -252,7 +246,7 @@ double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageAc
   });
 }
 
-/// F, J and H follow positions that have moved on by `dt` times the velocities in `flow`.
+/// Advances F, J and H by `dt` times `flow`.
 template <const TlMixedFormulation& M, int Dim>
 void follow(const TlMixedFields<Dim>& f, double dt, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;

@@ -9,14 +9,13 @@
 
 namespace taut {
 
-/// V_a W̃_a(X_i) of particle i and its neighbours of the start, W̃ = α (1 + β·(X_i − X_a)) W with Σ V_a W̃_a
-/// = 1 and Σ V_a W̃_a (X_i − X_a) = 0.
-/// [Lee2016] Eq. 23
+/// V_a W̃_a(X_i) of particle i and its initial neighbours. W̃ = α (1 + β·(X_i − X_a)) W satisfies
+/// Σ V_a W̃_a = 1 and Σ V_a W̃_a (X_i − X_a) = 0. [Lee2016] Eq. 23
 template <class K, int Dim>
 std::vector<std::pair<int, double>> corrected_kernel(const InitialPairs<Dim>& pairs,
                                                      const std::vector<Vec<double, Dim>>& X,
                                                      const std::vector<double>& V, double h, int i) {
-  std::vector<std::pair<int, double>> w{{i, V[i] * K::w(0.0)}};  // over α_K/hᵈ, which α takes off
+  std::vector<std::pair<int, double>> w{{i, V[i] * K::w(0.0)}};  // without α_K/hᵈ, which α cancels
   double M0 = w[0].second;
   Vec<double, Dim> M1{};
   Sym<double, Dim> M2{};
@@ -39,14 +38,12 @@ std::vector<std::pair<int, double>> corrected_kernel(const InitialPairs<Dim>& pa
   return w;
 }
 
-/// Particles with prescribed velocities, body by body, and the projection of those around them.
 template <class K, int Dim>
 class PrescribedBoundary {
  public:
   using V = Vec<double, Dim>;
 
-  /// `axes`: bit k of [i] where component k of particle i is prescribed. Of particles of volumes V0, m^Dim,
-  /// and masses m.
+  /// `axes`: bit k of [i] prescribes component k of i. V0 in m^Dim, m in kg.
   void prescribe(std::vector<unsigned char> axes, const InitialPairs<Dim>& pairs, const std::vector<V>& X,
                  const std::vector<double>& V0, const std::vector<double>& m, const std::vector<int>& first,
                  double h) {
@@ -75,8 +72,7 @@ class PrescribedBoundary {
     }
   }
 
-  /// Sets the components of `v(i)` that are prescribed to those of `given(i)`, and projects velocities
-  /// around.
+  /// Prescribes `v(i)` as `given(i)`, then projects.
   template <class Velocity, class Given, class Place>
   void project(const Velocity& v, const Given& given, const Place& x) {
     for (Body& body : bodies_) {
@@ -101,7 +97,7 @@ class PrescribedBoundary {
 
  private:
   struct Body {
-    std::vector<int> points, particles;  // stored particles
+    std::vector<int> points, particles;  // indices
     BoundaryProjection projection;
   };
   static Point point_of(const V& v) {

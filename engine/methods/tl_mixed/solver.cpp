@@ -14,9 +14,9 @@
 namespace taut {
 namespace {
 
-/// Beyond this multiple of c_p in the strained body the steps shrink without end: the run has diverged.
+/// multiple of c_p beyond which the run has diverged
 constexpr double greatest_wave_ratio = 100;
-using K = Kernel<KernelName::wendland_c2>;  // of all methods of the family
+using K = Kernel<KernelName::wendland_c2>;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ TlMixed<Dim>::TlMixed(Common<Dim>& common, const SolverInput& input, const Kerne
   make_pairs(input);
   flow_.resize(p_.size());
   stress_.resize(p_.size());
-  a_.resize(p_.size() + lanes), a_start_.resize(p_.size());  // packs of a body may begin anywhere
+  a_.resize(p_.size() + lanes), a_start_.resize(p_.size());  // packs may begin anywhere
   dissipation_J_.resize(p_.size() + lanes);
   make_strains();
   f_ = {.size = p_.size(),
@@ -79,7 +79,7 @@ void TlMixed<Dim>::make_pairs(const SolverInput& input) {
   if (c_.boundary_projection == 0)
     pairs = {};
   else
-    pairs.k = std::vector<V>();  // {} would keep the room
+    pairs.k = std::vector<V>();  // frees memory, unlike {}
 }
 
 template <int Dim>
@@ -100,8 +100,7 @@ void TlMixed<Dim>::set_start_gradients() {
   kernels_.start_gradients(f_);
 }
 
-/// The step that two Runge–Kutta stages bear of the dissipation, 2 over its greatest rate, less a tenth for
-/// the waves that it damps. The paper's step is below it but at the edges of bodies of few layers.
+/// Time step limit, s: 2 over the maximum dissipation rate, less a tenth for waves.
 template <int Dim>
 double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
   const double square = biharmonic_spectral_radius(dissipating_lanes_.view(), p_.size(), threads),
@@ -110,25 +109,22 @@ double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
   return 0.9 * 2 * c_.dp / (body_.wave_speed * rate);
 }
 
-/// In 3D α_CFL h/c_p with the fastest wave through the strained bodies, seen from their start: waves along a
-/// direction that is pressed together cross more of the initial spacings.       [Lee2016] Eq. 44, Alg. 1,
-/// step 2 Differs from the paper, which has dp for h: at 0.3 dp/c_p zigzags at free faces grow where
-/// particles are in the middle of cells (limit 0.25; 0.39 on the boundary); and in the plane, where the
-/// greatest speed stands for how fast bodies are strained.
+/// Time step, s; in 3D α_CFL h/c_p with the fastest wave in the strained bodies. Differs from [Lee2016] Eq. 44, which
+/// has dp for h: 0.3 dp/c_p is unstable at free faces.
 template <int Dim>
 double TlMixed<Dim>::step_size() const {
   if (Dim == 2) return common_.fixed_or(std::min(body_.step_size(), dissipation_limit_));
   const double fastest = std::sqrt(kernels_.greatest_stiffness(f_, common_.threads_now()) / c_.rho0);
-  const double at_least = body_.wave_speed;  // where a body is softer everywhere, it need not stay so
+  const double at_least = body_.wave_speed;  // softened bodies may stiffen again
   if (!(fastest <= greatest_wave_ratio * at_least)) crushed();
   return common_.fixed_or(std::min(c_.cfl * c_.h / std::max(fastest, at_least), dissipation_limit_));
 }
 
-/// Names the first particle in the order of creation in which waves are too fast.
+/// Throws NumericalError with the lowest id of a crushed particle.
 template <int Dim>
 void TlMixed<Dim>::crushed() const {
   const double limit = greatest_wave_ratio * body_.wave_speed;
-  int culprit = p_.size();  // id
+  int culprit = p_.size();
   std::vector<AlignedPack> bound(groups());
   kernels_.stiffnesses(f_, bound.data());
   for (int i = 0; i < p_.size(); ++i)
@@ -141,7 +137,7 @@ void TlMixed<Dim>::crushed() const {
                   culprit, greatest_wave_ratio));
 }
 
-/// U* = U + Δt U̇(U), U** = U* + Δt U̇(U*), then the mean of U and U**.               [Lee2016] Eq. 43
+/// U* = U + Δt U̇(U), U** = U* + Δt U̇(U*), then ½ (U + U**). [Lee2016] Eq. 43
 template <int Dim>
 void TlMixed<Dim>::step(double dt) {
   if (common_.contact.prepare(p_, common_.vmax * dt)) common_.show_contacts_to_probes();
@@ -150,8 +146,7 @@ void TlMixed<Dim>::step(double dt) {
   find_rates(dt);
   kernels_.predict(f_, kick, outside, common_.threads_now());
   project_on_boundary(dt);
-  // both momenta are kept by stages that sum to zero about x at the start and at the end of the step; clamped particles
-  // stay, whatever velocity the projection on the boundary gives them for those around to see
+  // the mean of both stages conserves momenta; clamped particles stay
   parallel_for(p_.size(), common_.threads_now(),
                [&](int i) { p_.x[i] += (0.5 * dt * p_.mobile[i]) * (v_start_[i] + p_.v[i]); });
   find_rates(dt);
@@ -161,12 +156,12 @@ void TlMixed<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// The right-hand sides at the present unknowns, but for contact and loads.  [Lee2016] Algorithm 1, steps 4–8
+/// Computes rates without contact and loads. [Lee2016] Algorithm 1, steps 4–8
 template <int Dim>
 void TlMixed<Dim>::find_rates(double dt) {
   const int threads = common_.threads_now();
   kernels_.set_columns(f_, threads);
-  common_.contact.evaluate(p_, 0.5 * dt, threads);  // the two stages share the step
+  common_.contact.evaluate(p_, 0.5 * dt, threads);  // each stage has half the step
   kernels_.gather(f_, threads);
   if (method_.jst) kernels_.dissipate(f_, c_, threads);
   if (c_.projection == 0) return;
@@ -182,8 +177,7 @@ StageActions<Dim> TlMixed<Dim>::actions() {
   const bool loaded = external.loads.active(), steered = external.drives.active() || external.guides.active();
   const auto load = [](void* of, int i, V& a) {
     Of& all = *static_cast<Of*>(of);
-    if (all.external.drives.moves(all.particles.id[i]))
-      return;  // it does not feel them, and they do no work on it
+    if (all.external.drives.moves(all.particles.id[i])) return;  // driven particles ignore loads
     a = a + all.external.loads.acceleration(all.particles, i);
   };
   const auto steer = [](void* of, int i, V& v) {
@@ -209,8 +203,7 @@ StageActions<Dim> TlMixed<Dim>::actions() {
           .close = loaded || steered ? +close : nullptr};
 }
 
-/// In each body that is clamped, guided or driven somewhere. The energy that it adds is not counted as work.
-///                                                                               [Lee2016] Algorithm 1, step 9
+/// [Lee2016] Algorithm 1, step 9. The added energy is not counted as work.
 template <int Dim>
 void TlMixed<Dim>::project_on_boundary(double ahead) {
   if (c_.boundary_projection == 0) return;
@@ -231,10 +224,8 @@ void TlMixed<Dim>::project_on_boundary(double ahead) {
                     [&](int i) { return p_.x[i] + ahead * v_start_[i]; });
 }
 
-/// Under the impulse law: positions have followed the mean of the velocities at both ends of the step, and so have
-/// their gradients F, with J and H. Left where they were, they would keep a strain that nobody sees.
-/// The mean is that of the start and of the first stage, so that a particle stopped repeatedly creeps by dt²/4 times the
-/// difference of the accelerations of both stages a step. To move it back by that too would cost the angular momentum.
+/// Moves x, F, J and H. x follows start and first stage only, so stopped particles creep; correcting this would
+/// change angular momentum.
 template <int Dim>
 void TlMixed<Dim>::stop_approach(double dt) {
   bool stopped = false;
@@ -248,7 +239,6 @@ void TlMixed<Dim>::stop_approach(double dt) {
   if (stopped) kernels_.follow(f_, 0.5 * dt, common_.threads_now());
 }
 
-/// take(i, F, J) of each particle of a group.
 template <int Dim>
 template <class Take>
 void TlMixed<Dim>::with_strains(int group, const Take& take) const {

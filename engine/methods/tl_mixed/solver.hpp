@@ -13,21 +13,16 @@
 
 namespace taut {
 
-/// Mixed total-Lagrangian methods: momentum, deformation gradient F and, where the method says so, volume
-/// ratio J and cofactor H of F as unknowns of equations of their own, with Jameson–Schmidt–Turkel
-/// dissipation. [Lee2016] Algorithm 1. The momentum goes as the velocity p/ρ0. In plane strain H is linear in
-/// F, and its equation says nothing that that of F does not: there {p, F, H, J} runs as {p, F, J}.
+/// Methods of [Lee2016] Algorithm 1 with velocity p/ρ0. In plane strain H is linear in F, so {p, F, H, J} runs as
+/// {p, F, J}.
 ///
-/// Differs from the paper in the biharmonic term, L*[L[U]] with the adjoint of L in place of L[L[U]] (Eq.
-/// 37b). L is not symmetric at a surface, where its square may feed what it is to damp: with it `pfj-jst`
-/// loses the bending column at Poisson's ratio 0.499 for ε of J from 1/32 on, at any time step. The adjoint
-/// takes from every field (−Σ V |L[U]|²) and is the same inside. The constant `adjoint` = 0 gives the printed
-/// form. Boundary conditions are set on the particles themselves (its step 8), and where the kernel looks
-/// (step 9, "usually disregarded") with `boundary_projection` = 1. Forces of contact, which it has not, act
-/// outside the projection and are taken at its Z, about which central forces have no moment; so do loads. Of
-/// the dissipation and the internal force the sum is projected, which is the same as each of them (Eq. 49).
+/// Differs from the paper:
+/// - L*[L[U]] with the adjoint replaces L[L[U]] (Eq. 37b), which can add energy at surfaces.
+/// - Interpolated velocities are prescribed only with `boundary_projection` = 1 (step 9).
+/// - Contact and loads are not projected but use its Z, where central forces have no moment.
+/// - The sum of force and dissipation is projected (Eq. 49).
 ///
-/// Its two stages share a step, so that external actions come as StageActions and not as a whole Kick.
+/// Uses StageActions, because both stages share a step.
 template <int Dim>
 class TlMixed final : public Scheme<Dim> {
  public:
@@ -47,7 +42,6 @@ class TlMixed final : public Scheme<Dim> {
  private:
   template <class Take>
   void with_strains(int group, const Take& take) const;
-  /// Owner of Strains.
   struct StrainArrays {
     std::vector<Mat<Pack, Dim>> F, H;
     std::vector<AlignedPack> J;
@@ -84,9 +78,9 @@ class TlMixed final : public Scheme<Dim> {
   Columns<Dim * Dim> stress_;
   Columns<Dim> a_, a_start_;
   Columns<1> dissipation_J_;
-  double dissipation_limit_ = std::numeric_limits<double>::infinity();  // s, of the step
+  double dissipation_limit_ = std::numeric_limits<double>::infinity();  // time step limit, s
   PrescribedBoundary<Kernel<KernelName::wendland_c2>, Dim> boundary_;
-  TlMixedFields<Dim> f_{};  // pointers to all of these
+  TlMixedFields<Dim> f_{};
 };
 
 }  // namespace taut

@@ -6,10 +6,10 @@
 namespace taut::ul_cauchy {
 namespace {
 
-constexpr TermInfo time_info{"time",
-                             "symplectic Euler, rates at the middle of the step or where `geometry` says",
-                             "[Khayyer2024] Eq. 22–26", "methods/ul_cauchy/solver.cpp:step",
-                             "naive: the ladder, a clamped plate of two materials and a disc that hits it"};
+constexpr TermInfo time_info{
+    "time", "symplectic Euler, rates at the middle of the step or where `geometry` says",
+    "[Khayyer2024] Eq. 22–26", "methods/ul_cauchy/solver.cpp:step",
+    "naive: the ladder follows the transcription for a plate of two materials hit by a disc"};
 
 void add_stress(std::vector<TermInfo>& t, const UlCauchyFormulation& m) {
   if (m.pair_stress == PairStress::squares)

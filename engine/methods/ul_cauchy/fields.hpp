@@ -4,10 +4,9 @@
 #include "engine/kernels/kernel.hpp"
 #include "engine/methods/ul_cauchy/formulation.hpp"
 
-/// Plain data of the methods whose Cauchy stress acts as a whole, for their passes.
 namespace taut {
 
-/// Velocity (u or û), density, volume, place.
+/// Velocity (u or û), density, volume, position.
 template <int Dim>
 struct MotionRow : Row<2 * Dim + 2> {
   using Row<2 * Dim + 2>::c;
@@ -43,7 +42,6 @@ Motion<Dim> gather_motion(const MotionRow<Dim>* rows, const int* j) {
   gather<MotionRow<Dim>::width>(rows[0].c, j, column);
   return motion_of<Dim>(column, true);
 }
-/// The same without the place.
 template <int Dim>
 Motion<Dim> gather_motion_only(const MotionRow<Dim>* rows, const int* j) {
   constexpr int width = Row<Dim + 2>::width;
@@ -58,7 +56,7 @@ Motion<Dim> spread_motion(const MotionRow<Dim>& row) {
   return motion_of<Dim>(column, true);
 }
 
-/// What the stress pass gathers: columns that the method does not use are not there.
+/// Unused columns are omitted.
 template <const UlCauchyFormulation& M, int Dim>
 struct StressRow {
   static constexpr bool riemann = M.viscosity == Viscosity::riemann;
@@ -72,7 +70,6 @@ struct StressRow {
   static constexpr int width = row_width(columns);
   alignas(row_alignment(columns)) double c[width] = {};
 
-  /// The columns of four rows, where `Columns` has them.
   template <class Columns>
   struct Values : Columns {
     using Columns::column;
@@ -80,7 +77,7 @@ struct StressRow {
     Vec<Pack, Dim> v() const { return vector(v_at); }
     Pack rho() const { return column(rho_at); }
     Pack V() const { return column(V_at); }
-    /// By which a neighbour counts: V or m.
+    /// V or m.
     Pack weight() const { return M.pair_stress == PairStress::squares ? Pack(rho() * V()) : V(); }
     Mat<Pack, Dim> T() const { return matrix(T_at); }  // σ·L, σ or σ/ρ²
     Sym<Pack, Dim> D() const {                         // symmetric part of ∇u
@@ -115,7 +112,7 @@ struct StressRow {
     Pack column(int k) const { return spread[k]; }
   };
 
-  /// Of neighbours: each column is fetched where it is used, since all of them do not fit the registers.
+  /// Loads columns on use, as all exceed the registers.
   [[gnu::always_inline]] static Values<RowsOfFour> gather(const StressRow* rows, const int* j) {
     return {RowsOfFour(rows[0].c, width, j)};
   }
@@ -137,7 +134,7 @@ struct StressRow {
   }
 };
 
-/// −σ⁺ in the form of StressRow::T: for itself, since not every particle asks for it.
+/// −σ⁺ as StressRow::T.
 template <int Dim>
 struct RepulsionRow : Row<Dim * Dim> {
   using Row<Dim * Dim>::c;
@@ -156,26 +153,24 @@ struct RepulsionRow : Row<Dim * Dim> {
   }
 };
 
-/// What the gradient pass finds for a particle.
 template <int Dim>
 struct Gradients {
-  Sym<double, Dim> L{};         // correction of the kernel gradient
+  Sym<double, Dim> L{};         // kernel gradient correction
   Sym<double, Dim> D{};         // symmetric part of ∇u, 1/s
   Vec<double, Dim> grad_rho{};  // kg/m⁴
   double colour = 0;            // Σ W V
 };
 
-/// The method looks at W itself, not only at its slope.
 constexpr bool needs_kernel(const UlCauchyFormulation& m) {
   return m.artificial_stress || m.transport_velocity;
 }
 
-/// Fields of all particles and pairs; arrays that a method does not use are null.
+/// Unused arrays are null.
 template <int Dim>
 struct UlCauchyFields {
   using V = Vec<double, Dim>;
 
-  int size;    // particles
+  int size;
   V* x;        // m
   const V* v;  // m/s
   const double *m, *mobile;
@@ -186,12 +181,12 @@ struct UlCauchyFields {
   MotionRow<Dim>* motion;       // at the start of the step
   MotionRow<Dim>* moved;        // with the new velocity
   MotionRow<Dim>* transported;  // with û
-  void* stress;                 // a StressRow of the method for each particle
+  void* stress;                 // StressRows
   RepulsionRow<Dim>* repulsion;
-  const int *begin, *j;                // neighbours that act as particles of one body, see Neighbors
-  AlignedPack* w;                      // w(q) of kernels/kernel.hpp, for methods that look at it
-  const AlignedPack* of_one_material;  // 1 or 0; null where all are
-  // of each body as a rigid one, since neighbours were last searched
+  const int *begin, *j;                // neighbours, see Neighbors
+  AlignedPack* w;                      // w(q) of neighbours
+  const AlignedPack* of_one_material;  // 1 or 0; null: all 1
+  // rigid motion of bodies since the last search
   const V *drift, *centre;  // m/s, m
   const double* spin;       // 1/s
 
@@ -201,8 +196,7 @@ struct UlCauchyFields {
   }
   const int* pack(int b) const { return j + static_cast<std::ptrdiff_t>(lanes) * b; }
   const Elasticity& material_of(int i) const { return materials[material[i]]; }
-  /// x_i − x_j at the start of the step, m, of the neighbours in pack `b` of i: opposite in (i, j) and (j, i) to the
-  /// last bit.
+  /// x_i − x_j at the start of the step, m; exactly opposite for (j, i).
   [[gnu::always_inline]] Vec<Pack, Dim> apart(int i, int b) const {
     const RowsOfFour rows(motion[0].c, MotionRow<Dim>::width, pack(b));
     Vec<Pack, Dim> d;

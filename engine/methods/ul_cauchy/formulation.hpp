@@ -5,28 +5,26 @@
 
 namespace taut {
 
-/// What each pair contributes to (1/ρ) ∇·σ.
+/// Stress term of a pair in (1/ρ) ∇·σ.
 enum class PairStress : std::uint8_t {
   product,  // m_j (σ_i + σ_j)/(ρ_i ρ_j), [Khayyer2024] Eq. 9
   squares,  // m_j (σ_i/ρ_i² + σ_j/ρ_j²), [TranDuc2023] Eq. 2.3
 };
 
-/// Where the rate of density comes from.
 enum class Continuity : std::uint8_t {
   velocity_gradient,  // −ρ tr ∇û, [Khayyer2024] Eq. 8, 29
   masses,             // Σ m_j u_ij·∇W, [TranDuc2023] §2.2
 };
 
-/// What damps the velocities of pairs.
 enum class Viscosity : std::uint8_t {
   none,
   artificial,  // [Khayyer2024] Eq. 15, 16
-  riemann,     // from a Riemann problem of second order, [Khayyer2024] Eq. 39–45
+  riemann,     // second-order Riemann problem, [Khayyer2024] Eq. 39–45
 };
 
 struct UlCauchySwitches {
   bool artificial_stress = false;    // Gray's
-  double epsilon = 0, exponent = 0;  // of the same
+  double epsilon = 0, exponent = 0;  // of the artificial stress
   PairStress pair_stress = PairStress::product;
   Continuity continuity = Continuity::velocity_gradient;
   Viscosity viscosity = Viscosity::none;
@@ -41,28 +39,27 @@ struct UlCauchyFormulation : Formulation, UlCauchySwitches {
 };
 
 struct UlCauchyConstants : Constants {
-  double alpha = 0;                      // artificial viscosity
-  double riemann_factor = 0;             // dissipation of the second-order Riemann term
-  double geometry = 0;                   // where in the step ∇u is taken: 0 its start, 1 its end
-  double xsph = 0;                       // share of the mean velocity around in the transport velocity
-  double delta = 0;                      // density diffusion
-  double epsilon = 0, exponent = 0;      // artificial stress
-  double surface_colour = 0;             // colour function below which a particle is of the surface
-  double vicinity = 0;                   // reach of the surface, spacings
-  double surface_artificial_stress = 0;  // share of it where there is no tensile control
-  double step_speed = 0;                 // m/s, which steps follow
+  double alpha = 0;
+  double riemann_factor = 0;  // factor of the dissipation
+  double geometry = 0;        // evaluates ∇u at 0: start, 1: end of the step
+  double xsph = 0;            // ε of XSPH
+  double delta = 0;
+  double epsilon = 0, exponent = 0;
+  double surface_colour = 0;             // upper limit at surfaces
+  double vicinity = 0;                   // of a surface, in spacings
+  double surface_artificial_stress = 0;  // share of artificial stress without TIC
+  double step_speed = 0;                 // wave speed for steps, m/s
 };
 
-/// The stress that every method keeps for each particle is one that it computes with.
 constexpr bool carries_stress(const UlCauchyFormulation&) { return true; }
 
 constexpr bool consistent(const UlCauchyFormulation& m) {
-  // ∇ρ and ∇u of the second-order terms are corrected ones, and so is what TIC switches to
+  // second-order terms need corrected gradients
   const bool second_order = m.density_diffusion || m.viscosity == Viscosity::riemann || m.tensile_control;
   return m.artificial_stress == (m.epsilon > 0) && (m.corrected || !second_order) &&
-         (!m.tensile_control || m.artificial_stress) &&             // which the surface keeps
-         (m.pair_stress == PairStress::product || !m.corrected) &&  // no paper has both
-         m.greatest_dim == 2;                                       // of the passes
+         (!m.tensile_control || m.artificial_stress) &&             // TIC keeps it at surfaces
+         (m.pair_stress == PairStress::product || !m.corrected) &&  // not in any paper
+         m.greatest_dim == 2;                                       // limit of the passes
 }
 
 }  // namespace taut

@@ -8,14 +8,13 @@
 
 namespace taut {
 
-/// The loops of a method; passes.hpp documents them.
 template <int Dim>
 struct UlCauchyKernels {
   using Fields = UlCauchyFields<Dim>;
 
-  double support;          // of the kernel, h
+  double support;          // in h
   std::size_t stress_row;  // bytes of a StressRow
-  bool needs_kernel;       // the method looks at W itself
+  bool needs_kernel;
   void (*gradients)(const Fields& f, const UlCauchyConstants& c, const Threads& threads);
   double (*stresses)(const Fields& f, const UlCauchyConstants& c, const Kick<Dim>& kick,
                      const Threads& threads);

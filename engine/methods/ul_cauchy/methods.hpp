@@ -2,14 +2,13 @@
 
 #include "engine/methods/ul_cauchy/formulation.hpp"
 
-/// The step-by-step improvement of [Khayyer2024], and methods of [TranDuc2023]. AV: artificial viscosity, AS:
-/// artificial stress, R: second-order Riemann term in place of AV, TIC: tensile instability control in place of AS
-/// inside, d (δ): density diffusion.
+/// AV: artificial viscosity, AS: artificial stress, R: second-order Riemann term, TIC: tensile instability control, d
+/// (δ): density diffusion.
 namespace taut {
 
 inline constexpr Citation khayyer2024_citations[] = {{"pressure", "[Khayyer2024] Eq. 5", ""}};
 
-/// What all of them share, [Khayyer2024] §2.
+/// [Khayyer2024] §2.
 constexpr UlCauchyFormulation ladder(Formulation step, UlCauchySwitches switches) {
   step.family = Family::ul_cauchy;
   step.greatest_dim = 2;
@@ -93,12 +92,10 @@ inline constexpr Citation tranduc2023_citations[] = {
     {"artificial viscosity", "[TranDuc2023] §2.2", ""},
     {"artificial stress", "[TranDuc2023] §2.2", ""},
     {"time", "none stated: as in [Khayyer2024]",
-     "naive: the current configuration, a clamped plate of two materials and a disc that hits it"},
+     "naive: updated-Lagrangian methods follow the transcription for a plate hit by a disc"},
 };
 
-/// The current-configuration methods of [TranDuc2023] §2.2, with its kernel of §2.1 and its penalty contact. The paper
-/// names them by the "artificial stresses", among which it counts the viscosity (§3.1: a, ε and n are their
-/// parameters): ccb has neither, ccbwat both.
+/// [TranDuc2023] §2.2, kernel of §2.1. Its "artificial stresses" include viscosity (§3.1).
 constexpr UlCauchyFormulation current_configuration(Formulation m, UlCauchySwitches switches = {}) {
   m.family = Family::ul_cauchy;
   m.greatest_dim = 2;

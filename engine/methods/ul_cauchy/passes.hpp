@@ -17,11 +17,10 @@
 #include "engine/terms/velocity_gradient.hpp"
 #include "engine/terms/xsph.hpp"
 
-/// The loops over neighbours of the methods whose Cauchy stress acts as a whole. All of them gather over i,
-/// so that no result depends on the number of threads.
+/// All loops gather over i, so results do not depend on the number of threads.
 namespace taut {
 
-/// Geometry of four pairs (i, j) at the start of the step. The filling has w′/q = 0 and an r beyond the support.
+/// Pair geometry at the start of the step. Padding has w′/q = 0 and r beyond the support.
 template <int Dim>
 struct CauchyPair {
   Vec<Pack, Dim> d;  // x_i − x_j, m
@@ -29,9 +28,8 @@ struct CauchyPair {
   Pack dw_per_q;     // w′(q)/q of kernels/kernel.hpp
 };
 
-/// The scales of W and ∇W, worked out once. The terms are written in ∂W/∂r, r and e_ij. The passes have
-/// ∇_i W = α/h^(Dim+2) w′/q (x_i − x_j) without a quotient: they hand the terms w′/q for ∂W/∂r, x_i − x_j for
-/// e_ij and `one` for r, and scale their sums.
+/// Scales of W and ∇W. To avoid divisions, terms get w′/q, `one` and x_i − x_j for ∂W/∂r, r and e_ij; their sums are
+/// scaled by α/h^(Dim+2).
 template <const UlCauchyFormulation& M, int Dim>
 struct KernelScale {
   using K = Kernel<M.kernel>;
@@ -43,15 +41,14 @@ struct KernelScale {
         of_gradient(K::alpha(Dim) / power<Dim + 2>(h)),
         beyond2(power<2>(2 * K::support * h)) {}
 
-  /// Worked out again by each pass: what all pairs would keep comes no sooner from memory.
+  /// Recomputed in each pass; loading stored values would be no faster.
   CauchyPair<Dim> pair(const Vec<Pack, Dim>& d) const {
     const Pack r2 = dot(d, d);
-    const Pack r = root(r2 == 0 ? filled<Pack>(beyond2) : r2);  // the filling and coincident particles
+    const Pack r = root(r2 == 0 ? filled<Pack>(beyond2) : r2);  // padding and coincident particles
     return {d, r, K::dw_per_q(Pack(per_h * r))};
   }
 };
 
-/// T and R of particle i, and the other columns that the stress pass gathers.
 template <const UlCauchyFormulation& M, int Dim>
 void set_stress(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, int i, const Gradients<Dim>& g) {
   using Row = StressRow<M, Dim>;
@@ -81,8 +78,6 @@ void set_stress(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, int i,
   if constexpr (M.tensile_control) row.put(Row::surface_at, g.colour < c.surface_colour);
 }
 
-/// ∇u, ∇ρ, the colour function and L_i of every particle, the W of pairs that the step works on, and from them the rows
-/// of stresses.
 template <const UlCauchyFormulation& M, int Dim>
 void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Threads& threads) {
   using K = Kernel<M.kernel>;
@@ -115,14 +110,13 @@ void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Σ_j of the artificial stress of particle i, in units of ∇W.
+/// Artificial stress in units of ∇W.
 template <const UlCauchyFormulation& M, int Dim>
 class Repulsion {
  public:
   explicit Repulsion(const UlCauchyConstants& c)
       : scale_(c.h), per_w_dp_(1 / K::w(c.dp / c.h)), exponent_(c.exponent) {}
 
-  /// Of the neighbours in pack `b`, which are `pair` from i and count by `weight`.
   Vec<Pack, Dim> term(const UlCauchyFields<Dim>& f, const Mat<Pack, Dim>& R_i, int b,
                       const CauchyPair<Dim>& pair, const Pack& weight) const {
     const Pack close = power(Pack(per_w_dp_ * f.w[b].value), exponent_);  // (W/W(dp))ⁿ
@@ -144,8 +138,7 @@ class Repulsion {
   double per_w_dp_, exponent_;
 };
 
-/// dv/dt and the diffusion of density of every particle, kg/(m³ s); velocities go over the whole step. Returns the
-/// greatest v², m²/s².
+/// Advances v and computes density diffusion, kg/(m³ s). Returns the maximum v², m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Kick<Dim>& kick,
                    const Threads& threads) {
@@ -206,9 +199,8 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// û of every particle, from the new velocities.                                          [Khayyer2024] Eq. 14
-/// Clamped particles stay, guided and driven ones go as they are told. Geometry is taken `ahead`, s, of the start of
-/// the step. Returns the greatest square of a velocity against the rigid motion of the body, m²/s².
+/// Computes û, [Khayyer2024] Eq. 14, and positions `ahead`, s, after the start. Returns the maximum squared velocity
+/// relative to rigid motion, m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
                       double ahead, const Threads& threads) {
@@ -241,8 +233,7 @@ double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, 
   });
 }
 
-/// Densities, stresses and positions with the rates of the new velocities, from ∇û and, where it is not −ρ tr ∇û, the
-/// rate of density. The geometry is that of `transported`.     [Khayyer2024] Eq. 8, 13, 27, 29
+/// Advances densities, stresses and positions with ∇û. [Khayyer2024] Eq. 8, 13, 27, 29
 template <const UlCauchyFormulation& M, int Dim>
 void rate_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, double dt, const Threads& threads) {
   using K = Kernel<M.kernel>;
@@ -258,7 +249,7 @@ void rate_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, double 
       const Pack dw_per_q = K::dw_per_q(Pack(scale.per_h * root(dot(d, d))));
       if constexpr (M.corrected) add_gradient_moment(moment, o.V, dw_per_q, one, d);
       add_velocity_gradient(gradient, o.V, dw_per_q, v_ij, d);
-      // Σ m_j u_ij·∇W, [TranDuc2023] §2.2
+      // [TranDuc2023] §2.2
       if constexpr (M.continuity == Continuity::masses) compression += o.rho * o.V * dw_per_q * dot(v_ij, d);
     }
     Mat<double, Dim> L = scale.of_gradient * sum(gradient);

@@ -17,8 +17,7 @@
 namespace taut {
 namespace {
 
-/// Greatest riemann_step_speed() of two materials that the Riemann term joins, m/s: those of one body, under `sph` of
-/// the whole scene.
+/// Maximum riemann_step_speed() in a body (`sph`: the scene), m/s.
 double riemann_speed(const SolverInput& input) {
   const std::vector<Elasticity>& materials = input.materials;
   const InitialParticles& initial = input.initial;
@@ -69,7 +68,7 @@ UlCauchy<Dim>::UlCauchy(Common<Dim>& common, const SolverInput& input, const Ker
   rebuild();
 }
 
-/// Bodies that act on each other as one do so by all of their stress, in the sums over all neighbours.
+/// Under `sph`, neighbour sums contain the contact forces.
 template <int Dim>
 void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
   for (const Probe& probe : scene.probes)
@@ -81,16 +80,14 @@ void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
                            "' takes two bodies that touch for one; take another law, such as \"penalty\"");
 }
 
-/// s, [Khayyer2024] Eq. 26, with c0 wherever shear is as soft as there
+/// Time step, s, [Khayyer2024] Eq. 26, but shorter for materials stiffer in shear.
 template <int Dim>
 double UlCauchy<Dim>::step_size() const {
   return common_.fixed_or(c_.cfl * c_.h / c_.step_speed);
 }
 
-/// One step of the symplectic Euler scheme.
-/// Differs from [Khayyer2024] Eq. 22–25, where all rates are those of the old state: an elastic wave grows
-/// without limit that way. ∇u is taken in the middle of the step (`geometry` = ½): at its start, as printed,
-/// a body that turns with ω swells by (ω dt)²/2 a step and has no strain of it.
+/// Symplectic Euler step. Differs from [Khayyer2024] Eq. 22–25, where rates of the old state let waves grow. ∇u is
+/// taken at mid-step (`geometry` = ½); at the start, bodies rotating at ω swell by (ω dt)²/2 per step.
 template <int Dim>
 void UlCauchy<Dim>::step(double dt) {
   if (2 * way_ > skin * c_.dp) rebuild();
@@ -103,7 +100,6 @@ void UlCauchy<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Velocities over the whole step, from the stresses of its start and the contact of bodies.
 template <int Dim>
 void UlCauchy<Dim>::accelerate(double dt) {
   const Kick<Dim> kick = common_.kick(dt, common_.run.time + 0.5 * dt);
@@ -111,19 +107,17 @@ void UlCauchy<Dim>::accelerate(double dt) {
   common_.stop_approach(0, [&](int i, const V&) { moved_[i].put_velocity(p_.v[i]); });
 }
 
-/// û from the new velocities, and the ways that particles have gone against the motion of their bodies.
 template <int Dim>
 void UlCauchy<Dim>::transport(double dt) {
   const double fastest2 =
       kernels_.transport(f_, c_, common_.external.steering(), c_.geometry * dt, common_.threads_now());
   way_ += dt * std::sqrt(fastest2);
   for (std::size_t body = 0; body < drift_.size(); ++body) centre_[body] += dt * drift_[body];
-  // a pair that turns by ω dt along its tangents parts by the square of that: each end by a quarter
+  // a rotation by ω dt stretches a pair by the square; a quarter per end
   const double turn = dt * *std::ranges::max_element(spin_, {}, [](double spin) { return std::abs(spin); });
   way_ += 0.25 * turn * turn * (common_.run.support + skin * c_.dp);
 }
 
-/// Particles to the order of their cells, and the lists of neighbours.
 template <int Dim>
 void UlCauchy<Dim>::rebuild() {
   const double reach = common_.run.support + skin * c_.dp;
@@ -170,7 +164,7 @@ void UlCauchy<Dim>::bind_fields() {
         .spin = spin_.data()};
 }
 
-/// Pairs of two bodies are in the lists only where they act as in one.
+/// Lists contain pairs of two bodies only under `sph`.
 template <int Dim>
 void UlCauchy<Dim>::show_neighbors_to_probes() {
   if (!sph_contact_) return common_.show_contacts_to_probes();
@@ -188,13 +182,12 @@ void UlCauchy<Dim>::mark_materials() {
   });
 }
 
-/// The rows of the particles in their new order.
 template <int Dim>
 void UlCauchy<Dim>::set_motion() {
   for (int i = 0; i < p_.size(); ++i) motion_[i].set(p_.v[i], rho_[i], p_.m[i] / rho_[i], p_.x[i]);
 }
 
-/// Of each body its velocity and spin, from both momenta; any other would be as right, with more searches.
+/// Sets rigid motions from momenta; other values would only cause more searches.
 template <int Dim>
 void UlCauchy<Dim>::set_rigid_motion() {
   static_assert(Dim == 2);

@@ -9,11 +9,8 @@
 
 namespace taut {
 
-/// The updated-Lagrangian methods whose Cauchy stress σ = −pI + s acts as a whole: those of [Khayyer2024] and
-/// the current-configuration ones of [TranDuc2023].
-///
-/// Lists of neighbours reach a skin farther than the kernel, and hold until a particle has gone half the skin
-/// against the motion of its body as a rigid one; particles beyond the kernel's support have no weight.
+/// Methods of [Khayyer2024] and, in the current configuration, of [TranDuc2023]. Neighbour lists include a skin. They
+/// are valid until a particle has moved half of it relative to its body's rigid motion.
 template <int Dim>
 class UlCauchy final : public Scheme<Dim> {
  public:
@@ -31,7 +28,7 @@ class UlCauchy final : public Scheme<Dim> {
   void load(Loader& loader) override { serialize(loader); }
 
  private:
-  /// Longer: fewer searches, more pairs; in spacings.
+  /// In spacings; a longer skin means fewer searches and more pairs.
   static constexpr double skin = 0.25;
   struct alignas(64) CacheLine {
     double c[8];
@@ -57,7 +54,7 @@ class UlCauchy final : public Scheme<Dim> {
   UlCauchyConstants c_;
   std::vector<Elasticity> materials_;
   bool several_materials_ = false;
-  bool sph_contact_;  // bodies act on each other as one
+  bool sph_contact_;  // bodies interact as one
   CellGrid<Dim> grid_;
   NeighborSearch<Dim> search_;
 
@@ -69,12 +66,12 @@ class UlCauchy final : public Scheme<Dim> {
   std::vector<RepulsionRow<Dim>> repulsion_;
   Neighbors near_;
   std::vector<AlignedPack> w_, of_one_material_;
-  // of each body as a rigid one, when neighbours were last searched; several that act as one have none
+  // rigid motion at the last search; 0 under sph_contact_
   std::vector<V> drift_;      // m/s
   std::vector<double> spin_;  // 1/s
-  std::vector<V> centre_;     // where it has drifted to since, m
-  double way_ = 0;            // against that motion since, of the particle that goes farthest, m
-  UlCauchyFields<Dim> f_{};   // pointers to all of these
+  std::vector<V> centre_;     // drifted position, m
+  double way_ = 0;            // maximum distance moved relative to it, m
+  UlCauchyFields<Dim> f_{};
 };
 
 }  // namespace taut

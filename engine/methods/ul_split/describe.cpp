@@ -7,7 +7,7 @@ namespace {
 
 constexpr TermInfo time_info{"time", "position Verlet, dual-criteria steps", "[Zhang2024] Eq. 21–25",
                              "methods/ul_split/solver.cpp:step",
-                             "naive: a ring and a disc that collide, dual stepping"};
+                             "naive: a colliding ring and disc follow the transcription with dual stepping"};
 
 }  // namespace
 

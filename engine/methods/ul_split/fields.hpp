@@ -5,10 +5,9 @@
 #include "engine/core/rows.hpp"
 #include "engine/methods/ul_split/formulation.hpp"
 
-/// Plain data of the updated-Lagrangian methods with pressure and shear apart, for their passes.
 namespace taut {
 
-/// The row that every pass gathers of a neighbour: velocity (or any other vector), pressure, volume.
+/// Velocity (or another vector), pressure, volume.
 template <int Dim>
 struct FlowRow : Row<Dim + 2> {
   using Row<Dim + 2>::c;
@@ -25,7 +24,6 @@ struct Flow {
   T V;            // m^Dim
 };
 
-/// A symmetric tensor and a scalar of a particle, as the passes gather them.
 template <int Dim>
 struct TensorRow : Row<Sym<double, Dim>::size + 1> {
   using Row<Sym<double, Dim>::size + 1>::c;
@@ -87,31 +85,28 @@ template <int Dim>
 struct PairGeometry {
   Vec<Pack, Dim> gradient;  // ∇_i W = ∂W/∂r e_ij, 1/m^(Dim+1)
   Pack inverse_slope;       // 1/(∂W/∂r)
-  Pack inverse_distance;    // (1/r)/(∂W/∂r); 0 for pairs of two bodies: no shear between them
+  Pack inverse_distance;    // (1/r)/(∂W/∂r); 0 between bodies: no shear
 };
 
-/// The geometry of all pairs, pack by pack, cached till the next rebuild; 0 in padding lanes. Gradients are opposite in
-/// (i, j) and (j, i) to the last bit. In 3D, where pairs are many, it is kept in single precision, in the units of
-/// the kernel, so that numbers have room whatever a metre is to the spacing; sums over pairs are in double.
+/// Pair geometry, cached until the next rebuild; 0 in padding. Gradients of (i, j) and (j, i) are exactly opposite.
+/// Single precision saves memory in 3D; kernel units fit its range.
 template <int Dim>
 struct PairCache {
   static constexpr bool halved = Dim == 3;
   using Kept = std::conditional_t<halved, HalfPack, AlignedPack>;
-  /// Of −r ∂W/∂r in those units, below which a pair at the edge of the kernel, or in one place, has no geometry:
-  /// the inverses would be too great.
+  /// Least −r ∂W/∂r in kernel units; below it, inverses would overflow.
   static constexpr double least = halved ? 1e-30 : 0;
 
-  Kept* gradients;  // Dim of each pack
+  Kept* gradients;  // Dim per pack
   Kept *inverse_slopes, *inverse_distances;
-  Kept* closeness_of;        // where the method has artificial stress
-  double steepness, length;  // of the kernel, 1/m^(Dim+1), m; 1 where it is not halved
+  Kept* closeness_of;        // with artificial stress
+  double steepness, length;  // kernel units, 1/m^(Dim+1), m; 1 unless halved
 
   void set(int b, const PairGeometry<Dim>& pairs) const {
     for (int k = 0; k < Dim; ++k) pack_into(gradients[Dim * b + k], pairs.gradient[k] * (1 / steepness));
     pack_into(inverse_slopes[b], pairs.inverse_slope * steepness);
     pack_into(inverse_distances[b], pairs.inverse_distance * (steepness * length));
   }
-  /// (W/W(dp))ⁿ
   void set_closeness(int b, const Pack& closeness) const { pack_into(closeness_of[b], closeness); }
   Pack closeness(int b) const { return unpacked(closeness_of[b]); }
   PairGeometry<Dim> operator[](int b) const { return {gradient(b), inverse_slope(b), inverse_distance(b)}; }
@@ -132,18 +127,18 @@ struct PairCache {
   }
 };
 
-/// Pack `pack` of the neighbours of i has one of another body, on which i acts as on one of its own.
+/// A pack of neighbours of i in another body.
 struct MixedPack {
   int i, pack;
 };
 
-/// Fields of all particles and pairs; arrays that a method does not use are null.
+/// Unused arrays are null.
 template <int Dim>
 struct UlSplitFields {
   using V = Vec<double, Dim>;
   using S = Sym<double, Dim>;
 
-  int size;    // particles
+  int size;
   V* x;        // m
   const V* v;  // m/s
   const double *m, *mobile;
@@ -151,19 +146,17 @@ struct UlSplitFields {
   double *rho, *drho;     // kg/m³ and its rate
   V *a_shear, *da_shear;  // accumulated shear acceleration, m/s², and its rate
   S *s, *ds;              // deviatoric stress, Pa, and its rate
-  bool sph_contact;       // particles of several bodies act on each other as those of one
+  bool sph_contact;       // bodies interact as one
 
-  // gathered by the passes
-  FlowRow<Dim>* flow;         // at the middle of the step: v, p, V
+  FlowRow<Dim>* flow;         // mid-step v, p, V
   FlowRow<Dim>* flow_new;     // with the new velocity
   TensorRow<Dim>* stress;     // s
-  TensorRow<Dim>* repulsion;  // artificial stress R and mass
-  // of methods whose stress is only shown, at the last rebuild: correction of the kernel gradient, and volume
+  TensorRow<Dim>* repulsion;  // artificial stress and mass
+  // gradient correction and volume at the last rebuild
   TensorRow<Dim>* recovery;
 
-  // of the last rebuild
   const int *begin, *j;  // neighbours, see Neighbors
-  int* meets;            // 1: not all neighbours of i are of its own body
+  int* meets;            // 1: has neighbours in other bodies
   PairCache<Dim> pairs;
   const MixedPack* mixed;
   int mixed_count;

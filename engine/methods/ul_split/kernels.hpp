@@ -6,12 +6,11 @@
 
 namespace taut {
 
-/// The loops of a method; passes.hpp documents them.
 template <int Dim>
 struct UlSplitKernels {
   using Fields = UlSplitFields<Dim>;
 
-  double support;  // of the kernel, h
+  double support;  // in h
   double (*steepness)(const UlSplitConstants& c);
   void (*geometry)(const Fields& f, const UlSplitConstants& c, const Threads& threads);
   void (*contact_geometry)(const Fields& f, const UlSplitConstants& c);

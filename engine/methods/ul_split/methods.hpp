@@ -2,8 +2,8 @@
 
 #include "engine/methods/ul_split/formulation.hpp"
 
-/// [Zhang2024]: its own method, ENOG, and those that it compares with. The artificial stress it names without
-/// equations or values; those are of Gray, Monaghan, Swift (2001).
+/// Methods of [Zhang2024]. The artificial stress is from Gray, Monaghan, Swift (2001), because the paper has no
+/// equations for it.
 namespace taut {
 
 inline constexpr UlSplitFormulation og{

@@ -14,10 +14,9 @@
 #include "engine/terms/stress_rate.hpp"
 #include "engine/terms/velocity_gradient.hpp"
 
-/// Every loop over neighbours. All of them gather over i, so that no result depends on the number of threads.
+/// All loops gather over i, so results do not depend on the number of threads.
 namespace taut {
 
-/// Works out the geometry of pairs.
 template <const UlSplitFormulation& M, int Dim>
 class PairKernel {
  public:
@@ -28,21 +27,20 @@ class PairKernel {
         per_w_dp_(1 / K::w(c.dp / c.h)),
         exponent_(c.exponent) {}
 
-  /// α/h^(Dim+1)
   static double steepness(const UlSplitConstants& c) { return K::alpha(Dim) / power<Dim + 1>(c.h); }
 
-  /// With x_i − x_j = d. Coincident particles have no force on each other, as the filling.
+  /// Geometry for x_i − x_j = d; 0 for coincident particles and padding.
   PairGeometry<Dim> geometry(const Vec<Pack, Dim>& d) const {
     Pack slope_per_distance;
     return geometry(d, slope_per_distance);
   }
-  /// And (∂W/∂r)/r, 1/m^(Dim+2).
+  /// Also returns (∂W/∂r)/r, 1/m^(Dim+2).
   PairGeometry<Dim> geometry(const Vec<Pack, Dim>& d, Pack& slope_per_distance) const {
     const Pack r = root(dot(d, d));
     const Pack dW = alpha_ * K::dw(Pack(per_h_ * r));
     const Pack product = r * dW;
     const PackIndex acting = product < -least_;
-    const Pack inverse = 1 / (acting ? product : filled<Pack>(1));  // one division for both
+    const Pack inverse = 1 / (acting ? product : filled<Pack>(1));  // one division for two inverses
     const Pack inv_r = inverse * dW, inv_dW = inverse * r, none{};
     slope_per_distance = acting ? Pack(dW * inv_r) : none;
     return {slope_per_distance * d, acting ? inv_dW : none, acting ? inverse : none};
@@ -57,10 +55,9 @@ class PairKernel {
   double per_h_, alpha_, least_, per_w_dp_, exponent_;
 };
 
-/// The geometry of every pair.
 template <const UlSplitFormulation& M, int Dim>
 void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Threads& threads) {
-  // places, bodies and volumes, in rows that stand ready to be gathered
+  // position, body, volume
   parallel_for(s.size, threads, [&](int i) { s.flow[i].set(s.x[i], s.body[i], s.m[i] / s.rho[i]); });
   parallel_pass(s.size, threads, [&, kernel = PairKernel<M, Dim>(c)](int i) {
     const Flow<Dim, Pack> here = spread_flow(s.flow[i]);
@@ -88,9 +85,8 @@ void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const
   });
 }
 
-/// Between bodies geometry is not cached: two that close at 2v would go half a spacing on stale gradients, come
-/// apart on steeper ones than they met on, and stick.
-/// Differs from [Zhang2024] §5, which caches all pairs between advection steps.
+/// Differs from [Zhang2024] §5, which caches these pairs, too: bodies then separate on steeper gradients than they
+/// met on, and stick.
 template <const UlSplitFormulation& M, int Dim>
 void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c) {
   const PairKernel<M, Dim> kernel(c);
@@ -113,7 +109,7 @@ void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& 
   }
 }
 
-/// ∇_i W of pairs within a body, 0 for the others.
+/// ∇_i W; 0 for pairs of two bodies.
 template <int Dim>
 Vec<Pack, Dim> gradient_inside(const UlSplitFields<Dim>& s, int i, int b) {
   Vec<Pack, Dim> g = s.pairs.gradient(b);
@@ -122,9 +118,8 @@ Vec<Pack, Dim> gradient_inside(const UlSplitFields<Dim>& s, int i, int b) {
   return g;
 }
 
-/// dv/dt of every particle: pressure from the Riemann problem of each pair, and shear. The terms are written in
-/// ∂W/∂r and e_ij; for the first they get `one`, and for the second the product of the two, ∇_i W.
-/// Velocities go over the whole step, Eq. 24, and positions to its end, Eq. 25. Returns the greatest v², m²/s².
+/// Advances v (Eq. 24), then x (Eq. 25). Terms receive `one` and ∇_i W for ∂W/∂r and e_ij. Returns the maximum v²,
+/// m²/s².
 template <const UlSplitFormulation& M, int Dim>
 double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Kick<Dim>& kick,
                      const Threads& threads) {
@@ -134,7 +129,7 @@ double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, con
     [[maybe_unused]] Tensor<Dim> s_i, R_i;
     if constexpr (carries_stress(M)) s_i = spread_tensor(s.stress[i]);
     if constexpr (M.artificial_stress) R_i = spread_tensor(s.repulsion[i]);
-    Vec<Pack, Dim> force{};  // per volume, N/m³
+    Vec<Pack, Dim> force{};  // N/m³
     [[maybe_unused]] Vec<Pack, Dim> repulsion{};
     for (int b = s.begin[i]; b < s.begin[i + 1]; ++b) {
       const int* j = s.pack(b);
@@ -162,8 +157,7 @@ double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, con
   });
 }
 
-/// On body `a` of body `b`, which act on each other as one: what momentum_pass last had of their pairs, N
-/// (per metre depth in 2D). Shear acts within a body only.
+/// Force of body `b` on `a` in the last momentum_pass, N (per metre depth in 2D).
 template <const UlSplitFormulation& M, int Dim>
 Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const UlSplitConstants& c, int a, int b) {
   const Dissipation dissipation{c.rho0 * c.c0, c.riemann_limiter / c.c0, c.beta_least};
@@ -188,8 +182,7 @@ Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const UlSplitConstan
   return total;
 }
 
-/// The rates that follow from the new velocities, of density and of the stress or the shear acceleration; these go
-/// by them over `dt`, the second half of the step, Eq. 25.
+/// Advances by the second half step, Eq. 25, with rates of the new velocities.
 template <const UlSplitFormulation& M, int Dim, bool pressure_diffusion>
 void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Steering<Dim>& steering,
                double dt, const Threads& threads) {
@@ -219,8 +212,7 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
     s.drho[i] = s.rho[i] * sum(compression);
     if constexpr (!strains_what_is_held(M)) s.drho[i] *= s.mobile[i];
     if constexpr (M.shear == Shear::nested_stress) s.ds[i] = jaumann_rate<M.deviator>(sum(L), s.s[i], c.G);
-    // G/ρ stands inside the time integral: outside, as [Zhang2024] Eq. 20 prints it, m_i/ρ_i V_j would not be
-    // V_i V_j of the same time and linear momentum would drift.
+    // G/ρ is inside the time integral; outside, as in [Zhang2024] Eq. 20, linear momentum would drift
     const double inv_rho = s.flow_new[i].c[Dim + 1] / s.m[i];
     if constexpr (M.shear == Shear::laplacian_velocity)
       s.da_shear[i] = (c.zeta * c.G * inv_rho) * sum(laplacian);
@@ -244,11 +236,9 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
     rate_pass<M, Dim, true>(s, c, steering, dt, threads);
 }
 
-/// The stress up to now of particle particles[k], or k where `particles` is null, into out[k], for a method that does
-/// not compute with it: `displacement` d since it was last brought up to date gives s += 2G dev ε(d) + rotation, with the
-/// corrected gradient. [Zhang2024] Eq. 6–8, 26, 27
-/// The geometry of the pairs is cached meanwhile, so that this is the integral over all steps since; for that, volumes
-/// and the correction are cached too, where the paper has those of each time.
+/// Recovers the stress of particles[k] (k if null) into out[k] from the displacement d since the last recovery:
+/// s += 2G dev ε(d) + rotation. [Zhang2024] Eq. 6–8, 26, 27. Differs from the paper: volumes and correction are
+/// cached, too.
 template <const UlSplitFormulation& M, int Dim>
 void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const FlowRow<Dim>* displacement,
                     const int* particles, int count, Sym<double, Dim>* out, const Threads& threads) {
@@ -267,7 +257,7 @@ void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, cons
   });
 }
 
-/// Positions, densities and shear to the middle of the step, Eq. 23: over `dt`, half of it.
+/// First half step, Eq. 23.
 template <const UlSplitFormulation& M, int Dim>
 void half_drift(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double dt, const Threads& threads) {
   parallel_pass(s.size, threads, [&](int i) {

@@ -16,7 +16,7 @@ UlSplitConstants split_constants(const SolverInput& input) {
   const auto& method = *as<UlSplitFormulation>(input.method);
   UlSplitConstants c =
       constants_of(ul_split::constants(method, input.scene.dim), input.constants, input.values);
-  constexpr double known = 0.75;  // G/K of ν = 0.2, below which `enog` is lost at c0
+  constexpr double known = 0.75;  // G/K for ν = 0.2; above it `enog` fails at c0
   c.step_speed = c.zeta > 0 ? step_speed(input, c.zeta, known) : step_speed(input);
   return c;
 }
@@ -50,7 +50,7 @@ UlSplit<Dim>::UlSplit(Common<Dim>& common, const SolverInput& input, const Kerne
   greatest_speed_ = common_.vmax;
 }
 
-/// s, [Zhang2024] Eq. 22, with c0 wherever shear is as soft as in the papers
+/// Time step, s, [Zhang2024] Eq. 22, but shorter for materials stiffer in shear.
 template <int Dim>
 double UlSplit<Dim>::step_size() const {
   return common_.fixed_or(c_.cfl * c_.h / (c_.step_speed + common_.vmax));
@@ -59,8 +59,7 @@ double UlSplit<Dim>::step_size() const {
 /// One acoustic step, [Zhang2024] Eq. 22–25.
 template <int Dim>
 void UlSplit<Dim>::step(double dt) {
-  // Eq. 21 as a distance, and with the greatest speed so far: a body that speeds up within an advection step
-  // is rebuilt in time, and one at the turning point of its swing is not left with pairs from long ago.
+  // Eq. 21 as a distance at the maximum speed since the start, so that turning points do not delay it
   if (stepping_ == Stepping::single ? common_.run.steps > 0 : advected_ >= c_.cfl_advection * c_.h) rebuild();
   common_.contact.prepare(p_, common_.vmax * dt);
   kernels_.half_drift(f_, c_, 0.5 * dt, common_.threads_now());
@@ -72,7 +71,7 @@ void UlSplit<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Velocities over the whole step, Eq. 24, and positions to its end, Eq. 25.
+/// Advances by Eq. 24 and 25.
 template <int Dim>
 void UlSplit<Dim>::accelerate(double dt) {
   const Kick<Dim> kick = common_.kick(dt, common_.run.time + dt);
@@ -85,13 +84,12 @@ void UlSplit<Dim>::accelerate(double dt) {
   greatest_speed_ = std::max(greatest_speed_, common_.vmax);
 }
 
-/// Densities and shear to the end of the step, with the rates of the new velocities, Eq. 25.
+/// Advances densities and shear by Eq. 25.
 template <int Dim>
 void UlSplit<Dim>::close_rates(double dt) {
   kernels_.rates(f_, c_, common_.external.steering(), dt, common_.threads_now());
 }
 
-/// The configuration is updated: particles to the order of their cells, neighbours, geometry of pairs.
 template <int Dim>
 void UlSplit<Dim>::rebuild() {
   const int threads = common_.threads_now();
@@ -109,7 +107,7 @@ void UlSplit<Dim>::rebuild() {
   common_.probes.rebuilt(p_, near_, common_.run.support);
   advected_ = 0;
   if (!at_start) return;
-  // the rates at t = 0, which the first half step needs
+  // initial rates for the first half step
   for (int i = 0; i < p_.size(); ++i) flow_new_[i].set(p_.v[i], 0, p_.m[i] / rho_[i]);
   close_rates(0);
 }
@@ -167,7 +165,7 @@ void UlSplit<Dim>::bind_fields() {
         .mixed_count = static_cast<int>(mixed_.size())};
 }
 
-/// Since the stress was last recovered, with the volumes of that time.
+/// Since the last recovery, with its volumes.
 template <int Dim>
 std::vector<FlowRow<Dim>> UlSplit<Dim>::displacements() const {
   std::vector<FlowRow<Dim>> rows(p_.x.size());
@@ -197,7 +195,7 @@ void UlSplit<Dim>::show(Snapshot& out, std::span<const int> groups) const {
   });
 }
 
-/// Bodies that act on each other as one do so by pressure, and by artificial stress.
+/// Under `sph`, bodies interact by pressure and artificial stress.
 template <int Dim>
 auto UlSplit<Dim>::contact_force(const Probe& probe, double dt) const -> V {
   if (probe.wall >= 0 || !sph_contact_) return common_.contact_force(probe, dt);

@@ -8,8 +8,7 @@
 
 namespace taut {
 
-/// The updated-Lagrangian methods of [Zhang2024] with the position-based Verlet scheme and the dual-criteria
-/// time stepping of its §5.
+/// Methods of [Zhang2024] with position Verlet and dual-criteria time stepping (§5).
 template <int Dim>
 class UlSplit final : public Scheme<Dim> {
  public:
@@ -47,14 +46,14 @@ class UlSplit final : public Scheme<Dim> {
   CellGrid<Dim> grid_;
   NeighborSearch<Dim> search_;
   Neighbors near_;
-  double greatest_speed_ = 0;  // m/s, so far
-  double advected_ = 0;        // way at the greatest speed since the last rebuild, m
+  double greatest_speed_ = 0;  // maximum since the start, m/s
+  double advected_ = 0;        // distance since the last rebuild, m
 
-  // see UlSplitFields, whose arrays are there
+  // see UlSplitFields
   std::vector<double> rho_, drho_;
   std::vector<V> a_shear_, da_shear_;
   std::vector<S> s_, ds_;
-  std::vector<V> x_recovered_;  // where x was when a recovered stress was last brought up to date, m
+  std::vector<V> x_recovered_;  // positions at the last stress recovery, m
   std::vector<FlowRow<Dim>> flow_, flow_new_;
   std::vector<TensorRow<Dim>> stress_, repulsion_, recovery_;
   std::vector<int> meets_;
@@ -62,8 +61,8 @@ class UlSplit final : public Scheme<Dim> {
   std::vector<Kept> gradients_, inverse_slopes_, inverse_distances_, closeness_;
   bool sph_contact_;
   double kernel_steepness_ = 1, kernel_length_ = 1;  // see PairCache
-  std::vector<MixedPack> mixed_;                     // if bodies act on each other as one
-  UlSplitFields<Dim> f_{};                           // pointers to all of these
+  std::vector<MixedPack> mixed_;                     // for sph_contact_
+  UlSplitFields<Dim> f_{};
 };
 
 }  // namespace taut

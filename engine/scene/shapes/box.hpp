@@ -4,14 +4,13 @@
 
 namespace taut {
 
-/// A cuboid in 3D.
 struct Box final : ShapeBase {
   Point low{}, high{};
 
   Box() = default;
   Box(const Point& low, const Point& high) : low(low), high(high) {}
 
-  /// Along an axis, about dp wide, where particles stand on the faces.
+  /// Number of cells, about dp wide, between particles on opposite faces.
   long cells(std::size_t axis, double dp) const;
 
   Bounds bounds() const override { return {low, high}; }

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// What several shapes, at least one, make together; lattice and middle are those of the first.
+/// Combination of shapes, with lattice and middle of the first.
 struct Combined final : ShapeBase {
   Combination how{};
   std::vector<Shape> shapes;
@@ -61,7 +61,7 @@ struct Combined final : ShapeBase {
   }
   std::vector<Chain> outline(int dim, double dp) const override {
     if (dim != 2) return {};
-    constexpr double finely = 0.125;  // where faces of curves cross they are as good as their chords
+    constexpr double finely = 0.125;  // chords limit the accuracy of crossings
     std::vector<std::vector<Chain>> solids;
     for (const Shape& shape : shapes) solids.push_back(shape->outline(dim, finely * dp));
     return evenly_spaced(combined(how, solids, dp), dp);

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// An ellipsoid in 3D. `holds` takes the distance to the surface to first order.
+/// Ellipse or ellipsoid; `holds` uses the distance to first order.
 struct Ellipse final : ShapeBase {
   Point centre{}, semi_axes{1, 1, 1};
 
@@ -22,13 +22,13 @@ struct Ellipse final : ShapeBase {
     return box;
   }
   bool holds(const Point& x, int dim, double tolerance) const override {
-    double squared = 0, slope = 0;  // (r/r_face)², and its half gradient squared
+    double squared = 0, slope = 0;  // (r/r_face)², its half gradient squared
     for (std::size_t k = 0; k < as_index(dim); ++k) {
       const double d = (x[k] - centre[k]) / semi_axes[k];
       squared += d * d;
       slope += d * d / (semi_axes[k] * semi_axes[k]);
     }
-    // (√squared − 1) over the length of its gradient, √(slope/squared)
+    // distance ≈ (√squared − 1)/√(slope/squared)
     return squared - std::sqrt(squared) <= tolerance * std::sqrt(slope);
   }
   double measure(int dim) const override {
@@ -50,7 +50,7 @@ struct Ellipse final : ShapeBase {
     constexpr double whole = 2 * std::numbers::pi, fine = 16;
     const double greatest = std::max(semi_axes[0], semi_axes[1]);
     const long steps = std::max(64L, std::lround(fine * whole * greatest / dp));
-    std::vector<double> way = {0};  // along the face, m
+    std::vector<double> way = {0};  // arc length, m
     for (long k = 0; k < steps; ++k) {
       const double step = whole / static_cast<double>(steps), angle = static_cast<double>(k) * step;
       way.push_back(way.back() + distance_between(place(angle), place(angle + step), 2));

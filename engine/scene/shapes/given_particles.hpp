@@ -9,9 +9,8 @@
 
 namespace taut {
 
-/// Particles that were given one by one. A place is held where the cell of one is, a square (cube) of its
-/// volume. The faces are where the mean of the indicator of the particles, with a cubic spline of radius 2
-/// dp, is ½: half a spacing outside the outermost ones.
+/// Particles listed one by one; each fills a square (cube). At faces their indicator, smoothed by a cubic spline, is
+/// ½: half a spacing outside.
 class GivenParticles final : public ShapeBase {
  public:
   GivenParticles(std::vector<Point> places, std::vector<double> volumes, int dim)
@@ -57,7 +56,7 @@ class GivenParticles final : public ShapeBase {
   }
   std::vector<Chain> outline(int dim, double dp) const override {
     if (dim != 2) return {};
-    const double half = 0.5 * 0.7 * std::numbers::pi * size_ * size_;  // of ∫ W dA, W(0) = 1 and h = size_
+    const double half = 0.5 * 0.7 * std::numbers::pi * size_ * size_;  // ½ ∫ W dA for W(0) = 1, h = size_
     const auto is_in = [&](const Point& x) {
       const Point y{x[0] - by_[0], x[1] - by_[1], 0};
       double sum = 0;
@@ -69,19 +68,18 @@ class GivenParticles final : public ShapeBase {
   }
 
  private:
-  /// The cubic spline of radius 2 over its value at 0.
   static double spline(double r) {
     if (r >= 2) return 0;
     return r < 1 ? 1 - 1.5 * r * r + 0.75 * r * r * r : 0.25 * (2 - r) * (2 - r) * (2 - r);
   }
   std::array<long, 3> cell_of(const Point& x) const {
-    constexpr double reach = 2;  // of the spline, in sizes
+    constexpr double reach = 2;  // of the spline, in size_
     std::array<long, 3> cell{};
     for (std::size_t k = 0; k < cell.size(); ++k)
       cell[k] = static_cast<long>(std::floor(x[k] / (reach * size_)));
     return cell;
   }
-  /// Calls visit(particle) for the particles near x, which is relative to their common shift.
+  /// Calls visit(particle) near x, without the shift.
   template <class Visit>
   void around(const Point& x, const Visit& visit) const {
     const std::array<long, 3> middle = cell_of(x);
@@ -98,11 +96,11 @@ class GivenParticles final : public ShapeBase {
 
   std::vector<Point> places_;
   std::vector<double> volumes_;
-  Point by_{};         // they have been moved by, m
-  Bounds box_;         // around their cells
-  double volume_ = 0;  // of all
-  double size_ = 0;    // of the greatest cell, m; and of the cells of the search
-  std::vector<std::pair<std::array<long, 3>, int>> sorted_;  // by the cell of the search
+  Point by_{};                                               // shift, m
+  Bounds box_;                                               // of the cells
+  double volume_ = 0;                                        // total
+  double size_ = 0;                                          // greatest cell, m
+  std::vector<std::pair<std::array<long, 3>, int>> sorted_;  // by search cell
 };
 
 }  // namespace taut

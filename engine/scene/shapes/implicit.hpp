@@ -7,12 +7,12 @@
 
 namespace taut {
 
-/// The places of a box at which an expression is not 0. Steps of its faces below a quarter of dp are not
-/// seen. For a tolerance it looks as far to all sides.
+/// Part of a box where an expression is not 0. The outline misses steps below a quarter of dp; tolerances are tested
+/// along the axes.
 struct Implicit final : ShapeBase {
   Box within;
   Expression inside;
-  Point by{};  // it has been moved by, m
+  Point by{};  // shift, m
 
   Implicit(const Box& within, Expression inside) : within(within), inside(std::move(inside)) {}
 

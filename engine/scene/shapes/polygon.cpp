@@ -21,13 +21,13 @@ double distance_to_side(const Point& x, const Point& a, const Point& b) {
   return distance_between(x, {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), 0}, 2);
 }
 
-/// Strictly between the ends of the side, for a point of its line.
+/// Whether x, on line ab, is strictly between a and b.
 bool within(const Point& x, const Point& a, const Point& b) {
   const std::size_t k = std::abs(b[0] - a[0]) > std::abs(b[1] - a[1]) ? 0 : 1;
   return (x[k] - a[k]) * (b[k] - x[k]) > 0;
 }
 
-/// Where two sides cross, or where one lies on the other; not where they only touch.
+/// Returns where two sides cross or overlap, not where they touch.
 std::optional<Point> crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
   const double of_c = turn(a, b, c), of_d = turn(a, b, d), of_a = turn(c, d, a), of_b = turn(c, d, b);
   if (of_c == 0 && of_d == 0) {
@@ -50,7 +50,7 @@ void each_side(const std::vector<Chain>& contours, const Visit& visit) {
 }  // namespace
 
 std::optional<Point> crossing(const std::vector<Chain>& contours) {
-  std::vector<std::array<Point, 2>> sides;  // from left to right
+  std::vector<std::array<Point, 2>> sides;
   each_side(contours, [&](const Point& a, const Point& b) {
     sides.push_back(a[0] <= b[0] ? std::array{a, b} : std::array{b, a});
   });
@@ -81,7 +81,7 @@ Polygon::Polygon(std::vector<Chain> contours, const std::optional<Point>& centre
     const std::size_t first = strip_of(std::min(a[1], b[1])), last = strip_of(std::max(a[1], b[1]));
     for (std::size_t strip = first; strip <= last; ++strip) strips_[strip].push_back({a, b});
   });
-  // the solid to the left of the first side that has some length
+  // puts the solid on the left
   for (Chain& contour : contours_) {
     std::size_t k = 0;
     while (k + 1 < contour.size() && contour[k] == contour[k + 1]) ++k;

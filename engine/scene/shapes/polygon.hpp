@@ -6,11 +6,11 @@
 
 namespace taut {
 
-/// What lies within an odd number of closed contours, 2D; no two of their sides cross.
+/// Region inside an odd number of closed contours, 2D; no sides may cross.
 class Polygon final : public ShapeBase {
  public:
-  /// With a centre the points are from it; the polygon is turned and reflected about it, and its lattice lies
-  /// symmetrically about it. Else that is the middle of its box, and the lattice begins at the lower corner.
+  /// Points are relative to a centre, if given; rotation, reflection and lattice are about it. Otherwise the box
+  /// determines them.
   Polygon(std::vector<Chain> contours, const std::optional<Point>& centre = {});
 
   Bounds bounds() const override;
@@ -28,15 +28,14 @@ class Polygon final : public ShapeBase {
   bool is_inside(const Point& x) const;
 
   std::vector<Chain> contours_;
-  Point from_{};  // what their points are from
+  Point from_{};  // origin of the contours
   bool about_centre_;
-  Bounds box_;       // of the contours
-  double area_ = 0;  // m²
-  std::vector<std::vector<Side>>
-      strips_;  // the sides that reach into each of equal strips of the box, from below
+  Bounds box_;                             // of the contours
+  double area_ = 0;                        // m²
+  std::vector<std::vector<Side>> strips_;  // sides in equal strips of the box, from below
 };
 
-/// Where two sides of the contours cross or lie on each other; none if they do not.
+/// Returns where sides cross or overlap, if they do.
 std::optional<Point> crossing(const std::vector<Chain>& contours);
 
 }  // namespace taut

@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Turned about a point, and with it the lattice or the layers of a body that it is the first shape of.
+/// A rotated shape with its lattice or layers.
 struct Turned final : ShapeBase {
   Shape shape;
   Rotation rotation;

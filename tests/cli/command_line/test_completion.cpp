@@ -29,7 +29,7 @@ Words words_for(const Words& typed) {
   return words;
 }
 
-/// What bash offers for a line that ends at the cursor, with the program in PATH; a line each.
+/// Completions by bash with the cursor at the end of `line`, one per line.
 Words offered_by_bash(const TemporaryFolder& folder, const std::string& line) {
   std::ofstream(folder / "ask.sh") << "source <(\"$1\"/taut completion bash)\n"
                                       "compopt() { :; }  # bash defines it only during a completion\n"
@@ -44,7 +44,7 @@ Words offered_by_bash(const TemporaryFolder& folder, const std::string& line) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("the words of a command line that complete it") {
+  TEST_CASE("a command line is completed with the words that can follow") {
     const TemporaryFolder folder;
     const std::string scene = write_tiny_scene(folder);
     fs::create_directories(folder / "run");
@@ -65,7 +65,7 @@ TEST_SUITE("cli") {
         {{"run", scene, "--fail-on", ""}, {"hourglass", "penetrated", "fractured", "diverged"}},
         {{"run", scene, "--range", ""}, {"auto"}},
         {{"run", scene, "--until", ""}, {}},
-        {{"run", scene, "--until", "1", "--unt"}, {}},  // once only
+        {{"run", scene, "--until", "1", "--unt"}, {}},  // not repeatable
         {{"run", scene, "--set", "pull=1", "--se"}, {"--set"}},
         {{"sweep", "rings-speed-l"}, {"rings-speed-limit"}},
         {{"sweep", scene, "--grid", "method=og,oe"}, {"method=og,oenog"}},
@@ -82,7 +82,7 @@ TEST_SUITE("cli") {
         {{}, {}},
     };
     for (const auto& [typed, expected] : cases) {
-      const std::string line = taut::cli::join(typed, " ");  // clang captures no bindings
+      const std::string line = taut::cli::join(typed, " ");
       CAPTURE(line);
       CHECK(words_for(typed) == expected);
     }
@@ -116,7 +116,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("bash completes with what the program says, and with files where those fit") {
+  TEST_CASE("bash completes with the program's words, and with files where files are allowed") {
     const TemporaryFolder folder;
     write_tiny_scene(folder);
     fs::create_directory(folder / "dune");
@@ -129,7 +129,7 @@ TEST_SUITE("cli") {
     CHECK(offered_by_bash(folder, "taut run discs.toml --set contact=i") == Words{"impulse"});
     CHECK(offered_by_bash(folder, "taut run discs.toml --method=oe") == Words{"oenog"});
     CHECK(offered_by_bash(folder, "taut run discs.toml --fr") == Words{"--frames"});
-    // bash puts what is offered onto the line as it is: a name that it would run or take apart is not offered
+    // bash inserts completions unquoted: unsafe names are not offered
     for (const char* name : {"dip`touch x`", "dip $(touch x)", "dip;x", "dip\nx"})
       std::ofstream(folder / (std::string(name) + ".toml"));
     ::setenv("TAUT_SCENES", folder.path().c_str(), 1);

@@ -9,7 +9,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A run folder that holds nothing but its record.
+/// Run folder with only run.json.
 std::string write_record(const TemporaryFolder& folder, const std::string& name, double period,
                          const std::string& status = "finished", const std::string& verdict = "stable") {
   fs::create_directories(folder / name);
@@ -24,7 +24,7 @@ std::string write_record(const TemporaryFolder& folder, const std::string& name,
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("check ends with 1 when a number has moved, and with 0 when it has not") {
+  TEST_CASE("check exits with 1 if a value has moved, and with 0 otherwise") {
     const TemporaryFolder folder;
     const std::string run = write_record(folder, "run", 0.255);
     const std::map<std::string, int> checks{
@@ -38,11 +38,11 @@ TEST_SUITE("cli") {
         {"period>0.25", 0},
         {"period>0.26", 1},
         {"conservation.energy<1e-3", 0},
-        {"decay=1±50%", 1},  // no value is not fine
+        {"decay=1±50%", 1},
     };
     for (const auto& [text, code] : checks) {
       const Outcome outcome = call({"check", run, "--measure", text});
-      const auto& text_now = text;  // clang captures no bindings
+      const auto& text_now = text;
       CAPTURE(text_now);
       CHECK(outcome.code == code);
       CHECK(contains(outcome.out, code == 0 ? "\nfine\n" : "1 of 2 checks failed"));
@@ -63,7 +63,7 @@ TEST_SUITE("cli") {
     CHECK(call({"check", stopped, "--measure", "period=0.255±1%"}).code == 1);
   }
 
-  TEST_CASE("check against a baseline takes all measures that it has, and its verdict") {
+  TEST_CASE("check against a baseline compares all its measures and its verdict") {
     const TemporaryFolder folder;
     const std::string good = write_record(folder, "good", 0.255), near = write_record(folder, "near", 0.2555),
                       torn = write_record(folder, "torn", 0.255, "finished", "fractured");
@@ -76,7 +76,7 @@ TEST_SUITE("cli") {
     CHECK(call({"check", good, "--baseline", torn, "--tolerance", "1%"}).code == 0);
   }
 
-  TEST_CASE("a wrong check is refused with the reason") {
+  TEST_CASE("an invalid check is refused with the reason") {
     const TemporaryFolder folder;
     const std::string run = write_record(folder, "run", 0.255);
     const std::string stopped = write_record(folder, "stopped", 0.255, "running");
@@ -107,7 +107,8 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "what an option with several words has taken from behind it is said, a list with commas takes one") {
+      "an option that takes several words reports the words it took from the argument, a list with commas is "
+      "one word") {
     const TemporaryFolder folder;
     const std::string run = write_record(folder, "run", 0.255);
     const Outcome taken = call({"check", "--measure", "period<1", run, "--verdict", "stable"});
@@ -141,7 +142,7 @@ TEST_SUITE("cli") {
     CHECK(typo.code == 2);
     CHECK(contains(typo.err, "unknown column of history.csv 'total_enery' (did you mean 'total_energy'?)"));
     CHECK(call({"plot", folder.str("none"), "--out", folder.str("t.png")}).code == 2);
-    const std::string table = folder.str("results.csv");  // as DIR/* of a sweep has it
+    const std::string table = folder.str("results.csv");  // as in DIR/* of a sweep
     std::ofstream(table) << "status,scene\nfinished,tiny\n";
     const Outcome other = call({"plot", a, table, "--out", folder.str("t.png")});
     CHECK(other.code == 2);

@@ -36,7 +36,7 @@ RunLabels labels(const TemporaryFolder& folder, const std::vector<std::string>& 
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a panel says what the view of the scene cuts off, and --view auto shows it") {
+  TEST_CASE("a panel reports particles outside the scene's view, and --view auto shows them") {
     const TemporaryFolder folder;
     const auto panel = [&](const std::string& left, const std::vector<std::string>& more = {}) {
       const std::string scene = write_tiny_scene(folder), text = text_of(scene), view = "view = [-0.03";
@@ -57,7 +57,7 @@ TEST_SUITE("cli") {
     CHECK(panel("-0.03").empty());
   }
 
-  TEST_CASE("runs whose bodies have other names are not drawn by one legend") {
+  TEST_CASE("runs whose bodies have different names cannot share a legend") {
     const TemporaryFolder folder;
     make_run(folder, "a", {"--until", "1e-4"});
     const std::string scene = write_tiny_scene(folder);
@@ -75,8 +75,7 @@ TEST_SUITE("cli") {
     CHECK(compare(folder, {"a", "b"}).code == 0);
   }
 
-  TEST_CASE(
-      "a panel about a body that one of the runs does not have is refused, and --follow none draws it") {
+  TEST_CASE("a panel that follows a body missing in one run is refused, and --follow none draws it") {
     const TemporaryFolder folder;
     make_run(folder, "a", {"--until", "1e-4", "--follow", "left"});
     const std::string scene = write_tiny_scene(folder);
@@ -95,7 +94,7 @@ TEST_SUITE("cli") {
     CHECK(compare(folder, {"b", "a"}).code == 0);
   }
 
-  TEST_CASE("a panel makes the folder that it is to stand in, as a plot does") {
+  TEST_CASE("a panel and a difference picture create the folder of their file") {
     const TemporaryFolder folder;
     make_run(folder, "a", {"--until", "1e-4"});
     CHECK(call({"compare", folder.str("a"), "--out", folder.str("pictures/of/a.png")}).code == 0);
@@ -106,7 +105,7 @@ TEST_SUITE("cli") {
     CHECK(std::filesystem::exists(folder / "differences/d.png"));
   }
 
-  TEST_CASE("a panel shows every run at every time and says what it cannot show") {
+  TEST_CASE("a panel shows every run at every time and reports pictures that it cannot show") {
     const TemporaryFolder folder;
     make_run(folder, "slow");
     make_run(folder, "fast", {"--set", "speed=3"});
@@ -118,7 +117,8 @@ TEST_SUITE("cli") {
     REQUIRE(compare(folder, {"fast", "slow"}).code == 0);
     CHECK_FALSE(render::read_png(folder / "panel.png") == quarters);
     REQUIRE(compare(folder, {"slow", "fast"}, {"--times", "0.0005,0.001,0.0015,0.0019"}).code == 0);
-    CHECK_FALSE(render::read_png(folder / "panel.png") == quarters);  // 0.002 s is nearest, and is named
+    // 0.002 s is nearest, and labelled
+    CHECK_FALSE(render::read_png(folder / "panel.png") == quarters);
     REQUIRE(compare(folder, {"slow", "fast"}, {"--size", "900x700", "--times", "0"}).code == 0);
     CHECK(render::read_png(folder / "panel.png").width == 900);
 
@@ -127,12 +127,12 @@ TEST_SUITE("cli") {
     const render::Image ended = render::read_png(folder / "panel.png");
     REQUIRE(compare(folder, {"slow", "slow"}, late).code == 0);
     CHECK_FALSE(render::read_png(folder / "panel.png") == ended);
-    CHECK(compare(folder, {"short"}, late).code == 2);  // past the end of every run
+    CHECK(compare(folder, {"short"}, late).code == 2);
   }
 
-  TEST_CASE("a picture that is not of the time of its row says so") {
+  TEST_CASE("a picture at another time than its row is labelled with its time") {
     const TemporaryFolder folder;
-    make_run(folder, "out", {"--frames", "2"});  // at 0, 1 and 2 ms
+    make_run(folder, "out", {"--frames", "2"});  // 0, 1 and 2 ms
     const SavedRun run = open_saved_run(folder / "out");
     const Drawing speed{.field = find_field("speed")};
     const Origins origins = origins_of(run.file.scene);
@@ -150,7 +150,7 @@ TEST_SUITE("cli") {
     CHECK(contains(after.remark, "ended at t = 2.0"));
   }
 
-  TEST_CASE("a run that diverged says when, in place of a picture") {
+  TEST_CASE("a diverged run shows the time of divergence in place of a picture") {
     const TemporaryFolder folder;
     const Outcome outcome = call(tiny_run(
         folder, "out",
@@ -163,13 +163,13 @@ TEST_SUITE("cli") {
     CHECK(contains(end.remark, "diverged at t = "));
   }
 
-  TEST_CASE("times of rows have the decimals they need and no more") {
+  TEST_CASE("times of rows have only the decimals they need") {
     CHECK(time_labels({0.003, 0.006}, 0.012) == std::vector<std::string>{"t = 3 ms", "t = 6 ms"});
     CHECK(time_labels({0.003, 0.00625}, 0.012) == std::vector<std::string>{"t = 3.00 ms", "t = 6.25 ms"});
     CHECK(time_labels({0, 1.0 / 3}, 1) == std::vector<std::string>{"t = 0.0000 s", "t = 0.3333 s"});
   }
 
-  TEST_CASE("a panel has one range: that of the scene, of all it shows, or one's own") {
+  TEST_CASE("a panel has one range: the scene's, the automatic one of all its pictures, or a given one") {
     const TemporaryFolder folder;
     make_run(folder, "slow");
     make_run(folder, "fast", {"--set", "speed=3"});
@@ -179,12 +179,11 @@ TEST_SUITE("cli") {
           0);
       return render::read_png(folder / "panel.png");
     };
-    // at the start each particle of `slow` has 2 m/s and each of `fast` 3 m/s
     CHECK(panel({"slow", "fast"}, "auto") == panel({"slow", "fast"}, "2:3"));
     CHECK_FALSE(panel({"slow", "fast"}, "auto") == panel({"slow", "fast"}, "0:4"));
   }
 
-  TEST_CASE("columns are named by what tells the runs apart") {
+  TEST_CASE("columns are named by the settings that differ between the runs") {
     const TemporaryFolder folder;
     make_run(folder, "a");
     make_run(folder, "b");
@@ -211,7 +210,7 @@ TEST_SUITE("cli") {
     CHECK(constants.columns[1].note == "zeta = 4");
   }
 
-  TEST_CASE("a panel that is not called PNG is refused before anything is drawn") {
+  TEST_CASE("a panel whose file is not named .png is refused before anything is drawn") {
     const TemporaryFolder folder;
     make_run(folder, "slow");
     for (const char* name : {"panel.jpg", "panel", "panel.png.svg"}) {

@@ -17,7 +17,9 @@ Outcome search(const TemporaryFolder& folder, const std::vector<std::string>& mo
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("critical-step: the step with its unit, over the default, and limits beside it") {
+  TEST_CASE(
+      "critical-step: the answer has the step with its unit, its ratio to the default step, and theoretical "
+      "limits") {
     const TemporaryFolder folder;
     const std::vector<std::string> quick{"--method", "tl-small-strain", "--steps",
                                          "50",       "--tolerance",     "0.01"};
@@ -26,7 +28,7 @@ TEST_SUITE("cli") {
     for (const char* part : {"discs with tl-small-strain", "largest stable step", " s",
                              "over the default step", "[Zhang2020] Eq. 15b", "von Neumann", "trials"})
       CHECK(contains(text.out, part));
-    CHECK(contains(text.err, "critical step"));  // progress
+    CHECK(contains(text.err, "critical step"));
 
     std::vector<std::string> as_json = quick;
     as_json.insert(as_json.end(), {"--json", "--quiet"});
@@ -40,7 +42,7 @@ TEST_SUITE("cli") {
     CHECK(result["over_default"].get<double>() == Approx(found / result["default_step"].get<double>()));
     CHECK(result["limits"].size() == 2);
 
-    // a run holds with a good part of it (a verdict minds the energy of the contact too), and not with more
+    // stable well below the critical step (the verdict also checks contact energy), not above
     const double cfl = 0.4 * result["over_default"].get<double>();
     const auto run = [&](double share) {
       return call(tiny_run(
@@ -51,7 +53,7 @@ TEST_SUITE("cli") {
     CHECK(run(1.5).code == 3);
   }
 
-  TEST_CASE("critical-step: what is wrong is refused with exit code 2 before the first trial") {
+  TEST_CASE("critical-step: invalid arguments are refused with exit code 2 before the first trial") {
     const TemporaryFolder folder;
     const std::vector<std::vector<std::string>> cases{
         {"--steps", "0"},         {"--steps", "2.5"},   {"--tolerance", "-1"},

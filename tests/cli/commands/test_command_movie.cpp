@@ -11,7 +11,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Something called ffmpeg that does what `script` says.
 void write_ffmpeg(const TemporaryFolder& folder, const std::string& script) {
   fs::create_directories(folder / "bin");
   std::ofstream(folder / "bin/ffmpeg") << "#!/bin/sh\n" << script;
@@ -34,9 +33,9 @@ bool there_is(const std::string& program) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("ffmpeg gets the frames in order and its movie gets its name when it is whole") {
+  TEST_CASE("ffmpeg gets the frames in order, and the movie gets its name when it is complete") {
     const TemporaryFolder folder;
-    // names that a shell or a pattern of numbers would take for something else
+    // special to a shell or to ffmpeg
     const fs::path frames = folder / "50%d of it; 'all'";
     write_frames(frames, 3);
     write_ffmpeg(folder,
@@ -51,10 +50,10 @@ TEST_SUITE("cli") {
     CHECK(seen[0] == fs::canonical(frames).string());
     CHECK(seen.back() == "file:" + folder.str("a b:c.part.mp4"));
     CHECK(contains(text_of(folder / "a b:c.mp4"), "-framerate\n12.5\n-i\nframe_%05d.png\n"));
-    CHECK(files_in(folder.path()) == 3);  // frames, bin, movie
+    CHECK(files_in(folder.path()) == 3);
   }
 
-  TEST_CASE("without ffmpeg, or when it fails, a movie is exit code 4 and nothing is left") {
+  TEST_CASE("a missing or failing ffmpeg gives exit code 4 and leaves no movie") {
     const TemporaryFolder folder;
     write_frames(folder / "frames", 1);
     fs::create_directories(folder / "bin");
@@ -75,7 +74,7 @@ TEST_SUITE("cli") {
     CHECK(files_in(folder.path()) == 2);
   }
 
-  TEST_CASE("frames that are missing and formats that are unknown are refused") {
+  TEST_CASE("missing frames and unknown formats are refused") {
     const TemporaryFolder folder;
     write_frames(folder / "frames", 4);
     fs::create_directories(folder / "empty");
@@ -87,7 +86,7 @@ TEST_SUITE("cli") {
     CHECK(contains(gap.err, "frame_00002.png is missing"));
   }
 
-  TEST_CASE("the true ffmpeg makes movies of frames with odd sides") {
+  TEST_CASE("the real ffmpeg makes movies of frames with odd sides") {
     if (!there_is("ffmpeg") || !there_is("ffprobe")) {
       MESSAGE("skipped: ffmpeg is not installed");
       return;

@@ -15,7 +15,7 @@ using namespace taut::cli;
 using namespace taut::test;
 
 TEST_SUITE("cli") {
-  TEST_CASE("what is mistyped is refused with exit code 2 and the nearest name") {
+  TEST_CASE("a mistyped word is refused with exit code 2 and the nearest name") {
     struct Case {
       std::vector<std::string> arguments;
       std::string expected;
@@ -45,12 +45,12 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("what follows -- is no option") {
+  TEST_CASE("a word after -- is not an option") {
     CHECK(call({"list", "--", "methods"}).code == 0);
     CHECK(contains(call({"describe", "--", "--help"}).err, "unknown name '--help'"));
   }
 
-  TEST_CASE("values that make no sense are refused with exit code 2 before a folder is touched") {
+  TEST_CASE("invalid values are refused with exit code 2 before a folder is touched") {
     const TemporaryFolder folder;
     const std::vector<std::vector<std::string>> cases{
         {"--until", "-1"},
@@ -100,7 +100,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "out"));
   }
 
-  TEST_CASE("help and version are results") {
+  TEST_CASE("help and version go to stdout with exit code 0") {
     const std::string version = call({"--version"}).out;
     CAPTURE(version);
     static const std::regex first_line(R"(taut 0\.2\.0 \(([0-9a-f]{12}(-dirty)?|unknown)\)\n\n(.|\n)*)");
@@ -118,11 +118,11 @@ TEST_SUITE("cli") {
     CHECK(call({}).code == 2);
   }
 
-  TEST_CASE("list names what there is and JSON says the same") {
+  TEST_CASE("list and its JSON answer name the same things") {
     const Outcome all = call({"list", "all"}), kinds = call({"list"});
     CHECK(all.code == 0);
     CHECK(kinds.code == 0);
-    CHECK(std::ranges::count(kinds.out, '\n') < 24);  // one screen
+    CHECK(std::ranges::count(kinds.out, '\n') < 24);
     const auto json = nlohmann::json::parse(call({"list", "--json"}).out);
     for (const std::string kind : {"scenes", "methods", "equations", "fields", "measures", "colormaps"}) {
       CHECK(nlohmann::json::parse(call({"list", kind, "--json"}).out) == json[kind]);
@@ -135,7 +135,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("list names every kind of measure of the scenes, with the keys that it takes") {
+  TEST_CASE("list names every kind of measure of the scenes, with its keys") {
     const auto listed = nlohmann::json::parse(call({"list", "measures", "--json"}).out);
     std::set<std::string> names;
     for (const auto& row : listed) names.insert(row["name"]);
@@ -152,7 +152,7 @@ TEST_SUITE("cli") {
     CHECK(contains(call({"describe", "oscillating-plate"}).out, "  period      period"));
   }
 
-  TEST_CASE("describe tells parameters with units and bounds and constants of a method") {
+  TEST_CASE("describe shows a scene's parameters with units and bounds, and a method's constants") {
     const TemporaryFolder folder;
     const Outcome scene = call({"describe", write_tiny_scene(folder)});
     CHECK(scene.code == 0);
@@ -186,7 +186,7 @@ TEST_SUITE("cli") {
     CHECK(std::ranges::count(unknown.err, ',') <= 5);
   }
 
-  TEST_CASE("describe tells what holds and displaces a body in 3D, and where a wall is") {
+  TEST_CASE("describe shows how a body is clamped and displaced in 3D, and where a wall is") {
     const TemporaryFolder folder;
     std::ofstream(folder / "brick.toml")
         << "dim = 3\nspacing = 0.1\nuntil = 1\n[material.m]\ndensity = 1\nyoungs_modulus = 1\npoisson_ratio "
@@ -202,7 +202,7 @@ TEST_SUITE("cli") {
       CHECK(contains(scene.out, part));
   }
 
-  TEST_CASE("diff tells alike from different from unreadable by its exit code") {
+  TEST_CASE("the exit code of diff distinguishes alike, different and unreadable") {
     const TemporaryFolder folder;
     taut::render::Image image(64, 48);
     taut::render::write_png(image, folder / "white.png");

@@ -14,7 +14,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A file system of 64 KiB, where that can be had.
+/// File system of 64 KiB, if mounting is permitted.
 class TinyDisk {
  public:
   explicit TinyDisk(const fs::path& at) : at_(at) {
@@ -36,10 +36,10 @@ class TinyDisk {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("an interrupt ends a run in good order with exit code 128 + signal") {
+  TEST_CASE("an interrupt ends a run in order with exit code 128 + signal") {
     for (const int signal : {SIGINT, SIGTERM}) {
       const TemporaryFolder folder;
-      // the next output is a thousand seconds away: the interrupt must be seen in between
+      // next output after 1000 s of simulated time
       ChildProgram child(tiny_run(folder, "out", {"--until", "1000", "--frames", "1", "--history", "1000"}));
       ChildProgram::wait_for(folder / "out/frames/frame_00000.png");
       child.send(signal);
@@ -47,14 +47,14 @@ TEST_SUITE("cli") {
       const auto record = json_of(folder / "out/run.json");
       CHECK(record["status"] == "interrupted");
       CHECK(record["reached"].get<double>() < 1000);
-      // a header, the start, and where it stopped, unless the signal came before the first step
+      // header, start and stop, unless it stopped before the first step
       CHECK(lines_of(folder / "out/history.csv").size() == (record["steps"] > 0 ? 3 : 2));
       CHECK(taut::render::read_png(folder / "out/frames/frame_00000.png").width == 160);
       CHECK(files_in(folder / "out/frames") == 1);
     }
   }
 
-  TEST_CASE("an interrupted run draws the frames it kept for an automatic range") {
+  TEST_CASE("an interrupted run draws the frames kept for its automatic range") {
     const TemporaryFolder folder;
     ChildProgram child(tiny_run(
         folder, "out", {"--until", "1000", "--frames", "1", "--history", "1000", "--range", "auto"}));
@@ -64,14 +64,14 @@ TEST_SUITE("cli") {
     CHECK(taut::render::read_png(folder / "out/frames/frame_00000.png").width == 160);
   }
 
-  TEST_CASE("the end of the terminal ends a run in good order, and nohup keeps it from that") {
+  TEST_CASE("a closed terminal ends a run in order, and nohup prevents this") {
     const TemporaryFolder folder;
     const std::vector<std::string> endless{"--until", "1000",  "--frames", "1", "--checkpoint-every",
                                            "1000",    "--set", "speed=0"};
     ChildProgram child(tiny_run(folder, "out", endless));
     ChildProgram::wait_for(folder / "out/frames/frame_00000.png");
     child.send(SIGHUP);
-    child.send(SIGHUP);  // by the kernel and by the shell
+    child.send(SIGHUP);  // from kernel and shell
     CHECK(child.exit_code() == 129);
     CHECK(json_of(folder / "out/run.json")["status"] == "interrupted");
     CHECK(fs::file_size(folder / "out/checkpoint.bin") > 10000);
@@ -80,14 +80,14 @@ TEST_SUITE("cli") {
     std::signal(SIGHUP, SIG_DFL);
     ChildProgram::wait_for(folder / "deaf/frames/frame_00000.png");
     deaf.send(SIGHUP);
-    deaf.send(SIGINT);  // would end it at once if it were the second
+    deaf.send(SIGINT);  // a second signal would end it at once
     CHECK(deaf.exit_code() == 130);
     CHECK(json_of(folder / "deaf/run.json")["status"] == "interrupted");
   }
 
-  TEST_CASE("an interrupt ends a run in the middle of steps without end, a session too") {
+  TEST_CASE("an interrupt ends a run, and a session, between outputs that are far apart") {
     const TemporaryFolder folder;
-    // until the first look at the time it would take a year
+    // next output after a year
     const std::vector<std::string> endless{"--until", "1e9",      "--history",  "1e9",
                                            "--set",   "cfl=1e-6", "--no-render"};
     ChildProgram child(tiny_run(folder, "out", endless));
@@ -105,7 +105,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "after"));
   }
 
-  TEST_CASE("what an option and --set both say is refused, whichever comes first") {
+  TEST_CASE("a key given by both an option and --set is refused, whichever comes first") {
     const TemporaryFolder folder;
     const std::string scene = write_tiny_scene(folder);
     for (const auto& [name, value, other] :
@@ -123,7 +123,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "out"));
   }
 
-  TEST_CASE("steps so small that nothing moves are refused with the bound") {
+  TEST_CASE("time steps too small to move anything are refused with the bound") {
     const TemporaryFolder folder;
     const std::string scene = write_tiny_scene(folder), text = text_of(scene);
     std::ofstream(folder / "file.toml") << "cfl = 1e-14\n" << text;
@@ -140,18 +140,18 @@ TEST_SUITE("cli") {
     CHECK(contains(call({"run", folder.str("file.toml")}).err, "file.toml:1:"));
   }
 
-  TEST_CASE("a second interrupt ends the program and leaves whole files") {
+  TEST_CASE("a second interrupt ends the program and leaves complete files") {
     const TemporaryFolder folder;
     ChildProgram child(tiny_run(folder, "out", {"--until", "1000", "--frames", "1"}));
     ChildProgram::wait_for(folder / "out/frames/frame_00000.png");
     child.send(SIGINT);
     child.send(SIGTERM);
     const int code = child.exit_code();
-    CHECK((code == 130 || code == 143));  // the handler of the later signal may run first
+    CHECK((code == 130 || code == 143));  // either handler can run first
     CHECK(json_of(folder / "out/run.json").contains("status"));
   }
 
-  TEST_CASE("a run that starts too fast is told to look at its start, not at the time step") {
+  TEST_CASE("the message of a run that starts too fast names its initial state, not the time step") {
     const TemporaryFolder folder;
     const Outcome outcome = call(tiny_run(folder, "out", {"--set", "speed=1e6", "--no-render"}));
     CAPTURE(outcome.err);
@@ -179,7 +179,7 @@ TEST_SUITE("cli") {
     CHECK(lines_of(folder / "out/history.csv").size() >= 2);
   }
 
-  TEST_CASE("a verdict is a result unless --fail-on names it") {
+  TEST_CASE("a run with any verdict exits with 0 unless --fail-on names the verdict") {
     const TemporaryFolder folder;
     const std::vector<std::string> torn{"--no-render", "--method", "og",     "--set",
                                         "pull=8000",   "--set",    "speed=0"};
@@ -198,7 +198,7 @@ TEST_SUITE("cli") {
     CHECK(call(tiny_run(folder, "out", strict)).code == 0);
   }
 
-  TEST_CASE("output that cannot be written is exit code 4 with the path") {
+  TEST_CASE("output that cannot be written gives exit code 4 with the path") {
     const TemporaryFolder folder;
     write_tiny_scene(folder);
     const Outcome outcome = call(tiny_run(folder, "discs.toml/out"));
@@ -206,7 +206,7 @@ TEST_SUITE("cli") {
     CHECK(contains(outcome.err, folder.str("discs.toml/out")));
   }
 
-  TEST_CASE("a full disk is exit code 4 and what stands there is whole") {
+  TEST_CASE("a full disk gives exit code 4 and leaves complete files") {
     const TemporaryFolder folder;
     const TinyDisk disk(folder / "disk");
     if (!disk.mounted()) {
@@ -225,7 +225,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("a run's folder belongs to one program at a time, which is named") {
+  TEST_CASE("only one program can use a run's folder at a time, and others name it") {
     const TemporaryFolder folder;
     const std::vector<std::string> endless{
         "--until", "1000",  "--save-particles", "--checkpoint-every", "1000", "--frames",
@@ -262,7 +262,9 @@ TEST_SUITE("cli") {
     CHECK(call({"render", out, "--quiet"}).code == 0);
   }
 
-  TEST_CASE("after an error in the middle run.json says failed and why, and an error before leaves nothing") {
+  TEST_CASE(
+      "after an error during a run run.json contains status failed and the reason, and an earlier error "
+      "leaves nothing") {
     const TemporaryFolder folder;
     const std::string text = text_of(write_tiny_scene(folder));
     std::ofstream(folder / "nan.toml") << "gravity = [0, \"-sqrt(0.001 - t)\"]\n" << text;
@@ -293,7 +295,7 @@ times = [0]
     CHECK_FALSE(fs::exists(folder / "a"));
   }
 
-  TEST_CASE("a diverged run says why in its run.json") {
+  TEST_CASE("run.json of a diverged run contains the reason") {
     const TemporaryFolder folder;
     const Outcome outcome =
         call(tiny_run(folder, "out", {"--set", "cfl=20", "--until", "0.02", "--no-render"}));
@@ -302,8 +304,7 @@ times = [0]
     CHECK(contains(outcome.err, "taut: " + reason));
   }
 
-  TEST_CASE(
-      "a file longer than the shell allows, and streams that are closed or full, are errors in good order") {
+  TEST_CASE("a file above the shell's size limit and a closed or full stream are errors with exit code 4") {
     const TemporaryFolder folder;
     const auto shell = [&](const std::string& before, const std::vector<std::string>& arguments,
                            const std::string& behind) {
@@ -315,7 +316,7 @@ times = [0]
     CHECK(shell("ulimit -f 16; ", tiny_run(folder, "long", {"--until", "0.01"}), quiet) == 4);
     CHECK(contains(text_of(folder / "err"), "File too large"));
     CHECK(contains(json_of(folder / "long/run.json")["reason"].get<std::string>(), "File too large"));
-    // no file of the run gets the number of a closed stream
+    // a run must not reuse the descriptor of a closed stream
     REQUIRE(call(tiny_run(folder, "out")).code == 0);
     CHECK(shell("", tiny_run(folder, "closed"), " >&- 2>/dev/null") == 4);
     for (const std::string file : {"history.csv", "scene.toml"})

@@ -8,7 +8,6 @@ using namespace taut::test;
 
 namespace {
 
-/// A white picture with a red square of that side.
 void write_picture(const fs::path& path, int side, int width = 64) {
   fs::create_directories(path.parent_path());
   taut::render::Image image(width, 48);
@@ -17,7 +16,6 @@ void write_picture(const fs::path& path, int side, int width = 64) {
   taut::render::write_png(image, path);
 }
 
-/// The arguments of a snapshot of the tiny scene, with its baseline and its run in `folder`.
 std::vector<std::string> tiny_snapshot(const TemporaryFolder& folder,
                                        const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments = tiny_run(folder, "out", {"--baseline", folder.str("base")});
@@ -29,7 +27,7 @@ std::vector<std::string> tiny_snapshot(const TemporaryFolder& folder,
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("two folders are alike when they hold the same names and every picture is alike") {
+  TEST_CASE("two folders are alike if they have the same names and every picture is alike") {
     const TemporaryFolder folder;
     for (const std::string name : {"frame_00000.png", "frame_00001.png", "frame_00002.png"}) {
       write_picture(folder / ("a/" + name), 10);
@@ -51,14 +49,13 @@ TEST_SUITE("cli") {
     const Outcome worse = diff({"--out", folder.str("diff.png")});
     CHECK(worse.code == 1);
     CHECK(contains(worse.out, "different\n"));
-    CHECK(contains(worse.out, "frame_00001.png"));  // the worse of the two
+    CHECK(contains(worse.out, "frame_00001.png"));  // the worst picture
     CHECK_FALSE(contains(worse.out, "frame_00002.png"));
-    CHECK(taut::render::read_png(folder / "diff.png").at(15, 15)[1] <
-          180);  // where only the larger square is red
+    CHECK(taut::render::read_png(folder / "diff.png").at(15, 15)[1] < 180);
     CHECK(diff({"--max-difference", "150"}).code == 0);
   }
 
-  TEST_CASE("a picture that only one folder holds is a difference") {
+  TEST_CASE("a picture in only one folder is a difference") {
     const TemporaryFolder folder;
     write_picture(folder / "a/one.png", 5);
     write_picture(folder / "b/one.png", 5);
@@ -72,7 +69,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("folders without pictures, of other sizes, or beside an image are refused") {
+  TEST_CASE("diff refuses folders without pictures, pictures of unequal size, and a folder beside an image") {
     const TemporaryFolder folder;
     write_picture(folder / "a/one.png", 5);
     write_picture(folder / "wide/one.png", 5, 65);
@@ -84,7 +81,7 @@ TEST_SUITE("cli") {
     CHECK(call({"diff", folder.str("a"), folder.str("a/one.png")}).code == 2);
   }
 
-  TEST_CASE("a run folder stands for its frames") {
+  TEST_CASE("diff of a run folder compares its frames") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "slow")).code == 0);
     REQUIRE(call(tiny_run(folder, "fast", {"--set", "speed=3"})).code == 0);
@@ -94,12 +91,12 @@ TEST_SUITE("cli") {
     CHECK(call({"diff", folder.str("slow"), folder.str("slow/frames"), "--max-difference", "0"}).code == 0);
   }
 
-  TEST_CASE("a snapshot needs a baseline, makes it when told to, and finds what differs from it") {
+  TEST_CASE("a snapshot needs a baseline, creates it with --update, and finds differences from it") {
     const TemporaryFolder folder;
     const Outcome without = call(tiny_snapshot(folder));
     CHECK(without.code == 2);
     CHECK(contains(without.err, "--update"));
-    CHECK_FALSE(fs::exists(folder / "out"));  // before anything is run
+    CHECK_FALSE(fs::exists(folder / "out"));
 
     REQUIRE(call(tiny_snapshot(folder, {"--update"})).code == 0);
     CHECK(files_in(folder / "base") == 5);
@@ -114,16 +111,15 @@ TEST_SUITE("cli") {
 
     REQUIRE(call(tiny_snapshot(folder, {"--set", "speed=3", "--frames", "2", "--update"})).code == 0);
     CHECK(files_in(folder / "base") == 3);
-    CHECK(files_in(folder.path()) == 3);  // scene, run and baseline: nothing is left over
+    CHECK(files_in(folder.path()) == 3);  // no leftovers
     CHECK(call(tiny_snapshot(folder, {"--set", "speed=3", "--frames", "2"})).code == 0);
-    CHECK_FALSE(fs::exists(folder / "out/difference.png"));  // the one of the run before is gone
+    CHECK_FALSE(fs::exists(folder / "out/difference.png"));
   }
 
-  TEST_CASE("a baseline is never lost to an update that is not one") {
+  TEST_CASE("an invalid update never removes a baseline") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_snapshot(folder, {"--update"})).code == 0);
     const std::string frame = text_of(folder / "base/frame_00004.png");
-    // a run that diverges says nothing about how it should look
     CHECK(call(tiny_snapshot(folder, {"--update", "--set", "cfl=20", "--until", "0.02"})).code == 3);
     CHECK(text_of(folder / "base/frame_00004.png") == frame);
     std::ofstream(folder / "base/mine.txt") << "mine";
@@ -131,7 +127,7 @@ TEST_SUITE("cli") {
     CHECK(outcome.code == 2);
     CHECK(contains(outcome.err, "mine.txt"));
     CHECK(text_of(folder / "base/mine.txt") == "mine");
-    // the run would replace the frames that it is to be compared with
+    // would overwrite its own baseline
     std::vector<std::string> inside = tiny_run(folder, "out", {"--baseline", folder.str("out/frames")});
     inside[0] = "snapshot";
     CHECK(call(inside).code == 2);

@@ -27,7 +27,7 @@ std::vector<double> numbers(const std::string& row) {
   return values;
 }
 
-/// What a run of hardly a step says on stderr, of a scene of rubber; `text` begins with what stands above its sections.
+/// stderr of a short run; `text` starts with keys before all sections.
 std::string said_of(const std::string& text, const TemporaryFolder& folder) {
   std::ofstream(folder / "scene.toml")
       << "title = \"Still\"\nuntil = 1e-6\n"
@@ -41,7 +41,8 @@ std::string said_of(const std::string& text, const TemporaryFolder& folder) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a body whose particles weigh other than its shape is told of, one that has its mass is not") {
+  TEST_CASE(
+      "a body whose particles' mass differs from its shape's gives a warning, and an exact one does not") {
     const TemporaryFolder folder;
     const auto told = [&](const std::string& shape) {
       return said_of("spacing = 0.1\n[[body]]\nname = \"b\"\nmaterial = \"rubber\"\n" + shape, folder);
@@ -55,7 +56,7 @@ TEST_SUITE("cli") {
         told(of_lattice + "without = [{ type = \"disc\", centre = [0, 0], radius = 0.1 }]\n"), "weigh"));
   }
 
-  TEST_CASE("a wall that begins inside a body is told of, one that touches it is not") {
+  TEST_CASE("a wall that starts inside a body gives a warning, and a touching one does not") {
     const TemporaryFolder folder;
     const auto told = [&](const std::string& floor, const std::string& velocity) {
       return said_of(
@@ -69,7 +70,9 @@ TEST_SUITE("cli") {
     CHECK_FALSE(contains(told("0", "0"), "contacts store"));
   }
 
-  TEST_CASE("what history.csv cannot name twice is refused, and what a run will not sample is told of") {
+  TEST_CASE(
+      "a probe named like a column of history.csv is refused, and a line sampled after the end gives a "
+      "warning") {
     const TemporaryFolder folder;
     const auto run = [&](const std::string& more) {
       const std::string scene = write_tiny_scene(folder);
@@ -97,7 +100,7 @@ TEST_SUITE("cli") {
     CHECK(contains(nowhere.err, "--out is empty"));
   }
 
-  TEST_CASE("an older run is said to be replaced by a run that will begin") {
+  TEST_CASE("the replacement of an older run is reported only if the new run can start") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out", {"--no-render", "--until", "1e-4"})).code == 0);
     const Outcome hidden = call(tiny_run(folder, "out", {"--cut", "x > -1", "--until", "1e-4"}));
@@ -106,7 +109,7 @@ TEST_SUITE("cli") {
     CHECK(contains(call(tiny_run(folder, "out", {"--no-render", "--until", "1e-4"})).err, "is replaced"));
   }
 
-  TEST_CASE("a scene with lines leaves lines.csv, and its steps do not depend on them") {
+  TEST_CASE("a scene with lines writes lines.csv, and its steps do not depend on the lines") {
     const TemporaryFolder folder;
     std::string scene = text_of(fs::path(TAUT_SOURCE_DIR) / "scenes/heterogeneous-cable.toml");
     const std::string times = "times = [1.0e-4, 1.5e-4, 2.0e-4, 2.5e-4, 3.0e-4, 3.5e-4]";
@@ -145,7 +148,7 @@ TEST_SUITE("cli") {
     CHECK(lines_of(folder / "late/history.csv") == lines_of(folder / "two/history.csv"));
   }
 
-  TEST_CASE("a run leaves frames and history and a record") {
+  TEST_CASE("a run writes frames, a history and a record") {
     const TemporaryFolder folder;
     const Outcome outcome = call(tiny_run(folder, "out"));
     CAPTURE(outcome.err);
@@ -186,7 +189,7 @@ TEST_SUITE("cli") {
       CAPTURE(key);
       const auto& indicator = record["indicators"][key];
       CHECK(keys(indicator) == std::vector<std::string>{"greatest", "at", "last"});
-      CHECK(indicator["greatest"].get<double>() > 0);  // the discs are pressed on each other
+      CHECK(indicator["greatest"].get<double>() > 0);
       CHECK(indicator["greatest"].get<double>() < 1);
       CHECK(indicator["at"].get<double>() > 0);
       CHECK(indicator["at"].get<double>() <= record["reached"].get<double>());
@@ -198,11 +201,11 @@ TEST_SUITE("cli") {
     CHECK(record["measures"]["touch_time"]["unit"] == "s");
     CHECK(record["measures"]["touch_time"]["reference"].is_null());
     CHECK(record["conservation"]["linear_momentum"].get<double>() < 1e-10);
-    // lattice particles of dp² each: a disc's area to the accuracy of its staircase edge
+    // dp² per particle
     CHECK(record["mass"].get<double>() == Approx(record["particles"].get<double>() * 4e-6 * 1000));
   }
 
-  TEST_CASE("a jittered run says so: in run.json, in scene.toml, and when that is described and run again") {
+  TEST_CASE("a jittered run records its jitter in run.json and in scene.toml, and repeats it") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out", {"--no-render", "--set", "jitter=0.1", "--set", "jitter_seed=4"}))
                 .code == 0);
@@ -221,8 +224,7 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "lattice/history.csv") != text_of(folder / "out/history.csv"));
   }
 
-  TEST_CASE(
-      "a spacing names the folder by its value, and one that was rounded is told of, however it was given") {
+  TEST_CASE("the folder name contains the value of the spacing, and a rounded spacing gives a warning") {
     const TemporaryFolder folder;
     const std::string scene = write_tiny_scene(folder);
     const fs::path before = fs::current_path();
@@ -239,7 +241,7 @@ TEST_SUITE("cli") {
     CHECK(json_of(folder / "out/discs-enog-spacing=0.0021-until=1e-05/run.json")["spacing_asked"] == 0.0021);
   }
 
-  TEST_CASE("a link in the place of a run's frames or particles is refused, and nothing behind it touched") {
+  TEST_CASE("a link in place of a run's frames or particles is refused, and its target stays untouched") {
     for (const char* inner : {"frames", "particles"}) {
       CAPTURE(inner);
       const TemporaryFolder folder;
@@ -257,7 +259,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("history has a row for the start and the end and none twice") {
+  TEST_CASE("history has a row for the start and for the end, and no duplicates") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out", {"--no-render"})).code == 0);
     const std::vector<std::string> lines = lines_of(folder / "out/history.csv");
@@ -282,7 +284,7 @@ TEST_SUITE("cli") {
     CHECK(numbers(lines.back())[1] == record["steps"].get<double>());
   }
 
-  TEST_CASE("a row of the history stands at the first step past its time") {
+  TEST_CASE("a row of the history is the first step at or past its time") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "all", {"--no-render", "--history", "1e-9"})).code == 0);
     REQUIRE(call(tiny_run(folder, "some", {"--no-render", "--history", "5e-4"})).code == 0);
@@ -296,7 +298,8 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("frames of runs with other steps have the same texts, and look alike if it is a rounding") {
+  TEST_CASE(
+      "frames of runs with different steps have the same texts, and are alike after a rounding difference") {
     const TemporaryFolder folder;
     const auto run = [&](const std::string& name, const std::string& cfl) {
       REQUIRE(call(tiny_run(folder, name, {"--size", "320x240", "--set", cfl})).code == 0);
@@ -308,7 +311,7 @@ TEST_SUITE("cli") {
     const auto picture = [&](const std::string& name, int k) {
       return taut::render::read_png(folder / (name + "/frames/frame_0000" + std::to_string(k) + ".png"));
     };
-    const int header = 27;  // rows: 3 em of 9 pixels, above the particles
+    const int header = 27;  // rows: 3 em of 9 pixels
     for (int k = 0; k <= 4; ++k) {
       CAPTURE(k);
       const taut::render::Image one = picture("one", k), rounded = picture("rounded", k),
@@ -319,12 +322,12 @@ TEST_SUITE("cli") {
       };
       CHECK(texts(rounded) == texts(one));
       CHECK(texts(other) == texts(one));
-      CHECK((k > 0) == (texts(one) != texts(picture("one", 0))));  // the time is among them
+      CHECK((k > 0) == (texts(one) != texts(picture("one", 0))));  // include the time
     }
     CHECK(call({"diff", folder.str("one/frames"), folder.str("rounded/frames")}).code == 0);
   }
 
-  TEST_CASE("an older run in the folder is replaced and nothing else there is touched") {
+  TEST_CASE("an older run in the folder is replaced, and other files in it stay untouched") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out", {"--frames", "9"})).code == 0);
     std::ofstream(folder / "out/frames/mine.png") << "mine";
@@ -333,10 +336,10 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "out/frames/mine.png") == "mine");
   }
 
-  TEST_CASE("a folder with something else in it is refused") {
+  TEST_CASE("a folder with foreign contents is refused") {
     const TemporaryFolder folder;
     fs::create_directories(folder / "out");
-    CHECK(call(tiny_run(folder, "out", {"--frames", "1"})).code == 0);  // an empty one is fine
+    CHECK(call(tiny_run(folder, "out", {"--frames", "1"})).code == 0);
     fs::create_directories(folder / "foreign");
     for (const std::string content : {"{}", "{\"tau\": 1}", "no json"}) {
       for (const char* name : {"out", "foreign"}) std::ofstream(folder / name / "run.json") << content;
@@ -351,7 +354,7 @@ TEST_SUITE("cli") {
     CHECK(call(tiny_run(folder, "discs.toml")).code == 2);
   }
 
-  TEST_CASE("an automatic range is drawn over the whole sequence and holds every frame") {
+  TEST_CASE("an automatic range spans the whole sequence, and every frame is drawn") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "auto", {"--range", "auto", "--color", "speed"})).code == 0);
     REQUIRE(call(tiny_run(folder, "signed", {"--color", "pressure"})).code == 0);
@@ -360,7 +363,7 @@ TEST_SUITE("cli") {
     CHECK(contains(text_of(folder / "signed/scene.toml"), "range = \"auto\""));
   }
 
-  TEST_CASE("the spacing used is reported where it is not the one asked for") {
+  TEST_CASE("run.json contains the requested spacing if it was rounded") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out", {"--no-render", "--spacing", "0.0021"})).code == 0);
     const auto record = json_of(folder / "out/run.json");
@@ -368,7 +371,7 @@ TEST_SUITE("cli") {
     CHECK(record["spacing"].get<double>() == Approx(0.002));
   }
 
-  TEST_CASE("the folder of a run has in its name what is not as the scene has it") {
+  TEST_CASE("the name of a run's folder contains the settings that differ from the scene") {
     const TemporaryFolder folder;
     const fs::path before = fs::current_path();
     fs::current_path(folder.path());
@@ -382,7 +385,6 @@ TEST_SUITE("cli") {
     CHECK(fs::exists("out/discs-enog-speed=2.5-until=1e-05/run.json"));
     const Outcome again = run({"--set", "speed=5/2", "--until", "1e-5"});
     CHECK(contains(again.err, "the older run in 'out/discs-enog-speed=2.5-until=1e-05' is replaced"));
-    // not where the new one cannot begin
     const Outcome refused =
         run({"--method", "oenog", "--spacing", "0.03", "--out", "out/discs-enog-speed=2.5-until=1e-05"});
     CHECK(refused.code == 2);
@@ -403,7 +405,7 @@ TEST_SUITE("cli") {
     fs::current_path(before);
   }
 
-  TEST_CASE("what is asked for to no effect is said") {
+  TEST_CASE("an option without effect gives a warning") {
     const TemporaryFolder folder;
     const Outcome drawn = call(tiny_run(folder, "out", {"--no-render", "--color", "speed", "--frames", "3"}));
     CHECK(drawn.code == 0);
@@ -419,8 +421,7 @@ TEST_SUITE("cli") {
     CHECK(contains(diverged.err, "cfl = 20 is above"));
   }
 
-  TEST_CASE(
-      "a law of the scene that the method given does not take is named on stderr, and the run goes on") {
+  TEST_CASE("a law of the scene that the method does not support gives a warning, and the run continues") {
     const TemporaryFolder folder;
     const auto run_with = [&](const std::string& method) {
       std::vector<std::string> arguments = tiny_run(folder, method, {"--no-render", "--method", method});
@@ -444,7 +445,7 @@ TEST_SUITE("cli") {
           2);
   }
 
-  TEST_CASE("progress goes to stderr in lines and is silent when asked to be") {
+  TEST_CASE("progress goes to stderr in lines, and --quiet silences it") {
     const TemporaryFolder folder;
     std::vector<std::string> arguments = tiny_run(folder, "out", {"--no-render"});
     std::erase(arguments, "--quiet");
@@ -457,7 +458,7 @@ TEST_SUITE("cli") {
 }
 
 TEST_SUITE("determinism") {
-  TEST_CASE("scene.toml run again gives the same bytes") {
+  TEST_CASE("a run of scene.toml gives the same bytes") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "a",
                           {"--set", "speed=3", "--frames", "3", "--color", "pressure", "--history", "3e-5",

@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A run folder with only a record; `measures` is JSON.
+/// Run folder with only run.json; `measures` is JSON.
 std::string write_measured(const TemporaryFolder& folder, const std::string& name,
                            const std::string& measures, const std::string& status = "finished") {
   fs::create_directories(folder / name);
@@ -23,7 +23,7 @@ std::string write_measured(const TemporaryFolder& folder, const std::string& nam
   return folder.str(name);
 }
 
-/// The JSON object that a command printed; checks its first keys.
+/// The JSON object that a command printed.
 Json answer_of(const Outcome& outcome, const std::string& command) {
   CAPTURE(outcome.err);
   CAPTURE(outcome.out);
@@ -46,7 +46,6 @@ const Json& item(const Json& array, std::size_t index) { return array.items().at
 
 bool python_is_installed() { return std::system("/usr/bin/python3 -c '' 2>/dev/null") == 0; }
 
-/// What read_junit.py prints of a file.
 nlohmann::ordered_json read_junit(const fs::path& file) {
   const TemporaryFolder folder;
   const std::string command = "/usr/bin/python3 " TAUT_SOURCE_DIR "/tests/cli/commands/read_junit.py " +
@@ -55,7 +54,6 @@ nlohmann::ordered_json read_junit(const fs::path& file) {
   return json_of(folder / "read");
 }
 
-/// As in a step of GitHub Actions.
 class OnGitHub {
  public:
   explicit OnGitHub(const char* value = "true") { ::setenv("GITHUB_ACTIONS", value, 1); }
@@ -79,7 +77,7 @@ TEST_SUITE("cli") {
     CHECK(*answer.find("passed") == Json(false));
     CHECK(answer.find("run")->text() == run);
     const Json& checks = *answer.find("checks");
-    REQUIRE(checks.items().size() == 3);  // the status is always checked
+    REQUIRE(checks.items().size() == 3);  // including the status
     for (const Json& each : checks.items())
       CHECK(keys_in(each) == Texts{"name", "passed", "expected", "is", "value", "difference"});
     CHECK(item(checks, 2).find("name")->text() == "period");
@@ -135,7 +133,7 @@ TEST_SUITE("cli") {
     CHECK(item(*answer_of(same, "diff").find("pictures"), 0).find("share")->number() == 0);
   }
 
-  TEST_CASE("choose --json lists the runs that satisfy the request, the cheapest one first") {
+  TEST_CASE("choose --json lists the runs that satisfy the request, cheapest first") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a",
                                            "finished,tl,tl,0.2,20,stable,,0.005,2,8,\n"
@@ -193,7 +191,8 @@ TEST_SUITE("cli") {
     CHECK(fs::exists(folder / "map.png"));
   }
 
-  TEST_CASE("sweep --json has the runs of results.json, sweep --junit a test case for each run") {
+  TEST_CASE(
+      "sweep --json contains the runs of results.json, and sweep --junit has a test case for each run") {
     const TemporaryFolder folder;
     const Texts grid{
         "--grid", "cfl=0.5,20", "--until", "0.01", "--json", "--junit", folder.str("new/junit.xml")};
@@ -202,7 +201,7 @@ TEST_SUITE("cli") {
     const Json answer = answer_of(outcome, "sweep");
     CHECK(keys_in(answer) ==
           Texts{"taut", "answer", "format", "folder", "title", "scene", "swept", "fixed", "runs", "passed"});
-    CHECK(*answer.find("passed") == Json(true));  // a verdict is a result
+    CHECK(*answer.find("passed") == Json(true));
     const Json stored = parse_json(text_of(folder / "out/results.json"), "results.json");
     CHECK(*answer.find("runs") == *stored.find("runs"));
     CHECK(item(*answer.find("runs"), 1).find("verdict")->text() == "diverged");
@@ -222,7 +221,7 @@ TEST_SUITE("cli") {
     CHECK(answer_of(list, "sweep").find("runs")->items().size() == 2);
   }
 
-  TEST_CASE("JUnit files are read by test tools: checks, pictures and runs, whatever is in their names") {
+  TEST_CASE("test tools can read JUnit files of checks, pictures and runs with any characters in names") {
     if (!python_is_installed()) {
       MESSAGE("skipped: there is no Python 3 (Debian's package python3)");
       return;
@@ -280,7 +279,7 @@ TEST_SUITE("cli") {
     CHECK(bytes["cases"][0]["text"] == "\uFFFD");
   }
 
-  TEST_CASE("a JUnit file that cannot be written is exit code 4 with its path, after the results") {
+  TEST_CASE("a JUnit file that cannot be written gives exit code 4 with its path, after the results") {
     const TemporaryFolder folder;
     const std::string run = write_measured(folder, "run", period);
     const std::string file = folder.str("run/run.json/junit.xml");
@@ -290,7 +289,7 @@ TEST_SUITE("cli") {
     CHECK(contains(outcome.out, "\nfine\n"));
     fs::create_directories(folder / "junit.xml");
     CHECK(call({"check", run, "--measure", "period>0", "--junit", folder.str("junit.xml")}).code == 4);
-    CHECK(files_in(folder.path()) == 2);  // no temporary file
+    CHECK(files_in(folder.path()) == 2);
   }
 
   TEST_CASE("on GitHub each failure is an annotation on stderr, at most ten") {

@@ -1,7 +1,6 @@
-// Golden pictures of every colour field, drawn small and kept by `taut snapshot` in tests/golden/fields.
-// After a change that is meant to alter them:
+// Golden pictures of every field. After an intended change
 //   TAUT_UPDATE_GOLDEN=1 build/tests/cli_tests --test-suite=image
-// writes them anew; look at them before they are kept.
+// rewrites them: inspect before you commit.
 
 #include <cstdlib>
 #include <filesystem>
@@ -20,7 +19,7 @@ using namespace taut::test;
 
 const fs::path golden_folder = fs::path(TAUT_SOURCE_DIR) / "tests/golden/fields";
 
-/// The rings up to 3 ms, where they are pressed together, at twice the usual spacing; about 0.2 s of work.
+/// The pressed rings, at twice the usual spacing.
 Outcome snapshot(std::string_view field, const fs::path& baseline, const fs::path& run,
                  const std::vector<std::string>& more = {}, const std::string& until = "0.003") {
   std::vector<std::string> arguments{"snapshot",   "colliding-rings",
@@ -41,7 +40,7 @@ Outcome snapshot(std::string_view field, const fs::path& baseline, const fs::pat
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("every field is drawn as in its golden pictures") {
+  TEST_CASE("every field matches its golden pictures") {
     const TemporaryFolder folder;
     const bool update = std::getenv("TAUT_UPDATE_GOLDEN") != nullptr;
     for (const Field& field : fields(2)) {
@@ -53,7 +52,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("a wrong picture is found: another field, and the same a moment later") {
+  TEST_CASE("a wrong picture is found: another field, or the same field a moment later") {
     const TemporaryFolder folder;
     const fs::path golden = golden_folder / "von_mises";
     CHECK(snapshot("speed", golden, folder / "run").code == 1);

@@ -18,9 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int count = 20;  // frames: more than are under way at once
+constexpr int count = 20;  // frames; exceeds the number drawn concurrently
 
-/// The rings, that are at another place and of another colour in every frame.
 struct Sequence {
   render::Look look;
   Particles particles = two_rings();
@@ -46,7 +45,6 @@ struct Sequence {
   }
 };
 
-/// All files in a folder, one behind the other.
 std::string all_bytes(const fs::path& folder, int most = count) {
   std::string bytes;
   for (int k = 0; k < most; ++k) bytes += frame_name(k) + text_of(folder / frame_name(k));
@@ -56,7 +54,7 @@ std::string all_bytes(const fs::path& folder, int most = count) {
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("frames are the same bytes for any number of threads, kept or drawn at once") {
+  TEST_CASE("frames are the same bytes for any number of threads, drawn at once or kept") {
     for (const bool kept : {false, true}) {
       std::string first;
       for (const int threads : {1, 2, 3, 8}) {
@@ -80,7 +78,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("a frame is there only when all before it are, whenever one looks") {
+  TEST_CASE("a frame exists only if all earlier frames exist, at any time") {
     const TemporaryFolder folder;
     const fs::path out = folder / ".";
     Sequence sequence;
@@ -95,7 +93,7 @@ TEST_SUITE("image") {
     CHECK(frames.written() == count);
   }
 
-  TEST_CASE("one who is told to stop has whole frames from the first on") {
+  TEST_CASE("a stopped sequence leaves complete frames from the first one on") {
     for (const int threads : {1, 3}) {
       const TemporaryFolder folder;
       const fs::path out = folder / ".";
@@ -110,7 +108,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("a frame that cannot be written is an error, and those before it stay") {
+  TEST_CASE("a frame that cannot be written is an error, and earlier frames stay") {
     for (const int threads : {1, 2, 3}) {
       const TemporaryFolder folder;
       const fs::path out = folder / ".";
@@ -129,7 +127,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("pictures so large that few have room are drawn by few threads, to the same bytes") {
+  TEST_CASE("pictures too large for many threads are drawn by few, with the same bytes") {
     std::string first;
     for (const int threads : {1, 8}) {
       const TemporaryFolder folder;
@@ -146,13 +144,13 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("particles far from the origin stand apart where range and view are open") {
+  TEST_CASE("particles far from the origin are drawn apart with an automatic range and view") {
     const auto frame_at = [](double x, double y) {
       const TemporaryFolder folder;
       Sequence sequence;
       sequence.look.range.reset(), sequence.look.view.reset();
       for (std::size_t k = 0; k < sequence.particles.x.size(); k += 2) {
-        sequence.particles.x[k] = x + sequence.particles.x[k] / 64;  // rings of 2.5 mm
+        sequence.particles.x[k] = x + sequence.particles.x[k] / 64;
         sequence.particles.x[k + 1] = y + sequence.particles.x[k + 1] / 64;
       }
       for (double& diameter : sequence.particles.diameter) diameter /= 64;
@@ -163,12 +161,12 @@ TEST_SUITE("image") {
       frames.draw_kept([](int) { return true; });
       return render::read_png(folder / frame_name(0));
     };
-    // places in double precision are off by 1e-13 m there, those in single precision by a ring's radius
+    // errors here: 1e-13 m in double precision, a ring's radius in single precision
     const render::ImageDifference difference = compare(frame_at(1000, 2000), frame_at(0, 0));
     CHECK(difference.share < 0.001);
   }
 
-  TEST_CASE("values that differ by little have the colours between, where the range is open") {
+  TEST_CASE("values that differ little span all colours with an automatic range") {
     const TemporaryFolder folder;
     Sequence sequence;
     sequence.look.range.reset();
@@ -184,7 +182,7 @@ TEST_SUITE("image") {
       for (int column = layout.plot.x; column < layout.plot.x + layout.plot.width / 2; ++column)
         colors.insert(image.at(column, row));
     const auto is_seen = [&](const render::Rgb& color) { return colors.contains(color); };
-    // single precision tells none of them apart; a rim is blended with white, and seldom of the map
+    // equal in single precision; blended rims rarely match a colour of the map
     CHECK(std::ranges::count_if(sequence.look.colormap->table(), is_seen) > 50);
   }
 }

@@ -15,7 +15,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Nothing as it is by default, nothing open.
+/// Every key has a non-default, non-automatic value.
 Drawing other_drawing() {
   return {.field = find_field("pressure"),
           .look = {.view = render::View{-1, 2, -3, 4},
@@ -41,12 +41,12 @@ DrawingOptions typed(const std::string& key, const std::string& text) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("keys of drawing: each tells all that it holds, and keeps to itself") {
+  TEST_CASE("keys of drawing: each key reads and writes its whole value and no other key") {
     const Drawing other = other_drawing();
     Drawing copy;
     for (const DrawingKey& key : drawing_keys()) {
       CAPTURE(key.name);
-      CHECK(key.get(copy) != key.get(other));  // what was copied before left it alone
+      CHECK(key.get(copy) != key.get(other));  // not changed by other keys
       CHECK(key.set(copy, key.get(other)).empty());
       CHECK(key.get(copy) == key.get(other));
     }
@@ -65,7 +65,7 @@ TEST_SUITE("unit") {
     CHECK(copy.frames == other.frames);
   }
 
-  TEST_CASE("keys of drawing: what may be open can be opened again") {
+  TEST_CASE("keys of drawing: an optional key can be set back to automatic") {
     Drawing drawing = other_drawing();
     for (const DrawingKey& key : drawing_keys())
       if (key.may_be_open) CHECK(key.set(drawing, std::string(automatic)).empty());
@@ -80,7 +80,7 @@ TEST_SUITE("unit") {
     CHECK(drawing.follow.empty());
   }
 
-  TEST_CASE("keys of drawing: range and colour map go with their field") {
+  TEST_CASE("keys of drawing: a change of field resets range and colour map") {
     const Drawing same = with_options(other_drawing(), typed("color", "pressure"));
     CHECK(same.look.range);
     CHECK(same.look.colormap);
@@ -98,7 +98,7 @@ TEST_SUITE("unit") {
     CHECK(with_options(other_drawing(), both).look.range == render::Range{0, 1});
   }
 
-  TEST_CASE("keys of drawing: what is typed wrong says what is right and changes nothing") {
+  TEST_CASE("keys of drawing: an invalid value is refused with the valid ones and changes nothing") {
     for (const auto& [name, text, right] :
          {std::array{"range", "2:1", "must be LOW:HIGH with LOW < HIGH"},
           std::array{"range", "1:2:3", "must be LOW:HIGH"},
@@ -118,9 +118,9 @@ TEST_SUITE("unit") {
           std::array{"text", "non", "unknown text 'non' (did you mean 'none'?)"},
           std::array{"color", "presure", "unknown field 'presure' (did you mean 'pressure'?)"},
           std::array{"colormap", "plasm", "unknown colour map 'plasm' (did you mean 'plasma'?)"}}) {
-      const auto& name_now = name;  // clang captures no bindings
+      const auto& name_now = name;
       CAPTURE(name_now);
-      const auto& text_now = text;  // clang captures no bindings
+      const auto& text_now = text;
       CAPTURE(text_now);
       Drawing drawing = other_drawing();
       CHECK_THROWS_WITH_AS(set_typed(drawing, drawing_key(name), text), doctest::Contains(right), UsageError);
@@ -128,7 +128,9 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("in 3D the view lies across the camera's direction, and holds all particles with their size") {
+  TEST_CASE(
+      "in 3D the view is perpendicular to the camera's direction and contains all particles with their "
+      "size") {
     const std::vector<double> x{0, 0, 0, 1, 2, 3}, diameter{0.2, 0.2}, value{0, 1};
     FrameView particles;
     particles.dim = 3, particles.x = x, particles.diameter = diameter, particles.value = value;
@@ -142,10 +144,10 @@ TEST_SUITE("unit") {
     CHECK(look.view->x_max == Approx(1.1 + margin));
     CHECK(look.view->y_min == Approx(-0.1 - margin));
     CHECK(look.view->y_max == Approx(3.1 + margin));
-    CHECK(look.camera->front == Approx(0.1));  // of the first, the second is 2 m behind
+    CHECK(look.camera->front == Approx(0.1));  // of the first particle; the second is 2 m behind
   }
 
-  TEST_CASE("an open range leaves out outliers, but no end that is near, nor what happens in few places") {
+  TEST_CASE("an automatic range omits outliers, but keeps near ends and small regions of high values") {
     const auto range_of = [](const std::vector<double>& values, std::optional<double> middle = {}) {
       SequenceBounds shown;
       shown.add_values(values);
@@ -153,34 +155,33 @@ TEST_SUITE("unit") {
     };
     std::vector<double> values;
     for (int k = 0; k <= 1000; ++k) values.push_back(k);
-    CHECK(range_of(values) == render::Range{0, 1000});  // within a quarter of the width from 990
+    CHECK(range_of(values) == render::Range{0, 1000});  // 1000 is near the quantile 990
     CHECK(range_of(values, 0.0) == render::Range{-1000, 1000});
     CHECK(range_of(values, 1.0) == render::Range{-998, 1000});
     values.push_back(1e9);
     CHECK(range_of(values) == render::Range{0, 991});
     values.push_back(-1e9);
     CHECK(range_of(values) == render::Range{9, 991});
-    values.insert(values.end(), 500000, 0.0);  // a body that nothing has reached yet
+    values.insert(values.end(), 500000, 0.0);  // a body still at rest
     CHECK(range_of(values) == render::Range{0, 991});
     values.assign(10, 0.0);
     CHECK(range_of(values) == render::Range{0, 1});
-    CHECK(range_of({5, 5}) == render::Range{2.5, 7.5});  // of the middle colour
+    CHECK(range_of({5, 5}) == render::Range{2.5, 7.5});  // middle colour
     CHECK(range_of({-4}) == render::Range{-6, -2});
     CHECK(range_of({1, 1}, 1.0) == render::Range{0.5, 1.5});
-    CHECK(range_of({0, 0}, 0.0) == render::Range{-1, 1});  // as gray as zero always is
+    CHECK(range_of({0, 0}, 0.0) == render::Range{-1, 1});  // neutral colour
     CHECK(range_of({NAN, INFINITY}) == render::Range{0, 1});
     CHECK(range_of({NAN, 2, INFINITY, 0}) == render::Range{0, 2});
-    CHECK(range_of({1e300, 2, -1e300, 0}) ==
-          render::Range{0, 2});  // nothing can be computed with such a width
+    CHECK(range_of({1e300, 2, -1e300, 0}) == render::Range{0, 2});  // too wide
     CHECK(range_of({1200, 1200.000001}) == render::Range{1200, 1200.000001});
-    // more than are kept: a sample of them gives the same
+    // more values than are stored
     std::vector<double> many;
     for (int k = 0; k < 9000000; ++k) many.push_back(k % 1000);
     many.insert(many.end(), 10, 1e9);
     CHECK(std::abs(range_of(many).high - 989) < 2);
   }
 
-  TEST_CASE("what a drawing leaves open is fitted to what is shown, and nothing else") {
+  TEST_CASE("only the unset keys of a drawing are fitted to the particles") {
     const std::vector<double> x{0, 0, 1, 2}, diameter{0.1, 0.2}, value{-1, 3};
     FrameView particles;
     particles.x = x, particles.diameter = diameter, particles.value = value;
@@ -195,7 +196,7 @@ TEST_SUITE("unit") {
     open.field = find_field("pressure");
     CHECK(fitted(open, shown).look.range == render::Range{-3, 3});
     CHECK(fitted(open, shown).look.colormap == render::find_colormap("coolwarm"));
-    open.round_off = 100;  // what differs by less is not spread over the colours
+    open.round_off = 100;  // exceeds the spread of values
     CHECK(fitted(open, shown).look.range == render::Range{-50, 50});
     open.field = find_field("von_mises");
     CHECK(fitted(open, shown).look.range == render::Range{0, 100});
@@ -207,7 +208,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("cli") {
-  TEST_CASE("every key of drawing is an option of run and stands in its scene.toml, in one order") {
+  TEST_CASE("every key of drawing is an option of run and a line of its scene.toml, in the same order") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out", {"--no-render"})).code == 0);
     const std::string scene = text_of(folder / "out/scene.toml");

@@ -28,7 +28,6 @@ at = [0, 0, -0.006]
 normal = [0, 0, 1]
 )";
 
-/// Two small cubes that fly towards each other.
 std::string write_cubes(const TemporaryFolder& folder, const std::string& more = {}) {
   std::ofstream(folder / "cubes.toml") << R"(
 dim = 3
@@ -81,7 +80,7 @@ std::string session(const TemporaryFolder& folder, const std::string& script) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a run in 3D is drawn, and drawn again from its particles to the same bytes") {
+  TEST_CASE("a run in 3D is drawn, and drawn again from its saved particles with the same bytes") {
     const TemporaryFolder folder;
     REQUIRE(run(folder, "a", {"--save-particles"}, floor_below).code == 0);
     const std::string scene = text_of(folder / "a/scene.toml");
@@ -104,11 +103,11 @@ TEST_SUITE("cli") {
     }
   }
 
-#ifndef __SANITIZE_ADDRESS__  // which has the whole address space for itself
-  TEST_CASE("pictures for which there is no memory are refused with their size and a way out") {
+#ifndef __SANITIZE_ADDRESS__  // reserves the whole address space
+  TEST_CASE("pictures that do not fit into memory are refused with their size and a remedy") {
     const TemporaryFolder folder;
     REQUIRE(run(folder, "a", {"--save-particles", "--no-render"}).code == 0);
-    // kB: enough for the program and one such picture, not for OpenGL's
+    // kB: too little for OpenGL
     const std::string command = "ulimit -c 0; ulimit -v 600000; timeout 60 " TAUT_BINARY_DIR "/taut render " +
                                 folder.str("a") + " --size 8000x8000 --threads 1 --quiet 2>" +
                                 folder.str("said");
@@ -120,7 +119,7 @@ TEST_SUITE("cli") {
   }
 #endif
 
-  TEST_CASE("a camera that orbits begins and ends the turn where it stands, and sees all of it") {
+  TEST_CASE("an orbiting camera starts and ends in its own place, and sees all particles in between") {
     const TemporaryFolder folder;
     REQUIRE(run(folder, "a", {"--save-particles", "--frames", "3"}).code == 0);
     const auto frame = [&](int number) {
@@ -129,7 +128,7 @@ TEST_SUITE("cli") {
     REQUIRE(call({"render", folder.str("a"), "--orbit", "--camera", "0:-1:0", "--out", folder.str("o"),
                   "--quiet"})
                 .code == 0);
-    // four quarters: along y, x, -y, -x; the cubes stand one behind the other, or side by side
+    // views along y, x, -y, -x
     const auto width = [](const taut::render::Image& image) {
       const taut::render::PageLayout layout = taut::render::make_layout(image.width, image.height, {});
       int left = image.width, right = 0;
@@ -140,7 +139,7 @@ TEST_SUITE("cli") {
       return right - left + 1;
     };
     CHECK(width(frame(0)) > 2 * width(frame(1)));
-    const double nearer = 1 - 2 * 2.0 * 0.001 / 3 / 0.022;  // two cubes of 2 m/s, after two thirds of 0.5 ms
+    const double nearer = 1 - 2 * 2.0 * 0.001 / 3 / 0.022;  // 2 m/s each, at two thirds of 0.5 ms
     CHECK(std::abs(width(frame(2)) - nearer * width(frame(0))) <= 3);
     CHECK(std::abs(width(frame(3)) - width(frame(1))) <= 3);
     REQUIRE(call(tiny_run(folder, "flat", {"--save-particles"})).code == 0);
@@ -149,7 +148,7 @@ TEST_SUITE("cli") {
     CHECK(contains(flat.err, "--orbit needs a scene in 3D"));
   }
 
-  TEST_CASE("runs in 3D stand side by side in a panel") {
+  TEST_CASE("runs in 3D are drawn side by side in a panel") {
     const TemporaryFolder folder;
     REQUIRE(run(folder, "a", {"--save-particles", "--no-render"}).code == 0);
     const auto panel = [&](const Words& options) {
@@ -167,7 +166,7 @@ TEST_SUITE("cli") {
     CHECK(panel({"--fov", "60"}) != plain);
   }
 
-  TEST_CASE("a session in 3D orbits, zooms and cuts, and comes back") {
+  TEST_CASE("a session in 3D orbits, zooms and cuts, and returns to its first view") {
     const TemporaryFolder folder;
     REQUIRE(run(folder, "a").code == 0);
     const auto frame = [&](const std::string& name) { return "frame " + folder.str(name + ".png") + "\n"; };
@@ -187,7 +186,7 @@ TEST_SUITE("cli") {
     CHECK(contains(answers, "camera=1 -2 1\n"));
   }
 
-  TEST_CASE("pictures: what does not go with the scene is refused, with its place") {
+  TEST_CASE("pictures: a key that does not fit the scene is refused with its place") {
     check_error("color = \"von_mises\"", "camera = @[1, 1, 1]", {"need dim = 3", "has dim = 2", "`view`"});
     check_error("color = \"von_mises\"", "fov = @30", {"need dim = 3"});
     check_error("color = \"von_mises\"", "fov = @130",

@@ -16,7 +16,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// Two bodies of two particles each, the second body of a light and a heavy one.
+/// Two bodies of two particles; the second has unequal masses.
 Origins two_pairs() {
   return {.dim = 2,
           .x0 = {0, 0, 1, 0, 0, 3, 1, 3},
@@ -37,7 +37,7 @@ FrameView frame(const Numbers& x, const Origins& origins, const Numbers& value) 
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("a drawing without wishes shows every particle where it is") {
+  TEST_CASE("a default drawing shows every particle at its position") {
     const Origins origins = two_pairs();
     const StagedParticles staged = Staging({}, origins)(frame(moved, origins, {1, 2, 3, 4}));
     CHECK(staged.x == moved);
@@ -46,18 +46,18 @@ TEST_SUITE("unit") {
     CHECK(staged.cell.empty());
   }
 
-  TEST_CASE("a cut goes by where particles were at the start") {
+  TEST_CASE("a cut selects particles by their initial positions") {
     Drawing drawing;
     drawing.is_cut = [](const Point& x) { return static_cast<double>(x[1] > 2); };
     const Origins origins = two_pairs();
     Numbers swapped = moved;
-    swapped[1] = 9;  // beyond the plane of the cut by now
+    swapped[1] = 9;  // now beyond the cut
     const StagedParticles staged = Staging(drawing, origins)(frame(swapped, origins, {1, 2, 3, 4}));
     CHECK(staged.x == Numbers{0, 9, 1, 1});
     CHECK(staged.value == Numbers{1, 2});
   }
 
-  TEST_CASE("a cut that leaves nothing is refused") {
+  TEST_CASE("a cut that hides all particles is refused") {
     Drawing drawing;
     drawing.cut = "1";
     drawing.is_cut = [](const Point&) { return 1.0; };
@@ -65,26 +65,26 @@ TEST_SUITE("unit") {
                          UsageError);
   }
 
-  TEST_CASE("a body that is followed has its centre of mass in the origin, and the view is about it") {
+  TEST_CASE("a followed body has its centre of mass in the origin, and the view is centred there") {
     Drawing drawing;
     drawing.followed = 1;
     const Origins origins = two_pairs();
     const Staging staging(drawing, origins);
     const StagedParticles staged = staging(frame(moved, origins, {1, 2, 3, 4}));
-    CHECK(staged.x == Numbers{-7, -3.5, -6, -3.5, -3, -1.5, 1, 0.5});  // the centre is at (7, 4.5)
+    CHECK(staged.x == Numbers{-7, -3.5, -6, -3.5, -3, -1.5, 1, 0.5});  // centre (7, 4.5)
     SequenceBounds bounds;
     staging.extend(bounds, staged);
     const render::View view = *fitted(drawing, bounds).look.view;
-    CHECK(view.x_max == Approx(1.5 * 3.5));  // 3 m from the centre and half a diameter
+    CHECK(view.x_max == Approx(1.5 * 3.5));  // 3 m plus half a diameter
     CHECK(view.x_min == Approx(-1.5 * 3.5));
     CHECK(view.y_max == Approx(1.5 * 2));
-    CHECK(bounds.range({}) == render::Range{1, 4});  // the other body is seen too
-    drawing.cut = "y > 2";                           // the body is followed where nothing of it is seen, too
+    CHECK(bounds.range({}) == render::Range{1, 4});
+    drawing.cut = "y > 2";  // hides the followed body
     drawing.is_cut = [](const Point& x) { return static_cast<double>(x[1] > 2); };
     CHECK(Staging(drawing, origins)(frame(moved, origins, {1, 2, 3, 4})).x == Numbers{-7, -3.5, -6, -3.5});
   }
 
-  TEST_CASE("in style cells particles are pieces of their bodies, with their values") {
+  TEST_CASE("particles in style cells are drawn as pieces of their bodies, with their values") {
     Drawing drawing;
     drawing.style = Style::cells;
     Origins origins = two_pairs();
@@ -93,12 +93,12 @@ TEST_SUITE("unit") {
     CHECK(drawn.x == moved);
     CHECK(drawn.value == Numbers{1, 2, 3, 4});
     REQUIRE(drawn.cell.size() == 16);
-    CHECK(drawn.cell[8] == Approx(4));  // the second body is stretched to (4, 2)
+    CHECK(drawn.cell[8] == Approx(4));  // stretched to (4, 2)
     CHECK(drawn.cell[9] == Approx(2));
   }
 
-  TEST_CASE("cells beside a cut end half-way to who is cut away, on the boundary of a body too") {
-    // 3 × 3 particles on the boundary of a square of 2 m
+  TEST_CASE("cells beside a cut end half-way to the removed neighbour, also on the boundary of a body") {
+    // 3 × 3 boundary particles of a square of 2 m
     Origins origins{.dim = 2, .x0 = {}, .m = Numbers(9, 1), .diameter = {}, .body = std::vector<int>(9, 0)};
     for (int n = 0; n < 9; ++n) {
       origins.x0.insert(origins.x0.end(), {n % 3 * 1.0, n / 3 * 1.0});
@@ -116,11 +116,11 @@ TEST_SUITE("unit") {
       area += std::abs(edge[0] * edge[3] - edge[1] * edge[2]);
       right = std::max(right, drawn.x[2 * k] + 0.5 * (std::abs(edge[0]) + std::abs(edge[2])));
     }
-    CHECK(area == Approx(3));  // 1.5 m wide and 2 m high
+    CHECK(area == Approx(3));  // 1.5 m × 2 m
     CHECK(right == Approx(1.5));
   }
 
-  TEST_CASE("walls stand where they are, and move past a body that is followed") {
+  TEST_CASE("walls keep their place, and move past a followed body") {
     const Origins origins = two_pairs();
     for (const Style style : {Style::discs, Style::cells}) {
       Drawing drawing;
@@ -135,7 +135,7 @@ TEST_SUITE("unit") {
       };
       CHECK(wall() == Point{1, -2, 0});
       drawing.followed = 1;
-      CHECK(wall() == Point{-6, -6.5, 0});  // the centre is at (7, 4.5)
+      CHECK(wall() == Point{-6, -6.5, 0});  // centre (7, 4.5)
     }
   }
 

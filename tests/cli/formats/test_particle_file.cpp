@@ -20,7 +20,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Particles with numbers that have no short form.
 Snapshot some_particles(int dim, std::size_t count) {
   Snapshot now;
   now.dim = dim;
@@ -56,7 +55,7 @@ bool unpacks(std::string_view text, std::vector<double>& values) {
   return from_zlib_blocks(text, std::as_writable_bytes(std::span(values)));
 }
 
-/// What tests/cli/formats/read_vtp.py prints, by name; empty where there is no VTK.
+/// Output of read_vtp.py by name; empty without VTK.
 std::map<std::string, double> read_with_vtk(const fs::path& file) {
   const std::string command =
       "/usr/bin/python3 " TAUT_SOURCE_DIR "/tests/cli/formats/read_vtp.py " + file.string() + " 2>&1";
@@ -75,8 +74,8 @@ bool vtk_is_there() { return std::system("/usr/bin/python3 -c 'import vtk' 2>/de
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("compressed blocks unpack to the same bytes and to nothing else") {
-    for (const std::size_t count : {0, 1, 8191, 8192, 8193, 30000}) {  // a block holds 8192 doubles
+  TEST_CASE("compressed blocks unpack to the same bytes, and only to their own length") {
+    for (const std::size_t count : {0, 1, 8191, 8192, 8193, 30000}) {  // 8192 doubles per block
       CAPTURE(count);
       std::vector<double> values(count), back(count), longer(count + 1);
       for (std::size_t k = 0; k < count; ++k) values[k] = std::sin(static_cast<double>(k));
@@ -116,7 +115,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("a particle file with a head that does not fit what it holds is refused") {
+  TEST_CASE("a particle file whose header contradicts its contents is refused") {
     const TemporaryFolder folder;
     const fs::path path = write_particles(folder, some_particles(2, 50), {find_field("speed")});
     const std::string whole = text_of(path);
@@ -130,7 +129,7 @@ TEST_SUITE("unit") {
              {"offset=\"0\"", "offset=\"18446744073709551000\""},
              {"format=\"ascii\">", "format=\"ascii\">nan</DataArray><x>"},
              {"\"Float64\" Name=\"speed\"", "\"Float32\" Name=\"speed\""}}) {
-      const auto& is_now = is;  // clang captures no bindings
+      const auto& is_now = is;
       CAPTURE(is_now);
       std::string forged = whole;
       const std::size_t at = forged.find(was);
@@ -146,7 +145,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("a particle file that is cut short is refused wherever it ends") {
+  TEST_CASE("a particle file cut short anywhere is refused") {
     const TemporaryFolder folder;
     const fs::path path = write_particles(folder, some_particles(2, 50), {find_field("speed")});
     const std::string whole = text_of(path);
@@ -158,7 +157,7 @@ TEST_SUITE("unit") {
       file.positions(2);
     };
     CHECK_NOTHROW(read_all());
-    // the vertices, of some 150 bytes, come last and are for ParaView only
+    // ends with about 150 bytes that only ParaView reads
     for (std::size_t length = 0; length + 400 < end; length += 41) {
       std::ofstream(path, std::ios::binary) << whole.substr(0, length);
       CAPTURE(length);
@@ -166,13 +165,13 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("VTK reads a particle file as it was written") {
+  TEST_CASE("VTK reads back the values of a particle file") {
     if (!vtk_is_there()) {
       MESSAGE("skipped: there is no VTK for Python (Debian's package python3-vtk9)");
       return;
     }
     const TemporaryFolder folder;
-    const Snapshot now = some_particles(2, 9000);  // more than a block
+    const Snapshot now = some_particles(2, 9000);
     const fs::path path = write_particles(folder, now, {find_field("density"), find_field("speed")});
     const auto sum = [](const std::vector<double>& values, std::size_t from = 0, std::size_t step = 1) {
       double total = 0;

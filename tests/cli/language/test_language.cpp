@@ -16,7 +16,7 @@ namespace {
 
 bool has_header(const Section& section) { return section.header.empty() || section.header.starts_with('['); }
 
-/// The examples of all sections with a header but `without`, one behind the other.
+/// Examples of all sections with a header except `without`.
 std::string whole_file(std::span<const Section> sections, std::string_view without = "") {
   std::string text;
   for (const Section& section : sections)
@@ -24,7 +24,7 @@ std::string whole_file(std::span<const Section> sections, std::string_view witho
   return text;
 }
 
-/// `text` with the lines of `key` behind the first `header`, in place of the line that has the key there.
+/// Inserts `lines` after the first `header`, in place of an existing `key`.
 std::string with_key(std::string text, std::string_view header, std::string_view key,
                      std::string_view lines) {
   const std::size_t begin = text.find(header) + header.size() + 1;
@@ -34,7 +34,6 @@ std::string with_key(std::string text, std::string_view header, std::string_view
   return text.insert(begin, lines);
 }
 
-/// A scene of one body.
 std::string scene_of_shape(const ShapeKind& kind) {
   return "dim = " + std::to_string(kind.dim == 0 ? 2 : kind.dim) +
          "\nspacing = 0.002\nuntil = 1\n[material.rubber]\ndensity = 1200\nyoungs_modulus = 1e7\n"
@@ -45,7 +44,7 @@ std::string scene_of_shape(const ShapeKind& kind) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("language: the examples of the sections are one scene, and each of the others is a key of it") {
+  TEST_CASE("language: the section examples form one scene, and every other example is a key of it") {
     const std::string whole = whole_file(scene_sections());
     CAPTURE(whole);
     CHECK_NOTHROW(read_text(whole));
@@ -63,17 +62,17 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("language: every shape has an example that is read") {
+  TEST_CASE("language: the example of every shape can be read") {
     std::ofstream(scratch_folder() / "places.csv") << "x,y\n0,0\n0.002,0\n0,0.002\n";
     for (const ShapeKind& kind : shape_kinds()) {
       CAPTURE(kind.name);
       REQUIRE_FALSE(example_of(kind.name).empty());
-      if (kind.name == "svg" || kind.name == "mask") continue;  // of pictures that are not here
+      if (kind.name == "svg" || kind.name == "mask") continue;  // need picture files
       CHECK_NOTHROW(read_text(scene_of_shape(kind)));
     }
   }
 
-  TEST_CASE("language: the examples of the sections of a sweep are sweeps") {
+  TEST_CASE("language: the section examples of a sweep form sweeps") {
     const auto read = [](const std::string& text) {
       const std::filesystem::path path = scratch_folder() / "sweep.toml";
       std::ofstream(path, std::ios::binary) << text;
@@ -84,7 +83,7 @@ TEST_SUITE("cli") {
     CHECK(read(set + whole_file(sweep_sections(), "grid")).rows.size() == 2);
   }
 
-  TEST_CASE("language: every key has what it takes and a help, every section a help") {
+  TEST_CASE("language: every key has its values and a help text, and every section has a help text") {
     for (const auto& sections : {scene_sections(), sweep_sections()})
       for (const Section& section : sections) CHECK_FALSE(section.help.empty());
     const Rows keys = key_rows();
@@ -96,7 +95,7 @@ TEST_SUITE("cli") {
       }
   }
 
-  TEST_CASE("language: a file in a scene folder that is no scene keeps nobody from the others") {
+  TEST_CASE("language: an unreadable scene file does not hide the others") {
     const TemporaryFolder folder;
     std::ofstream(folder / "pyproject.toml") << "[project]\nname = \"other\"\n";
     ::setenv("TAUT_SCENES", folder.path().c_str(), 1);
@@ -107,14 +106,14 @@ TEST_SUITE("cli") {
     CHECK(contains(listed.out, "cannot be read: "));
   }
 
-  TEST_CASE("language: the page in scenes/ is what the program says") {
+  TEST_CASE("language: the page in scenes/ equals the generated one") {
     const std::filesystem::path page = std::filesystem::path(TAUT_SOURCE_DIR) / "scenes/LANGUAGE.md";
     if (std::getenv("TAUT_UPDATE_GOLDEN")) std::ofstream(page, std::ios::binary) << language_page();
     CHECK_MESSAGE(taut::test::text_of(page) == language_page(),
                   "TAUT_UPDATE_GOLDEN=1 cli_tests -tc='language*' rewrites it");
   }
 
-  TEST_CASE("describe explains files, sections and what they list, as text and as JSON") {
+  TEST_CASE("describe explains files, sections and their entries, as text and as JSON") {
     const std::string all = call({"describe", "scene-file"}).out;
     for (const char* part : {"[[body]]", "[render]", "mirror_asymmetry", "first_below", "cofactor_share"})
       CHECK(contains(all, part));

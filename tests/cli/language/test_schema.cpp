@@ -16,7 +16,7 @@ bool jsonschema_is_there() {
   return std::system("/usr/bin/python3 -c 'import tomllib, jsonschema' 2>/dev/null") == 0;
 }
 
-/// The verdict of the JSON Schema of `kind` about each file: "valid", or the refused keys.
+/// Per file: "valid" or the keys that the JSON Schema refuses.
 Texts verdicts(const std::string& kind, const std::vector<fs::path>& files) {
   const TemporaryFolder folder;
   std::ofstream(folder / "schema.json") << call({"describe", kind, "--schema"}).out;
@@ -43,7 +43,6 @@ void check_valid(const std::string& kind, const std::vector<fs::path>& files) {
   }
 }
 
-/// The key of the SceneError for this scene.
 std::string refused_key(const std::string& text) {
   try {
     read_text(text);
@@ -77,7 +76,7 @@ TEST_SUITE("cli") {
     check_valid("sweep-file", toml_files(scenes / "studies"));
   }
 
-  TEST_CASE("schema: taut and the schema refuse wrong scenes at the same key") {
+  TEST_CASE("schema: taut and the schema refuse invalid scenes at the same key") {
     if (!jsonschema_is_there()) return;
     const fs::path list = fs::path(TAUT_SOURCE_DIR) / "tests/cli/language/wrong_scenes.toml";
     TomlValue wrong = parse_toml(text_of(list), list.string());
@@ -97,7 +96,7 @@ TEST_SUITE("cli") {
     CHECK(verdicts("scene-file", files) == keys);
   }
 
-  TEST_CASE("schema: wrong sweeps are refused") {
+  TEST_CASE("schema: invalid sweeps are refused") {
     if (!jsonschema_is_there()) return;
     const TemporaryFolder folder;
     const auto verdict = [&](const std::string& text) {

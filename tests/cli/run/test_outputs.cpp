@@ -14,7 +14,6 @@ namespace {
 
 bool python_is_there() { return std::system("/usr/bin/python3 -c 'import tomllib' 2>/dev/null") == 0; }
 
-/// What tests/cli/run/read_outputs.py prints of a folder; its complaints stand in the log of the test.
 std::vector<std::string> read_with_python(const TemporaryFolder& folder, const std::string& name) {
   const std::string command = "/usr/bin/python3 " TAUT_SOURCE_DIR "/tests/cli/run/read_outputs.py '" +
                               folder.str(name) + "' >'" + folder.str("read") + "'";
@@ -25,7 +24,7 @@ std::vector<std::string> read_with_python(const TemporaryFolder& folder, const s
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("other programs read the files of a run and of a sweep") {
+  TEST_CASE("Python reads the files of a run and of a sweep") {
     if (!python_is_there()) {
       MESSAGE("skipped: there is no Python 3.11 (Debian's package python3)");
       return;
@@ -35,14 +34,14 @@ TEST_SUITE("cli") {
     const auto rows = lines_of(folder / "run/history.csv").size() - 1;
     CHECK(rows > 10);
     CHECK(read_with_python(folder, "run") == Texts{"history.csv " + std::to_string(rows), "particles.pvd 5"});
-    // one that diverges has a column more; max(2,3) has a comma in its cell
+    // a diverged run adds a column; max(2,3) adds a comma
     const Texts grid{"--grid", "speed=1,max(2,3)", "--grid", "cfl=0.5,20", "--until", "0.01"};
     REQUIRE(program(tiny_sweep(folder, "sweep", grid)).code == 0);
     CHECK(contains(text_of(folder / "sweep/results.csv"), ",\"max(2,3)\","));
     CHECK(read_with_python(folder, "sweep") == Texts{"results.csv 4"});
   }
 
-  TEST_CASE("the verdict does not depend on the rows of history.csv, which repeat indicators") {
+  TEST_CASE("the verdict does not depend on the rows of history.csv, which can repeat indicators") {
     const TemporaryFolder folder;
     const auto record = [&](const std::string& name, const std::string& history) {
       REQUIRE(call(tiny_run(folder, name,
@@ -51,12 +50,12 @@ TEST_SUITE("cli") {
       return json_of(folder / name / "run.json");
     };
     const auto few = record("few", "1"),
-               many = record("many", "1e-6");  // s; each step is shorter than a look
+               many = record("many", "1e-6");  // s; more often than indicators are evaluated
     CHECK(lines_of(folder / "few/history.csv").size() == 3);
     const std::vector<std::string> rows = lines_of(folder / "many/history.csv");
     CHECK(rows.size() > 280);
     const auto indicators = [](const std::string& row) { return row.substr(row.find(",2,") + 3); };
-    std::set<std::string> seen;  // rows between two looks repeat those of the last one
+    std::set<std::string> seen;  // rows repeat indicators between evaluations
     for (std::size_t k = 1; k < rows.size(); ++k) seen.insert(indicators(rows[k]));
     CHECK(seen.size() > 150);
     CHECK(seen.size() < 203);

@@ -14,7 +14,6 @@ using namespace taut::test;
 
 namespace {
 
-/// The pictures of both folders have the same names and the same bytes.
 void check_same_files(const fs::path& a, const fs::path& b) {
   REQUIRE(files_in(a) > 0);
   CHECK(files_in(a) == files_in(b));
@@ -42,12 +41,12 @@ TEST_SUITE("cli") {
       CHECK(contains(index, "timestep=\"" + exact(file.time()) + "\" part=\"0\" file=\"" + name + "\""));
       CHECK(static_cast<long>(file.fields().size()) == static_cast<long>(fields(2).size()));
     }
-    CHECK(json_of(folder / "out/run.json")["reached"].get<double>() > 0.002);  // a whole step past the end
+    CHECK(json_of(folder / "out/run.json")["reached"].get<double>() > 0.002);
     REQUIRE(call(tiny_run(folder, "out", {"--no-render"})).code == 0);
-    CHECK_FALSE(fs::exists(folder / "out/particles"));  // those of the older run
+    CHECK_FALSE(fs::exists(folder / "out/particles"));
   }
 
-  TEST_CASE("particles that are saved more often than there are steps are each at a time of their own") {
+  TEST_CASE("particles saved more often than there are steps each have their own time") {
     const TemporaryFolder folder;
     const std::vector<std::string> all{"--save-particles", "--no-render", "--fields", "speed",
                                        "--until",          "1e-4"};
@@ -59,7 +58,7 @@ TEST_SUITE("cli") {
     };
     CHECK(run("often", 100) == run("seldom", 1));
     CHECK(json_of(folder / "often/run.json")["steps"].get<int>() < 50);
-    const auto leftmost = [&](const ParticleFile& file) {  // flies on undisturbed at 2 m/s
+    const auto leftmost = [&](const ParticleFile& file) {  // moves freely at 2 m/s
       return std::ranges::min(file.positions(2));
     };
     const auto saved = [&](int k) {
@@ -71,7 +70,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("saving particles does not alter a run, and only the fields asked for are saved") {
+  TEST_CASE("saving particles does not alter a run, and only the requested fields are saved") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "with", {"--save-particles", "--fields", "speed,pressure"})).code == 0);
     REQUIRE(call(tiny_run(folder, "without")).code == 0);
@@ -82,10 +81,10 @@ TEST_SUITE("cli") {
     const Outcome outcome = call({"render", folder.str("with"), "--color", "density", "--quiet"});
     CHECK(outcome.code == 2);
     CHECK(contains(outcome.err, "speed, pressure"));
-    check_same_files(folder / "with/frames", folder / "without/frames");  // the old frames are still there
+    check_same_files(folder / "with/frames", folder / "without/frames");
   }
 
-  TEST_CASE("particles can be drawn without the frames of the run, and not without particles") {
+  TEST_CASE("render needs saved particles but not the frames of the run") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "plain")).code == 0);
     const Outcome outcome = call({"render", folder.str("plain")});
@@ -102,7 +101,7 @@ TEST_SUITE("cli") {
     CHECK(files_in(folder / "pictures") == 6);
   }
 
-  TEST_CASE("a view of one's own is what the frames show") {
+  TEST_CASE("a view set by an option is the view of the frames") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "whole")).code == 0);
     REQUIRE(call(tiny_run(folder, "close", {"--view", "-0.02:0:-0.01:0.01"})).code == 0);
@@ -110,7 +109,7 @@ TEST_SUITE("cli") {
     CHECK(call({"diff", folder.str("whole"), folder.str("close")}).code == 1);
   }
 
-  TEST_CASE("colours by body and by an expression are the same drawn at once and from the saved particles") {
+  TEST_CASE("colours by body and by expression are the same in the run and from its saved particles") {
     const TemporaryFolder folder;
     for (const std::string color : {"body", "J", "=speed^2/2 + 1e3*(x - X) + t/dp"}) {
       CAPTURE(color);
@@ -137,10 +136,10 @@ TEST_SUITE("cli") {
 }
 
 TEST_SUITE("determinism") {
-  TEST_CASE("drawn again a run leaves the bytes that it would have left with those options") {
+  TEST_CASE("render gives the bytes that the run would have drawn with the same options") {
     const std::vector<std::vector<std::string>> cases{
         {},
-        {"--color", "pressure"},  // range over the whole sequence
+        {"--color", "pressure"},  // range of the whole sequence
         {"--color", "displacement_x", "--range", "-1e-3:1e-3", "--colormap", "rainbow"},
         {"--view", "-0.02:0:-0.01:0.01", "--size", "300x200"},
         {"--view", "auto", "--range", "auto"},

@@ -22,7 +22,7 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-/// Long enough for something to happen to it on the way.
+/// Includes contact and rebound.
 const Arguments long_run = {"--until", "0.1", "--history", "1e-4"};
 const Arguments with_checkpoints = {"--checkpoint-every", "0.001"};
 
@@ -43,7 +43,7 @@ std::set<std::string> files_below(const fs::path& folder) {
   return names;
 }
 
-/// All files but for the times that a run took.
+/// Compares all files except for wall-clock times.
 void check_same_run(const fs::path& a, const fs::path& b) {
   REQUIRE(files_below(a) == files_below(b));
   for (const std::string& name : files_below(a)) {
@@ -60,7 +60,7 @@ void check_same_run(const fs::path& a, const fs::path& b) {
   }
 }
 
-/// Starts the program and kills it as soon as history.csv is longer than `bytes`. False if it was faster.
+/// Kills the program once `history` exceeds `bytes`; false if it ended before.
 bool run_and_kill(const Arguments& arguments, const fs::path& history, std::uintmax_t bytes) {
   ChildProgram child(arguments);
   ChildProgram::wait([&] {
@@ -72,7 +72,6 @@ bool run_and_kill(const Arguments& arguments, const fs::path& history, std::uint
   return child.ending_signal() == SIGKILL;
 }
 
-/// A run in the folder "out" that was interrupted after its first checkpoint.
 void leave_interrupted(const TemporaryFolder& folder, const Arguments& more = {}) {
   ChildProgram child(
       tiny_run(folder, "out", Arguments{"--until", "1000", "--no-render"} + with_checkpoints + more));
@@ -81,7 +80,7 @@ void leave_interrupted(const TemporaryFolder& folder, const Arguments& more = {}
   REQUIRE(child.exit_code() == 130);
 }
 
-/// Looks at a file whenever something is written to it: here the lines at each quarter of a run.
+/// Calls `look` at each write, here a progress line per quarter of a run.
 class Watch : public std::stringbuf {
  public:
   explicit Watch(std::function<void()> look) : look_(std::move(look)) {}
@@ -96,7 +95,7 @@ class Watch : public std::stringbuf {
 
 void check_refused(const TemporaryFolder& folder, const std::string& reason, const Arguments& more = {}) {
   auto before = files_below(folder / "out");
-  before.erase("run.lock");  // of a run that was killed
+  before.erase("run.lock");
   const std::string history = text_of(folder / "out/history.csv");
   const Outcome outcome = call(resume(folder, "out", more));
   CAPTURE(outcome.err);
@@ -109,7 +108,7 @@ void check_refused(const TemporaryFolder& folder, const std::string& reason, con
 }  // namespace
 
 TEST_SUITE("restart") {
-  TEST_CASE("runs that are killed at any moment go on to the same bytes: a method of each family") {
+  TEST_CASE("runs killed at any moment resume to the same bytes: a method of each family") {
     std::mt19937 random(1);
     int kills = 0;
     for (const char* method : {"enog", "og", "oenog", "d-ulsph-r-tic", "tl"}) {
@@ -123,7 +122,6 @@ TEST_SUITE("restart") {
                                            static_cast<double>(length));
       };
       const fs::path history = folder / "out/history.csv";
-      // not before the first checkpoint
       kills += run_and_kill(tiny_run(folder, "out", all + with_checkpoints), history, somewhere(0.1));
       if (!fs::exists(folder / "out/checkpoint.bin")) continue;
       kills += run_and_kill(resume(folder, "out"), history, somewhere(0.3));
@@ -133,7 +131,7 @@ TEST_SUITE("restart") {
     CHECK(kills >= 5);
   }
 
-  TEST_CASE("an interrupted run goes on to the same bytes, with kept frames and saved particles") {
+  TEST_CASE("an interrupted run resumes to the same bytes, with kept frames and saved particles") {
     const TemporaryFolder folder;
     const Arguments all =
         long_run +
@@ -149,7 +147,7 @@ TEST_SUITE("restart") {
     check_same_run(folder / "straight", folder / "out");
   }
 
-  TEST_CASE("kept frames have their walls where they were, past a body that is followed") {
+  TEST_CASE("walls in kept frames of a resumed run move past a followed body") {
     const TemporaryFolder folder;
     const std::string scene = folder.str("walled.toml");
     std::ofstream(scene) << text_of(write_tiny_scene(folder)) << R"(
@@ -172,9 +170,9 @@ normal = [0, 1]
       CHECK(text_of(folder / "straight" / frame) == text_of(folder / "out" / frame));
   }
 
-  TEST_CASE("what lies between two steps comes to the same bytes wherever the checkpoint is") {
+  TEST_CASE("outputs between two steps have the same bytes wherever the checkpoint is") {
     const TemporaryFolder folder;
-    // more than one a step, and a checkpoint at each step
+    // several outputs per step, a checkpoint at each step
     const Arguments all{"--until",          "0.01",     "--frames", "1500",
                         "--save-particles", "--fields", "speed",    "--no-render"};
     REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
@@ -185,7 +183,7 @@ normal = [0, 1]
     check_same_run(folder / "straight", folder / "out");
   }
 
-  TEST_CASE("checkpoints do not alter a run, and go when it is finished or has diverged") {
+  TEST_CASE("checkpoints do not alter a run, and are removed when it has finished or diverged") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "without", {"--until", "0.01"})).code == 0);
     REQUIRE(call(tiny_run(folder, "with", Arguments{"--until", "0.01"} + with_checkpoints)).code == 0);
@@ -200,13 +198,12 @@ normal = [0, 1]
     CHECK(contains(call(resume(folder, "with")).err, "has failed"));
   }
 
-  TEST_CASE("a run that was stopped before its first checkpoint begins anew, to the same bytes") {
+  TEST_CASE("a run stopped before its first checkpoint restarts to the same bytes") {
     const TemporaryFolder folder;
     const Arguments all = long_run + Arguments{"--no-render", "--spacing", "0.0021"};
     REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
     const auto some = fs::file_size(folder / "straight/history.csv") / 10;
-    // one that was to have checkpoints knows how it was started; of the other nothing says that it has no
-    // frames
+    // only a run with checkpoints records its options
     const Arguments later{"--checkpoint-every", "1"};
     REQUIRE(run_and_kill(tiny_run(folder, "out", all + later), folder / "out/history.csv", some));
     REQUIRE(run_and_kill(tiny_run(folder, "bare", all), folder / "bare/history.csv", some));
@@ -220,7 +217,7 @@ normal = [0, 1]
     }
   }
 
-  TEST_CASE("what is no run is not begun") {
+  TEST_CASE("a folder without a run cannot be resumed") {
     const TemporaryFolder folder;
     check_refused(folder, "is not a run folder");
     fs::create_directories(folder / "out");
@@ -229,7 +226,7 @@ normal = [0, 1]
     check_refused(folder, "is not a run folder");
   }
 
-  TEST_CASE("a checkpoint that is damaged, cut short, of another method or scene is refused") {
+  TEST_CASE("a checkpoint that is damaged, cut short, or of another method or scene is refused") {
     const TemporaryFolder folder;
     leave_interrupted(folder);
     const fs::path path = folder / "out/checkpoint.bin";
@@ -264,7 +261,7 @@ normal = [0, 1]
   }
 
   TEST_CASE(
-      "a checkpoint with a right checksum and wrong contents is refused with no file touched, or goes on") {
+      "a checkpoint with wrong contents and a correct checksum is refused with no file touched, or resumes") {
     const TemporaryFolder folder;
     const Arguments all{"--until",          "0.01",     "--frames", "20", "--range", "auto",
                         "--save-particles", "--fields", "speed"};
@@ -280,9 +277,9 @@ normal = [0, 1]
       damage(checkpoint.state);
       write_checkpoint(folder / "out/checkpoint.bin", checkpoint);
     };
-    leave([](std::string& state) { state[sizeof(std::uint64_t)] ^= 1; });  // the number of particles
+    leave([](std::string& state) { state[sizeof(std::uint64_t)] ^= 1; });  // number of particles
     check_refused(folder, "checkpoint.bin' cannot be used: the saved state is damaged");
-    std::uint64_t simulation = 0;  // bytes of it, at the beginning; behind it stands what the outputs know
+    std::uint64_t simulation = 0;  // size; the state of the outputs follows
     std::memcpy(&simulation, whole.state.data(), sizeof simulation);
     std::mt19937 random(18);
     int refused = 0;
@@ -308,7 +305,7 @@ normal = [0, 1]
     CHECK(refused < 24);
   }
 
-  TEST_CASE("a run that can go on is drawn in another way elsewhere only, and goes on") {
+  TEST_CASE("a resumable run can be drawn with other options only elsewhere, and resumes") {
     const TemporaryFolder folder;
     const Arguments all = long_run + Arguments{"--save-particles"};
     REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
@@ -323,12 +320,12 @@ normal = [0, 1]
     CHECK(contains(refused.err, "is not finished, so its frames cannot change"));
     CHECK(call({"render", folder.str("out"), "--color", "pressure", "--quiet", "--out", folder.str("other")})
               .code == 0);
-    CHECK(call({"render", folder.str("out"), "--quiet"}).code == 0);  // as it is
+    CHECK(call({"render", folder.str("out"), "--quiet"}).code == 0);
     CHECK(call(resume(folder, "out")).code == 0);
     check_same_run(folder / "straight", folder / "out");
   }
 
-  TEST_CASE("a link in a stranger's folder leads the rows of a run that goes on nowhere") {
+  TEST_CASE("a link in place of history.csv is refused, and its target stays untouched") {
     const TemporaryFolder folder;
     leave_interrupted(folder);
     fs::rename(folder / "out/history.csv", folder / "elsewhere");
@@ -356,7 +353,7 @@ normal = [0, 1]
     CHECK_FALSE(checkpoint.state.empty());
   }
 
-  TEST_CASE("options beside --resume must say what the folder says") {
+  TEST_CASE("options beside --resume must equal those of the folder") {
     const TemporaryFolder folder;
     const Arguments all =
         long_run + Arguments{"--save-particles", "--fields", "pressure", "--spacing", "0.0021"};
@@ -382,16 +379,16 @@ normal = [0, 1]
     check_same_run(folder / "straight", folder / "out");
   }
 
-  TEST_CASE("the first checkpoint is made when the first interval is over, not before and not later") {
+  TEST_CASE("the first checkpoint is written at the end of the first interval") {
     const TemporaryFolder folder;
-    std::vector<std::size_t> sizes;  // of the state in the checkpoint, at the start and the quarters
+    std::vector<std::size_t> sizes;  // at the start and at each quarter
     Watch watch([&] {
       if (fs::exists(folder / "out/checkpoint.bin"))
         sizes.push_back(read_checkpoint(folder / "out/checkpoint.bin").state.size());
     });
     std::ostream err(&watch);
     std::ostringstream out;
-    // just before the half of the run of 0.002 s: the quarter comes before it, the half after it
+    // the interval ends before half of the run
     Arguments arguments =
         tiny_run(folder, "out", {"--no-render", "--checkpoint-every", "0.00098", "--set", "cfl=0.02"});
     std::erase(arguments, "--quiet");

@@ -21,7 +21,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A simulation without particles: only time passes.
+/// Only time advances.
 struct StandingSimulation : Simulation {
   void advance(double t, double) override {
     state.time = t;
@@ -38,14 +38,14 @@ struct StandingSimulation : Simulation {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("output times hold both ends and survive rounding") {
+  TEST_CASE("output times include both ends and survive rounding") {
     CHECK(times_in_parts(0.75, 3) == std::vector<double>{0, 0.25, 0.5, 0.75});
-    CHECK(times_every(0.3, 0.1) == std::vector<double>{0, 0.1, 0.2, 0.3});  // but 0.3 / 0.1 < 3
+    CHECK(times_every(0.3, 0.1) == std::vector<double>{0, 0.1, 0.2, 0.3});  // although 0.3 / 0.1 < 3
     CHECK(times_every(0.35, 0.1).back() == Approx(0.3));
     CHECK(times_every(1, 2) == std::vector<double>{0});
   }
 
-  TEST_CASE("an agenda ticks off every time once") {
+  TEST_CASE("an agenda returns every time once") {
     Agenda agenda({0, 1, 2, 5});
     CHECK(agenda.reached(0).size() == 1);
     CHECK(agenda.next() == 1);
@@ -55,14 +55,14 @@ TEST_SUITE("unit") {
     CHECK(agenda.next() == std::numeric_limits<double>::infinity());
   }
 
-  TEST_CASE("the pace settles where a slice takes a fifth of a second") {
+  TEST_CASE("the pace settles at slices of a fifth of a second") {
     Pace pace(100);
     constexpr double seconds_per_time = 3;
     for (int k = 0; k < 40; ++k) pace.took(pace.slice(), pace.slice() * seconds_per_time);
     CHECK(pace.slice() * seconds_per_time == Approx(0.2));
   }
 
-  TEST_CASE("the range of a sequence skips what is no number and is symmetric for signed fields") {
+  TEST_CASE("the range of a sequence skips NaN and is symmetric for signed fields") {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
     SequenceBounds bounds;
@@ -76,7 +76,7 @@ TEST_SUITE("unit") {
     CHECK(SequenceBounds().range({}).low < SequenceBounds().range({}).high);
   }
 
-  TEST_CASE("the range of a sequence does not count round-off among the values that it may clip") {
+  TEST_CASE("the range of a sequence ignores round-off among the values that it may clip") {
     SequenceBounds bounds;
     bounds.add_values(std::vector<double>(2000, 1e-8));
     bounds.add_values(std::vector<double>{1, 4, 10});
@@ -84,7 +84,7 @@ TEST_SUITE("unit") {
     CHECK(bounds.range({}, 0.01) == render::Range{1e-8, 10});
   }
 
-  TEST_CASE("the view of a sequence holds every particle") {
+  TEST_CASE("the view of a sequence contains every particle") {
     SequenceBounds bounds;
     bounds.add_positions(std::vector<double>{0, 0, 1, 2}, 2, 0.2);
     bounds.add_positions(std::vector<double>{-1, 0, 1, 1}, 2, 0.2);
@@ -94,14 +94,14 @@ TEST_SUITE("unit") {
     CHECK(view.y_min < -0.1);
     CHECK(view.y_max > 2.2);
     CHECK(view.y_max < 2.5);
-    // 5 % of the longer side, here the height of 2.2 with the particles' radii, on all sides
+    // 5 % of the longer side, 2.2 with the radii
     CHECK(view.x_min == Approx(-1.1 - 0.11));
     CHECK(view.x_max == Approx(1.1 + 0.11));
     CHECK(view.y_min == Approx(-0.1 - 0.11));
     CHECK(view.y_max == Approx(2.1 + 0.11));
   }
 
-  TEST_CASE("columns line up by what a terminal shows") {
+  TEST_CASE("columns are aligned by displayed width, and numbers are formatted for readers") {
     CHECK(in_columns({{"σ", "a"}, {"long", "b"}}, 0) == "σ     a\nlong  b\n");
     CHECK(clock_time(7.4) == "0:07");
     CHECK(clock_time(3723) == "1:02:03");
@@ -109,7 +109,7 @@ TEST_SUITE("unit") {
     CHECK(exact(0.1) == "0.1");
   }
 
-  TEST_CASE("a step has one row in the history, however often it is looked at") {
+  TEST_CASE("a step has one row in the history, however often it is added") {
     const TemporaryFolder folder;
     StandingSimulation simulation;
     {
@@ -122,7 +122,7 @@ TEST_SUITE("unit") {
     CHECK(lines_of(folder / "history.csv").size() == 3);
   }
 
-  TEST_CASE("each sum stands in the column of its name") {
+  TEST_CASE("each sum is in the column of its name") {
     Balance sums;
     sums.kinetic = 1, sums.strain = 2, sums.linear_momentum = {3, 4, 5}, sums.angular_momentum = {6, 7, 8};
     sums.work = 9, sums.damped = 10;
@@ -155,7 +155,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("the speed of a run is that of solving alone") {
+  TEST_CASE("the speed of a run counts only the time of the solver") {
     RunRecord record;
     record.particles = 300, record.steps = 20;
     record.seconds = {.setup = 7, .solve = 4, .render = 11, .write = 13};
@@ -165,7 +165,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(record.particle_steps_per_second());
   }
 
-  TEST_CASE("of a run.json nothing is taken but what a run writes") {
+  TEST_CASE("a run.json that is not of a run is not read") {
     const TemporaryFolder folder;
     const auto read = [&](const std::string& text) {
       write_atomically(folder / "run.json", text);
@@ -190,13 +190,13 @@ TEST_SUITE("unit") {
     CHECK(read(R"({"taut": "0.1.0", "verdict": "diverged"})")->verdict == Verdict::diverged);
   }
 
-  TEST_CASE("a file is written whole or not at all") {
+  TEST_CASE("a file is written completely or not at all") {
     const TemporaryFolder folder;
     write_atomically(folder / "a.txt", "old");
     write_atomically(folder / "a.txt", "new");
     CHECK(text_of(folder / "a.txt") == "new");
     CHECK_FALSE(fs::exists(folder / "a.txt.tmp"));
-    fs::create_directories(folder / "b/full");  // a folder cannot be replaced by a file
+    fs::create_directories(folder / "b/full");
     CHECK_THROWS_AS(write_atomically(folder / "b", "text"), OutputError);
     CHECK_FALSE(fs::exists(folder / "b.tmp"));
     AppendFile full("/dev/full");

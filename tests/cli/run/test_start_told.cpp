@@ -14,7 +14,7 @@ using namespace taut::cli;
 using namespace taut::test;
 
 TEST_SUITE("cli") {
-  TEST_CASE("two bodies that start less than a spacing apart under sph are told of") {
+  TEST_CASE("two bodies that start less than a spacing apart under sph give a warning") {
     const TemporaryFolder folder;
     const auto told = [&](const std::string& above, const std::string& low) {
       std::ofstream file(folder / "scene.toml");
@@ -41,7 +41,9 @@ TEST_SUITE("cli") {
     CHECK_FALSE(is_told("method = \"oenog\"\n", "1.05"));
   }
 
-  TEST_CASE("a run warns about a body that starts above its sound speed, relative to what it can meet") {
+  TEST_CASE(
+      "a run warns about a body that starts above its sound speed relative to bodies and walls that it can "
+      "meet") {
     const TemporaryFolder folder;
     const auto warns = [&](const std::string& modulus, const std::string& more) {
       std::ofstream(folder / "scene.toml")
@@ -57,12 +59,12 @@ TEST_SUITE("cli") {
       return outcome.err.find("body 'a' starts at ") != std::string::npos;
     };
     const std::string wall = "[[wall]]\nname = \"w\"\nat = [9, 0]\nnormal = [-1, 0]\n";
-    CHECK(warns("10", wall));  // MPa are meant: c0 is 0.13 m/s
+    CHECK(warns("10", wall));  // Pa for MPa: c0 is 0.13 m/s
     CHECK_FALSE(warns("1e7", wall));
-    CHECK_FALSE(warns("10", ""));  // a single free body has no speed relative to anything
+    CHECK_FALSE(warns("10", ""));  // can meet nothing
   }
 
-  TEST_CASE("a reaction by a method that keeps no momentum is told of") {
+  TEST_CASE("a reaction by a method that does not conserve momentum gives a warning") {
     const TemporaryFolder folder;
     const auto is_told = [&](const std::string& method, const std::string& probe) {
       std::ofstream(folder / "scene.toml")
@@ -70,20 +72,21 @@ TEST_SUITE("cli") {
              "youngs_modulus = 1e7\npoisson_ratio = 0.4\n[[body]]\nname = \"a\"\nmaterial = \"rubber\"\n"
              "held = \"x < 0.2\"\nshape = { type = \"rectangle\", low = [0, 0], high = [1, 0.5] }\n"
              "[[probe]]\nname = \"f\"\nbody = \"a\"\ncomponent = \"x\"\nof = \""
-          << probe << "\"\n";
+          << probe << "\"\n[[wall]]\nname = \"floor\"\nat = [0, -1]\nnormal = [0, 1]\n";
       const Outcome outcome = call({"run", folder.str("scene.toml"), "--method", method, "--no-render",
                                     "--quiet", "--out", folder.str("out")});
       CHECK(outcome.code == 0);
-      return outcome.err.find("reaction forces of " + method + " do not balance the loads") !=
+      return outcome.err.find("reaction and contact forces of " + method + " do not balance the loads") !=
              std::string::npos;
     };
     CHECK(is_told("d-ulsph-r-tic", "reaction"));
+    CHECK(is_told("d-ulsph-r-tic", "contact_force\"\nwall = \"floor"));
     CHECK_FALSE(is_told("d-ulsph-r-tic", "mean_velocity"));
     CHECK_FALSE(is_told("d-ulsph-av-as", "reaction"));
     CHECK_FALSE(is_told("oenog", "reaction"));
   }
 
-  TEST_CASE("a scene may come through a pipe, with settings that name its folder") {
+  TEST_CASE("a scene can come through a pipe, with settings that name its folder") {
     const TemporaryFolder folder;
     const std::string text = text_of(write_tiny_scene(folder));
     int ends[2];
@@ -98,7 +101,7 @@ TEST_SUITE("cli") {
     CHECK(plan.folder.path() == "out/" + std::to_string(ends[0]) + "-enog-spacing=0.004-until=0.001");
   }
 
-  TEST_CASE("the report explains a drift of the energy by the kind of energy that the method has") {
+  TEST_CASE("the report explains an energy drift by the kind of energy of the method") {
     const TemporaryFolder folder;
     const auto note_of = [&](const std::string& method) {
       const Outcome outcome = call({"run", "colliding-rings", "--method", method, "--spacing", "0.005",

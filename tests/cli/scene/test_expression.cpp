@@ -12,7 +12,6 @@ using taut::cli::Names;
 
 namespace {
 
-/// The error that the text must give.
 ExpressionError error_of(const std::string& text, const Names& names = {}) {
   try {
     taut::cli::evaluate(text, names);
@@ -30,7 +29,7 @@ bool says(const ExpressionError& error, const char* part) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("an expression of names, numbers and functions") {
+  TEST_CASE("an expression evaluates names, numbers and functions") {
     CHECK(taut::cli::evaluate("2*a + b", {{"a", 3}, {"b", 0.5}}) == 6.5);
     CHECK(taut::cli::evaluate("-2^2", {}) == -4);
     CHECK(taut::cli::evaluate("1.5e-3", {}) == 1.5e-3);
@@ -39,7 +38,7 @@ TEST_SUITE("unit") {
     CHECK(taut::cli::evaluate(" 1\n + 2 ", {}) == 3);
   }
 
-  TEST_CASE("comparisons give 1 or 0 and ? : chooses") {
+  TEST_CASE("comparisons give 1 or 0, and ? : selects") {
     CHECK(taut::cli::evaluate("a < 0", {{"a", -1}}) == 1);
     CHECK(taut::cli::evaluate("a >= 0", {{"a", -1}}) == 0);
     CHECK(taut::cli::evaluate("a == 2 && a <= 2 || 0", {{"a", 2}}) == 1);
@@ -48,7 +47,7 @@ TEST_SUITE("unit") {
     CHECK(taut::cli::evaluate("a >= 0 ? 10*a : 7", {{"a", -2}}) == 7);
   }
 
-  TEST_CASE("a function of the position") {
+  TEST_CASE("an expression compiles to a function of the position") {
     const auto f = taut::cli::compile("x < 0 ? 0 : a*x + 10*y + 100*z", {{"a", 2}});
     CHECK(f({1, 2, 3}) == 322);
     CHECK(f({-1, 2, 3}) == 0);
@@ -57,26 +56,26 @@ TEST_SUITE("unit") {
     CHECK(f({1, 0, 0}) == 2);
   }
 
-  TEST_CASE("an expression of the place and the time") {
+  TEST_CASE("an expression compiles to a function of position and time") {
     const taut::Solution f = taut::cli::compile_in_time("a*x + y - z*t", {{"a", 2}});
     CHECK(f({1, 2, 3}, 10) == -26);
     CHECK(f({1, 2, 3}, 0) == 4);
     CHECK_THROWS_AS(taut::cli::compile("t", {}), ExpressionError);
   }
 
-  TEST_CASE("the names in an expression") {
+  TEST_CASE("names_in returns the names of an expression, without functions and constants") {
     CHECK(taut::cli::names_in("2*a + sin(b1)*1e5 + pi") == std::set<std::string>{"a", "b1"});
     CHECK(taut::cli::names_in("a + (").empty());
   }
 
-  TEST_CASE("values that are not finite are left to the caller") {
+  TEST_CASE("values that are not finite are returned to the caller") {
     CHECK(std::isinf(taut::cli::evaluate("1/0", {})));
     CHECK(std::isnan(taut::cli::evaluate("sqrt(-1)", {})));
   }
 }
 
 TEST_SUITE("cli") {
-  TEST_CASE("an unknown name: where, what is near, what is known") {
+  TEST_CASE("an unknown name is an error with its place, the nearest name and all names") {
     const ExpressionError error = error_of("2*vo", {{"v0", 1}, {"length", 2}});
     CHECK(error.offset == 2);
     CHECK(says(error, "unknown name 'vo' in '2*vo' (did you mean 'v0'?)"));
@@ -86,7 +85,7 @@ TEST_SUITE("cli") {
     CHECK(says(error_of("_pi"), "did you mean 'pi'"));
   }
 
-  TEST_CASE("what is no expression") {
+  TEST_CASE("a text that is not an expression is an error with the reason") {
     CHECK(says(error_of("(1 + 2"), "is not an expression"));
     CHECK(says(error_of("1 2"), "is not an expression"));
     CHECK(error_of("1 2").offset == 2);
@@ -97,7 +96,7 @@ TEST_SUITE("cli") {
     CHECK_THROWS_AS(taut::cli::compile("x = 2", {}), ExpressionError);
   }
 
-  TEST_CASE("copies of a function may be called by two threads at once") {
+  TEST_CASE("two threads can call copies of a function at once") {
     const auto function = taut::cli::compile("2*x + y*z", {});
     const auto in_time = taut::cli::compile_in_time("x - t", {});
     std::atomic<int> ready = 0;
@@ -118,7 +117,7 @@ TEST_SUITE("cli") {
     CHECK(other == 0);
   }
 
-  TEST_CASE("names and texts beyond the bounds of muParser are errors like others") {
+  TEST_CASE("names and texts beyond the limits of muParser are errors") {
     const std::string longest(100, 'v'), longer(101, 'v');
     CHECK(taut::cli::evaluate(longest, {{longest, 3}}) == 3);
     CHECK(says(error_of("1", {{longer, 3}}), "a name has at most 100 letters"));
@@ -128,7 +127,7 @@ TEST_SUITE("cli") {
     CHECK(says(error_of(std::string(20001, '1')), "has 20001 letters; at most 20000 are allowed"));
   }
 
-  TEST_CASE("a message shows what is long or unprintable shortly and in one line") {
+  TEST_CASE("a message shortens long text and escapes unprintable text to one line") {
     const std::string deep = std::string(2000, '(') + "1";
     CHECK(says(error_of(deep), "((…"));
     CHECK(std::string(error_of(deep).what()).size() < 600);

@@ -40,7 +40,7 @@ std::size_t particles(const Scene& scene) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("a small scene: values and defaults") {
+  TEST_CASE("a small scene has its values and the defaults") {
     const SceneFile file = read_text(small_scene);
     CHECK(file.scene.name == "scene");
     CHECK(file.scene.title == "Small");
@@ -65,12 +65,12 @@ TEST_SUITE("unit") {
     CHECK(file.drawing.frames == 60);
   }
 
-  TEST_CASE("a small scene: bodies know the names of their material") {
+  TEST_CASE("expressions of a body can use the names of its material") {
     const Scene scene = read_text(small_scene).scene;
     REQUIRE(scene.bodies.size() == 2);
     const double c0 = std::sqrt(1e7 / (3 * (1 - 2 * 0.4)) / 1200);
     CHECK(scene.bodies[0].velocity[0]({2, 0, 0}) == Approx(0.06 * c0 * 2).epsilon(1e-14));
-    CHECK_FALSE(scene.bodies[0].velocity[1]);  // 0 costs nothing
+    CHECK_FALSE(scene.bodies[0].velocity[1]);
     CHECK_FALSE(scene.bodies[0].held);
     const auto& ring = *scene.bodies[1].shapes[0].as<Ring>();
     CHECK(ring.inner == 1);
@@ -87,7 +87,7 @@ TEST_SUITE("unit") {
     CHECK(value("\"v0*0 + y + dp + pi\"") == Approx(2 + 0.1 + 3.14159265358979).epsilon(1e-14));
   }
 
-  TEST_CASE("parameters are expressions of the ones before and keep the order of the file") {
+  TEST_CASE("parameters can use earlier parameters and keep the order of the file") {
     const SceneFile file =
         read_text(replaced(small_scene, "[material",
                            "width = { value = \"2*v0\" }\nheight = { value = \"width + dp\" }\n[material") +
@@ -101,15 +101,14 @@ TEST_SUITE("unit") {
     CHECK(file.drawing.look.view->y_max == file.parameters[2].value);
   }
 
-  TEST_CASE("the spacing is fitted to the first body, and dp is the fitted one") {
-    const std::string text =
-        replaced(small_scene, "spacing = 0.1", "spacing = \"v0*4\"");  // 0.24: 1/0.24 = 4.17
+  TEST_CASE("the spacing is rounded to divide the first body, and dp is the rounded one") {
+    const std::string text = replaced(small_scene, "spacing = 0.1", "spacing = \"v0*4\"");  // 1/0.24 = 4.17
     CHECK(read_text(text).scene.spacing == 0.25);
     const SceneFile file = read_text(replaced(text, "at = [2, 0.5]", "at = [\"2 - dp\", \"dp\"]"));
     CHECK(file.scene.probes[0].at == Point{1.75, 0.25, 0});
   }
 
-  TEST_CASE("a reference holds for its own parameters only") {
+  TEST_CASE("a reference holds only for its own parameters") {
     CHECK(read_text(small_scene).scene.references.at("neo_hookean").value.at("peak") == 3);
     CHECK(read_text(small_scene, set({{"v0", "0.07"}})).scene.references.empty());
     CHECK(read_text(small_scene, set({{"v0", "0.03*2"}, {"spacing", "0.05"}})).scene.references.size() == 1);
@@ -119,7 +118,7 @@ TEST_SUITE("unit") {
     CHECK(read_text(text, set({{"v0", "0.07000001"}})).scene.references.empty());
   }
 
-  TEST_CASE("a solution holds for any parameters, unless `when` says otherwise") {
+  TEST_CASE("a solution holds for any parameters unless `when` restricts it") {
     const std::string rmse = replaced(small_scene, "of = \"maximum\"", "of = \"rmse\"");
     const std::string text =
         replaced(rmse, "values = { peak = 3 }",
@@ -135,7 +134,7 @@ TEST_SUITE("unit") {
     const std::string when = replaced(text, "let =", "when = { v0 = 0.06 }\nlet =");
     CHECK(peak(when) == Approx(16.2).epsilon(1e-14));
     CHECK(read_text(when, set({{"v0", "0.5"}})).scene.references.empty());
-    // with a value beside it too, which is of these parameters
+    // a value holds only for the default parameters
     const std::string valued = replaced(text, "let =", "values = { peak = 3 }\nlet =");
     CHECK(read_text(valued).scene.references.at("neo_hookean").value.at("peak") == 3);
     CHECK(peak(valued) == Approx(16.2).epsilon(1e-14));
@@ -145,7 +144,6 @@ TEST_SUITE("unit") {
 
   TEST_CASE("scenes are found by name and by path") {
     const std::vector<std::string> names = scene_names();
-    // those of the gallery come last
     const auto of_gallery = [](const std::string& name) { return name.starts_with("gallery/"); };
     CHECK(std::ranges::is_partitioned(names, std::not_fn(of_gallery)));
     CHECK(std::ranges::is_sorted(names.begin(), std::ranges::find_if(names, of_gallery)));
@@ -180,7 +178,7 @@ TEST_SUITE("unit") {
     CHECK(!among(scene_names(), "mine"));
   }
 
-  TEST_CASE("an error of the engine gets the place of its key") {
+  TEST_CASE("an error of the engine gets the file position of its key") {
     const SceneFile file = read_text(small_scene);
     const SceneError spacing = locate(file, SceneError("spacing", "too many particles"));
     CHECK(spacing.file == file.path.string());
@@ -194,7 +192,7 @@ TEST_SUITE("unit") {
     CHECK(locate(file, SceneError("f", 3, 4, "spacing", "")).line == 3);
   }
 
-  TEST_CASE("colliding rings: the numbers of Zhang2024 6.3") {
+  TEST_CASE("colliding rings: the numbers equal Zhang2024 6.3") {
     const SceneFile file = shipped("colliding-rings");
     const Scene& scene = file.scene;
     CHECK(scene.name == "colliding-rings");
@@ -210,7 +208,6 @@ TEST_SUITE("unit") {
       CHECK(ring.centre == Point{b == 0 ? -0.045 : 0.045, 0, 0});
       CHECK(ring.inner == 0.03);
       CHECK(ring.outer == 0.04);
-      // 7.07106781 m/s is 0.06 c0
       CHECK(scene.bodies[b].velocity[0]({}) == Approx(b == 0 ? 7.07106781 : -7.07106781).epsilon(1e-8));
       CHECK(scene.bodies[b].mirror[0] == (b == 1));
     }
@@ -224,7 +221,7 @@ TEST_SUITE("unit") {
     CHECK(particles(scene) == 4398);
   }
 
-  TEST_CASE("oscillating plate: the numbers of Zhang2024 6.1") {
+  TEST_CASE("oscillating plate: the numbers equal Zhang2024 6.1") {
     const SceneFile file = shipped("oscillating-plate");
     const Scene& scene = file.scene;
     CHECK(scene.spacing == 0.002);
@@ -237,7 +234,7 @@ TEST_SUITE("unit") {
     CHECK(scene.bodies[0].held({-1e-9, 0, 0}) != 0);
     CHECK(scene.bodies[0].held({0, 0, 0}) == 0);
     CHECK(particles(scene) == 1612);
-    // Eq. 28–29: the tip starts with vf c0, the clamp rests; Eq. 29 at the middle, worked out apart
+    // Eq. 28–29: tip at vf c0, clamp at rest, middle computed separately
     const auto& velocity = scene.bodies[0].velocity[1];
     const double c0 = scene.materials[0].sound_speed();
     CHECK(velocity({0.2, 0, 0}) == Approx(0.05 * c0).epsilon(1e-14));
@@ -246,7 +243,7 @@ TEST_SUITE("unit") {
     CHECK(velocity({-0.01, 0, 0}) == 0);
   }
 
-  TEST_CASE("oscillating plate: references by initial speed") {
+  TEST_CASE("oscillating plate: references depend on the initial speed") {
     const auto period = [](const std::string& vf, const std::string& law) {
       return shipped("oscillating-plate", set({{"vf", vf}})).scene.references.at(law).value.at("period");
     };
@@ -267,7 +264,7 @@ TEST_SUITE("unit") {
     CHECK(scene.references.at("neo_hookean").table.at("tip_rmse").value.at(0)[1] == 0.002771050745);
   }
 
-  TEST_CASE("ball and plate: the numbers of Zhang2024 6.5") {
+  TEST_CASE("ball and plate: the numbers equal Zhang2024 6.5") {
     const Scene scene = shipped("ball-plate").scene;
     CHECK(scene.spacing == 0.0025);
     CHECK(scene.until == 0.04);
@@ -287,7 +284,7 @@ TEST_SUITE("unit") {
     CHECK(particles(scene) == 2928);
   }
 
-  TEST_CASE("rotating plate: the numbers of Khayyer2024 4.2") {
+  TEST_CASE("rotating plate: the numbers equal Khayyer2024 4.2") {
     const Scene scene = shipped("rotating-plate").scene;
     CHECK(scene.spacing == 0.04);
     CHECK(scene.until == 0.2);
@@ -334,7 +331,7 @@ TEST_SUITE("unit") {
         CHECK(std::abs(exact({L, 0, 0}, t) - u) < 1e-4 * std::abs(U) * L / (4 * c));
       }
     }
-    // of K and G, with 1/2 of the trace: M = 4KG/(K + G)
+    // from K and G, with 1/2 of the trace: M = 4KG/(K + G)
     const Scene scene = shipped("elastic-cable").scene;
     const double K = scene.materials.at(0).bulk_modulus(), G = scene.materials[0].shear_modulus();
     const double c = std::sqrt(4 * K * G / (K + G) / 8000);
@@ -346,11 +343,11 @@ TEST_SUITE("unit") {
     CHECK(particles(scene) == 401 * 8);
   }
 
-  TEST_CASE("heterogeneous cable: the analytic stress is that of a bar of many small masses") {
+  TEST_CASE("heterogeneous cable: the analytic stress equals that of a bar of many small masses") {
     const Scene scene = shipped("heterogeneous-cable").scene;
     for (const char* law : {"neo_hookean", "2d_deviator"}) {
       const Solution& exact = scene.references.at(law).solution.at("stress_rmse").at(0);
-      // springs and masses, n to a metre; M of each metal from its K and G
+      // n masses and springs per metre; M of each metal from its K and G
       const int n = 1000;
       const double dx = 1.0 / n, dt = 0.5 * dx / 6000, pi = std::numbers::pi;
       const auto modulus = [&](int material) {
@@ -358,7 +355,7 @@ TEST_SUITE("unit") {
                      G = scene.materials[material].shear_modulus();
         const double lateral = law[0] == 'n' ? K - 2 * G / 3 : K - G,
                      own = law[0] == 'n' ? K + 4 * G / 3 : K + G;
-        return own - lateral * lateral / own;  // free to change its thickness
+        return own - lateral * lateral / own;
       };
       const double M[] = {modulus(0), modulus(1)}, rho[] = {2785, 8930};
       std::vector<double> u(2 * n + 1), v(2 * n + 1), stress(2 * n);
@@ -388,7 +385,7 @@ TEST_SUITE("unit") {
     CHECK(scene.lines.at(0).times == std::vector<double>{1.0e-4, 1.5e-4, 2.0e-4, 2.5e-4, 3.0e-4, 3.5e-4});
   }
 
-  TEST_CASE("rings: the numbers of Khayyer2024 4.4 and 4.6") {
+  TEST_CASE("rings: the numbers equal Khayyer2024 4.4 and 4.6") {
     const Scene rings = shipped("elastic-rings").scene;
     CHECK(rings.materials.at(0).youngs_modulus == 2e6);
     CHECK(rings.materials[0].poisson_ratio == 0.495);
@@ -410,12 +407,12 @@ TEST_SUITE("unit") {
         CHECK((layout.material[i] == 1) == (from_centre < 0.035));
         inner += layout.material[i];
       }
-      // by area: (35² − 30²)/(40² − 30²)
+      // ratio of areas: (35² − 30²)/(40² − 30²)
       CHECK(inner == Approx(layout.size() * 325.0 / 700).epsilon(0.01));
     }
   }
 
-  TEST_CASE("large rings: diameter, wall and speed of TranDuc2023 3.3") {
+  TEST_CASE("large rings: diameter, wall and speed equal TranDuc2023 3.3") {
     const SceneFile file = shipped("tran-duc-rings", set({{"speed", "8"}}));
     const auto& ring = *file.scene.bodies.at(0).shapes.at(0).as<Ring>();
     CHECK(ring.outer == 0.1);

@@ -18,7 +18,6 @@ using namespace taut::test;
 
 namespace {
 
-/// A solid scene with `shape` and the `keys` of its body.
 std::string solid_scene(const std::string& shape, const std::string& keys = "") {
   return "title = \"Solid\"\ndim = 3\nspacing = 0.1\nuntil = 2\n"
          "[material.rubber]\ndensity = 1200\nyoungs_modulus = 1e7\npoisson_ratio = 0.4\n"
@@ -28,7 +27,7 @@ std::string solid_scene(const std::string& shape, const std::string& keys = "") 
 
 const std::string brick = "{ type = \"box\", low = [0, 0, 0], high = [2, 1, 0.5] }";
 
-/// Reading `text`, in which '@' marks the place, must throw there with a message that holds each of `parts`.
+/// Checks that reading `text` throws at '@' with all `parts` in the message.
 void check_solid_error(std::string text, std::initializer_list<const char*> parts) {
   const std::size_t mark = text.find('@');
   REQUIRE(mark != std::string::npos);
@@ -54,7 +53,7 @@ double volume(const InitialParticles& layout) {
   return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
 }
 
-/// The scene as a run writes it gives the same scene again, and the same text.
+/// Checks that the resolved text gives the same scene and text.
 void check_resolved(const SceneFile& file) {
   const std::string text = resolved_text(file, scratch_folder());
   const SceneFile again = read_text(text);
@@ -69,7 +68,7 @@ void check_resolved(const SceneFile& file) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("scene in 3D: vectors have three components and expressions know x, y and z") {
+  TEST_CASE("scene in 3D: vectors have three components and expressions can use x, y and z") {
     const SceneFile file = read_text(
         "gravity = [0, 0, \"-9.8*t\"]\n" +
         solid_scene(brick,
@@ -95,7 +94,7 @@ TEST_SUITE("cli") {
                       {"low must be an array of 3 numbers", "not an array of 2"});
   }
 
-  TEST_CASE("scene in 3D: boxes, balls and shells") {
+  TEST_CASE("scene in 3D: boxes, balls and shells have their volumes") {
     const auto layout = [](const std::string& shape) {
       const SceneFile file = read_text(solid_scene(shape));
       check_resolved(file);
@@ -123,7 +122,7 @@ TEST_SUITE("cli") {
                       {"low.z = 1 must be less than high.z = 0"});
   }
 
-  TEST_CASE("scene in 3D: hollow round bodies are laid in layers for methods that keep their neighbours") {
+  TEST_CASE("scene in 3D: hollow round bodies are laid out in layers for methods with fixed neighbours") {
     const auto volume_of = [](const std::string& shape, const std::string& method) {
       const SceneFile file = read_text("method = \"" + method + "\"\n" + solid_scene(shape));
       check_resolved(file);
@@ -154,7 +153,7 @@ TEST_SUITE("cli") {
         {"layout", "inner"});
   }
 
-  TEST_CASE("scene: a shape of the other dimension is refused with the one that comes nearest") {
+  TEST_CASE("scene: a shape of the other dimension is refused with the nearest one") {
     const auto solid = [](const char* type, const char* instead) {
       check_solid_error(solid_scene(std::string("{ type = @\"") + type + "\" }"),
                         {type, "is a shape with dim = 2, but the scene has dim = 3; use ", instead});
@@ -173,7 +172,7 @@ TEST_SUITE("cli") {
     check_solid_error(solid_scene("{ type = @\"bal\" }"), {"unknown type 'bal'", "did you mean 'ball'"});
   }
 
-  TEST_CASE("scene: held is one expression for all components, or one for each") {
+  TEST_CASE("scene: held is one expression for all components, or one per component") {
     const SceneFile file = read_text(solid_scene(
         brick, "velocity = [1, 2, 3]\nheld = [\"x < 0.1 || y < 0.1\", \"\", \"x < 0.1 && z < 0.1\"]"));
     check_resolved(file);
@@ -200,7 +199,7 @@ TEST_SUITE("cli") {
                 {"held must be an array of 2"});
   }
 
-  TEST_CASE("scene: what is cut out, rotated, laid on the faces and displaced") {
+  TEST_CASE("scene: a body can be cut out, rotated, laid on its boundary and displaced") {
     const SceneFile file = read_text(solid_scene(
         brick,
         "without = [{ type = \"ball\", centre = [2, 1, 0.5], radius = 0.4 }, { type = \"box\", low = [0, 0, "
@@ -236,7 +235,7 @@ TEST_SUITE("cli") {
                 {"'axis' has no effect"});
   }
 
-  TEST_CASE("scene: in 3D the constants of a method are the defaults of 3D") {
+  TEST_CASE("scene: in 3D the constants of a method have their 3D defaults") {
     const auto constant = [](const std::string& text, const char* method, const char* name) {
       return read_text(text, {{.name = "method", .value = method}}).settings.constants.at(name);
     };
@@ -254,8 +253,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "scene: the plate in 3D has the references of its modes, and on the published ring those of the "
-      "paper") {
+      "scene: the plate in 3D has a reference per mode, and the paper's references on the published ring") {
     const auto period = [](const char* method, const char* m, const char* n, const char* ring) {
       const SceneFile file =
           read_scene(find_scene("oscillating-plate-3d"), {{.name = "method", .value = method},
@@ -271,7 +269,7 @@ TEST_SUITE("cli") {
     CHECK(period("oenog", "1", "1", "1") == 0.0524);
   }
 
-  TEST_CASE("scene: a layout that the engine refuses is refused at its key") {
+  TEST_CASE("scene: an error of the layout is reported at its key") {
     const auto refused = [](const std::string& keys, const char* part) {
       const SceneFile file = read_text(solid_scene(brick, keys));
       try {

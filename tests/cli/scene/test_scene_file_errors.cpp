@@ -12,7 +12,6 @@ using namespace taut::test;
 
 namespace {
 
-/// The message of the UsageError that these settings must give.
 std::string usage_error(const std::vector<Setting>& settings) {
   try {
     read_text(small_scene, settings);
@@ -48,14 +47,14 @@ std::string file_error(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("the small scene itself is right") { CHECK_NOTHROW(read_text(small_scene)); }
+  TEST_CASE("the small scene is valid") { CHECK_NOTHROW(read_text(small_scene)); }
 
-  TEST_CASE("scene: syntax") {
+  TEST_CASE("scene: invalid TOML is refused") {
     check_error("until = 2", "until = @= 2", {"not valid TOML"});
     check_error("until = 2", "until = 2\nuntil = @3", {"not valid TOML", "until"});
   }
 
-  TEST_CASE("scene: unknown, misspelt and missing keys") {
+  TEST_CASE("scene: unknown, misspelt and missing keys are refused") {
     check_error("spacing = 0.1", "spacing = @3", {"spacing = 3 m is more than twice the thickness", "1 m"});
     check_error("velocity = [\"v0*c0*x\", 0]", "velocity = [@\"v0*z\", 0]",
                 {"uses z, but the scene has dim = 2"});
@@ -85,14 +84,14 @@ TEST_SUITE("cli") {
                 {"'outer' is missing in the shape of body 'ring'", "'diameter' may be meant"});
   }
 
-  TEST_CASE("scene: a key that is known and has no effect here") {
+  TEST_CASE("scene: a known key without effect is refused") {
     check_error("material = \"rubber\"\nvelocity",
                 "material = \"rubber\"\nwithout = { type = \"disc\", centre = [0, 0], radius = 0.1, "
                 "@layout = \"lattice\" }\nvelocity",
                 {"'layout' has no effect in the without of body"});
   }
 
-  TEST_CASE("a reader that asks for a key which the table of its section lacks is wrong itself") {
+  TEST_CASE("a reader that reads a key outside the table of its section throws a logic error") {
     constexpr KeyInfo keys[] = {{"low", types::number(), "", ""}};
     TomlSource source;
     TomlValue table = parse_toml("low = 1", "a file");
@@ -102,7 +101,7 @@ TEST_SUITE("cli") {
     CHECK_THROWS_AS(keys_of("no such section"), std::logic_error);
   }
 
-  TEST_CASE("scene: wrong types") {
+  TEST_CASE("scene: values of a wrong type are refused") {
     check_error("title = \"Small\"", "title = @3", {"title must be a text", "a number"});
     check_error("until = 2", "until = @[2]", {"until must be a number or an expression", "an array"});
     check_error("until = 2", "until = @2020-01-01", {"until", "a date"});
@@ -118,7 +117,8 @@ TEST_SUITE("cli") {
                 {"is empty; it must have at least one rectangle, disc, ring, "});
   }
 
-  TEST_CASE("scene: names, titles and keys of any length") {
+  TEST_CASE(
+      "scene: names, titles and texts above their length limits, or with forbidden characters, are refused") {
     const std::string name(101, 'v'), title(201, 'a');
     check_error("[parameters]", "[parameters]\n@" + name + " = { value = 1 }", {"at most 100 letters"});
     check_error("name = \"tip\"", "name = @\"" + name + "\"", {"at most 100 letters"});
@@ -135,13 +135,13 @@ TEST_SUITE("cli") {
     CHECK_NOTHROW(read_text(replaced(small_scene, "\"Small\"", "'" + std::string(100, '.') + "'")));
   }
 
-  TEST_CASE("scene: as many parameters as a scene has, and no more") {
+  TEST_CASE("scene: more than 500 parameters are refused") {
     std::string more;
     for (int k = 0; k < 501; ++k) more += "p" + std::to_string(k) + " = { value = 1, default = 1 }\n";
     check_error("v0 = { value", more + "@v0 = { value", {"has 502 parameters; at most 500 are allowed"});
   }
 
-  TEST_CASE("scene: expressions") {
+  TEST_CASE("scene: invalid expressions are refused") {
     check_error("\"v0*c0*x\"", "\"v0 + 2*@vo\"", {"unknown name 'vo'", "did you mean 'v0'", "c0"});
     check_error("until = 2", "until = \"2*@x\"", {"unknown name 'x'", "known names", "v0"});
     check_error("until = 2", "until = \"2*(v0@\"", {"not an expression"});
@@ -151,7 +151,7 @@ TEST_SUITE("cli") {
     check_error("spacing = 0.1", "spacing = @\"dp/2\"", {"depends on dp"});
   }
 
-  TEST_CASE("scene: a velocity that is not finite is found when it is evaluated") {
+  TEST_CASE("scene: a velocity that is not finite throws when it is evaluated") {
     const MarkedScene marked("\"v0*c0*x\"", "@\"v0/x\"");
     const SceneFile file = read_text(marked.text);
     CHECK(file.scene.bodies[0].velocity[0]({0.5, 0, 0}) == 0.12);
@@ -166,7 +166,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("scene: parameters") {
+  TEST_CASE("scene: invalid parameters are refused") {
     check_error("min = 0, max = 0.5", "min = @1, max = 0.5",
                 {"min = 1 is above max = 0.5", "no value is allowed"});
     check_error("value = 0.06", "value = @0.6", {"v0 = 0.6 is out of bounds", "0 to 0.5 c0"});
@@ -177,7 +177,7 @@ TEST_SUITE("cli") {
     check_error("[material", "a = { value = \"2*@b\" }\nb = { value = 3 }\n[material", {"unknown name 'b'"});
   }
 
-  TEST_CASE("scene: values out of bounds") {
+  TEST_CASE("scene: values out of bounds are refused") {
     check_error("poisson_ratio = 0.4", "poisson_ratio = @0.5",
                 {"greater than -1 and less than 0.5", "bulk modulus would be infinite"});
     check_error("poisson_ratio = 0.4", "poisson_ratio = @-1", {"greater than -1 and less than 0.5"});
@@ -198,7 +198,7 @@ TEST_SUITE("cli") {
     check_error("color = \"von_mises\"", "frames = @1.5", {"frames = 1.5 must be a whole number from 1"});
   }
 
-  TEST_CASE("scene: names that do not exist") {
+  TEST_CASE("scene: unknown names are refused with the nearest one") {
     check_error("until = 2", "until = 2\nmethod = @\"enogg\"", {"unknown method 'enogg'", "'enog'"});
     check_error("until = 2", "until = 2\nstepping = @\"duel\"", {"unknown stepping 'duel'", "dual, single"});
     check_error("until = 2", "until = 2\nmethod = \"enog\"\nmethod_constants = { @zta = 4 }",
@@ -223,7 +223,7 @@ TEST_SUITE("cli") {
     check_error("color = \"von_mises\"", "colormap = @\"virdis\"", {"unknown colour map", "'viridis'"});
   }
 
-  TEST_CASE("scene: names twice, nothing, and things that nobody uses") {
+  TEST_CASE("scene: duplicate names, empty names and unused sections are refused") {
     check_error("name = \"ring\"", "name = @\"block\"", {"'block' is already in use"});
     check_error("name = \"ring\"", "name = @\"\"", {"'' is not a valid name"});
     check_error("[[body]]", "[material.@steel]\ndensity = 1\nyoungs_modulus = 1\npoisson_ratio = 0\n[[body]]",
@@ -240,7 +240,7 @@ TEST_SUITE("cli") {
     CHECK_THROWS_WITH_AS(read_text(no_bodies), doctest::Contains("no bodies"), SceneError);
   }
 
-  TEST_CASE("scene: measures and tables") {
+  TEST_CASE("scene: invalid measures and tables are refused") {
     check_error("of = \"maximum\"", "of = \"final_ratio\"\nscale = @0", {"scale is 0"});
     check_error("values = { peak = 3 }", "tables = { @peak = { file = \"no.csv\", column = \"a\" } }",
                 {"cannot have a table; only rmse, path_error, turn, line_rmse or "});
@@ -303,7 +303,7 @@ TEST_SUITE("cli") {
     CHECK(says(table_error(""), "the table is empty"));
   }
 
-  TEST_CASE("scene: lines") {
+  TEST_CASE("scene: invalid lines are refused") {
     const auto with = [](const std::string& line) {
       return "[[line]]\nname = \"cut\"\nbody = \"block\"\nfield = \"pressure\"\nfrom = [0, 0.5]\nto = [2, "
              "0.5]\n" +
@@ -337,7 +337,7 @@ TEST_SUITE("cli") {
                 {"unknown line 'cut'", "there is none"});
   }
 
-  TEST_CASE("scene: measures of fields") {
+  TEST_CASE("scene: invalid measures of fields are refused") {
     const auto bad = [](const std::string& keys, std::initializer_list<const char*> parts) {
       check_error(
           "unit = \"m\"\n[[reference]]",
@@ -357,7 +357,7 @@ TEST_SUITE("cli") {
                 {"methods must be an array"});
   }
 
-  TEST_CASE("scene: slips that people make are named") {
+  TEST_CASE("scene: messages explain common mistakes") {
     check_error("youngs_modulus = 1e7", "youngs_modulus = \"10 @MPa\"",
                 {"has a unit", "SI units, without a unit: 1e+07"});
     check_error("low = [0, 0]", "low = [\"5 @mm\", 0]", {"has a unit", "0.005"});
@@ -387,7 +387,7 @@ TEST_SUITE("cli") {
     CHECK(says(message("[[body]]\nname = \"ring\"", "[body]\nname = \"ring\""), "[[body]]"));
   }
 
-  TEST_CASE("overrides: unknown names") {
+  TEST_CASE("overrides: unknown names are refused") {
     CHECK(says(set_error("vo", "1"), "'vo' cannot be set"));
     CHECK(says(set_error("vo", "1"), "did you mean 'v0'"));
     CHECK(says(set_error("speed", "1"), "names that can be set: v0, method."));
@@ -401,7 +401,7 @@ TEST_SUITE("cli") {
     CHECK(says(set_error("contact", "impuls"), "published, sph, impulse, penalty"));
   }
 
-  TEST_CASE("overrides: values") {
+  TEST_CASE("overrides: invalid values are refused") {
     CHECK(says(set_error("v0", "0.6"), "v0 = 0.6 is out of bounds; allowed: 0 to 0.5 c0"));
     CHECK(says(set_error("v0", "fast"), "unknown name 'fast'"));
     CHECK(says(set_error("v0", "1/0"), "finite"));
@@ -420,11 +420,11 @@ TEST_SUITE("cli") {
     CHECK(says(usage_error({{"until", "0"}}), "until = 0 must be greater than 0"));
   }
 
-  TEST_CASE("files that are no scenes") {
+  TEST_CASE("files that are not scenes are refused") {
     CHECK(says(file_error(scratch_folder() / "absent.toml"), "no such file"));
     CHECK(says(file_error(scratch_folder()), "folder"));
     CHECK(says(file_error(write_scene(std::string((4 << 20) + 1, ' '))), "larger than 4 MiB"));
-    if (geteuid() != 0) {  // root reads everything
+    if (geteuid() != 0) {
       const auto path = write_scene(small_scene);
       std::filesystem::permissions(path, std::filesystem::perms::none);
       CHECK(says(file_error(path), "cannot be read"));
@@ -434,7 +434,7 @@ TEST_SUITE("cli") {
                          UsageError);
   }
 
-  TEST_CASE("what the engine finds gets its place") {
+  TEST_CASE("an error of the engine gets its place in the file") {
     const SceneFile file = read_text(replaced(small_scene, "centre = [5, 0]", "centre = [1, 0]"));
     try {
       make_initial_particles(file.scene);

@@ -13,7 +13,6 @@ using namespace taut::test;
 
 namespace {
 
-/// A solid scene with what follows its body.
 std::string judged_solid(const std::string& tables) {
   return "title = \"Solid\"\ndim = 3\nspacing = 0.1\nuntil = 2\n"
          "[material.rubber]\ndensity = 1200\nyoungs_modulus = 1e7\npoisson_ratio = 0.4\n"
@@ -52,7 +51,7 @@ const std::string of_turn = measure("most", "of = \"maximum\"\nprobe = \"turn\""
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("scene in 3D: a probe turns about z, or about any axis through the origin") {
+  TEST_CASE("scene in 3D: a probe measures rotation about z, or about any axis through the origin") {
     const SceneFile about_z = read_twice(probe("turn", "of = \"turn\"\nat = [1, 0.5, 0]") + of_turn);
     CHECK(about_z.scene.probes[0].kind == Probe::Kind::turn);
     CHECK(about_z.scene.probes[0].turns_about == Point{0, 0, 1});
@@ -68,14 +67,14 @@ TEST_SUITE("cli") {
             "unknown key 'component'");
   }
 
-  TEST_CASE("scene in 2D: a turn is about z, and has no axis") {
+  TEST_CASE("scene in 2D: a turn is about z and has no axis") {
     const std::string turn = "of = \"turn\"\nbody = \"block\"\nat = [2, 0.5]";
     const std::string old_probe = "of = \"displacement\"\nbody = \"block\"\nat = [2, 0.5]\ncomponent = \"y\"";
     CHECK(read_text(replaced(small_scene, old_probe, turn)).scene.probes[0].turns_about == Point{0, 0, 1});
     check_error(old_probe, turn + "\n@axis = [0, 0, 1]", {"'axis' has no effect"});
   }
 
-  TEST_CASE("scene in 3D: the measure turn takes three probes and an axis") {
+  TEST_CASE("scene in 3D: the measure turn has three probes and an axis") {
     std::string probes;
     for (const char* axis : {"x", "y", "z"})
       probes += probe(axis, std::string("of = \"position\"\nat = [1, 0.5, 0]\ncomponent = \"") + axis + "\"");
@@ -87,7 +86,7 @@ TEST_SUITE("cli") {
             "the x, y and z components of one point");
   }
 
-  TEST_CASE("scene: a body's own mirror image, and its mass centre") {
+  TEST_CASE("scene: probes measure a body's deviation from its own mirror image, and its centre of mass") {
     const SceneFile file = read_twice(probe("image", "of = \"mirror_asymmetry\"\ncomponent = \"x\"") +
                                       probe("centre", "of = \"mean_position\"\ncomponent = \"z\"") +
                                       measure("a", "of = \"maximum\"\nprobe = \"image\"") +
@@ -97,7 +96,7 @@ TEST_SUITE("cli") {
     CHECK(file.scene.probes[1].axis == 2);
   }
 
-  TEST_CASE("scene: fields of 3D are known there, and not in 2D") {
+  TEST_CASE("scene: fields of 3D are known in 3D and unknown in 2D") {
     const std::string line =
         "[[line]]\nname = \"across\"\nbody = \"thing\"\nfield = \"stress_xz\"\nfrom = [-0.9, 0, 0.2]\n"
         "to = [0.9, 0, 0.4]\npoints = 3\ntimes = [1]\n";

@@ -35,14 +35,14 @@ const std::map<std::string_view, std::string> values = {
     {"until", "9"},
 };
 
-/// The small scene with one more measure of a kind that says all it can say.
+/// The small scene with one more measure with every key of its kind.
 std::string scene_with(const MeasureKind& kind, const std::string& more = "") {
   std::string measure =
       "\n[[line]]\nname = \"middle\"\nbody = \"block\"\nfield = \"pressure\"\nfrom = [0, 0.5]\n"
       "to = [2, 0.5]\npoints = 3\ntimes = [1]\n[[measure]]\nname = \"m\"\nof = \"" +
       std::string(kind.name) + "\"\n";
   for (const std::string_view key : kind.keys)
-    if (key != "axis")  // of 3D
+    if (key != "axis")  // 3D only
       measure += std::string(key) + " = " + values.at(key) + "\n";
   return small_scene + measure + more;
 }
@@ -54,7 +54,7 @@ bool takes(const MeasureKind& kind, std::string_view key) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("scene: a measure of every kind takes the keys of its kind and no other") {
+  TEST_CASE("scene: a measure of every kind has the keys of its kind and no other") {
     for (const MeasureKind& kind : measure_kinds()) {
       CAPTURE(kind.name);
       const Measure m = read_text(scene_with(kind)).scene.measures.at(1);
@@ -72,7 +72,7 @@ TEST_SUITE("cli") {
       CHECK(m.about == (takes(kind, "about") ? 2 : 0));
       CHECK(m.until == (takes(kind, "until") ? std::optional(9.0) : std::nullopt));
       for (const auto& [key, value] : values) {
-        const auto& key_now = key;  // clang captures no bindings
+        const auto& key_now = key;
         CAPTURE(key_now);
         if (!takes(kind, key))
           CHECK_THROWS_WITH_AS(read_text(scene_with(kind, std::string(key) + " = " + value + "\n")),
@@ -81,7 +81,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("scene: a measure about the mean, and one whose time ends before it begins") {
+  TEST_CASE("scene: a measure can be about the mean, and must not end before it begins") {
     const std::string swing = "[[measure]]\nname = \"T\"\nof = \"period\"\nprobe = \"tip\"\n";
     CHECK(read_text(small_scene + swing + "about = \"mean\"\n").scene.measures.at(1).about_mean);
     CHECK(read_text(small_scene + swing + "about = \"2*dp\"\n").scene.measures.at(1).about == 0.2);
@@ -94,7 +94,7 @@ TEST_SUITE("cli") {
     check_error("of = \"maximum\"", "of = \"period\"\nabout = \"@maen\"", {"unknown name 'maen'"});
   }
 
-  TEST_CASE("scene: probes of stress, reaction, contact force, and of other probes") {
+  TEST_CASE("scene: probes measure stress, reactions, contact forces and expressions of other probes") {
     const std::string old_probe = "[[probe]]\nname = \"tip\"\n",
                       wall = "[[wall]]\nname = \"floor\"\nat = [0, -3]\nnormal = [0, 1]\n";
     const auto with = [&](const std::string& probe) {
@@ -131,7 +131,7 @@ TEST_SUITE("cli") {
                          doctest::Contains("von_mises"), SceneError);
   }
 
-  TEST_CASE("scene: an expression of forces alone is a mean over the step before, as they are") {
+  TEST_CASE("scene: an expression of forces alone is a mean over the previous step, like the forces") {
     const auto of_steps = [](const std::string& value) {
       const std::string
           force = "[[probe]]\nname = \"push\"\nof = \"reaction\"\nbody = \"ring\"\ncomponent = \"y\"\n",
@@ -150,7 +150,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(of_steps("v0"));
   }
 
-  TEST_CASE("scene: an expression of probes knows those before it, t and the numbers of the scene") {
+  TEST_CASE("scene: an expression of probes can use earlier probes, t and the numbers of the scene") {
     const auto with = [](const std::string& value, const std::string& name = "sum") {
       return replaced(small_scene, "[[measure]]\nname = \"peak\"\nof = \"maximum\"\nprobe = \"tip\"",
                       "[[probe]]\nname = \"" + name + "\"\nof = \"expression\"\nvalue = " + value +
@@ -161,12 +161,12 @@ TEST_SUITE("cli") {
     CHECK(sum.bodies == std::vector{0});
     CHECK(unit_of(sum, 2).empty());
     CHECK(sum.value({10, 0}, 3) == Approx(20 + 0.06 * 3 + 0.1));
-    CHECK(read_text(with("\"tip\"", "later-one")).scene.probes.size() == 2);  // no name of a variable
+    CHECK(read_text(with("\"tip\"", "later-one")).scene.probes.size() == 2);  // not a variable
     const auto refused = [&](const std::string& text, const char* message) {
       CHECK_THROWS_WITH_AS(read_text(text), doctest::Contains(message), SceneError);
     };
     refused(with("\"2*tp\""), "unknown name 'tp'");
-    // numbers of a material where there is one to ask
+    // unknown if the bodies differ in material
     CHECK(read_text(with("\"0*t + K/G\"")).scene.probes.at(1).value({0, 0}, 0) == Approx(14.0 / 3));
     const std::string soft =
         "[material.soft]\ndensity = 1000\nyoungs_modulus = 1e6\npoisson_ratio = 0.3\n[[body]]\nname = "
@@ -177,9 +177,9 @@ TEST_SUITE("cli") {
     CHECK_NOTHROW(
         read_text(replaced(replaced(with("\"tip + 0*K\""), "[[body]]\nname = \"block\"", soft),
                            "outer = 2 }\nmaterial = \"rubber\"", "outer = 2 }\nmaterial = \"soft\"")));
-    refused(with("\"2*sum\""), "unknown name 'sum'");  // of itself
+    refused(with("\"2*sum\""), "unknown name 'sum'");
     refused(with("\"2*tip +\""), "is not an expression");
-    CHECK(read_text(with("\"3*t\"")).scene.probes.size() == 2);  // though nothing follows the first
+    CHECK(read_text(with("\"3*t\"")).scene.probes.size() == 2);
     refused(replaced(with("\"tip\""), "v0 = {", "tip = { value = 1 }\nv0 = {"),
             "name of a probe and of a number");
   }

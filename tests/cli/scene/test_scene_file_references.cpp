@@ -12,7 +12,7 @@ using namespace taut::test;
 
 namespace {
 
-/// The small scene with references in the place of its own, `peak` being where the tip comes to rest.
+/// The small scene with other references; `peak` is the tip at rest.
 std::string with_references(const std::string& references) {
   const std::string old = "[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nvalues = { peak = 3 }\n";
   return replaced(replaced(small_scene, "of = \"maximum\"", "of = \"at_rest\""), old, references);
@@ -30,7 +30,7 @@ std::string chosen(const std::string& text, const std::string& method, const std
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("references: a table along a line is of its one time, and of all of it") {
+  TEST_CASE("references: a table along a line needs a line with one time, and covers the whole line") {
     const auto with = [](const std::string& times, const std::string& rows) {
       std::ofstream(scratch_folder() / "line.csv") << "s,p\n" << rows;
       const std::string line =
@@ -49,7 +49,8 @@ TEST_SUITE("cli") {
                            SceneError);
   }
 
-  TEST_CASE("references: the one made for the method, then for the parameters, counts before one for any") {
+  TEST_CASE(
+      "references: one for the method precedes one for the parameters, and both precede a general one") {
     const std::string any = reference("any", "solutions = { peak = \"v0\" }");
     const std::string these = reference("these", "values = { peak = 3 }");
     const std::string own = reference("own", "methods = [\"icb\", \"tl\"]\nsolutions = { peak = \"2*v0\" }");
@@ -62,7 +63,7 @@ TEST_SUITE("cli") {
     CHECK(chosen(with_references(own), "enog", "0.1") == "none");
     CHECK_THROWS_WITH_AS(read_text(with_references(any + any)), doctest::Contains("two references"),
                          SceneError);
-    // each measure for itself
+    // chosen per measure
     const std::string more = "[[measure]]\nname = \"least\"\nof = \"minimum\"\nprobe = \"tip\"\n";
     const Reference both =
         read_text(with_references(more + any + reference("other", "values = { least = 1 }")))

@@ -21,12 +21,10 @@ std::string with_block(const std::string& keys) {
   return replaced(small_scene, block_material, "material = \"rubber\"\n" + keys + "\nvelocity");
 }
 
-/// The block with `keys`, which are wrong at the mark.
 void check_block_error(const std::string& keys, std::initializer_list<const char*> parts) {
   check_error(block_material, "material = \"rubber\"\n" + keys + "\nvelocity", parts);
 }
 
-/// The error of laying the particles out, at its place in the file.
 SceneError layout_error(const std::string& keys) {
   const SceneFile file = read_text(with_block(keys));
   try {
@@ -45,7 +43,7 @@ bool says(const SceneError& error, const std::string& part) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("scene: parts of a body are of other materials, the last that holds counts") {
+  TEST_CASE("scene: parts of a body can have other materials, and the last matching part counts") {
     const std::string steel =
         "[material.steel]\ndensity = 8000\nyoungs_modulus = 2e11\npoisson_ratio = 0.3\n[[body]]\nname = "
         "\"block\"";
@@ -73,7 +71,7 @@ TEST_SUITE("cli") {
     CHECK(empty.line == 14);
   }
 
-  TEST_CASE("scene: driven regions have a velocity of the time") {
+  TEST_CASE("scene: driven regions have a velocity that depends on time") {
     const SceneFile file =
         read_text(with_block("driven = [{ where = \"x < dp\", velocity = [\"v0*t^2\", -3], until = 0.25 }]"));
     const Drive& drive = file.scene.bodies[0].drives.at(0);
@@ -108,7 +106,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("scene: loaded regions have a force, a force density or a traction, and a ramp in time") {
+  TEST_CASE("scene: loaded regions have a force, a force density or a traction, with a ramp in time") {
     const SceneFile file = read_text(with_block(
         "loaded = [{ where = \"x > 1.9\", force = [\"v0*y\", 0], ramp = \"t^2\" },\n"
         "{ where = \"y > 0.9\", traction = [0, \"-E\"] }, { where = 1, force_density = [2, 0] }]"));
@@ -136,7 +134,7 @@ TEST_SUITE("cli") {
     CHECK(empty.line == 14);
   }
 
-  TEST_CASE("scene: gravity is a function of the time, damping a number that is not negative") {
+  TEST_CASE("scene: gravity is a function of time, and damping a non-negative number") {
     const SceneFile file = read_text(replaced(
         small_scene, "until = 2", "until = 2\ngravity = [0, \"-9.8*min(1, t/v0)\"]\ndamping = \"2*v0\""));
     CHECK_FALSE(file.scene.gravity[0]);
@@ -151,7 +149,9 @@ TEST_SUITE("cli") {
     check_error("until = 2", "until = 2\n@gravty = [0, 1]", {"unknown key 'gravty'", "'gravity'"});
   }
 
-  TEST_CASE("scene: a bulk modulus is of E and nu unless it is given, and c0 follows it") {
+  TEST_CASE(
+      "scene: the bulk modulus follows from E and nu unless it is given, and c0 follows from the bulk "
+      "modulus") {
     const SceneFile usual = read_text(small_scene);
     CHECK(usual.scene.materials[0].bulk_modulus() == 1e7 / (3 * (1 - 2 * 0.4)));
     const SceneFile given = read_text(
@@ -187,18 +187,18 @@ TEST_SUITE("cli") {
     CHECK(error_of("at = [0, 0]\nnormal = [0, 1]\nnormel = 1").find("'normal'") != std::string::npos);
   }
 
-  TEST_CASE("scene: a frequency is looked for in a band, from a time on") {
+  TEST_CASE("scene: a frequency is searched in a band, from a given time on") {
     const std::string kind = "of = \"frequency\"\n";
     const Scene scene =
         read_text(replaced(small_scene, "of = \"maximum\"", kind + "band = [2, 5]\nfrom = 3")).scene;
     CHECK(scene.measures[0].band == std::array{2.0, 5.0});
-    CHECK(scene.measures[0].from == 3);  // beyond the end of a short run: no frequency, but no error
+    CHECK(scene.measures[0].from == 3);  // past the end: no value, no error
     check_error("of = \"maximum\"", kind + "band = @[5, 2]", {"the lower one first"});
     check_error("of = \"maximum\"", kind + "band = [2, 5]\nfrom = @-1", {"must be at least 0"});
     CHECK_THROWS_AS(read_text(replaced(small_scene, "of = \"maximum\"", kind)), SceneError);
   }
 
-  TEST_CASE("scene: the law of elasticity is one of those of a method that leaves it open") {
+  TEST_CASE("scene: the law of elasticity must be one that the method supports") {
     const auto with_law = [](const std::string& method, const std::string& law) {
       return replaced(small_scene, "until = 2", "until = 2\nmethod = \"" + method + "\"" + law);
     };
@@ -219,7 +219,7 @@ TEST_SUITE("cli") {
     CHECK_THROWS_AS(changed("linaer", nullptr), UsageError);
     CHECK_THROWS_AS(changed("linear", "icb"), UsageError);
     CHECK_THROWS_AS(changed("linear", "pfj-jst"), UsageError);
-    // that of the file holds for every method that takes it, and the others say what they run with
+    // other methods report the law they use
     CHECK(file.remark.empty());
     CHECK(changed(nullptr, "oenog") == "linear");
     CHECK(read_changed(nullptr, "oenog").remark.empty());
@@ -235,7 +235,7 @@ TEST_SUITE("cli") {
     check_error("until = 2", "until = 2\nmethod = \"icb\"\nlaw = @\"linear\"", {"cannot be chosen"});
   }
 
-  TEST_CASE("scene: the contact law is one there is, and one that the method can run with") {
+  TEST_CASE("scene: an unknown contact law, or one that the method does not support, is refused") {
     CHECK(read_text(replaced(small_scene, "until = 2", "until = 2\ncontact = \"penalty\"")).scene.contact ==
           ContactLaw::penalty);
     CHECK(read_text(replaced(small_scene, "until = 2", "until = 2\ncontact = \"surface\"")).scene.contact ==

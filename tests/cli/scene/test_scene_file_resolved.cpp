@@ -17,7 +17,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Both are empty, or both give the same numbers.
 void check_same(const Expression& a, const Expression& b) {
   REQUIRE(static_cast<bool>(a) == static_cast<bool>(b));
   if (!a) return;
@@ -45,7 +44,7 @@ bool equal_as(const Shape& a, const Shape& b) {
   return ((a.as<Kinds>() && b.as<Kinds>() && *a.as<Kinds>() == *b.as<Kinds>()) || ...);
 }
 
-/// The shape can be compared; others are compared by their particles.
+/// Comparable shapes; others are compared by their particles.
 bool is_simple(const Shape& shape) { return equal_as<Box, Disc, Ring, Cylinder>(shape, shape); }
 
 void check_same(const Body& a, const Body& b) {
@@ -144,7 +143,6 @@ void check_same(const SceneFile& a, const SceneFile& b) {
   CHECK(resolved_text(a, scratch_folder()) == resolved_text(b, scratch_folder()));
 }
 
-/// Reads the scene, then its resolved text, which must say the same.
 SceneFile check_round_trip(const SceneFile& file) {
   const SceneFile again = read_text(resolved_text(file, scratch_folder()));
   check_same(file, again);
@@ -160,20 +158,20 @@ std::vector<Setting> set(const std::vector<std::pair<std::string, std::string>>&
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("every scene says the same when its resolved text is read") {
+  TEST_CASE("every scene equals the one read from its resolved text") {
     for (const std::string& name : scene_names()) {
       INFO("scene ", name);
       const SceneFile file = read_scene(find_scene(name));
       const SceneFile again = check_round_trip(file);
       CHECK(again.scene.name == std::filesystem::path(name).stem());
-      // a run is the same wherever taut lies
+      // independent of the installation folder
       CHECK(resolved_text(file, scratch_folder()).find(scene_folders().back().string()) == std::string::npos);
       CHECK(again.scene.references.size() == file.scene.references.size());
     }
   }
 
   TEST_CASE(
-      "contact, parts, driven and loaded regions, gravity and a bulk modulus stand in the resolved text") {
+      "the resolved text contains contact, parts, driven and loaded regions, gravity and a bulk modulus") {
     const std::string text = replaced(
         replaced(
             small_scene, "material = \"rubber\"\nvelocity",
@@ -196,11 +194,11 @@ TEST_SUITE("unit") {
     CHECK(again.scene.materials[0].bulk_modulus() == 2e11);
     CHECK(again.scene.bodies[0].parts[0].material == 0);
     CHECK(again.scene.bodies[0].drives[0].until == 0.7);
-    CHECK_FALSE(again.scene.bodies[0].drives[1].until);  // whatever --until is then
+    CHECK_FALSE(again.scene.bodies[0].drives[1].until);
     CHECK(read_text(small_scene, set({{"method", "oenog"}})).scene.contact == ContactLaw::published);
   }
 
-  TEST_CASE("overrides stand in the resolved text") {
+  TEST_CASE("the resolved text contains overrides") {
     const SceneFile file = read_scene(find_scene("oscillating-plate"), set({{"spacing", "0.0033"},
                                                                             {"vf", "0.03/3"},
                                                                             {"stepping", "single"},
@@ -221,20 +219,20 @@ TEST_SUITE("unit") {
     CHECK(*again.history == 1.0 / 3 / 1000);
   }
 
-  TEST_CASE("an override that no reference knows stays so") {
+  TEST_CASE("an override without a reference still has none in the resolved text") {
     const SceneFile file = read_scene(find_scene("ball-plate"), set({{"v0", "0.06"}, {"fixed", "8*dp"}}));
     CHECK(file.scene.references.empty());
     CHECK(file.parameters[5].value == 8 * 0.0025);
     check_round_trip(file);
   }
 
-  TEST_CASE("a parameter whose last use was overridden is no error of the resolved text") {
+  TEST_CASE("a parameter unused because of an override is not an error in the resolved text") {
     const std::string text = replaced(replaced(small_scene, "until = 2", "until = \"length\""), "[material",
                                       "length = { value = 4 }\n[material");
     check_round_trip(read_text(text, set({{"until", "3"}})));
   }
 
-  TEST_CASE("a method from outside brings its own constants and CFL number") {
+  TEST_CASE("a method set by an override has its own constants and CFL number") {
     const std::string text =
         replaced(small_scene, "until = 2",
                  "until = 2\nmethod = \"enog\"\ncfl = 0.123\nmethod_constants = { zeta = 4.25 }");
@@ -248,7 +246,7 @@ TEST_SUITE("unit") {
     check_round_trip(other);
   }
 
-  TEST_CASE("the drawing as changed stands in the resolved text") {
+  TEST_CASE("the resolved text contains the changed drawing") {
     SceneFile file = read_scene(find_scene("colliding-rings"));
     file.drawing = {.field = find_field("von_mises"),
                     .look = {.view = {}, .range = render::Range{0.1, 1.0 / 3}, .size = render::Size{96, 64}},
@@ -257,11 +255,11 @@ TEST_SUITE("unit") {
     check_round_trip(file);
   }
 
-  TEST_CASE("texts of every kind survive") {
+  TEST_CASE("texts with special characters are kept") {
     const std::string text = replaced(small_scene, "\"Small\"", "\"a \\\"b\\\" \\\\ c ν\"");
     CHECK(read_text(text).scene.title == "a \"b\" \\ c ν");
     check_round_trip(read_text(text));
-    // a title is one line, other texts may have several
+    // only titles must be one line
     TomlValue lines;
     lines.set("a", TomlValue(std::string("b\n\t\x01 ν")));
     CHECK(parse_toml(print_toml(lines), "").find("a")->value.text == "b\n\t\x01 ν");

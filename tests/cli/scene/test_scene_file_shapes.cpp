@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view block = R"({ type = "rectangle", low = [0, 0], high = [2, 1] })";
 
-/// The scene whose only body has this shape; it lies in a scratch folder, and so do the files it names.
+/// Scene of one body; it and its files are in a scratch folder.
 std::string scene_text(const std::string& shape, const std::string& keys = "", int dim = 2) {
   return "dim = " + std::to_string(dim) + R"(
 spacing = 0.05
@@ -42,7 +42,6 @@ velocity = ["r", )" +
 InitialParticles laid(const std::string& text) {
   const SceneFile file = read_text(text);
   const InitialParticles layout = make_initial_particles(file.scene);
-  // what the run folder holds says the same
   const SceneFile again = read_text(resolved_text(file, scratch_folder()));
   CHECK(make_initial_particles(again.scene).x == layout.x);
   CHECK(make_initial_particles(again.scene).V0 == layout.V0);
@@ -75,7 +74,7 @@ std::string error_in_file(const std::string& text, int line) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("shapes: each is read, laid and says the same in the resolved text") {
+  TEST_CASE("shapes: each is read, laid out, and equal in the resolved text") {
     const double pi = std::numbers::pi;
     CHECK(volume(laid(
               scene_text(R"({ type = "ellipse", centre = [0, 0], semi_axes = [2, "r"], rotate = 30 })"))) ==
@@ -97,7 +96,7 @@ TEST_SUITE("cli") {
             "", 3))) == relative(4 * pi / 3 * 0.4, 0.02));
   }
 
-  TEST_CASE("shapes: rotate takes a number in 2D, of a shape as of a body") {
+  TEST_CASE("shapes: rotate can be a number in 2D, for a shape as for a body") {
     const std::string box = R"({ type = "rectangle", low = [0, 0], high = [2, 1])";
     const InitialParticles turned = laid(scene_text(box + ", rotate = 30 }"));
     CHECK(turned.x == laid(scene_text(box + "}", "rotate = 30")).x);
@@ -109,7 +108,7 @@ TEST_SUITE("cli") {
                 {"rotate must be a number"});
   }
 
-  TEST_CASE("shapes: a body on a hexagonal lattice") {
+  TEST_CASE("shapes: a body can have a hexagonal lattice") {
     const InitialParticles layout =
         laid(scene_text(R"({ type = "disc", centre = [0, 0], radius = 2 })", "lattice = \"hexagonal\""));
     CHECK(volume(layout) == relative(4 * std::numbers::pi, 0.01));
@@ -121,7 +120,7 @@ TEST_SUITE("cli") {
                 {"unknown layout 'spaced'", "lattice"});
   }
 
-  TEST_CASE("shapes: polygons that are none are refused where they stand") {
+  TEST_CASE("shapes: invalid polygons are refused at their place") {
     check_shape_error(R"({ type = "polygon", points = @[[0, 0], [1, 0], [0, 0]] })",
                       {"at least three points, but this one has 2"});
     check_shape_error(R"({ type = "polygon", points = @[] })", {"at least three points"});
@@ -148,7 +147,7 @@ TEST_SUITE("cli") {
         {"greater than 0"});
   }
 
-  TEST_CASE("scene: given particles in 3D meet by the penalty, and are in touch when it acts") {
+  TEST_CASE("scene: given particles in 3D collide by penalty contact, and are in touch when it acts") {
     write_file("given.csv", "x,y,z\n0,0,0\n0.05,0,0\n");
     const std::string_view asks = R"([[probe]]
 name = "tip"
@@ -171,7 +170,7 @@ unit = "s"
     CHECK(touching(R"({ type = "box", low = [0, 0, 0], high = [1, 1, 1] })") == 0);
   }
 
-  TEST_CASE("shapes: particles from a table") {
+  TEST_CASE("shapes: particles are read from a table") {
     write_file("given.csv", "# three\nx, y, volume\n0, 0, 0.001\n1, 0, 0.002\n0, 1, 0.003\n");
     const InitialParticles layout = laid(scene_text(R"({ type = "particles", file = "given.csv" })"));
     CHECK(layout.x == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
@@ -201,13 +200,13 @@ unit = "s"
       CHECK(error_of(far, 0).find("too far apart, or too far from the origin") != std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,6e-4\n.1,.1,6e-4\n", 0).find("about 0.0245 m apart") !=
           std::string::npos);
-    // without volumes each would weigh 0.05² m², whatever lies between them
+    // without volumes each has 0.05² m² for any distance
     for (const auto* other : {"x,y\n0,0\n.1,0\n.2,0\n0,.1\n", "x,y\n0,0\n.025,0\n.025,.025\n"})
       CHECK(error_of(other, 0).find("without a column volume") != std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,1e-300\n1,1,1\n", 0).find("does not fit a spacing") != std::string::npos);
   }
 
-  TEST_CASE("shapes: particles that a run has saved, of one body or of all") {
+  TEST_CASE("shapes: particles are read from a saved file, of one body or of all") {
     Snapshot now;
     now.dim = 2;
     now.x = {0, 0, 0.05, 0, 1, 1, 2, 0.1};
@@ -246,7 +245,7 @@ unit = "s"
                       {"particle 2", "has the coordinate nan"});
   }
 
-  TEST_CASE("shapes: a mask is what is dark in a picture, or light") {
+  TEST_CASE("shapes: a mask is the dark part of a picture, or the light part") {
     render::Image image(40, 20);
     for (int row = 0; row < 20; ++row)
       for (int column = 0; column < 10; ++column) image.set(column, row, {20, 20, 20});
@@ -275,7 +274,7 @@ unit = "s"
                       {"4097", "4096"});
   }
 
-  TEST_CASE("shapes: an SVG file is filled as it is painted, by its rules") {
+  TEST_CASE("shapes: an SVG file is filled by its fill rules") {
     const auto file = [](const std::string& rule) {
       write_file(
           "ring.svg",
@@ -287,7 +286,6 @@ unit = "s"
     CHECK(volume(whole) == relative(8.0, 0.01));
     CHECK(std::ranges::min(whole.x)[0] == relative(1.025, 0.01));
     CHECK(volume(laid(file("evenodd"))) == relative(6.0, 0.01));
-    // y is up: what is below in the file is below
     write_file(
         "up.svg",
         R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path d="M0 0 L10 10 H0 Z"/></svg>)");

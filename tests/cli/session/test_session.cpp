@@ -11,7 +11,6 @@ using namespace taut::test;
 
 namespace {
 
-/// A session of the tiny scene whose input is `script`.
 Outcome session(const TemporaryFolder& folder, const std::string& script,
                 const std::vector<std::string>& more = {}) {
   std::istringstream input(script);
@@ -34,7 +33,7 @@ std::vector<std::string> lines(const std::string& text) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a session's frame is the one that run draws at the same time") {
+  TEST_CASE("a frame of a session equals the frame of a run at the same time") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out")).code == 0);
     const Outcome outcome = session(folder, "run until 0.0005\nframe " + folder.str("one.png") +
@@ -45,7 +44,7 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "four.png") == text_of(folder / "out/frames/frame_00004.png"));
   }
 
-  TEST_CASE("colours, range, map and view of a session are those of the options of run") {
+  TEST_CASE("colours, range, map and view of a session equal those of the options of run") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out",
                           {"--color", "pressure", "--range", "-1000:2000", "--colormap", "rainbow", "--view",
@@ -73,7 +72,7 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "a.png") != text_of(folder / "d.png"));
   }
 
-  TEST_CASE("a saved state goes on as if nothing had happened") {
+  TEST_CASE("a session continues from a saved state with the same results") {
     const TemporaryFolder folder;
     const std::string file = folder.str("state.bin");
     const std::string straight = session(folder, "step 40\nprobe\n").out;
@@ -88,7 +87,7 @@ TEST_SUITE("cli") {
     CHECK(contains(session(folder, "load " + file, {"--set", "speed=3"}).out, "other parameters"));
   }
 
-  TEST_CASE("a saved state that is refused leaves the session as it is") {
+  TEST_CASE("a refused saved state leaves the session unchanged") {
     const TemporaryFolder folder;
     const std::string file = folder.str("state.bin");
     const std::string straight = session(folder, "step 12\nprobe\n").out;
@@ -97,7 +96,7 @@ TEST_SUITE("cli") {
     for (const std::size_t at : {std::size_t{0}, checkpoint.state.size() / 2, checkpoint.state.size() - 9}) {
       CAPTURE(at);
       Checkpoint damaged = checkpoint;
-      damaged.state.erase(at, 1);  // with all that stands behind
+      damaged.state.erase(at, 1);  // shifts all following bytes
       write_checkpoint(file, damaged);
       const Outcome outcome = session(folder, "step 5\nload " + file + "\nstep 7\nprobe\n");
       CHECK(contains(outcome.out, "error: '" + file + "' cannot be used: the saved state is damaged"));
@@ -105,7 +104,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("what may change while running does, and the rest is refused with the reason") {
+  TEST_CASE("some settings can change during a session, and others are refused with the reason") {
     const TemporaryFolder folder;
     const std::vector<std::string> half =
         lines(session(folder, "step\nset cfl=0.1\nstep\nset method.zeta=5\n").out);
@@ -120,7 +119,7 @@ TEST_SUITE("cli") {
     CHECK(contains(session(folder, "set method.zeta=-1e9").out, "error: "));
   }
 
-  TEST_CASE("a wrong line is answered with an error and does not end the session") {
+  TEST_CASE("a wrong line gives an error and does not end the session") {
     const TemporaryFolder folder;
     for (const char* wrong : {"stepp",       "step 0",      "step 1.5",     "step a",
                               "run 3",       "run until x", "color",        "color foo",
@@ -145,7 +144,7 @@ TEST_SUITE("cli") {
     CHECK(contains(session(folder, "range 0 1MPa").out, "error: '1MPa' is not a number"));
   }
 
-  TEST_CASE("info, probe, help and quit") {
+  TEST_CASE("info, probe, help and quit answer as documented") {
     const TemporaryFolder folder;
     const Outcome outcome = session(folder, "# a remark\n\ninfo\nprobe gap\nhelp\nquit\nstep\n");
     CAPTURE(outcome.out);
@@ -156,13 +155,12 @@ TEST_SUITE("cli") {
     CHECK(lines(session(folder, "help step").out).size() == 2);
   }
 
-  TEST_CASE("a session whose simulation diverges says so") {
+  TEST_CASE("a session reports that its simulation diverged") {
     const TemporaryFolder folder;
     const Outcome outcome = session(folder, "set cfl=20\nrun until 1\ninfo\n");
     CAPTURE(outcome.out);
     CHECK(contains(outcome.out, "error: the simulation diverged at t = "));
     CHECK(outcome.out.ends_with("ok\n"));
-    // nothing is left to step with, nor to save
     const std::string file = folder.str("state.bin");
     for (const std::string& more : {std::string("step 50"), "save " + file, std::string("set cfl=0.1")}) {
       CAPTURE(more);

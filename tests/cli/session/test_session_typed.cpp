@@ -17,8 +17,7 @@ namespace {
 
 const std::string up = "\x1b[A", backspace = "\x7f", interrupt = "\x03", end_of_input = "\x04";
 
-/// How far, in the worst channel, the nearest of the colours that `shown` sets (ESC[38;2;R;G;Bm) is from
-/// `color`.
+/// Smallest distance, by the worst channel, of `color` to colours set in `shown` (ESC[38;2;R;G;Bm).
 int nearest_color(const std::string& shown, const std::array<int, 3>& color) {
   int nearest = 255;
   for (std::size_t at = shown.find("8;2;"); at != std::string::npos; at = shown.find("8;2;", at + 1)) {
@@ -54,7 +53,7 @@ TEST_SUITE("cli") {
       program.type(up + backspace + "3\r");
       program.wait_for("step=5\r\n");
       program.wait_for_prompt();
-      program.type("quit" + interrupt);  // that line is given up
+      program.type("quit" + interrupt);
       program.wait_for("\n");
       program.wait_for_prompt();
       program.type("colr\r");
@@ -72,7 +71,7 @@ TEST_SUITE("cli") {
     CHECK(program.exit_code() == 0);
   }
 
-  TEST_CASE("Ctrl-C stops what a session does, and SIGTERM the session") {
+  TEST_CASE("Ctrl-C stops the command of a session, and SIGTERM the session") {
     const TemporaryFolder folder;
     TerminalProgram program(tiny_session(folder), folder.str("state"));
     program.wait_for_prompt();
@@ -94,32 +93,32 @@ TEST_SUITE("cli") {
     CHECK(other.exit_code() == 143);
   }
 
-  TEST_CASE("a script that is interrupted does not go on with its next line") {
+  TEST_CASE("an interrupted script does not continue with its next line") {
     const TemporaryFolder folder;
     std::ofstream(folder / "script") << "save " << folder.str("begun") << "\nrun until 1000\nsave "
                                      << folder.str("next") << '\n';
     ChildProgram program(tiny_session(folder), folder.str("script"));
     ChildProgram::wait_for(folder / "begun");
-    std::this_thread::sleep_for(50ms);  // into the next line
+    std::this_thread::sleep_for(50ms);
     program.send(SIGINT);
     CHECK(program.exit_code() == 130);
     CHECK_FALSE(fs::exists(folder / "next"));
   }
 
-  TEST_CASE("preview shows the picture in colours, and says where there is no terminal") {
+  TEST_CASE("preview shows the picture in colours, and reports a missing terminal") {
     const TemporaryFolder folder;
     TerminalProgram program(tiny_session(folder), folder.str("state"));
     program.wait_for_prompt();
     program.type("preview\r");
     const std::string shown = program.wait_for("speed 0 to 4 m/s, t = 0 s, x -0.03 to 0.03 m");
     CHECK(std::ranges::count(shown, '\n') >= 21);
-    // both discs move with 2 m/s: the middle of viridis
+    // 2 m/s: the middle of viridis
     CHECK(nearest_color(shown, {33, 145, 140}) <= 2);
     program.type("\rquit\r");
     CHECK(program.exit_code() == 0);
   }
 
-  TEST_CASE("what a line of a session can become is what its help says") {
+  TEST_CASE("completion in a session offers the words of its help") {
     const TemporaryFolder folder;
     taut::cli::RunOptions options;
     options.scene = write_tiny_scene(folder);
@@ -144,8 +143,8 @@ TEST_SUITE("cli") {
     const Words constants = words({"set", ""});
     CHECK(std::ranges::count(constants, "method.zeta=") == 1);
     CHECK(std::ranges::count(constants, "cfl=") == 1);
-    CHECK(std::ranges::count(constants, "speed=") == 0);     // cannot change any more
-    CHECK(std::ranges::count(constants, "method.h=") == 0);  // nor can this
+    CHECK(std::ranges::count(constants, "speed=") == 0);  // fixed after the start
+    CHECK(std::ranges::count(constants, "method.h=") == 0);
     CHECK(taut::cli::session_choices(session, {"save", ""}).files == "*");
     CHECK(taut::cli::session_choices(session, {"frame", ""}).files == "*.png");
     CHECK(words({"nothing", ""}).empty());

@@ -19,7 +19,7 @@ namespace {
 const std::string converging =
     "finished,tl,tl,0.4,10,stable,,0.32,2,4,\n"
     "finished,tl,tl,0.2,20,stable,,0.08,2,32,\n"
-    "finished,tl,tl,0.1,40,fractured,0.5,0.5,2,256,\n"  // not stable: no part of the order
+    "finished,tl,tl,0.1,40,fractured,0.5,0.5,2,256,\n"  // unstable: not part of the order
     "finished,tl,tl,0.05,80,stable,,0.005,2,2048,\n"
     "finished,og,og,0.4,10,stable,,0.3,2,5,\n"
     "failed,og,og,0.2,10,diverged,,,2,1,\n"
@@ -29,7 +29,6 @@ taut::cli::Chart chart_of(const std::string& file, const taut::cli::ChartRequest
   return taut::cli::make_chart(taut::cli::read_results({file}), request);
 }
 
-/// A sweep of the rings, coarse and short.
 void sweep_rings(const TemporaryFolder& folder) {
   const Outcome outcome =
       program({"sweep", "colliding-rings", "--grid", "method=oenog,tl", "--grid", "spacing=0.005,0.0025",
@@ -38,7 +37,6 @@ void sweep_rings(const TemporaryFolder& folder) {
   REQUIRE(outcome.code == 0);
 }
 
-/// The words of the lines of data, without comments.
 std::vector<std::vector<std::string>> data_of(const fs::path& file) {
   std::vector<std::vector<std::string>> rows;
   for (const std::string& line : lines_of(file)) {
@@ -52,7 +50,7 @@ std::vector<std::vector<std::string>> data_of(const fs::path& file) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a chart from which nothing is left but what it compares with is refused") {
+  TEST_CASE("a chart with no run left to compare is refused") {
     const TemporaryFolder folder;
     REQUIRE(program(tiny_sweep(folder, "out", {"--grid", "method=enog,og"})).code == 0);
     const Outcome outcome =
@@ -62,7 +60,7 @@ TEST_SUITE("cli") {
     CHECK(contains(outcome.err, "no run is left to compare with enog"));
   }
 
-  TEST_CASE("orders are slopes of log error over log spacing, by least squares") {
+  TEST_CASE("orders are least-squares slopes of log error over log spacing") {
     const TemporaryFolder folder;
     const taut::cli::Chart chart = chart_of(write_results(folder.path(), converging));
     REQUIRE(chart.series.size() == 2);
@@ -76,13 +74,13 @@ TEST_SUITE("cli") {
     REQUIRE(tl.points.size() == 4);
     CHECK_FALSE(tl.points[2].stable);
     CHECK_FALSE(chart.series[1].points[1].error.has_value());
-    // through points that no straight line meets: slopes of 1 and 3 between neighbours
+    // slopes of 1 and 3 between neighbours
     const std::vector<taut::cli::ChartPoint> bent{
         {.spacing = 4, .error = 16}, {.spacing = 2, .error = 2}, {.spacing = 1, .error = 1}};
     CHECK(*taut::cli::convergence_order(bent) == Approx(2));
   }
 
-  TEST_CASE("the default measure is the one that most runs have, times of events and units come last") {
+  TEST_CASE("the default measure is the one that most runs have, with times of events and units last") {
     const TemporaryFolder folder;
     const auto chosen = [&](const std::string& rows) {
       std::ofstream(folder / "results.csv")
@@ -103,7 +101,7 @@ TEST_SUITE("cli") {
     CHECK(chosen(run + "1,,,m,,,s,,,m,0,0.1\n") == "touch_time");
   }
 
-  TEST_CASE("what else differs makes lines of their own, and of a run done twice the faster one counts") {
+  TEST_CASE("runs with other settings get lines of their own, and the faster of two equal runs counts") {
     const TemporaryFolder folder;
     const std::string first = write_results(folder / "a",
                                             "finished,tl,tl,0.4,10,stable,,0.3,2,4,0.5\n"
@@ -121,7 +119,7 @@ TEST_SUITE("cli") {
     CHECK(steps.series[0].points[0].cost == 1000);
   }
 
-  TEST_CASE("the numbers of a chart are those of the runs, and its files are the same every time") {
+  TEST_CASE("a chart shows the values of its runs, and its files are the same every time") {
     const TemporaryFolder folder;
     sweep_rings(folder);
     for (const std::string name : {"a.png", "b.svg"})
@@ -149,13 +147,12 @@ TEST_SUITE("cli") {
       CHECK(std::stod(row[2]) == record["seconds"]["solve"].get<double>());
       CHECK(row[5] == record["verdict"]);
     }
-    // a person draws again from the script alone
     fs::remove(folder / "one/a.png");
     REQUIRE(std::system(("cd '" + folder.str("one") + "' && gnuplot a.gp").c_str()) == 0);
     CHECK(text_of(folder / "one/a.png") == text_of(folder / "two/a.png"));
   }
 
-  TEST_CASE("on the oscillating plate oenog converges with an order of 1.6, tl with less") {
+  TEST_CASE("on the oscillating plate oenog converges with order 1.6, and tl with a lower order") {
     const TemporaryFolder folder;
     const auto series = [&](const std::string& method, const std::string& h) {
       const Outcome outcome = program({"sweep", "oscillating-plate", "--grid", "method=" + method, "--grid",
@@ -167,7 +164,7 @@ TEST_SUITE("cli") {
       REQUIRE(chart.series.size() == 1);
       return chart.series[0];
     };
-    // with 6 to 10 particles across the plate: 1.60, 1.30 and 1.62
+    // measured orders: 1.60, 1.30 and 1.62
     const auto oenog = series("oenog", "0.8"), tl = series("tl", "0.8"), tl_of_twelve = series("tl", "1.05");
     CHECK(*oenog.order > 1.5);
     CHECK(*oenog.order < 1.7);
@@ -175,13 +172,13 @@ TEST_SUITE("cli") {
     CHECK(*tl.order < 1.45);
     CHECK(*tl_of_twelve.order > 1.4);
     CHECK(*tl_of_twelve.order < 1.75);
-    // of the eight nearest the error is the less at every spacing
+    // eight neighbours give smaller errors
     REQUIRE(tl.points.size() == tl_of_twelve.points.size());
     for (std::size_t k = 0; k < tl.points.size(); ++k)
       CHECK(tl.points[k].error.value() < 0.75 * tl_of_twelve.points[k].error.value());
   }
 
-  TEST_CASE("a parameter that was swept to the scene's default is that of a run that was not asked") {
+  TEST_CASE("a parameter swept to the scene's default equals that of a run without the parameter") {
     const TemporaryFolder folder;
     const auto write = [&](const std::string& name, const std::string& head, const std::string& rows) {
       fs::create_directories(folder / name);
@@ -205,7 +202,7 @@ TEST_SUITE("cli") {
     CHECK(chart.series[1].name == "tl, v0=0.08");
   }
 
-  TEST_CASE("a chart of more lines than can be told apart is refused") {
+  TEST_CASE("a chart with more lines than can be distinguished is refused") {
     const TemporaryFolder folder;
     std::string rows;
     for (int k = 0; k < 25; ++k)
@@ -215,7 +212,9 @@ TEST_SUITE("cli") {
     CHECK(contains(outcome.err, "the chart would have 25 lines"));
   }
 
-  TEST_CASE("error goes up and cost to the right, and what was not stable is open with a cross beside it") {
+  TEST_CASE(
+      "error is the vertical axis and cost the horizontal one, and unstable runs are open with a cross "
+      "beside them") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", converging);
     REQUIRE(call({"chart", file, "--out", folder.str("c.svg")}).code == 0);
@@ -223,13 +222,13 @@ TEST_SUITE("cli") {
     CHECK(contains(script, "set xlabel 'time to solve, s'"));
     CHECK(contains(script, "set ylabel 'error of bend, % of the reference'"));
     CHECK(contains(script, "'×') with labels offset"));
-    CHECK(contains(script, "set label 'og' at graph 1.01"));  // a row of its own where there is no value
-    CHECK_FALSE(contains(script, "set label 'tl' at graph 1.01"));  // it has a value everywhere
-    // with cost² times as small an error, at order 2 in 2D: x^(-2/3)
+    CHECK(contains(script, "set label 'og' at graph 1.01"));  // has runs without a value
+    CHECK_FALSE(contains(script, "set label 'tl' at graph 1.01"));
+    // cost ∝ n³, error ∝ n⁻²
     CHECK(contains(script, "**(-0.6666666666666666) with lines"));
     REQUIRE(call({"chart", file, "--methods", "og", "--out", folder.str("og.svg")}).code == 0);
     CHECK_FALSE(contains(text_of(folder / "og.dat"), "# tl"));
-    // a method keeps its colour whatever else is drawn
+    // a method keeps its colour
     const auto color = [](const std::string& text, const std::string& title) {
       const std::size_t at = text.rfind("linecolor '", text.find("title '" + title + "'"));
       return text.substr(at + 11, 7);
@@ -238,7 +237,7 @@ TEST_SUITE("cli") {
     CHECK(color(script, "tl") != color(script, "og"));
   }
 
-  TEST_CASE("zeros and one run alone are drawn, a zero on its axis") {
+  TEST_CASE("a zero and a single run are drawn, the zero on its axis") {
     const TemporaryFolder folder;
     for (const std::string row :
          {"finished,tl,tl,0.4,10,stable,,0,2,4,\n", "finished,tl,tl,0.4,10,stable,,0.1,2,0,\n",
@@ -251,10 +250,10 @@ TEST_SUITE("cli") {
                                               "finished,tl,tl,0.4,10,stable,,0,2,4,\n"
                                               "finished,tl,tl,0.2,10,stable,,0.1,2,4,\n"));
     CHECK(chart.series[0].points[0].error == 0.0);
-    CHECK_FALSE(chart.series[0].order.has_value());  // of one logarithm
+    CHECK_FALSE(chart.series[0].order.has_value());
   }
 
-  TEST_CASE("without a reference runs are compared with the finest one of a method, which has no point") {
+  TEST_CASE("without a reference runs are compared with the finest run of a method, which gets no point") {
     const TemporaryFolder folder;
     const std::string head =
         "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.bend.value,"
@@ -283,7 +282,7 @@ TEST_SUITE("cli") {
     CHECK(contains(text_of(folder / "a.gp"), "bend, difference from oenog at 0.5 mm, %"));
   }
 
-  TEST_CASE("what runs are compared with has the same parameters as they") {
+  TEST_CASE("runs are compared only with a run of the same parameters") {
     const TemporaryFolder folder;
     const std::string head =
         "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.bend.value,"
@@ -309,7 +308,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("a run without an error says why, and a measure without a unit is one") {
+  TEST_CASE("a run without an error shows the reason, and a measure without a unit has the unit 1") {
     const TemporaryFolder folder;
     std::ofstream(folder / "results.csv")
         << "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.period.value,"
@@ -333,7 +332,7 @@ TEST_SUITE("cli") {
                    "Some or all runs have no error: og (no reference), enog (diverged)"));
   }
 
-  TEST_CASE("errors are not compared with errors") {
+  TEST_CASE("a measure that is already an error cannot be compared with another run") {
     const TemporaryFolder folder;
     std::ofstream(folder / "results.csv")
         << "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.rmse.kind,measures."
@@ -350,7 +349,7 @@ TEST_SUITE("cli") {
                          doctest::Contains("is already an error"), taut::UsageError);
   }
 
-  TEST_CASE("tables of a chart stand on stdout alone") {
+  TEST_CASE("--json and --markdown print the tables of a chart to stdout") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", converging);
     const Outcome json = call({"chart", file, "--json"});
@@ -366,7 +365,7 @@ TEST_SUITE("cli") {
     CHECK(call({"chart", file, "--json", "--markdown"}).code == 2);
   }
 
-  TEST_CASE("names in a chart have no meaning to gnuplot") {
+  TEST_CASE("names in a chart have no special meaning to gnuplot") {
     const TemporaryFolder folder;
     const std::string file =
         write_results(folder / "a", "finished,tl,t'l_`touch x`,0.4,10,stable,,0.3,2,4,\n");
@@ -377,7 +376,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "x"));
   }
 
-  TEST_CASE("names of pictures have no meaning to gnuplot either") {
+  TEST_CASE("names of picture files have no special meaning to gnuplot") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", "finished,tl,tl,0.4,10,stable,,0.3,2,4,\n");
     for (const std::string name : {"|touch x;", "<touch x;", "-e", "-", "'q' \"r\" \\",
@@ -393,13 +392,13 @@ TEST_SUITE("cli") {
       REQUIRE(std::system(
                   ("cd " + shell_word(folder.path().string()) + " && gnuplot " + shell_word("./" + script))
                       .c_str()) == 0);
-      CHECK(text_of(picture) == drawn);  // by hand
+      CHECK(text_of(picture) == drawn);
     }
     CHECK_FALSE(fs::exists(folder / "x"));
     CHECK(files_in(folder.path()) == 1 + 3 * 8);
   }
 
-  TEST_CASE("charts of what does not belong together, or is not there, are refused with the reason") {
+  TEST_CASE("charts of unrelated or missing results are refused with the reason") {
     const TemporaryFolder folder;
     const std::string good = write_results(folder / "good", converging);
     const std::string other = write_results(folder / "other", converging, "ring");
@@ -439,7 +438,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "chart.dat"));
   }
 
-  TEST_CASE("without gnuplot data and script stay, and the message says what to install") {
+  TEST_CASE("without gnuplot data and script stay, and the message names the package to install") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "results", converging);
     fs::create_directories(folder / "bin");
@@ -452,7 +451,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "chart.png"));
   }
 
-  TEST_CASE("a table is read as it is written") {
+  TEST_CASE("a CSV table is read back as it was written") {
     const std::string odd = "a \"b\", c\nd";
     const auto table = taut::cli::parse_csv("x,y\r\n" + taut::cli::csv_cell(odd) + ",\n,2", "t.csv");
     CHECK(table.columns == Texts{"x", "y"});

@@ -11,9 +11,8 @@ using namespace taut::test;
 
 namespace {
 
-// errors are shares of a reference of 2
 const std::string runs =
-    "finished,tl,tl,0.4,10,stable,,0.005,2,1,\n"  // lucky: the next finer one is worse
+    "finished,tl,tl,0.4,10,stable,,0.005,2,1,\n"  // accurate by chance: the finer run is worse
     "finished,tl,tl,0.2,20,stable,,0.05,2,8,\n"
     "finished,tl,tl,0.1,40,stable,,0.009,2,64,\n"
     "finished,icb,icb,0.4,10,stable,,0.008,2,30,\n"
@@ -44,7 +43,7 @@ TEST_SUITE("cli") {
     CHECK(rough.front().finer == 2);
     CHECK(taut::cli::grants(chart, {0.06, 0.5}).empty());
     CHECK(taut::cli::grants(chart, {0.003, std::nullopt}).empty());
-    // a wish is met or not: 0.8 % is no more than 0.8 %, and more than 0.79 %
+    // inclusive limit
     CHECK(taut::cli::grants(chart, {0.008, std::nullopt}).front().point->error == 0.008);
     CHECK(taut::cli::grants(chart, {0.0079, std::nullopt}).front().point->error == 0.004);
     CHECK(taut::cli::grants(chart, {0.0039, std::nullopt}).empty());
@@ -52,7 +51,7 @@ TEST_SUITE("cli") {
     CHECK(taut::cli::grants(chart, {0.06, 0.99}).empty());
   }
 
-  TEST_CASE("choose names method, spacing and evidence, or says that the results do not reach that far") {
+  TEST_CASE("choose reports method, spacing and evidence, or that no result is accurate enough") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", runs, "colliding-rings");
     const auto choose = [&](Texts more) {
@@ -76,11 +75,13 @@ TEST_SUITE("cli") {
                    "Finer runs of the same method do not confirm this error"));
   }
 
-  TEST_CASE("without an error choose says what each costs, and a wish for one of them gets that run") {
+  TEST_CASE(
+      "without an error choose lists the cost of each accuracy, and a request for one of them returns its "
+      "run") {
     const TemporaryFolder folder;
     const taut::cli::Chart chart = chart_of(folder);
     const auto all = taut::cli::front(chart, std::nullopt);
-    // the lucky first run of tl is worth the 5 % of the next one; the third is beaten by the first of icb
+    // tl's first run counts with the finer 5 %; icb's first dominates tl's third
     REQUIRE(all.size() == 3);
     CHECK(all[0].series->name == "tl");
     CHECK(all[0].point->spacing == 0.4);
@@ -102,7 +103,7 @@ TEST_SUITE("cli") {
     CHECK(contains(none.out, "There is no stable run with a measured error in this time."));
   }
 
-  TEST_CASE("choose leaves away runs of other parameters than the scene has, or --set") {
+  TEST_CASE("choose omits runs whose parameters differ from the scene's, or from --set") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a",
                                            "finished,tl,tl,0.2,20,stable,,0.001,2,1,0.02\n"
@@ -121,7 +122,7 @@ TEST_SUITE("cli") {
     CHECK(contains(none.err, "has the values of the scene, v0 = 0.1"));
   }
 
-  TEST_CASE("choose refuses what is no error, no result or of another scene") {
+  TEST_CASE("choose refuses an invalid error, files without results, and results of another scene") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", runs, "colliding-rings");
     const std::map<Texts, std::string> wrong{
@@ -141,7 +142,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("choose finds the results below out/ by itself") {
+  TEST_CASE("choose finds the results below out/") {
     const TemporaryFolder folder;
     write_results(folder / "out/rings", runs, "colliding-rings");
     write_results(folder / "out/other", runs, "ball-plate");

@@ -17,17 +17,15 @@ using namespace taut::test;
 
 namespace {
 
-/// Of a run of the method tl, with these parameters.
 std::string record_with(const std::string& parameters) {
   return R"({"taut": "0.1.0", "scene": "rod", "method": "tl", "status": "finished", "until": 1, "reached": 1,)"
          R"( "verdict": "stable", "since": {}, "measures": {}, "parameters": {)" +
          parameters + "}}";
 }
 
-using NamedRuns =
-    std::vector<std::pair<std::string, std::string>>;  // methods, and what tells a run from others
+using NamedRuns = std::vector<std::pair<std::string, std::string>>;  // method, settings
 
-/// A falling line from `high` for each run.
+/// A line per run, falling from `high`.
 HistoryPlot falling(const NamedRuns& runs, double high = 1) {
   HistoryPlot plot;
   plot.title = "A rod", plot.columns = {{"tip", "tip, m"}};
@@ -42,7 +40,6 @@ NamedRuns speeds_of(const std::string& method, int count) {
   return names;
 }
 
-/// What tells the lines of the legend apart.
 std::set<std::string> looks(const std::string& script) {
   std::set<std::string> all;
   for (std::size_t at = script.find("keyentry "); at != std::string::npos;
@@ -62,7 +59,7 @@ double left_of(const std::string& script) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("no two of up to 24 lines look alike, of one method or several") {
+  TEST_CASE("up to 24 lines all look different, of one method or several") {
     for (const int count : {2, 6, 9, 24}) {
       const std::string script = script_of(falling(speeds_of("oenog", count)));
       CHECK(looks(script).size() == static_cast<std::size_t>(count));
@@ -71,13 +68,13 @@ TEST_SUITE("cli") {
     const NamedRuns more = speeds_of("oenog", 7);
     two.insert(two.end(), more.begin(), more.end());
     CHECK(looks(script_of(falling(two))).size() == 14);
-    // where methods tell lines apart they look as in every picture
+    // methods keep their look
     const std::string methods = script_of(falling({{"og", ""}, {"tl", ""}}));
     const std::string alone = script_of(falling({{"og", ""}}));
     CHECK(looks(methods).contains(*looks(alone).begin()));
   }
 
-  TEST_CASE("a legend leaves out the method that all runs have, which the title names") {
+  TEST_CASE("a legend omits a method that all runs share, and the title names it") {
     const std::string script = script_of(falling(speeds_of("oenog", 3)));
     CHECK(contains(script, "title 'speed=2'"));
     CHECK(contains(script, "set multiplot title 'A rod, oenog'"));
@@ -86,7 +83,7 @@ TEST_SUITE("cli") {
     CHECK(contains(script_of(falling({{"og", ""}, {"og", "law=x"}})), "title 'og'"));
   }
 
-  TEST_CASE("a name too long for a legend keeps both of its ends") {
+  TEST_CASE("a name too long for a legend keeps both ends") {
     const std::string shown =
         shortened("method.a_very_long_constant=0.5, another.very_long_constant=0.25, ν=0.499");
     CHECK(shown.starts_with("method.a_very_long"));
@@ -95,10 +92,10 @@ TEST_SUITE("cli") {
     CHECK(shortened("short, ν=0.4") == "short, ν=0.4");
     std::string greek;
     for (int k = 0; k < 60; ++k) greek += "ν";
-    CHECK(shortened(greek).size() == 2 * 45 + 3);  // 46 letters, no half one
+    CHECK(shortened(greek).size() == 2 * 45 + 3);  // 46 letters, none cut
   }
 
-  TEST_CASE("runs stand by rising values of what was swept, in whatever order they are given") {
+  TEST_CASE("runs are ordered by rising swept values, in whatever order they are given") {
     const TemporaryFolder folder;
     StoredResults results;
     for (const std::string speed : {"10", "0.5", "2"}) {
@@ -113,8 +110,8 @@ TEST_SUITE("cli") {
     CHECK(names == Texts{"tl, speed=0.5", "tl, speed=2", "tl, speed=10"});
   }
 
-  TEST_CASE("a letter that no font has is a box of its size in PNG, and itself in SVG") {
-    const std::string nowhere = "\xf4\x8f\xbf\xbd";  // U+10FFFD, for private use
+  TEST_CASE("a letter missing in every font is a box of its size in PNG, and itself in SVG") {
+    const std::string nowhere = "\xf4\x8f\xbf\xbd";  // private use
     CHECK(with_letters_of_fonts("été □ 2 µm") == "été □ 2 µm");
     CHECK(with_letters_of_fonts("a" + nowhere + nowhere + "b") == "a□□b");
     CHECK(with_letters_of_fonts("no UTF-8: \xe9\xff") == "no UTF-8: \xe9\xff");
@@ -137,7 +134,7 @@ TEST_SUITE("cli") {
     CHECK(left_of(script_of(falling(speeds_of("tl", 2), -1.25e-120))) > usual + 15);
   }
 
-  TEST_CASE("a history in SVG has all that one in PNG has, in letters as large") {
+  TEST_CASE("a history in SVG has the contents of one in PNG, with letters as large") {
     const TemporaryFolder folder;
     const HistoryPlot plot = falling(speeds_of("oenog", 20));
     const PlotFiles files{folder / "p.svg"};
@@ -149,11 +146,11 @@ TEST_SUITE("cli") {
     for (std::size_t at = picture.find(key); at != std::string::npos; at = picture.find(key, at + 1))
       sizes.insert(std::stod(picture.substr(at + key.size())));
     REQUIRE_FALSE(sizes.empty());
-    CHECK(*sizes.rbegin() == Approx(20));                           // 15 points at 96 dots an inch
-    CHECK(*sizes.begin() == Approx(11 * 96.0 / 72).epsilon(0.01));  // the smallest: 11 points
+    CHECK(*sizes.rbegin() == Approx(20));                           // 15 points at 96 dpi
+    CHECK(*sizes.begin() == Approx(11 * 96.0 / 72).epsilon(0.01));  // 11 points
   }
 
-  TEST_CASE("a column that has two units in two runs is refused, one without a unit is drawn") {
+  TEST_CASE("a column with different units in two runs is refused, and one without a unit is drawn") {
     const TemporaryFolder folder;
     const Texts little{"--until", "1e-6", "--no-render", "--quiet", "--out"};
     const auto run = [&](Texts words, const char* name) {
@@ -173,7 +170,7 @@ TEST_SUITE("cli") {
     CHECK(plot("pieces").code == 0);
   }
 
-  TEST_CASE("more lines than can be told apart are drawn, and it is said") {
+  TEST_CASE("a history with more lines than can be distinguished is drawn with a warning") {
     const TemporaryFolder folder;
     std::ofstream(folder / "run.json") << record_with("");
     std::ofstream(folder / "history.csv") << "t,energy\n0,1\n1,2\n";

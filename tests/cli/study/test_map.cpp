@@ -22,7 +22,8 @@ const std::string speeds =
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a map has a cell for each run, with its verdict and since when, by rising values") {
+  TEST_CASE(
+      "a map has a cell for each run, with its verdict and the verdict's start time, by rising values") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", speeds, "rod", "speed");
     const taut::cli::StabilityMap map = taut::cli::make_map(taut::cli::read_results({file}), {});
@@ -41,13 +42,13 @@ TEST_SUITE("cli") {
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.out, "og     stable  -         fractured 0.003 s\n"));
     CHECK(contains(outcome.out, "enog   stable  diverged  error\n"));
-    CHECK(contains(text_of(folder / "map.dat"), "\n3 1 0.003 \"10\" \"og\" \"3\"\n"));  // 3 ms
+    CHECK(contains(text_of(folder / "map.dat"), "\n3 1 0.003 \"10\" \"og\" \"3\"\n"));
     CHECK(fs::exists(folder / "map.png"));
   }
 
-  TEST_CASE("a verdict that no cell has leaves no gap: gnuplot counts the blocks that have lines") {
+  TEST_CASE("a verdict without cells leaves no gap: gnuplot counts only blocks with lines") {
     const TemporaryFolder folder;
-    const std::string file = write_results(folder / "a", speeds, "rod", "speed");  // none is hourglass
+    const std::string file = write_results(folder / "a", speeds, "rod", "speed");  // no hourglass
     REQUIRE(call({"map", file, "--out", folder.str("map.png")}).code == 0);
     const std::string data = text_of(folder / "map.dat"), script = text_of(folder / "map.gp");
     CHECK_FALSE(contains(data, "hourglass"));
@@ -62,7 +63,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("a map of many columns has texts only where they fit, and all of its names") {
+  TEST_CASE("a map of many columns has texts only where they fit, and complete names") {
     const auto script_of = [](int columns, const std::string& method) {
       const TemporaryFolder folder;
       std::string lines;
@@ -86,7 +87,7 @@ TEST_SUITE("cli") {
     const std::string few = script_of(8, "og");
     CHECK(contains(few, "with labels font ',10'"));
     CHECK(count_of(few, "'0.100") == 8);
-    const std::string more = script_of(30, "og");  // 3.45 has 33 pixels
+    const std::string more = script_of(30, "og");  // 3.45 is 33 pixels wide
     CHECK(number_after(more, "with labels font ',") < 10);
     CHECK(count_of(more, "'0.10") < 20);  // 0.100000, 0.100300, ...
     CHECK(count_of(more, "'0.10") > 5);
@@ -114,10 +115,10 @@ TEST_SUITE("cli") {
     std::set<std::string> colors;
     for (std::size_t at = script.find(mark); at != std::string::npos; at = script.find(mark, at + 1))
       colors.insert(script.substr(at + mark.size(), 7));
-    CHECK(colors.size() == 6);  // with that of a cell without a verdict
+    CHECK(colors.size() == 6);  // including no verdict
   }
 
-  TEST_CASE("maps of no parameter, or of one that was not swept, are refused with the reason") {
+  TEST_CASE("a map without a swept parameter is refused with the reason") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", speeds, "rod", "speed");
     const std::string other = write_results(folder / "b", speeds, "rod", "cfl");

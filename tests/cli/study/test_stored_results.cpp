@@ -18,7 +18,6 @@ namespace {
 
 const std::string one_row = "finished,tl,tl,0.4,10,stable,,0.32,2,4,\n";
 
-/// Of a record that is right but for what each test puts into it.
 const std::string record =
     R"({"taut": "0.1.0", "scene": "rod", "method": "tl", "status": "finished", "until": 1, "reached": 1,)"
     R"( "verdict": "stable", "since": {}, "measures": {"period": {"value": 2, "unit": "s", "error": null}}})";
@@ -76,7 +75,7 @@ TEST_SUITE("cli") {
              {"{}", "is not the run.json of a run of taut"},
              {"[]", "is not the run.json of a run of taut"},
          }) {
-      const auto& text_now = text;  // clang captures no bindings
+      const auto& text_now = text;
       CAPTURE(text_now);
       write(file, text);
       const std::string message = error_of([&] { read_stored_run(file); });
@@ -87,7 +86,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("a run on its lattice is one with a jitter of 0, asked for or not") {
+  TEST_CASE("a run without jitter equals one with a jitter of 0") {
     const auto run = [](const std::string& jitter) {
       StoredRun one;
       one.cells = {{"status", "finished"}, {"method", "oenog"}, {"spacing", "0.002"}};
@@ -101,13 +100,13 @@ TEST_SUITE("cli") {
     CHECK(series_name(run("0.05"), told) == "oenog, jitter=0.05");
   }
 
-  TEST_CASE("a run.json that is nested without end is refused") {
+  TEST_CASE("a run.json nested too deep is refused") {
     const TemporaryFolder folder;
     write(folder / "run.json", with("\"until\": 1", "\"until\": " + deep(100000)));
     CHECK(contains(error_of([&] { read_stored_run(folder.str("run.json")); }), "64 levels deep"));
   }
 
-  TEST_CASE("a results.json of other types is refused with the file and the key") {
+  TEST_CASE("a results.json with wrong types is refused with the file and the key") {
     const TemporaryFolder folder;
     const std::string table = write_results(folder.path(), one_row);
     const std::string file = folder.str("results.json");
@@ -125,7 +124,7 @@ TEST_SUITE("cli") {
           {R"({"fixed": {"until": []}})", "key 'fixed.until' is []; it must be a number or a text"},
           {R"({"title": "a)", "is not JSON: "},
           {R"(3)", "contains 3; it must be an object"}}) {
-      const auto& text_now = text;  // clang captures no bindings
+      const auto& text_now = text;
       CAPTURE(text_now);
       write(file, text);
       const std::string message = error_of([&] { read_results({table}); });
@@ -142,7 +141,7 @@ TEST_SUITE("cli") {
     CHECK(read_results({table}).title == "rod");
   }
 
-  TEST_CASE("runs of sweeps that set other things for all of theirs are not taken for each other") {
+  TEST_CASE("runs of sweeps with different fixed settings are distinguished") {
     const TemporaryFolder folder;
     const auto sweep = [&](const std::string& name, const std::string& error, const std::string& fixed) {
       const std::string table =
@@ -163,15 +162,15 @@ TEST_SUITE("cli") {
     CHECK(chart.fixed == std::vector<std::string>{"until = 0.3"});
     CHECK(read_results({law}).fixed.size() == 3);
     CHECK(make_chart(read_results({law}), {}).series[0].name == "tl");
-    // a table without a results.json says nothing of what was set for all
+    // unknown without results.json
     fs::remove(folder / "plain/results.json");
     CHECK(read_results({law, plain}).fixed.empty());
   }
 
-  TEST_CASE("a table larger than any of taut is refused, not read") {
+  TEST_CASE("a table larger than any of taut is refused unread") {
     const TemporaryFolder folder;
     write(folder / "a.csv", "");
-    fs::resize_file(folder / "a.csv", std::uintmax_t{300} << 20);  // holds nothing and takes no room
+    fs::resize_file(folder / "a.csv", std::uintmax_t{300} << 20);  // sparse
     CHECK(
         contains(error_of([&] { read_csv(folder / "a.csv"); }), "has 300 MiB; at most 256 MiB are allowed"));
     std::string wide = "t";
@@ -180,12 +179,12 @@ TEST_SUITE("cli") {
     CHECK(contains(error_of([&] { parse_csv("t\n" + wide + "\n", "a.csv"); }), "a.csv:2: more than 10000"));
   }
 
-  TEST_CASE("a chart of the smallest and greatest numbers has axes that are numbers") {
+  TEST_CASE("a chart of the smallest and greatest numbers has finite axes") {
     const TemporaryFolder folder;
     const PlotFiles files{folder.str("a.svg")};
     for (const auto& [error, cost] : std::initializer_list<std::pair<const char*, const char*>>{
              {"1e308", "1e308"}, {"5e-324", "5e-324"}, {"0", "0"}, {"-1", "-1"}}) {
-      const auto& error_now = error;  // clang captures no bindings
+      const auto& error_now = error;
       CAPTURE(error_now);
       const std::string row = std::string(",stable,,") + error + ",2," + cost + ",\n";
       const StoredResults results = read_results(

@@ -10,7 +10,6 @@ using namespace taut::test;
 
 namespace {
 
-/// A study of the rings, coarse and short, with `sections`.
 std::string write_study(const TemporaryFolder& folder, const std::string& sections) {
   std::ofstream(folder / "study.toml") << "title = \"Rings\"\n"
                                           "scene = \"colliding-rings\"\n"
@@ -31,7 +30,7 @@ Outcome sweep(const TemporaryFolder& folder, const std::string& study, const Tex
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a study draws its pictures after its runs, and what is done is not run again") {
+  TEST_CASE("a study draws its pictures after its runs, and does not repeat finished runs") {
     const TemporaryFolder folder;
     const std::string study = write_study(folder,
                                           "[chart]\nmeasure = [\"touch_time\"]\ncost = \"steps\"\n"
@@ -48,7 +47,6 @@ TEST_SUITE("cli") {
         bytes[name + extension] = text_of(folder / "out" / (name + extension));
         CHECK(bytes[name + extension].size() > 100);
       }
-    // a row of history.csv, in the block of its run
     const Texts history = lines_of(folder / "out/spacing=0.005_method=oenog/history.csv");
     const std::string t = history.at(5).substr(0, history.at(5).find(','));
     CHECK(contains(bytes["history.dat"], "\n" + t + " "));
@@ -60,7 +58,7 @@ TEST_SUITE("cli") {
     for (const auto& [name, text] : bytes) CHECK(text_of(folder / "out" / name) == text);
   }
 
-  TEST_CASE("a study that names what is not there is refused before anything runs") {
+  TEST_CASE("a study with an unknown name is refused before anything runs") {
     const TemporaryFolder folder;
     const std::map<std::string, std::string> wrong{
         {"[chart]\nmeasure = \"touch_tim\"\n",

@@ -9,7 +9,7 @@ using namespace taut::cli;
 using namespace taut::test;
 
 TEST_SUITE("cli") {
-  TEST_CASE("a sweep needs no /proc, nor do the scripts that it emits") {
+  TEST_CASE("a sweep and its emitted scripts work without /proc") {
     const TemporaryFolder folder;
     const std::string without = "unshare -rm sh -c 'mount -t tmpfs none /proc && exec \"$@\"' sh ";
     if (std::system((without + "true 2>/dev/null").c_str()) != 0) {
@@ -28,7 +28,7 @@ TEST_SUITE("cli") {
     CHECK(contains(text_of(folder / "out/sweep.slurm"), "exec " TAUT_BINARY_DIR "/taut sweep "));
   }
 
-  TEST_CASE("a run of a sweep that was drawn afterwards is not done again") {
+  TEST_CASE("a run of a sweep that was drawn again later is not repeated") {
     const TemporaryFolder folder;
     const Texts grid{"--grid", "speed=1,2", "--set", "until=1e-4", "--save-particles"};
     REQUIRE(program(tiny_sweep(folder, "out", grid)).code == 0);
@@ -38,7 +38,6 @@ TEST_SUITE("cli") {
     REQUIRE(again.code == 0);
     CHECK_FALSE(contains(again.err, "replaced"));
     CHECK(ends(folder / "out") == before);
-    // another way to compute is another run
     Texts other = grid;
     other.insert(other.end(), {"--set", "cfl=0.3"});
     const Outcome anew = program(tiny_sweep(folder, "out", other));
@@ -47,7 +46,7 @@ TEST_SUITE("cli") {
     CHECK(ends(folder / "out") != before);
   }
 
-  TEST_CASE("runs of an earlier grid are said to remain, and are not in the results") {
+  TEST_CASE("runs of an earlier grid remain with a warning, and are not in the results") {
     const TemporaryFolder folder;
     const Texts wide{"--grid", "speed=1,2,3", "--set", "until=1e-5"};
     REQUIRE(program(tiny_sweep(folder, "out", wide)).code == 0);
@@ -59,9 +58,9 @@ TEST_SUITE("cli") {
     CHECK(json_of(folder / "out/results.json")["runs"].size() == 1);
   }
 
-  TEST_CASE("a sweep leaves a folder for each run and a row in the order of the grid") {
+  TEST_CASE("a sweep creates a folder for each run and a row in the order of the grid") {
     const TemporaryFolder folder;
-    // the second row of three is the longest, so it starts first
+    // the second of three rows is the longest and starts first
     const Outcome outcome = program(tiny_sweep(
         folder, "out", {"--grid", "until=0.001,0.004,0.002", "--grid", "method=og,enog", "--jobs", "3"}));
     CAPTURE(outcome.err);
@@ -93,7 +92,7 @@ TEST_SUITE("cli") {
     CHECK(lines[4].starts_with("3,0.004,enog,finished,,until=0.004_method=enog,discs,enog,"));
   }
 
-  TEST_CASE("results are the same however many runs there are at a time") {
+  TEST_CASE("results are the same for any number of parallel runs") {
     const TemporaryFolder folder;
     const Texts grid{"--grid", "speed=1:3:1", "--grid", "method=og,enog", "--jobs"};
     for (const std::string jobs : {"1", "4"}) {
@@ -104,7 +103,7 @@ TEST_SUITE("cli") {
     CHECK(results(folder / "1") == results(folder / "4"));
   }
 
-  TEST_CASE("what is done is left alone, unless its settings have changed or --force is given") {
+  TEST_CASE("a finished run is kept unless its settings have changed or --force is given") {
     const TemporaryFolder folder;
     const auto sweep = [&](Texts more) {
       more.insert(more.begin(), {"--grid", "speed=1,2"});
@@ -131,7 +130,7 @@ TEST_SUITE("cli") {
     CHECK(sweep({"--set", "pull=1", "--force"}).at("speed=2") > other.at("speed=2"));
   }
 
-  TEST_CASE("a run whose history is gone, or a diverged one without the frames asked for, is done again") {
+  TEST_CASE("a run without its history, or a diverged run without the requested frames, is repeated") {
     const TemporaryFolder folder;
     const auto sweep = [&](const Texts& more) {
       Texts words{"--grid", "speed=1", "--set", "cfl=2", "--set", "method.zeta=50"};
@@ -154,7 +153,7 @@ TEST_SUITE("cli") {
     CHECK(sweep({"--render"}) == drawn);
   }
 
-  TEST_CASE("spacings of a grid that are rounded to one are told of") {
+  TEST_CASE("spacings of a grid that are rounded to the same value give a warning") {
     const TemporaryFolder folder;
     const Outcome outcome =
         program(tiny_sweep(folder, "out", {"--grid", "spacing=0.002,0.00201,0.004", "--set", "until=1e-5"}));
@@ -163,13 +162,12 @@ TEST_SUITE("cli") {
         outcome.err,
         "the runs spacing=0.002 and spacing=0.00201 are the same: both spacings are rounded to 0.002 m"));
     CHECK_FALSE(contains(outcome.err, "0.004"));
-    // but for round-off
     const Outcome rings = program({"sweep", "colliding-rings", "--grid", "spacing=0.002,0.0021", "--set",
                                    "until=1e-6", "--out", folder.str("rings"), "--quiet"});
     CHECK(contains(rings.err, "the runs spacing=0.002 and spacing=0.0021 are the same"));
   }
 
-  TEST_CASE("a sweep that is moved with its scene and its references has nothing to do") {
+  TEST_CASE("a sweep moved with its scene and references has nothing to do") {
     const TemporaryFolder folder;
     fs::create_directories(folder / "here/tables");
     std::ofstream(folder / "here/tables/gap.csv") << "t,gap\n0,0.002\n0.002,0\n";
@@ -200,7 +198,7 @@ tables = { gap_rmse = { file = "tables/gap.csv", column = "gap" } }
     CHECK(call(again).code == 0);
   }
 
-  TEST_CASE("a larger grid in the same folder adds what is new") {
+  TEST_CASE("a larger grid in the same folder runs only the new runs") {
     const TemporaryFolder folder;
     REQUIRE(program(tiny_sweep(folder, "out", {"--grid", "speed=1,3"})).code == 0);
     const auto before = ends(folder / "out");
@@ -213,7 +211,7 @@ tables = { gap_rmse = { file = "tables/gap.csv", column = "gap" } }
     CHECK(ends(folder / "out").at("speed=3") == before.at("speed=3"));
   }
 
-  TEST_CASE("a run that diverges or tears is a row, and the sweep goes on") {
+  TEST_CASE("a run that diverges or fractures is a row, and the sweep continues") {
     const TemporaryFolder folder;
     const Texts sweep =
         tiny_sweep(folder, "out",
@@ -235,10 +233,10 @@ tables = { gap_rmse = { file = "tables/gap.csv", column = "gap" } }
     const fs::path diverged = folder / "out/pull=0_cfl=20/run.json";
     const auto time = fs::last_write_time(diverged);
     CHECK(program(sweep).code == 0);
-    CHECK(fs::last_write_time(diverged) == time);  // a divergence is a result
+    CHECK(fs::last_write_time(diverged) == time);  // not repeated
   }
 
-  TEST_CASE("wrong names, values and options of a sweep end before anything runs") {
+  TEST_CASE("wrong names, values and options of a sweep are refused before anything runs") {
     const TemporaryFolder folder;
     const std::map<Texts, std::string> wrong{
         {{"--grid", "sped=1,2"}, "did you mean 'speed'"},
@@ -264,7 +262,7 @@ tables = { gap_rmse = { file = "tables/gap.csv", column = "gap" } }
     CHECK_FALSE(fs::exists(folder / "out/speed=1"));
   }
 
-  TEST_CASE("a folder with results of something else is refused") {
+  TEST_CASE("a folder with foreign results is refused") {
     const TemporaryFolder folder;
     fs::create_directories(folder / "out");
     std::ofstream(folder / "out/results.csv") << "mine";
@@ -276,7 +274,7 @@ tables = { gap_rmse = { file = "tables/gap.csv", column = "gap" } }
     CHECK(program(tiny_sweep(folder, "discs.toml/out", {"--grid", "speed=1"})).code == 4);
   }
 
-  TEST_CASE("single runs leave the results to a call without --index") {
+  TEST_CASE("single runs write no results; a call without --index does") {
     const TemporaryFolder folder;
     Texts grid{"--grid", "speed=1,2,3"};
     REQUIRE(program(tiny_sweep(folder, "whole", grid)).code == 0);

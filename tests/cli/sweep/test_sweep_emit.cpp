@@ -12,13 +12,12 @@ namespace {
 
 int shell(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()); }
 
-/// A name in which sh, GNU parallel, Slurm and CLI11 would each find something to do.
 const std::string strange =
     "-a b {} {#} {= `touch ran`; =} $(touch ran) `touch ran` 'q' \"r\" \\ %d @x # ;[y]\n#SBATCH -z\ntouch "
     "ran";
 
-/// Stands in for GNU parallel: options up to -q, then a command for each line, which takes the place of {} and
-/// {#} wherever they are; a {= is run.
+/// Substitute for GNU parallel: options up to -q, then a command per input line with {} and {#} replaced. Executes {=
+/// where it occurs.
 void write_parallel(const TemporaryFolder& folder) {
   fs::create_directories(folder / "bin");
   std::ofstream(folder / "bin/parallel") << R"(#!/bin/sh
@@ -40,7 +39,6 @@ while read -r n; do (
   fs::permissions(folder / "bin/parallel", fs::perms::owner_all);
 }
 
-/// Emits the script of a sweep of the program itself, whose path stands in it.
 std::string emitted(const TemporaryFolder& folder, const std::string& kind, const Texts& grid) {
   Texts arguments = tiny_sweep(folder, "out", grid);
   arguments.insert(arguments.end(), {"--emit", kind});
@@ -51,7 +49,7 @@ std::string emitted(const TemporaryFolder& folder, const std::string& kind, cons
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a Slurm array does the runs in any order, and the last call gathers them") {
+  TEST_CASE("a Slurm array does the runs in any order, and the last call collects the results") {
     const TemporaryFolder folder;
     const Texts grid{"--grid", "speed=1,2",   "--grid",  "cfl=0.5,20",
                      "--grid", "pull=0*pi,1", "--until", "0.02"};
@@ -60,7 +58,7 @@ TEST_SUITE("cli") {
     const auto task = [&](int index) {
       return shell("cd / && SLURM_ARRAY_TASK_ID=" + std::to_string(index) + " sh " + script);
     };
-    for (const int index : {5, 0, 7, 2, 6, 1, 3}) CHECK(task(index) == 0);  // the fifth never gets to run
+    for (const int index : {5, 0, 7, 2, 6, 1, 3}) CHECK(task(index) == 0);  // without 4
     CHECK(task(8) != 0);
     CHECK_FALSE(fs::exists(folder / "out/results.csv"));
     const auto before = ends(folder / "out");
@@ -72,7 +70,7 @@ TEST_SUITE("cli") {
     CHECK(statuses(folder / "out")[2] == "failed");
   }
 
-  TEST_CASE("the script for GNU parallel does the runs and gathers the results") {
+  TEST_CASE("the script for GNU parallel does the runs and collects the results") {
     const TemporaryFolder folder;
     const Texts grid{"--grid", "speed=max(1,2),3", "--threads", "2"};
     const std::string script = emitted(folder, "parallel", grid);
@@ -83,7 +81,7 @@ TEST_SUITE("cli") {
     CHECK(json_of(folder / "out/results.json")["runs"][1]["threads"] == 2);
   }
 
-  TEST_CASE("whatever stands in names, emitted scripts do the runs and nothing else") {
+  TEST_CASE("emitted scripts do only their runs, whatever characters names contain") {
     const TemporaryFolder folder;
     write_parallel(folder);
     const fs::path here = folder / strange, sweep = here / strange;
@@ -105,11 +103,11 @@ TEST_SUITE("cli") {
     CHECK(statuses(sweep) == Texts{"finished", "finished"});
     CHECK_FALSE(contains(text_of(folder / "calls"), strange));
     if (shell("parallel --version") != 0) return;
-    emitted_and_run("parallel", "");  // the true one
+    emitted_and_run("parallel", "");  // the real one
     CHECK(statuses(sweep) == Texts{"finished", "finished"});
   }
 
-  TEST_CASE("without a folder a script goes to stdout, and nothing is run") {
+  TEST_CASE("without --out a script goes to stdout, and nothing runs") {
     const TemporaryFolder folder;
     const Outcome outcome =
         program({"sweep", write_tiny_scene(folder), "--grid", "speed=1,2,3", "--emit", "slurm", "--quiet"});
@@ -122,7 +120,7 @@ TEST_SUITE("cli") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("a script quotes what the shell would take apart") {
+  TEST_CASE("a script quotes special characters of the shell") {
     const std::string script = taut::cli::emit_script(taut::cli::find_emit_form("slurm"), "two\nlines", 3, 4,
                                                       {"taut", "a b", "it's", "x=1,2:3"});
     CHECK(contains(script, "exec taut 'a b' 'it'\\''s' x=1,2:3 --index"));

@@ -10,7 +10,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Writes `text`, without its '@', as sweep.toml beside the scene, and says where the '@' was.
+/// Writes sweep.toml without the '@'; returns its place.
 FilePlace write_sweep(const TemporaryFolder& folder, std::string text) {
   write_tiny_scene(folder);
   FilePlace place{1, 1};
@@ -24,7 +24,7 @@ FilePlace write_sweep(const TemporaryFolder& folder, std::string text) {
   return place;
 }
 
-/// The sweep must be refused at the '@' with a message that holds `part`.
+/// Checks that the sweep is refused at the '@' with `part` in the message.
 void check_refused(const std::string& text, const std::string& part) {
   const TemporaryFolder folder;
   const FilePlace place = write_sweep(folder, text);
@@ -49,7 +49,7 @@ std::vector<std::string> rows_of(const std::string& text) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a sweep file: a grid, or its rows one by one") {
+  TEST_CASE("a sweep file contains a grid, or single rows") {
     using Texts = std::vector<std::string>;
     CHECK(rows_of("scene = 'discs.toml'\n[grid]\nspeed = '1:2:1'\nmethod = ['og', 'enog']\n") ==
           Texts{"speed=1, method=og", "speed=1, method=enog", "speed=2, method=og", "speed=2, method=enog"});
@@ -60,7 +60,7 @@ TEST_SUITE("cli") {
           Texts{"speed=1", "method.zeta=3, speed=2*pi"});
   }
 
-  TEST_CASE("a sweep file that is wrong is refused with the place") {
+  TEST_CASE("an invalid sweep file is refused with the place") {
     const std::string head = "scene = 'discs.toml'\n";
     check_refused(head + "[grid]\nspeed = @'0:1:0.3'\n", "0.9 or 1.2");
     check_refused(head + "[grid]\nspeed = [1, 2, @1.0]\n", "twice");
@@ -78,7 +78,7 @@ TEST_SUITE("cli") {
     check_refused(head + "[grid]\nspeed = @?\n", "TOML");
   }
 
-  TEST_CASE("a name or a value that a run cannot have is refused where it stands") {
+  TEST_CASE("a name or a value that a run cannot have is refused with its place") {
     const std::string head = "scene = 'discs.toml'\n";
     check_refused(head + "[grid]\npull = [1, 2]\nsped = [@1, 2]\n", "did you mean 'speed'");
     check_refused(head + "[grid]\nspeed = [1, @-2]\npull = [3, 4]\n", "out of bounds");
@@ -89,7 +89,7 @@ TEST_SUITE("cli") {
     check_refused(head + "set = { pul = @1 }\n[grid]\nspeed = 1\n", "did you mean 'pull'");
   }
 
-  TEST_CASE("the command line is stronger than what a sweep file sets for all runs") {
+  TEST_CASE("the command line overrides the settings of a sweep file for all runs") {
     const TemporaryFolder folder;
     write_sweep(folder, "scene = 'discs.toml'\nset = { until = 1e-5, method = 'og' }\n[grid]\nspeed = 1\n");
     const std::vector<std::string> sweep{"sweep", folder.str("sweep.toml"), "--quiet", "--out",
@@ -106,10 +106,10 @@ TEST_SUITE("cli") {
     CHECK(program(other).code == 2);
   }
 
-  TEST_CASE("the sweep files that come with taut are right") {
+  TEST_CASE("the shipped sweep files are valid") {
     int count = 0;
     for (const auto& entry : fs::directory_iterator(TAUT_SOURCE_DIR "/scenes/studies")) {
-      if (entry.path().extension() != ".toml") continue;  // a script, with a test of its own
+      if (entry.path().extension() != ".toml") continue;
       const TemporaryFolder folder;
       const std::string study = entry.path().stem().string();
       CAPTURE(study);

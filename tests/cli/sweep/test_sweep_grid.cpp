@@ -27,11 +27,11 @@ bool says(const std::string& message, const std::string& part) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("sweep grid: a range holds both ends and no round-off") {
+  TEST_CASE("sweep grid: a range includes both ends and has no round-off") {
     CHECK(parse_values("0.02:0.16:0.02") ==
           Texts{"0.02", "0.04", "0.06", "0.08", "0.1", "0.12", "0.14", "0.16"});
-    CHECK(parse_values("0.1:0.3:0.1") == Texts{"0.1", "0.2", "0.3"});  // but 0.1 + 2*0.1 > 0.3
-    CHECK(parse_values("0:0.7:0.1").size() == 8);                      // but 0.7/0.1 < 7
+    CHECK(parse_values("0.1:0.3:0.1") == Texts{"0.1", "0.2", "0.3"});  // although 0.1 + 2*0.1 > 0.3
+    CHECK(parse_values("0:0.7:0.1").size() == 8);                      // although 0.7/0.1 < 7
     CHECK(parse_values("-0.3:0.3:0.1") == Texts{"-0.3", "-0.2", "-0.1", "0", "0.1", "0.2", "0.3"});
     CHECK(parse_values("3:1:-1") == Texts{"3", "2", "1"});
     CHECK(parse_values("5:5:1") == Texts{"5"});
@@ -40,7 +40,7 @@ TEST_SUITE("unit") {
     CHECK(parse_values("0:pi:pi/4").size() == 5);
   }
 
-  TEST_CASE("sweep grid: a list, with ranges and expressions in it") {
+  TEST_CASE("sweep grid: a list can contain ranges and expressions") {
     CHECK(parse_values("og,oas, enog") == Texts{"og", "oas", "enog"});
     CHECK(parse_values("0.060,6e-1,7") == Texts{"0.06", "0.6", "7"});
     CHECK(parse_values("1,10:30:10") == Texts{"1", "10", "20", "30"});
@@ -48,7 +48,7 @@ TEST_SUITE("unit") {
     CHECK(parse_values("dp<1 ? 2 : 3") == Texts{"dp<1 ? 2 : 3"});
   }
 
-  TEST_CASE("sweep grid: what is no range or list says why") {
+  TEST_CASE("sweep grid: an invalid range or list is refused with the reason") {
     CHECK(says(error_of("0.1:0.4"), "lo:hi:step"));
     CHECK(says(error_of("0:1:x"), "'x' is not a number"));
     CHECK(says(error_of("0:1:0"), "a step of 0"));
@@ -64,7 +64,7 @@ TEST_SUITE("unit") {
     CHECK(parse_axis("v0=1,2").values[1].value == "2");
   }
 
-  TEST_CASE("sweep grid: every combination, the last name fastest") {
+  TEST_CASE("sweep grid: rows are all combinations, and the last name varies fastest") {
     Texts rows;
     for (const GridRow& row : all_combinations({parse_axis("a=1,2"), parse_axis("b=x,y,z")}))
       rows.push_back(text_of(row));
@@ -76,7 +76,7 @@ TEST_SUITE("unit") {
     CHECK_NOTHROW(check_rows({row, {{"a", "2", {}}}}));
   }
 
-  TEST_CASE("sweep grid: a folder is named by what its run sets, without what shells dislike") {
+  TEST_CASE("sweep grid: a folder is named by its run's settings, without special characters of shells") {
     CHECK(folder_name({{"v0", "0.06", {}}, {"method.zeta", "3.5", {}}}) == "v0=0.06_method.zeta=3.5");
     CHECK(folder_name({}) == "as-it-stands");
     const GridRow long_row{{"a", std::string(300, '1'), {}}}, other_row{{"a", std::string(301, '1'), {}}};

@@ -13,20 +13,19 @@ void wait_until_one_has_ended(const fs::path& folder) {
   ChildProgram::wait([&] { return contains(text_of(folder / "results.csv"), ",finished,"); });
 }
 
-/// The endless run is under way then as well.
+/// The endless run has started too.
 void wait_until_the_short_run_has_ended(const fs::path& folder) {
   wait_until_one_has_ended(folder);
   ChildProgram::wait_for(folder / "until=1000/history.csv");
 }
 
-/// One run that ends soon and one that never does, both at once: discs at rest, which cannot fail.
+/// A short and an endless run in parallel, with discs at rest.
 Texts endless_sweep(const TemporaryFolder& folder, const Texts& more = {}) {
   Texts all{"--grid", "until=1000,0.001", "--set", "speed=0", "--history", "0.001", "--jobs", "2"};
   all.insert(all.end(), more.begin(), more.end());
   return tiny_sweep(folder, "out", all);
 }
 
-/// The processes that a sweep has started.
 std::vector<pid_t> children(const ChildProgram& sweep) {
   const std::string process = std::to_string(sweep.process());
   std::istringstream text(text_of("/proc/" + process + "/task/" + process + "/children"));
@@ -36,7 +35,7 @@ std::vector<pid_t> children(const ChildProgram& sweep) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a sweep that is killed and started again ends as an undisturbed one, with no run done twice") {
+  TEST_CASE("a sweep that is killed and restarted ends like an undisturbed one, and no run is done twice") {
     const TemporaryFolder folder;
     const Texts grid{"--grid", "speed=1:2:0.2", "--until", "0.2", "--jobs", "2"};
     {
@@ -47,7 +46,7 @@ TEST_SUITE("cli") {
     }
     const auto before = ends(folder / "killed");
     CHECK(before.size() >= 1);
-    WARN(before.size() < 6);  // else the machine was too busy for the signal to arrive in time
+    WARN(before.size() < 6);  // else the signal came too late
     REQUIRE(program(tiny_sweep(folder, "killed", grid)).code == 0);
     const auto after = ends(folder / "killed");
     CHECK(after.size() == 6);
@@ -56,7 +55,7 @@ TEST_SUITE("cli") {
     CHECK(results(folder / "killed") == results(folder / "undisturbed"));
   }
 
-  TEST_CASE("an interrupt ends the runs of a sweep in good order, and the results say so") {
+  TEST_CASE("an interrupt ends the runs of a sweep in order, and the results record it") {
     for (const int signal : {SIGINT, SIGTERM}) {
       const TemporaryFolder folder;
       ChildProgram sweep(endless_sweep(folder));
@@ -70,22 +69,22 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("a second interrupt ends a sweep at once, with its runs") {
+  TEST_CASE("a second interrupt ends a sweep and its runs at once") {
     const TemporaryFolder folder;
     ChildProgram sweep(endless_sweep(folder));
     wait_until_the_short_run_has_ended(folder / "out");
-    // a run that does not answer keeps the sweep from ending after the first one
+    // a stopped run delays the end
     for (const pid_t child : children(sweep)) ::kill(child, SIGSTOP);
     sweep.send(SIGINT);
     sweep.send(SIGTERM);
     const int code = sweep.exit_code();
-    CHECK((code == 130 || code == 143));  // the handler of the later signal may run first
-    std::ostringstream err;               // its runs would hold the lock
+    CHECK((code == 130 || code == 143));  // either handler can run first
+    std::ostringstream err;               // a surviving run would hold the lock
     CHECK_NOTHROW(taut::cli::FolderLock(folder / "out", taut::cli::FolderLock::Of::sweep, "taut test", err));
     CHECK(statuses(folder / "out").size() == 2);
   }
 
-  TEST_CASE("a run that crashes is told of and does not take the sweep along") {
+  TEST_CASE("a run that crashes is reported and does not end the sweep") {
     const TemporaryFolder folder;
     ChildProgram sweep(endless_sweep(folder));
     wait_until_the_short_run_has_ended(folder / "out");
@@ -128,7 +127,7 @@ TEST_SUITE("cli") {
     CHECK(statuses(folder / "out") == Texts{"error", "error", "error"});
   }
 
-  TEST_CASE("a run that cannot write its files is told of, and the others go on") {
+  TEST_CASE("a run that cannot write its files is reported, and the others continue") {
     const TemporaryFolder folder;
     const Texts sweep = tiny_sweep(folder, "out", {"--grid", "speed=1,2,3"});
     fs::create_directories(folder / "out");
@@ -143,7 +142,7 @@ TEST_SUITE("cli") {
     CHECK(statuses(folder / "out") == Texts{"finished", "finished", "finished"});
   }
 
-  TEST_CASE("two sweeps do not work in one folder at once") {
+  TEST_CASE("two sweeps cannot use one folder at once") {
     const TemporaryFolder folder;
     const ChildProgram sweep(endless_sweep(folder));
     wait_until_the_short_run_has_ended(folder / "out");
@@ -155,7 +154,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("a single run of a sweep that another program has in hand is left to it") {
+  TEST_CASE("a single run of a sweep cannot start while another program runs it") {
     const TemporaryFolder folder;
     const Texts first{"--index", "0"};
     const ChildProgram sweep(endless_sweep(folder, first));
@@ -168,7 +167,7 @@ TEST_SUITE("cli") {
     CHECK(contains(program(endless_sweep(folder)).err, "out' is in use by "));
   }
 
-  TEST_CASE("a run whose run.json is cut or garbled is named and done again, and the others are kept") {
+  TEST_CASE("a run whose run.json is cut or garbled is named and repeated, and the others are kept") {
     const TemporaryFolder folder;
     const Texts sweep = tiny_sweep(folder, "out", {"--grid", "speed=1,2,3,4"});
     REQUIRE(program(sweep).code == 0);
@@ -188,7 +187,7 @@ TEST_SUITE("cli") {
     CHECK(ends(folder / "out").at("speed=4") == before.at("speed=4"));
   }
 
-  TEST_CASE("a run.json that is no record of a run is named, and its run is repeated") {
+  TEST_CASE("a run.json without a record of a run is named, and its run is repeated") {
     const TemporaryFolder folder;
     const Texts sweep = tiny_sweep(folder, "out", {"--grid", "speed=1:7:1"});
     REQUIRE(program(sweep).code == 0);
@@ -209,7 +208,7 @@ TEST_SUITE("cli") {
         CHECK(outcome.err.starts_with("taut: '" + (run / "run.json").string() + "'"));
       }
     }
-    CHECK(program({"map", folder.str("out"), "--markdown"}).out == map);  // read from results.csv
+    CHECK(program({"map", folder.str("out"), "--markdown"}).out == map);  // reads results.csv
     const Outcome outcome = program(sweep);
     CAPTURE(outcome.err);
     CHECK(outcome.code == 0);
@@ -224,7 +223,7 @@ TEST_SUITE("cli") {
     CHECK(ends(folder / "out").at("speed=7") == before.at("speed=7"));
   }
 
-  TEST_CASE("a cut run.json among files of somebody else is left alone") {
+  TEST_CASE("a cut run.json in a folder with foreign files is refused") {
     const TemporaryFolder folder;
     fs::create_directories(folder / "out");
     std::ofstream(folder / "out/run.json") << "";
@@ -237,7 +236,7 @@ TEST_SUITE("cli") {
     CHECK(call(tiny_run(folder, "out", {"--no-render"})).code == 0);
   }
 
-  TEST_CASE("a run folder that was killed in the making is taken again") {
+  TEST_CASE("a run folder whose creation was killed can be used again") {
     const TemporaryFolder folder;
     fs::create_directories(folder / "out");
     std::ofstream(folder / "out/run.json.tmp") << "{";

@@ -16,7 +16,7 @@ using namespace taut;
 using namespace taut::test;
 
 TEST_SUITE("unit") {
-  TEST_CASE("of many who write one file at once each writes it whole, and nothing is left beside it") {
+  TEST_CASE("many writers of one file each write it completely, and leave no other file") {
     const TemporaryFolder folder;
     const fs::path path = folder / "chart.dat";
     constexpr int writers = 4, times = 200, size = 20'000;
@@ -44,7 +44,7 @@ TEST_SUITE("unit") {
     CHECK(files_in(folder.path()) == 1);
   }
 
-  TEST_CASE("what a killed program has left beside a file is no hindrance, a folder there is one") {
+  TEST_CASE("a temporary file left by a killed program is replaced, and a folder in its place is an error") {
     const TemporaryFolder folder;
     const fs::path path = folder / "chart.dat";
     std::ofstream(path.string() + ".tmp") << "left";
@@ -56,7 +56,7 @@ TEST_SUITE("unit") {
     CHECK(text_of(path) == "new");
   }
 
-  TEST_CASE("of many who have a program make one file each has its own made, one after the other") {
+  TEST_CASE("many callers of a program that makes one file wait for each other") {
     const TemporaryFolder folder;
     const fs::path path = folder / "chart.txt";
     const cli::Maker shell{"sh", "a test", "dash"};

@@ -14,7 +14,6 @@ using namespace taut::test;
 
 namespace {
 
-/// The program, started with tests/support/file_calls.cpp.
 Outcome watched(const std::vector<std::string>& arguments, const std::string& setting) {
   const TemporaryFolder streams;
   std::string command =
@@ -25,7 +24,7 @@ Outcome watched(const std::vector<std::string>& arguments, const std::string& se
   return {WEXITSTATUS(status), text_of(streams / "out"), text_of(streams / "err")};
 }
 
-/// What a disk may lack of files and folders, as the calls go by.
+/// Replays a log of calls to find files that a power cut could lose.
 class Disk {
  public:
   explicit Disk(const fs::path& log) {
@@ -39,9 +38,9 @@ class Disk {
     }
   }
 
-  /// By the name of the file that a rename put in its place: was every file on disk by then, and it itself?
+  /// Per renamed file: whether all files were on disk, and the file itself.
   std::map<std::string, std::vector<bool>> all_before, itself_before;
-  std::set<std::string> lacking;  // in the end
+  std::set<std::string> lacking;
 
  private:
   void take(const std::string& call, const std::string& path, const std::string& other) {
@@ -49,7 +48,7 @@ class Disk {
     if (call == "sync") lacking.erase(path);
     if (call != "rename") return;
     const fs::path to = other;
-    // pictures are written by fwrite, which nobody sees
+    // written by fwrite, not in the log
     const bool itself = !lacking.contains(path) && to.extension() != ".png";
     lacking.erase(path);
     itself_before[to.filename()].push_back(itself);
@@ -62,8 +61,8 @@ class Disk {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("what a checkpoint and a finished run count on is on disk before them") {
-    for (const std::string range : {"0:4", "auto"}) {  // pictures are drawn on the way, and at the end
+  TEST_CASE("files needed by a checkpoint or a finished run are on disk before them") {
+    for (const std::string range : {"0:4", "auto"}) {  // drawn during the run, or at its end
       CAPTURE(range);
       const TemporaryFolder folder;
       const Outcome outcome = watched(tiny_run(folder, "out",
@@ -73,7 +72,7 @@ TEST_SUITE("cli") {
       CAPTURE(outcome.err);
       REQUIRE(outcome.code == 0);
       const Disk disk(folder / "calls");
-      // the first one, of nothing yet, and one each quarter but at the end
+      // the first, empty one, and one per quarter except the last
       const std::vector<bool>& checkpoints = disk.all_before.at("checkpoint.bin");
       CHECK(checkpoints.size() >= 4);
       CHECK(checkpoints == std::vector<bool>(checkpoints.size(), true));
@@ -85,7 +84,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("the results of a sweep and a baseline are on disk before they have their names") {
+  TEST_CASE("the results of a sweep and a baseline are on disk before they get their names") {
     const TemporaryFolder folder;
     const std::string calls = "TAUT_FILE_CALLS=" + folder.str("calls"), scene = write_tiny_scene(folder);
     REQUIRE(
@@ -101,7 +100,7 @@ TEST_SUITE("cli") {
     for (const std::string& path : disk.lacking) FAIL_CHECK(path);
   }
 
-  TEST_CASE("where there are no locks a run warns and goes on") {
+  TEST_CASE("on a file system without locks a run warns and continues") {
     const TemporaryFolder folder;
     const Outcome outcome = watched(tiny_run(folder, "out", {"--no-render"}), "TAUT_NO_LOCKS=1");
     CHECK(outcome.code == 0);
@@ -109,7 +108,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "out/run.lock"));
   }
 
-  TEST_CASE("a lock of a file that its holder has taken away meanwhile is none") {
+  TEST_CASE("a lock on a file that its holder has removed meanwhile is not held") {
     const TemporaryFolder folder;
     std::ostringstream err;
     const auto take = [&] {
@@ -120,7 +119,7 @@ TEST_SUITE("cli") {
     Outcome outcome;
     std::jthread other(
         [&] { outcome = watched(tiny_run(folder, "out"), "TAUT_GATE=" + folder.str("gate")); });
-    ChildProgram::wait_for(folder / "gate");  // it has opened the file
+    ChildProgram::wait_for(folder / "gate");  // the file is open
     first.reset();
     const auto second = take();
     fs::remove(folder / "gate");

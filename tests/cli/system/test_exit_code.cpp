@@ -14,7 +14,7 @@ using namespace taut::cli;
 using namespace taut::test;
 
 TEST_SUITE("cli") {
-  TEST_CASE("each kind of error has an exit code of its own, which scripts rely on") {
+  TEST_CASE("each kind of error has an exit code of its own") {
     const auto code_of = [](const std::function<int()>& action) {
       std::ostringstream err;
       return guarded(action, err);

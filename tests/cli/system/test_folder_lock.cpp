@@ -23,7 +23,7 @@ namespace {
 
 using Of = FolderLock::Of;
 
-/// What an attempt says: nothing where it succeeds.
+/// Empty on success.
 std::string refusal(const fs::path& folder, Of of) {
   std::ostringstream err;
   try {
@@ -37,7 +37,7 @@ std::string refusal(const fs::path& folder, Of of) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("a folder is locked once, by whatever path, and who has it is said") {
+  TEST_CASE("a folder is locked once, by any path, and the message names the holder") {
     const TemporaryFolder folder;
     fs::create_directory(folder / "run");
     fs::create_directory_symlink(folder / "run", folder / "link");
@@ -56,7 +56,7 @@ TEST_SUITE("unit") {
     CHECK(files_in(folder / "run") == 0);
   }
 
-  TEST_CASE("a sweep is locked as a whole or in part") {
+  TEST_CASE("a sweep is locked as a whole or in parts") {
     const TemporaryFolder folder;
     std::ostringstream err;
     {
@@ -67,10 +67,10 @@ TEST_SUITE("unit") {
     const FolderLock all(folder.path(), Of::sweep, "taut sweep", err);
     CHECK(contains(refusal(folder.path(), Of::sweep), "in use by `taut sweep`"));
     CHECK(contains(refusal(folder.path(), Of::part_of_sweep), "in use by `taut sweep`"));
-    CHECK(refusal(folder.path(), Of::run).empty());  // the folder of a run is another thing
+    CHECK(refusal(folder.path(), Of::run).empty());  // independent
   }
 
-  TEST_CASE("the lock goes with the program, and its file is taken by the next one") {
+  TEST_CASE("a lock ends with its process, and its file is taken by the next one") {
     const TemporaryFolder folder;
     fs::create_directory(folder / "run");
     const pid_t child = ::fork();
@@ -84,7 +84,7 @@ TEST_SUITE("unit") {
     CHECK(files_in(folder / "run") == 0);
   }
 
-  TEST_CASE("of many that come at once to a folder that there is not one at a time has it") {
+  TEST_CASE("only one of many processes at a time locks a folder that does not exist yet") {
     const TemporaryFolder folder;
     std::atomic<int> holders = 0, most = 0, turns = 0;
     const auto come = [&] {
@@ -96,7 +96,7 @@ TEST_SUITE("unit") {
           std::this_thread::sleep_for(std::chrono::microseconds(20));
           --holders;
           ++turns;
-        } catch (const UsageError&) {  // the others were quicker
+        } catch (const UsageError&) {
         }
       }
     };
@@ -108,7 +108,7 @@ TEST_SUITE("unit") {
     CHECK(turns > 50);
   }
 
-  TEST_CASE("a folder that was made goes when nothing is in it, and one that was there stays") {
+  TEST_CASE("a folder created by a lock is removed if it is empty, and an existing one stays") {
     const TemporaryFolder folder;
     std::ostringstream err;
     {
@@ -123,7 +123,7 @@ TEST_SUITE("unit") {
     CHECK(fs::exists(folder / "empty"));
   }
 
-  TEST_CASE("a stranger's folder leads a lock nowhere") {
+  TEST_CASE("a link or a pipe in place of a lock file is refused, and its target stays untouched") {
     const TemporaryFolder folder;
     std::ofstream(folder / "precious") << "precious";
     for (const char* kind : {"symbolic", "hard", "fifo"}) {

@@ -10,7 +10,7 @@ using namespace taut::cli;
 using namespace taut::test;
 
 TEST_SUITE("unit") {
-  TEST_CASE("a second hang-up, as a terminal that is closed may send, does not end the program at once") {
+  TEST_CASE("a second SIGHUP, which a closed terminal can send, does not end the program at once") {
     const Interrupts interrupts;
     CHECK_FALSE(interrupts.asked_to_end());
     std::raise(SIGHUP);
@@ -19,7 +19,7 @@ TEST_SUITE("unit") {
     CHECK(interrupts.asked_to_end());
   }
 
-  TEST_CASE("a signal is remembered until somebody heeds the next ones") {
+  TEST_CASE("a signal is remembered until the next Interrupts object") {
     {
       const Interrupts interrupts;
       std::raise(SIGTERM);
@@ -29,7 +29,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(Interrupts::asked());
   }
 
-  TEST_CASE("who reads no longer does not end the program") {
+  TEST_CASE("a closed pipe does not end the program") {
     const Interrupts interrupts;
     std::raise(SIGPIPE);
     CHECK_FALSE(interrupts.asked_to_end());
@@ -37,9 +37,9 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("cli") {
-  TEST_CASE("Ctrl-C while a run is setting up ends it at once, before it has touched anything") {
+  TEST_CASE("Ctrl-C while a run is setting up ends it at once, before it touches a file") {
     const TemporaryFolder folder;
-    // 270 000 particles, whose bonds take seconds; the terminal says when that has begun
+    // 270 000 particles: bonds take seconds
     TerminalProgram program(
         {"run", "colliding-balls", "--method", "oenog", "--spacing", "1.1e-3", "--out", folder.str("run")},
         folder.str("state"));

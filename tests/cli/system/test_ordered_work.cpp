@@ -14,7 +14,7 @@ using namespace taut::cli;
 
 namespace {
 
-/// Waits until it is opened; so that what happens in other threads happens in a known order.
+/// Blocks threads until it is opened.
 class Gate {
  public:
   void open() {
@@ -36,7 +36,7 @@ std::vector<int> numbers_up_to(int count) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("second halves are done in order, one at a time, whatever the number of workers") {
+  TEST_CASE("second halves run in order, one at a time, for any number of workers") {
     for (const int workers : {0, 1, 2, 3, 8}) {
       OrderedWork work(workers);
       std::vector<int> order;
@@ -57,12 +57,12 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("a piece that takes long holds up the second halves behind it, not the first ones") {
+  TEST_CASE("a slow piece delays the second halves behind it, but not the first ones") {
     OrderedWork work(2);
     Gate gate;
     std::vector<int> order;
     work.add([&](int) {
-      gate.pass();  // opened by the last piece: it is done first
+      gate.pass();  // opened by the last piece
       return [&] { order.push_back(0); };
     });
     for (int k = 1; k < 4; ++k)
@@ -74,7 +74,7 @@ TEST_SUITE("unit") {
     CHECK(order == numbers_up_to(4));
   }
 
-  TEST_CASE("no two pieces at once have one worker") {
+  TEST_CASE("no two pieces run on one worker at once") {
     OrderedWork work(3);
     std::array<std::atomic<bool>, 3> busy{};
     for (int k = 0; k < 300; ++k)
@@ -88,7 +88,7 @@ TEST_SUITE("unit") {
     work.finish();
   }
 
-  TEST_CASE("no more pieces are under way than there is room for") {
+  TEST_CASE("the number of pieces in progress is limited") {
     OrderedWork work(2);
     std::atomic<int> under_way = 0, most = 0;
     for (int k = 0; k < 100; ++k)
@@ -99,7 +99,7 @@ TEST_SUITE("unit") {
       });
     work.finish();
     CHECK(most <= work.room());
-    // with all the room taken, `add` waits until a piece is done
+    // `add` waits at the limit
     Gate gate;
     std::atomic<int> done = 0;
     for (int k = 0; k < work.room(); ++k)
@@ -118,12 +118,12 @@ TEST_SUITE("unit") {
     CHECK(done == work.room());
   }
 
-  TEST_CASE("the first failure is thrown, and nothing behind it is done") {
+  TEST_CASE("the first failure is thrown, and no later second half runs") {
     for (const int workers : {0, 1, 3})
       for (const bool in_second_half : {false, true}) {
         OrderedWork work(workers);
         std::vector<int> order;
-        Gate gate;  // others are under way behind the piece that fails
+        Gate gate;  // keeps later pieces in progress
         if (workers == 0) gate.open();
         const auto fail_at = [&](int number) {
           if (number == 5 || number == 6) throw std::runtime_error("piece " + std::to_string(number));
@@ -148,7 +148,7 @@ TEST_SUITE("unit") {
       }
   }
 
-  TEST_CASE("an end without `finish` waits for what was begun, and what nobody has begun is dropped") {
+  TEST_CASE("destruction without `finish` waits for started pieces, and drops the others") {
     std::atomic<int> begun = 0, ended = 0;
     Gate first, gate;
     std::thread opener;

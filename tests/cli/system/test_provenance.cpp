@@ -19,7 +19,7 @@ Texts in_threads(const TemporaryFolder& folder, const std::string& number) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("run.json names the build, the command and the process in provenance") {
+  TEST_CASE("run.json records the build, the command and the process in provenance") {
     const TemporaryFolder folder;
     const Texts arguments = in_threads(folder, "1");
     REQUIRE(program(arguments, folder / "").code == 0);

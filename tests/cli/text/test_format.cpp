@@ -29,7 +29,7 @@ TEST_SUITE("unit") {
     CHECK(markdown_table({{"a", "b"}, {"x|y", "1\n2"}}) == "| a | b |\n| --- | --- |\n| x\\|y | 1 2 |\n");
   }
 
-  TEST_CASE("six digits are enough for people who compare") {
+  TEST_CASE("numbers are shown with six digits") {
     CHECK(six_digits(-0.00917469025591435) == "-0.00917469");
     CHECK(six_digits(2) == "2");
   }

@@ -8,15 +8,15 @@ using taut::cli::nearest;
 using Names = std::vector<std::string>;
 
 TEST_SUITE("unit") {
-  TEST_CASE("nearest names: few edits away, the nearest first") {
+  TEST_CASE("nearest names are few edits away, the nearest first") {
     const Names methods = {"og", "oas", "enog", "oenog"};
     CHECK(nearest("enogg", methods) == Names{"enog"});
-    CHECK(nearest("oneog", methods) == Names{"oenog"});  // two neighbours swapped are one edit
+    CHECK(nearest("oneog", methods) == Names{"oenog"});  // a swap is one edit
     CHECK(nearest("eno", methods) == Names{"enog", "oenog"});
     CHECK(nearest("viridis", methods).empty());
   }
 
-  TEST_CASE("nearest names: case and parts of names") {
+  TEST_CASE("nearest names ignore case and match parts of names") {
     CHECK(nearest("ENOG", {"enog"}) == Names{"enog"});
     CHECK(nearest("rings", {"colliding-rings", "ball-plate"}) == Names{"colliding-rings"});
     CHECK(nearest("l", {"L", "H"}) == Names{"L"});
@@ -24,7 +24,7 @@ TEST_SUITE("unit") {
     CHECK(nearest("abcd", {"abce", "abcf", "abcg", "abch", "abci", "abcj"}).size() == 5);
   }
 
-  TEST_CASE("did you mean") {
+  TEST_CASE("did_you_mean proposes the nearest names") {
     CHECK(did_you_mean("enogg", {"enog"}) == " (did you mean 'enog'?)");
     CHECK(did_you_mean("eno", {"enog", "oenog"}) == " (did you mean 'enog' or 'oenog'?)");
     CHECK(did_you_mean("viridis", {"enog"}).empty());

@@ -21,10 +21,10 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double round_off = 1e-13;  // of the scale, over all steps
-constexpr double dp = 0.001;         // m
+constexpr double round_off = 1e-13;
+constexpr double dp = 0.001;  // m
 
-/// Two particles `gap` spacings apart along x, the second `stiffer` times as stiff; each is a body.
+/// Two bodies of one particle each, `gap` spacings apart along x.
 Scene two_particles(double gap, double speed) {
   Scene scene;
   scene.name = "two-particles";
@@ -52,7 +52,6 @@ double linear_change(const Balance& before, const Balance& after) {
          before.momentum_scale;
 }
 
-/// Mean velocity of the first body over the one at the start, along x.
 double kept_speed(const Snapshot& start, const Snapshot& end) {
   double before = 0, after = 0;
   for (std::size_t i = 0; i < start.size(); ++i) {
@@ -66,18 +65,18 @@ double kept_speed(const Snapshot& start, const Snapshot& end) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("impulse contact: stops the approach of a pair, nothing else") {
+  TEST_CASE("impulse contact: the impulse stops the approach of a pair and changes nothing else") {
     const double m_i = 2, m_j = 3, closing = 7;
     const double impulse = stopping_impulse(closing, 1 / m_i, 1 / m_j);
     CHECK(closing - impulse * (1 / m_i + 1 / m_j) == Approx(0).epsilon(1e-14));
     CHECK(impulse == Approx(m_i * m_j / (m_i + m_j) * closing));  // [Khayyer2024] Eq. 54
     CHECK(stopping_impulse(-1e-9, 1 / m_i, 1 / m_j) == 0);
-    CHECK(stopping_impulse(closing, 1 / m_i, 0) == Approx(m_i * closing));  // the other one is held
+    CHECK(stopping_impulse(closing, 1 / m_i, 0) == Approx(m_i * closing));  // the other particle is clamped
     CHECK(stopping_impulse(closing, 0, 0) == 0);
     CHECK(stopping_impulse(closing, 0.3, 0.7) == stopping_impulse(closing, 0.7, 0.3));
   }
 
-  TEST_CASE("penalty contact: the modulus of two materials") {
+  TEST_CASE("penalty contact: the modulus of two materials is half their harmonic mean") {
     CHECK(contact_modulus(2e7, 2e7, 1) == 1e7);  // [TranDuc2023] after Eq. 2.13: K/2
     CHECK(contact_modulus(1e7 / 3, 1e7 / 3, 2) == 1e7 / 3);
     CHECK(contact_modulus(1e7, 3e7, 1) == Approx(0.75e7));
@@ -99,7 +98,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("penalty contact: two particles swing as on a spring, and keep their energy") {
+  TEST_CASE("penalty contact: two particles oscillate as on a spring and conserve their energy") {
     for (const char* method : {"og", "enog", "oenog"}) {
       CAPTURE(std::string(method));
       const double speed = 0.01 * ring_rubber().sound_speed();
@@ -115,19 +114,18 @@ TEST_SUITE("analytic") {
       const double start = total_energy(*simulation, scene);
       simulation->advance_to(quarter);
       const auto& x = simulation->snapshot().x;
-      CHECK(dp - (x[2] - x[0]) == Approx(2 * speed / omega).epsilon(1e-3));  // deepest
+      CHECK(dp - (x[2] - x[0]) == Approx(2 * speed / omega).epsilon(1e-3));
       CHECK(balance(simulation->snapshot(), scene).kinetic < 1e-3 * start);
       CHECK(total_energy(*simulation, scene) == Approx(start).epsilon(1e-4));
       simulation->advance_to(2.2 * quarter);
-      CHECK(simulation->snapshot().v[0] == Approx(-speed).epsilon(1e-3));  // apart again
+      CHECK(simulation->snapshot().v[0] == Approx(-speed).epsilon(1e-3));
       CHECK(total_energy(*simulation, scene) == Approx(start).epsilon(1e-4));
     }
   }
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE(
-      "contact: every law of every method stops two bodies and keeps their momentum as the method does") {
+  TEST_CASE("contact: every law stops two bodies and conserves their momentum if the method does") {
     Scene scene = small_collision();
     for (const MethodInfo& method : methods()) {
       for (const ContactLaw law : method.contact_laws) {
@@ -136,18 +134,18 @@ TEST_SUITE("conservation") {
         scene.contact = law;
         const auto simulation = make_simulation(scene, with_method(std::string(method.name)));
         const Snapshot start = simulation->snapshot();
-        // a thin ring in such a collision does not last for 200 of the long steps
+        // a thin ring does not survive 200 long steps
         make_steps(*simulation, method.cfl > 0.4 ? 80 : 200);
         const Balance before = balance(start, scene), after = balance(simulation->snapshot(), scene);
         if (method.conserves.starts_with("linear momentum"))
           CHECK(linear_change(before, after) < round_off);
         else
-          CHECK(linear_change(before, after) < 0.1);  // of the scale; 0.04
+          CHECK(linear_change(before, after) < 0.1);
         if (method.conserves.find("angular momentum") != std::string_view::npos)
           CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) <
                 round_off * before.angular_scale);
         CHECK(kept_speed(start, simulation->snapshot()) < 0.7);
-        // nothing damps what ccb does in tension, nor the zigzags of pf
+        // ccb is undamped in tension, and so are the zigzags of pf
         const double gain = method.name == "ccb" ? 1.08 : method.name == "pf" ? 3 : 1.003;
         CHECK(after.kinetic + after.strain < gain * before.kinetic);
       }
@@ -158,7 +156,7 @@ TEST_SUITE("conservation") {
 TEST_SUITE("conservation") {
   TEST_CASE("impulse contact: faces pressed together do not creep into each other") {
     const double speed = 0.06 * ring_rubber().sound_speed();
-    Scene scene = two_particles(1, speed);  // as two columns of 30 particles
+    Scene scene = two_particles(1, speed);
     scene.bodies[0].shapes = {Box{{-30 * dp, -0.5 * dp, 0}, {0, 0.5 * dp, 0}}};
     scene.bodies[1].shapes = {Box{{0, -0.5 * dp, 0}, {30 * dp, 0.5 * dp, 0}}};
     scene.contact = ContactLaw::impulse;
@@ -176,7 +174,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("impulse contact: the gradients of the mixed methods follow it as the positions do") {
+  TEST_CASE("impulse contact: the gradients of the mixed methods follow the corrected positions") {
     Scene scene;
     scene.name = "blocks";
     scene.spacing = dp;
@@ -191,7 +189,7 @@ TEST_SUITE("unit") {
       scene.bodies.push_back(block);
     }
     for (const int dim : {2, 3}) {
-      // where J is an unknown it is damped on its way, F is not
+      // J is damped where it is an unknown, F is not
       for (const auto& [method, bound] :
            {std::pair{"pf", 1e-9}, {"pf-jst", 1e-9}, {"pfj-jst", 0.15}, {"pfhj-jst", 0.15}}) {
         CAPTURE(dim);
@@ -204,7 +202,7 @@ TEST_SUITE("unit") {
           body.shapes[0] = Box{box.low, {box.high[0], box.high[1], dim == 3 ? 3 * dp : 0}};
         }
         const Snapshot now = state_after(30, met, with_method(method));
-        // of bodies that start where these are, F is the gradient of the positions
+        // the same positions as an initial displacement, so that F is their gradient
         const auto n = static_cast<std::size_t>(dim);
         for (std::size_t k = 0; k < n; ++k)
           for (Body& body : met.bodies)
@@ -217,7 +215,7 @@ TEST_SUITE("unit") {
               return 0.0;
             };
         const Snapshot same = make_simulation(met, with_method(method))->snapshot();
-        double most = 0, off = 0;  // of the compression
+        double most = 0, off = 0;
         for (std::size_t i = 0; i < now.size(); ++i) {
           const double rho0 = ring_rubber().density;
           most = std::max(most, std::abs(same.rho[i] / rho0 - 1));
@@ -231,7 +229,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("determinism") {
-  TEST_CASE("contact: threads and instruction set do not matter to any law") {
+  TEST_CASE("contact: no law depends on the number of threads or the instruction set") {
     Scene scene = small_collision();
     for (const char* method : {"oas", "oenog"}) {
       for (const ContactLaw law : {ContactLaw::impulse, ContactLaw::penalty}) {
@@ -249,7 +247,7 @@ TEST_SUITE("determinism") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("contact: of two bodies that do not act as one, only those in touch act on each other") {
+  TEST_CASE("contact: two separate bodies act on each other only if they touch") {
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
       Scene scene = small_collision();
@@ -259,7 +257,7 @@ TEST_SUITE("unit") {
         scene.bodies[1].shapes = {Disc{{centre, 0, 0}, 0.006}};
         return state_after(10, scene, with_method(std::string(method.name))).v;
       };
-      const std::vector<double> beside = velocities(0.0069);  // 2 spacings off: in the kernel's reach
+      const std::vector<double> beside = velocities(0.0069);
       const std::vector<double> alone = velocities(0.1);
       double difference = 0;
       for (std::size_t k = 0; k < alone.size(); ++k)
@@ -276,7 +274,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("contact: a law that a method cannot run with is refused with the reason, before the run") {
+  TEST_CASE("contact: a law that a method does not support is refused with a reason before the run") {
     Scene scene = small_collision();
     const auto refused = [&](const char* method, ContactLaw law, const std::vector<const char*>& parts) {
       scene.contact = law;

@@ -25,14 +25,14 @@ using namespace taut::test;
 namespace {
 
 constexpr double dp = 0.001;  // m
-constexpr double arm = 0.03;  // of those that close, m
+constexpr double arm = 0.03;  // length of the closing arms, m
 using V = Vec<double, 2>;
 
 double modulus() { return ring_rubber().bulk_modulus() + 4.0 / 3 * ring_rubber().shear_modulus(); }
 
 Scene scene_of(const std::vector<Shape>& shapes) { return scene_of_shapes(shapes, 2, dp); }
 
-/// Two discs whose faces overlap by `depth`, m, along a direction that is none of the layout's.
+/// Two discs that overlap by `depth`, m, along a direction off the lattice axes.
 Pressed<2> two_discs(double depth) {
   const double r = 0.006, angle = 0.7, apart = 2 * r - depth;
   return Pressed<2>(
@@ -50,7 +50,7 @@ double total_energy(const Simulation& simulation, const Scene& scene) {
   return now.kinetic + now.strain;
 }
 
-/// Of 8 × 5 rows, its middle 4.8 spacings above the origin.
+/// A block of 8 × 5 spacings, centred 4.8 spacings above the origin.
 Shape tilted_block(double degrees) {
   const double angle = degrees * std::numbers::pi / 180;
   Chain corners;
@@ -61,7 +61,6 @@ Shape tilted_block(double degrees) {
   return Polygon({corners});
 }
 
-/// Without damping, while bodies come upon each other and part.
 void check_energy_stays(const Scene& scene) {
   Settings settings = with_method("oenog");
   settings.constants["damping"] = 0;
@@ -76,7 +75,7 @@ void check_energy_stays(const Scene& scene) {
   CHECK(met);
 }
 
-/// Of bodies that lose their symmetry, within a share of the greatest force.
+/// Checks that forces are the energy's slope after symmetry is perturbed; `within` is relative to the largest force.
 void check_slopes(Pressed<2>& bodies, double within) {
   for (int i = 0; i < bodies.s.size(); ++i)
     bodies.s.x[i] += 0.03 * dp *
@@ -113,9 +112,8 @@ void check_slopes(Pressed<2>& bodies, double within) {
 }  // namespace
 
 TEST_SUITE("conservation") {
-  TEST_CASE(
-      "surface contact: a disc pressed onto a narrow block stays its own mirror image, as the block does") {
-    for (const double half_width : {0.003, 0.004}) {  // corners of the block beside the contact
+  TEST_CASE("surface contact: a disc pressed onto a narrow block stays mirror-symmetric, as the block does") {
+    for (const double half_width : {0.003, 0.004}) {
       CAPTURE(half_width);
       Scene scene =
           scene_of({Disc{{0, 0.00392, 0}, 0.00382}, Box{{-half_width, -0.006, 0}, {half_width, 0, 0}}});
@@ -135,7 +133,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("surface contact: a tilted block that comes upon a flat one by a corner keeps the energy") {
+  TEST_CASE("surface contact: a tilted block that hits a flat one with a corner conserves the energy") {
     for (const double degrees : {5.0, 10.0, 20.0, 32.0, 38.0, 44.0}) {
       CAPTURE(degrees);
       Scene scene = scene_of({Box{{-0.012, -0.006, 0}, {0.012, 0, 0}}, tilted_block(degrees)});
@@ -144,7 +142,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("surface contact: a tip that stands on a node leaves the face with what it came with") {
+  TEST_CASE("surface contact: a tip that hits a node gains no energy") {
     constexpr double mm = 0.001;
     Scene scene = scene_of(
         {Box{{-3 * mm, 1.9 * mm, 0}, {3 * mm, 7.9 * mm, 0}}, Box{{-10 * mm, -4 * mm, 0}, {10 * mm, 0, 0}}});
@@ -166,7 +164,7 @@ TEST_SUITE("conservation") {
     CHECK(most < 1.001);
   }
 
-  TEST_CASE("surface contact: a tilted block that a wall throws back keeps the energy") {
+  TEST_CASE("surface contact: a tilted block that rebounds from a wall conserves the energy") {
     for (const double degrees : {14.0, 20.0, 24.0, 28.0, 35.0}) {
       CAPTURE(degrees);
       Scene scene = scene_of({tilted_block(degrees)});
@@ -178,7 +176,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("stability") {
-  TEST_CASE("surface contact: as stiff as it may be asked for it shortens the steps, and the energy stays") {
+  TEST_CASE("surface contact: the greatest allowed stiffness shortens the steps and conserves the energy") {
     Scene scene = two_blocks_that_meet();
     Settings settings = with_method("oenog");
     const auto run = [&](double stiffness) {
@@ -196,11 +194,11 @@ TEST_SUITE("stability") {
 }
 
 TEST_SUITE("term") {
-  TEST_CASE("surface contact: none before faces meet, and the slope of its energy") {
+  TEST_CASE("surface contact: the force is zero before faces meet and then the slope of the energy") {
     const double k = surface_stiffness(2e7, 3e7, 2, dp), depth = 0.2 * dp, step = 1e-6 * dp;
     CHECK(k == Approx(1.2e10));
     CHECK(surface_stiffness(2e7, 3e7, 2, dp) == surface_stiffness(3e7, 2e7, 2, dp));
-    CHECK(surface_stiffness(2e7, 2e7, 2, dp) == 1e7 / dp);  // as a layer of two spacings
+    CHECK(surface_stiffness(2e7, 2e7, 2, dp) == 1e7 / dp);
     CHECK(surface_energy(-1e-9, dp, k) == 0);
     CHECK(surface_force(-1e-9, dp, k) == 0);
     CHECK((surface_energy(depth + step, dp, k) - surface_energy(depth - step, dp, k)) / (2 * step) ==
@@ -208,7 +206,7 @@ TEST_SUITE("term") {
     CHECK(surface_energy(depth, dp, k) == Approx(0.25 * k * dp * depth * depth));
     CHECK(facing_share(-1) == 1);
     CHECK(facing_share(-0.5) == 1);
-    CHECK(facing_share(-0.24) == 0);  // a corner's other side
+    CHECK(facing_share(-0.24) == 0);
     CHECK(facing_share(-0.375) == Approx(0.5));
     CHECK(facing_share(1) == 0);
   }
@@ -226,7 +224,7 @@ TEST_SUITE("analytic") {
     CHECK(blocks.gap() == Approx(-depth).epsilon(1e-9));
   }
 
-  TEST_CASE("contact of faces: a wall presses as the mirror image does") {
+  TEST_CASE("contact of faces: a wall presses a body as its mirror image does") {
     const double depth = 0.1 * dp, length = 6 * dp, k = modulus() / (2 * dp);
     Scene scene = scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}});
     scene.walls = {{"wall", {0, 0, 0}, {-1, 0, 0}}};
@@ -234,15 +232,16 @@ TEST_SUITE("analytic") {
     CHECK(std::abs(block.force_on(0)[0]) < 1e-9 * k * depth * length);
     block.shift(0, {0.5 * depth, 0});
     CHECK(block.force_on(0)[0] == Approx(-k * depth * length).epsilon(1e-9));
-    CHECK(block.energy() == Approx(0.25 * k * depth * depth * length).epsilon(1e-9));  // half of the two
+    // half of the energy of block and image
+    CHECK(block.energy() == Approx(0.25 * k * depth * depth * length).epsilon(1e-9));
   }
 
-  TEST_CASE("contact of faces: nothing acts a micrometre before they meet, and nothing ever pulls") {
+  TEST_CASE("contact of faces: discs a micrometre apart exert no force, and no force is attractive") {
     for (const double depth : {-0.3e-3, -1e-6, 1e-6, 0.1e-3, 0.3e-3}) {
       CAPTURE(depth);
       Pressed<2> discs = two_discs(depth);
       const V force = discs.force_on(1);
-      // nodes of the one are not opposite to those of the other: chords lie inside their arcs
+      // nodes face the other disc's chords, which lie inside the arcs
       const double sag = dp * dp / (8 * 0.006);
       CHECK(std::abs(discs.gap() + depth) < 2 * sag);
       const double away = force[0] * std::cos(0.7) + force[1] * std::sin(0.7);
@@ -251,17 +250,17 @@ TEST_SUITE("analytic") {
       else if (depth > 2 * sag)
         CHECK(away > 0.1 * modulus() * depth);
       CHECK(away >= 0);
-      // a chord's normal is off by half of its angle at most
+      // a chord's normal is off by at most half its angle
       CHECK(std::abs(force[1] * std::cos(0.7) - force[0] * std::sin(0.7)) <= 1.05 * dp / (2 * 0.006) * away);
     }
   }
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("contact of faces: forces are the slope of the energy, without a sum or a moment") {
+  TEST_CASE("contact of faces: forces are the slope of the energy, and their sum and moment vanish") {
     Pressed<2> discs = two_discs(0.3 * dp);
     check_slopes(discs, 1e-5);
-    // tips that slide off each other, past a third of a segment and past more than one
+    // tips that slide off each other, by less and more than a segment
     for (const double past : {0.3, 0.8, 1.4}) {
       CAPTURE(past);
       Pressed<2> tips(scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}, Box{{0, 0.006, 0}, {0.008, 0.012, 0}}}));
@@ -270,7 +269,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact of faces: an oblique collision keeps both momenta and, undamped, the energy") {
+  TEST_CASE("contact of faces: an oblique collision conserves both momenta and, undamped, the energy") {
     Scene scene = small_collision();
     scene.contact = ContactLaw::surface;
     Settings settings = with_method("oenog");
@@ -292,8 +291,7 @@ TEST_SUITE("conservation") {
     CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) < 1e-13 * before.angular_scale);
   }
 
-  TEST_CASE("contact of faces: tips that meet do not go into each other, and give no energy") {
-    // the arms of a U that claps shut
+  TEST_CASE("contact of faces: colliding tips neither interpenetrate nor create energy") {
     Scene claps = scene_of({Box{{-0.01, -0.02, 0}, {0, 0.02, 0}}});
     claps.bodies[0].shapes.push_back(Box{{0, 0.01, 0}, {0.08, 0.02, 0}});
     claps.bodies[0].shapes.push_back(Box{{0, -0.02, 0}, {0.08, -0.01, 0}});
@@ -313,11 +311,11 @@ TEST_SUITE("conservation") {
         simulation->advance_to(0.5e-3 * k);
         greatest = std::max(greatest, total_energy(*simulation, claps));
       }
-      CHECK(greatest < 1.002 * start);  // was 1.65, and undamped it flew apart
+      CHECK(greatest < 1.002 * start);
     }
   }
 
-  TEST_CASE("contact of faces: the gap of two tips is that of what touches") {
+  TEST_CASE("contact of faces: the gap of two tips is measured where they touch") {
     const double half = 0.008;
     Scene scene =
         scene_of({Box{{-half, 0.0078, 0}, {half, 0.0238, 0}}, Box{{-half, -0.0238, 0}, {half, -0.0078, 0}}});
@@ -332,11 +330,11 @@ TEST_SUITE("conservation") {
     simulation->advance_to(0.003);
     const std::vector<double>& gap = simulation->series().value[0];
     CHECK(*std::ranges::min_element(gap) < 0);
-    CHECK(*std::ranges::min_element(gap) > -dp);  // of faces that look away, -2.3 dp
+    CHECK(*std::ranges::min_element(gap) > -dp);  // faces that look away from each other are ignored
   }
 
   TEST_CASE("contact of faces: a round body on a flat one is not pushed aside where corner meets corner") {
-    const double r = 0.02, depth = 0.1 * dp;  // a node of each lies on the line of symmetry
+    const double r = 0.02, depth = 0.1 * dp;
     Pressed<2> bodies(scene_of(
         {Disc{{0, -r, 0}, r, RoundLayout::spaced}, Box{{-0.03, -depth, 0}, {0.03, 0.006 - depth, 0}}}));
     const std::vector<V> force = bodies.forces();
@@ -344,7 +342,7 @@ TEST_SUITE("conservation") {
     for (int i = 0; i < bodies.s.size(); ++i)
       if (bodies.s.body[i] == 0) on_disc += force[i];
     REQUIRE(on_disc[1] < -0.01 * modulus() * dp);
-    CHECK(std::abs(on_disc[0]) < 1e-9 * -on_disc[1]);  // by one side of the corner alone 0.013
+    CHECK(std::abs(on_disc[0]) < 1e-9 * -on_disc[1]);
   }
 
   TEST_CASE("contact of faces: mirrored bodies stay mirrored to the last bit") {
@@ -362,7 +360,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("contact: a strip that folds meets itself, by every law, and does not pass through") {
+  TEST_CASE("contact: a folding strip touches itself under every law and does not pass through") {
     Scene scene = closing_arms(2, dp, 0.008, arm, 0.15);
     for (const char* method : {"oenog", "tl", "pf-jst"}) {
       for (const ContactLaw law : find_method(method)->contact_laws) {
@@ -378,7 +376,7 @@ TEST_SUITE("failure") {
           most = std::max(most, crossed(simulation->snapshot(), 2, dp, arm));
         }
         CHECK(most < 0);
-        if (law != ContactLaw::impulse) CHECK(pressed > 0.001);  // they did meet
+        if (law != ContactLaw::impulse) CHECK(pressed > 0.001);
         const Balance after = balance(simulation->snapshot(), scene);
         CHECK(std::abs(after.linear_momentum[0] - before.linear_momentum[0]) < 1e-12 * before.momentum_scale);
         CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) <
@@ -390,10 +388,9 @@ TEST_SUITE("failure") {
 
 TEST_SUITE("unit") {
   TEST_CASE("contact of faces: a body that is pressed or bent but not folded costs no contact") {
-    constexpr double inside = 0.008;  // m; at the corners faces do not look the same way
+    constexpr double inside = 0.008;  // m; excludes the corners
     CHECK(touching_after<2>([](const V& x) { return V{x[0], 0.5 * x[1]}; }, dp, inside) == 0);
     CHECK(touching_after<2>([](const V& x) { return bent(x, 0.012); }, dp, inside) == 0);
-    // closed to a ring it meets itself
     CHECK(touching_after<2>([](const V& x) { return bent(x, -0.003); }, dp, 0) > 0);
   }
 

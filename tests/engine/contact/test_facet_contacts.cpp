@@ -25,15 +25,15 @@ using namespace taut::test;
 namespace {
 
 constexpr double dp = 0.001;  // m
-constexpr double arm = 0.02;  // of those that close, m
+constexpr double arm = 0.02;  // length of the closing arms, m
 using V = Vec<double, 3>;
-constexpr Point direction{0.64, 0.48, 0.6};  // of length 1
+constexpr Point direction{0.64, 0.48, 0.6};  // unit vector
 
 double modulus() { return ring_rubber().bulk_modulus() + 4.0 / 3 * ring_rubber().shear_modulus(); }
 
 Scene scene_of(const std::vector<Shape>& shapes) { return scene_of_shapes(shapes, 3, dp); }
 
-/// Two balls whose faces overlap by `depth`, m, along a direction that is none of the layout's.
+/// Two balls that overlap by `depth`, m, along a direction off the lattice axes.
 Pressed<3> two_balls(double depth, double r = 0.006) {
   const double apart = 2 * r - depth;
   return Pressed<3>(scene_of(
@@ -45,7 +45,7 @@ double length(const V& v) { return std::sqrt(dot(v, v)); }
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("surface contact: in 3D weights make one, and slopes are those of what they belong to") {
+  TEST_CASE("surface contact: in 3D weights sum to one and slopes are the derivatives of their functions") {
     const double radius = 1.5 * dp, step = 1e-7;
     double sum = 0;
     constexpr int rings = 1000;
@@ -109,17 +109,16 @@ TEST_SUITE("analytic") {
     CHECK(std::abs(blocks.force_on(1)[0]) < 1e-9 * k * depth * area);
     blocks.shift(1, {-depth, 0, 0});
     const V force = blocks.force_on(1);
-    // a cover of less than 0.85 in the outermost facets
+    // the outermost facets are covered to less than 0.85, varying with depth
     CHECK(force[0] == Approx(1.02 * k * depth * area).epsilon(0.03));
     CHECK(std::hypot(force[1], force[2]) < 1e-9 * force[0]);
-    // but for what that cover changes with the depth
     CHECK(blocks.energy() == Approx(1.01 / 1.02 * 0.5 * depth * force[0]).epsilon(1e-3));
     CHECK(blocks.gap() == Approx(-depth).epsilon(1e-9));
     CHECK(length(blocks.between(1, 0) - force) < 1e-9 * force[0]);
     CHECK(length(blocks.between(0, 1) + force) < 1e-9 * force[0]);
   }
 
-  TEST_CASE("contact of faces: in 3D a step beside a body presses it no further than it overlaps") {
+  TEST_CASE("contact of faces: in 3D a step beside a body presses only where the two overlap") {
     for (const double step : {1.0, 1.3, 2.0}) {
       CAPTURE(step);
       Scene scene = scene_of({Box{{0, 0, -4 * dp}, {12 * dp, 12 * dp, 0}},
@@ -132,7 +131,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("contact of faces: in 3D a wall presses by k times twice the depth, and books what it gives") {
+  TEST_CASE("contact of faces: in 3D a wall presses by k times twice the depth and records its impulse") {
     const double depth = 0.1 * dp, area = 36 * dp * dp, k = modulus() / (2 * dp);
     Scene scene = scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0.006}}});
     scene.walls = {{"wall", {0, 0, 0}, {-1, 0, 0}}};
@@ -141,18 +140,19 @@ TEST_SUITE("analytic") {
     block.shift(0, {0.5 * depth, 0, 0});
     const V force = block.force_on(0);
     CHECK(force[0] == Approx(-k * depth * area).epsilon(1e-9));
-    CHECK(block.energy() == Approx(0.25 * k * depth * depth * area).epsilon(1e-9));  // half of the two
+    // half of the energy of block and image
+    CHECK(block.energy() == Approx(0.25 * k * depth * depth * area).epsilon(1e-9));
     CHECK(length(block.of_wall(0) - force) < 1e-9 * length(force));
     CHECK(block.of_walls().linear[0] == Approx(force[0]).epsilon(1e-9));
     CHECK(block.of_walls().angular[2] == Approx(-0.003 * force[0]).epsilon(1e-9));
   }
 
-  TEST_CASE("contact of faces: in 3D nothing acts before balls meet, and nothing ever pulls") {
+  TEST_CASE("contact of faces: in 3D balls exert no force before they meet, and no force is attractive") {
     for (const double depth : {-0.3e-3, -0.1e-3, 0.1e-3, 0.3e-3}) {
       CAPTURE(depth);
       Pressed<3> balls = two_balls(depth);
       const V force = balls.force_on(1);
-      // of the third order in the spacing over the radius, and of the steps of the lattice
+      // third order in spacing over radius, plus lattice steps
       CHECK(std::abs(balls.gap() + depth) < 0.02 * dp);
       const double away = force[0] * direction[0] + force[1] * direction[1] + force[2] * direction[2];
       if (depth < 0)
@@ -165,10 +165,10 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("contact of faces: in 3D forces are the slope of the energy, without a sum or a moment") {
+  TEST_CASE("contact of faces: in 3D forces are the slope of the energy, and their sum and moment vanish") {
     const Box low{{-0.004, 0, 0}, {0, 0.006, 0.006}};
     Scene on_edge = scene_of({low, Box{{0, 0.003, 0.0017}, {0.004, 0.007, 0.0057}}});
-    on_edge.bodies[1].rotation = Rotation{{0, 0, 1}, {0, 0.003, 0}, -25};  // one side is 65° from facing
+    on_edge.bodies[1].rotation = Rotation{{0, 0, 1}, {0, 0.003, 0}, -25};
     const Scene rims = scene_of({low, Box{{0, 0.0023, -0.0017}, {0.004, 0.0083, 0.0043}}});
     Scene hard_in_part = rims;
     hard_in_part.materials.push_back(ring_rubber());
@@ -179,7 +179,7 @@ TEST_SUITE("conservation") {
     struct Case {
       std::string name;
       Pressed<3> bodies;
-      double depth;  // spacings
+      double depth;
     };
     Case cases[] = {{"balls", two_balls(0.4 * dp, 0.004), 0},
                     {"rims", Pressed<3>(rims), 0.3},
@@ -189,7 +189,7 @@ TEST_SUITE("conservation") {
     for (auto& [name, bodies, depth] : cases) {
       CAPTURE(name);
       bodies.shift(1, {-depth * dp, 0, 0});
-      for (V& x : bodies.s.x) {  // no symmetry is left
+      for (V& x : bodies.s.x) {
         const Point at{x[0], x[1], x[2]}, across{x[1], x[2], x[0]};
         x += 0.03 * dp * V{shake(at, 7 * dp), shake(across, 5 * dp), shake({x[2], x[0], x[1]}, 6 * dp)};
       }
@@ -221,7 +221,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact of faces: in 3D an oblique blow keeps both momenta and, undamped, the energy") {
+  TEST_CASE("contact of faces: in 3D an oblique impact conserves both momenta and, undamped, the energy") {
     Scene scene = small_solid_collision();
     scene.contact = ContactLaw::surface;
     for (const char* method : {"oenog", "tl", "pf-jst"}) {
@@ -251,7 +251,7 @@ TEST_SUITE("conservation") {
 
   TEST_CASE("contact of faces: in 3D corners and edges that slip past each other gain no energy") {
     struct Pair {
-      Point middle;  // of the upper cube, m
+      Point middle;  // centre of the upper cube, m
       Rotation upper, lower;
       double half, speed;  // m, m/s
     };
@@ -311,7 +311,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("contact: in 3D arms that close meet, by every law, and do not pass through each other") {
+  TEST_CASE("contact: in 3D closing arms touch under every law and do not pass through each other") {
     Scene scene = closing_arms(3, dp, 0.006, arm, 0.1);
     for (const char* method : {"oenog", "tl", "pf-jst"}) {
       for (const ContactLaw law : find_method(method)->contact_laws) {
@@ -327,18 +327,18 @@ TEST_SUITE("failure") {
           most = std::max(most, crossed(simulation->snapshot(), 3, dp, arm));
         }
         CHECK(most < 0);
-        if (law != ContactLaw::impulse) CHECK(pressed > 0.001);  // they did meet
+        if (law != ContactLaw::impulse) CHECK(pressed > 0.001);
       }
     }
   }
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("contact of faces: in 3D a cube that lands on its corner or its edge is thrown back") {
+  TEST_CASE("contact of faces: in 3D a cube that lands on its corner or its edge rebounds") {
     const double side = 6 * dp, drop = 0.2 * dp, root = 1 / std::sqrt(2.0);
     struct Landing {
       Rotation turn;
-      double reach;  // of the cube below its middle
+      double reach;
     };
     const Landing on_corner{
         {{root, -root, 0}, {0, 0, 0}, std::acos(1 / std::sqrt(3.0)) * 180 / std::numbers::pi},
@@ -385,10 +385,10 @@ TEST_SUITE("failure") {
 }
 
 TEST_SUITE("restart") {
-  TEST_CASE("contact of faces: in 3D a saved run goes on to the same bytes, on any number of threads") {
+  TEST_CASE("contact of faces: in 3D a resumed run gives the same bytes on any number of threads") {
     Scene scene = small_solid_collision();
     scene.contact = ContactLaw::surface;
-    scene.bodies[1].shapes[0].shift(0, 5 * dp);  // out of reach of the first search
+    scene.bodies[1].shapes[0].shift(0, 5 * dp);  // outside the first search's reach
     for (const char* method : {"oenog", "tl"}) {
       CAPTURE(std::string(method));
       Settings settings = with_method(method);
@@ -409,12 +409,12 @@ TEST_SUITE("unit") {
   TEST_CASE("contact of faces: in 3D a body that is pressed or bent but not folded costs no contact") {
     CHECK(touching_after<3>([](const V& x) { return V{x[0], 0.6 * x[1], x[2]}; }, dp, 0) == 0);
     CHECK(touching_after<3>([](const V& x) { return bent(x, 0.012); }, dp, 0) == 0);
-    // closed to a ring it meets itself
     CHECK(touching_after<3>([](const V& x) { return bent(x, -0.003); }, dp, 0) > 0);
   }
 
   TEST_CASE(
-      "contact of faces: in 3D a body too thin to have faces is refused, and given particles with a reason") {
+      "contact of faces: in 3D a body too thin for faces is refused, and listed particles are refused with a "
+      "reason") {
     const Box block{{0, 0, 0.002}, {0.01, 0.01, 0.006}};
     const std::vector<Point> places = {{0, 0, 0},  {dp, 0, 0},  {0, dp, 0},  {dp, dp, 0},
                                        {0, 0, dp}, {dp, 0, dp}, {0, dp, dp}, {dp, dp, dp}};
@@ -444,7 +444,7 @@ TEST_SUITE("unit") {
     for (const char* part : {"'surface'", "one by one", "penalty"})
       CHECK(refusal(given).find(part) != std::string::npos);
     Scene scene = scene_of({given, block});
-    scene.contact = ContactLaw::published;  // which is the penalty then
+    scene.contact = ContactLaw::published;  // here the penalty law
     CHECK_NOTHROW(make_simulation(scene, with_method("oenog")));
   }
 }

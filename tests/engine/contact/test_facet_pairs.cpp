@@ -26,8 +26,7 @@ constexpr double dp = 0.001;  // m
 constexpr FacetPairs::Limits limits{.listed = 3 * dp, .horizon = 4 * dp, .far = 4 * dp, .cosine = 0.5};
 constexpr auto all = [](int, int) { return true; };
 
-/// A strip that is bent until its ends nearly meet, tilted so that little is along an axis, and a ball beside
-/// it.
+/// A strip bent until its ends nearly meet, off all axes, and a ball beside it.
 struct Bent {
   MovingFacets facets;
   FacetPairs near;
@@ -54,7 +53,7 @@ struct Bent {
     facets.place(s, facets.nodes_of(near.order()), near.order(), 1);
   }
 
-  /// As FacetPairs has it, of each pair of `candidates` one by one.
+  /// Brute-force version of FacetPairs::find.
   template <PairsOf kind, class Wanted>
   double find(const std::vector<int>& candidates, const Wanted& wanted, Pairs& found) const {
     double beyond = limits.horizon;
@@ -93,17 +92,17 @@ struct Bent {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("facet pairs: by clusters the same are found as one by one") {
+  TEST_CASE("facet pairs: the search by clusters finds the same pairs as brute force") {
     Bent bent;
     std::vector<int> order = bent.near.order();
-    SUBCASE("of one body") { bent.check<PairsOf::one_body>(order); }
-    SUBCASE("of two bodies") { bent.check<PairsOf::two_bodies>(order); }
-    SUBCASE("of some of the facets") {
+    SUBCASE("within one body") { bent.check<PairsOf::one_body>(order); }
+    SUBCASE("between two bodies") { bent.check<PairsOf::two_bodies>(order); }
+    SUBCASE("for a part of the facets") {
       std::erase_if(order, [](int f) { return f % 3 == 1; });
       bent.check<PairsOf::one_body>(order);
       bent.check<PairsOf::two_bodies>(order);
     }
-    SUBCASE("of those that are asked for") {
+    SUBCASE("for wanted pairs only") {
       const auto wanted = [](int f, int g) { return (f + g) % 2 == 0; };
       bent.check<PairsOf::one_body>(order, wanted);
       bent.check<PairsOf::two_bodies>(order, wanted);

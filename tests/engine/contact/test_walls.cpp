@@ -24,7 +24,6 @@ constexpr double dp = 0.001;  // m
 
 Wall wall(const char* name, const Point& at, const Point& normal) { return {name, at, normal}; }
 
-/// A block that flies to the right, a fifth of a spacing before x = 0.
 Scene flying_block() {
   const double speed = 0.02 * ring_rubber().sound_speed();
   Scene scene;
@@ -39,7 +38,6 @@ Scene flying_block() {
   return scene;
 }
 
-/// The same and its mirror image.
 Scene two_blocks() {
   Scene scene = flying_block();
   Body image = scene.bodies[0];
@@ -51,7 +49,7 @@ Scene two_blocks() {
   return scene;
 }
 
-/// A disc that flies into a corner of two walls, one of them leaning.
+/// A disc flying into a corner of two walls, one of them inclined.
 Scene disc_in_corner() {
   const double c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -68,7 +66,7 @@ Scene disc_in_corner() {
   return scene;
 }
 
-/// Of the momenta less what the walls gave, over their scales.
+/// Relative changes of the momenta, wall impulses subtracted.
 struct Kept {
   double linear, angular;
 };
@@ -84,19 +82,19 @@ Kept change(const Balance& before, const Balance& after) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("Lennard-Jones contact: none from one spacing on, and the slope of its energy") {
+  TEST_CASE("Lennard-Jones contact: the force is the slope of the energy and vanishes beyond one spacing") {
     CHECK(lennard_jones_force(dp, dp, 1e7, 2) == 0);
     CHECK(lennard_jones_force(1.1 * dp, dp, 1e7, 2) == 0);
     CHECK(lennard_jones_energy(1.1 * dp, dp, 1e7, 2) == 0);
     for (const int dim : {2, 3}) {
-      for (const double r : {0.9 * dp, 0.5 * dp, 0.05 * dp, -0.2 * dp}) {  // beyond the core, in it, behind
+      for (const double r : {0.9 * dp, 0.5 * dp, 0.05 * dp, -0.2 * dp}) {
         CAPTURE(r);
         const double step = 1e-5 * dp;
         const auto energy = [&](double at) { return lennard_jones_energy(at, dp, 1e7, dim); };
         CHECK((energy(r - step) - energy(r + step)) / (2 * step) ==
               Approx(lennard_jones_force(r, dp, 1e7, dim)).epsilon(1e-6));
       }
-      // begins as the penalty, and is harder where it is pressed
+      // starts like the penalty and stiffens under compression
       const auto ratio = [&](double r) {
         return lennard_jones_force(r, dp, 1e7, dim) / penalty_force(r, dp, 1e7, dim);
       };
@@ -131,7 +129,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("wall: under the law of one body the penalty acts") {
+  TEST_CASE("wall: a wall acts by the penalty if bodies interact as one") {
     Scene scene = flying_block();
     scene.walls = {wall("wall", {0, 0, 0}, {-1, 0, 0})};
     const auto after = [&](ContactLaw law) {
@@ -144,7 +142,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("wall: what it gives to the bodies is booked, and it turns them back") {
+  TEST_CASE("wall: a wall turns bodies back and its impulse is recorded") {
     Scene scene = disc_in_corner();
     for (const MethodInfo& method : methods()) {
       for (const ContactLaw law : method.contact_laws) {
@@ -155,12 +153,12 @@ TEST_SUITE("conservation") {
         const Balance before = balance(simulation->snapshot(), scene);
         simulation->advance_to(10 * 0.008 / scene.materials[0].sound_speed());
         const Balance after = balance(simulation->snapshot(), scene);
-        CHECK(after.of_walls.linear[1] > -1.1 * before.linear_momentum[1]);  // it flies up
+        CHECK(after.of_walls.linear[1] > -1.1 * before.linear_momentum[1]);
         const Kept kept = change(before, after);
         if (method.conserves.starts_with("linear momentum")) CHECK(kept.linear < 1e-12);
         if (method.conserves.find("angular momentum") != std::string_view::npos) CHECK(kept.angular < 1e-12);
         const double energy = (after.kinetic + after.strain) / before.kinetic;
-        CHECK(energy < (method.name == "pf" ? 1.3 : 1.02));  // nothing damps its zigzags
+        CHECK(energy < (method.name == "pf" ? 1.3 : 1.02));  // zigzags of pf are undamped
         if (method.conserves.find("energy") != std::string_view::npos && law != ContactLaw::impulse)
           CHECK(energy == Approx(1).epsilon(5e-3));
       }
@@ -169,9 +167,9 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("wall: what it gives turns about the origin with the arm to where it acts") {
+  TEST_CASE("wall: the angular impulse about the origin has the arm to the point of contact") {
     const double speed = 0.02 * ring_rubber().sound_speed();
-    for (const int axis : {0, 1}) {  // of the wall's normal
+    for (const int axis : {0, 1}) {
       CAPTURE(axis);
       const std::size_t along = static_cast<std::size_t>(axis), across = 1 - along;
       Scene scene = flying_block();
@@ -188,7 +186,7 @@ TEST_SUITE("conservation") {
         const Impulse given = state_after(200, scene, with_method("tl")).of_walls;
         CHECK(given.linear[along] > 0.1 * speed * 64 * dp * dp * ring_rubber().density);
         CHECK(given.linear[across] == 0);
-        // the block is the same on both sides of its middle, and so is what it is given
+        // the impulse acts at the block's centre by symmetry
         const double arm = axis == 1 ? centre[across] : -centre[across];
         CHECK(given.angular[2] == Approx(arm * given.linear[along]).scale(0).epsilon(1e-9));
       }
@@ -197,7 +195,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("wall: a body that begins inside one is refused, one that is held there is not") {
+  TEST_CASE("wall: a body that starts inside a wall is refused unless it is clamped there") {
     Scene scene = disc_in_corner();
     scene.walls.push_back(wall("roof", {0, 0.006, 0}, {0, -1, 0}));
     try {
@@ -213,7 +211,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("wall: a face of a body may begin a quarter of a spacing inside it, and no deeper") {
-    Scene scene = flying_block();  // up to −0.2 dp
+    Scene scene = flying_block();  // face at −0.2 dp
     const auto begins = [&](double depth) {
       scene.walls = {wall("front", {(-0.2 - depth) * dp, 0, 0}, {-1, 0, 0})};
       try {
@@ -229,7 +227,7 @@ TEST_SUITE("unit") {
     CHECK(begins(0.25));
     CHECK_FALSE(begins(0.26));
     CHECK_FALSE(begins(0.49));
-    scene.jitter = {0.4, 1};  // moves no face
+    scene.jitter = {0.4, 1};  // does not move faces
     CHECK(begins(0));
     CHECK_FALSE(begins(0.3));
     scene.jitter = {};
@@ -239,7 +237,7 @@ TEST_SUITE("unit") {
     scene.walls = {wall("front", {-0.44 * dp, 0, 0}, {-1, 0, 0})};
     CHECK_NOTHROW(make_simulation(scene, with_method("enog")));
     scene.bodies[0] = block;
-    scene.bodies[0].on_boundary = true;  // its face is where particles are
+    scene.bodies[0].on_boundary = true;
     CHECK(begins(0));
     scene.bodies[0].on_boundary = false;
     scene.bodies[0].displacement[0] = constant(-0.3 * dp);

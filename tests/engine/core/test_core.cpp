@@ -23,10 +23,9 @@ using namespace taut::test;
 
 namespace {
 
-/// Values without a pattern, all different.
 double scramble(int k) { return std::sin(1.0 + 2.7 * k) + 0.1 * k; }
 
-/// Steps until the team is tried next, while one thread takes 1 ms for each.
+/// Number of steps on one thread, of 1 ms each, until the team is tried again.
 int steps_alone(TeamSize& team) {
   int steps = 0;
   for (; team.threads() == 1; ++steps) team.step_took(1e-3);
@@ -115,7 +114,7 @@ void check_gather() {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("cube root: its inverse, for all sizes and both signs") {
+  TEST_CASE("cube root: the cube of the root is the argument for all sizes and both signs") {
     for (double x = 1e-290; x < 1e290; x *= 1.37) {
       CHECK(inverse_cube_root(x) * std::cbrt(x) == Approx(1).epsilon(1e-15));
       CHECK(inverse_cube_root(-x) == -inverse_cube_root(x));
@@ -133,13 +132,13 @@ TEST_SUITE("unit") {
     check_symmetric_tensor<3>();
   }
 
-  TEST_CASE("tensor: products") {
+  TEST_CASE("tensor: products equal sums over components") {
     check_products<2>();
     check_products<3>();
   }
 
-  TEST_CASE("tensor: the inverse of a moment") {
-    for (const double scale : {1e-12, 1.0, 1e9}) {  // does not depend on the unit
+  TEST_CASE("tensor: a moment times its inverse is the identity in any unit") {
+    for (const double scale : {1e-12, 1.0, 1e9}) {
       const Sym<double, 2> a = scale * Sym<double, 2>{2.0, -0.7, 1.3};
       const Sym<double, 2> b = inverse(a);
       CHECK(a(0, 0) * b(0, 0) + a(0, 1) * b(1, 0) == Approx(1));
@@ -149,8 +148,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("tensor: what has no inverse gives 0") {
-    Sym<double, 2> line{};  // neighbours in one direction only
+  TEST_CASE("tensor: the inverse of a singular tensor is 0") {
+    Sym<double, 2> line{};
     add_outer(line, 0.3, Vec<double, 2>{0.6, 0.8});
     for (const Sym<double, 2>& a : {Sym<double, 2>{0, 0, 0}, line}) {
       const Sym<double, 2> b = inverse(a);
@@ -158,7 +157,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("tensor: what is spread over the lanes adds up to four times itself") {
+  TEST_CASE("tensor: a tensor copied to all lanes sums to four times itself") {
     const Vec<double, 3> v = {1.5, -2, 0.25};
     for (int k = 0; k < 3; ++k) CHECK(sum(spread(v))[k] == 4 * v[k]);
     const Vec<Pack, 3> lane_by_lane{Pack{1, 2, 3, 4}, Pack{10, 20, 30, 40}, Pack{100, 200, 300, 400}};
@@ -170,7 +169,7 @@ TEST_SUITE("unit") {
     CHECK(sum(m)(1, 0) == 10 * 6);
   }
 
-  TEST_CASE("pack: gathers and transposes four rows") {
+  TEST_CASE("pack: four rows are gathered and transposed") {
     check_gather<4>();
     check_gather<8>();
   }
@@ -189,8 +188,8 @@ TEST_SUITE("unit") {
     CHECK(!any(a < 0));
   }
 
-  TEST_CASE("parallel: every index once, on any number of threads") {
-    for (int again = 0; again < 50; ++again) {  // a helper that comes late must leave the next loop alone
+  TEST_CASE("parallel: every index is visited once on any number of threads") {
+    for (int again = 0; again < 50; ++again) {  // a late helper must not touch the next loop
       for (const int threads : {1, 2, 3, 8}) {
         for (const int n : {0, 1, 2, 100, 1000}) {
           std::vector<int> visits(n, 0);
@@ -201,13 +200,13 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("parallel: a loop within a loop") {
+  TEST_CASE("parallel: a loop within a loop visits every index") {
     std::vector<std::atomic<int>> visits(100);
     parallel_for(100, 2, [&](int) { parallel_for(100, 2, [&](int k) { ++visits[k]; }); });
     for (const std::atomic<int>& count : visits) CHECK(count == 100);
   }
 
-  TEST_CASE("parallel: a helper that is held up keeps nobody from all other chunks") {
+  TEST_CASE("parallel: a delayed helper does not block the other chunks") {
     const std::thread::id owner = std::this_thread::get_id();
     const int n = 1000;
     for (int again = 0; again < 50; ++again) {
@@ -217,14 +216,13 @@ TEST_SUITE("unit") {
       parallel_chunks(n, 2, [&](int, int, int) {
         --left;
         if (std::this_thread::get_id() == owner || held_up.exchange(true)) return;
-        while (left > 0)
-          std::this_thread::yield();  // for ever, if the others of its chunks were to wait for it
+        while (left > 0) std::this_thread::yield();  // loops for ever if one chunk waits for another
       });
       CHECK(left == 0);
     }
   }
 
-  TEST_CASE("parallel: what is made on several threads is taken once each, in order, and few are there") {
+  TEST_CASE("parallel: items made on several threads are taken once, in order, with few in memory") {
     for (const int threads : {1, 3})
       for (const int n : {0, 1, 4096, 10000}) {
         CAPTURE(threads);
@@ -248,7 +246,7 @@ TEST_SUITE("unit") {
       }
   }
 
-  TEST_CASE("parallel: the greatest value, and NaN above all") {
+  TEST_CASE("parallel: the maximum is the greatest value, or NaN if there is one") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const int threads : {1, 2, 3}) {
       CAPTURE(threads);
@@ -261,7 +259,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("growth: a list of which a share foretells the rest is copied no more") {
+  TEST_CASE("growth: a list whose size is predicted from a part is not copied again") {
     std::vector<int> list;
     constexpr std::size_t rows = 6400, of_each = 10;
     const int* place = nullptr;
@@ -275,7 +273,7 @@ TEST_SUITE("unit") {
     CHECK(list.capacity() < 1.2 * rows * of_each);
   }
 
-  TEST_CASE("growth: a list that outgrows what was foretold still grows by shares") {
+  TEST_CASE("growth: a list that exceeds its predicted size still grows geometrically") {
     std::vector<int> list;
     int copies = 0;
     for (std::size_t done = 0; done < 1000; ++done) {
@@ -304,14 +302,14 @@ TEST_SUITE("unit") {
     CHECK(steps_alone(team) == 16);
     team.step_took(10e-3);
     CHECK(team.threads() == 2);
-    team.step_took(10e-3);  // 20 ms for 2 steps, where one thread takes 16 for 16
+    team.step_took(10e-3);  // 20 ms for 2 steps; one thread takes 16 ms for 16
     CHECK(team.threads() == 1);
     const int steps = steps_alone(team);
     CHECK(steps >= 50 * 18 - 16);
     CHECK(steps <= 50 * 18 + 16);
   }
 
-  TEST_CASE("team: it is tried more and more seldom where it never helps") {
+  TEST_CASE("team: a team that never helps is tried ever less often") {
     TeamSize team(2);
     int before = steps_alone(team);
     for (int trial = 0; trial < 5; ++trial) {

@@ -7,7 +7,7 @@ namespace of_this_file {
 using namespace taut;
 
 TEST_SUITE("unit") {
-  TEST_CASE("least squares: by the Gram matrix it is what it is by the matrix itself, or nothing") {
+  TEST_CASE("least squares: the Gram matrix gives the solution of the full matrix, or none") {
     Eigen::MatrixXd A(6, 3);
     A << 1, 0, 0, 1, 1, 0, 1, 0, 1, 1, -1, 0.5, 1, 0.3, -1, 1, 2, 2;
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(6, -1, 3);
@@ -19,7 +19,7 @@ TEST_SUITE("unit") {
     A.col(2) = 2 * A.col(1);
     CHECK(least_squares(A, b).rank == 2);
     CHECK(by_gram().size() == 0);
-    A(5, 2) += 1e-5;  // of full rank, but it would cost ten digits
+    A(5, 2) += 1e-5;  // full rank, but the Gram matrix would lose ten digits
     CHECK(least_squares(A, b).rank == 3);
     CHECK(by_gram().size() == 0);
   }

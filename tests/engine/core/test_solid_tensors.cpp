@@ -1,4 +1,3 @@
-// Tensors, principal axes and rotations in 3D against Eigen.
 
 #include <algorithm>
 #include <array>
@@ -27,7 +26,6 @@ using Matrix = Eigen::Matrix3d;
 
 class Random {
  public:
-  /// From −1 to 1.
   double number() { return 2 * std::generate_canonical<double, 53>(random_) - 1; }
   Matrix matrix() {
     return Matrix::NullaryExpr([this](Eigen::Index, Eigen::Index) { return number(); });
@@ -59,7 +57,7 @@ Matrix eigen(const Mat<double, 3>& A) {
 Matrix eigen(const Sym<double, 3>& A) { return eigen(full(A)); }
 double greatest(const Matrix& A) { return A.cwiseAbs().maxCoeff(); }
 
-/// Random, diagonal, with two and three equal principal values, nearly equal ones, of rank one, and zero.
+/// Symmetric matrices: random, diagonal, with equal or nearly equal principal values, of rank one, and zero.
 std::vector<Matrix> symmetric_ones() {
   Random random;
   std::vector<Matrix> all;
@@ -86,7 +84,7 @@ std::vector<Matrix> symmetric_ones() {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("principal axes: those of Eigen, and square to each other where values are equal") {
+  TEST_CASE("principal axes: they equal Eigen's, and are orthogonal for equal values") {
     for (const Matrix& A : symmetric_ones()) {
       CAPTURE(A(0, 0));
       CAPTURE(A(0, 1));
@@ -106,7 +104,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("artificial stress: in 3D the positive part is that of the principal stresses") {
+  TEST_CASE("artificial stress: in 3D the positive part contains the positive principal stresses") {
     int mixed = 0;
     for (const Matrix& A : symmetric_ones()) {
       const auto& [values, vectors] = axes_of(A);
@@ -119,7 +117,7 @@ TEST_SUITE("unit") {
     CHECK(greatest(eigen(positive_part(sym(pressed)))) == 0);
   }
 
-  TEST_CASE("tensors: in 3D determinant, cofactor and inverse are those of Eigen") {
+  TEST_CASE("tensors: in 3D determinant, cofactor and inverse equal Eigen's") {
     Random random;
     for (int k = 0; k < 200; ++k) {
       const Matrix A = random.matrix();
@@ -128,11 +126,11 @@ TEST_SUITE("unit") {
       const Matrix C = A.transpose() * A + 0.1 * Matrix::Identity();
       CHECK(greatest(eigen(inverse(sym(C))) * C - Matrix::Identity()) < 1e-12);
     }
-    CHECK(greatest(eigen(inverse(sym(random.with_principal(1, 1, 0))))) == 0);  // it has none
+    CHECK(greatest(eigen(inverse(sym(random.with_principal(1, 1, 0))))) == 0);  // singular
     CHECK(greatest(eigen(inverse(Sym<double, 3>{}))) == 0);
   }
 
-  TEST_CASE("rotation: in 3D the nearest is that of the polar decomposition, beyond 90 degrees too") {
+  TEST_CASE("rotation: in 3D the nearest rotation is the polar one, also beyond 90 degrees") {
     Random random;
     int far = 0;
     for (int k = 0; k < 300; ++k) {

@@ -23,7 +23,6 @@ using test::unit_bulk;
 
 namespace {
 
-/// Two bodies of three particles with every value different, in 2D or 3D.
 Snapshot lively(int dim) {
   Snapshot now = made_snapshot(dim, {{0.3, 1.1, 0.2}, {-2, 0.7, 1.3}, {1.9, -0.4, -0.6}});
   for (std::size_t k = 0; k < now.v.size(); ++k) now.v[k] = std::sin(1.0 + 3.0 * static_cast<double>(k));
@@ -46,7 +45,7 @@ void scale(std::vector<double>& values, double factor) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("balance: energies of one particle under pressure and shear") {
+  TEST_CASE("balance: one particle under pressure and shear has the exact energies") {
     const Scene scene = made_scene(2, 1, {unit_bulk()});  // K = 1, G = 1.5
     Snapshot now = made_snapshot(2, {{0, 0, 0}});
     now.m = {6};
@@ -56,7 +55,7 @@ TEST_SUITE("unit") {
     CHECK(balance(now, scene).kinetic == Approx(0.5 * 6 * 25));
     CHECK(balance(now, scene).strain == Approx(3 * 4 / 2.0));
     now.p = {0};
-    now.s = {0, 2, 0, 0};  // pure shear τ: τ²/2G
+    now.s = {0, 2, 0, 0};  // pure shear: τ²/2G
     CHECK(balance(now, scene).strain == Approx(3 * 4 / (2 * 1.5)));
     now.s = {0, 0, 0, 3};
     CHECK(balance(now, scene).strain == Approx(3 * 9 / (4 * 1.5)));
@@ -110,7 +109,7 @@ TEST_SUITE("unit") {
     CHECK(sums.linear_momentum == Point{8, 10, 12});
   }
 
-  TEST_CASE("balance: sums of both signs keep what a plain sum loses") {
+  TEST_CASE("balance: sums of terms of both signs keep digits that a plain sum loses") {
     const Scene scene = made_scene(2, 1, {unit_bulk()});
     Snapshot now = made_snapshot(2, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}});
     now.v = {1, 0, 1e20, 0, 1, 0, -1e20, 0};
@@ -118,7 +117,7 @@ TEST_SUITE("unit") {
   }
 
 #if defined(__x86_64__)
-  TEST_CASE("particle loops: the instruction set does not matter") {
+  TEST_CASE("particle loops: sums do not depend on the instruction set") {
     if (!has_x86_64_v3()) return;
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
@@ -138,13 +137,14 @@ TEST_SUITE("unit") {
       const auto sums_by = [&](InstructionSet allowed) {
         const auto& kernels = best_kernels<SharedKernels::history_row, HistoryKernels>(dim, "", allowed);
         std::array<double, 16> sums;
-        kernels.alternating_sums(view, view_of(now), 0.1, sums.data());
+        std::vector<double> squared(static_cast<std::size_t>(part.rows()));
+        kernels.alternating_sums(view, view_of(now), 0.1, sums.data(), squared.data());
         kernels.balance(view_of(now), divisors.data(), 0, sums.data() + 6);
         return sums;
       };
       const auto any = sums_by(InstructionSet::baseline), best = sums_by(InstructionSet::x86_64_v4);
-      CHECK(any[2] > 0);  // stress
-      CHECK(any[7] > 0);  // strain energy
+      CHECK(any[2] > 0);
+      CHECK(any[7] > 0);
       CHECK(std::memcmp(&any, &best, sizeof any) == 0);
     }
   }

@@ -18,7 +18,6 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-/// Particles of one body.
 struct Lattice {
   std::vector<double> x, diameter;
   std::vector<int> body;
@@ -26,7 +25,7 @@ struct Lattice {
   Cells cells(int dim) const { return {dim, x, diameter, body}; }
 };
 
-/// n particles along each axis, cell-centred, turned about z by `angle`.
+/// n particles along each axis, cell-centred, rotated about z by `angle`.
 Lattice block(int dim, int n, double dp, double angle = 0) {
   Lattice lattice;
   for (int i = 0; i < n; ++i)
@@ -46,7 +45,7 @@ std::vector<double> moved(const std::vector<double>& x, int dim, const std::arra
   std::vector<double> result(x.size());
   const auto d = static_cast<std::size_t>(dim);
   for (std::size_t i = 0; i < x.size(); ++i) {
-    result[i] = 0.7;  // and away from where it was
+    result[i] = 0.7;
     for (std::size_t k = 0; k < d; ++k) result[i] += F[i % d][k] * x[i - i % d + k];
   }
   return result;
@@ -54,7 +53,6 @@ std::vector<double> moved(const std::vector<double>& x, int dim, const std::arra
 
 constexpr std::array<Vector, 3> map_of_space{{{1.2, 0.3, -0.1}, {-0.4, 0.9, 0.2}, {0.1, -0.2, 1.1}}};
 
-/// The area of a parallelogram or the volume of a box.
 double measure(const double* e, std::size_t dim) {
   if (dim == 2) return std::abs(e[0] * e[3] - e[1] * e[2]);
   return std::abs(e[0] * (e[4] * e[8] - e[5] * e[7]) - e[1] * (e[3] * e[8] - e[5] * e[6]) +
@@ -67,7 +65,6 @@ double sum_of_measures(const CellShapes& shapes, std::size_t dim) {
   return sum;
 }
 
-/// Whether one of the edges is ± `wanted`.
 bool has_edge(const CellShapes& shapes, std::size_t cell, int dim, const Vector& wanted) {
   const auto d = static_cast<std::size_t>(dim);
   for (std::size_t k = 0; k < d; ++k) {
@@ -84,7 +81,7 @@ bool has_edge(const CellShapes& shapes, std::size_t cell, int dim, const Vector&
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("cells: an affine motion makes of each cell what it makes of space") {
+  TEST_CASE("cells: an affine motion deforms each cell affinely") {
     const double dp = 0.1;
     for (const int dim : {2, 3}) {
       const auto d = static_cast<std::size_t>(dim);
@@ -108,7 +105,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("cells: in 3D those inside are left out until the body tears") {
+  TEST_CASE("cells: in 3D interior cells are left out until the body tears") {
     const int n = 6;
     Lattice lattice = block(3, n, 0.1);
     const Cells cells = lattice.cells(3);
@@ -142,7 +139,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("cells: bodies keep to themselves") {
+  TEST_CASE("cells: neighbouring bodies do not affect each other's cells") {
     Lattice two = block(2, 4, 0.1);
     const Lattice one = two;
     for (std::size_t i = 0; i < one.x.size(); i += 2) {
@@ -150,14 +147,14 @@ TEST_SUITE("unit") {
       two.diameter.push_back(0.1), two.body.push_back(1);
     }
     std::vector<double> now = two.x;
-    for (std::size_t i = one.x.size(); i < now.size(); i += 2) now[i + 1] += 0.03;  // slides along the other
+    for (std::size_t i = one.x.size(); i < now.size(); i += 2) now[i + 1] += 0.03;
     const CellShapes shapes = two.cells(2).at(now);
     for (std::size_t i = 0; i < shapes.particle.size(); ++i) CHECK(has_edge(shapes, i, 2, {0.1, 0, 0}));
   }
 
-  TEST_CASE("cells: particles on the boundary have what is inside of theirs") {
+  TEST_CASE("cells: boundary particles have the inner part of a cell") {
     const double dp = 0.1;
-    // half of a cell at a plane of symmetry, less at free faces: see make_initial_particles
+    // half a cell at a plane of symmetry, less at free faces: see make_initial_particles
     for (const auto& [dim, part] : {std::pair{2u, 0.5}, {3u, 0.5}, {2u, 1.0 / 3}, {3u, 0.41}}) {
       const int n = 5;
       Lattice lattice = block(static_cast<int>(dim), n, dp);
@@ -171,7 +168,7 @@ TEST_SUITE("unit") {
       }
       const CellShapes shapes = lattice.cells(static_cast<int>(dim)).at(lattice.x);
       double expected = std::pow((n - 1) * dp, dim);
-      if (dim == 3) expected -= std::pow((n - 2) * dp, 3);  // those inside are not drawn
+      if (dim == 3) expected -= std::pow((n - 2) * dp, 3);  // interior particles are not drawn
       CHECK(sum_of_measures(shapes, dim) == Approx(expected));
       for (std::size_t i = 0; i < shapes.particle.size(); ++i)
         for (std::size_t c = 0; c < dim; ++c) {

@@ -20,7 +20,8 @@ Snapshot particle(bool held) {
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "conservation: drift is relative to the greatest scale seen, momenta are none with held particles") {
+      "conservation: drift is relative to the greatest scale so far, and absent for momenta if particles are "
+      "clamped") {
     Balance start;
     start.kinetic = 4;
     start.linear_momentum = {1, 0, 0};
@@ -36,13 +37,13 @@ TEST_SUITE("unit") {
       const Conservation found = watch.so_far();
       REQUIRE(found.energy);
       CHECK(*found.energy == Approx(0.25));
-      CHECK_FALSE(found.angular_momentum);  // nothing turns: no scale
+      CHECK_FALSE(found.angular_momentum);  // no rotation, hence no scale
       REQUIRE(found.linear_momentum.has_value() == !held);
       if (!held) CHECK(*found.linear_momentum == Approx(0.1));
     }
   }
 
-  TEST_CASE("conservation: what walls gave is no drift") {
+  TEST_CASE("conservation: wall impulses are not drift") {
     Balance start;
     start.linear_momentum = {0, -2, 0};
     start.angular_momentum = {0, 0, 3};
@@ -59,25 +60,25 @@ TEST_SUITE("unit") {
     CHECK(*watch.so_far().angular_momentum == Approx(0.2));
   }
 
-  TEST_CASE("conservation: drift of the energy leaves out work from outside and damping") {
-    Balance start, later;  // at rest
+  TEST_CASE("conservation: energy drift excludes external work and damping") {
+    Balance start, later;
     later.kinetic = 3;
     later.strain = 2;
     later.work = 4;
     ConservationWatch watch(Scene(), particle(false));
     CHECK_FALSE(watch.so_far().energy);
     watch.follow(start);
-    CHECK_FALSE(watch.so_far().energy);  // no energy yet: no scale
+    CHECK_FALSE(watch.so_far().energy);  // no energy, hence no scale
     watch.follow(later);
     CHECK(*watch.so_far().energy == Approx(0.25));
-    later.damped = 2;  // what was taken is not lost
+    later.damped = 2;
     ConservationWatch damped(Scene(), particle(false));
     damped.follow(start);
     damped.follow(later);
     CHECK(*damped.so_far().energy == Approx(0.75));
   }
 
-  TEST_CASE("conservation: gained and lost energy are told apart, and the drift is the greater of both") {
+  TEST_CASE("conservation: energy drift is the greater of gained and lost energy") {
     Balance start, lost, gained;
     start.kinetic = 10, lost.kinetic = 7, gained.kinetic = 11;
     ConservationWatch watch(Scene(), particle(false));
@@ -87,7 +88,7 @@ TEST_SUITE("unit") {
     CHECK(*watch.so_far().energy == Approx(0.3));
   }
 
-  TEST_CASE("conservation: where there is no energy but that of rounding nothing is said of its drift") {
+  TEST_CASE("conservation: energy drift is absent if the energy is only round-off") {
     Scene scene;
     scene.materials = {{"rubber", /*ρ0*/ 1000, /*E*/ 1e6, /*ν*/ 0.3}};
     Balance start, later;
@@ -103,7 +104,7 @@ TEST_SUITE("unit") {
     CHECK(watch.so_far().energy);
   }
 
-  TEST_CASE("conservation: momentum is exchanged with what is held, driven, loaded, pulled or damped") {
+  TEST_CASE("conservation: clamped, driven, loaded, pulled or damped bodies exchange momentum") {
     const Snapshot free = particle(false);
     Scene scene;
     scene.bodies.resize(2);

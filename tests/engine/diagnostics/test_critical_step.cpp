@@ -19,7 +19,7 @@ namespace {
 
 constexpr CriticalStepSearch quick{.steps = 100, .tolerance = 2e-3};
 
-/// A square of 20 × 20 particles, whose right and left sides part with `pull` sound speeds.
+/// A square of 20 × 20 particles; `pull` is the relative speed of its left and right sides in sound speeds.
 Scene square(double pull = 0) {
   const double half = 0.5;
   Scene scene;
@@ -54,11 +54,11 @@ double critical(const Scene& scene, const Settings& settings) {
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("critical step: four neighbours, the sharp limit and not below the sufficient one") {
+  TEST_CASE("critical step: four neighbours give the sharp limit, which exceeds the sufficient one") {
     for (const double normalised : {0.0, 1.0}) {
       CAPTURE(normalised);
       const Scene scene = square();
-      const Settings settings = with_h(0.45, normalised);  // the Gaussian ends at 1.35 spacings
+      const Settings settings = with_h(0.45, normalised);
       const auto limits = step_limits(scene, settings);
       REQUIRE(limits.size() == 2);
       const double found = critical(scene, settings);
@@ -68,8 +68,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE(
-      "critical step: more neighbours, the sharp limit of the lattice where gradients are as they come") {
+  TEST_CASE("critical step: more neighbours give the sharp limit of the lattice with uncorrected gradients") {
     for (const double h : {0.7, 1.0, 1.3}) {
       CAPTURE(h);
       const Settings settings = with_h(h, 0);
@@ -79,7 +78,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("critical step in 3D: the sharp limit of the cubic lattice") {
+  TEST_CASE("critical step in 3D: the search finds the sharp limit of the cubic lattice") {
     Scene cube = square();
     cube.dim = 3;
     cube.spacing = 0.1;
@@ -90,8 +89,7 @@ TEST_SUITE("analytic") {
       REQUIRE(limits.size() == 1);  // [Zhang2020] has four neighbours
       CHECK(critical(cube, with_h(h, 0)) == Approx(limits[0].step).epsilon(0.05));
     }
-    // with the six nearest alone the corrected V W' is 1/2 at each, and the steepest wave (1, 1, 1) π/2: |κ|
-    // = √3
+    // with six neighbours the corrected V W' is 1/2, and the steepest wave (1, 1, 1) π/2 has |κ| = √3
     Settings six = with_method("tl");
     six.constants["h"] = 0.6;
     const Material& m = cube.materials[0];
@@ -101,7 +99,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("convergence") {
-  TEST_CASE("critical step: least between short and long h, normalising helps the short and harms the long") {
+  TEST_CASE("critical step: the step is smallest for medium h, and normalising raises it for short h only") {
     const auto step = [](double h, double normalised) { return critical(square(), with_h(h, normalised)); };
     const double as_it_comes[] = {step(0.55, 0), step(0.75, 0), step(1.3, 0)};
     const double normalised[] = {step(0.55, 1), step(0.75, 1), step(1.3, 1)};
@@ -115,7 +113,7 @@ TEST_SUITE("convergence") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("critical step: tension takes nothing from tl-small-strain, and a third from ccb") {
+  TEST_CASE("critical step: tension reduces the step of ccb by a third and not that of tl-small-strain") {
     const Settings linear = with_h(1, 1);  // [Zhang2020] Fig. 15
     const double at_rest = critical(square(), linear);
     for (const double pull : {0.05, 0.2})
@@ -128,7 +126,7 @@ TEST_SUITE("failure") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("critical step: a fixed step is taken by every method") {
+  TEST_CASE("critical step: every method accepts a fixed step") {
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
       Settings settings = with_method(std::string(method.name));
@@ -137,14 +135,15 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("critical step: the search is told about, can be stopped, and says when nothing is stable") {
+  TEST_CASE(
+      "critical step: the search reports progress, can be stopped, and returns none if nothing is stable") {
     int asked = 0;
     const CriticalStep stopped =
         find_critical_step(square(), with_h(1, 1), quick, [&](const CriticalStep&) { return ++asked < 3; });
     CHECK(stopped.interrupted);
     CHECK(!stopped.stable);
     Settings settings = with_h(1, 1);
-    settings.cfl = 1000;  // 1/16 of that is too much
+    settings.cfl = 1000;  // 1/16 of it is still too large
     const CriticalStep none = find_critical_step(square(), settings, quick);
     CHECK(!none.stable);
     CHECK(none.unstable);

@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Four corners of a square and a fifth particle, displaced by (0.1 y, 0) and what is added to it.
+/// Four corners of a square and a fifth particle, displaced by (0.1 y, 0); the third one also by `extra`.
 Snapshot sheared(Point extra = {}) {
   Snapshot now = made_snapshot(2, {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 2}});
   for (std::size_t i = 0; i < now.size(); ++i) now.x[2 * i] += 0.1 * now.x0[2 * i + 1];
@@ -37,7 +37,7 @@ std::vector<Solution> shear() {
   return {[](const Point& x, double t) { return t * x[1]; }, [](const Point&, double) { return 0.0; }};
 }
 
-/// Displaces by the small rigid motion (0.3, −0.2) + 0.5 × X.
+/// Adds the small rigid motion (0.3, −0.2) + 0.5 × X.
 void move(Snapshot& now) {
   for (std::size_t i = 0; i < now.size(); ++i) {
     now.x[2 * i] += 0.3 - 0.5 * now.x0[2 * i + 1];
@@ -48,7 +48,7 @@ void move(Snapshot& now) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("field_error: over the greatest of the solution, at the present time") {
+  TEST_CASE("field_error: the error is relative to the greatest solution at the present time") {
     Snapshot now = sheared({0.03, -0.04});
     now.time = 0.1;
     const auto error = field_error(displacement(), now, shear());
@@ -56,7 +56,7 @@ TEST_SUITE("unit") {
     CHECK(error->greatest == Approx(0.05 / 0.2));
     CHECK(error->rms == Approx(0.05 / 0.2 / std::sqrt(5.0)));
     now.time = 0;
-    CHECK_FALSE(field_error(displacement(), now, shear()));  // there is nothing to compare with
+    CHECK_FALSE(field_error(displacement(), now, shear()));  // the solution is zero
     Scene scene;
     scene.measures = {displacement()};
     scene.references["neo_hookean"].solution["displacement"] = shear();
@@ -67,7 +67,7 @@ TEST_SUITE("unit") {
     CHECK_THROWS_AS(field_error(misspelt, now, shear()), SceneError);
   }
 
-  TEST_CASE("field_error: neither held particles nor those of other bodies count") {
+  TEST_CASE("field_error: clamped particles and other bodies do not count") {
     Snapshot now = sheared({1, 0});
     now.time = 0.1;
     now.held[2] = 1;
@@ -77,7 +77,7 @@ TEST_SUITE("unit") {
     CHECK(field_error(displacement(), now, shear())->rms == Approx(0).scale(1).epsilon(1e-12));
   }
 
-  TEST_CASE("field_error: a rigid motion that is free is taken off, and nothing else") {
+  TEST_CASE("field_error: only an unconstrained rigid motion is subtracted") {
     Measure free = displacement();
     free.rigid_motion_free = true;
     Snapshot now = sheared();
@@ -95,8 +95,8 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("field_error: in 3D the free motion may be about any axis") {
-    // displaced by (0.1 y, 0, 0), by the small motion (0.3, −0.2, 0.1) + (0.2, 0.5, −0.4) × X, and at one by
-    // more
+    // displaced by (0.1 y, 0, 0) plus the small motion (0.3, −0.2, 0.1) + (0.2, 0.5, −0.4) × X, one particle by
+    // `extra`
     const auto displaced = [](double moved, Point extra) {
       Snapshot now = made_snapshot(3, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}, {0.5, 2, 3}});
       now.time = 0.1;
@@ -123,7 +123,7 @@ TEST_SUITE("unit") {
     CHECK(field_error(free, displaced(1, {0.03, -0.04, 0.05}), exact)->rms == Approx(left).epsilon(1e-9));
   }
 
-  TEST_CASE("field_rmse, field_error: of the end of the run, against 0") {
+  TEST_CASE("field_rmse, field_error: the result is taken at the end of the run against 0") {
     Scene scene = made_scene(2, 1, {unit_bulk()});
     scene.until = 0.1;
     scene.measures = {displacement(), displacement()};
@@ -145,10 +145,10 @@ TEST_SUITE("unit") {
     CHECK_FALSE(measure(scene, {}, "2d_deviator", {}, &now)[0].value);
   }
 
-  TEST_CASE("volume_change: of the cells between the particles, exact for trilinear maps") {
+  TEST_CASE("volume_change: the sum over cells between particles is exact for trilinear maps") {
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
-      std::vector<Point> places{{9, 0.5, 0}};  // of another body
+      std::vector<Point> places{{9, 0.5, 0}};
       for (int k = 0; k <= (dim == 3 ? 2 : 0); ++k)
         for (int j = 0; j <= 1; ++j)
           for (int i = 0; i <= 3; ++i) places.push_back({0.5 * i, 0.25 * j, 0.125 * k});
@@ -163,7 +163,7 @@ TEST_SUITE("unit") {
         now.x[d * i] = 1.1 * X[0] * (1 + X[2]) + 3 * X[1];
         now.x[d * i + 1] = X[1] * (dim == 2 ? 2 + X[0] : 2 * (1 + X[2]));
       }
-      // the means of det = 1.1 (2 + X) − 3 Y and of 2.2 (1 + Z)²
+      // means of det = 1.1 (2 + X) − 3 Y and of 2.2 (1 + Z)²
       const double mean = dim == 2 ? 1.1 * 2.75 - 3 * 0.125 : 2.2 * (std::pow(1.25, 3) - 1) / 0.75;
       Scene scene = made_scene(dim, 0.5, {unit_bulk(), unit_bulk()});
       Measure measured;
@@ -176,7 +176,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("volume_change: what is between two parts of a body is no cell of it") {
+  TEST_CASE("volume_change: the gap between two parts of a body is not a cell") {
     std::vector<Point> places;
     for (const double from : {0.0, 3.0})
       for (int j = 0; j <= 2; ++j)
@@ -184,7 +184,7 @@ TEST_SUITE("unit") {
     Snapshot now = made_snapshot(2, places);
     now.diameter.assign(now.size(), 0.5);
     CHECK(lattice_volume(now, 0, now.x0) == Approx(2));
-    for (std::size_t i = 9; i < now.size(); ++i) now.x[2 * i] += 1;  // they part
+    for (std::size_t i = 9; i < now.size(); ++i) now.x[2 * i] += 1;
     CHECK(lattice_volume(now, 0, now.x) == Approx(2));
   }
 }

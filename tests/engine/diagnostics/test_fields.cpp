@@ -24,7 +24,6 @@ double value(const char* key, const Snapshot& now, std::size_t particle = 0) {
   return values[particle];
 }
 
-/// Three particles along each axis, 1 m apart.
 Snapshot block(int dim) {
   std::vector<Point> places;
   for (int i = 0; i < 3; ++i)
@@ -49,14 +48,14 @@ void move(Snapshot& now, const auto& motion) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("fields: every row has a key of its own, a name, a unit and a help") {
+  TEST_CASE("fields: every row has a unique key, a name, a unit and a help text") {
     std::set<std::string_view> keys;
     for (const Field& field : fields()) {
       CAPTURE(field.key);
       CHECK(keys.insert(field.key).second);
       CHECK(find_field(field.key) == &field);
       CHECK_FALSE(field.name.empty());
-      CHECK(field.unit.empty() == (field.of_map || field.counts != Counted::nothing));
+      CHECK(field.unit.empty() == (field.of_map || field.of_all || field.counts != Counted::nothing));
       CHECK_FALSE(field.help.empty());
     }
     CHECK(keys.size() == fields().size());
@@ -65,7 +64,7 @@ TEST_SUITE("unit") {
     CHECK(find_field("") == nullptr);
   }
 
-  TEST_CASE("fields: stresses in 2D are those of the particle, with s_zz") {
+  TEST_CASE("fields: stresses in 2D are the particle's, including s_zz") {
     Snapshot now = made_snapshot(2, {{0, 0, 0}, {1, 0, 0}});
     now.p = {0, 10};
     now.s = {0, 0, 0, 0, 3, 5, 1, -4};  // xx, xy, yy, zz
@@ -78,7 +77,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("fields: von Mises stress is the tension of a bar and √3 times pure shear") {
-    Snapshot bar = made_snapshot(2, {{0, 0, 0}});  // σ_xx = 6, all other components 0
+    Snapshot bar = made_snapshot(2, {{0, 0, 0}});
     bar.p = {-2};
     bar.s = {4, 0, -2, -2};
     CHECK(value("stress_xx", bar) == 6);
@@ -101,7 +100,7 @@ TEST_SUITE("unit") {
     CHECK(value("stress_xy", now, 1) == 2);
   }
 
-  TEST_CASE("fields: every component of the stress in 3D, and its principal values in any axes") {
+  TEST_CASE("fields: stress components and principal values in 3D are correct in any axes") {
     Snapshot now = made_snapshot(3, {{0, 0, 0}, {1, 0, 0}});
     now.p = {7, 1};
     now.s = {1, 2, 3, 4, 5, -5, 0, 2, 2, 0, 2, 0};  // xx, xy, xz, yy, yz, zz; tension along (1, 1, 1)
@@ -119,16 +118,16 @@ TEST_SUITE("unit") {
     CHECK(value("principal_1", now, 1) == Approx(3));
   }
 
-  TEST_CASE("fields: principal stresses in 2D are those of the plane and σ_zz, the greatest first") {
+  TEST_CASE("fields: principal stresses in 2D are the in-plane ones and σ_zz, greatest first") {
     Snapshot now = made_snapshot(2, {{0, 0, 0}});
     now.p = {1};
-    now.s = {3, 4, -3, 0.5};  // in the plane ±5 about −p
+    now.s = {3, 4, -3, 0.5};  // in-plane ±5 about −p
     CHECK(value("principal_1", now) == Approx(4));
     CHECK(value("principal_2", now) == Approx(-0.5));
     CHECK(value("principal_3", now) == Approx(-6));
   }
 
-  TEST_CASE("fields: what only 3D has is not there in 2D") {
+  TEST_CASE("fields: fields of 3D only are absent in 2D") {
     CHECK(fields(2).size() + 8 == fields(3).size());
     for (const char* key :
          {"velocity_z", "displacement_z", "stress_xz", "stress_yz", "stress_zz", "strain_zz"}) {
@@ -139,7 +138,7 @@ TEST_SUITE("unit") {
     CHECK(find_field("principal_3", 2) == find_field("principal_3", 3));
   }
 
-  TEST_CASE("fields: motion") {
+  TEST_CASE("fields: displacement, velocity and density are the particle's") {
     Snapshot now = made_snapshot(3, {{9, 9, 9}, {1, 2, 3}});
     now.x = {9, 9, 9, 3, -1, 9};
     now.v = {0, 0, 0, 1, -2, 2};
@@ -160,7 +159,7 @@ TEST_SUITE("unit") {
   TEST_CASE("fields: J and logarithmic strains of an affine motion are exact at every particle") {
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
-      // F = V R: turned by 40° about z, then stretched by 1.5, 0.8 (and 1.25) along axes at 30° to x
+      // F = V R: rotated by 40° about z, then stretched by 1.5, 0.8 (and 1.25) along axes at 30° to x
       const double c = std::cos(M_PI / 6), s = std::sin(M_PI / 6), a = std::log(1.5), b = std::log(0.8);
       const double third = dim == 3 ? 1.25 : 1;
       Snapshot now = block(dim);
@@ -179,17 +178,27 @@ TEST_SUITE("unit") {
         if (dim == 3) CHECK(value("strain_zz", now, i) == Approx(e).epsilon(1e-7));
         CHECK(value("equivalent_strain", now, i) == Approx(std::sqrt(2.0 / 3 * square)).epsilon(1e-7));
         for (const Field& field : fields(dim))
-          if (field.of_map)  // the order of the neighbours may differ
-            CHECK(std::abs(field.value(now, i) - value(field.key.data(), now, i)) < 1e-14);
+          if (field.of_map) CHECK(std::abs(field.value(now, i) - value(field.key.data(), now, i)) < 1e-14);
       }
     }
   }
 
-  TEST_CASE("fields: a body that only turns has no strain, whatever another near it does") {
+  TEST_CASE("fields: zigzag is the amplitude over the spacing, and 0 for rotations and stretches") {
+    std::vector<Point> places;
+    for (int k = 0; k < 64; ++k) places.push_back({1.0 * (k % 8), 1.0 * (k / 8), 0});
+    Snapshot now = made_snapshot(2, places);
+    move(now, [](const Point& X) -> Point { return {2 * X[1] + 3, -0.5 * X[0], 0}; });
+    for (std::size_t i = 0; i < now.size(); ++i) CHECK(value("zigzag", now, i) < 1e-12);
+    for (std::size_t i = 0; i < now.size(); ++i) now.x[2 * i] += i % 2 ? 0.1 : -0.1;
+    CHECK(value("zigzag", now, 27) == relative(0.1, 1e-9));
+    CHECK(value("zigzag", now, 0) == 0);
+  }
+
+  TEST_CASE("fields: a rotating body has no strain, whatever its neighbour does") {
     Snapshot now = block(3);
     const std::size_t n = now.size();
     Snapshot other = block(3);
-    for (double& x : other.x0) x += 2.5;  // corner at corner with the first, half a spacing away
+    for (double& x : other.x0) x += 2.5;  // corner to corner with the first, half a spacing away
     now.resize(3, 2 * n);
     std::ranges::copy(other.x0, now.x0.begin() + static_cast<std::ptrdiff_t>(3 * n));
     std::fill(now.diameter.begin(), now.diameter.end(), 1.0);
@@ -216,7 +225,7 @@ TEST_SUITE("unit") {
     CHECK(value("equivalent_strain", now) == 0);
   }
 
-  TEST_CASE("fields: those that are never negative are not drawn as signed") {
+  TEST_CASE("fields: fields that are never negative are not drawn as signed") {
     Snapshot now = made_snapshot(2, {{0, 0, 0}});
     now.x = {-1, -1};
     now.v = {-1, -1};

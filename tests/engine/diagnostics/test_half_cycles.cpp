@@ -1,4 +1,3 @@
-// Measures of what swings: period, first peak, its time, decay.
 
 #include <cmath>
 #include <limits>
@@ -14,18 +13,17 @@ using namespace taut;
 using namespace taut::test;
 
 TEST_SUITE("unit") {
-  TEST_CASE("period: of a sine of either sign with unequal steps") {
+  TEST_CASE("period: a sine of either sign with unequal steps gives its period") {
     const double T = 0.254;
     for (const double sign : {1.0, -1.0}) {
       const auto wave = [=](double t) { return sign * 0.1 * std::sin(2 * pi * t / T); };
-      // linear between steps h: the zero of a sine, which bends like t³ there, is off by at most ~ (2π
-      // h/T)²/T h
+      // error of linear interpolation between steps h at the zero of a sine, ~ (2π h/T)²/T h
       expect(value("period", sampled(unequal_times(0.5, 1e-4), wave)), T, 1e-6);
       CHECK_FALSE(value("period", sampled(unequal_times(0.99 * T, 1e-4), wave)));
     }
   }
 
-  TEST_CASE("first_peak: what runs ahead of a wave by rounding is no swing") {
+  TEST_CASE("first_peak: round-off ahead of a wave is no half cycle") {
     const std::vector<double> times = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
     const std::vector<double> wave = {0, 1e-18, -1e-17, 2e-13, -1e-12, 0, 1, 2, 1, -1};
     expect(value("first_peak", times, wave), 2);
@@ -33,31 +31,28 @@ TEST_SUITE("unit") {
     CHECK_FALSE(value("period", times, wave));
   }
 
-  TEST_CASE("period: linear between steps") {
+  TEST_CASE("period: zeros are interpolated linearly between steps") {
     expect(value("period", {0, 1, 2, 4, 5}, {0, 3, -1, -1, 3}), 4.25);
   }
 
-  TEST_CASE("period: a step that hits zero exactly counts once, one that touches it not at all") {
+  TEST_CASE("period: a step exactly at zero counts once, and a touch does not count") {
     expect(value("period", {0, 1, 2, 3, 4, 5}, {0, 1, 0, -1, 0, 1}), 4);
     expect(value("period", {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 0, 1, -1, 0, -1, 1}), 6.5);
-    // neither does round-off, at the start or on the way
     expect(value("period", {0, 1, 2, 3, 4, 5, 6}, {-1e-18, 1, -1e-17, 1, 0, -1, 1}), 5.5);
     expect(value("period", {0, 1, 2, 3, 4, 5}, {0, 1, -1, 0.9e-9, 1.1e-9, 1}), 3);
     CHECK_FALSE(value("period", {0, 1, 2, 3}, {0, 0, 0, 0}));
-    CHECK_FALSE(value("period", {0, 1, 2, 3}, {0, 1, -1, 0}));  // may only touch it
+    CHECK_FALSE(value("period", {0, 1, 2, 3}, {0, 1, -1, 0}));
   }
 
-  TEST_CASE("first_peak: exact for a parabola with unequal steps, with its sign") {
-    const auto throw_up = [](double t) { return 3 * t * (1 - t); };  // back at 0 at t = 1, top 0.75
+  TEST_CASE("first_peak: a parabola with unequal steps gives its exact signed peak") {
+    const auto throw_up = [](double t) { return 3 * t * (1 - t); };
     const std::vector<double> times = {0, 0.1, 0.25, 0.4, 0.58, 0.9, 1.2};
     expect(value("first_peak", sampled(times, throw_up)), 0.75);
     expect(value("first_peak", sampled(times, [&](double t) { return -throw_up(t); })), -0.75);
   }
 
-  TEST_CASE("first_peak: none until the half cycle is over, then it stays") {
-    const auto wave = [](double t) {
-      return std::exp(0.5 * t) * std::sin(pi * t);
-    };  // later peaks are greater
+  TEST_CASE("first_peak: the peak is absent until the half cycle is over and then fixed") {
+    const auto wave = [](double t) { return std::exp(0.5 * t) * std::sin(pi * t); };
     // y' = 0: tan πt = −2π; y = e^{t/2} sin πt there
     const double top = (pi - std::atan(2 * pi)) / pi;
     const double peak = std::exp(0.5 * top) * std::sin(pi * top);
@@ -70,14 +65,14 @@ TEST_SUITE("unit") {
     expect(value("first_peak", {0, 1, 2, 3, 4}, {0, 2, 2, 0, -1}), 2.25);
   }
 
-  TEST_CASE("peak_time: exact for a parabola with unequal steps, none until the half cycle is over") {
+  TEST_CASE("peak_time: a parabola gives its exact time, and none until the half cycle is over") {
     const auto throw_up = [](double t) { return 3 * t * (1 - t); };
     expect(value("peak_time", sampled({0, 0.1, 0.25, 0.4, 0.58, 0.9, 1.2}, throw_up)), 0.5);
     expect(value("peak_time", {0, 1, 2, 3, 4}, {0, -2, -2, 0, 1}), 1.5);
     CHECK_FALSE(value("peak_time", sampled({0, 0.1, 0.25, 0.4, 0.58, 0.9}, throw_up)));
   }
 
-  TEST_CASE("decay: the loss per period of a damped wave, from the peaks of the first one's side") {
+  TEST_CASE("decay: the loss per period follows from peaks on the side of the first one") {
     for (const double loss : {0.2, 0.0, -0.1}) {
       for (const double sign : {1.0, -1.0}) {
         const auto wave = [=](double t) { return sign * std::pow(1 - loss, t) * std::sin(2 * pi * t); };
@@ -88,7 +83,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("decay: an even wave about another mean is judged by one side only") {
+  TEST_CASE("decay: a steady lopsided wave has no decay") {
     const auto lopsided = [](double t) {
       return std::sin(2 * pi * t) * (std::sin(2 * pi * t) > 0 ? 1 : 0.3);
     };
@@ -97,16 +92,15 @@ TEST_SUITE("unit") {
     CHECK(std::abs(*found) < 1e-6);
   }
 
-  TEST_CASE("decay: none with fewer than two peaks of one side") {
+  TEST_CASE("decay: the measure is absent with fewer than two peaks on one side") {
     const auto wave = [](double t) { return std::sin(2 * pi * t); };
     CHECK_FALSE(value("decay", sampled(unequal_times(1.49, 1e-3), wave)));
     CHECK(value("decay", sampled(unequal_times(1.51, 1e-3), wave)));
   }
 
-  TEST_CASE("period: a swing to one side has none about 0, and says so, and the right one about its mean") {
+  TEST_CASE("period: a one-sided oscillation has no period about 0, with a reason, and one about its mean") {
     const double T = 0.254, loss = 0.4;
-    // damped, with another mode that makes it pass 0 by less than a twentieth, and a last cycle that is cut
-    // short
+    // damped, with a second mode that passes 0 by less than a twentieth, and a truncated last cycle
     const auto swing = [=](double t) {
       return -0.03 * (1 - std::exp(-loss * t / T) * std::cos(2 * pi * t / T)) + 2e-4 * std::sin(40 * t / T);
     };
@@ -127,7 +121,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("period: too short for a whole cycle about the mean there is none, with the reason") {
+  TEST_CASE("period: a series without a whole cycle about the mean has none, with a reason") {
     Scene scene = scene_of("period");
     scene.measures[0].about_mean = true;
     const auto swing = [](double t) { return 1 - std::cos(2 * pi * t); };
@@ -139,7 +133,7 @@ TEST_SUITE("unit") {
     CHECK(result(scene, Series{{}, {{}, {}}}).why == "the series is not finite at its start");
   }
 
-  TEST_CASE("period: noise of a fiftieth about the level is no crossing") {
+  TEST_CASE("period: noise of a fiftieth about the level makes no crossing") {
     Scene scene = scene_of("period");
     scene.measures[0].about_mean = true;
     unsigned state = 1;
@@ -151,7 +145,7 @@ TEST_SUITE("unit") {
     expect(result(scene, sampled(unequal_times(4.8, 1e-3), swing)).value, 1, 0.01);
   }
 
-  TEST_CASE("mean of whole periods: of a cut sine its level to rounding, of any phase") {
+  TEST_CASE("mean of whole periods: a truncated sine of any phase gives its level to round-off") {
     for (const double phase : {0.0, 0.4, 1.0, 2.5, 4.0}) {
       for (const double end : {1.9, 2.3, 3.45}) {
         const Series series =
@@ -163,7 +157,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("first_peak, peak_time, decay: about a level, from the first crossing on") {
+  TEST_CASE("first_peak, peak_time, decay: measures about a level start at the first crossing") {
     Scene scene = scene_of("first_peak");
     const auto swing = [](double t) { return 5 - 2 * std::pow(0.8, t) * std::cos(2 * pi * t); };
     const Series series = sampled(unequal_times(4.3, 1e-4), swing);
@@ -179,7 +173,7 @@ TEST_SUITE("unit") {
     CHECK(result(scene, series).why.find("the series stays on one side of 0") == 0);
   }
 
-  TEST_CASE("mean, integral: over time and not over steps, within their bounds, with the reason of none") {
+  TEST_CASE("mean, integral: both weigh time within their bounds, or are absent with a reason") {
     Scene scene = scene_of("mean");
     const Series series{{0, 0.1, 0.5, 0.9, 1.2}, {{1, 1.1, 1.5, 1.9, 2.2}}};  // 1 + t
     expect(result(scene, series).value, 1.5);
@@ -196,7 +190,7 @@ TEST_SUITE("unit") {
     CHECK(result(scene, series).why.find("`from` is 1 s; it must be before") == 0);
   }
 
-  TEST_CASE("integral: of a force, whose samples are means over the steps before, its impulse to rounding") {
+  TEST_CASE("integral: a force sampled as means over steps gives its impulse to round-off") {
     Scene scene = scene_of("integral");
     scene.probes[0].kind = Probe::Kind::reaction;
     const Series series{{0, 0.1, 0.5, 0.9, 1.2}, {{0, 3, -1, 2, 5}}};
@@ -208,7 +202,7 @@ TEST_SUITE("unit") {
     expect(result(scene, series).value, -0.1 / 0.4);
   }
 
-  TEST_CASE("why: a series that is not finite from some time on says so") {
+  TEST_CASE("why: a series that is no longer finite has a reason") {
     const Series broken{{0, 1, 2, 3}, {{0, 1, std::nan(""), 1}}};
     CHECK(result(scene_of("period"), broken).why == "y is not finite at 2 s");
   }

@@ -24,13 +24,11 @@ namespace {
 
 constexpr int hourglass = 0, pressure = 1, von_mises = 2;  // rows of `indicators`
 
-/// A body at rest and what gauges it.
 struct Sample {
   Scene scene;
   Snapshot start;
 };
 
-/// nx × ny particles of a square lattice about the origin.
 Sample lattice(int nx, int ny, double dp) {
   std::vector<Point> places;
   for (int b = 0; b < ny; ++b)
@@ -38,7 +36,7 @@ Sample lattice(int nx, int ny, double dp) {
   return {made_scene(2, dp, {test::unit_bulk()}), made_snapshot(2, places)};
 }
 
-/// Concentric layers, as make_initial_particles fills a ring.
+/// Concentric layers as in make_initial_particles.
 Sample ring(double inner, double outer, double dp) {
   Scene scene = made_scene(2, dp, {test::unit_bulk()});
   scene.bodies[0].shapes = {Ring{{0, 0, 0}, inner, outer}};
@@ -77,7 +75,7 @@ double pressure_share(const Sample& body, const ScalarField& p) {
   return share(body, now, pressure);
 }
 
-/// (−1)^(place along the axes that count) on a lattice.
+/// (−1)^(lattice index along the selected axes).
 double sign(const Point& X, double dp, int along_x, int along_y) {
   const long place =
       along_x * std::lround(std::floor(X[0] / dp)) + along_y * std::lround(std::floor(X[1] / dp));
@@ -89,7 +87,7 @@ Point turned(const Point& x, double angle) {
           0};
 }
 
-/// A straight beam along x bent to a circle of radius R.
+/// A straight beam along x bent to radius R.
 Map bent(double R) {
   return [R](const Point& X) -> Point {
     return {(R - X[1]) * std::sin(X[0] / R), R - (R - X[1]) * std::cos(X[0] / R), 0};
@@ -99,7 +97,7 @@ Map bent(double R) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("hourglass error: rigid motion, homogeneous strain and every quadratic map are free of it") {
+  TEST_CASE("hourglass error: rigid motion, homogeneous strain and quadratic maps have none") {
     const Map rigid = [](const Point& X) { return turned({X[0] + 3, X[1] - 2, 0}, 2.5); };
     const Map stretched = [](const Point& X) {
       return Point{1.7 * X[0] + 0.4 * X[1], 0.6 * X[1] - 0.1 * X[0], 0};
@@ -114,7 +112,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("alternating part: it is the same for any number of threads") {
+  TEST_CASE("alternating part: the result does not depend on the number of threads") {
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
       std::vector<Point> places;
@@ -132,7 +130,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("alternating part: inside a lattice the checkerboard gives itself, noise its κ") {
+  TEST_CASE("alternating part: inside a lattice a checkerboard is kept and noise is scaled by κ") {
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
       std::vector<Point> places;
@@ -148,7 +146,7 @@ TEST_SUITE("unit") {
       double checkerboard = 0, squares = 0;
       for (int e = found[0]; e < found[1]; ++e) {
         const auto entry = static_cast<std::size_t>(e);
-        // one apart in the list is one apart in x: signs by the place
+        // neighbours in the list are neighbours along x, so their signs alternate
         const double w = part.weights(static_cast<int>(found - part.begin.begin()))[e - found[0]];
         checkerboard += (part.j[entry] - middle) % 2 == 0 ? w : -w;
         squares += w * w;
@@ -159,7 +157,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("hourglass error: parts that move apart across a slot are free of it") {
+  TEST_CASE("hourglass error: parts that separate across a slot have none") {
     constexpr double dp = 0.1;
     Sample body = lattice(20, 12, dp);
     const auto shift_right = [&](double by) {
@@ -169,17 +167,17 @@ TEST_SUITE("unit") {
     shift_right(dp);
     const Map apart = [](const Point& X) { return Point{X[0] + (X[0] > 0 ? 5 * dp : 0), X[1], 0}; };
     CHECK(hourglass_error(body, apart) < 1e-12);
-    shift_right(-dp);  // as one it is torn
+    shift_right(-dp);
     CHECK(hourglass_error(body, apart) > 0.1);
   }
 
-  TEST_CASE("hourglass error: a zigzag of amplitude a is a/dp") {
+  TEST_CASE("hourglass error: a zigzag of amplitude a gives a/dp") {
     const double dp = 0.01, a = 0.2 * dp;
     const Sample body = lattice(40, 40, dp);
     const auto zigzag = [=](int along_x, int along_y, const Point& e) -> Map {
       return [=](const Point& X) {
         const double s = a * sign(X, dp, along_x, along_y);
-        const Point x = bent(1)(X);  // a smooth motion underneath changes nothing
+        const Point x = bent(1)(X);
         return Point{x[0] + s * e[0], x[1] + s * e[1], 0};
       };
     };
@@ -189,7 +187,7 @@ TEST_SUITE("unit") {
     CHECK(hourglass_error(body, zigzag(0, 1, {1, 0, 0})) == Approx(0.2).epsilon(0.05));
   }
 
-  TEST_CASE("hourglass error: rows of a ring that slide to and fro in turn show as on a lattice") {
+  TEST_CASE("hourglass error: rows of a ring that slide alternately count as on a lattice") {
     const double dp = 0.01, a = 0.1 * dp;
     const Map slide = [=](const Point& X) {
       const double r = std::hypot(X[0], X[1]);
@@ -203,7 +201,7 @@ TEST_SUITE("unit") {
     CHECK(hourglass_error(lattice(40, 8, 0.05), bent(0.5)) < 1e-3);
     const Map twisted = [](const Point& X) {
       const double r = std::hypot(X[0], X[1]);
-      const Point x = turned(X, 1 + r);  // each layer slides on the one below it by its whole thickness
+      const Point x = turned(X, 1 + r);
       return Point{1.5 * x[0], x[1], 0};
     };
     const double coarse = hourglass_error(ring(0.5, 1, 0.05), twisted);
@@ -220,11 +218,11 @@ TEST_SUITE("unit") {
       });
     };
     CHECK(torn(1e6) == Approx(torn(10)).epsilon(1e-9));
-    // of 400 particles, four columns reach over the crack
+    // four of 20 columns reach over the crack
     CHECK(torn(1e6) == Approx(std::sqrt(0.2)).epsilon(0.01));
   }
 
-  TEST_CASE("checkerboards: shares are 1, of a smooth background ε/√(1 + ε²), without regard to units") {
+  TEST_CASE("checkerboards: the share is 1, or ε/√(1 + ε²) on a smooth background, in any units") {
     const double dp = 0.02;
     const Sample body = lattice(50, 50, dp);
     const ScalarField smooth = [](const Point& X) {
@@ -253,7 +251,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("checkerboards: a curved smooth field has little, and less by dp² or faster") {
+  TEST_CASE("checkerboards: a smooth curved field has little, falling as dp² or faster") {
     const ScalarField wave = [](const Point& X) { return std::sin(3 * X[0]) * std::cosh(3 * X[1]); };
     const double coarse = pressure_share(lattice(20, 20, 0.1), wave);
     const double fine = pressure_share(lattice(40, 40, 0.05), wave);
@@ -262,7 +260,7 @@ TEST_SUITE("unit") {
     CHECK(pressure_share(ring(0.5, 1, 0.05), wave) < 0.002);
   }
 
-  TEST_CASE("checkerboards: no stress, and that of round-off, is none") {
+  TEST_CASE("checkerboards: zero stress and round-off stress have none") {
     const Sample body = lattice(10, 10, 1);
     const auto noise = [](double scale) -> ScalarField {
       return [=](const Point& X) { return scale * test::shake(X, 1.3); };
@@ -273,8 +271,7 @@ TEST_SUITE("unit") {
     CHECK(pressure_share(body, noise(1e-6 * E)) > 0.3);
   }
 
-  TEST_CASE(
-      "von Mises checkerboard: neither the kink of a neutral line is one nor does an equal size hide one") {
+  TEST_CASE("von Mises checkerboard: a neutral line's kink is none, and equal magnitude hides none") {
     const Sample body = lattice(40, 10, 0.1);
     const auto of_shear = [&](const ScalarField& shear) {
       Snapshot now = body.start;
@@ -294,7 +291,7 @@ TEST_SUITE("unit") {
       Snapshot now = body.start;
       const double multiplicity = component == 1 ? 2 : 1;
       for (std::size_t i = 0; i < now.size(); ++i) {
-        now.s[4 * i] = 3;  // uniform
+        now.s[4 * i] = 3;
         const Point X = {now.x0[2 * i], now.x0[2 * i + 1], 0};
         now.s[4 * i + static_cast<std::size_t>(component)] += 0.5 * sign(X, 0.1, 1, 1);
       }
@@ -303,7 +300,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("indicators: what differs between bodies, materials and held particles is no alternation") {
+  TEST_CASE("indicators: differences between bodies, materials and clamped particles are no alternation") {
     Sample body = lattice(12, 12, 0.1);
     const auto jump = [&] {
       Snapshot now = moved(body.start, [](const Point& X) {
@@ -328,7 +325,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("indicators: in 3D quadratics give nothing and the checkerboard itself") {
+  TEST_CASE("indicators: in 3D quadratic maps give zero and a checkerboard is kept") {
     const int n = 9;
     const double dp = 0.1;
     std::vector<Point> places;
@@ -357,12 +354,12 @@ TEST_SUITE("unit") {
       }
       CHECK(std::abs(sum) == Approx(1));
     }
-    // inside, at six faces and twelve edges; three from a face look the same as inside
+    // inside, at six faces and twelve edges; the third layer counts as inside
     CHECK(std::set<int>(part.first_weight.begin(), part.first_weight.end()).size() < 130);
     CHECK(part.rows() > 300);
   }
 
-  TEST_CASE("indicators: a single row, two particles and one are no reason to fail") {
+  TEST_CASE("indicators: a single row, two particles and one particle are accepted") {
     const Sample row = lattice(20, 1, 1);
     CHECK(pressure_share(row, [](const Point& X) { return 1 + X[0] * X[0]; }) < 1e-12);
     CHECK(pressure_share(row, [](const Point& X) { return sign(X, 1, 1, 0); }) == Approx(1).epsilon(0.2));
@@ -375,7 +372,7 @@ TEST_SUITE("unit") {
     CHECK(record.greatest() == 0);
     record.take({0.1, 1}, 0);
     record.take({0.5, 5}, 1);
-    record.take({0.4, 0.4}, 2);  // nearly without stress: all of it alternates, and it is little
+    record.take({0.4, 0.4}, 2);  // low stress: all of it alternates
     CHECK(record.greatest() == Approx(0.1));
     CHECK(record.at == 1);
     CHECK(record.last == 1);
@@ -387,7 +384,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("og zigzags where enog does not [Zhang2024] Figs. 12, 13") {
+  TEST_CASE("og has zigzags where enog has none [Zhang2024] Figs. 12, 13") {
     const Scene scene = test::colliding_rings(0.06, 0.002);
     const auto at_three = [&](const char* method) {
       const auto simulation = make_simulation(scene, test::with_method(method));

@@ -22,8 +22,8 @@ SampleLine line_across_plate(std::vector<double> times) {
   SampleLine line;
   line.name = "across";
   line.field = "velocity_y";
-  line.from = {-0.01, 0.0037, 0};  // from face to face
-  line.to = {0.01, -0.01, 0};      // and into a corner
+  line.from = {-0.01, 0.0037, 0};
+  line.to = {0.01, -0.01, 0};
   line.points = 7;
   line.times = std::move(times);
   return line;
@@ -47,7 +47,7 @@ TEST_SUITE("unit") {
     scene.lines = {line_across_plate({0})};
     const double omega = scene.bodies[0].velocity[1]({1, 0, 0});
     Settings four_nearest =
-        with_method("tl-small-strain");  // a corner has three in reach, two of them on a line
+        with_method("tl-small-strain");  // a corner has three neighbours, two of them collinear
     four_nearest.constants["h"] = 0.5;
     for (const Settings& settings : {with_method("oenog"), with_method("tl"), four_nearest}) {
       CAPTURE(settings.method);
@@ -65,7 +65,7 @@ TEST_SUITE("unit") {
     CHECK(line_point(scene.lines[0], 3)[1] == relative((0.0037 - 0.01) / 2));
   }
 
-  TEST_CASE("lines: a stress goes on linearly into what is held, as the probe's does") {
+  TEST_CASE("lines: a stress is extrapolated linearly into the clamp, as by a probe") {
     Scene scene = rotating_plate(0.01);
     scene.bodies[0].velocity = {};
     scene.bodies[0].held = [](const Point& x) { return x[1] > 0.008 ? 1.0 : 0.0; };
@@ -90,7 +90,7 @@ TEST_SUITE("unit") {
       const std::vector<double>& on_line = lines.samples().at(0).at(0).value;
       for (std::size_t k = 0; k < on_line.size(); ++k)
         CHECK(on_line[k] == relative(simulation->series().value[k][0], 1e-12));
-      CHECK(on_line[8] - on_line[7] == relative(on_line[5] - on_line[4], 0.1));  // to the clamp
+      CHECK(on_line[8] - on_line[7] == relative(on_line[5] - on_line[4], 0.1));
     }
   }
 
@@ -124,7 +124,7 @@ TEST_SUITE("unit") {
     CHECK(lines.samples().at(1).at(0).step == 20);
   }
 
-  TEST_CASE("lines and probes: a point outside the body is the scene's error, and says where") {
+  TEST_CASE("lines and probes: a point outside the body is a scene error with its place") {
     Scene scene = rotating_plate(0.01);
     scene.lines = {line_across_plate({0})};
     CHECK(error_key(scene) == "none");
@@ -144,16 +144,15 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE(
-      "lines: points in space stand still while the body moves through them, and see none outside of it") {
+  TEST_CASE("lines: points in space stay fixed while the body moves, and give none outside it") {
     Scene scene = rotating_plate(0.01);
-    scene.bodies[0].velocity[0] = constant(300);  // m/s, all of it
+    scene.bodies[0].velocity[0] = constant(300);  // m/s, uniform
     scene.bodies[0].velocity[1] = [](const Point& X) { return 5 * X[0]; };
     scene.lines = {line_across_plate({0, 1e-7}), line_across_plate({0, 1e-7})};
     scene.lines[0].in_space = true;
     scene.lines[1].name = "material";
     Settings settings = with_method("oenog");
-    settings.step = 1e-7;  // moves by 0.03 mm, in which forces do next to nothing
+    settings.step = 1e-7;  // moves by 0.03 mm; forces are negligible
     const auto simulation = make_simulation(scene, settings);
     LineRecorder lines(scene, simulation->snapshot(), simulation->support());
     lines.sample(simulation->snapshot());
@@ -165,15 +164,14 @@ TEST_SUITE("unit") {
       CHECK(later - start == relative(-5 * 3e-5, 0.05));
       CHECK(std::abs(lines.samples()[1][1].value[k] - start) < 0.05 * 5 * 3e-5);
     }
-    scene.lines[0].to = {10, 0, 0};  // no error: the body may come there
+    scene.lines[0].to = {10, 0, 0};
     LineRecorder far(scene, simulation->snapshot(), simulation->support());
     far.sample(simulation->snapshot());
     CHECK(std::isnan(far.samples()[0][0].value[6]));
     CHECK(std::isfinite(far.samples()[0][0].value[0]));
   }
 
-  TEST_CASE(
-      "line_error: against a table over the distance from the first point, over the size of the table") {
+  TEST_CASE("line_error: the error against a table over distance is relative to the table's size") {
     Scene scene;
     scene.lines = {line_across_plate({1})};
     scene.lines[0].from = {1, 2, 0};
@@ -196,7 +194,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(measure(scene, {}, "neo_hookean", {{}}).at(0).value);
   }
 
-  TEST_CASE("line_rmse: the distance along a line in 3D is that in space") {
+  TEST_CASE("line_rmse: the distance along a line in 3D is Euclidean") {
     Scene scene;
     scene.lines = {line_across_plate({1})};
     scene.lines[0].from = {1, 2, 3};
@@ -211,7 +209,7 @@ TEST_SUITE("unit") {
     CHECK(*measure(scene, {}, "neo_hookean", {{{1, 3, {0, 13}}}}).at(0).value == 0);
   }
 
-  TEST_CASE("line_rmse: over all points and times, the reference at the time of the sample") {
+  TEST_CASE("line_rmse: all points and times count, with the reference at the sample's time") {
     Scene scene;
     scene.lines = {line_across_plate({1, 2})};
     scene.lines[0].points = 2;
@@ -229,10 +227,9 @@ TEST_SUITE("unit") {
     CHECK(*result(samples).value == relative(std::sqrt((1 + 9) / 4.0)));
     CHECK(*result(samples).reference == 0);
     CHECK(*result(samples).error == *result(samples).value);
-    CHECK_FALSE(result({samples[0]}).value);  // the second time is still ahead
+    CHECK_FALSE(result({samples[0]}).value);
     CHECK_FALSE(measure(scene, {}, "neo_hookean").at(0).value);
     CHECK_FALSE(measure(scene, {}, "2d_deviator", {samples}).at(0).reference);
-    // other units of the field
     scene.references["neo_hookean"].solution["number"] = {
         [](const Point& x, double t) { return 1e-6 * (x[0] + t); }};
     std::vector<LineSample> rescaled = samples;

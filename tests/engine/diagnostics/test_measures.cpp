@@ -18,7 +18,7 @@ using namespace taut;
 using namespace taut::test;
 
 TEST_SUITE("unit") {
-  TEST_CASE("rmse: of straight lines, over the common time only") {
+  TEST_CASE("rmse: straight lines are compared over their common time only") {
     Scene scene = scene_of("rmse");
     scene.references["neo_hookean"] = {
         "a table", {}, {{"number", {{0.5, 0.8, 2.5}, {{1.5, 1.8, 3.5}}}}}};  // 1 + t
@@ -39,7 +39,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("rmse: weighs time, not steps") {
+  TEST_CASE("rmse: the mean weighs time, not steps") {
     Scene scene = scene_of("rmse");
     scene.references["neo_hookean"] = {"zero", {}, {{"number", {{0, 1}, {{0, 0}}}}}};
     const auto wave = [](double t) { return std::sin(2 * pi * t) * (t < 0.5 ? 1 : 0); };
@@ -48,13 +48,13 @@ TEST_SUITE("unit") {
     expect(result(scene, sampled(times, wave)).value, 0.5, 1e-4);  // half of the time at √½
   }
 
-  TEST_CASE("rmse: of a table finer than the steps") {
+  TEST_CASE("rmse: a table finer than the steps is used at its own times") {
     Scene scene = scene_of("rmse");
     scene.references["neo_hookean"] = {"a tent", {}, {{"number", {{0, 0.5, 1}, {{0, 1, 0}}}}}};
     expect(result(scene, Series{{0, 1}, {{0, 0}}}).value, std::sqrt(1 / 3.0));
   }
 
-  TEST_CASE("rmse: none for a run that ends before the table and before `until`, nor without a table") {
+  TEST_CASE("rmse: the measure is absent if the run ends before the table and `until`, or without a table") {
     Scene scene = scene_of("rmse");
     const Series series{{0, 0.5, 0.95}, {{1, 1, 1}}};
     CHECK_FALSE(result(scene, series).value);
@@ -63,7 +63,7 @@ TEST_SUITE("unit") {
     scene.references["neo_hookean"] = {"of another measure", {{"other", 1}}};
     CHECK(result(scene, series).why == "the reference 'of another measure' of this law has no value for it");
     scene.references["neo_hookean"] = {"zero", {}, {{"number", {{0, 9}, {{0, 0}}}}}};
-    CHECK_FALSE(result(scene, series).value);  // until = 1
+    CHECK_FALSE(result(scene, series).value);
     CHECK(result(scene, series).reference == 0.0);
     CHECK_FALSE(result(scene, series).error);
     scene.until = 0.95;
@@ -76,7 +76,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(result(scene, series).value);
   }
 
-  TEST_CASE("rmse: of an exact solution, with its kinks between steps") {
+  TEST_CASE("rmse: an exact solution is compared including kinks between steps") {
     Scene scene = scene_of("rmse");
     // the difference from 2t is t²: √(∫ t⁴ dt) over 0 … 1
     scene.references["neo_hookean"] = {
@@ -89,7 +89,6 @@ TEST_SUITE("unit") {
     scene.measures[0].scale = 1;
     scene.until = 2;
     CHECK_FALSE(result(scene, series).value);
-    // a step up at 0.7 within one of 1000 steps
     scene.until = 1;
     scene.references["neo_hookean"].solution["number"] = {[](const Point&, double t) { return t > 0.7; }};
     std::vector<double> times;
@@ -97,17 +96,16 @@ TEST_SUITE("unit") {
     expect(result(scene, sampled(times, [](double) { return 0.0; })).value, std::sqrt(0.3), 1e-3);
   }
 
-  TEST_CASE("path_error: the greatest distance at one time, at the rows of a table") {
+  TEST_CASE("path_error: the error is the greatest distance at the rows of a table") {
     Scene scene = scene_of("path_error");
     scene.measures[0].probes = {"y", "gap"};
     scene.measures[0].scale = 10;
     scene.references["neo_hookean"] = {
         "table", {}, {{"number", {{0, 0.5, 1, 1.5}, {{0, 0, 0, 9}, {0, 0, 0, 9}}}}}, {}};
     const Series series{{0, 0.5, 0.75, 1.2}, {{0, 3, 90, 5}, {0, 4, 90, 12}}};
-    expect(result(scene, series).value,
-           std::hypot(90 - 85 * 0.25 / 0.45, 90 - 78 * 0.25 / 0.45) / 10);  // at 1 s
+    expect(result(scene, series).value, std::hypot(90 - 85 * 0.25 / 0.45, 90 - 78 * 0.25 / 0.45) / 10);
     CHECK(result(scene, series).reference == 0.0);
-    scene.until = 0.75;  // the row at 0.5 s alone
+    scene.until = 0.75;  // only the row at 0.5 s
     expect(result(scene, series).value, 0.5);
     expect(result(scene, series).error, 0.5);
     scene.measures[0].scale = -10;
@@ -119,7 +117,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(result(scene, series).reference);
   }
 
-  TEST_CASE("path_error: from an exact path, at the steps") {
+  TEST_CASE("path_error: an exact path is compared at the steps") {
     Scene scene = scene_of("path_error");
     scene.measures[0].probes = {"y", "gap"};
     scene.references["neo_hookean"] = {"exact",
@@ -129,7 +127,7 @@ TEST_SUITE("unit") {
                                          {[](const Point&, double t) { return std::cos(t); },
                                           [](const Point&, double t) { return std::sin(t); }}}}};
     Series series{unequal_times(1, 1e-2), {{}, {}}};
-    for (const double t : series.time) {  // ahead by up to 0.1 at t = 0.5
+    for (const double t : series.time) {
       const double angle = t + 0.1 * std::exp(-100 * (t - 0.5) * (t - 0.5));
       series.value[0].push_back(std::cos(angle));
       series.value[1].push_back(std::sin(angle));
@@ -137,7 +135,7 @@ TEST_SUITE("unit") {
     expect(result(scene, series).value, 2 * std::sin(0.05), 1e-2);
   }
 
-  TEST_CASE("turn: whole turns count, with their sense, up to the end") {
+  TEST_CASE("turn: whole turns count with their sign up to the end") {
     Scene scene = scene_of("turn");
     scene.measures[0].probes = {"y", "gap"};
     scene.until = 3;
@@ -166,13 +164,13 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("turn: in 3D about the axis of the measure, whatever moves along it") {
+  TEST_CASE("turn: in 3D motion along the measure's axis does not count") {
     Scene scene = scene_of("turn");
     scene.probes.resize(3);
     scene.probes[2].name = "z";
     scene.measures[0].probes = {"y", "gap", "z"};
     scene.until = 3;
-    // about (2, −1, 2)/3, which (1, 2, 0)/√5 and (−4, 2, 5)/√45 complete to right-handed axes
+    // axes about (2, −1, 2)/3: (1, 2, 0)/√5 and (−4, 2, 5)/√45 make it right-handed
     const Point axis{2.0 / 3, -1.0 / 3, 2.0 / 3}, first{1 / std::sqrt(5.0), 2 / std::sqrt(5.0), 0},
         second{-4 / std::sqrt(45.0), 2 / std::sqrt(45.0), 5 / std::sqrt(45.0)};
     const auto place = [&](double angle, double along, std::size_t k) {
@@ -198,7 +196,7 @@ TEST_SUITE("unit") {
     expect(result(scene, series).reference, 1.5 * pi, 1e-9);
   }
 
-  TEST_CASE("minimum and maximum: of the steps, none while still on the way") {
+  TEST_CASE("minimum and maximum: both are taken over the steps and absent before the end") {
     expect(value("minimum", {0, 1, 2, 3}, {5, 2, 3, 7}), 2);
     expect(value("maximum", {0, 1, 2, 3}, {5, 2, 9, 7}), 9);
     CHECK_FALSE(value("minimum", {0, 1, 2}, {5, 4, 2}));
@@ -206,13 +204,13 @@ TEST_SUITE("unit") {
     CHECK_FALSE(value("minimum", {0, 1, 2}, {5, 5, 5}));
   }
 
-  TEST_CASE("maximum: a fault that grows counts as far as it got") {
+  TEST_CASE("maximum: mirror asymmetry counts as far as the run got") {
     Scene scene = scene_of("maximum");
     scene.probes[0].kind = Probe::Kind::mirror_asymmetry;
     expect(result(scene, Series{{0, 1, 2}, {{0, 1e-9, 3e-9}}}).value, 3e-9);
   }
 
-  TEST_CASE("first_below and last_below: linear between steps, at the threshold") {
+  TEST_CASE("first_below and last_below: crossings are interpolated linearly at the threshold") {
     Scene first = scene_of("first_below"), last = scene_of("last_below");
     first.measures[0].threshold = last.measures[0].threshold = 1;
     const Series contact{{0, 1, 3, 4, 5, 7, 8}, {{3, 2, 0, 2, 0, 4, 5}}};
@@ -230,7 +228,7 @@ TEST_SUITE("unit") {
     expect(result(last, leaving).value, 1);
   }
 
-  TEST_CASE("final_ratio: the last value over the scale, once the bodies have touched and parted") {
+  TEST_CASE("final_ratio: the last value over the scale counts once bodies have touched and separated") {
     Scene scene = scene_of("final_ratio");
     scene.measures[0].scale = -4;
     const std::vector<double> t = {0, 1, 2}, speed = {4, 1, -3};
@@ -244,7 +242,7 @@ TEST_SUITE("unit") {
     CHECK(result(scene, Series{t, {speed, {nan, -1, 1}}}).why == "the series is not finite at its start");
   }
 
-  TEST_CASE("value: of the series at a time, none before it, and of a solution at the same time") {
+  TEST_CASE("value: the series and the solution are taken at one time, none before it") {
     Scene scene = scene_of("value");
     scene.until = 4;
     scene.measures[0].time = 1.5;
@@ -255,14 +253,14 @@ TEST_SUITE("unit") {
     expect(result(scene, Series{{0, 1, 2}, {{0, 3, 4}}}).reference, -3);
   }
 
-  TEST_CASE("at_rest: the value at the end, none before it nor while the series still moves") {
+  TEST_CASE("at_rest: the final value counts, and none while the series still moves") {
     const auto damped = [](double rate) {
       return sampled(unequal_times(1, 1e-3), [=](double t) { return -3 * (1 - std::exp(-rate * t)); });
     };
     Scene scene = scene_of("at_rest");
     scene.until = damped(8).time.back();
     expect(result(scene, damped(8)).value, -3, 5e-4);  // e⁻⁸ = 3e-4; moves by 4e-4 in the last tenth
-    CHECK_FALSE(result(scene, damped(6)).value);       // by 2e-3
+    CHECK_FALSE(result(scene, damped(6)).value);
     CHECK_FALSE(result(scene, Series{{0, 0.5, 0.9}, {{0, 1, 1}}}).value);
     expect(result(scene, Series{{0, 0.5, scene.until}, {{0, 1, 1}}}).value, 1);
     scene.references["neo_hookean"].name = "exact";
@@ -295,7 +293,7 @@ TEST_SUITE("unit") {
     CHECK(none.reference_name.empty());
   }
 
-  TEST_CASE("measure: every kind is none, not wrong, before the first step") {
+  TEST_CASE("measure: every kind is absent before the first step") {
     for (const MeasureKind& kind : measure_kinds()) {
       if (!kind.keys.front().starts_with("probe")) continue;
       CAPTURE(kind.name);
@@ -310,7 +308,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("measure: what happened before a run broke down stands") {
+  TEST_CASE("measure: events before a run failed still count") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     expect(value("maximum", {0, 1, 2, 3, 4}, {0, 4, 2, nan, 9}), 4);
     expect(value("first_peak", {0, 1, 2, 3, 4}, {0, 2, 2, -1, nan}), 2.25);
@@ -330,7 +328,7 @@ TEST_SUITE("unit") {
     CHECK(ratio("decay") == Approx(1));
   }
 
-  TEST_CASE("measure: other units rescale what is compared with a path") {
+  TEST_CASE("measure: other units rescale the path error") {
     Scene scene = scene_of("path_error");
     scene.measures[0].probes = {"y", "gap"};
     scene.measures[0].scale = 2;
@@ -356,11 +354,11 @@ TEST_SUITE("unit") {
       for (std::vector<double>& column : *columns)
         for (double& y : column) y *= 1e-3;
     const auto [error_mm, angle_same] = both();
-    CHECK(error_mm == Approx(1e-3 * error).epsilon(1e-9));  // the scale is in m still
+    CHECK(error_mm == Approx(1e-3 * error).epsilon(1e-9));  // the scale stays in m
     CHECK(angle_same == Approx(angle).epsilon(1e-9));
   }
 
-  TEST_CASE("measure: of an unknown kind is the scene's error") {
+  TEST_CASE("measure: an unknown kind is a scene error") {
     try {
       result(scene_of("perid"), Series{{0}, {{1}, {1}}});
       FAIL("no error");
@@ -371,7 +369,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("measure: of an unknown probe is the scene's error, and says where") {
+  TEST_CASE("measure: an unknown probe is a scene error with its place") {
     for (const bool free : {false, true}) {
       Scene scene = scene_of("final_ratio");
       (free ? scene.measures[0].free : scene.measures[0].probes[0]) = "gpa";

@@ -1,5 +1,4 @@
-// Natural frequencies of the free bodies of scenes/annulus-drop.toml and scenes/ringing-ring.toml, by finite
-// elements and by a method.
+// Natural frequencies of the free bodies of scenes/annulus-drop.toml and scenes/ringing-ring.toml.
 
 #include <algorithm>
 #include <array>
@@ -27,24 +26,22 @@ namespace {
 
 constexpr double E = 650, nu = 0.3, rho = 1000;  // Pa, 1, kg/m³; plane stress
 
-/// Of plane stress: Pa, 1, kg/m³.
 struct Elastic {
   double E, nu, rho;
 };
 constexpr Elastic jelly{E, nu, rho};
-/// With these two, plane stress is the plane strain of E = 1e7 Pa and ν = 0.4.
+/// Plane stress with these equals plane strain with E = 1e7 Pa and ν = 0.4.
 constexpr Elastic rubber{1e7 / (1 - 0.4 * 0.4), 0.4 / (1 - 0.4), 1200};
-/// The same K and G with the 2d deviator, λ = K − G: E = 4 G (λ + G)/(λ + 2G), ν = λ/(λ + 2G) of plane
-/// stress.
+/// The same K and G with the 2d deviator, λ = K − G: in plane stress E = 4 G (λ + G)/(λ + 2G), ν = λ/(λ + 2G).
 constexpr double K_rubber = 1e7 / 0.6, G_rubber = 1e7 / 2.8;
 constexpr Elastic two_dimensional{4 * G_rubber * K_rubber / (K_rubber + G_rubber),
                                   (K_rubber - G_rubber) / (K_rubber + G_rubber), 1200};
 
-/// A grid of quadratic elements with 3 × 3 nodes each: `node` gives the place of node (i, j).
+/// A grid of quadratic 3 × 3 elements: `node` returns the position of node (i, j).
 struct Grid {
   Elastic material;
   int elements_i, elements_j;
-  bool closed;  // along i
+  bool closed;  // periodic along i
   std::function<Eigen::Vector2d(int, int)> node;
 
   int nodes_i() const { return 2 * elements_i + (closed ? 0 : 1); }
@@ -55,7 +52,6 @@ struct Grid {
 Eigen::Vector3d shape(double s) { return {s * (s - 1) / 2, 1 - s * s, s * (s + 1) / 2}; }
 Eigen::Vector3d slope(double s) { return {s - 0.5, -2 * s, s + 0.5}; }
 
-/// Adds what one point of an element, of weight `w`, gives to stiffness and mass.
 void add_point(const Elastic& material, const std::array<int, 9>& id, const Eigen::Matrix<double, 9, 2>& x,
                double s, double t, double w, Eigen::MatrixXd& K, Eigen::MatrixXd& M) {
   const auto& [E, nu, rho] = material;
@@ -87,7 +83,6 @@ void add_point(const Elastic& material, const std::array<int, 9>& id, const Eige
   }
 }
 
-/// Free inside and outside.
 Grid annulus(const Elastic& material, double inner, double outer) {
   return {material, 24, 3, true, [=](int i, int j) -> Eigen::Vector2d {
             const double r = inner + (outer - inner) * j / 6.0, angle = std::numbers::pi * i / 24;
@@ -95,7 +90,7 @@ Grid annulus(const Elastic& material, double inner, double outer) {
           }};
 }
 
-/// Hz, rising, without the three rigid motions.
+/// Hz, ascending, without the three rigid modes.
 std::vector<double> frequencies(const Grid& grid) {
   const int n = 2 * grid.nodes_i() * grid.nodes_j();
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n), M = K;
@@ -118,8 +113,7 @@ std::vector<double> frequencies(const Grid& grid) {
   return f;
 }
 
-/// Hz: of the first elastic mode u_r = U(r) cos nθ, u_θ = V(r) sin nθ of a free annulus, with U and V
-/// polynomials of degree 8 (Rayleigh–Ritz).
+/// Hz, first elastic mode u_r = U(r) cos nθ, u_θ = V(r) sin nθ of a free annulus by Rayleigh–Ritz; U, V of degree 8.
 double annulus_frequency(const Elastic& material, double inner, double outer, int n) {
   constexpr int degree = 8, terms = degree + 1, points = 2000;
   const auto& [E, nu, rho] = material;
@@ -139,7 +133,7 @@ double annulus_frequency(const Elastic& material, double inner, double outer, in
     M += r * rho * N.transpose() * N;
   }
   const Eigen::VectorXd modes = eigenvalues(K, M);
-  const int rigid = n < 2 ? 1 : 0;  // a turn, a shift
+  const int rigid = n < 2 ? 1 : 0;  // a rotation or translation
   return std::sqrt(modes[rigid]) / (2 * std::numbers::pi);
 }
 
@@ -153,7 +147,7 @@ Measure frequency(const char* name, const char* probe, double low, double high) 
   return measure;
 }
 
-/// scenes/annulus-drop.toml, for 0.08 s.
+/// scenes/annulus-drop.toml for 0.08 s.
 Scene drop() {
   Scene scene;
   scene.name = "annulus-drop";
@@ -187,23 +181,23 @@ Scene drop() {
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("natural frequencies: of finite elements, those that the scene compares with") {
+  TEST_CASE("natural frequencies: finite elements give the scene's references") {
     const Grid rectangle{jelly, 10, 5, false,
                          [](int i, int j) { return Eigen::Vector2d(2.5e-5 * i, 2.5e-5 * j); }};
     const std::vector<double> f = frequencies(rectangle);
     CHECK(f[0] == Approx(525.6).epsilon(1e-3));
     CHECK(f[1] == Approx(796.5).epsilon(1e-3));
     CHECK(f[2] == Approx(879.0).epsilon(1e-3));
-    // each but n = 0 twice; three elements across bend too stiffly by 0.3 %
+    // each but n = 0 is double; three elements across are 0.3 % too stiff
     const std::vector<double> g = frequencies(annulus(jelly, 2.5e-4, 5e-4));
     for (const auto& [k, n] : {std::pair(0, 2), {1, 2}, {2, 0}, {3, 3}, {4, 3}, {5, 1}, {6, 1}}) {
-      const auto& n_now = n;  // clang captures no bindings
+      const auto& n_now = n;  // clang cannot capture bindings
       CAPTURE(n_now);
       CHECK(g[k] / annulus_frequency(jelly, 2.5e-4, 5e-4, n) == Approx(1).epsilon(3e-3));
     }
   }
 
-  TEST_CASE("natural frequencies: of annuli by waves around them, those that the scenes compare with") {
+  TEST_CASE("natural frequencies: waves around annuli give the scenes' references") {
     // [Zhang2020] Table 2: 152.5, 356.0, 445.3
     const auto f = [](int n) { return annulus_frequency(jelly, 2.5e-4, 5e-4, n); };
     CHECK(f(2) / 150.898 == Approx(1).epsilon(5e-6));
@@ -214,10 +208,9 @@ TEST_SUITE("analytic") {
     CHECK(annulus_frequency(two_dimensional, 0.03, 0.04, 2) * 10.46236e-3 == Approx(1).epsilon(1e-6));
   }
 
-  TEST_CASE("natural frequencies: of bodies that have fallen on each other, by the spectrum") {
+  TEST_CASE("natural frequencies: the spectrum of colliding bodies shows their frequencies") {
     const Scene scene = drop();
-    // of ten layers and over 0.08 s the first mode of the ring is low by 4.1 % with this, by 1.3 % with oenog
-    // and 1.1 % with tl; the method, the amplitude and 0.06 s of spectrum share that
+    // the first mode is 4 % low due to method, amplitude, resolution and duration
     const auto simulation = make_simulation(scene, with_method("pf-jst"));
     simulation->advance_to(scene.until);
     const std::vector<MeasureResult> found = measure(scene, simulation->series(), "neo_hookean");

@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-/// 0.2 s of lines at 150, 357 and 446 Hz that die away, on a slope, at uneven times.
+/// 0.2 s of decaying lines at 150, 357 and 446 Hz on a slope, at uneven times.
 struct Ringing {
   std::vector<double> t, y;
 
@@ -38,19 +38,18 @@ struct Ringing {
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("spectrum: lines are found far closer than the points of the spectrum") {
+  TEST_CASE("spectrum: lines are located far more accurately than the spectrum's spacing") {
     const Ringing steady, dying(10);
     for (const Ringing* curve : {&steady, &dying}) {
       CHECK(*curve->peak(75, 250) == Approx(150.3).epsilon(3e-4));
       CHECK(*curve->peak(260, 400) == Approx(357.1).epsilon(3e-4));
       CHECK(*curve->peak(400, 600) == Approx(446.2).epsilon(3e-4));
-      CHECK(*curve->peak(0, 1000) == Approx(150.3).epsilon(3e-4));  // the highest of the three
+      CHECK(*curve->peak(0, 1000) == Approx(150.3).epsilon(3e-4));
       CHECK(*curve->peak(75, 250, 0.05, 0.15) == Approx(150.3).epsilon(3e-3));
     }
   }
-  TEST_CASE("spectrum: the window leaves a weak line that a strong one would drown, and is even") {
-    // 1/2000 of the strong line 60 points away: what a Hann window leaves of that one there is 1/300 000,
-    // what no window leaves, or a Hamming window, is 1/200 and 1/2500 and rises towards it
+  TEST_CASE("spectrum: the symmetric window keeps a weak line beside a strong one visible") {
+    // the weak line is 1/2000 of the strong one; leakage there is 1/300 000 with a Hann window, 1/200 without
     std::vector<double> t, y, back;
     for (int k = 0; k <= 8192; ++k) {
       const double time = 0.2 * k / 8192, two_pi = 2 * std::numbers::pi;
@@ -64,12 +63,12 @@ TEST_SUITE("analytic") {
       CHECK(*weak == Approx(452.7).epsilon(3e-4));
     }
   }
-  TEST_CASE("spectrum: the side of a line is none, nor is the end of a band") {
+  TEST_CASE("spectrum: neither the flank of a line nor the end of a band is a line") {
     const Ringing curve;
-    CHECK(!curve.peak(146, 149));  // only rises towards 150.3
+    CHECK(!curve.peak(146, 149));
     CHECK(!curve.peak(151.5, 154));
     CHECK(!peak_frequency({}, 0, 1, {1, 2}));
-    // the first side lobe of the window lies 2.4 of its widths from the line
+    // the window's first side lobe lies 2.4 widths from the line
     std::vector<double> t, y;
     for (int k = 0; k <= 2000; ++k) {
       t.push_back(1e-4 * k);
@@ -81,7 +80,7 @@ TEST_SUITE("analytic") {
     CHECK(!curve.peak(75, 250, 0.1, 0.1));
   }
 
-  TEST_CASE("spectrum: what does not swing has no line, whatever the band") {
+  TEST_CASE("spectrum: a curve that does not oscillate has no line in any band") {
     using Signal = double (*)(double);
     const Signal signals[] = {[](double) { return 3.0; },
                               [](double t) { return t - 0.01; },
@@ -97,13 +96,13 @@ TEST_SUITE("analytic") {
         for (int k = 0; k <= 4000; ++k) t.push_back(end * k / 4000), y.push_back(signals[signal](t.back()));
         for (const double low : {0.0, 20.0, 200.0})
           CHECK(peak_frequency({t, y}, 0, end, {low, 1000}).value_or(0) == 0);
-        if (end < 0.1) continue;  // nor does it hide one, of 60 periods and more
+        if (end < 0.1) continue;  // nor does it hide a line of 60 periods and more
         for (std::size_t k = 0; k < t.size(); ++k) y[k] += 0.1 * std::sin(2 * std::numbers::pi * 300 * t[k]);
         CHECK(*peak_frequency({t, y}, 0, end, {200, 400}) == Approx(300).epsilon(2e-3));
       }
   }
 
-  TEST_CASE("spectrum: a swing on a drift, of few periods too, and none beside a line") {
+  TEST_CASE("spectrum: an oscillation on a drift has one line, also with few periods") {
     for (const double periods : {2.5, 3.0, 4.0, 5.25, 6.0, 9.0}) {
       CAPTURE(periods);
       std::vector<double> t, y, line;
@@ -119,15 +118,15 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("spectrum: of many samples without a line it is done at once") {
+  TEST_CASE("spectrum: many samples without a line take no long search") {
     std::vector<double> t, y;
     for (int k = 0; k <= 300000; ++k)
       t.push_back(k / 3e5), y.push_back((t.back() > 0.3) + 0.7 * (t.back() > 0.7));
-    CHECK(!peak_frequency({t, y}, 0, 1, {10, 1e9}));  // in a second, not hours
+    CHECK(!peak_frequency({t, y}, 0, 1, {10, 1e9}));
   }
 
-  TEST_CASE("spectrum: few periods, and a swing that soon dies away") {
-    for (const double f : {12.0, 15.0, 22.0, 30.0, 60.0})  // 2.4 periods and more
+  TEST_CASE("spectrum: few periods and a fast decay still give the line") {
+    for (const double f : {12.0, 15.0, 22.0, 30.0, 60.0})
       for (const double decay : {0.0, 5.0, 20.0}) {
         CAPTURE(f);
         CAPTURE(decay);

@@ -15,7 +15,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Every kernel; one line for each.
 using Kernels =
     std::tuple<Kernel<KernelName::wendland_c2>, Kernel<KernelName::sinc>, Kernel<KernelName::gauss>>;
 
@@ -32,7 +31,7 @@ void for_each_kernel(const F& f) {
       Kernels{});
 }
 
-/// Simpson's rule: its error is far below 1e-10 for a smooth function on this many intervals.
+/// Integral by Simpson's rule; error far below 1e-10 for smooth functions.
 template <class F>
 double integral(double from, double to, const F& f) {
   const int n = 2000;
@@ -49,7 +48,7 @@ double surface_of_ball(int dim, double r) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("kernel: its integral is 1 in 2D and 3D, for any smoothing length") {
+  TEST_CASE("kernel: the integral is 1 in 2D and 3D for any smoothing length") {
     for_each_kernel([]<class K>() {
       for (const int dim : {2, 3}) {
         for (const double h : {0.4, 1.3}) {
@@ -57,7 +56,7 @@ TEST_SUITE("unit") {
           const auto shell = [=](double r) {
             return surface_of_ball(dim, r) * K::alpha(dim) / std::pow(h, dim) * K::w(r / h);
           };
-          const double end = K::support * h * (1 - 1e-12);  // a kernel may be cut off there
+          const double end = K::support * h * (1 - 1e-12);  // a kernel may be truncated there
           CHECK(integral(0, end, shell) == Approx(1).epsilon(1e-10));
         }
       }
@@ -77,7 +76,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("kernel: w'' is the derivative of w'") {
-    using K = Kernel<KernelName::wendland_c2>;  // the one whose Laplacian is in use
+    using K = Kernel<KernelName::wendland_c2>;
     const double step = 1e-5;
     for (double q = 0.01; q < K::support + 0.5; q += 0.07) {
       CAPTURE(q);
@@ -86,7 +85,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("kernel: falls from its greatest value at 0 to 0 at the support and stays there") {
+  TEST_CASE("kernel: the kernel falls from its maximum at 0 to 0 at the support and stays there") {
     for_each_kernel([]<class K>() {
       CHECK(K::w(0.0) > 0);
       CHECK(K::dw(0.0) == 0);
@@ -103,7 +102,7 @@ TEST_SUITE("unit") {
     });
   }
 
-  TEST_CASE("kernel: four at once are the same to the last bit as one at a time") {
+  TEST_CASE("kernel: four packed values equal single ones to the last bit") {
     for_each_kernel([]<class K>() {
       const Pack q = {0.1, 0.77, 1.9, 2.4};
       const Pack w = K::w(q), dw = K::dw(q);

@@ -69,7 +69,7 @@ TEST_SUITE("unit") {
     CHECK(held(rings) == 0);
   }
 
-  TEST_CASE("layout: the particles of a ring are a spacing apart and half a spacing inside its faces") {
+  TEST_CASE("layout: particles of a ring are a spacing apart and half a spacing inside its faces") {
     const InitialParticles rings = make_initial_particles(colliding_rings());
     double least = 1, innermost = 1, outermost = 0;
     for (int i = 0; i < rings.first[1]; ++i) {
@@ -88,7 +88,7 @@ TEST_SUITE("unit") {
     const Scene scene = colliding_rings();
     const InitialParticles rings = make_initial_particles(scene);
     const int n = rings.first[1];
-    const double rounding = 2 * std::numeric_limits<double>::epsilon() * 0.1;  // of a coordinate below 0.1 m
+    const double rounding = 2 * std::numeric_limits<double>::epsilon() * 0.1;
     double asymmetry = 0;
     int different = 0;
     for (int k = 0; k < n; ++k) {
@@ -105,7 +105,7 @@ TEST_SUITE("unit") {
     const InitialParticles ring = make_initial_particles(one_body(2, 0.001, {Ring{{0, 0, 0}, 0.004, 0.008}}));
     int alone = 0;
     for (const Point& x : ring.x) {
-      if (std::abs(x[1]) < 1e-12) continue;  // on the axis
+      if (std::abs(x[1]) < 1e-12) continue;
       alone += std::none_of(ring.x.begin(), ring.x.end(),
                             [&](const Point& y) { return y[0] == x[0] && y[1] == -x[1]; });
     }
@@ -122,12 +122,12 @@ TEST_SUITE("unit") {
       CHECK(static_cast<bool>(plate.held[i]) == (plate.x[i][0] < 0));
       if (plate.held[i]) CHECK(plate.v[i] == Point{});
     }
-    const auto tip = std::max_element(plate.x.begin(), plate.x.end());  // by x
+    const auto tip = std::max_element(plate.x.begin(), plate.x.end());
     CHECK((*tip)[0] == relative(0.199));
     CHECK(plate.v[tip - plate.x.begin()][1] == relative(0.05 * 57.035, 0.01));
   }
 
-  TEST_CASE("layout: ball and plate have 2928 particles, 4 columns of 8 held at each end") {
+  TEST_CASE("layout: ball and plate have 2928 particles, 4 columns of 8 clamped at each end") {
     const InitialParticles layout = make_initial_particles(ball_plate());
     CHECK(layout.size() == 2928);
     CHECK(layout.first[1] == (200 + 2 * 4) * 8);
@@ -135,13 +135,13 @@ TEST_SUITE("unit") {
     for (int i = 0; i < layout.size(); ++i) CHECK(layout.body[i] == (i >= layout.first[1]));
   }
 
-  TEST_CASE("layout: a union counts what its shapes share once") {
+  TEST_CASE("layout: a union counts overlapping regions once") {
     const Shape left = Box{{0, 0, 0}, {3, 2, 0}}, right = Box{{1, 0, 0}, {5, 2, 0}};
     CHECK(make_initial_particles(one_body(2, 1, {left, right})).size() == 5 * 2);
     CHECK(make_initial_particles(one_body(2, 1, {right, left})).size() == 5 * 2);
   }
 
-  TEST_CASE("layout: boxes, balls and hollow balls in 3D") {
+  TEST_CASE("layout: boxes, balls and hollow balls in 3D have the particles of their volume") {
     CHECK(make_initial_particles(one_body(3, 0.5, {Box{{0, 0, 0}, {1, 2, 3}}})).size() == 2 * 4 * 6);
     const double ball = 4.0 / 3 * std::numbers::pi;
     CHECK(volume(make_initial_particles(one_body(3, 0.05, {Disc{{0, 0, 0}, 1}}))) == relative(ball, 0.01));
@@ -149,7 +149,7 @@ TEST_SUITE("unit") {
           relative(ball * (1 - 0.125), 0.01));
   }
 
-  TEST_CASE("layout: the spacing is fitted to whole particles across the thinnest extent") {
+  TEST_CASE("layout: the spacing fits whole particles across the thinnest extent") {
     CHECK(fitted_spacing(body_of(Box{{0, 0, 0}, {0.2, 0.02, 0}}), 2, 0.003) == relative(0.02 / 7));
     CHECK(fitted_spacing(body_of(Box{{0, 0, 0}, {0.2, 0.02, 0.01}}), 3, 0.003) == relative(0.01 / 3));
     CHECK(fitted_spacing(body_of(Disc{{0, 0, 0}, 0.05}), 2, 0.03) == relative(0.1 / 3));
@@ -161,7 +161,7 @@ TEST_SUITE("unit") {
     Scene scene = one_body(2, 1, {Box{{0, 0, 0}, {3, 2, 0}}});
     scene.bodies.push_back(scene.bodies[0]);
     scene.bodies[1].name = "other";
-    scene.bodies[1].shapes = {Box{{2.6, 0, 0}, {5.6, 2, 0}}};  // columns at 2.5 and 3.1: 0.6 spacings
+    scene.bodies[1].shapes = {Box{{2.6, 0, 0}, {5.6, 2, 0}}};
     CHECK(make_initial_particles(scene).size() == 12);
     scene.bodies[1].shapes = {Box{{2.4, 0, 0}, {5.4, 2, 0}}};  // 0.4 spacings
     const SceneError error = scene_error([&] { make_initial_particles(scene); });

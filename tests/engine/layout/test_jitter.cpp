@@ -1,4 +1,3 @@
-// Layouts whose particles are moved at random.
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +33,7 @@ Scene brick(int dim) {
   return scene;
 }
 
-struct Moves {  // of components, in dp
+struct Moves {  // component moves, in dp
   double least = 0, greatest = 0, mean_size = 0;
 };
 Moves moves_along(std::size_t axis, const InitialParticles& from, const InitialParticles& to) {
@@ -53,7 +52,7 @@ std::vector<Point> places(const Scene& scene) { return make_initial_particles(sc
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("jitter: particles are moved evenly, up to their share of the spacing, always alike") {
+  TEST_CASE("jitter: particles move uniformly and reproducibly, up to a share of the spacing") {
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
       Scene scene = brick(dim);
@@ -76,13 +75,13 @@ TEST_SUITE("unit") {
       CHECK(places(scene) == moved.x);
       scene.jitter.seed = 4;
       CHECK(places(scene) != moved.x);
-      scene.jitter = {0.1 * share, 3};  // the same numbers, times less
+      scene.jitter = {0.1 * share, 3};
       const InitialParticles less = make_initial_particles(scene);
       CHECK(less.x[5][1] - lattice.x[5][1] == relative(0.1 * (moved.x[5][1] - lattice.x[5][1]), 1e-9));
     }
   }
 
-  TEST_CASE("jitter: what is held or driven stays, of the others each free component is moved") {
+  TEST_CASE("jitter: clamped and driven particles stay, free components of others move") {
     Scene scene = brick(2);
     Body& body = scene.bodies[0];
     body.held = [](const Point& x) { return x[0] < dp ? 1.0 : 0.0; };
@@ -92,7 +91,7 @@ TEST_SUITE("unit") {
     const InitialParticles lattice = make_initial_particles(scene);
     scene.jitter = {0.49, 1};
     const InitialParticles moved = make_initial_particles(scene);
-    CHECK(moved.held == lattice.held);  // regions are those of the cells
+    CHECK(moved.held == lattice.held);  // regions are selected by cells
     CHECK(moved.drive == lattice.drive);
     CHECK(moved.guided == lattice.guided);
     for (int i = 0; i < lattice.size(); ++i) {
@@ -100,8 +99,7 @@ TEST_SUITE("unit") {
       CHECK((moved.x[i][0] == lattice.x[i][0]) == (row < 2 * dp));
       CHECK((moved.x[i][1] == lattice.x[i][1]) == (row < 2 * dp || row > 1 - dp));
     }
-    body.rotation =
-        Rotation{.about = {0.5, 0.5, 0}, .angle = 90};  // what is guided would leave a face that it stands on
+    body.rotation = Rotation{.about = {0.5, 0.5, 0}, .angle = 90};  // guided particles would leave their face
     const InitialParticles turned = make_initial_particles(scene);
     int guided = 0;
     for (int i = 0; i < turned.size(); ++i) {
@@ -112,7 +110,7 @@ TEST_SUITE("unit") {
     CHECK(guided > 5);
   }
 
-  TEST_CASE("jitter: regions are those of the cells, velocities those of the places") {
+  TEST_CASE("jitter: regions select by cell, velocities are evaluated at moved positions") {
     Scene scene = brick(2);
     Body& body = scene.bodies[0];
     body.parts = {{1, [](const Point& x) { return x[1] > 0.5 ? 1.0 : 0.0; }}};
@@ -124,7 +122,7 @@ TEST_SUITE("unit") {
     for (int i = 0; i < moved.size(); ++i) CHECK(moved.v[i][0] == moved.x[i][1]);
   }
 
-  TEST_CASE("jitter: a load acts on the particles that it acts on without") {
+  TEST_CASE("jitter: a load acts on the same particles as without jitter") {
     Scene scene = brick(2);
     Load load;
     load.kind = Load::Kind::force_density;
@@ -141,7 +139,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("jitter: particles on a face stay on it, of a body that is turned too") {
+  TEST_CASE("jitter: particles on a face stay on it, also if the body is rotated") {
     for (const double angle : {0.0, 30.0}) {
       Scene scene = brick(3);
       scene.bodies[0].on_boundary = true;
@@ -165,7 +163,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("jitter: a turned shape and a turned body lay the same particles") {
+  TEST_CASE("jitter: a rotated shape and a rotated body have the same particles") {
     Scene scene = brick(2);
     scene.jitter = {share, 1};
     scene.bodies[0].rotation = Rotation{.about = {0.5, 0.5, 0}, .angle = 40};
@@ -179,7 +177,7 @@ TEST_SUITE("unit") {
       CHECK(distance_between(of_body[i], of_shape[i], 2) < 1e-9);
   }
 
-  TEST_CASE("jitter: mirrored rings are images to the last bit, and nothing is turned onto anything else") {
+  TEST_CASE("jitter: mirrored rings are images to the last bit, and no other symmetry remains") {
     Scene scene = colliding_rings(0.06, 0.001);
     for (Body& body : scene.bodies) {
       const Ring& ring = *body.shapes[0].as<Ring>();

@@ -45,7 +45,6 @@ std::string error_of(const Scene& scene) {
 
 bool holds(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
-/// Of all pairs of particles.
 double greatest_change_of_distance(const std::vector<Point>& a, const std::vector<Point>& b) {
   double greatest = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -58,7 +57,7 @@ double greatest_change_of_distance(const std::vector<Point>& a, const std::vecto
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("layout: cylinders in 3D, solid and hollow, along any axis") {
+  TEST_CASE("layout: cylinders in 3D may be solid or hollow along any axis") {
     const Cylinder rod{{0, 0, 0}, {0, 0, 2}, 1}, tube{{1, 2, 3}, {1, 2, 5}, 1, 0.5};
     const Cylinder tilted{{0, 0, 0}, {1, 2, 2}, 1};
     CHECK(volume(make_initial_particles(one_body(3, 0.05, {rod}))) == relative(2 * std::numbers::pi, 0.01));
@@ -75,7 +74,7 @@ TEST_SUITE("unit") {
     CHECK(fitted_spacing(one_body(3, 1, {tube}).bodies[0], 3, 0.24) == relative(0.25));
   }
 
-  TEST_CASE("layout: what is cut out of a body is not there") {
+  TEST_CASE("layout: a cut-out has no particles") {
     Scene scene = one_body(3, 0.5, {Box{{0, 0, 0}, {4, 4, 4}}});
     scene.bodies[0].without = {Box{{0, 0, 0}, {2, 2, 2}}, Box{{3, 3, 3}, {9, 9, 9}}};
     const InitialParticles layout = make_initial_particles(scene);
@@ -87,7 +86,7 @@ TEST_SUITE("unit") {
     CHECK(holds(error_of(scene), "contains no particle: the rest of its shapes after 'without'"));
   }
 
-  TEST_CASE("layout: a disc with a hole is a lattice, reflected with its hole") {
+  TEST_CASE("layout: a disc with a hole is a lattice and is reflected with its hole") {
     Scene scene = one_body(2, 0.5, {Disc{{3, 0, 0}, 2, RoundLayout::spaced}});
     scene.bodies[0].without = {Box{{4, -1, 0}, {9, 1, 0}}};
     scene.bodies[0].mirror[0] = true;
@@ -96,7 +95,7 @@ TEST_SUITE("unit") {
     CHECK(std::ranges::any_of(layout.x, [](const Point& x) { return x[0] > 4 && std::abs(x[1]) < 1; }));
   }
 
-  TEST_CASE("layout: a body is laid on its lattice and then rotated") {
+  TEST_CASE("layout: a body is filled on its lattice and then rotated") {
     Scene scene = one_body(3, 0.5, {Box{{0, 0, 0}, {3, 2, 1}}});
     const InitialParticles straight = make_initial_particles(scene);
     scene.bodies[0].rotation = Rotation{{0, 0, 1}, {0, 0, 0}, 90};
@@ -157,11 +156,11 @@ TEST_SUITE("unit") {
     CHECK(holds(error_of(flat), "give the total force as 'force'"));
   }
 
-  TEST_CASE("layout: with particles on its faces a box has its own volume, centre and moments of inertia") {
+  TEST_CASE("layout: a box with particles on its faces has its exact volume, centre and moments of inertia") {
     for (const int cells : {1, 2, 3, 4, 7}) {
       CAPTURE(cells);
       const double side[3] = {1.0 * cells, 3, 2}, volume = side[0] * 6;
-      // of which rollers guide none, the face x = 0, or that and, by the other two axes, the face opposite
+      // guided by rollers: no face, the face x = 0, or also the opposite faces of the other axes
       for (const int planes : {0, 1, 2}) {
         CAPTURE(planes);
         Scene scene = one_body(3, 1, {Box{{0, 0, 0}, {side[0], side[1], side[2]}}});
@@ -180,11 +179,11 @@ TEST_SUITE("unit") {
             for (int b = 0; b < 3; ++b) second[a][b] += layout.V0[i] * layout.x[i][a] * layout.x[i][b];
         }
         CHECK(total == relative(volume));
-        // across planes of symmetry the rule is for the body and its image
+        // across planes of symmetry the rule holds for the body with its image
         for (int a = planes > 0 ? 1 : 0; a < 3; ++a) {
           CHECK(first[a] == relative(volume * side[a] / 2));
           for (int b = planes > 0 ? 1 : 0; b < 3; ++b) {
-            if (a == b && a == 0 && cells == 1) continue;  // two points cannot
+            if (a == b && a == 0 && cells == 1) continue;  // impossible with two points
             CHECK(second[a][b] == relative(volume * side[a] * side[b] / (a == b ? 3 : 4)));
           }
         }
@@ -212,7 +211,7 @@ TEST_SUITE("unit") {
     CHECK(holds(error_of(scene), "overlap"));
   }
 
-  TEST_CASE("outline: of what is cut out the faces are there, and those that it takes away are not") {
+  TEST_CASE("outline: a cut-out adds its faces and removes the faces it covers") {
     Scene scene = one_body(2, 0.5, {Box{{0, 0, 0}, {6, 4, 0}}});
     scene.bodies[0].without = {Box{{2, 2, 0}, {4, 9, 0}}};  // a notch from above
     scene.bodies[0].rotation = Rotation{{0, 0, 1}, {0, 0, 0}, 90};
@@ -224,7 +223,7 @@ TEST_SUITE("unit") {
       area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
     }
     CHECK(length == relative(2 * (6 + 4) + 2 * 2));
-    CHECK(area == relative(6 * 4 - 2 * 2));  // with the solid to the left, so that a hole takes from it
+    CHECK(area == relative(6 * 4 - 2 * 2));  // the solid is on the left, so a hole is subtracted
     for (const std::array<int, 2>& beside : outline.beside) {
       CHECK(beside[0] != Outline::none);
       CHECK(beside[1] != Outline::none);

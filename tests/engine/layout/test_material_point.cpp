@@ -31,7 +31,7 @@ TEST_SUITE("analytic") {
     const std::vector<PointWeight> point = material_point(lattice(), 0, 25, {0, 0, 0}, reach, 2);
     REQUIRE(point.size() == 9);
     const auto W = [&](double r) { return std::pow(1 - r * r / (reach * reach), 2); };
-    // about a lattice point the linear part drops out: each weight is its share of the sum
+    // at a lattice point the linear part vanishes
     const double sum = W(0) + 4 * W(dp) + 4 * W(std::sqrt(2.0) * dp);
     for (const auto& [particle, weight] : point) {
       const Point x = lattice()[static_cast<std::size_t>(particle)];
@@ -39,7 +39,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("material point: sums of one and no first moment, on a face too, and of some particles only") {
+  TEST_CASE("material point: weights sum to one without first moment, also on a face and for a subset") {
     const std::vector<Point> x = lattice();
     for (const Point& at : {Point{0.03, -0.07, 0}, Point{2.5 * dp, 0.04, 0}}) {
       double one = 0, along = 0, across = 0;
@@ -57,12 +57,12 @@ TEST_SUITE("analytic") {
       CHECK(particle < 20);
       CHECK(weight != 0);
     }
-    CHECK(material_point(x, 10, 15, {0, 0, 0}, 2.6 * dp, 2).empty());  // a line
+    CHECK(material_point(x, 10, 15, {0, 0, 0}, 2.6 * dp, 2).empty());
   }
 
-  TEST_CASE("material point: on a body's boundary it is the particle there, or between those of its cell") {
+  TEST_CASE("material point: a boundary point is a particle or lies between those of its cell") {
     Scene scene;
-    scene.spacing = 0.99 * dp;  // the lattice fits the body, not the spacing
+    scene.spacing = 0.99 * dp;  // differs from the fitted lattice
     scene.bodies.resize(1);
     scene.bodies[0].shapes = {Box{{-2 * dp, -2 * dp, 0}, {2 * dp, 2 * dp, 0}}};
     scene.bodies[0].on_boundary = true;
@@ -77,7 +77,7 @@ TEST_SUITE("analytic") {
     CHECK(inside[0].particle == 22);
     CHECK(inside[0].weight == Approx(0.3).epsilon(1e-12));
     CHECK(inside[1].weight == Approx(0.7).epsilon(1e-12));
-    // beyond the face, and where no lattice stands along the axes, all around count as elsewhere
+    // beyond the face or without a lattice along the axes all neighbours count
     CHECK(point({2.5 * dp, 0, 0}).size() == material_point(x, 0, 25, {2.5 * dp, 0, 0}, 2.6 * dp, 2).size());
   }
 }

@@ -34,7 +34,6 @@ bool held_by(const Scene& scene, const Point& x, double tolerance) {
                              [&](const Shape& shape) { return shape->holds(x, 2, tolerance); });
 }
 
-/// `length` of closed faces, on which all nodes lie and the normals of which point outwards.
 void check_faces(const Scene& scene, double length) {
   const InitialParticles initial = make_initial_particles(scene);
   const Outline outline = make_outline(scene, initial);
@@ -64,14 +63,14 @@ void check_faces(const Scene& scene, double length) {
     }
     CHECK(one == Approx(1).epsilon(1e-12));
     CHECK(std::hypot(x - outline.x[n][0], y - outline.x[n][1]) < 1e-12);
-    CHECK(square < 3);  // how many times lighter than a particle: the step must stay stable
+    CHECK(square < 3);  // nodes must not be too light for a stable step
   }
 }
 
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("outline: a node at a slot is a mean of particles of its own side, in the plane") {
+  TEST_CASE("outline: a node at a slot is an in-plane mean of particles on its own side") {
     const Scene scene = of({Box{{0, 0, 0}, {6 * dp, 6 * dp, 0}}, Box{{7 * dp, 0, 0}, {13 * dp, 6 * dp, 0}}});
     const InitialParticles initial = make_initial_particles(scene);
     const Outline outline = make_outline(scene, initial);
@@ -83,7 +82,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("outline: of a box, a disc and a ring in each of their layouts") {
+  TEST_CASE("outline: a box, a disc and a ring have closed faces in every layout") {
     check_faces(of({Box{{0, 0, 0}, {0.02, 0.007, 0}}}), 0.054);
     for (const RoundLayout layout : {RoundLayout::spaced, RoundLayout::lattice}) {
       check_faces(of({Disc{{0.003, 0.001, 0}, 0.01, layout}}), 2 * std::numbers::pi * 0.01);
@@ -94,12 +93,11 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("outline: a union has no face where one shape covers another") {
-    // a T whose parts share an edge, and two boxes that overlap and whose tops lie in one line
     check_faces(of({Box{{0, 0, 0}, {0.02, 0.006, 0}}, Box{{0.006, -0.01, 0}, {0.014, 0, 0}}}), 0.072);
     check_faces(of({Box{{0, 0, 0}, {0.02, 0.006, 0}}, Box{{0.012, 0, 0}, {0.03, 0.006, 0}}}), 0.072);
   }
 
-  TEST_CASE("outline: one node for each particle of the outermost layer, at its angle") {
+  TEST_CASE("outline: each particle of the outermost layer has one node at its angle") {
     const Scene scene = of({Ring{{0, 0, 0}, 0.03, 0.04}});
     const InitialParticles initial = make_initial_particles(scene);
     const Outline outline = make_outline(scene, initial);

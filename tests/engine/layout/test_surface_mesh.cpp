@@ -43,7 +43,6 @@ double area_of(const SurfaceMesh& mesh) {
   return sum;
 }
 
-/// The shares make one, and give the place that the node has.
 void check_shares(const SurfaceMesh& mesh, const InitialParticles& initial) {
   for (int n = 0; n < mesh.size(); ++n) {
     double one = 0, square = 0;
@@ -59,7 +58,6 @@ void check_shares(const SurfaceMesh& mesh, const InitialParticles& initial) {
   }
 }
 
-/// All around a body outside and inside cancel, and a step off each facet's middle leaves the body.
 void check_closed(const Scene& scene, const SurfaceMesh& mesh, double tolerance) {
   Point sum{};
   for (const SurfaceMesh::Facet& facet : mesh.facets) {
@@ -70,7 +68,7 @@ void check_closed(const Scene& scene, const SurfaceMesh& mesh, double tolerance)
       before[k] += 0.4 * dp * area[k] / facet.area, behind[k] -= 0.4 * dp * area[k] / facet.area;
     }
     CHECK(distance_between(area, {}, 3) == Approx(facet.area));
-    if (facet.area < 0.3 * dp * dp) continue;  // a sliver may look along the face
+    if (facet.area < 0.3 * dp * dp) continue;  // the normal of a sliver may lie in the face
     CHECK_FALSE(holds(scene.bodies[0], before, 3, 0));
     CHECK(holds(scene.bodies[0], behind, 3, 0));
   }
@@ -80,7 +78,7 @@ void check_closed(const Scene& scene, const SurfaceMesh& mesh, double tolerance)
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("surface mesh: that of a box is its faces") {
+  TEST_CASE("surface mesh: the mesh of a box is its faces") {
     const Scene scene = of(Box{{0, 0, 0}, {0.004, 0.005, 0.006}});
     const InitialParticles initial = make_initial_particles(scene);
     const SurfaceMesh mesh = make_surface_mesh(scene, initial);
@@ -108,9 +106,8 @@ TEST_SUITE("unit") {
                               [&](const Point& x) { return distance_between(x, cornered, 3) < 1e-9 * dp; }));
   }
 
-  TEST_CASE(
-      "surface mesh: a body of shapes side by side has the faces of the whole, a cut in pieces that of one") {
-    // the spacing fits neither: corners on the seams start off the faces
+  TEST_CASE("surface mesh: adjacent shapes have the faces of the whole, and adjacent cut-outs those of one") {
+    // the spacing fits neither, so corners on seams start off the faces
     const double width = 0.0083, height = 0.0066;
     const auto box = [&](double from, double to, double bottom, double top) {
       return Box{{from, 0, bottom}, {to, width, top}};
@@ -121,7 +118,7 @@ TEST_SUITE("unit") {
     const auto check_alike = [&] {
       const SurfaceMesh one = mesh_of(whole), other = mesh_of(pieces);
       CHECK(one.facets.size() == other.facets.size());
-      CHECK(area_of(one) == Approx(area_of(other)).epsilon(0.01));  // rims are cut off in another way
+      CHECK(area_of(one) == Approx(area_of(other)).epsilon(0.01));
       for (const Point& x : other.x) {
         CHECK(holds(whole.bodies[0], x, 3, 1e-5 * dp));
         CHECK_FALSE(holds(whole.bodies[0], x, 3, -1e-5 * dp));
@@ -147,7 +144,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("surface mesh: steps of the lattice at a ball, its hole and a bar are laid smooth") {
+  TEST_CASE("surface mesh: lattice steps at a ball, its hole and a bar are smoothed") {
     const double R = 0.008, r = 0.004, pi = std::numbers::pi;
     const Scene shell = of(Ring{{0.0003, 0, 0}, r, R}), bar = of(Cylinder{{0, 0, 0}, {0.012, 0, 0}, 0.005});
     const SurfaceMesh round = mesh_of(shell), along = mesh_of(bar);
@@ -162,7 +159,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "surface mesh: of a mirrored body it is the mirror image, to the last bit, of a turned one turned") {
+      "surface mesh: a mirrored body has the mirror image to the last bit, a rotated body a rotated mesh") {
     Scene scene = of(Disc{{0.011, 0.002, 0.001}, 0.006});
     const SurfaceMesh one = mesh_of(scene);
     scene.bodies[0].shapes = {Disc{{-0.011, 0.002, 0.001}, 0.006}};
@@ -184,7 +181,7 @@ TEST_SUITE("unit") {
     check_closed(turned, mesh, 1e-15);
   }
 
-  TEST_CASE("surface mesh: none in 2D, nor of what is one particle thin, nor of given particles") {
+  TEST_CASE("surface mesh: bodies in 2D, of one layer or of listed particles have no mesh") {
     CHECK(mesh_of(scene_of_shapes({Box{{0, 0, 0}, {0.004, 0.004, 0}}}, 2, dp)).facets.empty());
     CHECK(mesh_of(of(Box{{0, 0, 0}, {0.02, 0.02, dp}})).facets.empty());
     CHECK(can_have_surface_mesh(of(Disc{{0, 0, 0}, 0.004})));

@@ -1,4 +1,3 @@
-// Laws of elasticity: P = ∂ψ/∂F, σ = P Fᵀ/J, no stress at rest, turned bodies, cofactors of their own.
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +77,6 @@ Mat<double, Dim> minus(const Mat<double, Dim>& A, const Mat<double, Dim>& B) {
   return combination(1.0, A, -1.0, B);
 }
 
-/// Of `f`(F) by central differences.
 template <int Dim, class Function>
 Mat<double, Dim> slope(const Mat<double, Dim>& F, const Function& f) {
   constexpr double step = 1e-5;
@@ -97,7 +95,6 @@ Mat<double, Dim> slope_of_energy(const L& law, const Mat<double, Dim>& F) {
   return slope(F, [&](const Mat<double, Dim>& at) { return law.energy(at, determinant(at)); });
 }
 
-/// Four particles of two materials: each has the stress and the stiffness of its own law.
 template <int Dim, class L>
 void check_four(const L& law, const L& other) {
   std::vector<Mat<double, Dim>> F = strained<Dim>();
@@ -128,7 +125,6 @@ void check_rest(const L& law) {
   CHECK(std::abs(law.cauchy(one, 1).zz) < 1e-9 * K);
 }
 
-/// The response to a small strain is Hooke's, of plane strain in 2D.
 template <int Dim, class L>
 void check_small_strain(const L& law) {
   constexpr double small = 1e-6;
@@ -156,12 +152,12 @@ void check_cauchy(const L& law) {
   for (const auto& F : strained<Dim>()) {
     const double J = determinant(F);
     const Mat<double, Dim> P = law.piola(F, J), sigma = combination(1 / J, times(P, transposed(F)), 0.0, P);
-    CHECK(greatest(minus(sigma, transposed(sigma))) < 1e-12 * greatest(sigma));  // no couple
+    CHECK(greatest(minus(sigma, transposed(sigma))) < 1e-12 * greatest(sigma));  // symmetric
     CHECK(greatest(minus(sigma, full(law.cauchy(F, J).sigma))) < 1e-12 * greatest(sigma));
   }
 }
 
-/// Q F is given the stress Q P, the same energy and the same stress normal to the plane.
+/// Greatest deviation of P(Q F) from Q P, with energy and normal stress unchanged.
 template <int Dim, class L>
 double lack_of_objectivity(const L& law) {
   double lack = 0;
@@ -177,10 +173,8 @@ double lack_of_objectivity(const L& law) {
   return lack;
 }
 
-/// diag(F, 1)
 M3 in_space(const M2& F) { return {{{F(0, 0), F(0, 1), 0}, {F(1, 0), F(1, 1), 0}, {0, 0, 1}}}; }
 
-/// In plane strain a law is what it is in 3D with F_zz = 1.
 template <class L>
 void check_plane(const L& law) {
   for (const M2& F : strained<2>()) {
@@ -197,8 +191,8 @@ void check_plane(const L& law) {
 M2 rate_of_cofactor(const M2&, const M2& rate) { return cofactor(rate); }
 M3 rate_of_cofactor(const M3& F, const M3& rate) { return tensor_cross(F, rate); }
 
-/// With H = cof F nothing new; with an H and a J of their own P is the slope of ψ(F, H, J) where these two
-/// follow F as [Lee2016] Eq. 33 has it, dH = F ⨯ dF and dJ = H : dF: without that {p, F, H, J} had no energy.
+/// Checks H = cof F, and that with independent H and J, P is the slope of ψ(F, H, J) along the rates of [Lee2016] Eq.
+/// 33, dH = F ⨯ dF and dJ = H : dF, so that mixed methods have an energy.
 template <int Dim, class L>
 void check_own_cofactor(const L& law) {
   constexpr double step = 1e-6;
@@ -229,7 +223,7 @@ void check_own_cofactor(const L& law) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("laws: no stress at rest, Hooke's law for small strains") {
+  TEST_CASE("laws: the stress is zero at rest and Hooke's for small strains") {
     const auto check = [](const auto& law) {
       check_rest<2>(law);
       check_rest<3>(law);
@@ -243,7 +237,7 @@ TEST_SUITE("term") {
     check(LawOf<Law::rotated_piola>{{K, G}});
   }
 
-  TEST_CASE("laws: P is the derivative of the energy, but for the turned stress of icb") {
+  TEST_CASE("laws: P is the derivative of the energy, except for icb's rotated stress") {
     const auto check = [](const auto& law) {
       check_derivative<2>(law);
       check_derivative<3>(law);
@@ -258,7 +252,7 @@ TEST_SUITE("term") {
     CHECK(greatest(minus(P, slope_of_energy(turned, F))) > 0.1 * greatest(P));
   }
 
-  TEST_CASE("laws: P Fᵀ/J is the Cauchy stress, symmetric") {
+  TEST_CASE("laws: P Fᵀ/J is the symmetric Cauchy stress") {
     const auto check = [](const auto& law) {
       check_cauchy<2>(law);
       check_cauchy<3>(law);
@@ -269,7 +263,7 @@ TEST_SUITE("term") {
     check(LawOf<Law::rotated_piola>{{K, G}});
   }
 
-  TEST_CASE("laws: turn with the body, but for the linear one") {
+  TEST_CASE("laws: every law but the linear one is objective") {
     const auto lack = [](const auto& law) {
       return std::max(lack_of_objectivity<2>(law), lack_of_objectivity<3>(law));
     };
@@ -281,15 +275,14 @@ TEST_SUITE("term") {
     CHECK(lack_of_objectivity<3>(LawOf<Law::linear_elastic>{{K, G}}) > 0.1);
   }
 
-  TEST_CASE("laws: in plane strain what they are in space with F_zz = 1") {
+  TEST_CASE("laws: a law in plane strain equals the 3D law with F_zz = 1") {
     check_plane(LawOf<Law::neo_hookean>{{K, G}});
     for (const double share : {0.0, 0.3, 1.0}) check_plane(LawOf<Law::mooney_rivlin>{{K, G, share}});
     check_plane(LawOf<Law::st_venant_kirchhoff>{{K, G}});
     check_plane(LawOf<Law::linear_elastic>{{K, G}});
   }
 
-  TEST_CASE(
-      "laws: with cofactor and volume ratio of their own P is the slope of what follows F by their rates") {
+  TEST_CASE("laws: with independent H and J, P is the energy's slope along their rates") {
     check_own_cofactor<2>(LawOf<Law::neo_hookean>{{K, G}});
     check_own_cofactor<3>(LawOf<Law::neo_hookean>{{K, G}});
     for (const double share : {0.3, 1.0}) {
@@ -298,8 +291,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE(
-      "laws: Mooney–Rivlin has the neo-Hookean law for one end of its share, and another for the other") {
+  TEST_CASE("laws: Mooney–Rivlin is neo-Hookean at one end of its share and depends on areas at the other") {
     const LawOf<Law::neo_hookean> neo{{K, G}};
     const LawOf<Law::mooney_rivlin> none{{K, G, 0}}, all{{K, G, 1}};
     for (const M3& F : strained<3>()) {
@@ -312,7 +304,7 @@ TEST_SUITE("term") {
     CHECK(all.energy(drawn, 1) == relative(G * (std::pow(4.25, 1.5) / std::pow(3, 1.5) - 1), 1e-12));
   }
 
-  TEST_CASE("laws: the one that is chosen is that law, with the numbers of each material") {
+  TEST_CASE("laws: the chosen law is used with each material's constants") {
     const std::vector<Elasticity> materials{{1200, 30, K, G, {0.3}}, {1200, 30, 2 * K, G, {0.8}}};
     const M3 F = strained<3>()[1];
     const auto check = [&]<Law L>() {
@@ -336,7 +328,7 @@ TEST_SUITE("term") {
     CHECK_FALSE(may_run_with<icb, Law::linear_elastic>);
   }
 
-  TEST_CASE("laws: of four particles at a time, of two materials, each lane is what one particle has") {
+  TEST_CASE("laws: four particles of two materials at a time give the results of single ones") {
     const auto check = []<class L>(const L& law, const L& other) {
       check_four<2>(law, other);
       check_four<3>(law, other);
@@ -348,7 +340,7 @@ TEST_SUITE("term") {
     check(LawOf<Law::rotated_piola>{{K, G}}, LawOf<Law::rotated_piola>{{2 * K, 3 * G}});
   }
 
-  TEST_CASE("laws: the neo-Hookean stress is that of the Cauchy form −K (J − 1), G J^(−5/3) dev(F Fᵀ)") {
+  TEST_CASE("laws: the neo-Hookean stress equals its Cauchy form −K (J − 1), G J^(−5/3) dev(F Fᵀ)") {
     const LawOf<Law::neo_hookean> law{{K, G}};
     for (const M2& F : strained<2>()) {
       const double J = determinant(F), scale = G * std::pow(J, -5.0 / 3);
@@ -361,14 +353,14 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("laws: the rotation nearest to F, in closed form, in 3D by iteration") {
+  TEST_CASE("laws: the rotation nearest to F has a closed form in 2D and is iterated in 3D") {
     for (const double angle : {0.0, 0.4, 2.0, 3.1, -1.7}) {
       const M2 R = rotation(angle), U{{{1.4, 0.2}, {0.2, 0.6}}};
       CHECK(greatest(minus(nearest_rotation(times(R, U)), R)) < 1e-14);
     }
-    const M2 reflection{{{1, 0}, {0, -1}}};  // two rotations are as near
+    const M2 reflection{{{1, 0}, {0, -1}}};  // two rotations are equally near
     CHECK(greatest(minus(nearest_rotation(reflection), M2{{{1, 0}, {0, 1}}})) == 0);
-    // a half turn about any axis, with no torque to begin with, and what is hardly off it
+    // half turns about any axis, where the initial torque is zero, and nearby rotations
     const M3 U{{{1.4, 0.2, 0.1}, {0.2, 0.6, -0.1}, {0.1, -0.1, 0.9}}};
     for (const Vec<double, 3>& axis : {Vec<double, 3>{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.36, -0.48, 0.8}}) {
       for (const double off : {0.0, 1e-7, -1e-3}) {

@@ -1,4 +1,3 @@
-// The bound of the speed of waves against the acoustic tensor by differences of P.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,6 @@ using Square = Eigen::Matrix<double, Dim, Dim>;
 template <int Dim>
 using Column = Eigen::Vector<double, Dim>;
 
-/// Always the same numbers.
 class Dice {
  public:
   double between(double low, double high) {
@@ -45,7 +43,7 @@ class Dice {
     if (Q.determinant() < 0) Q.col(0) *= -1;
     return Q;
   }
-  /// With stretches from 0.3 to 3, turned before and after.
+  /// Stretches from 0.3 to 3 between two rotations.
   template <int Dim>
   Mat<double, Dim> strain() {
     Column<Dim> stretches;
@@ -61,7 +59,7 @@ class Dice {
   std::mt19937 random_{1};
 };
 
-/// ∂P/∂F at F, by differences: of the components of F row by row
+/// ∂P/∂F at F by differences; components of F row by row.
 template <int Dim>
 class Tangent {
  public:
@@ -80,7 +78,7 @@ class Tangent {
       }
     }
   }
-  /// ρ0 c² of the waves along n, of the symmetric part of their acoustic tensor
+  /// ρ0 c² of waves along n, from the symmetric part of the acoustic tensor.
   Column<Dim> stiffnesses(const Column<Dim>& n) const {
     Square<Dim> Q = Square<Dim>::Zero();
     for (int a = 0; a < Dim; ++a)
@@ -89,7 +87,6 @@ class Tangent {
           for (int k = 0; k < Dim; ++k) Q(a, b) += A_(a * Dim + c, b * Dim + k) * n[c] * n[k];
     return eigenvalues(0.5 * (Q + Q.transpose()));
   }
-  /// The greatest of all directions: of many, and then of ones near the best.
   double greatest(Dice& dice) const {
     constexpr int first = 60, second = 120;
     double best = 0, reach = 0.3;
@@ -108,7 +105,6 @@ class Tangent {
   Eigen::Matrix<double, Dim * Dim, Dim * Dim> A_;
 };
 
-/// The bound over the greatest stiffness, of many strains.
 struct Ratio {
   double least = 1e300, mean = 0;
 };
@@ -127,7 +123,6 @@ Ratio ratio_of(const L& law) {
   return ratio;
 }
 
-/// Never below what waves have, but for the error of the differences, and as near as that on average.
 template <class L>
 void check_bound(const L& law, double most = 1.001) {
   for (const Ratio& ratio : {ratio_of<2>(law), ratio_of<3>(law)}) {
@@ -142,7 +137,7 @@ Mat<double, 3> diagonal(double x, double y, double z) { return {{{x, 0, 0}, {0, 
 
 TEST_SUITE("term") {
   TEST_CASE("stiffness: no wave is faster than the bound, and some are nearly as fast") {
-    for (const double K : {1.0, 9.67, 100.0}) {  // over G
+    for (const double K : {1.0, 9.67, 100.0}) {  // relative to G
       CAPTURE(K);
       check_bound(LawOf<Law::neo_hookean>{{K, 1}});
       for (const double share : {0.0, 0.4, 1.0}) check_bound(LawOf<Law::mooney_rivlin>{{K, 1, share}});
@@ -152,7 +147,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("stiffness: at rest the waves of K + 4G/3 and G, whatever share of G changes of areas have") {
+  TEST_CASE("stiffness: at rest waves have K + 4G/3 and G, whatever the share of areas in G") {
     constexpr double K = 9.67;
     const auto check = [&](const auto& law) {
       const Mat<double, 3> rest = diagonal(1, 1, 1);
@@ -170,8 +165,8 @@ TEST_SUITE("term") {
     check(LawOf<Law::rotated_piola>{{K, 1}});
   }
 
-  TEST_CASE("stiffness: waves of the polyconvex laws get faster without end as a body is pressed flat") {
-    const auto speed = [](const auto& law, const Mat<double, 3>& F) {  // over that at rest
+  TEST_CASE("stiffness: wave speeds of the polyconvex laws diverge as a body is compressed to a plane") {
+    const auto speed = [](const auto& law, const Mat<double, 3>& F) {  // relative to rest
       return std::sqrt(law.stiffness_bound(F, determinant(F)) / law.stiffness_bound(diagonal(1, 1, 1), 1.0));
     };
     const LawOf<Law::neo_hookean> neo{{9.67, 1}};

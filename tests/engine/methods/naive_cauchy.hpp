@@ -9,18 +9,17 @@
 
 #include "tests/support/neighbor_sweep.hpp"
 
-/// The methods of [Khayyer2024] and [TranDuc2023] §2.2 in two dimensions, written a second time, straight
-/// from the papers: pair by pair, no lanes, nothing of the engine. Slow, and meant to be read beside the
-/// paper. As in [Khayyer2024], r_ij = r_j − r_i and u_ij = u_j − u_i, and ∇ is ∇_i w.
+/// Transcription of the methods of [Khayyer2024] and [TranDuc2023] §2.2 in 2D: pair by pair, without code of the
+/// engine. As in [Khayyer2024], r_ij = r_j − r_i, u_ij = u_j − u_i, and ∇ is ∇_i w.
 ///
-/// Where the papers are silent or contradict themselves, this takes the same side as the engine says it does:
-///   - time: velocity first, then ρ, S, r from û at the positions at `geometry` of the step; S is turned by
+/// Where the papers are silent or contradictory it follows the engine:
+///   - velocity first, then ρ, S, r from û at the positions at `geometry` of the step; S is rotated by
 ///     (I − ½ dt Ω)⁻¹ (I + ½ dt Ω);
 ///   - Eq. 18 with a minus, Eq. 21 with atan2, Eq. 43 with `riemann_factor`, ρ_ij a difference in Eq. 34, 35;
-///   - held particles do not move, but are strained;
+///   - clamped particles do not move, but are strained;
 ///   - [TranDuc2023] with ½ in the strain and spin rates, 1/ρ̄ in Π, (W/W(Δx))ⁿ in f_ij;
-///   - particles of two bodies touch within one spacing: [Khayyer2024] Eq. 53, 54 for the new velocities,
-///     with the masses of those that are free; [TranDuc2023] Eq. 2.13 with K1 K2/(K1 + K2).
+///   - bodies touch within one spacing: [Khayyer2024] Eq. 53, 54 for the new velocities with the masses of free
+///     particles; [TranDuc2023] Eq. 2.13 with K1 K2/(K1 + K2).
 namespace taut::test::naive_cauchy {
 
 using Vector = std::array<double, 2>;
@@ -47,7 +46,6 @@ inline Matrix inverse(const Matrix& A) {
 }
 constexpr Matrix identity = {{{1, 0}, {0, 1}}};
 
-/// What a method of the two papers is made of.
 struct Method {
   bool tranduc = false;  // [TranDuc2023]
   bool corrected = false, delta = false, av = false, riemann = false, as = false, tic = false;
@@ -90,7 +88,6 @@ struct Particle {
   Matrix sigma() const { return S + -p() * identity; }                              // Eq. 3
 };
 
-/// How often each term acted, so that a test can say that it did.
 struct Counts {
   long tension = 0, compression = 0, viscous = 0, inner = 0, outer = 0, diffused = 0, contacts = 0;
 };
@@ -111,7 +108,7 @@ class Run {
     find_others();
     const std::vector<Vector> a = accelerations();
     const std::vector<double> D = density_diffusion();
-    const std::vector<double> rho = densities();  // volumes stay those of the start
+    const std::vector<double> rho = densities();  // volumes stay the initial ones
     for (std::size_t i = 0; i < particles.size(); ++i)
       if (!particles[i].held) particles[i].u = particles[i].u + dt * a[i];
     if (!is_.tranduc) stop_approach();
@@ -132,7 +129,7 @@ class Run {
  private:
   std::size_t n() const { return particles.size(); }
   bool near(std::size_t i, std::size_t j) const { return particles[i].body == particles[j].body; }
-  /// Beyond the support, since the positions of a step differ.
+  /// The radius exceeds the support because positions change within a step.
   void find_others() {
     std::vector<Vector> r;
     for (const Particle& a : particles) r.push_back(a.r);
@@ -149,7 +146,7 @@ class Run {
   /// ∇_i w of a pair, which points to j.
   Vector gradient(const Vector& r_ij) const {
     const double r = std::hypot(r_ij[0], r_ij[1]), q = r / h_, half = std::numbers::pi * q / 2;
-    double slope = 0;  // dw/dr
+    double slope = 0;
     if (q < 2 && is_.tranduc)
       slope = 0.710379463738679 / (h_ * h_ * h_) * 5 * std::pow(std::sin(half) / half, 4) *
               (std::cos(half) * half - std::sin(half)) / (half * half) * std::numbers::pi / 2;
@@ -165,7 +162,7 @@ class Run {
     return rho;
   }
 
-  /// L_i = (Σ r_ij ⊗ ∇w V_j)⁻¹ at the positions `r`; I where the method has none.
+  /// L_i = (Σ r_ij ⊗ ∇w V_j)⁻¹ at positions `r`; I for uncorrected methods.
   Matrix correction(std::size_t i, const std::vector<Vector>& r) const {
     if (!is_.corrected) return identity;
     Matrix M{};
@@ -194,7 +191,7 @@ class Run {
              {si * co * (R_xx - R_yy), R_xx * si * si + R_yy * co * co}}};
   }
 
-  /// Eq. 52 and what follows: neither at the surface nor beside it.
+  /// Eq. 52: true if neither the particle nor a neighbour is at the surface.
   std::vector<bool> inner_particles() {
     std::vector<bool> surface, inner;
     for (std::size_t i = 0; i < n(); ++i) {
@@ -223,7 +220,7 @@ class Run {
            (dot(r, r) + 0.01 * h_ * h_);
   }
 
-  /// Eq. 28, 31, 51 (9, 17 without correction), or [TranDuc2023] Eq. 2.3 with its two further stresses.
+  /// Eq. 28, 31, 51 (9, 17 uncorrected), or [TranDuc2023] Eq. 2.3 with its additional stresses.
   std::vector<Vector> accelerations() {
     const std::vector<Matrix> L = corrections();
     const std::vector<Matrix> grad_u = is_.riemann ? plain_velocity_gradients(L) : std::vector<Matrix>(n());
@@ -264,7 +261,7 @@ class Run {
     return grad;
   }
 
-  /// Eq. 37, 40, 41, 43, 44; what stands before m_j ∇w.
+  /// Eq. 37, 40, 41, 43, 44: the factor of m_j ∇w.
   double riemann(const Particle& a, const Particle& b, const Matrix& grad_a, const Matrix& grad_b) {
     const Vector r = b.r - a.r, e = 1 / std::hypot(r[0], r[1]) * r;
     const double u_i = dot(a.u + 0.5 * (grad_a * r), e), u_j = dot(b.u - 0.5 * (grad_b * r), e);
@@ -316,7 +313,7 @@ class Run {
     return u;
   }
 
-  /// Eq. 29 (13 without correction).
+  /// Eq. 29 (13 uncorrected).
   std::vector<Matrix> velocity_gradients(const std::vector<Vector>& u, const std::vector<Vector>& r) const {
     std::vector<Matrix> grad(n(), Matrix{});
     for (std::size_t i = 0; i < n(); ++i) {
@@ -327,7 +324,7 @@ class Run {
     return grad;
   }
 
-  /// Eq. 27 (8 without correction), or Σ m_j u_ij·∇w of [TranDuc2023].
+  /// Eq. 27 (8 uncorrected), or Σ m_j u_ij·∇w of [TranDuc2023].
   std::vector<double> density_rates(const std::vector<Vector>& u, const std::vector<Vector>& r,
                                     const std::vector<Matrix>& grad_u) const {
     std::vector<double> rate;
@@ -352,7 +349,7 @@ class Run {
     return Q * a.S * transposed(Q) + 2 * a.material.G * dt * (strain + -trace / 3 * identity);
   }
 
-  /// f(b, b.r − a.r, distance) for each particle of another body within one spacing.
+  /// Calls f(b, b.r − a.r, distance) for particles of other bodies within one spacing.
   template <class F>
   void for_each_touch(const Particle& a, const F& f) {
     for (const std::size_t j : others_[static_cast<std::size_t>(&a - particles.data())]) {
@@ -375,7 +372,7 @@ class Run {
     return force;
   }
 
-  /// Eq. 53, 54 times Δt, for the new velocities.
+  /// Eq. 53, 54 times Δt, on the new velocities.
   void stop_approach() {
     std::vector<Vector> change;
     for (const Particle& a : particles) {
@@ -392,7 +389,7 @@ class Run {
 
   Method is_;
   double d0_, h_, c0_;
-  std::vector<std::vector<std::size_t>> others_;  // of each particle, of all bodies
+  std::vector<std::vector<std::size_t>> others_;  // neighbours in all bodies
 };
 
 }  // namespace taut::test::naive_cauchy

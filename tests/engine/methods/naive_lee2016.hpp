@@ -1,9 +1,8 @@
 #pragma once
 
-// The mixed methods of [Lee2016] written down from the paper, by pairs and without any thought of speed: Eq.
-// 29c (internal force), 33a–c (F, H and J), 35–38 with A.1–A.5 (dissipation), 43 (time), 45–51 (projections,
-// from the full system of Eq. 48), 8–12 (stress); the penalty contact of [TranDuc2023] Eq. 2.13. Everything
-// goes with the momentum p per volume of the start.
+// Transcription of the mixed methods of [Lee2016], by pairs: Eq. 8–12 (stress), 29c (force), 33a–c (F, H, J), 35–38,
+// A.1–A.5 (dissipation), 43 (time), 45–51 (projections, full Eq. 48); penalty contact of [TranDuc2023] Eq. 2.13. p is
+// the momentum per initial volume.
 
 #include <algorithm>
 #include <array>
@@ -44,8 +43,8 @@ struct Particle {
   double J = 1, V = 0;
   int body = 0;
   bool held = false;
-  Matrix L = Matrix::Zero();      // correction of the gradient
-  Vector alpha = Vector::Zero();  // and of the Laplacian
+  Matrix L = Matrix::Zero();      // gradient correction
+  Vector alpha = Vector::Zero();  // Laplacian correction
   double beta = 0;
 };
 
@@ -53,7 +52,7 @@ template <int Dim>
 struct Run {
   using Vector = Vec<Dim>;
   using Matrix = Mat<Dim>;
-  using Field = Vec<Dim + 1>;  // of p and J
+  using Field = Vec<Dim + 1>;  // p and J
   using Particle = naive_lee::Particle<Dim>;
 
   struct Rates {
@@ -67,11 +66,11 @@ struct Run {
   double eps_p2, eps_p4, eps_J2, eps_J4;
   bool projection, adjoint;
   std::vector<Particle> particles;
-  double dt = 0;  // s, of every step where cfl is 0
+  double dt = 0;  // fixed step, s, if cfl is 0
   double time = 0;
   long contacts = 0, corners = 0;
 
-  std::vector<std::vector<std::size_t>> lists = {};  // of the others within 2h at the start
+  std::vector<std::vector<std::size_t>> lists = {};  // neighbours within 2h, initial configuration
 
   double wave_speed() const { return std::sqrt((K + 4 * G / 3) / rho0); }
 
@@ -90,7 +89,7 @@ struct Run {
     const double q = r / h;
     return alpha_h() / (h * h) * (-5 * std::pow(1 - q / 2, 3) + 7.5 * q * std::pow(1 - q / 2, 2));
   }
-  /// ∇W_b(X_a) corrected
+  /// Corrected ∇W_b(X_a).
   Vector gradient(const Particle& a, const Particle& b) const {
     const Vector d = a.X - b.X;
     return a.L * (dW(d.norm()) / d.norm() * d);
@@ -126,7 +125,7 @@ struct Run {
       }
       a.L = M.inverse();
       Eigen::VectorXd terms = solution_if_any(A, right, 1e-10);
-      if (terms.size() == 0) {  // at the corner of a cube
+      if (terms.size() == 0) {
         terms = Field::Zero();
         terms.head<Dim>() = A.template topLeftCorner<Dim, Dim>().llt().solve(right.template head<Dim>());
         ++corners;
@@ -168,7 +167,7 @@ struct Run {
     return D;
   }
 
-  /// Of the matrix of L with respect to Σ V; not in the paper, which has L.
+  /// Adjoint of L with respect to Σ V; the paper has L.
   std::vector<Field> adjoint_of_L(const std::vector<Field>& g) const {
     std::vector<Field> out(g.size(), Field::Zero());
     for (std::size_t a = 0; a < g.size(); ++a)
@@ -179,7 +178,7 @@ struct Run {
     return out;
   }
 
-  /// Z ↦ λ × Z for each component of λ_ang, of which there is one in the plane.
+  /// Z ↦ λ × Z for each component of λ_ang; one component in 2D.
   static Eigen::Matrix<double, Dim, Dim == 2 ? 1 : 3> turns(const Vector& z) {
     Eigen::Matrix<double, Dim, Dim == 2 ? 1 : 3> columns;
     if constexpr (Dim == 2)

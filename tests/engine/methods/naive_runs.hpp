@@ -10,11 +10,10 @@
 #include "tests/engine/methods/naive_total_lagrangian.hpp"
 #include "tests/engine/methods/naive_zhang2024.hpp"
 
-/// A transcription's run of a scene, with the particles and the constants that the engine would take; not yet
-/// started. All that the two share is here.
+/// Runs of transcriptions, not yet started, with the particles and constants of the engine. Transcriptions and engine
+/// share only this file.
 namespace taut::test {
 
-/// A vector of a transcription, of `Dim` components of the engine's.
 template <class Vector>
 Vector vector_of(const Point& x) {
   Vector v;
@@ -22,7 +21,7 @@ Vector vector_of(const Point& x) {
   return v;
 }
 
-/// `lay(a, i, initial)` sets what is called differently in each transcription.
+/// `lay(a, i, initial)` sets the members whose names differ between transcriptions.
 template <class Run, class Lay>
 void lay_particles(Run& run, const Scene& scene, const Lay& lay) {
   const InitialParticles initial = make_initial_particles(scene);
@@ -34,7 +33,7 @@ void lay_particles(Run& run, const Scene& scene, const Lay& lay) {
   }
 }
 
-/// A constant of the method as it is set, or its default; 0 where the method has none of the name.
+/// Value of a method's constant, or its default, or 0 if the method has none of this name.
 inline double constant_of(const Settings& settings, int dim, const std::string& name) {
   const auto set = settings.constants.find(name);
   if (set != settings.constants.end()) return set->second;
@@ -77,7 +76,7 @@ inline naive_cauchy::Run naive_current(const Scene& scene, const Settings& setti
   return run;
 }
 
-/// tl with each of its laws, icb, tl-small-strain
+/// tl with each law, icb, tl-small-strain
 template <int Dim>
 naive_reference::Run<Dim> naive_total_lagrangian(const Scene& scene, const Settings& settings) {
   const Material& material = scene.materials[0];
@@ -99,7 +98,7 @@ naive_reference::Run<Dim> naive_total_lagrangian(const Scene& scene, const Setti
   return run;
 }
 
-/// The mixed methods of [Lee2016]; with a step of its own where the settings have one.
+/// The mixed methods of [Lee2016].
 template <int Dim>
 naive_lee::Run<Dim> naive_mixed(const Scene& scene, const Settings& settings) {
   const Material& material = scene.materials[0];
@@ -131,7 +130,6 @@ naive_lee::Run<Dim> naive_mixed(const Scene& scene, const Settings& settings) {
   return run;
 }
 
-/// A run that has been started and made its steps.
 template <class Run>
 Run after_steps(Run run, int steps) {
   if constexpr (requires { run.start(); }) run.start();

@@ -1,12 +1,12 @@
 #pragma once
 
-// Total-Lagrangian methods written down from the papers, by pairs and without any thought of speed:
-//   tl   [Lee2016] Eq. 21 (corrected gradient), 29c (internal force), 34 (F), 8–12 (neo-Hookean, P by Σ_F,
-//   Σ_J, H) icb  [TranDuc2023] §2.3: N, F, ε, σ⁰, the iteration towards R, the acceleration tl-small-strain
-//   [Zhang2020] Eq. 3, 4, 7–9, with the sums of Eq. 7 and 9 normalised as energy asks for
-// In 3D the rotation is that of the polar decomposition by singular values.
-// tl with St Venant–Kirchhoff's and the linear law, and the contacts of [TranDuc2023] Eq. 2.13 and, for
-// tl-small-strain, [Zhang2020] Eq. 12. Time: x to mid-step, v, x to the end.
+// Transcriptions of total-Lagrangian methods, by pairs:
+//   tl               [Lee2016] Eq. 21 (corrected gradient), 29c (internal force), 34 (F), 8–12 (neo-Hookean, P by
+//                    Σ_F, Σ_J, H)
+//   icb              [TranDuc2023] §2.3: N, F, ε, σ⁰, iteration for R, acceleration
+//   tl-small-strain  [Zhang2020] Eq. 3, 4, 7–9, sums of Eq. 7 and 9 normalised consistently with an energy
+// In 3D R is the polar rotation by singular values. tl also has the St Venant–Kirchhoff and linear laws. Contact:
+// [TranDuc2023] Eq. 2.13, for tl-small-strain [Zhang2020] Eq. 12. Time: x to mid-step, v, x to the end.
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@
 namespace taut::test::naive_reference {
 
 enum class Method { tl, icb, small_strain, tl_st_venant_kirchhoff, tl_linear };
-/// With tl's law where it is not the published one.
+/// `law` selects the variants of tl.
 inline Method method_named(const std::string& name, const std::string& law) {
   if (name == "icb") return Method::icb;
   if (name == "tl-small-strain") return Method::small_strain;
@@ -44,7 +44,7 @@ struct Particle {
   double m = 0, V = 0;
   int body = 0;
   bool held = false;
-  Square F = Square::Zero(), P = Square::Zero(), N = Square::Zero();  // N: the renormalisation, dimensionless
+  Square F = Square::Zero(), P = Square::Zero(), N = Square::Zero();  // N: renormalisation, dimensionless
   double s = 1;                                                       // Σ V W
 };
 
@@ -58,10 +58,10 @@ struct Run {
   double dp, h, cfl, rho0, K, G, contact_stiffness;
   std::vector<Particle> particles;
   double time = 0;
-  long contacts = 0;  // pairs of two bodies that pressed on each other, over all steps
-  std::vector<std::vector<std::size_t>> near = {}, touching = {};  // of each particle, at the start and now
+  long contacts = 0;                                               // pairs in contact, summed over all steps
+  std::vector<std::vector<std::size_t>> near = {}, touching = {};  // neighbours at the start; contacts now
 
-  // kernels of the methods: Wendland C2 (tl), sinc⁵ (icb), Gauss cut off at 3 h (small strain)
+  // Wendland C2 (tl), sinc⁵ (icb), Gaussian truncated at 3 h (small strain)
   double support() const { return (1 - 1e-9) * (small() ? 3 * h : 2 * h); }
   bool small() const { return method == Method::small_strain; }
   bool linear() const { return small() || method == Method::tl_linear; }
@@ -81,7 +81,7 @@ struct Run {
     const double slope = (std::cos(y) / y - std::sin(y) / (y * y)) * std::numbers::pi / 2;
     return sinc_norm() / h * 5 * std::pow(sinc(q), 4) * slope;
   }
-  /// One over the integral up to 3 h.
+  /// 1 / integral up to 3 h.
   double gauss() const {
     constexpr double pi = std::numbers::pi;
     if (Dim == 2) return 1 / (pi * h * h) / (1 - std::exp(-9.0));
@@ -90,7 +90,7 @@ struct Run {
   double wendland() const {
     return Dim == 2 ? 7 / (4 * std::numbers::pi * h * h) : 21 / (16 * std::numbers::pi * h * h * h);
   }
-  /// In 3D one over 4π ∫ q² sinc⁵ dq, by Simpson's rule.
+  /// In 3D 1 / (4π ∫ q² sinc⁵ dq) by Simpson's rule.
   double sinc_norm() const {
     if (Dim == 2) return 0.710379463738679282 / (h * h);
     static const double integral = [] {
@@ -109,7 +109,7 @@ struct Run {
     return y == 0 ? 1 : std::sin(y) / y;
   }
 
-  /// ∇_i W_ij of the start; false beyond the support or in another body.
+  /// ∇_i W_ij of the initial configuration; returns false beyond the support or for another body.
   bool gradient(const Particle& i, const Particle& j, Vector& g) const {
     if (&i == &j || i.body != j.body) return false;
     const Vector d = i.X - j.X;
@@ -147,7 +147,7 @@ struct Run {
     }
   }
 
-  /// [TranDuc2023] §2.3: R ← E(v, α) R with v = Σ r_j × a_j / Σ r_j·a_j, in the plane.
+  /// In 2D [TranDuc2023] §2.3: R ← E(v, α) R with v = Σ r_j × a_j / Σ r_j·a_j.
   static Matrix rotation(const Matrix& A) {
     if constexpr (Dim == 3) {
       return rotation_by_singular_values(A);

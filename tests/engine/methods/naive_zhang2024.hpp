@@ -12,20 +12,17 @@
 #include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
-/// The methods of [Zhang2024] in two and three dimensions, written a second time, straight from the paper:
-/// pair by pair, no lanes, nothing of the engine. Slow, and meant to be read beside the paper.
+/// Transcription of the methods of [Zhang2024] in 2D and 3D: pair by pair, without code of the engine.
 ///
-/// Where the paper is silent or contradicts itself, this takes the same side as the engine says it does:
-///   - Eq. 7 with the rotation terms of Jaumann; Eq. 14 and 27 with the sign that makes ∇v right;
+/// Where the paper is silent or contradictory it follows the engine:
+///   - Eq. 7 with Jaumann's rotation terms; Eq. 14 and 27 with the sign that makes ∇v correct;
 ///   - Eq. 11–12 with `pressure_diffusion` of (p_i − p_j)/(2 ρ0 c0) in U*; β = 1, or limited for `og`;
-///   - Eq. 20 with G/ρ inside the integral; shear and stress advance in halves as the density does (Eq. 23,
-///   25);
+///   - Eq. 20 with G/ρ inside the integral; shear and stress advance in halves like the density (Eq. 23, 25);
 ///   - Eq. 19 with ζ = 3.5; Eq. 18 without;
 ///   - Gray's artificial stress with ε = 0.3, n = 4;
-///   - between two bodies no shear stress acts, and e_ij, ∂W/∂r and W/W(dp) are those of the middle of each
-///     step, while which pairs there are is that of the advection step;
-///   - in 3D Eq. 8 takes a third of the trace, and Gray's stress the principal axes of all three;
-///   - held particles do not move; their density changes only in the methods that compute with a stress.
+///   - no shear stress between bodies; e_ij, ∂W/∂r and W/W(dp) are of mid-step, pairs of the advection step;
+///   - in 3D Eq. 8 takes a third of the trace, and Gray's stress all three principal axes;
+///   - clamped particles do not move; their density changes only in methods that integrate the stress.
 namespace taut::test::naive {
 
 template <int Dim>
@@ -48,7 +45,7 @@ inline Method method_named(const std::string& name) {
 }
 
 constexpr double h_over_dp = 1.3, cfl_acoustic = 0.4, cfl_advection = 0.2;  // §5, §6
-constexpr double epsilon = 0.3, exponent = 4;                               // of the artificial stress
+constexpr double epsilon = 0.3, exponent = 4;
 
 template <int Dim>
 struct Particle {
@@ -56,9 +53,9 @@ struct Particle {
   double m = 0, rho = 0, drho = 0, p = 0;
   int body = 0;
   bool held = false;
-  Matrix<Dim> s{}, ds{};              // shear stress and its rate: computed with, or only shown
-  Vector<Dim> a_shear{}, da_shear{};  // shear acceleration and its rate
-  Vector<Dim> x_shown{};              // where x stood when a stress that is only shown was last advanced
+  Matrix<Dim> s{}, ds{};  // shear stress (integrated or output only) and its rate
+  Vector<Dim> a_shear{}, da_shear{};
+  Vector<Dim> x_shown{};  // x at the last update of an output-only stress
 };
 
 template <int Dim>
@@ -77,8 +74,8 @@ class Run {
       : method_(method), dual_(dual), dp_(dp), h_(h_over_dp * dp), rho0_(rho0), c0_(c0), G_(G) {}
 
   std::vector<Particle> particles;
-  double pressure_diffusion = 0;   // share of (p_i − p_j)/(2 ρ0 c0) in U*
-  int rebuilds = 0, contacts = 0;  // contacts: pairs of two bodies, summed over the steps
+  double pressure_diffusion = 0;   // factor of (p_i − p_j)/(2 ρ0 c0) in U*
+  int rebuilds = 0, contacts = 0;  // contacts: pairs between bodies, summed over steps
   double time = 0;
 
   void start() {
@@ -108,7 +105,7 @@ class Run {
     const std::vector<double> V = volumes();
     const std::vector<Vector> acceleration = accelerations(V);
     speed_ = 0;
-    for (std::size_t i = 0; i < particles.size(); ++i) {  // Eq. 24, and the positions of Eq. 25
+    for (std::size_t i = 0; i < particles.size(); ++i) {  // Eq. 24 and positions of Eq. 25
       Particle& a = particles[i];
       for (int k = 0; k < Dim; ++k) {
         if (!a.held) a.v[k] += dt * acceleration[i][k];
@@ -123,7 +120,7 @@ class Run {
     time += dt;
   }
 
-  /// Brings pressure and shown stress up to the end of the step.
+  /// Advances pressure and output stress to the end of the step.
   void finish() {
     for (Particle& a : particles) a.p = c0_ * c0_ * (a.rho - rho0_);
     advance_shown_stress();
@@ -139,7 +136,6 @@ class Run {
   bool nested() const { return method_ == Method::og || method_ == Method::oas; }
   bool same_body(std::size_t i, std::size_t j) const { return particles[i].body == particles[j].body; }
 
-  /// Wendland's C2 kernel.
   double norm() const {
     return Dim == 2 ? 7 / (4 * std::numbers::pi * h_ * h_) : 21 / (16 * std::numbers::pi * h_ * h_ * h_);
   }
@@ -167,7 +163,6 @@ class Run {
     g.closeness = std::pow(W(g.r) / W(dp_), exponent);
   }
 
-  /// The configuration of an advection step.
   void rebuild() {
     std::vector<Vector> x;
     for (const Particle& a : particles) x.push_back(a.x);
@@ -203,7 +198,7 @@ class Run {
     }
   }
 
-  /// R = −ε σ⁺/ρ² through the principal axes of σ.
+  /// R = −ε σ⁺/ρ² in the principal axes of σ.
   Matrix artificial_stress(const Particle& a) const {
     Eigen::Matrix<double, Dim, Dim> sigma;
     for (int k = 0; k < Dim; ++k)
@@ -219,7 +214,7 @@ class Run {
     return R;
   }
 
-  /// Eq. 12, with the linearised P*; for `og` its dissipation is limited.
+  /// Eq. 12 with the linearised P*; dissipation limited for `og`.
   double riemann_pressure(const Particle& a, const Particle& b, const Vector& e) const {
     const double U_L = -dot<Dim>(a.v, e), U_R = -dot<Dim>(b.v, e);
     const double limited = std::min(3 * std::max(U_L - U_R, 0.0) / c0_, 1.0);
@@ -252,7 +247,6 @@ class Run {
     return acceleration;
   }
 
-  /// The rates of density and shear from the velocities; the geometry is that of the pairs.
   void find_rates(const std::vector<double>& V) {
     for (std::size_t i = 0; i < particles.size(); ++i) {
       Particle& a = particles[i];
@@ -279,7 +273,7 @@ class Run {
     }
   }
 
-  /// Eq. 7 and 8 with the rotation terms of Jaumann.
+  /// Eq. 7 and 8 with Jaumann's rotation terms.
   Matrix stress_rate(const Matrix& L, const Matrix& s) const {
     Matrix rate{};
     double divergence = 0;
@@ -294,8 +288,7 @@ class Run {
     return rate;
   }
 
-  /// Eq. 26–27 for the displacements since the stress was last advanced, on the geometry and with the volumes held
-  /// meanwhile.
+  /// Eq. 26–27 for the displacements since the last update, with the geometry and volumes of the last rebuild.
   void advance_shown_stress() {
     if (nested()) return;
     const std::vector<double>& V = held_volumes_;
@@ -334,7 +327,7 @@ class Run {
   bool dual_;
   double dp_, h_, rho0_, c0_, G_;
   std::vector<std::vector<PairGeometry>> pairs_;
-  std::vector<double> held_volumes_;  // at the last rebuild
+  std::vector<double> held_volumes_;
   double speed_ = 0, greatest_speed_ = 0, way_ = 0;
 };
 

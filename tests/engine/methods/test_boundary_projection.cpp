@@ -21,8 +21,7 @@ namespace {
 
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-/// What the corrected kernel of Wendland sees at X[i], transcribed from [Lee2016] Eq. 23; in 2D all are in
-/// the plane z = 0.
+/// Corrected Wendland kernel at X[i], [Lee2016] Eq. 23; in 2D z = 0.
 std::vector<std::pair<int, double>> seen_at(int i, const std::vector<Point>& X, const std::vector<double>& V,
                                             double h, int dim) {
   std::vector<std::pair<int, double>> W;
@@ -46,7 +45,7 @@ std::vector<std::pair<int, double>> seen_at(int i, const std::vector<Point>& X, 
 
 double h_over_dp(int dim) { return dim == 3 ? pf.h_over_dp_3d : pf.h_over_dp; }
 
-/// A block of 7 × 6 (× 5) particles on and off a lattice, held at x = 0 and on rollers at y = 0.
+/// A block of 7 × 6 (× 5) particles, on or off a lattice, clamped at x = 0 with rollers at y = 0.
 struct Made {
   Made(int dim, double jitter) {
     std::mt19937 random(7);
@@ -91,7 +90,6 @@ Momenta momenta(const Made& made, const std::vector<Point>& v) {
   return sum;
 }
 
-/// A clamped block on rollers that is driven at its far end. The particles are in the middle of cells.
 Scene held_and_driven(int dim) {
   const double dp = 0.001;
   Scene scene;
@@ -121,7 +119,7 @@ Settings projected(const std::string& method, double on = 1, double h = 0) {
   return settings;
 }
 
-/// Greatest |v(X_B) − v_B| over the components that are prescribed, m/s.
+/// Greatest |v(X_B) − v_B| over prescribed components, m/s.
 double greatest_miss(const Scene& scene, const Snapshot& now, double h) {
   std::vector<Point> X;
   std::vector<double> V;
@@ -147,7 +145,7 @@ double greatest_miss(const Scene& scene, const Snapshot& now, double h) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("boundary projection: prescribed velocities where the kernel looks, both momenta kept") {
+  TEST_CASE("boundary projection: boundary points get prescribed velocities, both momenta are conserved") {
     for (const int dim : {2, 3}) {
       for (const double jitter : {0.0, 0.15}) {
         CAPTURE(dim);
@@ -176,7 +174,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("boundary projection: a linear field that is as prescribed stays as it is") {
+  TEST_CASE("boundary projection: a linear field that fulfils the conditions is unchanged") {
     Made made(3, 0.15);
     const auto linear = [](const Point& x) {
       return Point{1 + 0.3 * x[0] - 0.2 * x[1], -2 + 0.1 * x[1] * 1 + 0.4 * x[2], 0.7 * x[0]};
@@ -191,13 +189,13 @@ TEST_SUITE("term") {
       for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(v[a][k] - made.v[a][k]) < 1e-11);
   }
 
-  TEST_CASE("boundary projection: rollers leave the free components but for a rigid motion") {
+  TEST_CASE("boundary projection: rollers change free components by a rigid motion only") {
     Made made(2, 0.15);
     std::erase_if(made.points, [](const BoundaryPoint& point) { return point.axes != 2; });
     REQUIRE(made.points.size() == 6);
     std::vector<Point> v = made.v;
     BoundaryProjection(made.points, made.m)(v, made.X);
-    // of a rigid motion the change along x goes with y alone
+    // in a rigid motion the change along x depends on y only
     const auto change = [&](std::size_t a) { return v[a][0] - made.v[a][0]; };
     const double slope = (change(30) - change(5)) / (made.X[30][1] - made.X[5][1]);
     for (std::size_t a = 0; a < v.size(); ++a)
@@ -206,10 +204,11 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("boundary projection: after a step the kernel sees what clamps, rollers and drives prescribe") {
+  TEST_CASE(
+      "boundary projection: after a step the interpolated velocities fulfil clamps, rollers and drives") {
     struct Row {
       int dim;
-      double h, without;  // m/s: the shorter the kernel, the less a particle sees of its neighbours
+      double h, without;  // m/s: a shorter kernel weighs neighbours less
     };
     for (const auto& [dim, h, without] :
          {Row{2, h_over_dp(2), 1e-4}, Row{2, 1.05, 1e-3}, Row{3, h_over_dp(3), 1e-3}}) {
@@ -229,7 +228,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("boundary projection: a free body does not know of it") {
+  TEST_CASE("boundary projection: a free body is unchanged") {
     Scene scene = held_and_driven(2);
     const auto same = [&] {
       const Snapshot on = state_after(20, scene, projected("pf-jst")),
@@ -245,8 +244,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("determinism") {
-  TEST_CASE(
-      "boundary projection: the same bytes with two threads, and after a checkpoint and a drive's end") {
+  TEST_CASE("boundary projection: two threads, or a checkpoint and a drive's end, give the same bytes") {
     Scene scene = held_and_driven(2);
     Settings settings = projected("pfj-jst");
     settings.step = 2e-6;

@@ -1,4 +1,3 @@
-// Laws of elasticity that the scene chooses: what methods make of them, and oenog below J = ½.
 
 #include <array>
 #include <cmath>
@@ -37,7 +36,6 @@ Elasticity rubber(double share) {
   return {rubber.density, rubber.sound_speed(), rubber.bulk_modulus(), rubber.shear_modulus(), {share}};
 }
 
-/// Of each of the choices, `visit`(law), with the numbers of e.
 template <class Visit>
 void for_each_law(const Elasticity& e, const Visit& visit) {
   for (const Law law : choices)
@@ -60,8 +58,7 @@ Mat<double, Dim> pressed_strain(double share) {
   return F;
 }
 
-/// A free block that starts with the strain of F and, `off` of that, with one that differs from place to
-/// place; `share` of its shear modulus is that of changes of areas where its law knows of them.
+/// A free block with initial strain F plus `off` times a varying strain; `share` is the part of G due to areas.
 template <int Dim>
 Scene strained_block(const Mat<double, Dim>& F, double off, double share = 0.4) {
   Scene scene;
@@ -89,13 +86,13 @@ double strain_energy(const Scene& scene, const Settings& settings) {
   return std::accumulate(start.strain_energy.begin(), start.strain_energy.end(), 0.0);
 }
 
-/// The velocities after one short step from rest, over its length: accelerations.
+/// State after one short step from rest: v over its length is the acceleration.
 Snapshot after_short_step(const Scene& scene, Settings settings) {
   settings.step = 1e-12;
   return state_after(1, scene, settings);
 }
 
-/// −Σ f · dx over the change of the energy with them, as the block's displacement grows along the shake.
+/// Work −Σ f · dx over the energy change as the block's perturbation grows.
 template <int Dim>
 double work_over_energy(const std::string& method, Law law) {
   constexpr double off = 0.2, change = 1e-4;
@@ -120,7 +117,6 @@ double bonded_volume(const Scene& scene) {
   return volume;
 }
 
-/// Of the accelerations of two methods, the greatest difference over the greatest.
 double difference(const Snapshot& a, const Snapshot& b) {
   double most = 0, off = 0;
   for (std::size_t k = 0; k < a.v.size(); ++k) {
@@ -130,11 +126,10 @@ double difference(const Snapshot& a, const Snapshot& b) {
   return off / most;
 }
 
-/// With the energy in G
 template <int Dim, class L>
 void check_closed(const L& law) {
   constexpr double step = 1e-6;
-  for (const double pressed : {0.9, 0.45, 0.2, -0.15}) {  // J is about that
+  for (const double pressed : {0.9, 0.45, 0.2, -0.15}) {
     const Mat<double, Dim> F = pressed_strain<Dim>(pressed), P = closed_piola(law, F);
     for (int a = 0; a < Dim; ++a) {
       for (int b = 0; b < Dim; ++b) {
@@ -149,18 +144,18 @@ void check_closed(const L& law) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("oenog: below J = 1/2 the stress of any law is the slope of its energy, and pushes apart") {
+  TEST_CASE("oenog: below J = 1/2 the stress of any law is its energy's slope and repulsive") {
     for_each_law({1, 1, 4.6, 1, {0.4}}, [](const LawRow& row, const auto& law) {
       CAPTURE(row.choice);
       check_closed<2>(law);
       check_closed<3>(law);
-      // turned inside out it comes back: the force along what is pressed is away from it
+      // an inverted body is pushed back
       for (const double J : {0.3, 0.1, -0.1})
         CHECK(closed_piola(law, Mat<double, 2>{{{J, 0}, {0, 1}}})(0, 0) < -1);
     });
   }
 
-  TEST_CASE("oenog: below J = 1/2 the neo-Hookean law among the others is its own") {
+  TEST_CASE("oenog: below J = 1/2 the chosen neo-Hookean law equals the default one") {
     const NeoHookean other{4.6, 1};
     const ClosedNeoHookean<double> own{4.6, 1};
     for (const double pressed : {0.9, 0.45, 0.2, -0.15}) {
@@ -172,7 +167,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("laws: with each of them the forces of tl and oenog are the slopes of their energies") {
+  TEST_CASE("laws: forces of tl and oenog are the slopes of their energies under every law") {
     for (const Law law : choices) {
       for (const std::string method : {"tl", "oenog"}) {
         CAPTURE(law_row(law).choice);
@@ -183,7 +178,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("laws: under a linear displacement oenog has the energy of the law and nothing of its bonds") {
+  TEST_CASE("laws: under a linear displacement oenog has the law's energy without bond energy") {
     for_each_law(rubber(0.4), [](const LawRow& row, const auto& law) {
       CAPTURE(row.choice);
       const auto check = [&]<int Dim>() {
@@ -203,7 +198,7 @@ TEST_SUITE("term") {
       CAPTURE(law_row(law).choice);
       const auto first = [&]<int Dim>(const std::string& method) {
         Settings settings = with_law(method, law);
-        if (method != "tl") settings.constants["projection"] = 0;  // which the linear law would need
+        if (method != "tl") settings.constants["projection"] = 0;  // the linear law would need it
         for (const MethodConstant& constant : find_method(method)->constants)
           if (constant.name.starts_with("eps")) settings.constants[std::string(constant.name)] = 0;
         return after_short_step(strained_block(strain<Dim>(), 0.2), settings);
@@ -220,7 +215,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("laws: linear and angular momentum are kept with the laws that turn with the body") {
+  TEST_CASE("laws: objective laws conserve linear and angular momentum") {
     const auto drift = [](Scene scene, const std::string& method, Law law) {
       scene.bodies[0].velocity[0] = [](const Point& X) { return 300 * X[1] + 2 * shake(X, 5 * dp); };
       scene.bodies[0].velocity[1] = [](const Point& X) { return -200 * X[0]; };
@@ -246,9 +241,9 @@ TEST_SUITE("conservation") {
       }
     }
     CHECK(drift(space, "pfhj-jst", Law::mooney_rivlin) < 1e-12);
-    CHECK(drift(plane, "oenog", Law::linear_elastic) > 1e-4);  // takes turns for strains
+    CHECK(drift(plane, "oenog", Law::linear_elastic) > 1e-4);  // not objective
   }
-  TEST_CASE("laws: a material that no particle has does not shorten the steps") {
+  TEST_CASE("laws: an unused material does not shorten the steps") {
     for (const char* method : {"enog", "d-ulsph-r-tic", "tl", "pf-jst", "oenog"}) {
       CAPTURE(method);
       Scene scene = strained_block(Mat<double, 2>{{{1, 0}, {0, 1}}}, 0);

@@ -1,4 +1,3 @@
-// The mixed methods of [Lee2016] in 3D: what their dissipation damps, their step, H and J beside F.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +30,7 @@ using M3 = Mat<double, 3>;
 using Wendland = Kernel<KernelName::wendland_c2>;
 constexpr double pi = std::numbers::pi;
 
-/// n³ particles, dp = 1, as a solver stores them.
+/// n³ particles, dp = 1.
 struct Cube {
   std::vector<V3> X;
   std::vector<double> V;
@@ -52,7 +51,7 @@ struct Cube {
   }
   int neighbors(int i) const { return pairs.begin[i + 1] - pairs.begin[i]; }
   int middle() const {
-    const V3 centre = 0.5 * X.back();  // (n − 1, …) is the last in any order of cells
+    const V3 centre = 0.5 * X.back();
     int best = 0;
     for (int i = 0; i < pairs.size(); ++i) {
       const V3 d = X[i] - centre, to_best = X[best] - centre;
@@ -61,14 +60,14 @@ struct Cube {
     return best;
   }
 
-  /// What L makes of the wave cos(k·X) at particle i, over the wave: dp² L̂(k).
+  /// dp² L̂(k): L applied to the wave cos(k·X) at particle i, over the wave.
   double symbol(int i, const V3& k) const {
     double sum = 0;
     for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p)
       sum += laplacian[p] * (std::cos(dot(k, X[pairs.j[p]] - X[i])) - 1);
     return sum;
   }
-  /// The same of the gradient and sin: dp |∇̂(k)|.
+  /// dp |∇̂(k)|, likewise with sin.
   double gradient_symbol(int i, const V3& k) const {
     V3 sum{};
     for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p)
@@ -78,7 +77,7 @@ struct Cube {
   }
 };
 
-/// The time step that two Runge–Kutta stages bear of du/dt = (−d ± i w) u, by halving.
+/// Greatest stable step of the two-stage Runge–Kutta scheme for du/dt = (−d ± i w) u, by bisection.
 double greatest_step(double d, double w) {
   const auto grows = [&](double dt) {
     const double a = -d * dt, b = w * dt;
@@ -89,7 +88,6 @@ double greatest_step(double d, double w) {
   return low;
 }
 
-/// A block of neo-Hookean rubber, pressed to λ along x, at rest.
 Scene pressed_block(double lambda) {
   Scene scene;
   scene.name = "pressed-block";
@@ -104,7 +102,6 @@ Scene pressed_block(double lambda) {
   return scene;
 }
 
-/// A block that starts sheared and stretched, and springs back.
 Scene sprung_block() {
   Scene scene = pressed_block(1.2);
   scene.bodies[0].displacement[1] = [](const Point& x) { return 0.2 * x[2]; };
@@ -114,13 +111,12 @@ Scene sprung_block() {
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("JST: what zigzags decay by in 3D") {
+  TEST_CASE("JST: zigzags in 3D decay at the rates of the lattice") {
     struct Row {
       double h;
       int neighbors;
       double along, plane, space;  // dp² L̂ of (π,0,0), (π,π,0), (π,π,π)
     };
-    // each to the digits of the table of symbols of the lattice
     for (const Row& row : {Row{0.87, 26, -4.00, -6.28, -2.81}, Row{0.95, 26, -4.00, -4.26, -1.01},
                            Row{1.05, 32, -4.00, -2.29, -0.64}, Row{1.2, 56, -2.31, -0.55, -0.38},
                            Row{1.3, 80, -1.42, -0.21, -0.36}}) {
@@ -131,11 +127,11 @@ TEST_SUITE("analytic") {
       CHECK(std::abs(cube.symbol(i, {pi, 0, 0}) - row.along) < 0.006);
       CHECK(std::abs(cube.symbol(i, {pi, pi, 0}) - row.plane) < 0.006);
       CHECK(std::abs(cube.symbol(i, {pi, pi, pi}) - row.space) < 0.006);
-      CHECK(std::abs(cube.gradient_symbol(i, {pi, pi, pi})) < 1e-14);  // which no stress answers
+      CHECK(std::abs(cube.gradient_symbol(i, {pi, pi, pi})) < 1e-14);  // no stress resists it
     }
   }
 
-  TEST_CASE("JST: in 3D every wave decays at the default h, and the default step bears it") {
+  TEST_CASE("JST: in 3D every wave decays at the default h, and the default step is stable") {
     const Cube cube(7, pf_jst.h_over_dp_3d);
     const int i = cube.middle();
     double slowest = 1e9, shortest = 1e9, steepest = 0;
@@ -158,8 +154,7 @@ TEST_SUITE("analytic") {
     CHECK(pf_jst.cfl * pf_jst.h_over_dp_3d < shortest);
   }
 
-  TEST_CASE(
-      "JST: the Laplacian in a cube is exact but at its corners, where it still ignores linear fields") {
+  TEST_CASE("JST: the Laplacian in a cube is exact except at corners, where linear fields still give 0") {
     const Cube cube(5, pf_jst.h_over_dp_3d);
     int corners = 0;
     const LaplacianLanes<3> of_four = with_laplacian(cube.pairs, cube.laplacian, cube.V, 1);
@@ -199,7 +194,7 @@ TEST_SUITE("analytic") {
           biharmonic_spectral_radius(of_four.view(), n, 3));
   }
 
-  TEST_CASE("JST: on jittered particles steps are as long as on the lattice, or nearly") {
+  TEST_CASE("JST: steps on jittered particles are nearly as long as on the lattice") {
     const auto step = [](const Scene& scene) {
       const auto simulation = make_simulation(scene, with_method("pf-jst"));
       make_steps(*simulation, 1);
@@ -213,7 +208,7 @@ TEST_SUITE("analytic") {
       }
   }
 
-  TEST_CASE("projection: in 3D the nearest accelerations without force and torque") {
+  TEST_CASE("projection: in 3D the result is the nearest field without force and torque") {
     const Cube cube(4, 0.87);
     std::vector<V3> a, Z;
     for (const V3& X : cube.X) {
@@ -234,7 +229,7 @@ TEST_SUITE("analytic") {
       force += a[i];
       torque += cross(Z[i], a[i]);
       torque_before += cross(Z[i], before[i]);
-      along += dot(d, a[i]);  // the change is normal to all that may be left
+      along += dot(d, a[i]);  // the change is orthogonal to all admissible fields
       size += dot(d, d);
       scale += std::sqrt(dot(before[i], before[i]));
     }
@@ -284,13 +279,13 @@ TEST_SUITE("stability") {
     const double along = (energy(lambda + d) - 2 * energy(lambda) + energy(lambda - d)) / (d * d);
     const double expected = step_of(1) * std::sqrt(stiffness / along);
     CHECK(expected < 0.75 * step_of(1));
-    CHECK(step_of(lambda) == relative(expected, 1e-5));  // none is faster than those along x
+    CHECK(step_of(lambda) == relative(expected, 1e-5));  // waves along x are the fastest
   }
 }
 
 TEST_SUITE("stability") {
-  TEST_CASE("mixed: a body that is softer everywhere makes steps as at rest, of any number of particles") {
-    for (const double side : {4, 5}) {  // 125 particles, and 216, a multiple of four
+  TEST_CASE("mixed: a body that is softer everywhere keeps the step at rest for any number of particles") {
+    for (const double side : {4, 5}) {
       CAPTURE(side);
       Scene scene = pressed_block(1);
       const double dp = scene.spacing;
@@ -307,7 +302,7 @@ TEST_SUITE("stability") {
     }
   }
 
-  TEST_CASE("mixed: in 3D plates of two and three layers in the middle of cells last") {
+  TEST_CASE("mixed: in 3D cell-centred plates of two and three layers are stable") {
     for (const double layers : {2, 3}) {
       CAPTURE(layers);
       Scene scene = pressed_block(1);
@@ -323,7 +318,7 @@ TEST_SUITE("stability") {
 }
 
 TEST_SUITE("convergence") {
-  TEST_CASE("mixed: with H of its own neo-Hookean bodies move as without, but for the square of the step") {
+  TEST_CASE("mixed: an independent H changes neo-Hookean bodies by second order in the step only") {
     const Scene scene = sprung_block();
     const auto difference = [&](double step) {
       Settings settings = with_method("pfj-jst");
@@ -341,7 +336,7 @@ TEST_SUITE("convergence") {
     CHECK(coarse < 1e-3 * scene.spacing);
     CHECK(coarse / fine == relative(4, 0.15));
   }
-  TEST_CASE("mixed: in the plane H says nothing that F does not") {
+  TEST_CASE("mixed: H in 2D is determined by F") {
     const Snapshot a = state_after(60, small_collision(), with_method("pfj-jst"));
     const Snapshot b = state_after(60, small_collision(), with_method("pfhj-jst"));
     CHECK(a.x == b.x);

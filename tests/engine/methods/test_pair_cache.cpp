@@ -1,4 +1,3 @@
-// The geometry of pairs as the methods of [Zhang2024] cache it between rebuilds.
 
 #include <cmath>
 #include <initializer_list>
@@ -24,10 +23,9 @@ UlSplitConstants constants_at(double dp) {
   return c;
 }
 
-/// Four pairs at these distances, in spacings, as computed and as cached.
 template <int Dim>
 struct Cached {
-  PairGeometry<Dim> exact, cached, back;  // back: of j, i
+  PairGeometry<Dim> exact, cached, back;  // back: of (j, i)
 };
 template <int Dim>
 Cached<Dim> cached_at(double dp, const Pack& distance) {
@@ -50,13 +48,13 @@ Cached<Dim> cached_at(double dp, const Pack& distance) {
   return {kernel.geometry(d), pairs[0], pairs[1]};
 }
 
-constexpr double edge = 2.6;  // of the kernel, spacings
+constexpr double edge = 2.6;
 const Pack usual{0.3, 0.99, 1.7, 2.4};
 
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("cached pairs: exact in 2D, to single precision in 3D") {
+  TEST_CASE("cached pairs: values are exact in 2D and in single precision in 3D") {
     const Cached<2> flat = cached_at<2>(0.001, usual);
     const Cached<3> solid = cached_at<3>(0.001, usual);
     for (int lane = 0; lane < lanes; ++lane) {
@@ -73,7 +71,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("cached pairs: gradients are opposite to the last bit, the rest is equal") {
+  TEST_CASE("cached pairs: both directions have opposite gradients to the last bit and equal values") {
     const Cached<3> pair = cached_at<3>(0.0017, usual);
     for (int lane = 0; lane < lanes; ++lane) {
       for (int k = 0; k < 3; ++k) CHECK(pair.cached.gradient[k][lane] == -pair.back.gradient[k][lane]);
@@ -82,7 +80,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("cached pairs: for any spacing, at the edge of the kernel and for coincident particles") {
+  TEST_CASE(
+      "cached pairs: values are finite at any spacing, at the kernel's edge and for coincident particles") {
     constexpr double ulp = std::numeric_limits<double>::epsilon();
     for (const double dp : {1e-30, 1e-9, 1e-3, 1.0, 1e9, 1e30}) {
       CAPTURE(dp);
@@ -92,7 +91,7 @@ TEST_SUITE("unit") {
         const PairGeometry<3> cached = cached_at<3>(dp, Pack{r, r, r, r}).cached;
         const double slope = std::hypot(cached.gradient[0][0], cached.gradient[1][0]);
         CHECK(std::isfinite(slope));
-        // of the product that stands for one, what is left of single precision; of none, all are 0
+        // the two cached inverses agree to single precision or are both 0
         const double unity = -cached.inverse_slope[0] * slope;
         CHECK((unity == 0 ? cached.inverse_distance[0] == 0 : std::abs(unity - 1) < 1e-6));
         const double inverse = cached.inverse_distance[0] * slope * r * dp;

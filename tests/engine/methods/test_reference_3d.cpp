@@ -1,4 +1,3 @@
-// The methods in 3D against transcriptions of their papers.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,7 @@ using namespace taut::test;
 namespace {
 
 constexpr int steps = 40;
-/// The methods of [Zhang2024] keep their pairs in single precision: 6e-8 of each number.
+/// Pairs of the methods of [Zhang2024] are cached in single precision.
 constexpr double single_precision = 3e-7;
 
 void check_ulsph(const Scene& scene, const std::string& name, Stepping stepping) {
@@ -49,7 +48,7 @@ void check_ulsph(const Scene& scene, const std::string& name, Stepping stepping)
     const double in_plane[] = {a.s[0][1], a.s[0][2], a.s[1][2]};
     for (int k = 0; k < 3; ++k) greatest_shear[k] = std::max(greatest_shear[k], std::abs(in_plane[k]));
   }
-  CHECK(*std::ranges::min_element(greatest_shear) > 1e4);  // Pa: strained by more than 1/1000 in each plane
+  CHECK(*std::ranges::min_element(greatest_shear) > 1e4);  // Pa
   check_field("x", now.x, x, single_precision);
   check_field("v", now.v, v, single_precision);
   check_field("rho", now.rho, rho, single_precision);
@@ -96,7 +95,6 @@ void check_total_lagrangian(const Scene& scene, const std::string& name) {
   check_field("stress", engine_sigma, sigma);
 }
 
-/// Every dissipation acts, at a step of its own.
 void check_mixed(const Scene& scene, const std::string& name, double projection) {
   CAPTURE(name);
   const Material& material = scene.materials[0];
@@ -122,7 +120,7 @@ void check_mixed(const Scene& scene, const std::string& name, double projection)
     drift_H = std::max(drift_H, (a.H - j * a.F.inverse().transpose()).norm());
     rho.push_back(run.rho0 / (run.with_J ? a.J : j));
   }
-  // so that they are no other names of those of F
+  // J and H differ from those of F
   CHECK((!run.with_J || drift_J > 1e-4));
   CHECK(drift_H > 1e-6);
   check_field("x", now.x, x);
@@ -130,8 +128,7 @@ void check_mixed(const Scene& scene, const std::string& name, double projection)
   check_field("rho", now.rho, rho);
 }
 
-/// Its bodies meet as particles: what faces do has tests of its own; and so has the step, which in 3D follows the stiffest
-/// swing of each body.
+/// Checks oenog with penalty contact and a fixed step; face contact and the step have tests of their own.
 void check_oenog(Scene scene, bool meets) {
   CAPTURE(scene.name);
   scene.contact = ContactLaw::penalty;
@@ -152,7 +149,6 @@ void check_oenog(Scene scene, bool meets) {
   CHECK(strain == relative(naive.energy(naive.x), 1e-9));
 }
 
-/// The right half of a softer, lighter material.
 Scene clamped_block_of_two_materials() {
   Scene scene = small_clamped_block();
   scene.bodies.pop_back();
@@ -164,14 +160,14 @@ Scene clamped_block_of_two_materials() {
 }  // namespace
 
 TEST_SUITE("reference") {
-  TEST_CASE("naive: in 3D a block and a ball that collide, dual and single stepping") {
+  TEST_CASE("naive: in 3D a colliding block and ball follow the transcription with both steppings") {
     check_ulsph_methods(small_solid_collision(), Stepping::dual);
     check_ulsph_methods(small_solid_collision(), Stepping::single);
   }
-  TEST_CASE("naive: in 3D a clamped block hit on its clamp, dual stepping") {
+  TEST_CASE("naive: in 3D a block hit on its clamp follows the transcription with dual stepping") {
     check_ulsph_methods(small_clamped_block(), Stepping::dual);
   }
-  TEST_CASE("total Lagrangian: in 3D a block and a ball that collide, and a clamped block hit on its clamp") {
+  TEST_CASE("total Lagrangian: in 3D collisions and a block hit on its clamp follow the transcription") {
     for (const Scene& scene : {small_solid_collision(), small_clamped_block()}) {
       CAPTURE(scene.name);
       check_total_lagrangian(scene, "tl");
@@ -179,13 +175,13 @@ TEST_SUITE("reference") {
       check_total_lagrangian(scene, "tl-small-strain");
     }
   }
-  TEST_CASE("mixed: in 3D a block and a ball that collide, and a clamped block hit on its clamp") {
+  TEST_CASE("mixed: in 3D collisions and a block hit on its clamp follow the transcription") {
     for (const std::string name : {"pf", "pf-jst", "pfj-jst", "pfhj-jst"}) {
       check_mixed(small_solid_collision(), name, 1);
       check_mixed(small_clamped_block(), name, 0);
     }
   }
-  TEST_CASE("oenog: in 3D 40 steps are those of the formulas, with a collision, a clamp and two materials") {
+  TEST_CASE("oenog: in 3D 40 steps equal the transcription, with a collision, a clamp and two materials") {
     check_oenog(small_solid_collision(), true);
     check_oenog(small_clamped_block(), true);
     check_oenog(clamped_block_of_two_materials(), false);

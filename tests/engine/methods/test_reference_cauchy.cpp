@@ -28,7 +28,6 @@ const char* const ladder[] = {"ulsph-av-as-uncorrected",
                               "d-ulsph-r-tic"};
 const char* const current_configuration[] = {"ccb", "ccbwat"};
 
-/// A clamped plate of two materials, shaken, and a disc that hits it beside its clamp.
 Scene two_materials() {
   Scene scene = small_clamped_plate();
   Material stiff = scene.materials[0];
@@ -60,7 +59,6 @@ void check_agreement(const Snapshot& engine, const naive_cauchy::Run& run) {
   check_field("s", engine.s, s);
 }
 
-/// Every term that the method has did something.
 void check_active(const naive_cauchy::Counts& counts, const std::string& name) {
   const naive_cauchy::Method is = naive_cauchy::method_named(name);
   CHECK(counts.contacts > 20);
@@ -83,26 +81,26 @@ void check_method(const Scene& scene, const std::string& method, int steps) {
 }  // namespace
 
 TEST_SUITE("reference") {
-  TEST_CASE("naive: the ladder, a clamped plate of two materials and a disc that hits it") {
+  TEST_CASE("naive: the ladder follows the transcription for a plate of two materials hit by a disc") {
     for (const char* method : ladder) check_method(two_materials(), method, 20);
   }
-  TEST_CASE("naive: the ladder, a ring and a disc that collide") {
+  TEST_CASE("naive: the ladder follows the transcription for a colliding ring and disc") {
     for (const char* method : ladder) check_method(small_collision(), method, 16);
   }
-  TEST_CASE("naive: the current configuration, a clamped plate of two materials and a disc that hits it") {
+  TEST_CASE("naive: updated-Lagrangian methods follow the transcription for a plate hit by a disc") {
     for (const char* method : current_configuration) check_method(two_materials(), method, 25);
   }
-  TEST_CASE("naive: the Riemann term as printed, with twice the dissipation") {
+  TEST_CASE("naive: the Riemann term as printed follows the transcription with twice the dissipation") {
     const Scene scene = two_materials();
     Settings settings = with_method("d-ulsph-r-tic");
     settings.constants["riemann_factor"] = 2;
     const naive_cauchy::Run run = after_steps(naive_current(scene, settings), 16);
-    settings.step = run.time / 16;  // the engine's own is shorter, see riemann_step_speed()
+    settings.step = run.time / 16;  // the engine's own step is shorter, see riemann_step_speed()
     const Snapshot engine = state_after(16, scene, settings);
     check_agreement(engine, run);
     CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);
   }
-  TEST_CASE("naive: the velocity gradient where the step starts, as printed") {
+  TEST_CASE("naive: the velocity gradient at the start of the step follows the transcription as printed") {
     const Scene scene = two_materials();
     Settings settings = with_method("d-ulsph-r-tic");
     settings.constants["geometry"] = 0;
@@ -113,9 +111,9 @@ TEST_SUITE("reference") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("beside the surface is who has it within 1.2 spacings, and no other reach") {
-    // neighbours of a lattice are 1 and 1.41 spacings away, and stay near that; in the inner corner of an L
-    // some particles have one of the surface across a cell only
+  TEST_CASE(
+      "particles beside the surface have it within 1.2 spacings, and no other reach gives the same set") {
+    // in the inner corner of an L some particles reach the surface only across a cell, 1.41 spacings
     Scene scene = small_collision();
     scene.bodies.pop_back();
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.012, 0.012, 0}}, Box{{0.012, 0, 0}, {0.024, 0.006, 0}}};

@@ -1,4 +1,3 @@
-// Total-Lagrangian methods against a transcription of their papers.
 
 #include <algorithm>
 #include <cmath>
@@ -95,13 +94,18 @@ void check_mixed(const Scene& scene, const std::string& name, const Settings& se
 }  // namespace
 
 TEST_SUITE("reference") {
-  TEST_CASE("total Lagrangian: a ring and a disc that collide") { check_methods(small_collision()); }
-  TEST_CASE("total Lagrangian: a clamped plate hit on its clamp") { check_methods(small_clamped_plate()); }
-  TEST_CASE("mixed: a ring and a disc that collide") {
+  TEST_CASE("total Lagrangian: a colliding ring and disc follow the transcription") {
+    check_methods(small_collision());
+  }
+  TEST_CASE("total Lagrangian: a plate hit on its clamp follows the transcription") {
+    check_methods(small_clamped_plate());
+  }
+  TEST_CASE("mixed: a colliding ring and disc follow the transcription") {
     for (const std::string name : {"pf", "pf-jst", "pfj-jst"})
       check_mixed(small_collision(), name, with_method(name));
   }
-  TEST_CASE("mixed: a clamped plate hit on its clamp, without projection, with all dissipation") {
+  TEST_CASE(
+      "mixed: a plate hit on its clamp follows the transcription without projection, with all dissipation") {
     Settings settings = with_method("pfj-jst");
     settings.constants = {
         {"projection", 0}, {"eps_v2", 0.03}, {"eps_J2", 0.02}, {"eps_J4", 0.01}, {"adjoint", 0}};

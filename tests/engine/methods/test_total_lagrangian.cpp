@@ -1,4 +1,3 @@
-// Methods on the configuration of the start: exact fields, rotations, energy.
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/layout/initial_particles.hpp"
 #include "engine/materials/laws.hpp"
 #include "engine/methods/tl_displacement/methods.hpp"
@@ -31,7 +30,6 @@ using V2 = Vec<double, 2>;
 using M2 = Mat<double, 2>;
 using Wendland = Kernel<KernelName::wendland_c2>;
 
-/// A ring and a disc apart from each other, as a solver stores them.
 struct Cloud {
   std::vector<V2> X;
   std::vector<double> V;
@@ -58,7 +56,6 @@ PairLanes<2> four_at_a_time(const InitialPairs<2>& pairs) {
   return {pairs, 1, [&](int p) { return pairs.k[p]; }};
 }
 
-/// ∇u of every particle.
 std::vector<M2> gradients(const InitialPairs<2>& pairs, const std::vector<V2>& u) {
   const PairLanes<2> of_four = four_at_a_time(pairs);
   Columns<2> columns;
@@ -79,7 +76,7 @@ void project_all(std::vector<V2>& a, const std::vector<V2>& Z, const std::vector
   for (std::size_t i = 0; i < a.size(); ++i) a[i] = {columns[0][i], columns[1][i]};
 }
 
-/// What L makes of the wave cos(k·X) inside a square lattice with dp = 1, over the wave: dp² L̂(k).
+/// dp² L̂(k): L applied to the wave cos(k·X) in a square lattice with dp = 1, over the wave.
 double symbol_on_lattice(double h, const V2& k) {
   constexpr int n = 9;
   std::vector<V2> X;
@@ -100,7 +97,7 @@ double symbol_on_lattice(double h, const V2& k) {
   return sum;
 }
 
-/// Greatest stress of a cloud that is turned as a whole, Pa.
+/// Greatest stress of a rotated cloud, Pa.
 template <class L>
 double stress_when_turned(const L& law, double angle) {
   const Cloud cloud;
@@ -118,7 +115,7 @@ double stress_when_turned(const L& law, double angle) {
   return most;
 }
 
-/// Greatest stress of a free plate that has turned by `angle`, over the ρ v² of its corners.
+/// Greatest stress of a free plate rotated by `angle`, over ρ v² of its corners.
 double stress_of_turning(const std::string& method, double angle) {
   const double speed = 0.01;  // of the corners, in sound speeds
   const Scene scene = rotating_plate(speed);
@@ -134,7 +131,7 @@ double stress_of_turning(const std::string& method, double angle) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("pairs of the start: antisymmetric, within a body, gradients of linear fields exact") {
+  TEST_CASE("initial pairs: pairs are antisymmetric, within one body, and exact for linear fields") {
     const Cloud cloud;
     const InitialPairs<2> pairs = cloud.pairs();
     const M2 A{{{0.3, -1.2}, {0.7, 2.1}}};
@@ -162,7 +159,7 @@ TEST_SUITE("term") {
     CHECK(seen > 6 * pairs.size());
   }
 
-  TEST_CASE("pairs of the start: the force is minus the derivative of the energy") {
+  TEST_CASE("initial pairs: the force is minus the derivative of the energy") {
     const Cloud cloud;
     const InitialPairs<2> pairs = cloud.pairs();
     const LawOf<Law::neo_hookean> law{{5e6, 2e6}};
@@ -201,7 +198,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("term") {
-  TEST_CASE("corrected Laplacian: 0 of linear fields, 2 d of the square of the distance, at surfaces too") {
+  TEST_CASE("corrected Laplacian: linear fields give 0 and the squared distance 2 d, also at surfaces") {
     const Cloud cloud;
     const InitialPairs<2> pairs = cloud.pairs();
     const std::vector<double> w = corrected_laplacian<Wendland>(
@@ -224,7 +221,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("projection: the nearest accelerations without force and torque") {
+  TEST_CASE("projection: the result is the nearest field without force and torque") {
     const Cloud cloud;
     const int first = cloud.first[1], last = cloud.first[2];
     std::vector<V2> a;
@@ -232,7 +229,7 @@ TEST_SUITE("term") {
       a.push_back({std::sin(900 * X[0]) + 1, std::cos(700 * X[0] * X[1]) + 40 * X[0]});
     const std::vector<V2> before = a;
     project_all(a, cloud.X, cloud.V, first, last);
-    CHECK((a[0][0] == before[0][0] && a[0][1] == before[0][1]));  // of the other body
+    CHECK((a[0][0] == before[0][0] && a[0][1] == before[0][1]));
     V2 force{}, change{};
     double torque = 0, torque_before = 0, along = 0, size = 0;
     for (int i = first; i < last; ++i) {
@@ -242,7 +239,7 @@ TEST_SUITE("term") {
       change += cloud.V[i] * before[i];
       torque += cloud.V[i] * (X[0] * a[i][1] - X[1] * a[i][0]);
       torque_before += cloud.V[i] * (X[0] * before[i][1] - X[1] * before[i][0]);
-      along += cloud.V[i] * dot(d, a[i]);  // the change is normal to all that may be left
+      along += cloud.V[i] * dot(d, a[i]);  // the change is orthogonal to all admissible fields
       size += cloud.V[i] * dot(d, d);
     }
     CHECK(std::abs(force[0]) + std::abs(force[1]) < 1e-12 * std::abs(change[0]));
@@ -253,15 +250,15 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE(
-      "JST: what zigzags decay by in the plane: 16 times as fast with the eight nearest as with twelve") {
+  TEST_CASE("JST: zigzags in 2D decay 16 times faster with eight neighbours than with twelve") {
     constexpr double pi = std::numbers::pi;
     CHECK(symbol_on_lattice(pf_jst.h_over_dp, {pi, 0}) == relative(-4, 0.001));
     CHECK(symbol_on_lattice(1.05, {pi, 0}) == relative(-3.66, 0.002));
-    CHECK(symbol_on_lattice(pf_jst.h_over_dp, {pi, pi}) == relative(-7.78, 0.002));  // its square is the rate
+    CHECK(symbol_on_lattice(pf_jst.h_over_dp, {pi, pi}) ==
+          relative(-7.78, 0.002));  // its square is the decay rate
     CHECK(symbol_on_lattice(1.05, {pi, pi}) == relative(-1.93, 0.002));
   }
-  TEST_CASE("total Lagrangian: a turn by any angle creates no stress but with the linear law") {
+  TEST_CASE("total Lagrangian: rotation by any angle creates no stress except with the linear law") {
     for (const double angle : {0.4, 1.6, 3.1, -2.0}) {
       CAPTURE(angle);
       CHECK(stress_when_turned(LawOf<Law::neo_hookean>{{1, 1}}, angle) < 1e-12);
@@ -270,14 +267,14 @@ TEST_SUITE("analytic") {
       CHECK(stress_when_turned(LawOf<Law::linear_elastic>{{1, 1}}, angle) > 0.1);
     }
   }
-  TEST_CASE("total Lagrangian: a plate that turns by half a turn is strained by its inertia only") {
+  TEST_CASE("total Lagrangian: a plate rotating by 180 degrees is strained by its inertia only") {
     for (const std::string method : {"tl", "icb", "pf-jst", "pfj-jst"}) {
       CAPTURE(method);
       const double stress = stress_of_turning(method, 3.1);
       CHECK(stress > 0.1);
       CHECK(stress < 3);
     }
-    // it takes the turn for a strain, resists and swings: how much at this very time says little
+    // the linear law takes the rotation for strain
     CHECK(stress_of_turning("tl-small-strain", 3.1) > 30);
   }
 }
@@ -287,7 +284,7 @@ TEST_SUITE("failure") {
     const Scene scene = small_collision();
     const auto gain = [&](const std::string& method) {
       Settings settings = with_method(method);
-      settings.cfl = 0.3;  // [Lee2016] §5; with 0.25 they grow three times as slowly
+      settings.cfl = 0.3;  // [Lee2016] §5
       const auto simulation = make_simulation(scene, settings);
       const Balance before = balance(simulation->snapshot(), scene);
       make_steps(*simulation, 2400);
@@ -301,10 +298,9 @@ TEST_SUITE("failure") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("pf-jst: the projection keeps both momenta of a turning plate") {
+  TEST_CASE("pf-jst: the projection conserves both momenta of a rotating plate") {
     Scene scene = rotating_plate(0.2);
-    const auto turn =
-        scene.bodies[0].velocity[0];  // a plate of its own shape only would keep them by symmetry
+    const auto turn = scene.bodies[0].velocity[0];  // symmetry alone would conserve the momenta
     scene.bodies[0].velocity[0] = [=](const Point& x) { return turn(x) + 2 * shake(x, 0.007); };
     struct Kept {
       double linear, angular;
@@ -331,10 +327,10 @@ TEST_SUITE("conservation") {
     const Kept printed = change(0, 0, 1.05), with_adjoint = change(0, 1, 1.05);
     CHECK(printed.linear > 1e-5);
     CHECK(printed.angular > 1e-4);
-    CHECK(with_adjoint.linear < 1e-12);  // the adjoint keeps it: all constants have no Laplacian
+    CHECK(with_adjoint.linear < 1e-12);  // constants have no Laplacian
     CHECK(with_adjoint.angular > 1e-6);
   }
-  TEST_CASE("tl: a collision through the penalty keeps the energy to second order in the step") {
+  TEST_CASE("tl: a collision with penalty contact conserves the energy to second order in the step") {
     const Scene scene = small_collision();
     double drift[2] = {};
     for (int k = 0; k < 2; ++k) {

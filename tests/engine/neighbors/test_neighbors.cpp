@@ -37,7 +37,6 @@ Points<Dim> random_points(int n, double side, unsigned seed) {
   return x;
 }
 
-/// The points in the grid's order, and the lists of neighbours in that order.
 template <int Dim>
 struct Found {
   Points<Dim> x;
@@ -53,7 +52,7 @@ struct Found {
   std::vector<int> of(int i) const {
     std::vector<int> list(neighbors.j.begin() + lanes * neighbors.begin[i],
                           neighbors.j.begin() + lanes * neighbors.begin[i + 1]);
-    std::erase(list, i);  // the filling
+    std::erase(list, i);  // padding
     std::ranges::sort(list);
     return list;
   }
@@ -69,14 +68,14 @@ std::vector<int> brute_force(const Points<Dim>& x, int i, double reach) {
   return list;
 }
 
-/// Of the program so far, KiB.
+/// Peak memory of the program, KiB.
 long peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss;
 }
 
-/// The lists are those of brute force; returns the number of directed pairs.
+/// Compares the lists with brute force and returns the number of directed pairs.
 template <int Dim>
 long check_against_brute_force(const Points<Dim>& points, double reach = support) {
   const Found<Dim> found(points, 1, reach);
@@ -99,9 +98,9 @@ long check_against_brute_force(const Points<Dim>& points, double reach = support
 }  // namespace
 
 TEST_SUITE("neighbors") {
-  TEST_CASE("neighbors: of random points, sparse and dense, as brute force finds them") {
+  TEST_CASE("neighbors: sparse and dense random points have the lists of brute force") {
     for (const unsigned seed : {1u, 2u, 3u}) {
-      for (const double side : {0.2, 1.0, 10.0}) {  // all within reach … most alone
+      for (const double side : {0.2, 1.0, 10.0}) {
         CAPTURE(seed);
         CAPTURE(side);
         CHECK(check_against_brute_force(random_points<2>(600, side, seed)) > 0);
@@ -110,11 +109,11 @@ TEST_SUITE("neighbors") {
     }
   }
 
-  TEST_CASE("neighbors: of few points") {
+  TEST_CASE("neighbors: few points have the lists of brute force") {
     for (const int n : {1, 2, 3, 4, 5}) check_against_brute_force(random_points<2>(n, support, 7));
   }
 
-  TEST_CASE("neighbors: of points in a line, along each axis and across") {
+  TEST_CASE("neighbors: collinear points along axes and diagonals have the lists of brute force") {
     for (const Vec<double, 2> direction : {Vec<double, 2>{1, 0}, {0, 1}, {-0.6, 0.8}}) {
       Points<2> x;
       for (int k = 0; k < 200; ++k) x.push_back((0.3 * support * k) * direction);
@@ -122,7 +121,7 @@ TEST_SUITE("neighbors") {
     }
   }
 
-  TEST_CASE("neighbors: of points on a lattice whose rows fall on the borders of cells") {
+  TEST_CASE("neighbors: a lattice with rows on cell borders has the lists of brute force") {
     Points<2> x;
     for (int i = 0; i < 20; ++i)
       for (int j = 0; j < 20; ++j) x.push_back({0.5 * support * i, 0.5 * support * j});
@@ -134,7 +133,7 @@ TEST_SUITE("neighbors") {
     CHECK(check_against_brute_force(x) == 50 * 49);
   }
 
-  TEST_CASE("neighbors: outliers, however far, neither lose pairs nor ask for the memory between") {
+  TEST_CASE("neighbors: distant outliers neither lose pairs nor allocate the space between") {
     const long before = peak_memory();
     for (const double far : {1e3, 1e7, 1e300}) {
       CAPTURE(far);
@@ -149,7 +148,7 @@ TEST_SUITE("neighbors") {
     CHECK(peak_memory() - before < 32 * 1024);
   }
 
-  TEST_CASE("neighbors: a place that no cell can hold is refused") {
+  TEST_CASE("neighbors: a position outside all cells is refused") {
     const double nan = std::numeric_limits<double>::quiet_NaN(),
                  inf = std::numeric_limits<double>::infinity();
     for (const double place : {nan, inf, -inf, 1e308}) {
@@ -167,12 +166,12 @@ TEST_SUITE("neighbors") {
       CellGrid<2> grid;
       CHECK_THROWS_AS(grid.sort(random_points<2>(20, 1, 11), reach), taut::NumericalError);
     }
-    const Points<2> all_far(20, {1e30, -1e30});  // of one cell, which their last digits do not tell
+    const Points<2> all_far(20, {1e30, -1e30});  // too far for their coordinates to resolve a cell
     CellGrid<2> grid;
     CHECK_THROWS_AS(grid.sort(all_far, support), taut::NumericalError);
   }
 
-  TEST_CASE("neighbors: a point at exactly the support radius is none") {
+  TEST_CASE("neighbors: a point exactly at the support radius is no neighbour") {
     const double reach = 0.25;
     for (const double sign : {-1.0, 1.0}) {
       const Points<2> at = {{1, 1}, {1 + sign * reach, 1}, {1, 1 + sign * reach}};
@@ -183,7 +182,7 @@ TEST_SUITE("neighbors") {
     }
   }
 
-  TEST_CASE("neighbors: the filling of the last pack is the particle itself") {
+  TEST_CASE("neighbors: the last pack is padded with the particle itself") {
     const Found<2> found(random_points<2>(300, 1, 5));
     int filled_up = 0;
     for (int i = 0; i < 300; ++i) {
@@ -224,7 +223,6 @@ TEST_SUITE("neighbors") {
   }
 
   TEST_CASE("grid: the order is stable") {
-    // every point three times: the copies lie in one cell and must keep their order
     const Points<2> once = random_points<2>(200, 1, 9);
     Points<2> thrice;
     for (int copy = 0; copy < 3; ++copy) thrice.insert(thrice.end(), once.begin(), once.end());
@@ -238,14 +236,14 @@ TEST_SUITE("neighbors") {
     CHECK_FALSE(std::ranges::is_sorted(found.order));
   }
 
-  TEST_CASE("grid: what is sorted stays as it is") {
+  TEST_CASE("grid: sorting sorted points changes nothing") {
     const Found<2> found(random_points<2>(500, 1, 21));
     CHECK_FALSE(std::ranges::is_sorted(found.order));
     CHECK(std::ranges::is_sorted(Found<2>(found.x).order));
   }
 
   TEST_CASE("neighbors: slots of lanes gather each neighbour of each particle once, in order") {
-    // a ring of 30 on two layers, stored layer by layer, then a random crowd
+    // a ring of 30 in two layers, stored layer by layer, then random points
     const int around = 30;
     Points<2> x;
     for (int k = 0; k < 2 * around; ++k) {
@@ -280,10 +278,10 @@ TEST_SUITE("neighbors") {
       }
       for (int lane = 0; lane < lanes; ++lane) CHECK(next[lane] == std::ssize(neighbors[lane]));
     }
-    CHECK(in_line > 0.8 * slots);  // of the ring: but for where it closes
+    CHECK(in_line > 0.8 * slots);
   }
 
-  TEST_CASE("close pairs: those of brute force, each once, in the same order on any number of threads") {
+  TEST_CASE("close pairs: the pairs of brute force appear once, in the same order on any number of threads") {
     constexpr int n = 5000;
     constexpr double reach = 0.02;
     std::vector<Point> places;

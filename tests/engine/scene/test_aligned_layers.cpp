@@ -29,11 +29,10 @@ double volume_of(const std::vector<InitialSite>& sites) {
                          [](double sum, const InitialSite& site) { return sum + site.V0; });
 }
 
-/// How patches lie before their sites.
 struct Faces {
-  double area = 0, outwards = 0;  // m²; the way outwards from the site to the patch, over all of it, m³
-  double aside = 0;               // the greatest way along a patch from its site to its middle, m
-  Point sum{};                    // of the areas
+  double area = 0, outwards = 0;  // m²; ∫ outward distance from site to patch dA, m³
+  double aside = 0;               // greatest tangential distance from a patch's site to its centre, m
+  Point sum{};
   explicit Faces(const FacePatches& faces, const std::vector<InitialSite>& sites) {
     for (const FacePatches::Patch& patch : faces.patches) {
       std::array<Point, 4> corner{};
@@ -57,8 +56,7 @@ struct Faces {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE(
-      "aligned layers: a hollow ball has its exact volume, four layers of it, and the symmetries of a cube") {
+  TEST_CASE("aligned layers: a hollow ball has its exact volume, four layers and the symmetries of a cube") {
     const std::vector<InitialSite> sites = shell().sites(3, dp);
     const double volume = measure_of_ball(3, 0.02) - measure_of_ball(3, 0.012);
     CHECK(volume_of(sites) == Approx(volume).epsilon(1e-13));
@@ -81,7 +79,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("aligned layers: a pipe has its exact volume, along any axis, and slices that are rings") {
+  TEST_CASE("aligned layers: a pipe along any axis has its exact volume and slices that are rings") {
     const std::vector<InitialSite> along = pipe({0, 0, 0}, {0, 0, 0.01}).sites(3, dp);
     CHECK(volume_of(along) == Approx(pi * (4e-4 - 1.44e-4) * 0.01).epsilon(1e-13));
     const std::vector<InitialSite> ring = shell().sites(2, dp);
@@ -101,7 +99,8 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "aligned layers: only what is hollow and asks for them has some, full bodies are cut from a lattice") {
+      "aligned layers: only hollow shapes with this layout have them, and solid ones are cut from a "
+      "lattice") {
     Ring cut = shell();
     cut.layout = RoundLayout::lattice;
     CHECK(cut.sites(3, dp).empty());
@@ -112,8 +111,7 @@ TEST_SUITE("unit") {
     CHECK(Cylinder{{0, 0, 0}, {0, 0, 1}, 0.1}.sites(3, dp).empty());
   }
 
-  TEST_CASE(
-      "aligned layers: their faces are closed, look outwards and stand in front of the outermost particles") {
+  TEST_CASE("aligned layers: faces are closed, face outwards and lie in front of the outermost particles") {
     const auto check = [](const auto& shape, double area) {
       const std::vector<InitialSite> sites = shape.sites(3, dp);
       const Faces faces(shape.patches(dp), sites);
@@ -127,7 +125,7 @@ TEST_SUITE("unit") {
     check(Turned{shell(), {{0, 0, 1}, {0.01, 0, 0}, 30}}, 4 * pi * (4e-4 + 1.44e-4));
   }
 
-  TEST_CASE("aligned layers: contact has their faces, of a mirrored body the mirror image to the last bit") {
+  TEST_CASE("aligned layers: contact uses their faces, mirrored to the last bit for a mirrored body") {
     Scene scene = scene_of_shapes({shell({0.03, 0.001, 0})}, 3, dp);
     CHECK(can_have_surface_mesh(scene));
     const InitialParticles initial = make_initial_particles(scene);
@@ -140,7 +138,7 @@ TEST_SUITE("unit") {
     for (const SurfaceMesh::Facet& facet : mesh.facets) {
       const double r = distance_between(initial.x[facet.particle], {0.03, 0.001, 0}, 3);
       CHECK((std::abs(r - 0.013) < 1e-12 || std::abs(r - 0.019) < 1e-12));
-      // a chord's middle lies inside of the outer face, and where the body begins on the inner one
+      // a chord's middle lies inside the outer face and outside the inner one
       const double l = std::sqrt(facet.area), bulge = l * l / (r < 0.016 ? -4 * 0.012 : 4 * 0.02);
       CHECK(facet.bulge == Approx(bulge).epsilon(0.25));
     }

@@ -45,7 +45,7 @@ double volume(const Scene& scene) {
   return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
 }
 
-/// How far the volume of the particles is from the exact one at three spacings, each half of the one before.
+/// Checks that the particles' volume converges to `exact` at three spacings, each half the one before.
 void check_converges(const Shape& shape, double exact, double dp, int dim = 2) {
   double first = 0, last = 0;
   for (const double part : {1.0, 0.5, 0.25}) {
@@ -66,12 +66,10 @@ Chain star(double outer, double inner) {
   }
   return points;
 }
-/// Ten triangles from the middle.
 double area_of_star(double outer, double inner) { return 5 * outer * inner * std::sin(pi / 5); }
 
 Chain square(double half) { return {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}; }
 
-/// Closed faces around `area`, whose nodes lie on the shape.
 void check_outline(const Scene& scene, double length, double area, double tolerance) {
   const Outline outline = make_outline(scene, make_initial_particles(scene));
   double sum = 0, twice = 0;
@@ -107,7 +105,7 @@ bool has(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("shapes: the particles' volume comes to that of the shape") {
+  TEST_CASE("shapes: the particles' volume converges to the shape's") {
     check_converges(Ellipse{{0.1, 0.2, 0}, {0.03, 0.011, 1}}, pi * 0.03 * 0.011, 0.002);
     check_converges(Ellipse{{0, 0.1, 0}, {0.03, 0.012, 0.02}}, 4 * pi / 3 * 0.03 * 0.012 * 0.02, 0.004, 3);
     check_converges(Polygon({star(0.03, 0.013)}, Point{0.1, 0, 0}), area_of_star(0.03, 0.013), 0.002);
@@ -130,13 +128,12 @@ TEST_SUITE("unit") {
     check_converges(both, 0.5 * of_ring + pi * 1e-4, 0.002);
     check_outline(scene_of(0.0005, {ring}), 2 * pi * 0.03, of_ring, 2e-3);
     check_outline(scene_of(0.0005, {both}), pi * 0.02 + 0.02 + pi * 0.01, 0.5 * of_ring + pi * 1e-4, 5e-3);
-    // the same of a body's own union and of what is cut out of it
     Scene scene = scene_of(0.0005, {Ellipse{{0, 0, 0}, {0.02, 0.02, 1}}});
     scene.bodies[0].without = {small};
     check_outline(scene, 2 * pi * 0.03, of_ring, 2e-3);
   }
 
-  TEST_CASE("shapes: faces of ellipses and polygons are theirs") {
+  TEST_CASE("shapes: outlines of ellipses and polygons have their length and area") {
     const double dp = 0.0005, a = 0.02, b = 0.01;
     // Ramanujan's perimeter of an ellipse
     const double h = 3 * (a - b) * (a - b) / ((a + b) * (a + b));
@@ -153,7 +150,7 @@ TEST_SUITE("unit") {
                   pi * 4e-4, 1e-3);
   }
 
-  TEST_CASE("shapes: where contours cross is found") {
+  TEST_CASE("shapes: crossing contours are found") {
     CHECK_FALSE(crossing({star(0.02, 0.01)}));
     CHECK_FALSE(crossing({square(2), square(1)}));
     const auto bow = crossing({{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}}});
@@ -161,10 +158,10 @@ TEST_SUITE("unit") {
     CHECK((*bow)[0] == relative(1));
     CHECK((*bow)[1] == relative(1));
     CHECK(crossing({square(1), {{0.5, 0, 0}, {3, 0, 0}, {3, 0.5, 0}}}));
-    CHECK(crossing({{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}}}));  // back along its own side
+    CHECK(crossing({{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}}}));
   }
 
-  TEST_CASE("shapes: what is turned is laid as a body that is turned, to the bit") {
+  TEST_CASE("shapes: a rotated shape has the particles of a rotated body to the bit") {
     const double dp = 0.001;
     for (const Shape& shape :
          {Shape(Box{{0, 0, 0}, {0.02, 0.007, 0}}), Shape(Disc{{0.003, 0, 0}, 0.01, RoundLayout::spaced}),
@@ -177,7 +174,6 @@ TEST_SUITE("unit") {
       CHECK(make_outline(turned, make_initial_particles(turned)).x ==
             make_outline(body, make_initial_particles(body)).x);
     }
-    // a quarter of a turn is one to the bit: all places of the lattice of the second are of the first
     const auto quarter = [&](double angle) {
       const Shape box = Box{{-0.01, -0.004, 0}, {0.01, 0.004, 0}};
       std::vector<Point> x =
@@ -231,7 +227,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("shapes: given particles are laid as they are, within faces half a spacing outside") {
+  TEST_CASE("shapes: listed particles keep their positions, with faces half a spacing outside") {
     std::vector<Point> places;
     for (int j = 0; j < 20; ++j)
       for (int i = 0; i < 30; ++i) places.push_back({0.001 * (i + 0.5), 0.001 * (j + 0.5), 0});
@@ -242,7 +238,7 @@ TEST_SUITE("unit") {
     double length = 0, low = 0, high = 0;
     for (const Outline::Segment& segment : outline.segments) length += segment.length;
     for (const Point& x : outline.x) low = std::min(low, x[0]), high = std::max(high, x[1]);
-    CHECK(length == relative(0.1, 0.03));  // its corners are round
+    CHECK(length == relative(0.1, 0.03));
     CHECK(low == relative(0, 1e-4).scale(1));
     CHECK(high == relative(0.02, 0.01));
   }
@@ -258,7 +254,7 @@ TEST_SUITE("unit") {
     const std::string deep = overlap_of(scene);
     CHECK(has(deep, "bodies 'other' and 'body' overlap at (0.0"));
     CHECK(has(deep, ") m: "));
-    // inside, its particles in the middles of the other's cells: 0.71 spacings from the nearest
+    // particles at the centres of the other's cells, 0.71 spacings from the nearest
     scene.bodies[1].shapes = {Box{{0.0055, 0.0055, 0}, {0.0105, 0.0105, 0}}};
     CHECK(has(overlap_of(scene), "overlap at (0.0065, 0.0065) m: a particle of 'body' is inside 'other'"));
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.02, 0.02, 0.02}}};
@@ -267,7 +263,7 @@ TEST_SUITE("unit") {
     CHECK(has(overlap_of(scene), "(0.0065, 0.0065, 0.0065) m"));
   }
 
-  TEST_CASE("shapes: what holds no particle is refused") {
+  TEST_CASE("shapes: a shape without particles is refused") {
     Scene scene = scene_of(0.001, {Box{{0, 0, 0}, {0.02, 0.02, 0}}});
     scene.bodies[0].held = [](const Point& x) { return x[0] < -1; };
     CHECK(has(overlap_of(scene), "held: no particle of body 'body' is held"));

@@ -20,8 +20,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Every kind of thing that a state tells of: two bodies that touch, one of them held, driven, loaded and
-/// beside a wall; probes.
+/// Two touching bodies, one clamped, driven, loaded and beside a wall; probes.
 Scene touching_blocks(int dim) {
   const double dp = 0.001, depth = dim == 3 ? 0.002 : 0;
   Scene scene;
@@ -54,7 +53,7 @@ Scene touching_blocks(int dim) {
   return scene;
 }
 
-/// A body of two parts that start near each other and were laid far apart: it meets itself.
+/// A body in self-contact: two parts start near each other but are far apart initially.
 Scene folded_block(int dim) {
   Scene scene = touching_blocks(dim);
   scene.name = "folded-block";
@@ -71,7 +70,7 @@ void put(std::string& bytes, std::size_t at, T value) {
   std::memcpy(bytes.data() + at, &value, std::min(sizeof value, bytes.size() - at));
 }
 
-/// Damages that a checksum says nothing of, if it was made for them.
+/// Damage that a matching checksum does not reveal.
 constexpr int kinds_of_damage = 10;
 void damage(std::string& bytes, std::size_t at, int kind, int particles) {
   switch (kind) {
@@ -82,9 +81,9 @@ void damage(std::string& bytes, std::size_t at, int kind, int particles) {
     case 2:
       return put(bytes, at, std::numeric_limits<std::int32_t>::max());
     case 3:
-      return put<std::int32_t>(bytes, at, particles);  // one too many
+      return put<std::int32_t>(bytes, at, particles);
     case 4:
-      return put<std::int32_t>(bytes, at, 1000000);  // far, but often in memory of the program
+      return put<std::int32_t>(bytes, at, 1000000);  // far outside, but often inside the program's memory
     case 5:
       return put(bytes, at, std::numeric_limits<double>::quiet_NaN());
     case 6:
@@ -102,7 +101,6 @@ struct Tally {
   long changed = 0, refused = 0, diverged = 0, went_on = 0;
 };
 
-/// Loads `state` and makes some steps, which may diverge.
 void try_state(const std::string& state, const Scene& scene, const Settings& settings, Tally& count) {
   const auto simulation = make_simulation(scene, settings);
   ++count.changed;
@@ -127,8 +125,7 @@ void try_state(const std::string& state, const Scene& scene, const Settings& set
   }
 }
 
-/// How many words of each state are damaged: a few, or as many as TAUT_DAMAGED_WORDS says for a thorough look
-/// with sanitizers.
+/// Number of words to damage per state; TAUT_DAMAGED_WORDS overrides it.
 long words_to_damage(long few) {
   const char* const asked = std::getenv("TAUT_DAMAGED_WORDS");
   return asked ? std::atol(asked) : few;

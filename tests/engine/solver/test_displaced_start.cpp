@@ -34,9 +34,8 @@ Snapshot at_start(const Scene& scene, std::string_view method) {
   return make_simulation(scene, with_method(std::string(method)))->snapshot();
 }
 
-/// A square or cube of `n` cells a side that swings as one half wave: on rollers at the faces that meet in
-/// the origin, and no motion along the others. [Lee2016] §8.2, with particles on the faces and little
-/// amplitude.
+/// A square or cube of `n` cells a side vibrating in half a wave, with rollers at the faces through the origin and no
+/// tangential motion on the others ([Lee2016] §8.2).
 Scene swinging_cube(int dim, int n) {
   const double side = n * dp, amplitude = 1e-5 * side, wave = std::numbers::pi / (2 * side);
   Scene scene = block(side);
@@ -61,8 +60,7 @@ Scene swinging_cube(int dim, int n) {
   return scene;
 }
 
-/// Root of the mean square difference from the exact displacement u(X, 0) cos ωt, ω = √dim/2 π/L c_p, over
-/// its amplitude, after an eighth of a period.
+/// RMS difference from u(X, 0) cos ωt, ω = √dim/2 π/L c_p, over the amplitude, at an eighth of a period.
 double swinging_error(int dim, int n, const std::string& method) {
   const Scene scene = swinging_cube(dim, n);
   const Material& rubber = scene.materials[0];
@@ -85,9 +83,7 @@ double swinging_error(int dim, int n, const std::string& method) {
   return std::sqrt(sum / mass) / (1e-5 * n * dp);
 }
 
-/// Of velocity and stress: root mean squares of the errors against the exact solution over the volume and
-/// over four times of the first period, an eighth, three, five and seven eighths of it, over the greatest
-/// velocity and pressure.
+/// RMS errors over the volume and four times in the first period, over greatest velocity and pressure.
 struct SwingingErrors {
   double velocity = 0, stress = 0;
 };
@@ -105,7 +101,6 @@ SwingingErrors errors_over_period(int n, const Settings& given) {
     const double c = std::cos(omega * now.time), s = std::sin(omega * now.time);
     for (std::size_t i = 0; i < now.size(); ++i) {
       const Point X = now.initial(i), start = displaced(scene.bodies[0], X), v = now.velocity(i);
-      // Π of sines along the axes a and b and of cosines along the others
       const auto product = [&](int a, int b) {
         double f = 1;
         for (int k = 0; k < 3; ++k) f *= k == a || k == b ? std::sin(wave * X[k]) : std::cos(wave * X[k]);
@@ -127,7 +122,7 @@ SwingingErrors errors_over_period(int n, const Settings& given) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("displacement: a method without a reference configuration refuses it and says why") {
+  TEST_CASE("displacement: a method without a reference configuration refuses it with a reason") {
     Scene scene = block(0.006);
     scene.bodies[0].displacement[0] = [](const Point& x) { return 0.01 * x[0]; };
     for (const MethodInfo& method : methods()) {
@@ -150,13 +145,12 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("displacement: a body that starts inside another one is refused, wherever they were laid") {
+  TEST_CASE("displacement: a body that starts inside another one is refused, whatever the layout") {
     Scene scene = block(0.02);
     scene.bodies.push_back(scene.bodies[0]);
     Body& small = scene.bodies[1];
     small.name = "small";
     small.shapes = {Box{{0.05, 0, 0}, {0.054, 0.004, 0}}};
-    // half a cell off along both axes: particles in the middle between those of the other
     const auto starts = [&](double dx, double dy) {
       small.displacement = {constant(dx), constant(dy), {}};
       try {
@@ -168,19 +162,18 @@ TEST_SUITE("unit") {
       }
     };
     CHECK_FALSE(starts(-0.0425, 0.0085));
-    CHECK(starts(-0.03, 0.0085));  // face to face
-    // of one that starts turned and stretched it is where it starts that counts
+    CHECK(starts(-0.03, 0.0085));
+    // a body's displaced start counts
     const double c = std::cos(0.7), s = std::sin(0.7);
     scene.bodies[0].displacement[0] = [=](const Point& x) { return 1.2 * c * x[0] - s * x[1] - x[0]; };
     scene.bodies[0].displacement[1] = [=](const Point& x) { return 1.2 * s * x[0] + c * x[1] - x[1]; };
     CHECK_FALSE(starts(-0.0501, 0.016));
-    CHECK(starts(-0.035, 0.001));  // within the other as it is laid
+    CHECK(starts(-0.035, 0.001));  // inside the other's undisplaced layout
   }
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE(
-      "displacement: a body that starts stretched is stressed by that, and one that starts turned is not") {
+  TEST_CASE("displacement: a body that starts stretched is stressed, and one that starts rotated is not") {
     Scene stretched = block(0.008), turned = block(0.008);
     stretched.bodies[0].displacement[0] = [](const Point& x) { return 0.1 * x[0]; };
     const double c = std::cos(0.7), s = std::sin(0.7);
@@ -215,7 +208,8 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("convergence") {
-  TEST_CASE("displacement, guides, particles on the faces: a square and a cube swing as they must") {
+  TEST_CASE(
+      "displacement, guides, particles on the faces: a square and a cube vibrate as the exact solution") {
     const auto check = [](int dim, const char* method, double bound, double ratio) {
       CAPTURE(dim);
       CAPTURE(std::string(method));

@@ -18,13 +18,12 @@ namespace {
 
 constexpr double dp = 0.001;      // m
 constexpr double length = 0.04;   // m
-constexpr double push = 0.00005;  // s, of the piston
+constexpr double push = 0.00005;  // duration of the piston's motion, s
 constexpr double stroke = 2e-5;   // m
 
-/// The piston's speed, m/s, whose integral up to `push` is the stroke.
+/// Piston speed, m/s; its integral up to `push` is the stroke.
 double piston(double t) { return stroke / push * (1 - std::cos(2 * 3.14159265358979323846 * t / push)); }
 
-/// A bar at rest whose left end is pushed.
 Scene pushed_bar() {
   Scene scene;
   scene.name = "pushed-bar";
@@ -48,7 +47,7 @@ double energy(const Balance& sums) { return sums.kinetic + sums.strain; }
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("driven: a point of what is driven or held goes its way to rounding, up to its face") {
+  TEST_CASE("driven: a point in a driven or clamped region follows it to round-off, up to its face") {
     for (const int layers : {1, 2}) {
       for (const char* method : {"oenog", "enog"}) {
         CAPTURE(layers);
@@ -68,7 +67,7 @@ TEST_SUITE("analytic") {
         const auto simulation = make_simulation(scene, with_method(method));
         simulation->advance_to(0.6 * push);
         const Snapshot& now = simulation->snapshot();
-        const double way = now.x[0] - now.x0[0];  // of a driven particle
+        const double way = now.x[0] - now.x0[0];
         CHECK(way > 0.5 * stroke);
         for (std::size_t k = 0; k < scene.probes.size(); ++k)
           CHECK(std::abs(simulation->series().value[k].back() - (k % 2 == 0 ? way : 0)) < 1e-12 * dp);
@@ -76,7 +75,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("driven: a piston goes its way to second order, in every method, and is free then") {
+  TEST_CASE("driven: a piston moves as prescribed to second order in every method and is then free") {
     const Scene scene = pushed_bar();
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
@@ -86,8 +85,7 @@ TEST_SUITE("analytic") {
         const auto simulation = make_simulation(scene, settings);
         simulation->advance_to(0.6 * push);
         const Snapshot& now = simulation->snapshot();
-        // velocities stand at the end of the step or, where x goes all its way with the new ones, in its
-        // middle
+        // velocities are those at the end of the step or, for symplectic Euler, at its middle
         const double middle = now.time - 0.5 * now.time / static_cast<double>(now.step);
         CHECK(std::min(std::abs(now.v[0] - piston(now.time)), std::abs(now.v[0] - piston(middle))) <
               1e-12 * piston(now.time));
@@ -101,7 +99,7 @@ TEST_SUITE("analytic") {
       CHECK(fine < coarse / 8);
       const auto simulation = make_simulation(scene, settings);
       simulation->advance_to(2 * push);
-      CHECK(simulation->snapshot().v[0] != 0);  // pushed back by the bar
+      CHECK(simulation->snapshot().v[0] != 0);
     }
   }
 }
@@ -114,21 +112,21 @@ TEST_SUITE("conservation") {
       Settings settings = with_method(std::string(method.name));
       settings.cfl = 0.1;
       const auto simulation = make_simulation(scene, settings);
-      const double at_rest = energy(balance(simulation->snapshot(), scene));  // rounding of strains
+      const double at_rest = energy(balance(simulation->snapshot(), scene));
       simulation->advance_to(push);
       const Balance driven = balance(simulation->snapshot(), scene);
       CHECK(driven.work > 1e9 * at_rest);
-      // nothing damps what ccb does wrong in tension
+      // ccb is undamped in tension
       CHECK(energy(driven) < (method.name == "ccb" ? 1.01 : 1.001) * driven.work);
       CHECK(energy(driven) > 0.5 * driven.work);
       simulation->advance_to(2 * push);
-      CHECK(balance(simulation->snapshot(), scene).work == driven.work);  // it is over
+      CHECK(balance(simulation->snapshot(), scene).work == driven.work);
       if (method.conserves.find("energy") == std::string_view::npos) continue;
       CHECK(energy(driven) == Approx(driven.work).epsilon(1e-3));
     }
   }
 
-  TEST_CASE("driven: so is that of one that holds on to the bar to the end") {
+  TEST_CASE("driven: the work of a piston attached to the end is the energy of the bar") {
     Scene scene = pushed_bar();
     scene.bodies[0].drives[0].until = {};
     for (const MethodInfo& method : methods()) {
@@ -149,7 +147,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("determinism") {
-  TEST_CASE("driven: at one speed through gravity there is no work, in every method") {
+  TEST_CASE("driven: steady motion through gravity does no work in any method") {
     Scene scene = pushed_bar();
     constexpr double speed = 0.3, g = 1000;
     scene.gravity[1] = [](double) { return -g; };
@@ -165,7 +163,7 @@ TEST_SUITE("determinism") {
     }
   }
 
-  TEST_CASE("driven: neither the state nor the work depends on the threads") {
+  TEST_CASE("driven: neither state nor work depends on the number of threads") {
     const Scene scene = pushed_bar();
     for (const char* method : {"enog", "oenog"}) {
       Settings settings = with_method(method);
@@ -180,7 +178,7 @@ TEST_SUITE("determinism") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("driven: a clamp that is driven with no velocity is one that is held") {
+  TEST_CASE("driven: a region driven with zero velocity equals a clamp") {
     Scene held = oscillating_plate(0.05, 4);
     held.until = 1;
     Scene driven = held;

@@ -1,4 +1,3 @@
-// Tractions on the faces of bodies whose outermost particles stand half a spacing inside them.
 
 #include <algorithm>
 #include <array>
@@ -29,7 +28,7 @@ namespace {
 
 constexpr double H = 0.02, E = 2e6, nu = 0.3, rho = 1000;  // m, Pa, kg/m³
 
-/// A free block L long under a traction σxx(y) at both ends, which comes up slowly and is damped.
+/// A free, damped block of length L under a slowly increasing traction σxx(y) at both ends.
 Scene pulled_block(int across, double L, const std::function<double(double)>& sigma, double omega) {
   Scene scene;
   scene.name = "block";
@@ -61,7 +60,7 @@ Snapshot at_rest(const Scene& scene, const char* method,
   return simulation->snapshot();
 }
 
-/// √ of the mean square of σxx − σ(y), over that of σ(y), of particles |x| < `middle`.
+/// RMS of σxx − σ(y) over RMS of σ(y), for particles with |x| < `middle`.
 double error(const Snapshot& now, const std::function<double(double)>& sigma, double middle) {
   double difference = 0, size = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -73,7 +72,7 @@ double error(const Snapshot& now, const std::function<double(double)>& sigma, do
   return std::sqrt(difference / size);
 }
 
-/// A free bar of `rows` under t on its upper face, and on the lower one too where `both`.
+/// A free bar of `rows` with traction t on its upper face and, with `both`, on the lower one.
 Scene thin_bar(int rows, const Point& t, bool both) {
   Scene scene;
   scene.name = "bar";
@@ -96,7 +95,6 @@ Scene thin_bar(int rows, const Point& t, bool both) {
   return scene;
 }
 
-/// Σ f and the moment of the shares about the origin.
 std::array<double, 3> sums(const std::vector<FaceShare>& shares, const InitialParticles& initial) {
   std::array<double, 3> sum{};
   for (const auto& [i, f] : shares) {
@@ -121,7 +119,7 @@ std::vector<FaceShare> shares_of(FaceRule rule, const Scene& scene, const Load& 
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("face loads: force and moment are those on the face, of a linear traction by columns") {
+  TEST_CASE("face loads: force and moment equal those on the face, by columns for a linear traction") {
     const Scene scene = pulled_block(
         10, 0.03, [](double y) { return 3 + 200 * y; }, 1);
     const InitialParticles initial = make_initial_particles(scene);
@@ -129,7 +127,7 @@ TEST_SUITE("unit") {
     const auto by_column = sums(shares_of(FaceRule::by_column, scene, load), initial);
     CHECK(by_column[0] == relative(3 * H));
     CHECK(by_column[1] == 0);
-    // −∫ y t_x dy; by the midpoint rule alone it is short by 1 %
+    // −∫ y t_x dy; the midpoint rule alone is 1 % short
     CHECK(by_column[2] == relative(-200 * H * H * H / 12 * (1 - 0.0015)));
     load.value[0] = constant(3);
     load.value[1] = constant(2);
@@ -139,7 +137,7 @@ TEST_SUITE("unit") {
     CHECK(uniform[2] == relative(0.015 * 2 * H));
   }
 
-  TEST_CASE("face loads: on a circle the traction is that of the face, and so is its torque") {
+  TEST_CASE("face loads: on a circle force and torque equal those on the face") {
     Scene scene;
     scene.name = "ring";
     scene.spacing = 0.001;
@@ -157,11 +155,11 @@ TEST_SUITE("unit") {
     const auto sum = sums(shares_of(FaceRule::by_column, scene, load), make_initial_particles(scene));
     const double torque = 2 * std::numbers::pi * 0.04 * 0.04;
     CHECK(std::abs(sum[0]) < 1e-9 * torque);
-    // a circle through points that stand apart, and two layers in place of the face: second order
+    // second order: chords for the circle, two layers for the face
     CHECK(sum[2] == relative(torque, 1e-3));
   }
 
-  TEST_CASE("face loads: a thin bar takes force and moment of the face, and none at the opposite one") {
+  TEST_CASE("face loads: a thin bar gets force and moment of its face, and none at the opposite one") {
     const double A = 0.03, t = 2;
     for (int rows = 2; rows <= 10; ++rows) {
       CAPTURE(rows);
@@ -172,7 +170,7 @@ TEST_SUITE("unit") {
         const auto sum = sums(shares, initial);
         CHECK(sum[0] == relative(0.5 * t * A));
         CHECK(sum[1] == relative(t * A));
-        // columns at the ends of a thick bar, scaled, differ in depth: not exact along the face
+        // scaled columns at the ends of a thick bar differ in depth
         CHECK(sum[2] == relative(t * A * (0.5 * A - 0.5 * rows * scene.spacing),
                                  rule == FaceRule::uniform ? 1e-9 : 2e-5));
         for (const auto& [i, f] : shares)
@@ -197,11 +195,11 @@ TEST_SUITE("unit") {
       CHECK(load.where(initial.x[i]) != 0);
       const double from_corner = std::min(initial.x[i][0], 0.03 - initial.x[i][0]) / scene.spacing;
       const double more = from_corner < 1 ? 1.25 : from_corner < 2 ? -1.5 : from_corner < 3 ? 0.25 : 0;
-      CHECK(f[1] == relative(scene.spacing * (1 + more / 24)));  // of the end correction
+      CHECK(f[1] == relative(scene.spacing * (1 + more / 24)));
     }
   }
 
-  TEST_CASE("face loads: a uniform stress across a thin bar is at rest") {
+  TEST_CASE("face loads: a thin bar under a uniform stress across it stays at rest") {
     for (int rows = 2; rows <= 10; ++rows) {
       CAPTURE(rows);
       const Scene scene = thin_bar(rows, {0, 1, 0}, true);
@@ -215,7 +213,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("face loads: tl and oenog move a thin bar as its traction does, also at both faces") {
+  TEST_CASE("face loads: a thin bar of tl or oenog moves as its tractions on one or both faces require") {
     const double t = 1e-5 * E;
     for (const char* method : {"tl", "oenog"})
       for (int rows = 2; rows <= 10; ++rows) {
@@ -247,25 +245,23 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE(
-      "patch test: under a uniform traction tl, pf-jst and pfj-jst show the uniform stress everywhere") {
+  TEST_CASE("patch test: under a uniform traction tl, pf-jst and pfj-jst have a uniform stress") {
     const double omega = 1.57 * std::sqrt(E / rho) / H;
     const auto sigma = [](double) { return 2e-5 * E; };
     for (const char* method : {"tl", "pf-jst", "pfj-jst"}) {
       CAPTURE(std::string(method));
       const Snapshot now = at_rest(pulled_block(6, 1.5 * H, sigma, omega), method);
       for (std::size_t i = 0; i < now.size(); ++i) {
-        // to the order of the strain and of what is left of the motion
         REQUIRE(now.stress(i).xx == Approx(sigma(0)).epsilon(5e-4));
         REQUIRE(std::abs(now.stress(i).yy) < 5e-4 * sigma(0));
         REQUIRE(std::abs(now.stress(i).xy) < 5e-4 * sigma(0));
       }
     }
-    // oenog's corners are not exact
+    // oenog is not exact at corners
     CHECK(error(at_rest(pulled_block(6, 1.5 * H, sigma, omega), "oenog"), sigma, 1) < 0.05);
   }
 
-  TEST_CASE("bent block at rest: stress across it, surface rows included") {
+  TEST_CASE("bent block at rest: the stress across it is exact including surface rows") {
     const double L = 3 * H, omega = 22.4 * H / (L * L) * std::sqrt(E / ((1 - nu * nu) * 12 * rho));
     const auto sigma = [](double y) { return 20 * y / (H / 2); };
     const auto across = [&](const char* method, int rows,
@@ -274,25 +270,24 @@ TEST_SUITE("analytic") {
     };
     const double oenog_coarse = across("oenog", 5), oenog_fine = across("oenog", 10);
     CHECK(oenog_fine < 0.006);
-    CHECK(oenog_fine < 0.4 * oenog_coarse);  // 1.4 and 0.52 %, of the rows at the faces
+    CHECK(oenog_fine < 0.4 * oenog_coarse);
     const Snapshot bent = at_rest(pulled_block(10, L, sigma, omega), "oenog", {});
     for (std::size_t i = 0; i < bent.size(); ++i)
       if (const Point X = bent.initial(i); std::abs(X[0]) < L / 6 && std::abs(X[1]) < 0.3 * H)
-        CHECK(bent.stress(i).xx == relative(sigma(X[1]), 1e-3));  // it is bent as far as it should be
+        CHECK(bent.stress(i).xx == relative(sigma(X[1]), 1e-3));
     const double tl_coarse = across("tl", 5), tl_fine = across("tl", 10);
     CHECK(tl_coarse < 0.01);
     CHECK(tl_fine < 0.7 * tl_coarse);
-    CHECK(across("tl", 20) < 0.5 * tl_fine);  // 0.82, 0.51 and 0.17 %
+    CHECK(across("tl", 20) < 0.5 * tl_fine);
     CHECK(across("pf-jst", 10) < 0.006);
     CHECK(across("pfj-jst", 10) < 0.006);
-    // a longer kernel is more one-sided at a face: 2.7 % with the twelve nearest, for the eight
+    // a longer kernel is more one-sided at a face
     CHECK(across("tl", 10, {{"h", 1.05}}) > 0.02);
   }
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE(
-      "traction: on two sides that meet it is refused, on each for itself or on opposite ones it is not") {
+  TEST_CASE("traction: a region of two adjacent sides is refused, single or opposite sides are not") {
     const auto loaded = [](int dim, const Expression& where, const char* method) {
       Scene scene = thin_bar(6, {100, 0, 0}, false);
       scene.dim = dim;
@@ -320,7 +315,7 @@ TEST_SUITE("unit") {
             dim, [&](const Point& X) { return top(X) + bottom(X); }, method));
         CHECK_FALSE(loaded(
             dim, [&](const Point& X) { return top(X) + end(X); }, method));
-        // what is no layer at all acts as it stands
+        // a region that is no layer acts as given
         CHECK(loaded(
             dim, [&](const Point& X) { return X[0] > 0.027 ? 1.0 : 0.0; }, method));
       }

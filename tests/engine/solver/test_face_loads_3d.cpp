@@ -1,4 +1,3 @@
-// Tractions on faces in three dimensions.
 
 #include <algorithm>
 #include <array>
@@ -50,7 +49,6 @@ Scene scene_of(Shape shape, double dp, std::vector<Load> loads) {
   return scene;
 }
 
-/// Of a load, with the bonds of oenog.
 std::vector<FaceShare> shares_of(FaceRule rule, const Scene& scene, std::size_t load = 0) {
   const InitialParticles initial = make_initial_particles(scene);
   const double h = oenog.h_over_dp * scene.spacing;
@@ -65,7 +63,7 @@ std::vector<FaceShare> shares_of(FaceRule rule, const Scene& scene, std::size_t 
 }
 
 struct Sum {
-  Point force{}, moment{};  // about the origin
+  Point force{}, moment{};
 };
 Sum sum_of(const std::vector<FaceShare>& shares, const Scene& scene) {
   const InitialParticles initial = make_initial_particles(scene);
@@ -79,10 +77,10 @@ Sum sum_of(const std::vector<FaceShare>& shares, const Scene& scene) {
   return sum;
 }
 
-/// A bar along x, 6 particles across and 3 times as long, that a traction σ on both ends draws out, at rest.
+/// A bar along x, 6 particles across and 3 times as long, at rest under a traction σ on both ends.
 constexpr double H = 0.02, dp = H / 6, half = 1.5 * H;  // m
 Snapshot drawn_out(const char* method, double sigma) {
-  const double omega = 2000;  // 1/s, about that of its slowest swing along x
+  const double omega = 2000;  // 1/s, near its lowest longitudinal mode
   std::vector<Load> ends;
   for (const double side : {-1.0, 1.0}) {
     ends.push_back(traction([=](const Point& X) { return side * X[0] > half - dp ? 1.0 : 0.0; },
@@ -99,7 +97,7 @@ Snapshot drawn_out(const char* method, double sigma) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("face loads in 3D: force and moment are those on the face, edges and corners included") {
+  TEST_CASE("face loads in 3D: force and moment equal those on the face, including edges and corners") {
     const double A = 0.007, B = 0.006, L = 0.008;  // along y, z and x
     const auto block = [&](Expression along_x) {
       const Load load = traction([=](const Point& X) { return X[0] > L - 0.001 ? 1.0 : 0.0; },
@@ -117,12 +115,12 @@ TEST_SUITE("unit") {
     const Scene scene = block([](const Point& X) { return 3 + 2e4 * X[1] + 1e4 * X[2]; });
     const Sum sum = sum_of(shares_of(FaceRule::by_column, scene), scene);
     CHECK(sum.force[0] == relative(3 * A * B));
-    // by the midpoint rule alone they are short by 1/n²: here by 2.5 and 2.2 % for 0.5
+    // the midpoint rule alone is 2 % short
     CHECK(sum.moment[2] == relative(2 * A * B * L - 2e4 * B * A * A * A / 12, 7e-3));
     CHECK(sum.moment[1] == relative(1 * A * B * L + 1e4 * A * B * B * B / 12, 7e-3));
   }
 
-  TEST_CASE("face loads in 3D: a plate takes the force of one face, and none at the opposite one") {
+  TEST_CASE("face loads in 3D: a plate gets the force of its face, and none at the opposite one") {
     for (int layers = 2; layers <= 8; ++layers) {
       CAPTURE(layers);
       const double top = 0.001 * layers;
@@ -154,7 +152,7 @@ TEST_SUITE("unit") {
       double force = 0;
       for (const auto& [i, f] : shares_of(FaceRule::by_column, scene))
         for (int k = 0; k < 3; ++k) force += f[k] * outwards(k)(initial.x[i]);
-      // the layer alone has (1 + dp/2a)² of the area, 17 and 14 % more
+      // the layer's area alone is (1 + dp/2a)² times too large
       CHECK(force == relative(4 * std::numbers::pi * inner * inner, 0.01));
     }
   }
@@ -167,14 +165,14 @@ TEST_SUITE("analytic") {
       CAPTURE(std::string(method));
       const Snapshot now = drawn_out(method, sigma);
       const double xx = now.stress(0).xx;
-      CHECK(xx == relative(sigma, 0.01));  // a section has got less
+      CHECK(xx == relative(sigma, 0.01));
       for (std::size_t i = 0; i < now.size(); ++i) {
         REQUIRE(now.stress(i).xx == relative(xx, 1e-3));
         REQUIRE(std::abs(now.stress(i).yy) < 1e-3 * xx);
         REQUIRE(std::abs(now.stress(i).xy) < 1e-3 * xx);
       }
     }
-    // of oenog, whose corners are not exact, the ends go where they should; they lagged by 4 % with all on the layer
+    // oenog is not exact at corners, but the ends move correctly
     const auto length = [](const Snapshot& now) {
       double low = 0, high = 0;
       for (std::size_t i = 0; i < now.size(); ++i) {

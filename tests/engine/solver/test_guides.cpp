@@ -19,10 +19,10 @@ namespace {
 
 constexpr double dp = 0.001;                      // m
 constexpr double length = 0.012, height = 0.006;  // m
-constexpr double period = 4 * length / 91;        // s, about, of a bar held at one end
+constexpr double period = 4 * length / 91;        // approximate period of a clamped bar, s
 constexpr double rounding = 1e-12;
 
-/// A bar on rollers below it and, where `at_wall`, at its left end, pulled along x and sheared a little.
+/// A bar, stretched along x and slightly sheared, on rollers below and, with `at_wall`, at its left end.
 Scene bar_on_rollers(bool at_wall) {
   Scene scene;
   scene.name = "bar-on-rollers";
@@ -45,7 +45,7 @@ std::size_t on(std::size_t i, std::size_t axis) { return 2 * i + axis; }
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("guides: bits for the axes that are held, none for what is held altogether or free") {
+  TEST_CASE("guides: guided particles have bits for their axes, clamped and free ones have none") {
     Scene scene = bar_on_rollers(true);
     InitialParticles layout = make_initial_particles(scene);
     REQUIRE(static_cast<int>(layout.guided.size()) == layout.size());
@@ -67,8 +67,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE(
-      "guides: in every method a pulled bar stays on its rollers, and slides and contracts along them") {
+  TEST_CASE("guides: in every method a stretched bar stays on its rollers, slides and contracts") {
     const Scene scene = bar_on_rollers(true);
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
@@ -94,7 +93,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("guides: in 3D, in every method that has a form there, each component that is held stays 0") {
+  TEST_CASE("guides: in 3D each guided component stays 0 in every method") {
     Scene scene = bar_on_rollers(true);
     scene.dim = 3;
     Body& bar = scene.bodies[0];
@@ -120,10 +119,10 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("guides: momentum along a free axis is kept, that across it is not") {
+  TEST_CASE("guides: momentum along a free axis is conserved, momentum across it is not") {
     const Scene scene = bar_on_rollers(false);
     for (const MethodInfo& method : methods()) {
-      if (method.name.ends_with("tic")) continue;  // which do not keep it
+      if (method.name.ends_with("tic")) continue;
       CAPTURE(std::string(method.name));
       const auto simulation = make_simulation(scene, with_method(std::string(method.name)));
       const Balance before = balance(simulation->snapshot(), scene);
@@ -137,7 +136,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("guides: what holds does no work: the energy of a bar on rollers is kept") {
+  TEST_CASE("guides: rollers do no work, so a bar's energy is conserved") {
     const Scene scene = bar_on_rollers(true);
     for (const char* method : {"tl", "oenog"}) {
       CAPTURE(method);
@@ -155,7 +154,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("guides: gravity along held axes neither moves nor works, in every method") {
+  TEST_CASE("guides: gravity along guided axes causes no motion and no work in any method") {
     Scene scene = bar_on_rollers(false);
     scene.bodies[0].guided[1] = constant(1);
     scene.bodies[0].velocity = {};

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/error.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
@@ -20,7 +20,6 @@ namespace {
 constexpr double dp = 0.001;                 // m
 constexpr double length = 0.016, H = 0.006;  // m
 
-/// A bar at rest, free.
 Scene bar() {
   Scene scene;
   scene.name = "bar";
@@ -43,7 +42,7 @@ Load load(Load::Kind kind, double x, double y) {
   return load;
 }
 
-/// Held at its left end, pulled at the right one, with a force that goes up to N per metre depth.
+/// A bar clamped at its left end and pulled at its right end with up to `force` N per metre depth.
 Scene pulled_bar(double force) {
   Scene scene = bar();
   Body& body = scene.bodies[0];
@@ -62,7 +61,7 @@ bool keeps(const MethodInfo& method, const char* what) {
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("gravity: a body falls by g t²/2 in every method, and with damping by its own law") {
+  TEST_CASE("gravity: a body falls by g t²/2 in every method, and by the damped law with damping") {
     const double g = 300, t = 1e-3, c = 800;
     Scene scene = bar();
     scene.gravity[1] = [=](double) { return -g; };
@@ -79,7 +78,7 @@ TEST_SUITE("analytic") {
         const double fall = damping == 0 ? 0.5 * g * T * T : g / c * (T - (1 - std::exp(-c * T)) / c);
         for (std::size_t i = 0; i < now.size(); ++i) {
           REQUIRE(now.v[2 * i + 1] == Approx(-speed).epsilon(1e-4));
-          // symplectic Euler has its velocities half a step away from its positions
+          // symplectic Euler has velocities half a step away from positions
           REQUIRE(std::abs(now.x[2 * i + 1] - now.x0[2 * i + 1] + fall) < 0.51 * step * speed);
           REQUIRE(std::abs(now.x[2 * i] - now.x0[2 * i]) < 1e-12);
         }
@@ -87,13 +86,13 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("loads: a force, a force density and a traction give the momentum that they should") {
+  TEST_CASE("loads: a force, a force density and a traction give the exact momentum") {
     const double t = 2e-4;
     for (const char* name : {"enog", "ulsph-av-as", "ccb", "oenog", "tl", "icb", "pf"}) {
       CAPTURE(std::string(name));
       const auto momentum = [&](const Load& one) {
         Scene scene = bar();
-        scene.bodies[0].loads = {one, load(Load::Kind::force, 0, 0.5)};  // they add up
+        scene.bodies[0].loads = {one, load(Load::Kind::force, 0, 0.5)};
         const auto simulation = make_simulation(scene, with_method(name));
         simulation->advance_to(t);
         const Balance sums = balance(simulation->snapshot(), scene);
@@ -110,7 +109,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("loads: a force all over a solid moves all of it alike, however heavy its particles are") {
+  TEST_CASE("loads: a force on a whole solid accelerates it uniformly, whatever its particles' masses") {
     Scene scene = bar();
     scene.dim = 3;
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {length, H, H}}};
@@ -130,7 +129,6 @@ TEST_SUITE("analytic") {
         for (std::size_t i = 0; i < now.size(); ++i) CHECK(now.v[3 * i + 1] == relative(v, 1e-9));
       }
     }
-    // on a part it is all there, whatever the part weighs
     all.where = [](const Point& at) { return at[0] > 0.6 * length ? 1.0 : 0.0; };
     scene.bodies[0].loads = {all};
     for (const std::string method : {"oenog", "tl"}) {
@@ -142,7 +140,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("loads: what grows with time acts as in the middle of the time that velocities go through") {
+  TEST_CASE("loads: a load that grows in time acts with its value at the middle of the step") {
     const double g = 3e6, q = 4e9;  // m/s³, N/(m³ s)
     const int steps = 20;
     Scene scene = bar();
@@ -154,8 +152,7 @@ TEST_SUITE("analytic") {
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
       const Snapshot now = state_after(steps, scene, with_method(std::string(method.name)));
-      // ∫ t dt; the velocities of symplectic Euler are those of half a step before, their first push has no
-      // time to grow from: Σ t dt of the starts of all steps
+      // ∫ t dt; symplectic Euler uses the start of each step: Σ t dt
       const bool behind = method.formulation.family == Family::ul_cauchy;
       const double sum = 0.5 * now.time * now.time * (behind ? 1 - 1.0 / steps : 1);
       for (std::size_t i = 0; i < now.size(); ++i) {
@@ -165,10 +162,10 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("damping: a pulled bar comes to rest where the same bar without damping swings about") {
+  TEST_CASE("damping: a pulled bar comes to rest where the undamped bar oscillates around") {
     Scene scene = pulled_bar(300);
     scene.bodies[0].loads[0].value[1] = nullptr;
-    // slowest mode along the free 12 mm: ω = π/2 √(M/ρ)/12 mm, M = 4 G (3K + G)/(3K + 4G)
+    // lowest mode along the free 12 mm: ω = π/2 √(M/ρ)/12 mm, M = 4 G (3K + G)/(3K + 4G)
     const double K = ring_rubber().bulk_modulus(), G = ring_rubber().shear_modulus();
     const double M = 4 * G * (3 * K + G) / (3 * K + 4 * G);
     scene.damping = 2 * 1.5708 * std::sqrt(M / 1200) / 0.012;
@@ -178,13 +175,13 @@ TEST_SUITE("analytic") {
     simulation->advance_to(2e-3);
     const Balance at_rest = balance(simulation->snapshot(), scene);
     CHECK(at_rest.kinetic < 1e-6 * at_rest.strain);
-    // along the bar the strain is F/(H M) to first order; its ends are coarse
+    // strain F/(H M) to first order; the ends are coarse
     CHECK(simulation->series().value[0].back() == Approx(300 / (H * M) * 0.012).epsilon(0.05));
   }
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("loads: their work is the energy of the body and what the damping took") {
+  TEST_CASE("loads: work equals the body's energy plus the damped energy") {
     for (const double damping : {0.0, 5000.0}) {
       for (const MethodInfo& method : methods()) {
         CAPTURE(std::string(method.name));
@@ -203,7 +200,7 @@ TEST_SUITE("conservation") {
         CHECK((now.damped > 0) == (damping > 0));
         CHECK(now.work > 0);
         const double lost = now.work - now.damped - energy(now);
-        // the energy shown of enog-nonconservative is that of a stress it does not compute with
+        // the energy of enog-nonconservative is of a stress it does not integrate
         const double loose = method.name == "enog-nonconservative" ? 0.5 : 0.2;
         CHECK(std::abs(lost) < (keeps(method, "energy") ? 0.002 : loose) * now.work);
       }
@@ -212,7 +209,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("loads: what is held or driven feels neither loads nor damping") {
+  TEST_CASE("loads: clamped or driven particles feel neither loads nor damping") {
     Scene scene = pulled_bar(60);
     Drive drive;
     drive.where = [](const Point& at) { return at[0] > length - dp ? 1.0 : 0.0; };
@@ -232,7 +229,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("loads: a region without particles and one of held particles are refused") {
+  TEST_CASE("loads: a region without particles or of clamped particles is refused") {
     const auto refused = [](Scene scene, const char* part) {
       try {
         make_simulation(scene, with_method("tl"));
@@ -254,14 +251,14 @@ TEST_SUITE("unit") {
     driven.bodies[0].drives = {drive};
     for (const Load::Kind kind : {Load::Kind::force, Load::Kind::force_density, Load::Kind::traction}) {
       driven.bodies[0].loads[0].kind = kind;
-      driven.bodies[0].drives[0].until = driven.until;  // with the run
+      driven.bodies[0].drives[0].until = driven.until;
       refused(driven, "driven to the end");
       driven.bodies[0].drives[0].until = 0.5 * driven.until;
       CHECK_NOTHROW(make_simulation(driven, with_method("tl")));
     }
   }
 
-  TEST_CASE("loads: a force on what is driven in part is all there, on the others") {
+  TEST_CASE("loads: a force on a partly driven region acts fully on its free particles") {
     Scene scene = bar();
     scene.bodies[0].loads = {load(Load::Kind::force, 3, 0)};
     Drive drive;
@@ -279,14 +276,14 @@ TEST_SUITE("unit") {
       CAPTURE(std::string(method));
       drive.until = {};
       CHECK(momentum_of_free(method) == relative(3, 1e-6));
-      drive.until = 0.5 * scene.until;  // its half waits for it
+      drive.until = 0.5 * scene.until;  // the driven half of the force has to wait
       CHECK(momentum_of_free(method) == relative(1.5, 1e-6));
     }
   }
 }
 
 TEST_SUITE("determinism") {
-  TEST_CASE("loads: neither the state nor the work depends on the threads") {
+  TEST_CASE("loads: neither state nor work depends on the number of threads") {
     Scene scene = pulled_bar(60);
     scene.damping = 1000;
     for (const char* method : {"enog", "icb", "pf-jst"}) {

@@ -17,7 +17,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Two discs of different size on a collision course, far enough apart to fly freely at first.
 Scene two_discs(double gap, double speed) {
   const double dp = 0.001;
   Scene scene;
@@ -39,7 +38,6 @@ Probe at_point(Probe::Kind kind, int body, const Point& at, int axis) {
   return probe;
 }
 
-/// A block about the origin with these half sides.
 Scene block(const Point& half) {
   Scene scene;
   scene.dim = 3;
@@ -55,7 +53,7 @@ Scene block(const Point& half) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("probes: points, on a face and inside, of a body that flies without strain") {
+  TEST_CASE("probes: points on a face and inside follow a body in free flight") {
     const double speed = 3;
     Scene scene = two_discs(0.01, speed);
     const Point corner = {0.014, 0.003, 0}, inside = {0.0117, -0.0004, 0};
@@ -79,10 +77,10 @@ TEST_SUITE("unit") {
       CHECK(series.value[4][k] == relative(-speed));
       CHECK(series.value[5][k] == 0);
     }
-    CHECK(series.time.back() * speed > 0.0001);  // it did fly
+    CHECK(series.time.back() * speed > 0.0001);
   }
 
-  TEST_CASE("probes: a point on a face is one of the body, one in a hole or beside a face is none") {
+  TEST_CASE("probes: a point on a face belongs to the body, one in a hole or beside a face does not") {
     Scene scene = colliding_rings();
     Probe probe;
     probe.name = "p";
@@ -112,7 +110,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("probes: a point follows a linear field exactly") {
-    // v = ω × x in a first, tiny step: the displacement is ω dt × X wherever the point lies
+    // v = ω × x in a first, tiny step: the displacement is ω dt × X
     Scene scene = rotating_plate(1e-6);
     const Point at = {0.0093, 0.01, 0};
     scene.probes = {at_point(Probe::Kind::displacement, 0, at, 0),
@@ -126,7 +124,7 @@ TEST_SUITE("unit") {
     CHECK(simulation->series().value[1][1] == relative(angle * at[0], 1e-4));
   }
 
-  TEST_CASE("probes: a corner is where a linear field puts it, at the start to rounding") {
+  TEST_CASE("probes: a corner follows a linear field and starts in place to round-off") {
     Scene scene = rotating_plate(1e-6);
     const double half = 0.01;
     for (const double x : {-half, half})
@@ -156,11 +154,11 @@ TEST_SUITE("unit") {
     CHECK(series.value[0][0] == relative(start));
     double least = start;
     for (const double gap : series.value[0]) least = std::min(least, gap);
-    CHECK(least < 0.5 * start);  // they met
-    CHECK(least > -0.5 * dp);    // and did not pass through each other
+    CHECK(least < 0.5 * start);
+    CHECK(least > -0.5 * dp);
   }
 
-  TEST_CASE("probes: out of reach the gap is as large as can be seen") {
+  TEST_CASE("probes: the gap of distant bodies is the search radius") {
     Scene scene = two_discs(0.01, 0);
     scene.probes = {make_probe("gap", Probe::Kind::gap, {0, 1})};
     const auto simulation = make_simulation(scene, with_method("enog"));
@@ -168,7 +166,7 @@ TEST_SUITE("unit") {
     CHECK(simulation->support() == relative(2 * 1.3 * scene.spacing));
   }
 
-  TEST_CASE("probes: the asymmetry of two mirrored rings is rounding, of shifted ones the shift") {
+  TEST_CASE("probes: the asymmetry of mirrored rings is round-off, of shifted ones the shift") {
     Scene scene = colliding_rings(0.06, 0.0025);
     Probe mirror = make_probe("mirror", Probe::Kind::mirror_asymmetry, {0, 1});
     scene.probes = {mirror};
@@ -180,7 +178,7 @@ TEST_SUITE("unit") {
                          doctest::Contains("not images of each other"), SceneError);
   }
 
-  TEST_CASE("probes: a mass centre goes where its body flies") {
+  TEST_CASE("probes: a mass centre moves with its body") {
     const double speed = 3;
     Scene scene = two_discs(0.01, speed);
     scene.probes = {at_point(Probe::Kind::mean_position, 1, {}, 0),
@@ -192,7 +190,7 @@ TEST_SUITE("unit") {
     CHECK(std::abs(series.value[1].back()) < 1e-15);
   }
 
-  TEST_CASE("probes: a mass centre of two densities") {
+  TEST_CASE("probes: a mass centre accounts for two densities") {
     for (const char* method : {"oenog", "tl"}) {
       CAPTURE(method);
       Scene scene = block({0.004, 0.002, 0.002});
@@ -209,12 +207,13 @@ TEST_SUITE("unit") {
       const Series& series = simulation->series();
       CHECK(series.value[0].front() == relative(0.8 * 0.002, 6e-3));  // in 3D oenog's mass is nearer to faces
       CHECK(series.value[1].front() == relative(0.9));
-      CHECK(series.value[1].back() == relative(0.9, 1e-9));  // nothing acts from outside
+      CHECK(series.value[1].back() == relative(0.9, 1e-9));
     }
   }
 
   TEST_CASE(
-      "probes: a stress beside an interface is that of its own side, what is beyond a slot does not count") {
+      "probes: a stress beside an interface belongs to its own side, and particles beyond a slot do not "
+      "count") {
     constexpr double dp = 0.001, strain = 1e-3;
     Scene scene;
     scene.spacing = dp;
@@ -222,7 +221,7 @@ TEST_SUITE("unit") {
     scene.materials[1].name = "stiff", scene.materials[1].youngs_modulus *= 5;
     Body body;
     body.shapes = {Box{{0, 0, 0}, {11 * dp, 20 * dp, 0}}};
-    body.without = {Box{{5 * dp, 2 * dp, 0}, {6 * dp, 21 * dp, 0}}};  // two arms
+    body.without = {Box{{5 * dp, 2 * dp, 0}, {6 * dp, 21 * dp, 0}}};
     body.parts = {{1, [](const Point& x) { return x[0] < 2 * dp ? 1.0 : 0.0; }}};
     body.displacement[1] = [](const Point& x) { return x[0] < 5.5 * dp ? strain * x[1] : 0.0; };
     scene.bodies = {body};
@@ -260,8 +259,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE(
-      "probes and lines: a stress beside what is driven is that of the free side, as beside what is held") {
+  TEST_CASE("probes and lines: a stress beside a driven region belongs to the free side, as beside a clamp") {
     constexpr double strain = 1e-3, edge = 0.006;  // m
     const auto shown = [&](const char* method, bool driven) {
       Scene scene = block({0.01, 0.005, 0});
@@ -291,14 +289,13 @@ TEST_SUITE("unit") {
       for (std::size_t k = 0; k < held.size(); ++k) CHECK(driven[k] == relative(held[k]));
       CHECK(driven[0] > 0);
     }
-    // amid what is driven there is nothing else
     Scene scene = two_discs(0.01, 0);
     scene.bodies[1].drives = {{.where = constant(1), .velocity = {}, .until = {}}};
     scene.probes = {at_point(Probe::Kind::stress, 1, {0.012, 0, 0}, 0)};
     CHECK(std::abs(make_simulation(scene, with_method("tl"))->series().value[0][0]) < 1e-6);
   }
 
-  TEST_CASE("probes: a point beside an interface moves with its own side of the kink that is there") {
+  TEST_CASE("probes: a point beside an interface moves with its own side of the kink") {
     Scene scene = block({0.01, 0.005, 0});
     scene.dim = 2;
     scene.materials = {ring_rubber(), ring_rubber()};
@@ -317,8 +314,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE(
-      "probes: the gap of bodies whose particles stand on their faces is 0 where forces of pairs begin") {
+  TEST_CASE("probes: the gap of bodies with particles on faces is 0 where pair forces begin") {
     for (const bool first : {true, false}) {
       Scene scene = two_discs(0.0014, 2);
       scene.contact = ContactLaw::penalty;
@@ -329,13 +325,13 @@ TEST_SUITE("unit") {
       simulation->advance_to(0.0006);
       const auto& gap = simulation->series().value[0];
       const auto& push = simulation->series().value[1];
-      // particles in the middle of cells stand half a spacing aside, and behind the face
+      // cell-centred particles lie half a spacing aside and behind the face
       const double apart = first ? 0.0014 : std::hypot(0.0019, 0.0005);
       CHECK(gap[0] == relative(apart - scene.spacing));
       std::size_t k = 0;
       while (k + 1 < push.size() && push[k] == 0) ++k;
       REQUIRE(push[k] != 0);
-      CHECK(gap[k - 1] > -0.005 * scene.spacing);  // forces are those of steps
+      CHECK(gap[k - 1] > -0.005 * scene.spacing);  // forces are means over steps
       CHECK(gap[k + 1] < 0);
     }
     Scene far = two_discs(0.01, 0);
@@ -345,8 +341,7 @@ TEST_SUITE("unit") {
     CHECK(simulation->series().value[0][0] == relative(simulation->support() - far.spacing));
   }
 
-  TEST_CASE(
-      "probes: of a turned body with particles on its faces a point is that of the body as it is laid") {
+  TEST_CASE("probes: a point of a rotated body with particles on its faces belongs to the unrotated layout") {
     const auto last_values = [](double angle) {
       constexpr double pitch = 0.25;  // m
       const Rotation turn{{0, 0, 1}, {0.3, -0.2, 0}, angle}, back{{0, 0, 1}, {0.3, -0.2, 0}, -angle};
@@ -371,11 +366,11 @@ TEST_SUITE("unit") {
         scene.probes.push_back(make_probe("probe", kind));
         scene.probes.back().at = rotated(turn, at);
       };
-      add(Probe::Kind::displacement, {pitch, 0.9 * pitch, 0});      // a held particle
+      add(Probe::Kind::displacement, {pitch, 0.9 * pitch, 0});
       add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});  // the corner: along x and y
       add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});
       scene.probes.back().axis = 1;
-      add(Probe::Kind::stress, {4.3 * pitch, 3.6 * pitch, 0});  // on a free face
+      add(Probe::Kind::stress, {4.3 * pitch, 3.6 * pitch, 0});
       scene.probes.back().part = StressPart::von_mises;
       const auto simulation = make_simulation(scene, with_method("tl"));
       make_steps(*simulation, 40);
@@ -396,7 +391,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("probes: velocity of a material point, and how far a body reaches") {
+  TEST_CASE("probes: the velocity of a material point and the extent of a body are exact") {
     const double rate = 50;  // 1/s
     Scene scene = block({0.005, 0.003, 0.002});
     scene.bodies[0].on_boundary = true;
@@ -415,12 +410,12 @@ TEST_SUITE("unit") {
     CHECK(series.value[2].back() < 0.003);
   }
 
-  TEST_CASE("probes: a body that is its own mirror image, and how far it is from it when it is not") {
+  TEST_CASE("probes: mirror asymmetry is 0 for a symmetric body and the distance otherwise") {
     Scene scene = block({0.005, 0.003, 0.002});
     scene.probes = {make_probe("x", Probe::Kind::mirror_asymmetry, {0, 0}),
                     make_probe("y", Probe::Kind::mirror_asymmetry, {0, 0})};
     scene.probes[1].axis = 1;
-    // v_x odd in x and even in y; v_y even in x, with a part that is even in y: off by twice that
+    // v_x is odd in x and even in y; v_y has a part even in y and is off by twice that
     scene.bodies[0].velocity[0] = [](const Point& x) { return 2 * x[0]; };
     scene.bodies[0].velocity[1] = [](const Point& x) { return x[1] + 0.001; };
     const auto simulation = make_simulation(scene, with_method("tl"));
@@ -429,15 +424,15 @@ TEST_SUITE("unit") {
     CHECK(simulation->series().value[0].back() < 1e-14);
     CHECK(simulation->series().value[1][0] < 1e-15);
     CHECK(simulation->series().value[1].back() == relative(0.002 * simulation->time(), 1e-6));
-    scene.probes[0].at[0] = 0.0007;  // that plane is not one of symmetry
+    scene.probes[0].at[0] = 0.0007;
     CHECK_THROWS_AS(make_simulation(scene, with_method("tl")), SceneError);
   }
 
-  TEST_CASE("probes: in 3D the turn of a point about any axis, whole turns counted, with its sense") {
+  TEST_CASE("probes: in 3D the turn of a point about any axis counts whole turns with their sign") {
     const Point axis{2.0 / 3, -1.0 / 3, 2.0 / 3}, at{0.003, 0.004, -0.002};
     for (const double omega : {200.0, -200.0}) {
       CAPTURE(omega);
-      Scene scene = block({0.004, 0.004, 0.004});  // a cube goes on turning about any axis
+      Scene scene = block({0.004, 0.004, 0.004});
       for (std::size_t k = 0; k < 3; ++k)
         scene.bodies[0].velocity[k] = [=](const Point& x) {
           return omega * (axis[(k + 1) % 3] * x[(k + 2) % 3] - axis[(k + 2) % 3] * x[(k + 1) % 3]);
@@ -448,12 +443,10 @@ TEST_SUITE("unit") {
       scene.probes = {turn, turn};
       scene.probes[1].turns_about = {0, 0, 1};
       const auto simulation = make_simulation(scene, with_method("tl"));
-      simulation->advance_to(0.05);  // 1.6 turns; the strain of the turn is 1e-4
+      simulation->advance_to(0.05);  // 1.6 turns; strain 1e-4
       const Series& series = simulation->series();
       CHECK(std::abs(series.value[0].front()) < 1e-15);
       CHECK(series.value[0].back() == relative(omega * series.time.back(), 1e-3));
-      // about z the point goes to and fro: the angle that its place has there, and no whole turn but those it
-      // makes
       CHECK(std::abs(series.value[1].back() - omega * series.time.back()) > 0.1);
     }
   }

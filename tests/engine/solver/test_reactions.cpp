@@ -1,4 +1,3 @@
-// Probes of forces and stresses: what holds a body, what bodies and walls do to each other.
 
 #include <cmath>
 #include <functional>
@@ -31,7 +30,6 @@ Probe component(Probe::Kind kind, std::vector<int> bodies, int axis) {
   return probe;
 }
 
-/// A block that hangs from what holds its uppermost two layers.
 Scene hanging(int dim) {
   Scene scene;
   scene.dim = dim;
@@ -55,13 +53,13 @@ double mass_of(const Snapshot& now, int body) {
   return sum;
 }
 
-double momentum(const Snapshot& now) {  // along y, of all
+double momentum(const Snapshot& now) {  // total along y
   double sum = 0;
   for (std::size_t i = 0; i < now.size(); ++i) sum += now.m[i] * now.velocity(i)[1];
   return sum;
 }
 
-/// ∫ F dt of a series of means over steps, N s.
+/// Impulse ∫ F dt of a series of means over steps, N s.
 double summed(const Series& series, std::size_t probe) {
   double sum = 0;
   for (std::size_t k = 1; k < series.time.size(); ++k)
@@ -69,7 +67,6 @@ double summed(const Series& series, std::size_t probe) {
   return sum;
 }
 
-/// One of each family that keeps linear momentum.
 const std::vector<std::string> two_dimensional = {"oas", "enog", "d-ulsph-av-as", "oenog", "tl", "pfj-jst"},
                                three_dimensional = {"enog", "oenog", "tl", "pfj-jst"};
 void for_each_method(const std::function<void(const std::string&, int)>& f) {
@@ -82,7 +79,6 @@ void for_each_method(const std::function<void(const std::string&, int)>& f) {
   }
 }
 
-/// A block that is driven upwards as a whole, ever faster.
 constexpr double acceleration = 300;  // m/s²
 Scene lifted(std::optional<double> until) {
   Scene scene = hanging(2);
@@ -98,7 +94,7 @@ Scene lifted(std::optional<double> until) {
 }  // namespace
 
 TEST_SUITE("conservation") {
-  TEST_CASE("reaction: with the weight it is all that changes the momentum of a body, in every step") {
+  TEST_CASE("reaction: reaction and weight account for the momentum change in every step") {
     for_each_method([](const std::string& method, int dim) {
       Scene scene = hanging(dim);
       scene.bodies[0].velocity[0] = [](const Point& x) { return -x[1] * 100; };
@@ -115,11 +111,11 @@ TEST_SUITE("conservation") {
       }
       CHECK(greatest > weight);
       CHECK(series.value[0][0] == 0);
-      CHECK(std::abs(series.value[0].back()) > weight);  // what takes the sideways motion up
+      CHECK(std::abs(series.value[0].back()) > weight);  // the clamp also takes up the sideways motion
     });
   }
 
-  TEST_CASE("reaction: of a body that hangs at rest it is the weight, that of what is held included") {
+  TEST_CASE("reaction: the reaction of a hanging body at rest is its weight, including the clamped part") {
     for_each_method([](const std::string& method, int dim) {
       Scene scene = hanging(dim);
       scene.damping = 2 * std::numbers::pi * ring_rubber().sound_speed() / (4 * 0.008);
@@ -132,7 +128,7 @@ TEST_SUITE("conservation") {
     });
   }
 
-  TEST_CASE("reaction: a driven body carries its inertia and weight, and nothing once it is let go") {
+  TEST_CASE("reaction: a driven body has its inertia and weight as reaction, and none after release") {
     const double until = 3e-4;
     const Scene scene = lifted(until);
     const auto simulation = make_simulation(scene, with_method("tl"));
@@ -153,9 +149,7 @@ TEST_SUITE("conservation") {
     CHECK(free > 10);
   }
 
-  TEST_CASE(
-      "reaction: what is driven for ever, or to the end of the run, is so in the last step, which ends "
-      "later") {
+  TEST_CASE("reaction: a drive to the end of the run still acts in the last step, which ends later") {
     for (const std::optional<double> until : {std::optional<double>(), std::optional<double>(3e-4)}) {
       Scene scene = lifted(until);
       scene.until = 3e-4;
@@ -166,7 +160,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("reaction: a roller gives a force along its axis only, and regions of one body their own") {
+  TEST_CASE("reaction: a roller has a force along its axis only, and each region has its own") {
     Scene scene = hanging(2);
     scene.bodies[0].held = {};
     scene.bodies[0].guided[1] = [](const Point& x) { return x[1] > 0 ? 1.0 : 0.0; };
@@ -183,11 +177,11 @@ TEST_SUITE("conservation") {
     CHECK(value[0].back() == relative(weight, 2e-3));
     CHECK(value[1].back() + value[2].back() == relative(value[0].back(), 1e-9));
     CHECK(value[1].back() == relative(value[2].back(), 1e-6));
-    scene.probes[0].axis = 0;  // along which nothing is held
+    scene.probes[0].axis = 0;
     CHECK_THROWS_AS(make_simulation(scene, with_method("oenog")), SceneError);
   }
 
-  TEST_CASE("contact_force: two bodies give each other what changes their momenta, by each law") {
+  TEST_CASE("contact_force: contact forces of every law equal the momentum changes of two bodies") {
     using Law = ContactLaw;
     const std::vector<std::pair<std::string, Law>> runs = {
         {"oas", Law::published},    {"enog", Law::published},        {"enog", Law::penalty},
@@ -198,7 +192,7 @@ TEST_SUITE("conservation") {
       for (const int dim : {2, 3}) {
         if (find_method(method)->formulation.greatest_dim < dim || (dim == 3 && law == Law::surface))
           continue;
-        const auto& method_now = method;  // clang captures no bindings
+        const auto& method_now = method;  // clang cannot capture bindings
         CAPTURE(method_now);
         CAPTURE(dim);
         const std::string law_name(name(law));
@@ -224,7 +218,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact_force: faces that meet in part give each other what is along them too") {
+  TEST_CASE("contact_force: partly overlapping faces include tangential forces") {
     Scene scene = scene_of_shapes(
         {Box{{-0.008, 0, 0}, {0, 0.006, 0}}, Box{{0.00005, 0.0048, 0}, {0.00805, 0.0108, 0}}}, 2, dp);
     scene.bodies[1].velocity[0] = constant(-8);
@@ -243,13 +237,13 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact_force: the impulse of a wall is the change of momentum of what it throws back") {
+  TEST_CASE("contact_force: the impulse of a wall is the momentum change of the rebounding body") {
     for (const auto& [method, law] :
          std::vector<std::pair<std::string, ContactLaw>>{{"enog", ContactLaw::published},
                                                          {"oenog", ContactLaw::surface},
                                                          {"tl", ContactLaw::impulse},
                                                          {"pfj-jst", ContactLaw::penalty}}) {
-      const auto& method_now = method;  // clang captures no bindings
+      const auto& method_now = method;  // clang cannot capture bindings
       CAPTURE(method_now);
       const double speed = 0.02 * ring_rubber().sound_speed();
       Scene scene;
@@ -275,7 +269,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact_force: where two bodies act as one by all of their stress it is refused") {
+  TEST_CASE("contact_force: bodies that interact by their stress as one are refused") {
     Scene scene = small_collision();
     scene.contact = ContactLaw::sph;
     scene.probes = {component(Probe::Kind::contact_force, {0, 1}, 0)};
@@ -285,7 +279,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("squeeze: a disc between two blocks, the force above is that below and the reaction of both") {
+  TEST_CASE("squeeze: a disc between two blocks has equal contact forces, equal to both reactions") {
     Scene scene;
     scene.spacing = dp;
     scene.materials = {ring_rubber()};
@@ -320,7 +314,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("stress: what a snapshot shows, at a point inside, at the surface and beside what is held") {
+  TEST_CASE("stress: a probe equals the snapshot inside, at the surface and beside a clamp") {
     for_each_method([](const std::string& method, int dim) {
       Scene scene = hanging(dim);
       scene.bodies[0].velocity[0] = [](const Point& x) { return -x[1] * 100; };
@@ -365,9 +359,9 @@ TEST_SUITE("unit") {
     });
   }
 
-  TEST_CASE("stress: of a block that hangs at rest it is the weight below over the area, at its clamp too") {
+  TEST_CASE("stress: a hanging block at rest has the weight below over the area, also at its clamp") {
     Scene scene = hanging(2);
-    scene.materials[0].poisson_ratio = 0;  // a clamp that hinders no contraction: as in a bar
+    scene.materials[0].poisson_ratio = 0;  // the clamp does not hinder contraction
     scene.damping = 2e4;
     scene.probes.clear();
     for (const double y : {-0.008, -0.004, 0.0}) {
@@ -378,15 +372,15 @@ TEST_SUITE("unit") {
     }
     const auto simulation = make_simulation(scene, with_method("oenog"));
     simulation->advance_to(2e-3);
-    const double whole = 1200 * g * 0.008;  // Pa, of all that hangs
+    const double whole = 1200 * g * 0.008;  // Pa, of the whole hanging block
     const auto& value = simulation->series().value;
-    const double layer = whole / 8;  // the outermost show what one-sided differences give
+    const double layer = whole / 8;  // the outermost layer uses one-sided differences
     CHECK(std::abs(value[0].back()) < layer);
     CHECK(value[1].back() == relative(0.5 * whole, 0.03));
     CHECK(std::abs(value[2].back() - whole) < layer);
   }
 
-  TEST_CASE("expression: of the probes before it and of the time") {
+  TEST_CASE("expression: an expression uses the probes before it and the time") {
     Scene scene = hanging(2);
     Probe sum = make_probe("", Probe::Kind::expression, {});
     sum.value = [](const std::vector<double>& row, double t) { return row[1] - 2 * row[2] + t; };

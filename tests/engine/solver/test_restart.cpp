@@ -23,7 +23,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Every kind of probe: some are only looked at when particles are sorted anew.
 void add_probes(Scene& scene) {
   scene.probes = {make_probe("speed", Probe::Kind::mean_velocity),
                   make_probe("gap", Probe::Kind::gap, {0, 1}),
@@ -37,8 +36,8 @@ void add_probes(Scene& scene) {
   if (scene.bodies[0].held) scene.probes.push_back(make_probe("clamp", Probe::Kind::reaction));
 }
 
-/// Two bodies that hit each other; in the second scene one is held, loaded, and driven for half of the time, and all is
-/// pulled and damped; in the third it is driven to the end.
+/// Collisions; in the second scene one body is clamped, loaded and driven half of the time, with gravity and damping;
+/// in the third driven to the end.
 std::vector<Scene> watched_scenes() {
   std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
   for (Scene& scene : scenes) add_probes(scene);
@@ -64,7 +63,6 @@ bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// What users see of two simulations.
 void check_same(const Simulation& a, const Simulation& b) {
   const Snapshot &x = a.snapshot(), &y = b.snapshot();
   CHECK(x.time == y.time);
@@ -83,7 +81,6 @@ void check_same(const Simulation& a, const Simulation& b) {
     CHECK(same_bytes(a.series().value[k], b.series().value[k]));
 }
 
-/// Runs straight on, saving on the way; then each that was saved is taken up again and brought to the end.
 void check_restarts(const Scene& scene, const Settings& settings) {
   constexpr std::array<int, 5> saved_at = {0, 1, 17, 31, 50};
   constexpr int steps = 60;
@@ -93,7 +90,7 @@ void check_restarts(const Scene& scene, const Settings& settings) {
   for (const int at : saved_at) {
     make_steps(*saving, at - saving->steps());
     const auto resumed = make_simulation(scene, settings);
-    make_steps(*resumed, 3);  // whatever it held before is replaced
+    make_steps(*resumed, 3);
     resumed->load(saving->save());
     CAPTURE(at);
     check_same(*resumed, *saving);
@@ -101,7 +98,7 @@ void check_restarts(const Scene& scene, const Settings& settings) {
     check_same(*resumed, *straight);
   }
   make_steps(*saving, steps - saving->steps());
-  check_same(*saving, *straight);  // saving does not alter a run
+  check_same(*saving, *straight);
 }
 
 template <class T>
@@ -114,18 +111,18 @@ std::string bytes_of(T value) {
 }  // namespace
 
 TEST_SUITE("restart") {
-  TEST_CASE("a simulation that is asked to stop ends after the step at hand, and goes on to the same bytes") {
+  TEST_CASE("a stopped simulation ends after the current step and continues to the same bytes") {
     std::atomic<int> stop = 0;
     Scene scene = small_collision();
     const auto straight = make_simulation(scene, with_method("enog"));
     make_steps(*straight, 30);
     scene.gravity[1] = [&](double t) {
-      if (straight->time() * 0.5 < t) stop = 1;  // as a signal would, in the middle of a step
+      if (straight->time() * 0.5 < t) stop = 1;  // like a signal during a step
       return 0.0;
     };
     const auto stopped = make_simulation(scene, with_method("enog"));
     stopped->heed(stop);
-    stopped->advance_to(1e9);  // it would take years
+    stopped->advance_to(1e9);
     CHECK(stopped->time() < 0.6 * straight->time());
     const long steps = stopped->steps();
     stopped->advance_to(1e9);
@@ -154,7 +151,7 @@ TEST_SUITE("restart") {
     }
   }
 
-  TEST_CASE("what was saved with one set of instructions and threads goes on with another") {
+  TEST_CASE("a saved state resumes with another instruction set and number of threads") {
     for (const MethodInfo& method : methods()) {
       CAPTURE(method.name);
       Settings settings = with_method(std::string(method.name));
@@ -172,7 +169,7 @@ TEST_SUITE("restart") {
     }
   }
 
-  TEST_CASE("a state of other particles or probes, cut short or with more behind it is refused") {
+  TEST_CASE("a state of other particles or probes, or of wrong length, is refused") {
     for (const MethodInfo& method : methods()) {
       CAPTURE(method.name);
       const Settings settings = with_method(std::string(method.name));
@@ -200,7 +197,6 @@ TEST_SUITE("restart") {
     auto copies = std::tuple(map, bits, pairs, full, empty);
     std::apply([&](auto&... value) { saver(value...); }, copies);
     const std::string bytes = saver.take();
-    // what the targets hold before must go
     auto found = std::tuple(std::map<int, double>{{1, 1}}, std::vector<bool>(9), decltype(pairs)(5),
                             std::optional<std::vector<double>>(), full);
     Loader loader(bytes);
@@ -209,7 +205,7 @@ TEST_SUITE("restart") {
     CHECK((found == std::tuple(map, bits, pairs, full, empty)));
   }
 
-  TEST_CASE("archive: a length that cannot be is refused before memory is asked for") {
+  TEST_CASE("archive: an impossible length is refused before memory is allocated") {
     const std::string bytes = bytes_of<std::uint64_t>(1ULL << 60);
     std::vector<double> values;
     CHECK_THROWS_AS(Loader{bytes}(values), UsageError);
@@ -217,7 +213,7 @@ TEST_SUITE("restart") {
     CHECK_THROWS_AS(Loader{bytes}(text), UsageError);
   }
 
-  TEST_CASE("archive: what must match is checked") {
+  TEST_CASE("archive: values that must match are checked") {
     Saver saver;
     saver.match(5);
     const std::string bytes = saver.take();

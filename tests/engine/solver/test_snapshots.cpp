@@ -1,5 +1,3 @@
-// Snapshots: made when asked for, without a trace in the run; between two steps; where they store the
-// components of a stress.
 
 #include <cmath>
 #include <cstring>
@@ -25,7 +23,7 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// One particle on a path, with the velocity that it had `lag` s ago.
+/// One particle on a path; its velocity lags by `lag` s.
 struct Path {
   std::function<Point(double)> x, v;
   double lag = 0;
@@ -38,7 +36,7 @@ struct Path {
     for (const std::size_t k : {0, 1}) now.x[k] = x(t)[k], now.v[k] = v(t - lag)[k];
     return now;
   }
-  /// At a fifth of a step of `dt` that begins at 0.4: how far it is from where it should be, and v too.
+  /// Errors of x and v at a fifth of a step of length `dt` from 0.4.
   std::pair<double, double> errors(double dt) const {
     const double t = 0.4 + 0.2 * dt;
     const Snapshot shown = blend(at(0.4), at(0.4 + dt), t), exact = at(t);
@@ -53,7 +51,6 @@ double greatest(const std::vector<double>& values) {
   return most;
 }
 
-/// How far a field of one state is from that of another, over its greatest value.
 double difference(const Snapshot& a, const Snapshot& b, std::vector<double> Snapshot::*field) {
   std::vector<double> d = a.*field;
   for (std::size_t k = 0; k < d.size(); ++k) d[k] -= (b.*field)[k];
@@ -63,7 +60,7 @@ double difference(const Snapshot& a, const Snapshot& b, std::vector<double> Snap
 }  // namespace
 
 TEST_SUITE("determinism") {
-  TEST_CASE("snapshots: to stop before a time leaves out one step, whatever the method, and alters none") {
+  TEST_CASE("snapshots: stopping before a time omits one step in every method and alters none") {
     for (const Scene& scene : {small_collision(), small_clamped_plate()}) {
       for (const MethodInfo& method : methods()) {
         CAPTURE(scene.name);
@@ -72,7 +69,7 @@ TEST_SUITE("determinism") {
         make_steps(*straight, 30);
         const auto shown = make_simulation(scene, with_method(std::string(method.name)));
         for (int k = 1; k <= 7; ++k) {
-          const double t = straight->time() * (k / 7.0);  // the last one is that of a step
+          const double t = straight->time() * (k / 7.0);
           shown->advance(t, t);
           CHECK(shown->time() < t);
           const long steps = shown->steps();
@@ -85,8 +82,7 @@ TEST_SUITE("determinism") {
     }
   }
 
-  TEST_CASE(
-      "snapshots: two runs whose steps differ by a rounding look alike at a time, whatever the method") {
+  TEST_CASE("snapshots: two runs whose steps differ by round-off agree at a time in every method") {
     const Scene scene = small_collision();
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
@@ -96,14 +92,14 @@ TEST_SUITE("determinism") {
       settings.step = first->time();
       const auto exact = make_simulation(scene, settings);
       make_steps(*exact, 12);
-      settings.step *= 1 - 1e-12;  // falls short of it by a rounding
+      settings.step *= 1 - 1e-12;  // ends short by round-off
       const auto shorter = make_simulation(scene, settings);
       const Snapshot shown = state_at(exact->time(), *shorter);
       CHECK(shown.time == exact->time());
       CHECK(shown.step == exact->steps() + 1);
       for (const auto field : {&Snapshot::x, &Snapshot::v, &Snapshot::rho, &Snapshot::p, &Snapshot::s})
         CHECK(difference(exact->snapshot(), shown, field) < 1e-8);
-      CHECK(difference(exact->snapshot(), shorter->snapshot(), &Snapshot::p) > 1e-4);  // a step is more
+      CHECK(difference(exact->snapshot(), shorter->snapshot(), &Snapshot::p) > 1e-4);
     }
   }
 
@@ -128,7 +124,7 @@ TEST_SUITE("determinism") {
     }
   }
 
-  TEST_CASE("snapshots: to take some on the way changes nothing at the end") {
+  TEST_CASE("snapshots: snapshots during a run do not alter its end") {
     for (const Scene& scene : {small_collision(), small_clamped_plate()}) {
       for (const MethodInfo& method : methods()) {
         CAPTURE(scene.name);
@@ -153,7 +149,7 @@ TEST_SUITE("determinism") {
 }
 
 TEST_SUITE("convergence") {
-  TEST_CASE("blend: free flight is exact, a turn of the third order in the step, wherever v stands") {
+  TEST_CASE("blend: free flight is exact and a rotation third order, wherever velocities are defined") {
     const Path flight{[](double t) {
                         return Point{1 + 2 * t, 5 - 4.905 * t * t, 0};
                       },
@@ -162,7 +158,7 @@ TEST_SUITE("convergence") {
                       }};
     CHECK(flight.errors(0.1).first < 1e-15);
     CHECK(flight.errors(0.1).second < 1e-14);
-    for (const double lag : {0.0, 0.5}) {  // of a step: velocities in its middle
+    for (const double lag : {0.0, 0.5}) {  // of a step: velocities at mid-step
       CAPTURE(lag);
       const auto turn = [&](double dt) {
         return Path{[](double t) {
@@ -178,12 +174,12 @@ TEST_SUITE("convergence") {
       const auto [finer_x, finer_v] = turn(0.01);
       CHECK(x / finer_x == relative(8, 0.02));
       CHECK(v / finer_v == relative(4, 0.02));
-      // θ (1 − θ) (1 − 2θ)/12 dt³ at θ = 0.2, less what the acceleration of half a step before leaves out
+      // θ (1 − θ) (1 − 2θ)/12 dt³ at θ = 0.2, less the part due to lagging acceleration
       CHECK(x == relative(std::abs(0.096 / 12 - lag * 0.16 / 2) * 8e-6, 0.02));
     }
   }
 
-  TEST_CASE("blend: a turn keeps its angular momentum but for a share of the square of the angle") {
+  TEST_CASE("blend: a rotation loses angular momentum of second order in the angle") {
     const Path turn{[](double t) {
                       return Point{std::cos(t), std::sin(t), 0};
                     },
@@ -194,13 +190,13 @@ TEST_SUITE("convergence") {
     for (const double share : {0.2, 0.5, 0.9}) {
       const Snapshot now = blend(turn.at(0), turn.at(angle), share * angle);
       const double L = now.x[0] * now.v[1] - now.x[1] * now.v[0];
-      CHECK(1 - L == relative(0.5 * share * (1 - share) * angle * angle, 0.02));  // that of v
+      CHECK(1 - L == relative(0.5 * share * (1 - share) * angle * angle, 0.02));
     }
   }
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("blend: what goes on from step to step is linear, the rest is that of the step that ends") {
+  TEST_CASE("blend: accumulated fields are linear, the others belong to the ending step") {
     Snapshot before;
     before.resize(2, 1);
     before.time = 1, before.step = 6;
@@ -224,7 +220,7 @@ TEST_SUITE("unit") {
     CHECK(same(blend(before, after, 1).s, before.s));
   }
 
-  TEST_CASE("snapshots: a run that breaks off keeps the last one") {
+  TEST_CASE("snapshots: a failed run keeps the last one") {
     const auto simulation = make_simulation(small_collision(), with_method("enog"));
     make_steps(*simulation, 1);
     const Snapshot before = simulation->snapshot();
@@ -239,7 +235,7 @@ TEST_SUITE("unit") {
     CHECK(simulation->snapshot().step == before.step + 3);
   }
 
-  TEST_CASE("snapshots: vectors and stresses of a particle, in the plane and in space") {
+  TEST_CASE("snapshots: vectors and stresses of a particle have their components in 2D and 3D") {
     Snapshot plane;
     plane.resize(2, 2);
     plane.x = {1, 2, 3, 4};
@@ -263,7 +259,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("snapshots: a particle is drawn as wide as the square of its volume at the start") {
+  TEST_CASE("snapshots: a particle's diameter is the side of the square of its initial volume") {
     const Scene scene = small_collision();
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));

@@ -30,16 +30,15 @@ using Mat2 = Mat<double, 2>;
 using Sym2 = Sym<double, 2>;
 
 constexpr double dW = slope_of_pair;
-constexpr double h = 1.3;  // of the cloud, whose spacing is 1
+constexpr double h = 1.3;  // the cloud's spacing is 1
 const Mat2 some_L = {{{0.4, -1.2}, {0.5, 0.9}}};
 
 struct Neighbor {
-  Vec2 e;  // from it to the particle at the origin
+  Vec2 e;
   double r, V, dW;
   Vec2 x() const { return (-r) * e; }
 };
 
-/// Irregular particles on one side of the origin, as at a surface.
 std::vector<Neighbor> neighbors() {
   using K = Kernel<KernelName::wendland_c2>;
   std::mt19937 generator(5);
@@ -62,7 +61,6 @@ Sym2 correction(const std::vector<Neighbor>& all) {
   return gradient_correction(moment);
 }
 
-/// The same term seen from both particles of the made pair, as momenta.
 template <class Term>
 void check_opposite(const Term& term) {
   const Vec2 on_i = term(first_of_pair, second_of_pair), on_j = term(second_of_pair, first_of_pair);
@@ -73,7 +71,7 @@ void check_opposite(const Term& term) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("gradient correction: exact for a linear field at a surface, and far off without") {
+  TEST_CASE("gradient correction: a linear field is exact at a surface, and far off without correction") {
     const std::vector<Neighbor> all = neighbors();
     Mat2 raw{};
     for (const Neighbor& j : all) {
@@ -86,7 +84,7 @@ TEST_SUITE("term") {
     CHECK(std::abs(raw(0, 1) - some_L(0, 1)) > 0.1);
   }
 
-  TEST_CASE("gradient correction: none for particles in one line") {
+  TEST_CASE("gradient correction: collinear particles have none") {
     Sym2 moment{};
     add_gradient_moment(moment, 1.0, -0.5, 1.0, Vec2{0.6, 0.8});
     add_gradient_moment(moment, 1.0, -0.5, 2.0, Vec2{-0.6, -0.8});
@@ -95,8 +93,7 @@ TEST_SUITE("term") {
   }
 
   TEST_CASE(
-      "gradient correction: none where neighbours are about in a line or a plane, any at a face or a "
-      "corner") {
+      "gradient correction: nearly collinear or coplanar neighbours have none, faces and corners have one") {
     const Sym2 row{1, 0.02, 0.001}, layer_of_two{1, 0, 0.25}, corner{0.3, 0.1, 0.3};
     for (const double c : gradient_correction(row).c) CHECK(c == 0);
     for (const Sym2& M : {layer_of_two, corner})
@@ -106,7 +103,7 @@ TEST_SUITE("term") {
     for (int k = 0; k < 6; ++k) CHECK(gradient_correction(edge).c[k] == inverse(edge).c[k]);
   }
 
-  TEST_CASE("stress divergence: equal and opposite, and the pull of tension is towards the other") {
+  TEST_CASE("stress divergence: forces are opposite, and tension attracts") {
     const Mat2 T_i = {{{2, -1}, {0.5, 3}}}, T_j = {{{1, 4}, {-2, 0.3}}};
     check_opposite([&](const PairedParticle& i, const PairedParticle& j) {
       const bool first = i.m == first_of_pair.m;
@@ -114,25 +111,24 @@ TEST_SUITE("term") {
     });
     const Mat2 tension = {{{5, 0}, {0, 5}}};
     const Vec2 e = Seen(first_of_pair, second_of_pair).e;
-    CHECK(dot(stress_divergence_term(tension, tension, 1.0, dW, e), e) == Approx(10 * dW));  // < 0: to j
+    CHECK(dot(stress_divergence_term(tension, tension, 1.0, dW, e), e) == Approx(10 * dW));  // < 0: towards j
   }
 
-  TEST_CASE("xsph: momentum stays, and so does angular momentum, of the transported motion") {
+  TEST_CASE("xsph: momentum and the angular momentum of the transported motion are conserved") {
     const auto term = [](const PairedParticle& i, const PairedParticle& j) {
       return i.m * xsph_term(Seen(i, j).v_ij, i.rho(), j.rho(), j.V, 0.7);
     };
     check_opposite(term);
-    // Σ m û × u = 0: the way of û against u, times momentum, cancels in the pair
+    // Σ m û × u = 0 for the pair
     const Vec2 d_i = term(first_of_pair, second_of_pair), d_j = term(second_of_pair, first_of_pair);
     const Vec2 v_i = first_of_pair.v, v_j = second_of_pair.v;
     const double turn = d_i[0] * v_i[1] - d_i[1] * v_i[0] + d_j[0] * v_j[1] - d_j[1] * v_j[0];
     CHECK(std::abs(turn) < 1e-14 * magnitude(d_i) * magnitude(v_i));
-    // towards the velocity of the other
     CHECK(dot(d_i, v_j - v_i) > 0);
     CHECK(xsph_term(Vec2{2, 0}, 3.0, 5.0, 0.5, 0.7)[0] == Approx(-2 * 5 * 0.5 / 8 * 0.7 * 2));
   }
 
-  TEST_CASE("artificial viscosity: slows what closes by Eq. 16, leaves what opens") {
+  TEST_CASE("artificial viscosity: approaching pairs are slowed by Eq. 16, separating ones are not") {
     const double r = 0.8, c = 3, rho = 2, alpha = 1.5, length = 0.9, closing = 0.7;
     const double expected = -alpha * length * c / rho * (closing * r) / (r * r + 0.01 * length * length);
     CHECK(artificial_viscosity(closing * r, r * r, c, rho, alpha, length) == Approx(expected));
@@ -146,7 +142,7 @@ TEST_SUITE("term") {
     });
   }
 
-  TEST_CASE("density gradient: exact for a linear density after correction") {
+  TEST_CASE("density gradient: a linear density is exact after correction") {
     const std::vector<Neighbor> all = neighbors();
     const Vec2 slope = {3, -2};
     Vec2 sum{};
@@ -156,7 +152,7 @@ TEST_SUITE("term") {
     CHECK(gradient[1] == Approx(slope[1]).epsilon(1e-12));
   }
 
-  TEST_CASE("density diffusion: none where the density is linear, from dense to thin otherwise") {
+  TEST_CASE("density diffusion: a linear density has none, others flow from dense to thin") {
     const Vec2 slope = {3, -2};
     for (const Neighbor& j : neighbors()) {
       const double rho_j = 10 + dot(slope, j.x());
@@ -165,11 +161,11 @@ TEST_SUITE("term") {
     }
     const double to_i = density_diffusion_term(10.0, 12.0, slope, Vec2{1, 1}, 1.0, dW, 0.5, Vec2{0.6, 0.8});
     const double to_j = density_diffusion_term(12.0, 10.0, Vec2{1, 1}, slope, 1.0, dW, 0.5, Vec2{-0.6, -0.8});
-    CHECK(to_i == Approx(-to_j));  // of equal volumes: none is made
+    CHECK(to_i == Approx(-to_j));  // conserves density for equal volumes
     CHECK(to_i == Approx(-(2 * 2 + 0.5 * (4 * 0.6 - 1 * 0.8)) * dW / 0.5));
   }
 
-  TEST_CASE("Riemann term: none where the velocity is linear, equal and opposite") {
+  TEST_CASE("Riemann term: a linear velocity has none, and forces are opposite") {
     const Sym2 D = symmetric_part(some_L);
     for (const Neighbor& j : neighbors()) {
       const double closing = dot(some_L * j.x(), j.e);  // −v_ij·e with v_ij = −L x_j
@@ -178,7 +174,7 @@ TEST_SUITE("term") {
     }
     CHECK(reconstructed_closing_speed(0.7, Sym2{}, Sym2{}, 1.0, Vec2{1, 0}) == 0.7);
     CHECK(riemann_dissipation(0.7, 6.0, 10.0, 1.5, 2.5) == Approx(16.0 / 4 * 0.7));
-    // of equal particles C_ij is the impedance c ρ
+    // C_ij of equal particles is the impedance c ρ
     CHECK(riemann_dissipation(1.0, 3 * 2 * std::sqrt(2.0), 3 * 2 * std::sqrt(2.0), std::sqrt(2.0),
                               std::sqrt(2.0)) == Approx(6));
     check_opposite([&](const PairedParticle& i, const PairedParticle& j) {
@@ -189,7 +185,7 @@ TEST_SUITE("term") {
     });
   }
 
-  TEST_CASE("tensile control: turns the sum of equal tensions into their difference") {
+  TEST_CASE("tensile control: the sum of equal tensions becomes their difference") {
     const std::vector<Neighbor> all = neighbors();
     const Mat2 tension = {{{4, 1}, {2, 3}}};  // σ·L
     Vec2 force{}, sum_gradient{};
@@ -202,7 +198,7 @@ TEST_SUITE("term") {
     CHECK(magnitude(controlled) < 1e-13 * magnitude(force));
   }
 
-  TEST_CASE("colour function: 1 inside a lattice, below 0.9 on its face, above one row deeper") {
+  TEST_CASE("colour function: the value is 1 inside a lattice, below 0.9 on its face, above one row deeper") {
     using K = Kernel<KernelName::wendland_c2>;
     const double length = 1.2;
     const auto colour = [&](int rows_above) {
@@ -217,18 +213,18 @@ TEST_SUITE("term") {
     CHECK(colour(1) > 0.9);
   }
 
-  TEST_CASE("turned stress: a rigid turn of any size in one step turns it and keeps its size") {
+  TEST_CASE("rotated stress: a rigid rotation in one step rotates it and keeps its magnitude") {
     const Sym2 s = {1.5, -0.6, -0.7};
     const double G = 3.7;
     for (const double angle : {0.01, 0.5, 1.5}) {
-      const double rate = 2 * std::tan(0.5 * angle);  // (I − ½ω)⁻¹ (I + ½ω) turns by this angle
+      const double rate = 2 * std::tan(0.5 * angle);  // (I − ½ω)⁻¹ (I + ½ω) rotates by this angle
       const Sym2 turned = turned_stress<Deviator::plane_strain>(Mat2{{{0, -rate}, {rate, 0}}}, s, G, 1.0);
       const double c = std::cos(angle), n = std::sin(angle);
       CHECK(turned(0, 0) == Approx(c * c * s(0, 0) - 2 * c * n * s(0, 1) + n * n * s(1, 1)));
       CHECK(turned(1, 1) == Approx(n * n * s(0, 0) + 2 * c * n * s(0, 1) + c * c * s(1, 1)));
       CHECK(turned(0, 1) == Approx(c * n * (s(0, 0) - s(1, 1)) + (c * c - n * n) * s(0, 1)));
     }
-    const double dt = 1e-7;  // Jaumann's rate in the limit
+    const double dt = 1e-7;  // limit of Jaumann's rate
     const Sym2 rate = jaumann_rate<Deviator::plane_strain>(some_L, s, G);
     const Sym2 next = turned_stress<Deviator::plane_strain>(some_L, s, G, dt);
     for (int k = 0; k < 3; ++k) CHECK((next.c[k] - s.c[k]) / dt == Approx(rate.c[k]).epsilon(1e-5));

@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Each force term as the momentum that j gives to i, so that it must be the opposite of what i gives to j.
+/// A force term as the momentum that j gives to i, which must be opposite for (j, i).
 struct ForceTerm {
   std::string name;
   Vec<double, 2> (*force)(const PairedParticle& i, const PairedParticle& j);
@@ -53,7 +53,7 @@ const ForceTerm force_terms[] = {
      }},
 };
 
-/// Σ over a fine lattice around the origin of a term for the field v: what the operator gives at the origin.
+/// A term's value at the origin for the field v, summed over a fine lattice.
 template <class Field, class Term>
 Vec<double, 2> operator_at_origin(const Field& v, const Term& term) {
   using K = Kernel<KernelName::wendland_c2>;
@@ -81,12 +81,12 @@ Vec<double, 2> plain_laplacian_at_origin(Vec<double, 2> (*v)(const Vec<double, 2
   });
 }
 
-constexpr double quadrature_error = 2e-3;  // of the lattice sums
+constexpr double quadrature_error = 2e-3;
 
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("force: what j does to i, i does to j in the other direction") {
+  TEST_CASE("force: the forces of j on i and of i on j are opposite") {
     for (const ForceTerm& term : force_terms) {
       CAPTURE(term.name);
       const Vec<double, 2> on_i = term.force(first_of_pair, second_of_pair);
@@ -96,7 +96,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("force: which ones act along the line of the pair") {
+  TEST_CASE("force: pressure and Laplacian act along the pair, the others do not") {
     const Seen g(first_of_pair, second_of_pair);
     const auto across = [&](int term) {
       const Vec<double, 2> f = force_terms[term].force(first_of_pair, second_of_pair);
@@ -104,7 +104,7 @@ TEST_SUITE("term") {
     };
     CHECK(across(0) < 1e-15);  // pressure
     CHECK(across(2) < 1e-15);  // laplacian
-    CHECK(across(1) > 0.1);    // the others turn the pair
+    CHECK(across(1) > 0.1);    // the others have a torque
     CHECK(across(3) > 0.1);
     CHECK(across(4) > 0.1);
   }
@@ -117,7 +117,7 @@ TEST_SUITE("term") {
     CHECK(magnitude(laplacian_term_nonconservative(g.v_ij, j.V, dW, g.inv_r)) == 0);
   }
 
-  TEST_CASE("shear: a rigid rotation gives none, but for the nonconservative Laplacian") {
+  TEST_CASE("shear: a rigid rotation gives none, except with the nonconservative Laplacian") {
     const double omega = 40;
     const PairedParticle j = turning_with(first_of_pair, second_of_pair, omega);
     const Seen g(first_of_pair, j);
@@ -171,15 +171,15 @@ TEST_SUITE("term") {
     CHECK(dissipation_of(1, 0) == Approx(limiter * 1 / c0));
     CHECK(dissipation_of(2, 0) == Approx(limiter * 2 / c0));
     CHECK(dissipation_of(2, 0.7) == Approx(0.7));
-    CHECK(dissipation_of(5, 0) == Approx(1));   // limited above
-    CHECK(dissipation_of(-1, 0) == Approx(0));  // no pull on what parts
+    CHECK(dissipation_of(5, 0) == Approx(1));
+    CHECK(dissipation_of(-1, 0) == Approx(0));  // separating pairs are not attracted
     CHECK(dissipation_of(-1, 0.4) == Approx(0.4));
-    CHECK(dissipation_of(0.01, 1) == Approx(1));  // linear
+    CHECK(dissipation_of(0.01, 1) == Approx(1));
     CHECK(dissipation_of(-9, 1) == Approx(1));
     CHECK(riemann_pressure(4.0, 2.0, 0.0, {impedance, limiter / c0, 1}) == Approx(mean));
   }
 
-  TEST_CASE("riemann: what closes grows denser, whatever the order of the pair") {
+  TEST_CASE("riemann: approaching pairs grow denser, whatever their order") {
     const Seen g(first_of_pair, second_of_pair);
     CHECK(g.closing_speed > 0);
     CHECK(compression_term(second_of_pair.V, dW, g.closing_speed) ==
@@ -201,7 +201,7 @@ TEST_SUITE("term") {
     CHECK(flow(8, 8, 1) == 0);
   }
 
-  TEST_CASE("pair terms: four at once are the same to the last bit as one at a time") {
+  TEST_CASE("pair terms: four packed pairs equal single ones to the last bit") {
     const Pack V = {0.9, 1.1, 0.4, 0}, slope = {-0.8, -0.1, 0, -2}, inv_r = {3, 1, 0.2, 0};
     const Pack speed = {0.3, -2, 40, 0}, p_i = {1, 2, 3, 4}, p_j = {-5, 0.1, 7, 4};
     const Vec<Pack, 2> e = {Pack{0.6, 1, 0, -0.8}, Pack{-0.8, 0, 1, 0.6}};

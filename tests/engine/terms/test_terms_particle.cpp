@@ -26,7 +26,6 @@ namespace {
 using Mat2 = Mat<double, 2>;
 using Sym2 = Sym<double, 2>;
 
-/// Irregular points around the origin and their volumes.
 struct Cloud {
   std::vector<Vec<double, 2>> x;
   std::vector<double> V;
@@ -44,14 +43,13 @@ struct Cloud {
   }
 };
 
-constexpr double h = 1.3;  // of the clouds, whose spacing is 1
+constexpr double h = 1.3;  // the clouds' spacing is 1
 
 struct Gradient {
   Mat2 L{};
   Sym2 moment{};
 };
 
-/// At the origin, of the field v(x) = v0 + A x.
 Gradient gradient_of(const Cloud& cloud, const Vec<double, 2>& v0, const Mat2& A) {
   using K = Kernel<KernelName::wendland_c2>;
   const auto field = [&](const Vec<double, 2>& x) {
@@ -93,27 +91,27 @@ const Sym2 some_s = {1.5, -0.6, -1.5};
 Sym2 in_plane_rate(const Mat2& L, const Sym2& s) { return jaumann_rate<Deviator::in_plane>(L, s, G); }
 Sym2 plane_strain_rate(const Mat2& L, const Sym2& s) { return jaumann_rate<Deviator::plane_strain>(L, s, G); }
 
-/// a n ⊗ n + b t ⊗ t, n at `angle` to x and t across.
+/// a n ⊗ n + b t ⊗ t, n at `angle` to x and t normal to it.
 Sym2 principal(double a, double b, double angle) { return turned(rotation(angle), Sym2{a, 0, b}); }
 
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("equation of state: positive in compression, with slope c0²") {
+  TEST_CASE("equation of state: pressure is positive in compression, with slope c0²") {
     const double rho0 = 1000, c0 = 60;
     CHECK(pressure(rho0, rho0, c0) == 0);
     CHECK(pressure(1.01 * rho0, rho0, c0) == Approx(0.01 * rho0 * c0 * c0));
     CHECK(pressure(0.98 * rho0, rho0, c0) == Approx(-0.02 * rho0 * c0 * c0));
   }
 
-  TEST_CASE("velocity gradient: exact for a linear field after correction, on irregular particles") {
+  TEST_CASE("velocity gradient: a linear field on irregular particles is exact after correction") {
     for (const unsigned seed : {1u, 2u, 3u}) {
       const Gradient g = gradient_of(Cloud(seed), {2, -3}, some_L);
       const Mat2 corrected = product(g.L, inverse(g.moment));
       for (int a = 0; a < 2; ++a) {
         for (int b = 0; b < 2; ++b) CHECK(corrected(a, b) == Approx(some_L(a, b)).epsilon(1e-12));
       }
-      CHECK(std::abs(g.L(0, 1) - some_L(0, 1)) > 0.01);  // there was something to correct
+      CHECK(std::abs(g.L(0, 1) - some_L(0, 1)) > 0.01);
     }
   }
 
@@ -132,7 +130,7 @@ TEST_SUITE("term") {
     CHECK(std::abs(raw(0, 0)) > 0.01);
   }
 
-  TEST_CASE("stress rate: by hand for stretch and shear, for both deviators") {
+  TEST_CASE("stress rate: stretch and shear give the values by hand for both deviators") {
     const double a = 0.3;
     const Sym2 stretch = in_plane_rate({{{a, 0}, {0, 0}}}, {});
     CHECK(stretch(0, 0) == Approx(G * a));
@@ -145,7 +143,7 @@ TEST_SUITE("term") {
     CHECK(plane_strain_rate({{{0, 0}, {a, 0}}}, {})(0, 1) == Approx(G * a));
   }
 
-  TEST_CASE("stress rate: the stress of a spinning body turns with it") {
+  TEST_CASE("stress rate: the stress of a rotating body rotates with it") {
     const double omega = 5, step = 1e-5;
     const Sym2 rate = in_plane_rate({{{0, -omega}, {omega, 0}}}, some_s);
     const Sym2 after = turned(rotation(omega * step), some_s),
@@ -156,7 +154,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("stress rate: over many small steps it turns as far as the body") {
+  TEST_CASE("stress rate: over many small steps the stress rotates as far as the body") {
     const int steps = 4000;
     const double angle = 1;
     const Mat2 spin = {{{0, -angle / steps}, {angle / steps, 0}}};
@@ -170,7 +168,7 @@ TEST_SUITE("term") {
     CHECK(std::abs(s(0, 0) - some_s(0, 0)) > 1);
   }
 
-  TEST_CASE("stress rate: seen from turned axes it is the turned rate") {
+  TEST_CASE("stress rate: the rate in rotated axes is the rotated rate") {
     const Mat2 Q = rotation(1.1);
     const Sym2 expected = turned(Q, in_plane_rate(some_L, some_s));
     const Sym2 rate = in_plane_rate(turned(Q, some_L), turned(Q, some_s));
@@ -180,9 +178,9 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("stress rate: a deviator stays one") {
+  TEST_CASE("stress rate: a deviator stays a deviator") {
     CHECK(trace(in_plane_rate(some_L, some_s)) == Approx(0));
-    const double divergence = some_L(0, 0) + some_L(1, 1);  // in 3D s_zz takes what is left
+    const double divergence = some_L(0, 0) + some_L(1, 1);  // in 3D s_zz takes the rest
     CHECK(trace(plane_strain_rate(some_L, some_s)) == Approx(2.0 / 3 * G * divergence));
     const Mat<double, 3> L = {{{0.4, -1.2, 0.3}, {0.5, 0.9, -0.8}, {0.2, 1.1, 0.6}}};
     const Sym<double, 3> s = {1, 0.5, -0.3, 2, 0.7, -3};
@@ -192,7 +190,7 @@ TEST_SUITE("term") {
     CHECK(rate(0, 1) == jaumann_rate<Deviator::in_plane>(L, s, G)(0, 1));  // n = 3 either way
   }
 
-  TEST_CASE("artificial stress: the positive part against principal stresses chosen by hand") {
+  TEST_CASE("artificial stress: the positive part is that of given principal stresses") {
     for (const double angle : {0.0, 0.3, 0.25 * std::numbers::pi, 1.4, 2.9}) {
       for (const auto& [a, b] : {std::pair{4.0, -3.0},
                                  {-3.0, 4.0},
@@ -204,9 +202,9 @@ TEST_SUITE("term") {
                                  {-3.0, -3.0},
                                  {0.0, 0.0}}) {
         CAPTURE(angle);
-        const auto& a_now = a;  // clang captures no bindings
+        const auto& a_now = a;  // clang cannot capture bindings
         CAPTURE(a_now);
-        const auto& b_now = b;  // clang captures no bindings
+        const auto& b_now = b;
         CAPTURE(b_now);
         const Sym2 expected = principal(std::max(a, 0.0), std::max(b, 0.0), angle);
         const Sym2 found = positive_part(principal(a, b, angle));
@@ -215,7 +213,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("artificial stress: −ε σ⁺/ρ², nothing in compression") {
+  TEST_CASE("artificial stress: its value is −ε σ⁺/ρ², and 0 in compression") {
     const Sym2 R = artificial_stress(principal(6, -2, 0.4), 2.0, 0.3);
     const Sym2 expected = principal(-0.3 * 6 / 4, 0, 0.4);
     for (int k = 0; k < 3; ++k) CHECK(R.c[k] == Approx(expected.c[k]));
@@ -224,7 +222,7 @@ TEST_SUITE("term") {
     for (const double component : artificial_stress(principal(6, 2, 0.4), 2.0, 0.0).c) CHECK(component == 0);
   }
 
-  TEST_CASE("artificial stress: pushes a stretched pair apart, the more the closer it is") {
+  TEST_CASE("artificial stress: a stretched pair is repelled, more strongly when closer") {
     const Seen g(first_of_pair, second_of_pair);
     const Sym2 R = artificial_stress(Sym2{5, 0, 5}, 2.0, 0.3);
     const auto push = [&](double closeness) {

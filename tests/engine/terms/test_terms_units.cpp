@@ -20,7 +20,6 @@ using namespace taut::test;
 
 namespace {
 
-/// The units of length, time and mass, as multiples of SI ones; the other units follow.
 struct Units {
   double length, time, mass;
 
@@ -35,7 +34,6 @@ struct Units {
 
 const Units others[] = {{10, 1, 1}, {1, 10, 1}, {1, 1, 10}, {3, 0.25, 7}};
 
-/// The pair, its constants and all that the terms make of it, in the given units.
 struct Results {
   Vec<double, 2> nested, laplacian, plain, repulsion;
   double riemann, compression, diffusion, eos;
@@ -70,7 +68,7 @@ struct Results {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("units: every term gives its result in the unit it states") {
+  TEST_CASE("units: every term's result has its stated unit") {
     const Results si({1, 1, 1});
     CHECK(si.nested[0] * si.laplacian[0] * si.plain[0] * si.repulsion[0] != 0);
     CHECK(si.compression * si.diffusion * si.riemann * si.eos * si.L(0, 1) * si.moment(0, 0) != 0);

@@ -1,6 +1,6 @@
-harm="a file of a run, sweep or session is cut, has bits flipped, or is another thing: whatever reads it refuses it or goes on"
+harm="a file of a run, sweep or session is truncated, has flipped bits or other contents: commands refuse it or continue"
 
-# files that it is done to | exit codes | the command that reads them
+# damaged files | exit codes | the command that reads them
 readers=(
   "run/run.json|0 1 2|check run --verdict stable"
   "run/run.json|0 1 2|check run --baseline good.json --tolerance 1%"
@@ -46,7 +46,7 @@ prepare() {
   cd ..
 }
 
-# a random file of those that a random command reads: $file; $reader, $promised
+# sets $reader and $promised to a random command and its exit codes, and $file to a random file that it reads
 choose_file() {
   local files
   pick ${#readers[@]}
@@ -57,7 +57,7 @@ choose_file() {
 }
 
 byte_at_random() { pick "$(($(stat -c %s "$file") + 1))"; at=$picked; }
-# overwrite AT BYTES (as printf has them)
+# overwrite AT BYTES (in printf format)
 overwrite() { printf "$2" | dd of="$file" bs=1 seek="$1" conv=notrunc status=none; }
 
 cut_short() { byte_at_random; truncate -s "$at" "$file"; }
@@ -72,7 +72,7 @@ flip_bits() {
 }
 zeroes() { byte_at_random; pick 64; overwrite "$at" "$(printf '\\x00%.0s' $(seq $((picked + 1))))"; }
 twice() { cat "$file" >>"$file.2" && cat "$file" >>"$file.2" && mv "$file.2" "$file"; }
-digits() {  # a number becomes another one, much larger
+digits() {  # replaces a number, mostly by an extreme one
   choose 0 -1 9999999999 1e308 -1e-320 nan inf 4294967296 '"' '{' '' null; local value=$chosen
   pick "$(grep -cE '[0-9]' "$file")"
   sed -i -E "$((picked + 1))s/[0-9][0-9.e+-]*/$value/" "$file"
@@ -98,7 +98,7 @@ trial() {
   harmed
   input=load
   ends "$promised" $reader
-  # what was refused is said where
+  # a refusal needs a message
   if [[ $code == 2 && ! -s complained ]] && ! grep -q '^error: ' said; then wrong "no message: taut $reader"; fi
   [[ $(wc -l <"$findings") == "$before" ]] || sed -i "\$s|\$| ($damage of $file)|" "$findings"
 }

@@ -1,4 +1,4 @@
-harm="the disk is full in the middle of a run, sweep, session, movie or baseline: exit code 4, nothing torn; with room it goes on"
+harm="the disk is full during a run, sweep, session, movie or baseline: exit code 4, nothing torn; once there is room it continues"
 
 options=(--threads 1 --quiet --save-particles --fields pressure,speed)
 works=(run run run sweep session movie chart panel baseline drawn)
@@ -16,14 +16,14 @@ prepare() {
   printf 'run until 0.01\nsave state\nrun until 0.02\nsave state\nframe now.png\n' >script
 }
 
-# fails_for_want_of_room ARGUMENT...: with 4 and the path, or it had room enough
+# fails_for_want_of_room ARGUMENT...: runs the command, which must exit with 4 and the path, or succeed
 fails_for_want_of_room() {
   ends "0 4" "$@"
   [[ $code != 4 ]] || { harmed; says_the_place; }
 }
 says_the_place() { grep -qE '(No space left on device|File too large|ffmpeg failed|gnuplot failed)' "$here/complained" "$here/said" || wrong "no reason: $(complaint)"; }
 
-# a disk of a random size up to $1 KiB; without mounts, files of at most a random size
+# small_disk KIB: mounts a disk of a random size up to KIB; without mounts, limits the file size instead
 small_disk() {
   pick "$1"
   room=$((4 + picked / 4 * 4))
@@ -38,8 +38,8 @@ of_run() {
   [[ $code == 4 ]] || return
   part_of_run out "$ground/straight"
   if [[ -e out/run.json ]]; then
-    is_one_of "$(status out)" "failed running" || wrong "run.json says '$(status out)' after a full disk"
-    [[ $(status out) != failed ]] || grep -q '"reason"' out/run.json || wrong "run.json does not say why it failed"
+    is_one_of "$(status out)" "failed running" || wrong "run.json has status '$(status out)' after a full disk"
+    [[ $(status out) != failed ]] || grep -q '"reason"' out/run.json || wrong "run.json of a failed run has no reason"
   fi
   more_room || return
   if [[ -e out/checkpoint.bin ]]; then
@@ -71,13 +71,14 @@ of_session() {
   [[ ! -e state ]] || { input=../load; ends 0 session "$scene" --strict; input=/dev/null; }
 }
 
-# overwrite NAME OLD NEW ARGUMENT...: NAME stays as it was when there is no room for the new one
+# overwrite NAME OLD NEW ARGUMENT...: runs the command, which must leave NAME unchanged if the new version does not
+# fit
 overwrite() {
   local name=$1 old=$2 new=$3
   shift 3
   small_disk "$(($(du -sk "$old" "$new" | awk '{ sum += $1 } END { print sum }') * 2))"
   [[ $TAUT_FAULTS_MOUNTS == yes ]] || return
-  cp -a "$old" "$name" 2>/dev/null || return  # not even room for the old one
+  cp -a "$old" "$name" 2>/dev/null || return  # no room for the old version
   fails_for_want_of_room "$@"
   if [[ $code == 4 ]]; then old_or_new "$name" "$old" "$old"; else old_or_new "$name" "$new" "$new"; fi
   no_rests .

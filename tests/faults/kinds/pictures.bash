@@ -1,6 +1,7 @@
-harm="movie, chart, map, plot, compare, diff, render and snapshot --update are struck: what was before, or what shall be"
+harm="movie, chart, map, plot, compare, diff, render and snapshot --update are struck: the old file or the new one"
 
-# what is made | exit code | the command that made it before | the command that is struck; their last option names it
+# file | exit code | the command that made its old version | the command that is struck; the last option names the
+# file
 works=(
   "movie.mp4|0|movie $ground/run --fps 10 --out|movie $ground/other --out"
   "movie.gif|0|movie $ground/run --fps 10 --out|movie $ground/other --out"
@@ -20,7 +21,7 @@ prepare() {
   ends 0 sweep "$scene" --grid speed=0.4,0.6 --grid method=enog,oas --until 0.01 --quiet --out small
 }
 
-# makes both states, once: $ground/NAME-old and -new; $took is how long the second one takes, ms
+# makes both versions once, $ground/NAME-old and -new; $took is the duration of the second command, ms
 make_states() {
   local states=$ground/$name
   if [[ ! -e $states.took ]]; then
@@ -33,10 +34,10 @@ make_states() {
   took=$(<"$states.took")
 }
 
-# what is made, and the script and data that stand beside a chart
+# lists the file, and the script and data of a chart
 pieces() { (cd "$ground/$name-new" && ls -d "$name" "${name%.*}.gp" "${name%.*}.dat" 2>/dev/null); }
 
-# the state of all pieces; the frames of render come and go one by one, each of them whole
+# checks the state of all files; render writes single frames, each of them complete
 look() {
   local piece file
   for piece in $(pieces); do

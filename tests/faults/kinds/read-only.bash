@@ -1,6 +1,6 @@
-harm="folders that cannot be written to: what only reads works, what writes ends with 4 and the path, and nothing changes"
+harm="read-only folders: commands that read work, commands that write exit with 4 and the path, and nothing changes"
 
-# with the folder `all` read-only, and `here` not: exit code | what the message names | the command
+# with `all` read-only and `here` writable: exit code | path that the message must contain | command
 works=(
   "0||check all/run --verdict stable"
   "0||plot all/run --out here/plot.svg"
@@ -45,7 +45,7 @@ prepare() {
   printf 'run until 0.001\nsave all/state\n' >script
 }
 
-# Where nothing can be mounted, the folders forbid it; root writes into these all the same.
+# Without mounts, permissions forbid writing; root can write all the same.
 forbid() { read_only all || { ((EUID)) && chmod -R a-w all; }; }
 allow() { if mountpoint -q all; then umount all; else chmod -R u+w all; fi; }
 
@@ -53,7 +53,7 @@ trial() {
   local promised place command before
   cp -a "$ground/all" .
   mkdir here
-  forbid || { ((number > 1)) || echo "read-only: nothing can be mounted, and root writes everywhere" >&2; return; }
+  forbid || { ((number > 1)) || echo "read-only: skipped, since mounting is not permitted and root can write everywhere" >&2; return; }
   IFS='|' read -r promised place command <<<"${works[(number - 1) % ${#works[@]}]}"
   before=$(sums all)
   input=$ground/script

@@ -1,4 +1,4 @@
-harm="too few files may be open, too little memory, processes or stack: an error with its reason, or it does with less"
+harm="too few open files, too little memory, processes or stack: an error with its reason, or success"
 
 works=(
   "run $scene --until 0.01 --quiet --save-particles --out out" "run $scene --until 0.01 --threads 8 --quiet --no-render --out out"
@@ -14,13 +14,13 @@ prepare() {
   printf 'run until 0.002\nframe now.png\nsave state\n' >script
 }
 
-# a limit of the shell's, in a process of its own, of which `ulimit` cannot be undone
+# runs a command with a limit of the shell, in a subshell, because `ulimit` cannot be undone
 trial() {
   local work=${works[(number - 1) % ${#works[@]}]} option value
   choose n v v v u s; option=$chosen
   case $option in
     n) pick 14; value=$((3 + picked)) ;;               # files
-    v) pick 100; value=$((6000 * picked + 30000)) ;;   # KiB of addresses
+    v) pick 100; value=$((6000 * picked + 30000)) ;;   # KiB of address space
     u) pick 3; value=$((1 + picked)) ;;                # processes and threads; no limit for root
     s) pick 4; value=$((64 << picked)) ;;              # KiB of stack
   esac
@@ -32,12 +32,12 @@ trial() {
   code=$?
   harmed
   sound "taut $work, ulimit -$option $value"
-  # 127: the system could not even load the program
+  # 127: the system could not load the program
   is_one_of "$code" "0 2 4 124 127" || wrong "exit code $code: taut $work, ulimit -$option $value: $(complaint)"
-  [[ $code == 0 || -s complained || -s said ]] || wrong "exit code $code without a word: taut $work, ulimit -$option $value"
+  [[ $code == 0 || -s complained || -s said ]] || wrong "exit code $code without a message: taut $work, ulimit -$option $value"
   if [[ $code == 0 && -e out/run.json ]]; then [[ $work != *save-particles* ]] || same_run "$ground/out" out; fi
   [[ ! -d out/frames ]] || part_of_run out "$ground/out"
 }
 
-# limit OPTION VALUE COMMAND...: with this limit for the command alone, not for what ends it when it hangs
+# limit OPTION VALUE COMMAND...: limits only the command, not the `timeout` that ends it
 limit() { timeout --kill-after 1 "$patience" bash -c 'ulimit -S "-$0" "$1" && exec "${@:2}"' "$@"; }

@@ -1,11 +1,11 @@
-harm="a run with checkpoints is struck up to five times and resumed to its end: the bytes of an undisturbed run"
+harm="a run with checkpoints is struck up to five times and resumed: the bytes of an undisturbed run"
 
 methods=(enog og oenog d-ulsph-r-tic tl pfj-jst ulsph-av-as ccb oas)
 options=(--quiet --save-particles --fields pressure,speed)
 
 prepare() { :; }
 
-# undisturbed METHOD RANGE: $straight is that run, $took its time in ms
+# undisturbed METHOD RANGE: $straight is the folder of that run, $took its duration, ms
 undisturbed() {
   straight=$ground/$1-$2
   if [[ ! -e $straight ]]; then
@@ -26,11 +26,11 @@ untouched() { [[ $(sums out 2>/dev/null) == "$before" ]]; }
 
 trial() {
   local round every threads range signals
-  choose 0:1 0:1 auto; range=$chosen  # frames of a fixed range are drawn beside the steps, others at the end
+  choose 0:1 0:1 auto; range=$chosen  # a fixed range draws frames during the run, auto at its end
   frames_are="cmp -s"
   [[ $range != auto ]] || frames_are=whole_png
   undisturbed "${methods[(number - 1) % ${#methods[@]}]}" "$range"
-  choose 0.0003 0.001 0.005 0.03; every=$chosen  # each waits for the disk
+  choose 0.0003 0.001 0.005 0.03; every=$chosen  # seconds between checkpoints, which wait for the disk
   choose 1 2; threads=$chosen
   pick 3; ((picked)) || older_run
   local again=(run "$scene" --method "${methods[(number - 1) % ${#methods[@]}]}" --range "$range" --threads "$threads"
@@ -42,11 +42,11 @@ trial() {
     stopped_by "$signals"
     [[ ! -d out ]] || part_of_run out "$straight" "$ground/older"
     has_ended && break
-    # a signal may come before its handlers are there
+    # a signal can come before its handler is installed
     if is_one_of "$signals" "TERM HUP INT" && ((code > 128)) && [[ $(status out) != interrupted ]] && ! untouched; then
-      wrong "run.json says '$(status out)' after SIG$signals"
+      wrong "run.json has status '$(status out)' after SIG$signals"
     fi
-    # before its first checkpoint it is begun anew; before it has begun there is nothing to go on with
+    # a run without a checkpoint restarts; with one it resumes
     [[ ! -e out/checkpoint.bin ]] || again=(run --resume out --threads "$threads" --quiet)
   done
   has_ended || ends 0 "${again[@]}"

@@ -1,4 +1,4 @@
-harm="a session that saves its state again and again is struck: the state is one of those, and goes on to the same numbers"
+harm="a session that saves repeatedly is struck: the state is a saved one, and continues to the same numbers"
 
 steps=(0.005 0.01 0.015 0.02 0.03 0.04 0.05 0.06 0.07 0.08)
 session=(session "$scene" --threads 1)
@@ -15,12 +15,12 @@ prepare() {
   how_long "${session[@]}"
 }
 
-# one_of FILE PATTERN: the file is one of those that the undisturbed session has left
+# one_of FILE PATTERN: the file equals one that the undisturbed session has saved
 one_of() {
   local good
   [[ -e $1 ]] || return 0
   for good in "$ground"/$2; do cmp -s "$1" "$good" && return; done
-  torn "$1 is none of those that were saved"
+  torn "$1 differs from all saved versions"
 }
 
 trial() {
@@ -34,5 +34,5 @@ trial() {
   printf 'load state\nrun until 0.09\nprobe\ninfo\n' >goes-on
   input=goes-on
   ends 0 "${session[@]}" --strict
-  diff "$ground/answer" <(grep -A99 '^gap=' said) >differs || lost "goes on to other numbers: $(head -n 3 differs | tr '\n' ' ')"
+  diff "$ground/answer" <(grep -A99 '^gap=' said) >differs || lost "continues to other numbers: $(head -n 3 differs | tr '\n' ' ')"
 }

@@ -1,11 +1,11 @@
-harm="each signal at each stage of each kind of work: the exit code that is promised, and in good order nothing in the making"
+harm="each signal at each stage of each kind of work: the promised exit code, and no temporary files after an orderly stop"
 
-# name | what stands before (a function) | the condition under which the signal is sent | the command
+# name | preparation (a function) | condition for the signal | command
 stages=(
   "stepping|nothing|rows out/history.csv 5|run $scene --set speed=1 --until 100 --quiet --frames 100000 --out out"
   "stepping, with checkpoints|nothing|test -e out/checkpoint.bin|run $scene --until 100 --quiet --checkpoint-every 0.001 --out out"
-  "one step after the other|nothing|rows out/history.csv 1|run $scene --set cfl=1e-5 --until 100 --quiet --no-render --out out"
-  "drawing what was kept|nothing|test -e out/frames/frame_00002.png|run $scene --frames 1500 --range auto --quiet --out out"
+  "stepping between far outputs|nothing|rows out/history.csv 1|run $scene --set cfl=1e-5 --until 100 --quiet --no-render --out out"
+  "drawing kept frames|nothing|test -e out/frames/frame_00002.png|run $scene --frames 1500 --range auto --quiet --out out"
   "drawing again|a_run|test -e out/frames/frame_00001.png|render out --size 4000x3000 --quiet --threads 1"
   "sweep|nothing|rows out/speed=1/history.csv 5|sweep $scene --grid speed=1,2,3,4 --until 100 --quiet --out out"
   "session|nothing|test -e now.png|session $scene"
@@ -35,15 +35,15 @@ trial() {
   $before
   input=$ground/script
   start $command
-  await $until || { finish "taut $command"; wrong "'$stage' ended with $code before it came to it: $(complaint)"; return; }
+  await $until || { finish "taut $command"; wrong "'$stage' ended with $code before the signal: $(complaint)"; return; }
   strike "$signal"
   finish "taut $command (SIG$signal)"
   promised=$(by_signal "${signal% *}")
   [[ $code == "$promised" ]] || wrong "$stage: exit code $code, not $promised, after SIG$signal: $(complaint)"
-  # two signals, and signals without a handler, end the program at once; one picture has nothing to put in order
+  # two signals, and signals without a handler, end the program at once; a panel has nothing to clean up
   is_one_of "$signal" "INT TERM HUP" && [[ $stage != panel ]] || return 0
   no_rests .
   if [[ -e out/history.csv && $before == nothing ]]; then
-    [[ $(status out) == interrupted ]] || wrong "$stage: run.json says '$(status out)' after SIG$signal"
+    [[ $(status out) == interrupted ]] || wrong "$stage: run.json has status '$(status out)' after SIG$signal"
   fi
 }

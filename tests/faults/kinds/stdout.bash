@@ -1,4 +1,4 @@
-harm="standard output is full, closed or read by nobody: exit code 4, never a crash, and the files are whole all the same"
+harm="standard output is full, closed or unread: exit code 4, no crash, and complete files"
 
 works=(
   "list scenes" "list methods --json" "describe enog" "describe scene-file" "describe $scene" "completion bash" "--help"
@@ -18,7 +18,7 @@ prepare() {
   printf 'step\ninfo\n%.0s' {1..20} >script
 }
 
-# with_output WHERE ARGUMENT...: $code
+# with_output WHERE ARGUMENT...: runs the command with this standard output; sets $code
 with_output() {
   local run=(timeout --kill-after 1 "$patience" "$program" "${@:2}")
   code=0
@@ -39,8 +39,8 @@ trial() {
   with_output "$where" $work
   harmed
   case $where in
-    # SIGPIPE ends what only prints; what is said into the air may have been said in time
-    nobody) is_one_of "$code" "0 4 141" || wrong "exit code $code: taut $work, standard output read by nobody: $(complaint)" ;;
+    # SIGPIPE ends commands that only print; all output can have been written before the reader ended
+    nobody) is_one_of "$code" "0 4 141" || wrong "exit code $code: taut $work, standard output unread: $(complaint)" ;;
     *) [[ $code == 4 ]] || wrong "exit code $code, not 4: taut $work, standard output $where: $(complaint)" ;;
   esac
   [[ ! -e out ]] || same_run "$ground/out" out

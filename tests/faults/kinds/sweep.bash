@@ -1,21 +1,21 @@
-harm="a sweep is struck, or one of its children, and started again: the same results and runs"
+harm="a sweep or one of its children is struck, and the sweep restarted: the same results and runs"
 
 grid=(sweep "$scene" --grid speed=0.2,0.4,0.8 --grid method=enog,oenog --until 0.05 --jobs 2 --quiet --out out)
 
 prepare() { how_long "${grid[@]}"; }
 
-# results FOLDER: results.csv up to the columns that differ from time to time
+# results FOLDER: prints results.csv without the columns that vary between repetitions
 results() {
   local last
   last=$(head -n 1 "$1/results.csv" | tr ',' '\n' | grep -nE '^(seconds|particle_steps|machine|threads)' | head -n 1 | cut -d: -f1)
-  cut -d, -f "1-$((${last:-1000} - 1))" "$1/results.csv"  # none where no run has finished
+  cut -d, -f "1-$((${last:-1000} - 1))" "$1/results.csv"  # the columns are absent if no run has finished
 }
 
 child_of_victim() { read -r child _ <"/proc/$victim/task/$victim/children" && [[ $child ]]; }
 
 strike_child() {
   start "${grid[@]}"
-  pick "$((took / round))"  # less and less is left to do
+  pick "$((took / round))"  # each round has less left to do
   nap "$picked"
   struck=0
   if await child_of_victim && kill -KILL "$child" 2>/dev/null; then
@@ -23,16 +23,17 @@ strike_child() {
     harmed
   fi
   finish "taut ${grid[*]} (a child killed)"
-  # the run is said to be killed; killed once it had ended, all is fine
+  # 70 if the child was killed during its run, 0 if the kill came too late
   is_one_of "$code" "0 70" || wrong "exit code $code after a child was killed: $(complaint)"
 }
 
-# what results.csv says of a finished run is as in the sweep that nobody disturbed
+# rows of finished runs in results.csv equal the rows of the undisturbed sweep
 whole_results() {
   local row
   [[ -e out/results.csv ]] || return 0
   [[ -z $(tail -c 1 out/results.csv) ]] || torn "results.csv ends within a row"
-  [[ $(results out | head -n 1) == "$(results "$ground/out" | head -n 1)" ]] || return 0  # columns of no run
+  # columns of a sweep without finished runs
+  [[ $(results out | head -n 1) == "$(results "$ground/out" | head -n 1)" ]] || return 0
   while IFS= read -r row; do
     grep -qxF -- "$row" <(results "$ground/out") || torn "results.csv: $row"
   done < <(results out | tail -n +2 | grep ',finished,')

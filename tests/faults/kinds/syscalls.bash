@@ -1,4 +1,4 @@
-harm="one call of the system fails or kills, the n-th write, rename, open, fsync ...: exit code 4 or 2, nothing torn (needs strace)"
+harm="the n-th write, rename, open, fsync ... fails or kills: exit code 4 or 2, nothing torn (needs strace)"
 
 options=(--threads 1 --quiet --save-particles --fields speed)
 calls=(write openat rename renameat2 fsync ftruncate mkdir unlink close lseek newfstatat getdents64 mmap fcntl)
@@ -6,7 +6,7 @@ calls=(write openat rename renameat2 fsync ftruncate mkdir unlink close lseek ne
 can_trace() { strace -e trace=none -o /dev/null true 2>/dev/null; }
 
 prepare() {
-  can_trace || { echo "syscalls: there is no strace, or it may not trace here" >&2; return; }
+  can_trace || { echo "syscalls: skipped, since strace is missing or not permitted" >&2; return; }
   ends 0 run "$scene" --until 0.02 "${options[@]}" --out run
   ends 0 run "$scene" --until 0.02 "${options[@]}" --set speed=1 --out other
   ends 0 snapshot "$scene" --until 0.02 --threads 1 --quiet --out x --update --baseline old
@@ -21,7 +21,7 @@ trial() {
   local call at how promised="0 2 4"
   can_trace || return
   choose "${calls[@]}"; call=$chosen
-  # the first ones are those of the loader; most of the calls of a run are writes
+  # the first calls belong to the loader; most calls of a run are writes
   pick "$([[ $call == write ]] && echo 150 || echo 40)"; at=$((picked + 1))
   choose error=ENOSPC error=EIO error=EACCES error=EINTR signal=KILL signal=KILL; how=$chosen
   [[ $call != close || $how == signal=KILL ]] || how=error=EIO
@@ -49,7 +49,7 @@ trial() {
   local what="$work, $how at the $at. $call"
   [[ $code != 124 ]] || hung "$what"
   sound "$what"
-  # 127: the loader met it
+  # 127: the fault hit the loader
   is_one_of "$code" "$promised 127" || wrong "exit code $code: $what: $(complaint)"
   case $work in
     run | resume)

@@ -1,6 +1,6 @@
-harm="two programs work in one folder at once: one of them is refused and says who is at work, the result is the other's"
+harm="two programs use one folder at once: one is refused and names the lock holder, the other completes"
 
-# what goes on already | what comes while it does; A and B are two scenes
+# first command | second command, started during the first; A and B are two scenes
 pairs=(
   "run A|run B" "run A|run A" "run A|snapshot B" "snapshot B|run A" "run A|resume" "resume|resume" "resume|run B"
   "run A|render" "render|run B" "render|render" "sweep|sweep" "sweep|run in it" "run in it|sweep" "sweep|render in it"
@@ -8,7 +8,7 @@ pairs=(
 
 common=(--quiet --save-particles --fields speed)
 
-# the command of a word of the table, as $command
+# command_of WORD: sets $command for a word of the table
 command_of() {
   case $1 in
     "run A") command=(run "$scene" "${common[@]}" --checkpoint-every 0.001 --out out) ;;
@@ -23,7 +23,7 @@ command_of() {
 }
 in_it=out/speed=0.4
 
-# what stands in the folder when the first of the two begins
+# lay WORD: prepares the folder before the first command
 lay() {
   case $1 in
     resume) cp -a "$ground/stopped" out ;;
@@ -32,7 +32,7 @@ lay() {
   esac
 }
 
-# the folder holds what the program of that word makes on its own
+# whole WORD: the folder contains the result of that command alone
 whole() {
   case $1 in
     "run A" | resume) same_run "$ground/A" out ;;
@@ -45,7 +45,7 @@ whole() {
   esac
 }
 
-# alone WORD FOLDER: the result of that program alone
+# alone WORD FOLDER: stores the result of that command alone
 alone() {
   command_of "$1"
   [[ $2 != B ]] || how_long "${command[@]}"
@@ -93,7 +93,7 @@ trial() {
   esac
 }
 
-# refused FILE: it says why, and if the folder is at work, who is
+# refused FILE: the message contains the reason, or the lock holder
 refused() {
   grep -qE 'in use by .taut [a-z]+. .process [0-9]+|is finished|nothing is left to do' "$1" ||
     wrong "'$first' and '$second': refused with $(tail -n 1 "$1")"

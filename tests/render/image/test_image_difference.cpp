@@ -12,7 +12,7 @@ using namespace taut::render;
 using namespace taut::test;
 
 TEST_SUITE("unit") {
-  TEST_CASE("a picture is like itself") {
+  TEST_CASE("a picture is alike to itself") {
     Image image(50, 40);
     image.set(3, 4, {10, 20, 30});
     const ImageDifference difference = compare(image, image);
@@ -22,10 +22,10 @@ TEST_SUITE("unit") {
     CHECK(alike(difference));
   }
 
-  TEST_CASE("pixels beyond the tolerance are counted, and the rest is not") {
+  TEST_CASE("only pixels beyond the tolerance are counted") {
     const Image a(100, 50);
     Image b = a;
-    b.set(10, 10, {254, 254, 254});  // one level: not to be seen
+    b.set(10, 10, {254, 254, 254});  // invisible
     for (int i = 0; i < 25; ++i) b.set(i, 49, {0, 0, 0});
     const ImageDifference difference = compare(a, b);
     CHECK(difference.share == Approx(25.0 / 5000));
@@ -36,10 +36,10 @@ TEST_SUITE("unit") {
     CHECK(compare(b, a).share == difference.share);
   }
 
-  TEST_CASE("the densest window is found where it is") {
+  TEST_CASE("the densest window is found") {
     const Image a(200, 100);
     Image b = a;
-    for (int i = 0; i < 8; ++i) b.set(25 * i, 10, {0, 0, 0});  // strewn about
+    for (int i = 0; i < 8; ++i) b.set(25 * i, 10, {0, 0, 0});
     for (int row = 70; row < 74; ++row) {
       for (int column = 150; column < 158; ++column) b.set(column, row, {0, 0, 0});
     }
@@ -67,7 +67,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("a change spread thinly over the picture is found by its share") {
+  TEST_CASE("a change spread thinly over the picture is found by its share of pixels") {
     const Image a(160, 160);
     Image b = a;
     for (int i = 0; i < 400; ++i) b.set(8 * (i % 20), 8 * (i / 20), {0, 0, 0});
@@ -95,7 +95,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("a difference is as many times its limit as in its worst respect") {
+  TEST_CASE("the excess of a difference is its worst ratio to a limit") {
     const ImageDifference difference{.share = 0.01, .greatest = 30, .densest = 0.02};
     CHECK(excess(difference, {.share = 0.005, .densest = 0.04}) == Approx(2));
     CHECK(excess(difference, {.share = 0.02, .densest = 0.005}) == Approx(4));
@@ -113,14 +113,14 @@ TEST_SUITE("unit") {
     CHECK_THROWS_AS(difference_picture(Image(4, 5), Image(4, 6)), UsageError);
   }
 
-  TEST_CASE("the picture of a difference shows where") {
+  TEST_CASE("the picture of a difference marks the different pixels red") {
     const Image a(60, 60);
     Image b = a;
     b.set(30, 31, {0, 0, 0});
     const Image picture = difference_picture(a, b);
     const Rgb mark = picture.at(30, 31);
-    CHECK(mark[0] > mark[1] + 50);                          // red
-    CHECK(picture.at(29, 31)[0] == picture.at(29, 31)[1]);  // gray
+    CHECK(mark[0] > mark[1] + 50);
+    CHECK(picture.at(29, 31)[0] == picture.at(29, 31)[1]);
     CHECK(difference_picture(a, a).at(30, 31) == picture.at(29, 31));
   }
 }
@@ -133,10 +133,10 @@ TEST_SUITE("image") {
     particles.x[2 * 100] += 0.001;
     const ImageDifference difference = compare(right, renderer.draw(particles.frame()));
     CHECK_FALSE(alike(difference));
-    CHECK(difference.share < 0.002);  // the share alone would have let it pass
+    CHECK(difference.share < 0.002);  // the share alone would accept it
   }
 
-  TEST_CASE("one particle of another colour is found") {
+  TEST_CASE("one particle of another colour is found in a picture of many") {
     Particles particles = two_rings();
     Renderer renderer(look(640, 360, rings_view));
     const Image right = renderer.draw(particles.frame());
@@ -144,7 +144,7 @@ TEST_SUITE("image") {
     CHECK_FALSE(alike(compare(right, renderer.draw(particles.frame()))));
   }
 
-  TEST_CASE("a shift too small to be seen is let pass") {
+  TEST_CASE("a shift of colours too small to be seen is accepted") {
     Particles particles = two_rings();
     Renderer renderer(look(640, 360, rings_view));
     const Image right = renderer.draw(particles.frame());

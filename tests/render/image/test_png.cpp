@@ -18,7 +18,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Every pixel of another colour, so that nothing can be swapped unnoticed.
+/// A different colour in every pixel.
 Image gradient(int width, int height) {
   Image image(width, height);
   for (int row = 0; row < height; ++row) {
@@ -31,7 +31,6 @@ Image gradient(int width, int height) {
   return image;
 }
 
-/// Noise, which no compression makes small.
 Image noise(int width, int height) {
   Image image(width, height);
   std::uint32_t state = 1;
@@ -40,7 +39,6 @@ Image noise(int width, int height) {
   return image;
 }
 
-/// The CRC-32 at the end of every chunk of a PNG.
 std::uint32_t checksum(const std::string& bytes) {
   std::uint32_t crc = 0xffffffffu;
   for (const char c : bytes) {
@@ -50,7 +48,7 @@ std::uint32_t checksum(const std::string& bytes) {
   return ~crc;
 }
 
-/// Until it goes, a file of this process cannot grow beyond `bytes`: what a full disk looks like.
+/// Simulates a full disk: limits the size of files to `bytes`.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -83,7 +81,7 @@ TEST_SUITE("unit") {
     CHECK(files_in(folder.path()) == 1);
   }
 
-  TEST_CASE("any picture is read back as it was written") {
+  TEST_CASE("any picture is read back as it was written, over block boundaries and long rows") {
     const TemporaryFolder folder;
     const auto comes_back = [&](const Image& image) {
       write_png(image, folder / "a.png");
@@ -95,11 +93,11 @@ TEST_SUITE("unit") {
       return same;
     };
     CHECK(comes_back(Image(1, 1)));
-    CHECK(comes_back(noise(300, 200)));  // more than one block of bytes
+    CHECK(comes_back(noise(300, 200)));  // several blocks
     CHECK(comes_back(noise(1, 3000)));
-    CHECK(comes_back(Image(12000, 3)));  // a row is longer than a copy may reach back
+    CHECK(comes_back(Image(12000, 3)));  // exceeds the maximum match distance
     CHECK(comes_back(gradient(12000, 3)));
-    CHECK(comes_back(Image(700, 9000)));  // rows that repeat fill more than one block
+    CHECK(comes_back(Image(700, 9000)));  // several blocks
   }
 
   TEST_CASE("flat colours make small files") {
@@ -118,8 +116,8 @@ TEST_SUITE("unit") {
     const std::string bytes = text_of(folder / "a.png");
     CHECK(bytes == text_of(folder / "b.png"));
     REQUIRE(bytes.size() > 26);
-    CHECK(bytes[24] == 8);  // bits per channel
-    CHECK(bytes[25] == 2);  // colour type RGB
+    CHECK(bytes[24] == 8);
+    CHECK(bytes[25] == 2);
   }
 
   TEST_CASE("the bytes of a picture do not depend on those that were encoded before") {
@@ -129,14 +127,14 @@ TEST_SUITE("unit") {
     CHECK(encode_png(gradient(400, 300)) == first);
   }
 
-  TEST_CASE("a picture replaces the one of that name") {
+  TEST_CASE("a picture replaces the file of that name") {
     const TemporaryFolder folder;
     write_png(gradient(9, 9), folder / "a.png");
     write_png(gradient(5, 4), folder / "a.png");
     CHECK(read_png(folder / "a.png") == gradient(5, 4));
   }
 
-  TEST_CASE("a folder that is missing") {
+  TEST_CASE("a missing folder is an error with the path of the picture") {
     const TemporaryFolder folder;
     try {
       write_png(gradient(4, 4), folder / "none/a.png");
@@ -147,17 +145,17 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("a name that is taken by a folder leaves nothing behind") {
+  TEST_CASE("a failed write to a name taken by a folder leaves nothing behind") {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "a.png");
     CHECK_THROWS_AS(write_png(gradient(4, 4), folder / "a.png"), OutputError);
     CHECK(files_in(folder.path()) == 1);
   }
 
-  TEST_CASE("a disk that is full leaves the old file and nothing else") {
+  TEST_CASE("a full disk leaves the old file and nothing else") {
     const TemporaryFolder folder;
     write_png(gradient(5, 4), folder / "a.png");
-    // fails while libpng writes, and (just) not before the last bytes leave the buffer
+    // fails at the flush, or during writing
     for (const rlim_t bytes : {rlim_t{0}, rlim_t{20000}}) {
       const FileSizeLimit limit(bytes);
       try {
@@ -171,7 +169,7 @@ TEST_SUITE("unit") {
     CHECK(read_png(folder / "a.png") == gradient(5, 4));
   }
 
-  TEST_CASE("what is no picture is refused") {
+  TEST_CASE("a file that is not a PNG picture is refused") {
     const TemporaryFolder folder;
     CHECK_THROWS_AS(read_png(folder / "missing.png"), UsageError);
     std::ofstream(folder / "text.png") << "this is a text, not a picture";
@@ -182,7 +180,7 @@ TEST_SUITE("unit") {
     CHECK_THROWS_AS(read_png(folder / "empty.png"), UsageError);
   }
 
-  TEST_CASE("a picture that is cut off is refused, wherever") {
+  TEST_CASE("a picture that is cut off anywhere is refused") {
     const TemporaryFolder folder;
     write_png(noise(40, 30), folder / "a.png");
     const std::string bytes = text_of(folder / "a.png");
@@ -198,7 +196,7 @@ TEST_SUITE("unit") {
     const TemporaryFolder folder;
     write_png(gradient(4, 4), folder / "a.png");
     std::string bytes = text_of(folder / "a.png");
-    bytes[18] = 0x4e, bytes[19] = 0x20;  // the width, big-endian: 20000
+    bytes[18] = 0x4e, bytes[19] = 0x20;  // width, big-endian: 20000
     const std::uint32_t sum = checksum(bytes.substr(12, 17));
     for (int i = 0; i < 4; ++i) bytes[29 + i] = static_cast<char>(sum >> (24 - 8 * i));
     std::ofstream(folder / "b.png", std::ios::binary) << bytes;
@@ -207,7 +205,7 @@ TEST_SUITE("unit") {
                          UsageError);
   }
 
-  TEST_CASE("a picture of more pixels than are read is refused before there is memory for them") {
+  TEST_CASE("a picture with more pixels than the limit is refused before memory is allocated") {
     const TemporaryFolder folder;
     write_png(gradient(4, 4), folder / "a.png");
     std::string bytes = text_of(folder / "a.png");

@@ -11,7 +11,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Of all that is not white at or right of a column.
+/// Non-white pixels right of `left` and above `bottom`.
 int painted_from(const Image& image, int left, int bottom) {
   int count = 0;
   for (int row = 0; row < bottom; ++row)
@@ -22,7 +22,7 @@ int painted_from(const Image& image, int left, int bottom) {
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("the label of a bar is shortened in its name, and keeps its unit with the power of ten") {
+  TEST_CASE("the label of a bar is shortened in its name, and keeps its unit and power of ten") {
     const Particles none;
     FrameView frame = none.frame();
     const std::string name(80, 'x');
@@ -32,19 +32,19 @@ TEST_SUITE("image") {
       with.range = {0, factor}, frame.unit = unit;
       return Image(Renderer(with).draw(frame));
     };
-    // numbers are the same: what they are numbers of is seen
+    // equal numbers, different labels
     for (const std::string_view unit : {"", "1/s"}) CHECK_FALSE(drawn(1e6, unit) == drawn(1e9, unit));
     CHECK_FALSE(drawn(1, "kg/m³") == drawn(1, "1/s"));
     CHECK_FALSE(drawn(1e6, "Pa") == drawn(1e3, "Pa"));
     const PageLayout layout = make_layout(320, 180, unit_view);
     const Image image = drawn(1e6, "kg/m³");
-    int beyond = 0;  // of what the bar has beside it
+    int beyond = 0;
     for (int row = layout.key.y + layout.key.height + 4; row < 180; ++row)
       for (int column = layout.key.x + 20; column < 320; ++column) beyond += image.at(column, row) != white;
     CHECK(beyond == 0);
   }
 
-  TEST_CASE("a bar whose unit finds no room has no numbers either") {
+  TEST_CASE("a bar whose unit does not fit has no numbers") {
     Particles none;
     FrameView frame = none.frame();
     frame.field = "von Mises stress",
@@ -60,7 +60,7 @@ TEST_SUITE("image") {
     CHECK(painted == 0);
   }
 
-  TEST_CASE("numbers of any width and the label stand in the picture, beside each other") {
+  TEST_CASE("numbers of any width and the label fit into the picture beside each other") {
     Particles none;
     const auto right_of = [&](const Range& range, std::string_view unit, int width, int height) {
       Look with = look(width, height, unit_view);
@@ -78,7 +78,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("a panel too has room for wide numbers") {
+  TEST_CASE("a panel has room for wide numbers") {
     PanelOptions options;
     options.columns = {{"a", ""}}, options.rows = {"t = 1 s"};
     options.field = "density", options.unit = "kg/m³";

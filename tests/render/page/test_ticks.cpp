@@ -20,7 +20,7 @@ std::string labels(const Ticks& ticks) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("tick labels") {
+  TEST_CASE("tick labels have the decimals that tell them apart, and a common unit") {
     CHECK(labels(nice_ticks(0, 2e6, "Pa", 5)) == "0.0 0.5 1.0 1.5 2.0 MPa");
     CHECK(labels(nice_ticks(0, 1.93e6, "Pa", 5)) == "0.0 0.5 1.0 1.5 MPa");
     CHECK(labels(nice_ticks(-0.05, 0.05, "m", 5)) == "−40 −20 0 20 40 mm");
@@ -31,7 +31,7 @@ TEST_SUITE("unit") {
     CHECK(labels(nice_ticks(-2e9, -1e9, "Pa", 3)) == "−2.0 −1.5 −1.0 GPa");
   }
 
-  TEST_CASE("ticks lie in the range, evenly, no more than asked for") {
+  TEST_CASE("ticks lie evenly in the range and do not exceed the requested number") {
     for (const double low : {-7.3e-4, -1.0, 0.0, 3.0, 99.7}) {
       for (const double length : {1e-3, 0.37, 1.0, 42.0, 1e5}) {
         for (const int most : {2, 3, 5, 8, 12}) {
@@ -59,7 +59,7 @@ TEST_SUITE("unit") {
     CHECK(nice_ticks(0, 1.0 / 0.0, "Pa", 5).at.empty());
   }
 
-  TEST_CASE("prefixes") {
+  TEST_CASE("a value gets the SI prefix of its unit, and a compound unit a power of ten") {
     CHECK(scale_for(2e6, "Pa").unit == "MPa");
     CHECK(scale_for(1000, "m").unit == "km");
     CHECK(scale_for(999.99, "m").unit == "m");
@@ -68,13 +68,13 @@ TEST_SUITE("unit") {
     CHECK(scale_for(3e5, "s").unit == "s");
     CHECK(scale_for(1e-30, "m").unit == "fm");
     CHECK(scale_for(0, "m").unit == "m");
-    // a prefix would be squared, or the second one
+    // a prefix would apply to the square, or only to the first unit
     CHECK(scale_for(1e-6, "m²").unit == "10⁻⁶ m²");
     CHECK(scale_for(12000, "kg/m³").unit == "10³ kg/m³");
     CHECK(scale_for(0.5, "rad").unit == "rad");
   }
 
-  TEST_CASE("numbers and times") {
+  TEST_CASE("numbers are formatted with fixed decimals, and times with their unit") {
     CHECK(format_fixed(-0.0004, 2) == "0.00");
     CHECK(format_fixed(-1.25, 1) == "−1.2");
     CHECK(format_time(0.005004) == "t = 5.004 ms");
@@ -84,7 +84,7 @@ TEST_SUITE("unit") {
     CHECK(format_time(1.5, 2) == "t = 1.500 s");
   }
 
-  TEST_CASE("the length of a scale bar") {
+  TEST_CASE("the length of a scale bar is 1, 2 or 5 times a power of ten and does not exceed its limit") {
     CHECK(nice_length(0.037) == Approx(0.02));
     CHECK(nice_length(0.05) == Approx(0.05));
     CHECK(nice_length(0.1) == Approx(0.1));

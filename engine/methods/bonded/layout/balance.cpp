@@ -19,13 +19,13 @@ namespace {
 using Vector = Eigen::Vector2d;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Residual force over the force of a bond at a strain of 1; the rest is round-off.
+/// Relative residual force at strain 1; less is round-off.
 constexpr double balanced = 1e-12;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Vector vector(const Point& p) { return {p[0], p[1]}; }
 
-/// N = A Ω Aᵀ as an operator, and its diagonal. N itself couples particles up to four bonds apart.
+/// The operator N = A Ω Aᵀ.
 class NormalMatrix {
  public:
   NormalMatrix(const Rows& A, const Eigen::VectorXd& omega, int threads)
@@ -61,9 +61,7 @@ class NormalMatrix {
   Eigen::VectorXd between_;
 };
 
-/// Solves A Ω Aᵀ α = r by conjugate gradients. The preconditioner is a Cholesky factor of the slightly shifted matrix,
-/// or for a large matrix, whose factor would cost minutes, the diagonal. Where rows contradict each other by round-off,
-/// as near a re-entrant corner, r grows from some step on; the result is the best α before.
+/// Solves A Ω Aᵀ α = r by preconditioned conjugate gradients. Inconsistent rows let r grow; returns the best α.
 Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen::VectorXd r, int threads) {
   constexpr Eigen::Index largest_factor = 12000;
   NormalMatrix N(A, omega, threads);
@@ -102,14 +100,14 @@ Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen:
 }
 
 constexpr int far = 12;                        // bonds
-constexpr int strains = 3;                     // of the plane
+constexpr int strains = 3;                     // in the plane
 double stretch(int strain, const Vector& e) {  // e·H e for unit ε_xx, ε_yy, ε_xy
   return strain == 0 ? e[0] * e[0] : strain == 1 ? e[1] * e[1] : e[0] * e[1];
 }
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-/// The bonds of one body. Bonds that a turn of the layout maps onto each other share one unknown.
+/// One body; bonds related by a rotation of the layout share unknowns.
 class Sector {
  public:
   Sector(const InitialParticles& initial, const Constraints& constraints, Bonds& bonds, int body,
@@ -126,7 +124,7 @@ class Sector {
     find_inside();
   }
 
-  /// Solves for ξ, η of each pair: a_ij = (1 + ξ) α X + η α X⊥, the same from both ends.
+  /// Changes a_ij to (1 + ξ) α X + η α X⊥.
   void balance_areas() {
     find_faces();
     std::vector<int> owner(2 * classes_, first_);
@@ -137,11 +135,11 @@ class Sector {
                  [&](int i, int row, Entries& entries, std::vector<double>& target) {
                    add_area_rows(i, row, entries, target);
                  });
-    // relative change of a_ij; beyond, gradients get so steep that corrected volumes turn negative
+    // relative change; more makes corrected volumes negative
     constexpr double greatest = 6, greatest_irregular = 2.25;
     const double most = change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0;
     if (!irregular_ && most > greatest) return;
-    // squared: the larger the change, the worse it works
+    // squared, since larger changes work worse
     if (irregular_ && most > greatest_irregular) change *= std::pow(greatest_irregular / most, 2);
     parallel_for(end() - begin(), threads_, [&](int k) {
       const int b = begin() + k;
@@ -158,7 +156,7 @@ class Sector {
         owner[class_[b - begin()]] = i;
         w[class_[b - begin()]] = bonds_.rows[b].weight;
       });
-    const Eigen::VectorXd omega = w.cwiseMax(0.5);  // a bond of weight 0 may change
+    const Eigen::VectorXd omega = w.cwiseMax(0.5);  // bonds of weight 0 may change
     least_change(w, omega, owner, [&](int i, int row, Entries& entries, std::vector<double>& target) {
       add_force_rows(i, row, entries, target);
     });
@@ -195,7 +193,7 @@ class Sector {
       const int i = first_ + k;
       for_each_bond(i, [&](int b) { image[b - begin()] = find(turned_[i], turned_[bonds_.j[b]]); });
     });
-    if (std::ranges::count(image, -1) > 0) {  // by round-off the image lacks a bond
+    if (std::ranges::count(image, -1) > 0) {  // round-off removed a bond
       std::iota(turned_.begin(), turned_.end(), 0);
       std::iota(image.begin(), image.end(), begin());
     }
@@ -227,8 +225,7 @@ class Sector {
       inside_[k] = inside;
     });
   }
-  /// The normal of the face near a particle is the sum of the surfaces S_j up to some bonds away. The face is flat where
-  /// they point the same way.
+  /// Finds flat faces, where nearby surfaces S_j are parallel.
   void find_faces() {
     const int n = last_ - first_;
     along_face_.assign(n, Vector::Zero());
@@ -263,7 +260,6 @@ class Sector {
       along_face_[k] = Vector(-N[1], N[0]).normalized();
     }
   }
-  /// Calls f(b) for each bond b of particle i.
   template <class F>
   void for_each_bond(int i, const F& f) const {
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) f(b);
@@ -273,10 +269,11 @@ class Sector {
     B << bonds_.B[i][0][0], bonds_.B[i][0][1], bonds_.B[i][1][0], bonds_.B[i][1][1];
     return initial_.V0[i] * B;
   }
-  /// Rows: Σ_j a_ij ⊗ X_ij keeps its value; inside, Σ_j (V_i B_i + V_j B_j) a_ij = 0; near a face, its tangential part.
+  /// Adds rows that keep Σ_j a_ij ⊗ X_ij and, inside, make Σ_j (V_i B_i + V_j B_j) a_ij = 0; near faces only its
+  /// tangential part.
   void add_area_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     const Eigen::Matrix2d mine = area_of_unit(i);
-    const double scale = mine.trace() / (2 * initial_.V0[i]);  // of B
+    const double scale = mine.trace() / (2 * initial_.V0[i]);
     const double spacing = std::sqrt(initial_.V0[i]);
     const bool inside = inside_[i - first_];
     const Vector& along_face = along_face_[i - first_];
@@ -300,8 +297,7 @@ class Sector {
     if (inside) target.insert(target.end(), {-left_over[0], -left_over[1]});
     if (near_face) target.push_back(-along_face.dot(left_over));
   }
-  /// Rows: the force on i of the bonds and the cancellation, over G and the spacing, is 0 inside; in an irregular body
-  /// wherever i is not at the surface.
+  /// Adds rows for zero force of bonds and cancellation on i.
   void add_force_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     if (irregular_ ? at_surface_[i - first_] : !inside_[i - first_]) return;
     const double spacing = std::sqrt(initial_.V0[i]);
@@ -326,7 +322,7 @@ class Sector {
     });
     target.insert(target.end(), 2 * strains, 0.0);
   }
-  /// Returns the distance of each particle of the body from the nearest of `particles`, in bonds, at most `far`.
+  /// Returns the number of bonds to the nearest of `particles`, at most `far`.
   std::vector<int> steps_from(const std::vector<int>& particles) const {
     std::vector<int> steps(last_ - first_, far), edge = particles, next;
     for (const int i : edge) steps[i - first_] = 0;
@@ -340,9 +336,8 @@ class Sector {
     }
     return steps;
   }
-  /// Adds to x the change of least Σ (Δx)²/ω that satisfies the rows of each chosen particle, near the rows not satisfied
-  /// yet. `add_rows(i, first row, entries, targets)` gives rows with unknowns of i and its neighbours only; `owner` is a
-  /// particle of each unknown. Leaves x as it is if the residual does not fall.
+  /// Changes x by minimum Σ (Δx)²/ω to satisfy the rows. `add_rows(i, first row, entries, targets)` may use unknowns
+  /// of i and neighbours; `owner` is a particle of each unknown. Keeps x if the residual does not decrease.
   template <class AddRows>
   void least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, const std::vector<int>& owner,
                     const AddRows& add_rows) const {
@@ -362,7 +357,7 @@ class Sector {
       if (residual() > balanced) unbalanced.push_back(i);
     }
     if (unbalanced.empty()) return;
-    for (std::size_t k = 0, n = unbalanced.size(); k < n; ++k)  // and their images
+    for (std::size_t k = 0, n = unbalanced.size(); k < n; ++k)
       for (int i = turned_[unbalanced[k]]; i != unbalanced[k]; i = turned_[i]) unbalanced.push_back(i);
     const std::vector<int> steps = steps_from(unbalanced);
     entries.clear(), target.clear();
@@ -376,7 +371,6 @@ class Sector {
     const Eigen::VectorXd change = omega.asDiagonal() * (A.transpose() * solve_normal(A, omega, r, threads_));
     if (change.allFinite() && (r - A * change).cwiseAbs().maxCoeff() < before) x += change;
   }
-  /// Returns the first of the two unknowns of a pair, the same from both ends.
   int pair(int b) const { return 2 * std::min(class_[b - begin()], class_[reverse_[b - begin()] - begin()]); }
 
   const InitialParticles& initial_;
@@ -384,14 +378,14 @@ class Sector {
   Bonds& bonds_;
   bool irregular_;
   int threads_;
-  int first_, last_;                  // particles of the body
-  std::vector<int> turned_;           // InitialParticles::turned, or each itself
+  int first_, last_;                  // of the body
+  std::vector<int> turned_;           // InitialParticles::turned or identity
   std::vector<int> reverse_, class_;  // [bond − begin()]
   int classes_ = 0;
   // [particle − first_]
   std::vector<unsigned char> at_surface_, inside_;
-  std::vector<Vector> along_face_;  // unit tangent near a flat face of an irregular body, else 0
-  std::vector<int> chosen_;         // one particle of each orbit of the turn
+  std::vector<Vector> along_face_;  // unit tangent near flat faces, else 0
+  std::vector<int> chosen_;         // one particle per orbit of the rotation
 };
 
 }  // namespace

@@ -7,8 +7,7 @@
 
 namespace taut {
 
-/// Balances the bonds inside 2D bodies: changes the a_ij and then the w_ij as little as possible so that a homogeneous
-/// strain leaves no force (THEORY.md, Balance). A lattice stays as it is.
+/// See THEORY.md, Balance.
 void balance(const InitialParticles& initial, const Constraints& constraints,
              const std::vector<bool>& irregular, Bonds& bonds, int threads);
 

@@ -14,16 +14,16 @@
 namespace taut {
 namespace {
 
-/// Returns c |X|²/V0 of THEORY.md, Faces.
+/// Returns c |X|²/V0 (THEORY.md, Faces).
 double lacking_along_free_face(const Material& material) {
   const double G = material.shear_modulus(), lambda = material.bulk_modulus() - 2.0 / 3 * G,
                thinner = lambda / (lambda + 2 * G);
   return 1.1 * 5 / 16 * (1.5 - thinner - 1.5 * thinner * thinner);
 }
 
-/// Returns the neighbour of i in the direction d, or −1.
+/// Returns −1 if none.
 int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
-  constexpr double nearly = 0.99;  // the cosine
+  constexpr double nearly = 0.99;  // cosine
   int found = -1;
   bonds.for_each(i, [&](int j, const ReferenceBond& bond) {
     const Eigen::Vector2d X = vector_of<2>(bond.X);
@@ -32,7 +32,7 @@ int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
   return found;
 }
 
-/// Face terms of particles that have five of the eight nearest, as on a straight face, away from other materials.
+/// Face terms of particles with five of the eight nearest, away from other materials.
 std::vector<FaceTerm> make_face_terms(const Scene& scene, const InitialParticles& initial, const Bonds& uncut,
                                       const std::vector<Point>& S) {
   constexpr int inside = 8, at_face = 5;
@@ -63,7 +63,6 @@ std::vector<FaceTerm> make_face_terms(const Scene& scene, const InitialParticles
   return terms;
 }
 
-/// Turns the bonds of unconstrained bodies into bonds with volumes and masses that end at clamps.
 template <int Dim>
 class BondFinisher {
  public:
@@ -86,7 +85,7 @@ class BondFinisher {
   }
 
  private:
-  /// Divisors of dp²: of particles in the middle of cells, and of particles that stand on faces.
+  /// Divisors of dp².
   struct EndCorrection {
     double cells, on_faces;
   };
@@ -95,7 +94,7 @@ class BondFinisher {
   bool is_on_faces(int i) const { return scene_.bodies[initial_.body[i]].on_boundary; }
   bool is_deformable(int i) const { return !is_rigid(constraints_[i]) || is_on_faces(i); }
 
-  /// Returns V_k = V0_k + Σ_j D_j²/divisor S_j · (g_jk − δ_jk Σ_l g_jl); D_j is the edge of the cell of j.
+  /// Returns V of THEORY.md, Volumes and masses.
   std::vector<double> with_end_correction(const Bonds& bonds, const std::vector<InverseMoment>& B,
                                           const std::vector<Point>& S, const EndCorrection& by) const {
     std::vector<double> V = initial_.V0;
@@ -130,8 +129,7 @@ class BondFinisher {
       out.begin.push_back(static_cast<int>(out.j.size()));
     }
   }
-  /// Appends the bonds of i, shortened at the face of a clamp. Their a_ij grow by as much, so that F_i is exact for a
-  /// linear displacement that continues behind the face.
+  /// Appends bonds of i, shortened at clamps; a_ij grows to keep F_i exact.
   void cut(const Bonds& uncut, int i, Bonds& out) const {
     if (!is_deformable(i)) return;
     uncut.for_each(i, [&](int j, ReferenceBond bond) {
@@ -147,7 +145,6 @@ class BondFinisher {
       out.rows.push_back(bond);
     });
   }
-  /// Returns the share of the way X from particle i that lies before the rigid region.
   double share_before_clamp(int i, const Point& X) const {
     const Body& body = scene_.bodies[initial_.body[i]];
     const auto is_in_clamp = [&](const Point& x) {
@@ -162,7 +159,7 @@ class BondFinisher {
       for (int k = 0; k < Dim; ++k) x[k] += share * X[k];
       (is_in_clamp(x) ? inside : free) = share;
     }
-    constexpr double shortest = 0.4;  // in spacings: a shorter bond would require shorter steps
+    constexpr double shortest = 0.4;  // in spacings; shorter bonds need shorter steps
     return std::min(1.0, std::max(inside, shortest * scene_.spacing / vector_of<Dim>(X).norm()));
   }
 

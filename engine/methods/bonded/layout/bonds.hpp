@@ -12,17 +12,17 @@
 
 namespace taut {
 
-/// A bond in the reference configuration, seen from one of its ends, i.
+/// A bond in the reference configuration, seen from end i.
 struct ReferenceBond {
-  Point X;        // from i to the other end, m: particle j, or the point where the bond enters a clamp
-  double weight;  // w_ij; 0 where only j selected the bond
-  Point area;  // a_ij = −a_ji, over the share of X_ij before a clamp; off a lattice in 3D of single precision
+  Point X;        // from i to j or to the face of a clamp, m
+  double weight;  // w_ij; 0 if only j selected the bond
+  Point area;     // a_ij = −a_ji over the share of X_ij; float if off-lattice in 3D
 };
 
-/// Inverse moment B = (Σ_j a_ij ⊗ X_ij)⁻¹ of a particle, column by column.
+/// B = (Σ_j a_ij ⊗ X_ij)⁻¹, column by column.
 using InverseMoment = std::array<Point, 3>;
 
-/// Returns the gradient vector g_ij = B a_ij, in 1/m.
+/// Returns g_ij = B a_ij, 1/m.
 inline Point gradient_of(const InverseMoment& B, const ReferenceBond& bond) {
   Point g{};
   for (std::size_t k = 0; k < g.size(); ++k)
@@ -30,7 +30,7 @@ inline Point gradient_of(const InverseMoment& B, const ReferenceBond& bond) {
   return g;
 }
 
-/// A term that particle i cancels at a face besides its bonds, as if for one more bond along t (THEORY.md, Faces).
+/// A cancelled bond along t (THEORY.md, Faces).
 struct FaceTerm {
   int i;
   Point t;
@@ -39,24 +39,22 @@ struct FaceTerm {
 
 struct SolidGeometry;
 
-/// Pairs of particles of one body that act on each other, seen from both ends; they never change. Clamped particles
-/// have no bonds of their own, unless they stand on the face of a clamp. THEORY.md derives the choices.
+/// Pairs of a body, from both ends. Clamped particles have bonds only on faces of clamps.
 struct Bonds {
-  std::vector<int> begin;           // [n + 1] first bond of each particle
-  std::vector<int> j;               // the other particle
-  std::vector<ReferenceBond> rows;  // the bonds of each particle are contiguous
-  std::vector<int> row;  // [n] first of its bonds in `rows`; −1: `solid` computes them; empty: as `begin`
-  std::shared_ptr<const SolidGeometry> solid;  // in 3D
-  bool off_lattice = false;      // some particles are off-lattice; their highest frequency must be estimated
-  Constraints constraints;       // [n]
-  std::vector<InverseMoment> B;  // [n]; 0 where the bonds (nearly) lie on a line
-  std::vector<double> volume;    // [n] V, m^dim, which weights the energy
-  std::vector<double> mass;      // [n] over the density, m^dim
-  std::vector<FaceTerm> face_terms;  // sorted by particle; in 2D
+  std::vector<int> begin;  // [n + 1] first bonds
+  std::vector<int> j;
+  std::vector<ReferenceBond> rows;  // contiguous per particle
+  std::vector<int> row;             // [n] first of `rows`; −1: use `solid`; empty: as `begin`
+  std::shared_ptr<const SolidGeometry> solid;
+  bool off_lattice = false;          // the highest frequency must be estimated
+  Constraints constraints;           // [n]
+  std::vector<InverseMoment> B;      // [n]; 0 for collinear bonds
+  std::vector<double> volume;        // [n] m^dim, for the energy
+  std::vector<double> mass;          // [n] mass over density, m^dim
+  std::vector<FaceTerm> face_terms;  // sorted by particle; 2D
 
   int size() const { return static_cast<int>(begin.size()) - 1; }
   bool is_rigid(int i) const { return taut::is_rigid(constraints[i]); }
-  /// Returns bond b, which must be a bond of particle i.
   ReferenceBond of(int i, int b) const {
     return row.empty() ? rows[b] : row[i] < 0 ? in_solid(i, b) : rows[row[i] + b - begin[i]];
   }
@@ -64,9 +62,8 @@ struct Bonds {
     return {std::ranges::lower_bound(face_terms, i, {}, &FaceTerm::i),
             std::ranges::upper_bound(face_terms, i, {}, &FaceTerm::i)};
   }
-  /// Returns g_ij, in 1/m: Σ_j (f_j − f_i) g_ij is the gradient of f at i.
+  /// Returns g_ij, 1/m: ∇f = Σ_j (f_j − f_i) g_ij.
   Point gradient(int i, int b) const { return gradient_of(B[i], of(i, b)); }
-  /// Calls f(j, bond) for each bond of i.
   template <class F>
   void for_each(int i, const F& f) const {
     for (int b = begin[i]; b < begin[i + 1]; ++b) f(j[b], of(i, b));
@@ -82,15 +79,13 @@ inline Bonds make_bonds(const Scene& scene, const InitialParticles& initial, dou
   return make_bonds(scene, initial, make_constraints(scene, initial), h);
 }
 
-/// Returns the modulus that stands for G in bonds of this material, in Pa (terms/bond.hpp).
+/// Returns the modulus used as G in bonds, Pa (terms/bond.hpp).
 double modulus_of_bonds(int dim, const Elasticity& m);
-/// Returns G of bond b of particle i, in Pa: the harmonic mean of both ends, since the halves are springs in series. A
-/// rigid particle takes the modulus of the particle it is bonded to.
+/// Returns the harmonic mean of both ends, Pa, as springs in series. A rigid end takes the other's modulus.
 double modulus_of_bond(const Bonds& bonds, const InitialParticles& initial,
                        const std::vector<Elasticity>& materials, int i, int b);
 
-/// Returns the surface that belongs to each particle, S_j = Σ_i (V_i g_ij − V_j g_ji); 0 inside a lattice. A uniform
-/// stress pushes against it.
+/// Returns S_j (THEORY.md, Volumes and masses).
 std::vector<Point> surface(const Bonds& bonds);
 
 inline constexpr double least_bond_reach = 2, wide_bond_reach = 2.625;  // in h

@@ -11,7 +11,7 @@ namespace {
 template <int Dim>
 bool is_single_row(const std::vector<Vec<double, Dim>>& beside) {
   if constexpr (Dim == 2) return beside.empty();
-  constexpr double sine = 0.3;  // the row of a round edge is bent
+  constexpr double sine = 0.3;  // rows at round edges are bent
   return std::ranges::all_of(beside, [&](const Vec<double, Dim>& d) {
     const double along = dot(d, beside[0]), both = dot(d, d) * dot(beside[0], beside[0]);
     return both - along * along <= sine * sine * both;
@@ -43,7 +43,7 @@ Constraints make_constraints(const Scene& scene, const InitialParticles& initial
   for (int i = 0; i < initial.size(); ++i) {
     const Body& body = scene.bodies[initial.body[i]];
     const int drive = initial.drive[i];
-    // the half cells before a driven face are part of the body, and show their stress
+    // half cells before a driven face can deform
     if (drive >= 0 && !body.on_boundary && !lets_go(body.drives[drive], scene))
       constraints[i] = Constraint::driven;
     else if (initial.held[i])

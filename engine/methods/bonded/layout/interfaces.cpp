@@ -19,7 +19,6 @@ using Square = Eigen::Matrix3d;
 Place column(const Point& p) { return Eigen::Map<const Place>(p.data()); }
 Point point(const Place& v) { return {v[0], v[1], v[2]}; }
 
-/// One term of a gradient on one side.
 struct SideGradient {
   int j;
   Place g;  // 1/m
@@ -50,7 +49,7 @@ class InterfaceMaker {
 
  private:
   bool is_across(int i, int j) const { return taut::is_across(bonds_, initial_, materials_, i, j); }
-  /// Returns nothing if i is bonded to no other material, to several, or to a clamp.
+  /// Returns nothing near clamps or two other materials.
   std::optional<int> other_material(int i) const {
     std::optional<int> other;
     if (bonds_.is_rigid(i) || !(bonds_.B[i][0][0] > 0)) return {};
@@ -63,10 +62,9 @@ class InterfaceMaker {
     }
     return other;
   }
-  /// Returns the normal of the plane through the middles of the bonds across, of i and its neighbours; nothing if they do
-  /// not lie on a plane.
+  /// Normal of the plane through midpoints of bonds across, if planar.
   std::optional<Place> normal(int i, int other) const {
-    // greatest ratio of the variances across and along the plane; with 0.15 some discs flew apart
+    // maximum ratio of variances; discs fail at 0.15
     constexpr double flat = 0.08;
     std::vector<Place> middles;
     Place mean = Place::Zero(), towards = Place::Zero();
@@ -88,7 +86,7 @@ class InterfaceMaker {
     for (const Place& one : middles)
       for (int a = 0; a < 3; ++a)
         for (int c = a; c < 3; ++c) spread(a, c) += (one - mean)[a] * (one - mean)[c];
-    if (initial_.dim == 2) spread(2, 2) = 2 * (spread(0, 0) + spread(1, 1));  // along
+    if (initial_.dim == 2) spread(2, 2) = 2 * (spread(0, 0) + spread(1, 1));  // cannot be the normal
     const Principal axes = principal_axes(spread);
     std::array<int, 3> order{0, 1, 2};
     std::ranges::sort(order, {}, [&](int k) { return axes.value[k]; });
@@ -97,10 +95,9 @@ class InterfaceMaker {
     const Place N{axis[0], axis[1], initial_.dim == 2 ? 0 : axis[2]};
     return N.dot(towards) < 0 ? -N : N;
   }
-  /// Returns the gradient at i from bonds within its material; nothing where they hardly determine it, as at the narrow
-  /// end of a wedge: with steep gradients the energy would have no minimum.
+  /// Returns nothing if the gradient is poorly determined, because the energy would lack a minimum.
   std::vector<SideGradient> own_gradient(int i) const {
-    constexpr double least = 0.5;  // det A over the determinant of the isotropic A; flat sides have 0.84
+    constexpr double least = 0.5;  // det A over isotropic A; flat sides have 0.84
     Square A = Square::Zero();
     std::vector<SideGradient> entries;
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
@@ -152,14 +149,13 @@ class InterfaceMaker {
     for (const auto& [j, weight] : beta) out_.j.push_back(j), out_.weight.push_back(weight);
     out_.begin.push_back(static_cast<int>(out_.j.size()));
   }
-  /// Estimates the wave speed from the row sums of the stiffness of the sites over the masses: on a lattice of one
-  /// material the root of a row sum is the wave speed times the dimension over the spacing.
+  /// Estimates the speed from row sums of stiffness over mass, (speed · dimension/spacing)² on lattices.
   double wave_speed() const {
     std::vector<double> stiffness(bonds_.begin.size() - 1);  // N/m
     for (std::size_t s = 0; s < out_.sites.size(); ++s) {
       const Interfaces::Site& site = out_.sites[s];
       const Place m = column(site.m), beyond = m - column(site.N);
-      std::map<int, std::pair<Place, Place>> slopes;  // of both deformations along N, in each x_p
+      std::map<int, std::pair<Place, Place>> slopes;  // derivatives of both deformations along N
       const auto add = [&](int j, const Place& own, const Place& other) {
         for (const auto& [p, sign] : {std::pair{j, 1.0}, std::pair{site.id, -1.0}}) {
           auto& of = slopes.try_emplace(p, Place::Zero(), Place::Zero()).first->second;

@@ -7,33 +7,31 @@
 
 namespace taut {
 
-inline constexpr double greatest_across = 8;  // G of the own material in bonds across, over G of the bond
+inline constexpr double greatest_across = 8;  // maximum own G over G_ij
 
-/// Particles beside another material, whose deformation has a kink there (THEORY.md, Interfaces). A particle has a site
-/// unless the normal is not determined (a corner of an inclusion, three materials), a side is one layer thin, or it is
-/// bonded to a clamp. Materials that differ in their density alone have no interface.
+/// Particles with a kink (THEORY.md, Interfaces), unless normals are unclear, a side is one layer thin, a clamp is
+/// near, or only densities differ.
 struct Interfaces {
   struct Site {
-    int id;        // of the particle
-    int other;     // material beyond
-    double share;  // θ, of the other material
+    int id;
+    int other;
+    double share;  // θ
     Point N, m;
   };
   std::vector<Site> sites;
-  std::vector<int> begin;      // [sites + 1] first of the β_ij of each
-  std::vector<int> j;          // particle
+  std::vector<int> begin;  // [sites + 1] first β_ij
+  std::vector<int> j;
   std::vector<double> weight;  // β_ij, 1/m
-  double wave_speed = 0;       // m/s: steps that this speed allows are stable for all neighbours of sites
+  double wave_speed = 0;       // limits the time step, m/s
 };
 Interfaces make_interfaces(const InitialParticles& initial, const std::vector<Elasticity>& materials,
                            const Bonds& bonds, double spacing);
 
-/// A bond of a particle with a site.
 struct SiteBond {
   int j;
-  Point g, e;                     // g_ij, 1/m; direction at the start
+  Point g, e;                     // g_ij, 1/m; initial direction
   double per_r0_squared;          // 1/m²
-  double strength, own_strength;  // G V0_i w_ij, J; with the G of its own material, limited by the bond's
+  double strength, own_strength;  // G V0_i w_ij, J; with the own G, limited
   bool is_across;
 };
 std::vector<SiteBond> site_bonds(const Bonds& bonds, const InitialParticles& initial,

@@ -15,7 +15,6 @@
 namespace taut {
 namespace {
 
-/// Makes the bonds step by step: selects them, then sets their geometry, then balances them.
 class LayoutBonds {
  public:
   LayoutBonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
@@ -44,10 +43,10 @@ class LayoutBonds {
   }
 
  private:
-  /// Least strength of a pair, (V_i w_ij + V_j w_ji)/V_i, which is about 2; at a clamp of w_ij.
+  /// Minimum (V_i w_ij + V_j w_ji)/V_i; lattices have 2.
   static constexpr double least_strength = 0.4;
   static constexpr double not_selected = -1;
-  static constexpr double greatest_at_surface = 1;  // w of irregular bodies, the weight on a lattice
+  static constexpr double greatest_at_surface = 1;  // lattice weight
 
   void make_balanced() {
     select();
@@ -58,12 +57,11 @@ class LayoutBonds {
     balance(initial_, constraints_, irregular_, out_, threads_);
     changed_by_balance_ = !std::ranges::equal(out_.rows, unbalanced_, {}, &ReferenceBond::weight);
   }
-  struct Selection {  // of one particle
+  struct Selection {
     std::vector<Eigen::Vector2d> X;
     std::vector<double> w;
     std::vector<std::size_t> pairs;
   };
-  /// Selects the bonds of each particle and their weights.
   void select() {
     const Moments<2> moments;
     selected_.assign(near_.j.size(), not_selected);
@@ -72,7 +70,7 @@ class LayoutBonds {
       for (int i = first; i < last; ++i) select(i, moments, own);
     });
   }
-  /// At the surface of an irregular body the bonds have one weight, with which they are nowhere stiffer than the solid.
+  /// Irregular bodies have equal surface weights.
   void select(int i, const Moments<2>& moments, Selection& own) {
     std::vector<Eigen::Vector2d>& X = own.X;
     std::vector<double>& w = own.w;
@@ -90,12 +88,11 @@ class LayoutBonds {
         return store();
       }
       const bool right = moments.make_right(X, w);
-      if (!right && reach > least) continue;  // the first choice remains if none is right
+      if (!right && reach > least) continue;  // keeps the first choice if none is right
       store();
       if (right) return;
     }
   }
-  /// Selects the neighbours nearer than `reach` h, with initial weights.
   void select_within(double reach, int i, Selection& own) const {
     const std::span<const int> near = near_[i];
     own.X.clear(), own.w.clear(), own.pairs.clear();
@@ -107,7 +104,7 @@ class LayoutBonds {
       own.pairs.push_back(near_.begin[i] + k);
     }
   }
-  /// Makes every bond that at least one of its ends selected.
+  /// Creates bonds that either end selected.
   void set_ends() {
     const auto is_selected = [&](std::size_t pair, std::size_t back) {
       return selected_[pair] != not_selected || selected_[back] != not_selected;
@@ -141,8 +138,7 @@ class LayoutBonds {
       }
     });
   }
-  /// Returns the bodies in which the balance left a pair below this strength. Irregular bodies are exempt: they reach
-  /// far already, and a few pairs of negative strength do less harm there than no balance.
+  /// Irregular bodies are exempt, because no balance would be worse.
   std::vector<int> bodies_with_pair_below(double least) const {
     std::vector<unsigned char> below(initial_.size());
     parallel_for(initial_.size(), threads_, [&](int i) {
@@ -161,7 +157,7 @@ class LayoutBonds {
       const int* back = std::find(last - (out_.begin[j + 1] - out_.begin[j]), last, i);
       const double of_other = initial_.V0[j] / initial_.V0[i] * out_.rows[back - out_.j.data()].weight;
       const bool enough = is_rigid(constraints_[j])
-                              ? out_.rows[b].weight >= std::min(least, 0.0)  // its other bonds hold it
+                              ? out_.rows[b].weight >= std::min(least, 0.0)  // other bonds carry it
                               : out_.rows[b].weight + of_other >= least;
       if (!enough) return true;
     }
@@ -172,11 +168,11 @@ class LayoutBonds {
   const Constraints& constraints_;
   double spacing_, h_;
   int threads_;
-  NeighborLists near_;               // by id
+  NeighborLists near_;
   std::vector<bool> irregular_;      // [body]
-  std::vector<double> least_reach_;  // [body] of the bonds, in h
-  std::vector<double> selected_;     // [pair of near_] w_ij, or not_selected
-  std::vector<double> unbalanced_;   // weights before the balance
+  std::vector<double> least_reach_;  // [body] in h
+  std::vector<double> selected_;     // [pair] w_ij
+  std::vector<double> unbalanced_;
   bool changed_by_balance_ = false;
   Bonds out_;
 };

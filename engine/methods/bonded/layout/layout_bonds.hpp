@@ -4,8 +4,7 @@
 
 namespace taut {
 
-/// Returns balanced bonds in 2D that do not end at clamps yet, without volumes and masses. No two particles share a
-/// row. Lengths in m.
+/// Returns balanced 2D bonds, not cut at clamps, without volumes and masses. Lengths in m.
 Bonds layout_bonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
                    int threads);
 

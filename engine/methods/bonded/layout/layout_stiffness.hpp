@@ -13,8 +13,7 @@
 
 namespace taut {
 
-/// Returns the greatest eigenvalue of a symmetric tridiagonal matrix: above it all pivots of T − λ are negative. NaN if
-/// an entry is NaN. `beside` has one entry less than the diagonal.
+/// Returns the maximum eigenvalue of the symmetric tridiagonal matrix with off-diagonal `beside`; NaN for NaN.
 inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside) {
   const std::size_t n = diagonal.size();
   const auto is_above = [&](double lambda) {
@@ -36,7 +35,7 @@ inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std
   return 0.5 * (low + high);
 }
 
-/// Returns a pseudo-random number from −1 to 1, the same with every compiler (splitmix64 of k).
+/// Pseudo-random number in −1 … 1.
 inline double scattered(std::uint64_t k) {
   k = (k + 1) * 0x9e3779b97f4a7c15;
   k = (k ^ k >> 30) * 0xbf58476d1ce4e5b9;
@@ -44,7 +43,6 @@ inline double scattered(std::uint64_t k) {
   return static_cast<double>(k ^ k >> 31) * 0x1p-63 - 1;
 }
 
-/// Returns Σ a_i · b_i, the same for any number of threads.
 template <int Dim>
 double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double, Dim>>& b, int threads) {
   constexpr int stretch = 1024;
@@ -56,13 +54,12 @@ double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double,
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// Returns the greatest eigenvalue of a symmetric operator apply(u, out) on fields of n vectors, to about 0.5 % from
-/// below, by Lanczos steps from a fixed start. Vectors are orthogonal to the last two only: round-off then repeats
-/// eigenvalues, but adds no greater one.
+/// Returns the maximum eigenvalue of a symmetric operator apply(u, out), to 0.5 % from below, by Lanczos steps.
+/// Imperfect orthogonality only repeats eigenvalues.
 template <int Dim, class Apply>
 double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   constexpr int least = 14, most = 30;  // steps
-  constexpr double enough = 5e-4;       // relative growth in a step
+  constexpr double enough = 5e-4;       // relative growth per step
   using Field = std::vector<Vec<double, Dim>>;
   Field before(n), u(n), next(n);
   parallel_for(n, threads, [&](int i) {
@@ -85,9 +82,8 @@ double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   }
 }
 
-/// Returns ω² of the highest mode about the present positions, in 1/s²: the greatest eigenvalue of M^(−½) K M^(−½), K by
-/// differences of forces. `mobility`: 1/m in 1/kg, 0 of constrained particles; forces(u, out) computes the forces, in N,
-/// at displacements u of length `small` at most.
+/// Returns the highest ω², 1/s², from M^(−½) K M^(−½) with K from differences of forces. `mobility`: 1/kg, 0 if
+/// constrained; forces(u, out) in N, |u| ≤ `small` in m.
 template <int Dim, class Forces>
 double highest_frequency_squared(const std::vector<double>& mobility, double small, int threads,
                                  const Forces& forces) {

@@ -13,7 +13,7 @@
 namespace taut {
 namespace {
 
-/// Evenly distributed unit vectors, about 15 degrees apart.
+/// Unit vectors about 15 degrees apart.
 std::vector<Eigen::Vector3d> make_directions() {
   std::vector<Eigen::Vector3d> all;
   for (int x = -2; x <= 2; ++x)
@@ -23,8 +23,8 @@ std::vector<Eigen::Vector3d> make_directions() {
   return all;
 }
 
-/// Returns the greatest eigenvalue of the energy of the bonds as a quadratic form of the strain; of_bond(e) is the
-/// strain along e in the basis in which the isotropic solid has the identity.
+/// Maximum eigenvalue of the bonds' energy; of_bond(e) is the strain along e in the basis where the isotropic solid
+/// is the identity.
 template <int Strains, int Dim, class OfBond>
 double greatest_ratio(const std::vector<Eigen::Vector<double, Dim>>& X, const std::vector<double>& w,
                       const OfBond& of_bond) {
@@ -37,10 +37,9 @@ double greatest_ratio(const std::vector<Eigen::Vector<double, Dim>>& X, const st
   return Eigen::SelfAdjointEigenSolver<Square>(ratio, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
-/// Returns whether two neighbours are at the same distance, as in a row or a layer of a regular layout.
 bool has_equal_neighbors(const InitialParticles& initial, std::span<const int> near, int i, double spacing) {
-  constexpr double alike = 1e-11, farthest = 1.5;  // spacings
-  constexpr double ulps = 8;                       // of its coordinates
+  constexpr double alike = 1e-11, farthest = 1.5;  // in spacings
+  constexpr double ulps = 8;                       // of coordinates
   const Point& at = initial.x[i];
   double greatest = 0;
   for (const double coordinate : at) greatest = std::max(greatest, std::abs(coordinate));
@@ -68,7 +67,7 @@ std::vector<bool> irregular_bodies(const InitialParticles& initial, const Constr
     const auto rigid = std::count_if(&constraints[first], &constraints[first] + (end - first), is_rigid);
     const auto free = end - first - rigid,
                equal = std::count(&regular[first], &regular[first] + (end - first), 1) - rigid;
-    // in a hollow ball in layers, a cube made round, half of the particles have equal neighbours
+    // in layered balls only half of the particles have equal neighbours
     irregular.push_back((initial.dim == 3 ? 10 : 2) * equal < free);
   }
   return irregular;
@@ -80,7 +79,7 @@ double steep_share(double per_r) {
 }
 
 double even_share(double per_r) {
-  constexpr double reach_of_nearest = 1.3;  // spacings
+  constexpr double reach_of_nearest = 1.3;  // in spacings
   return 1 / (1 + 1 / steep_share(reach_of_nearest * per_r));
 }
 

@@ -27,7 +27,7 @@ constexpr double greatest_cost = 8;                                      // 1/dp
 template <int Dim>
 struct Neighbor {
   int id;
-  Eigen::Vector<double, Dim> X;  // from i, in dp
+  Eigen::Vector<double, Dim> X;  // from i, dp
 };
 template <int Dim>
 using Neighborhood = std::vector<Neighbor<Dim>>;
@@ -53,15 +53,14 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
 }
 
 constexpr int rigid = 1;
-/// Returns how each particle moves: 0 freely, 1 as part of a rigid region, else a number for each drive and guide. Where
-/// a driven or guided region begins the gradient jumps, as at a clamp. Its outermost particles, beside freer ones of
-/// their material, count among the freer ones.
+/// Returns 0 for free particles, 1 for rigid ones, else a number per drive and guide. The outermost particles move as
+/// their freest neighbour.
 template <int Dim>
 std::vector<int> motions(const InitialParticles& initial, const Constraints& constraints,
                          const std::vector<int>& drive, double spacing, int threads) {
   constexpr int first = 2, guides = 8;
   const auto guide = [&](int i) { return initial.guided.empty() ? 0U : initial.guided[i]; };
-  const auto prescribed = [&](int i) {  // a drive overrides a guide
+  const auto prescribed = [&](int i) {  // drives override guides
     if (drive[i] >= 0) return first + guides * (drive[i] + 1);
     return guide(i) == 0 ? 0 : first + static_cast<int>(guide(i));
   };
@@ -86,7 +85,7 @@ std::vector<int> motions(const InitialParticles& initial, const Constraints& con
   return motion;
 }
 
-/// Selects the neighbours of the same material and motion as i. X is rounded to 2^-40 dp: on a lattice the same bits.
+/// Neighbours with the material and motion of i. X is rounded to 2^-40 dp, for equal bits.
 template <int Dim>
 Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>& motion, int i,
                         std::span<const int> near, double spacing) {
@@ -102,7 +101,7 @@ Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>&
   return some;
 }
 
-/// Returns whether its own gradient averages its side and another one: another material, or a driven or guided region.
+/// Returns whether a neighbour has another material or motion.
 template <int Dim>
 bool has_other_side(const InitialParticles& initial, const std::vector<int>& motion, int i,
                     std::span<const int> near, double reach) {
@@ -115,27 +114,25 @@ bool has_other_side(const InitialParticles& initial, const std::vector<int>& mot
   });
 }
 
-/// Returns whether each neighbour has another one on the opposite side.
 template <int Dim>
 bool is_symmetric(const Neighborhood<Dim>& near) {
   constexpr double alike = 1e-6;
   const auto is_opposite = [](const Neighbor<Dim>& one, const Neighbor<Dim>& other) {
     return (one.X + other.X).squaredNorm() < alike * alike;
   };
-  // in the order of a lattice the first is opposite to the last
+  // in lattice order
   if (std::equal(near.begin(), near.end(), near.rbegin(), is_opposite)) return true;
   return std::ranges::all_of(near, [&](const Neighbor<Dim>& one) {
     return std::ranges::any_of(near, [&](const Neighbor<Dim>& other) { return is_opposite(one, other); });
   });
 }
 
-/// Returns the g_j of the fit with the first `terms` of X, X ⊗ X, in 1/dp, one column each; empty if the fit is not
-/// determined or amplifies errors too much.
+/// Returns g_j, 1/dp, of the fit with `terms` of X, X ⊗ X; empty if undetermined or too sensitive.
 template <int Dim>
 Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, int terms) {
   const auto n = static_cast<Eigen::Index>(near.size());
   if (n < terms) return {};
-  Eigen::MatrixXd P(terms, n);  // times the root of the weight
+  Eigen::MatrixXd P(terms, n);  // times √weight
   for (Eigen::Index b = 0; b < n; ++b) {
     const auto& X = near[b].X;
     int term = 0;
@@ -144,7 +141,7 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
       for (int c = a; c < Dim; ++c) P(term++, b) = X[a] * X[c];
     P.col(b) /= X.squaredNorm();
   }
-  // the first rows of the pseudo-inverse of Pᵀ
+  // first rows of the pseudo-inverse of Pᵀ
   Eigen::Matrix<double, Dim, Eigen::Dynamic> g;
   const Gram G = P.lazyProduct(P.transpose());
   if (const Gram fast = solved_by_gram(G, Gram::Identity(terms, Dim)); fast.size() > 0) {
@@ -160,7 +157,7 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
   return g;
 }
 
-/// Makes the rows. In 3D rows with equal numbers, as on the faces of a lattice, share them.
+/// Equal rows are shared in 3D.
 template <int Dim>
 class Rows {
  public:
@@ -183,9 +180,9 @@ class Rows {
   struct Row {
     std::vector<int> j;
     std::vector<double> g;
-    bool between = false;  // see RecoveredGradient
+    bool between = false;
   };
-  /// Runs on several threads.
+  /// Thread-safe.
   Row make(int k) const {
     Row row;
     const int i = id_[k];
@@ -228,7 +225,6 @@ class Rows {
     }
     return true;
   }
-  /// Returns where the row begins.
   template <class Number>
   int append(std::vector<Number>& list, const Row& row, std::size_t done) {
     make_room(list, row.g.size(), done, id_.size());
@@ -255,7 +251,7 @@ class Rows {
   NeighborsOfOne<Dim> own_;
   double own_reach_;  // dp
   NeighborsOfOne<Dim> wide_;
-  std::unordered_multimap<std::size_t, int> known_;  // hash → first number of a row
+  std::unordered_multimap<std::size_t, int> known_;  // hash → row
   RecoveredGradient out_;
 };
 

@@ -7,14 +7,14 @@
 namespace taut {
 namespace {
 
-/// Returns the bond of `from` to `to`, or −1: rigid particles have no bonds to the particles bonded to them.
+/// Returns −1 if `from` has no such bond.
 int find_bond(const Bonds& bonds, int from, int to) {
   const int* const last = bonds.j.data() + bonds.begin[from + 1];
   const int* const found = std::find(bonds.j.data() + bonds.begin[from], last, to);
   return found == last ? -1 : static_cast<int>(found - bonds.j.data());
 }
 
-/// In 2D a particle has the mass of its cell; in 3D see THEORY.md, Volumes and masses.
+/// Masses, kg (THEORY.md, Volumes and masses).
 std::vector<double> masses(const InitialParticles& initial, const std::vector<Elasticity>& materials,
                            const Bonds& bonds) {
   std::vector<double> mass;
@@ -36,7 +36,7 @@ double greatest_wave_speed(const InitialParticles& initial, const std::vector<El
 
 double damping_lead(const InitialParticles& initial, const std::vector<Elasticity>& materials, double damping,
                     double dp) {
-  double shear_speed = 0, greatest_share = 0;  // of G that bonds have
+  double shear_speed = 0, greatest_share = 0;  // modulus_of_bonds over G
   for (const int used : initial.material) {
     const Elasticity& m = materials[used];
     shear_speed = std::max(shear_speed, std::sqrt(m.G / m.rho0));
@@ -74,7 +74,7 @@ std::vector<BondConstants> BondedSetup::bond_constants(int i) const {
     for (int d = 0; d < initial.dim; ++d) bond.r2 += own.X[d] * own.X[d];
     const int back = find_bond(bonds, bonds.j[b], i);
     const double G = modulus_of_bond(bonds, initial, materials, i, b),
-                 w_ji = back < 0 ? 0 : bonds.of(bonds.j[b], back).weight;  // a clamp place has no energy
+                 w_ji = back < 0 ? 0 : bonds.of(bonds.j[b], back).weight;  // clamp places have no energy
     bond.energy = G * initial.V0[i] * own.weight;
     bond.k = (bond.energy + G * initial.V0[bonds.j[b]] * w_ji) / bond.r2;
     if (back < 0) bond.j = -1 - place++;

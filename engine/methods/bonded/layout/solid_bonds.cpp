@@ -19,15 +19,13 @@ namespace {
 
 constexpr std::size_t whole = 26;
 
-/// Returns w of a bond of the cubic lattice, `r` in spacings (THEORY.md, Three dimensions). Off a lattice the weights
-/// are the right ones nearest to these.
+/// Returns w for `r` in spacings (THEORY.md, Three dimensions).
 double lattice_weight(double r) {
   constexpr double t = 3.0 / 8;
   static const double axis = rounded_weight(0.5 + 4 * t / 9), face = rounded_weight(1 - 8 * t / 9);
   return r < 1.2 ? axis : r < 1.58 ? face : t;
 }
 
-/// Makes bonds step by step; `geometry_` computes them from the first step on.
 class SolidBonds {
  public:
   SolidBonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
@@ -53,10 +51,10 @@ class SolidBonds {
   }
 
  private:
-  struct Selection {  // of one particle
+  struct Selection {
     std::vector<Eigen::Vector3d> X;
-    std::vector<std::size_t> of;  // indices among its neighbours
-    std::vector<double> w;        // weights of a lattice
+    std::vector<std::size_t> of;  // indices of neighbours
+    std::vector<double> w;        // lattice weights
   };
 
   bool is_irregular(int i) const { return irregular_bodies_[initial_.body[i]]; }
@@ -69,7 +67,7 @@ class SolidBonds {
     }
     return out;
   }
-  /// A particle inside without exactly 26 neighbours within 2h takes the least reach for which right weights exist.
+  /// Extends the reach of inner off-lattice particles until right weights exist.
   void extend_reach(double h, int threads) {
     const int n = initial_.size();
     std::vector<unsigned char> further(n);
@@ -107,9 +105,8 @@ class SolidBonds {
     }
     near_ = std::move(chosen);
   }
-  /// Returns w of each neighbour; empty for the weights of a lattice. A particle inside has right moments. At a surface
-  /// the weights stay those of a lattice, reduced off a lattice where the bonds would be stiffer than the solid: the
-  /// cancellation would then exceed W, and the energy would have no minimum.
+  /// Returns nothing for lattice weights. Off-lattice surfaces are made no stiffer than the solid; otherwise the
+  /// energy has no minimum.
   std::vector<double> own_weights(int i) const {
     static const Moments<3> moments;
     Selection own = selection(i);
@@ -122,7 +119,7 @@ class SolidBonds {
       const double too_stiff = excess(own.X, own.w);
       for (double& w : own.w) w /= std::max(1.0, too_stiff);
     }
-    std::vector<double> weights(near_[i].size());  // 0 for bonds that only the other end selected
+    std::vector<double> weights(near_[i].size());  // 0 if only the other end selected it
     for (std::size_t b = 0; b < own.of.size(); ++b) weights[own.of[b]] = rounded_weight(own.w[b]);
     return weights == of_lattice ? std::vector<double>() : weights;
   }
@@ -137,10 +134,9 @@ class SolidBonds {
       weights.insert(weights.end(), w.begin(), w.end());
     });
   }
-  /// Where the nearest neighbours hardly determine the gradient, as at the tips of round bodies, all bonds are used, by
-  /// both of their ends.
+  /// Uses all bonds where the nearest hardly determine the gradient.
   void choose_gradients(int threads) {
-    // least det A over the determinant of the isotropic A of the same trace
+    // det A over isotropic A
     constexpr double least = 0.5, least_of_irregular = 0.7;
     using enum SolidGeometry::Gradient;
     geometry_.gradient.assign(initial_.size(), of_axes);
@@ -160,15 +156,15 @@ class SolidBonds {
 
   const InitialParticles& initial_;
   double spacing_;
-  NeighborLists near_;  // by id
+  NeighborLists near_;
   std::vector<bool> irregular_bodies_;
-  std::vector<double> reach_;  // [n] m, of the bonds that each selects; empty: all neighbours
+  std::vector<double> reach_;  // [n] m; empty means all
   SolidGeometry geometry_;
 };
 
 }  // namespace
 
-/// Rounds X to 2^-40 of a spacing, so that bonds of a lattice have the same bits everywhere.
+/// X is rounded to 2^-40 spacings, for equal bits.
 ReferenceBond SolidGeometry::bond(int i, int j, std::size_t k) const {
   const Point &from = x[i], &to = x[j];
   ReferenceBond one{};

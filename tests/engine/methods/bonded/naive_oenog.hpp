@@ -12,7 +12,7 @@
 
 namespace taut::test {
 
-/// A number and its slopes in the components of F, by the rules of differentiation.
+/// Dual number: a value and its derivatives by the components of F.
 template <int Components>
 struct Dual {
   double value = 0;
@@ -49,10 +49,8 @@ Dual<Components> operator/(double a, const Dual<Components>& b) {
   return Dual<Components>(a) / b;
 }
 
-/// oenog written down as its formulas stand, particle by particle in the order of creation, from the bonds'
-/// one-sided weights and gradients. Shares with the solver what make_bonds and make_interfaces give and
-/// nothing else. In 2D one body; in 3D several of one material, which a penalty keeps apart, and masses have
-/// an end correction.
+/// Transcription of oenog; shares only make_bonds and make_interfaces with the solver. In 2D one body; in 3D several
+/// of one material with penalty contact and end-corrected masses.
 template <int Dim>
 class NaiveOenogIn {
  public:
@@ -80,10 +78,10 @@ class NaiveOenogIn {
   bool held(int i) const { return initial_.held[i]; }
   const Bonds& bonds() const { return bonds_; }
   const Interfaces& interfaces() const { return interfaces_; }
-  double contacts = 0;  // pairs of two bodies that pressed on each other, over all steps
+  double contacts = 0;  // pairs in contact, summed over all steps
 
-  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))], G of a bond between two materials being their harmonic mean;
-  /// λ° within ½ and 2
+  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))], J. Bonds between two materials take the harmonic mean of G; λ° is
+  /// limited to ½ … 2.
   double energy(const Places& at) const {
     double E = 0;
     for (int i = 0; i < size(); ++i) {
@@ -104,7 +102,7 @@ class NaiveOenogIn {
     return E;
   }
 
-  /// −∂E/∂x, bond by bond from the side whose energy it is
+  /// −∂E/∂x in N, bond by bond from the particle that owns the energy.
   Places force(const Places& at) const {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
@@ -124,7 +122,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// The same with the slopes worked out: what one would compute with; not where materials meet.
+  /// The same with explicit derivatives, for the benchmark; not at material interfaces.
   Places force_by_hand(const Places& at) const {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
@@ -137,10 +135,10 @@ class NaiveOenogIn {
       Square T = neo_hookean(i, F);
       for (double& component : T) component *= bonds_.volume[i];
       for (const auto& [X, strength] : cancelled(i)) {
-        Place x{};  // F X
+        Place x{};
         for (int k = 0; k < components; ++k) x[k / Dim] += F[k] * X[k % Dim];
         const double r2 = squared(X), s = squared(x) / r2;
-        const double slope = strength / 24 * (4 * s - 3 - 1 / (s * s));  // of φ(λ°) in s = λ°²
+        const double slope = strength / 24 * (4 * s - 3 - 1 / (s * s));  // dφ(λ°)/ds, s = λ°²
         for (int k = 0; k < components; ++k) T[k] -= slope * 2 / r2 * x[k / Dim] * X[k % Dim];
       }
       pull(at, i, T, f);
@@ -148,7 +146,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// Of the dashpots, V0 G w τ q̇/r0² (x_j − x_i) for each bond from either side, q = ½ (r²/r0² − 1)
+  /// Dashpot forces in N: V0 G w τ q̇/r0² (x_j − x_i) for each bond from both ends, q = ½ (r²/r0² − 1).
   Places drag(double damping) const {
     double shear_speed = 0, share = 0;
     for (int i = 0; i < size(); ++i) {
@@ -174,7 +172,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// [TranDuc2023] Eq. 2.13 between bodies, in 3D, with the material's own stiffness
+  /// Contact forces between bodies in 3D, N: [TranDuc2023] Eq. 2.13 with the material's stiffness.
   Places push() {
     Places f(x.size());
     const auto near = neighbors_within(scene_.spacing, x);
@@ -191,7 +189,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// By a step of its own, s, where one is given.
+  /// Advances by `own` seconds if it is not 0, else by the CFL step.
   void step(double cfl, double damping, double own = 0) {
     double c = interfaces_.wave_speed, fastest = 0;
     for (int i = 0; i < size(); ++i) {
@@ -219,14 +217,14 @@ class NaiveOenogIn {
     }
   }
 
-  Places x, v;           // m, m/s
-  bool by_hand = false;  // the forces of a step are those of force_by_hand
+  Places x, v;  // m, m/s
+  bool by_hand = false;
 
  private:
   const Material& material(int i) const { return scene_.materials[initial_.material[i]]; }
   double K(int i) const { return material(i).bulk_modulus(); }
   double G(int i) const { return material(i).shear_modulus(); }
-  /// In the place of G in bonds: less where λ is below 0.
+  /// Replaces G in bonds: smaller if λ is negative.
   double of_bonds(int i) const {
     const double lambda = K(i) - 2.0 / 3 * G(i);
     return lambda < 0 ? G(i) + (Dim == 2 ? 1 : 1.5) * lambda : G(i);
@@ -251,7 +249,7 @@ class NaiveOenogIn {
     for (int k = 0; k < components; ++k) F[k] = Number::variable(F_now[k], k);
     return F;
   }
-  /// What is cancelled of a particle: along X, with strength, J.
+  /// Stretch terms subtracted from a particle's energy: X and strength in J.
   std::vector<std::pair<Point, double>> cancelled(int i) const {
     std::vector<std::pair<Point, double>> all;
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b)
@@ -260,7 +258,6 @@ class NaiveOenogIn {
       all.emplace_back(term.t, initial_.V0[i] * of_bonds(i) * term.weight);
     return all;
   }
-  /// s° along X, with its slopes in F
   Number affine(const Point& X, const Duals& F) const {
     Number sum;
     for (int a = 0; a < Dim; ++a) {
@@ -270,7 +267,7 @@ class NaiveOenogIn {
     }
     return sum / Number(squared(X));
   }
-  /// The neo-Hookean energy with its slopes in F; J ≥ ½
+  /// Neo-Hookean energy with its derivatives by F; J ≥ ½.
   Number W(int i, const Duals& F) const { return neo_hookean_energy(material(i), F); }
   template <class N>
   static N neo_hookean_energy(const Material& m, const std::array<N, components>& F) {
@@ -284,7 +281,7 @@ class NaiveOenogIn {
     return m.shear_modulus() / 2 * (J.to(-2.0 / 3) * C - 3) + m.bulk_modulus() / 2 * (J - 1) * (J - 1);
   }
 
-  /// Beside another material: of F, of b and of s of the bonds.
+  /// Derivatives at an interface: by F, b and s of the bonds.
   static constexpr int most_bonds = 26;
   using Wide = Dual<components + Dim + most_bonds>;
   using WideSquare = std::array<Wide, components>;
@@ -304,7 +301,6 @@ class NaiveOenogIn {
   bool across(int i, int b) const {
     return material(bonds_.j[b]).youngs_modulus != material(i).youngs_modulus;
   }
-  /// All but the springs.
   Wide of_site(const Places& at, int i) const {
     const Interfaces::Site& site = interfaces_.sites[site_of_[i]];
     const Square F_now = gradient(at, i);
@@ -377,7 +373,7 @@ class NaiveOenogIn {
     return P;
   }
 
-  /// Adds the forces of i's bonds to f, T being the slope of what its energy takes from F.
+  /// Adds the forces of i's bonds to f; T is the derivative of the subtracted energy by F.
   void pull(const Places& at, int i, const Square& T, Places& f) const {
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
       const auto d = way(at, i, b);
@@ -387,12 +383,12 @@ class NaiveOenogIn {
         double on_i = along * d[k] / r;
         for (int l = 0; l < Dim; ++l) on_i += T[Dim * k + l] * bonds_.gradient(i, b)[l];
         f[i][k] += on_i;
-        f[bonds_.j[b]][k] -= on_i;  // on a held particle: not used
+        f[bonds_.j[b]][k] -= on_i;  // unused if j is clamped
       }
     }
   }
 
-  /// x_j − x_i, or to the place at the clamp's face, which stands still
+  /// x_j − x_i, or to the fixed point on the clamp's face.
   Place way(const Places& at, int i, int b) const {
     const int j = bonds_.j[b];
     Place d;
@@ -427,8 +423,8 @@ class NaiveOenogIn {
   InitialParticles initial_;
   Bonds bonds_;
   Interfaces interfaces_;
-  std::vector<int> site_of_;  // −1 of those that have none
-  double stiffest_ = 1;       // greatest φ″ in the last step
+  std::vector<int> site_of_;  // −1: none
+  double stiffest_ = 1;       // greatest φ″ of the last step
 };
 using NaiveOenog = NaiveOenogIn<2>;
 

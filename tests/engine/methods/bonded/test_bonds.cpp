@@ -1,4 +1,3 @@
-// The set-up of oenog's bonds, its energy, and what follows from there being one.
 
 #include <array>
 #include <cmath>
@@ -11,7 +10,7 @@
 
 #include "engine/core/shared_rows.hpp"
 #include "engine/diagnostics/balance.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/materials/neo_hookean.hpp"
 #include "engine/methods/bonded/layout/bonds.hpp"
 #include "engine/methods/bonded/methods.hpp"
@@ -50,10 +49,8 @@ Gradient gradient(double xx, double xy, double yx, double yy) { return {{{xx, xy
 
 ClosedNeoHookean<double> closed_law() { return {4.6, 1}; }  // over G: ν = 0.4
 
-/// The greatest slope of the force on a particle with the size of a homogeneous strain, by differences, over
-/// G dp, of the three strains and all particles deeper than so many rows: the volumes near a face make it the
-/// surface's share, of three rows with bonds to the next neighbours, of up to nine with those of two spacings
-/// and more.
+/// Greatest change of the force on particles deeper than `rows` with a homogeneous strain, over G dp. Volumes near a
+/// face give forces in three rows, or nine with bonds of two spacings.
 double unbalanced(const Scene& scene, const InitialParticles& initial, const std::vector<double>& depth,
                   double rows) {
   constexpr double size = 1e-3;
@@ -79,7 +76,6 @@ double unbalanced(const Scene& scene, const InitialParticles& initial, const std
   return greatest;
 }
 
-/// Each particle moved by up to `share` of half a spacing along either axis, at random but always alike.
 InitialParticles jittered_by(double share, InitialParticles initial, double dp) {
   std::mt19937 random(1);
   for (Point& x : initial.x)
@@ -95,7 +91,7 @@ Scene alone(const Shape& shape, double dp) {
   return scene;
 }
 
-/// Of each particle of a ring or disc about the origin, and of a box, m
+/// Depth below the surface of a ring, disc or box, m.
 std::vector<double> depths(const InitialParticles& initial, double inner, double outer) {
   std::vector<double> depth;
   for (const Point& x : initial.x) {
@@ -111,9 +107,8 @@ std::vector<double> depths(const InitialParticles& initial, const Box& box) {
   return depth;
 }
 
-/// The least stiffness, over that at rest, that the zigzags of a square lattice meet: columns or rows against
-/// each other, or all particles against their four nearest. F is the same at each particle, so that the bonds
-/// alone resist.
+/// Least stiffness of a square lattice against zigzags (rows, columns, checkerboard), relative to rest. F is
+/// homogeneous, so only bonds resist.
 double zigzag_stiffness(const Gradient& F) {
   const auto least = [](const Gradient& H) {
     double result = 1e300;
@@ -121,7 +116,7 @@ double zigzag_stiffness(const Gradient& F) {
       double xx = 0, xy = 0, yy = 0;
       for (int x = -1; x <= 1; ++x) {
         for (int y = -1; y <= 1; ++y) {
-          if ((px * x + py * y) % 2 == 0) continue;  // the two move together
+          if ((px * x + py * y) % 2 == 0) continue;
           const double dx = H(0, 0) * x + H(0, 1) * y, dy = H(1, 0) * x + H(1, 1) * y;
           const double r2 = x * x + y * y, s = (dx * dx + dy * dy) / r2, step = 1e-5;
           const double slope = bond_slope(s), rise = (bond_slope(s + step) - bond_slope(s - step)) / step;
@@ -144,7 +139,7 @@ double total_energy(const Simulation& simulation, const Scene& scene) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("shared rows: two that are equal to the last bit are one") {
+  TEST_CASE("shared rows: two rows that are equal to the last bit are stored once") {
     SharedRows<double> rows;
     const int first = rows.add({1, 2, 3}), other = rows.add({1, 2, std::nextafter(3, 4)});
     CHECK(other != first);
@@ -154,8 +149,7 @@ TEST_SUITE("unit") {
     CHECK(rows[other + 2] > 3);
   }
 
-  TEST_CASE(
-      "bonds: moments are isotropic on a lattice and nearly so on a ring, and no pair is without bond") {
+  TEST_CASE("bonds: moments are isotropic on a lattice and nearly so on a ring, and every pair has a bond") {
     const Scene lattice = alone(Box{{0, 0, 0}, {0.016, 0.012, 0}}, 0.001);
     const Scene ring = alone(Ring{{}, 0.03, 0.04, RoundLayout::aligned}, 0.001);
     for (const auto& [scene, allowed, corners] : {std::tuple{lattice, 1e-9, 4}, {ring, 0.01, 0}}) {
@@ -187,7 +181,7 @@ TEST_SUITE("unit") {
     CHECK(unbalanced(disc, of_disc, depths(of_disc, 0, 0.018), 10) < 1e-10);
   }
 
-  TEST_CASE("bonds: nor does it on layers that are not aligned and on jittered lattices") {
+  TEST_CASE("bonds: a homogeneous strain leaves no force inside unaligned layers and jittered lattices") {
     constexpr double dp = 0.001;
     const Scene ring = alone(Ring{{}, 0.01, 0.028, RoundLayout::spaced}, dp);
     const InitialParticles of_ring = make_initial_particles(ring);
@@ -201,13 +195,13 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("bonds: those of steps and angles are numbers, wherever they stand") {
+  TEST_CASE("bonds: weights at steps and angles are finite wherever the body is") {
     const auto step = [](double x, double width, double height, double low, double high) {
       Scene scene = alone(Box{{x, 0, 0}, {x + width, low, 0}}, 0.002);
       scene.bodies[0].shapes.push_back(Box{{x, 0, 0}, {x + high, height, 0}});
       return scene;
     };
-    // by their re-entrant corners what is asked for contradicts itself by round-off: those of three places were no numbers
+    // at their re-entrant corners the conditions contradict each other by round-off
     for (const double x : {0.0, 0.005, 0.05, 0.1, 0.15, 0.2})
       for (const Scene& scene : {step(x, 0.056, 0.04, 0.018, 0.028), step(x, 0.06, 0.05, 0.02, 0.02)}) {
         CAPTURE(x);
@@ -236,8 +230,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE(
-      "bonds: a clamp leaves the next ones as near as they are, and none that pushes when it is pulled") {
+  TEST_CASE("bonds: particles beside a clamp have at most eight bonds, all of positive weight") {
     const Scene scene = oscillating_plate(0.01, 8);
     const InitialParticles initial = make_initial_particles(scene);
     const Bonds bonds = bonds_of(scene, initial);
@@ -248,16 +241,16 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("bonds: a disc that is held by a skew clamp is at rest") {
+  TEST_CASE("bonds: a disc in a skew clamp stays at rest") {
     Scene scene = alone(Disc{{}, 0.0153, RoundLayout::spaced}, 0.001);
     scene.bodies[0].held = [](const Point& x) { return x[0] + 0.3 * x[1] < -0.002 ? 1.0 : 0.0; };
     const auto simulation = make_simulation(scene, with_method("oenog"));
-    CHECK(std::abs(balance(simulation->snapshot(), scene).strain) < 1e-9);  // J; 1.7e-2 with a skew Σ a ⊗ X
+    CHECK(std::abs(balance(simulation->snapshot(), scene).strain) < 1e-9);  // J
     simulation->advance_to(1e-4);
     CHECK(balance(simulation->snapshot(), scene).kinetic < 1e-12);
   }
 
-  TEST_CASE("bonds: those into a clamp end at its face, and what is held has none") {
+  TEST_CASE("bonds: bonds into a clamp end at its face, and clamped particles have none") {
     const Scene scene = small_clamped_plate();
     const InitialParticles initial = make_initial_particles(scene);
     const Bonds bonds = bonds_of(scene, initial);
@@ -270,10 +263,10 @@ TEST_SUITE("unit") {
         CHECK(std::abs(initial.x[i][0] + bonds.of(i, b).X[0]) < 1e-9 * scene.spacing);
       }
     }
-    CHECK(ends == 3 * 5 - 2);  // of the five rows; the outermost have two
+    CHECK(ends == 3 * 5 - 2);
   }
 
-  TEST_CASE("bonds: the volumes add up to the body, and integrate y² better than those of the lattice") {
+  TEST_CASE("bonds: volumes sum to the body's and integrate y² better than lattice volumes") {
     Scene scene = small_clamped_plate();
     scene.bodies.pop_back();
     scene.bodies[0].held = {};
@@ -281,7 +274,7 @@ TEST_SUITE("unit") {
     const Bonds bonds = bonds_of(scene, initial);
     double exact = 0, lattice = 0, corrected = 0, V0 = 0, V = 0;
     for (int i = 0; i < initial.size(); ++i) {
-      if (std::abs(initial.x[i][0] - 0.006) > 0.005) continue;  // whole columns
+      if (std::abs(initial.x[i][0] - 0.006) > 0.005) continue;
       const double y2 = initial.x[i][1] * initial.x[i][1], dp2 = scene.spacing * scene.spacing;
       lattice += initial.V0[i] * y2;
       corrected += bonds.volume[i] * y2;
@@ -289,12 +282,11 @@ TEST_SUITE("unit") {
       V0 += initial.V0[i], V += bonds.volume[i];
     }
     CHECK(V == relative(V0, 1e-12));
-    CHECK(std::abs(corrected - exact) < 0.4 * std::abs(lattice - exact));  // five rows: 0.3; ten: 0.15
+    CHECK(std::abs(corrected - exact) < 0.4 * std::abs(lattice - exact));
   }
 
-  TEST_CASE("bonds: at a face volume goes outwards with a first moment of dp²/24 of the face") {
-    // the midpoint rule lacks dp²/24 of the slope at each face; the gradient that gives it is exact for a
-    // slope
+  TEST_CASE("bonds: volume is shifted towards faces with a first moment of dp²/24") {
+    // the midpoint rule lacks dp²/24 of the slope at each face
     Scene scene = small_clamped_plate();
     scene.bodies.pop_back();
     scene.bodies[0].held = {};
@@ -302,7 +294,7 @@ TEST_SUITE("unit") {
     const Bonds bonds = bonds_of(scene, initial);
     double moment = 0, faces = 0;
     for (int i = 0; i < initial.size(); ++i) {
-      if (std::abs(initial.x[i][0] - 0.006) > 0.003) continue;  // whole columns
+      if (std::abs(initial.x[i][0] - 0.006) > 0.003) continue;
       const double y = initial.x[i][1];
       moment += (bonds.volume[i] - initial.V0[i]) * std::abs(y);
       if (std::abs(y) > 0.0015) faces += scene.spacing;
@@ -312,7 +304,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("term") {
-  TEST_CASE("bond: the slopes are those of the energies, and rise") {
+  TEST_CASE("bond: slopes are the derivatives of the energies and increase") {
     constexpr double step = 1e-6;
     const auto energy = [](double lambda) { return bond_energy(lambda * lambda); };
     const auto slope = [](double lambda) { return lambda * bond_slope(lambda * lambda); };
@@ -350,7 +342,7 @@ TEST_SUITE("term") {
       for (int a = 0; a < 2; ++a)
         for (int k = 0; k < 2; ++k) CHECK(std::abs(P(a, k) - exact(a, k)) < 1e-12);
     }
-    // and nothing of the bonds beside it: on any layout, at faces and in corners, at a strain of 0.3
+    // the bonds add nothing, in any layout, at faces and corners, at a strain of 0.3
     for (const Scene& scene :
          {alone(Ring{{}, 0.004, 0.01}, 0.001), alone(Disc{{}, 0.006, RoundLayout::spaced}, 0.001),
           alone(Box{{0, 0, 0}, {0.008, 0.006, 0}}, 0.001)}) {
@@ -372,8 +364,8 @@ TEST_SUITE("term") {
   }
 
   TEST_CASE_TEMPLATE(
-      "bond: what is cancelled is the bond's own within [1/4, 25/4], in 3D 4, and goes on with its slope",
-      Dimension, std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
+      "bond: the cancelled energy is the bond's within [1/4, 25/4], in 3D 4, and linear beyond", Dimension,
+      std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
     constexpr int Dim = Dimension::value;
     constexpr double end = Dim == 2 ? 6.25 : 4;
     for (const double s : {0.25, 0.5, 1.0, 2.0, end}) {
@@ -396,7 +388,7 @@ TEST_SUITE("term") {
             Approx(cancelled_slope_rate<Dim>(s)).epsilon(1e-7));
   }
 
-  TEST_CASE("bond: four particles at once have what each has alone, below J = 1/2 too") {
+  TEST_CASE("bond: four particles at once give the results of single ones, also below J = 1/2") {
     const auto one = closed_law();
     const ClosedNeoHookean<Pack> four{filled<Pack>(one.K), filled<Pack>(one.G)};
     const std::array<Gradient, 4> alone{gradient(1.3, 0.2, -0.4, 0.9), gradient(0.5, 0, 0, 1),
@@ -415,7 +407,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("bond: zigzags of a square lattice are resisted from 0.72 on all sides to a pull of 1.9") {
+  TEST_CASE("bond: zigzags of a square lattice are stiff from a compression to 0.72 to a stretch of 1.9") {
     for (const double lambda : {1.0, 1.2, 1.5, 1.9})
       CHECK(zigzag_stiffness(gradient(lambda, 0, 0, std::pow(lambda, -0.9))) > 0.3);
     for (const double lambda : {0.9, 0.8, 0.72}) {
@@ -427,7 +419,7 @@ TEST_SUITE("term") {
     CHECK(zigzag_stiffness(gradient(0.62, 0, 0, 1)) < 0);
   }
 
-  TEST_CASE("penalty contact: none from one spacing on, and the slope of its energy") {
+  TEST_CASE("penalty contact: the force is the slope of the energy and vanishes beyond one spacing") {
     CHECK(penalty_force(0.001, 0.001, 1e7, 2) == 0);
     CHECK(penalty_force(0.0011, 0.001, 1e7, 2) == 0);
     constexpr double step = 1e-8;
@@ -440,7 +432,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("oenog keeps linear and angular momentum to round-off, and the energy") {
+  TEST_CASE("oenog conserves linear and angular momentum to round-off, and the energy") {
     const Scene scene = colliding_rings(0.06, 0.002);
     Settings undamped = with_method("oenog");
     undamped.constants["damping"] = 0;
@@ -456,10 +448,10 @@ TEST_SUITE("conservation") {
       CHECK(std::abs(now.angular_momentum[2]) < 1e-12 * now.angular_scale);
       CHECK(total_energy(*simulation, scene) == Approx(start).epsilon(2e-3));
     }
-    CHECK(least_kinetic < 0.3 * start);  // most of it was elastic in between
+    CHECK(least_kinetic < 0.3 * start);
   }
 
-  TEST_CASE("oenog keeps the angular momentum of a plate that turns fast, and the plate") {
+  TEST_CASE("oenog conserves the angular momentum of a fast rotating plate, which stays whole") {
     const Scene scene = rotating_plate(0.3);
     Settings undamped = with_method("oenog");
     undamped.constants["damping"] = 0;

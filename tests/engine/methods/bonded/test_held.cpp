@@ -1,4 +1,3 @@
-// oenog: bodies that turn about what is held of them, and clamps, about which they do not.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,7 @@ namespace {
 
 constexpr double dp = 0.02, omega = 1, length = 0.7, half = 0.05;  // m, rad/s
 
-/// Held where x² + y² < held_to², in 3D along the whole of z, and thrown about the origin.
+/// A bar clamped where x² + y² < held_to², in 3D along all of z, and rotating about the origin.
 Scene bar(int dim, double held_to) {
   Scene scene;
   scene.dim = dim;
@@ -48,8 +47,8 @@ double turned(const Scene& scene, const char* method, double t) {
   return simulation->series().value[0].back();
 }
 
-/// A bar of 32 × 12 mm (ν = 0) between what is held and what draws it out by 10 µm, or with `both` what is driven at rest
-/// and that: the force at rest over E A u/L. `until`: when the ends will be let go, s.
+/// Reaction over E A u/L of a bar of 32 × 12 mm (ν = 0), stretched by 10 µm from a clamp or, with `both`, a driven
+/// end at rest; released at `until`, s.
 double resistance(double spacing, bool both, const char* method, std::optional<double> until = {}) {
   constexpr double E = 1e6, clamp = 0.004, width = 0.012, free = 0.032, u = 1e-5;
   Scene scene;
@@ -81,7 +80,8 @@ double resistance(double spacing, bool both, const char* method, std::optional<d
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("driven: to the end it is a clamp that moves, to be let go a body that acts 0.4 dp farther in") {
+  TEST_CASE(
+      "driven: a region driven to the end is a moving clamp, one released later acts 0.4 dp farther in") {
     for (const double spacing : {0.002, 0.001}) {
       CAPTURE(spacing);
       const double length = 0.032, later = 1;
@@ -97,7 +97,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("driven: on a face it is a part of the body, whether it is let go or not, and shows its stress") {
+  TEST_CASE("driven: a driven face is part of the body and shows its stress, released later or not") {
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
       Scene scene = bar(dim, 0);
@@ -122,7 +122,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("driven: what is rigid does not pull at what is held beside it") {
+  TEST_CASE("driven: a rigid region exerts no force on a clamp beside it") {
     constexpr double speed = 1;  // m/s
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
@@ -141,8 +141,8 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("pins: a bar thrown about one of its particles turns on, in 3D about a row of them") {
-    const double t = 0.4;  // several periods of its first bending
+  TEST_CASE("pins: a bar keeps rotating about one clamped particle, in 3D about a row") {
+    const double t = 0.4;
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
       const Scene scene = bar(dim, 0.3 * dp);
@@ -152,22 +152,22 @@ TEST_SUITE("analytic") {
     CHECK(std::abs(turned(bar(2, 1.2 * dp), "oenog", t)) < 0.2 * omega * t);  // five particles are a clamp
   }
 
-  TEST_CASE("pins: the pull at one is what it takes to keep the bar's mass on its circle") {
+  TEST_CASE("pins: the reaction at a pin is the centripetal force of the bar's mass") {
     const auto simulation = make_simulation(bar(2, 0.3 * dp), with_method("oenog"));
     simulation->advance_to(0.3);
     const Series& series = simulation->series();
     double impulse = 0;
     for (std::size_t n = 1; n < series.time.size(); ++n)
       impulse += series.value[1][n] * (series.time[n] - series.time[n - 1]);
-    // of the mass centre, which stands beside the pin and moves with ω x e_y
+    // the centre of mass lies beside the pin and moves with ω x e_y
     const double mass = 1000 * length * 2 * half, centre = 0.5 * length - half;
     CHECK(impulse == relative(mass * omega * centre * -std::sin(omega * 0.3), 0.03));
   }
 }
 
 TEST_SUITE("term") {
-  TEST_CASE("clamp: a uniform strain leaves no force on the particles before its face") {
-    constexpr double size = 1e-3;  // of strains that leave the face where it is
+  TEST_CASE("clamp: a uniform strain leaves no force on the particles in front of its face") {
+    constexpr double size = 1e-3;  // of strains that keep the clamp's face fixed
     for (const int dim : {2, 3}) {
       for (const std::size_t along : {0, 1}) {
         CAPTURE(dim);
@@ -197,7 +197,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("pins: one particle in 2D, a row in 3D, and neither a block nor a face") {
+  TEST_CASE("pins: one particle in 2D and a row in 3D are pins, a block and a face are not") {
     const auto count = [](const Scene& scene) {
       const InitialParticles initial = make_initial_particles(scene);
       return std::ranges::count(make_constraints(scene, initial), Constraint::pinned);

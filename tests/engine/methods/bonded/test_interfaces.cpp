@@ -1,5 +1,3 @@
-// Where two materials of a body meet under oenog, against exact solutions: layers under one stress, and a
-// bar's mode.
 
 #include <algorithm>
 #include <cmath>
@@ -22,13 +20,13 @@ using namespace taut::test;
 namespace {
 
 constexpr double nu_stiff = 0.4, soft = 1e6;  // Pa
-constexpr double L = 0.05, H = 0.01;          // m, of each half; thickness of what swings
+constexpr double L = 0.05, H = 0.01;          // length of each half and thickness of the vibrating bar, m
 
-/// Poisson's ratio of the soft half of a bar of two materials that under one tension get thinner by as much.
+/// Poisson's ratio of the soft half at which both halves contract equally under one tension.
 double matched(double ratio) { return (std::sqrt(1 + 4 * nu_stiff * (1 + nu_stiff) / ratio) - 1) / 2; }
 double plane_modulus(double E, double nu) { return E / (1 - nu * nu); }
 
-/// The stiff half of a bar at x > 0, or at y > 0; `half`: of its thickness.
+/// The stiff half lies at x > 0 (axis 0) or y > 0; `half` is half the thickness.
 Scene bar(double ratio, double nu_soft, int axis, double spacing, double half = H) {
   Scene scene;
   scene.name = "bar";
@@ -42,8 +40,7 @@ Scene bar(double ratio, double nu_soft, int axis, double spacing, double half = 
   return scene;
 }
 
-/// Greatest force on a particle that is four from every face, beyond the end correction of the volumes, over
-/// the traction on one.
+/// Greatest force on a particle at least four from every face (end correction), over the traction on one particle.
 double force_left(const Scene& scene, double traction) {
   const Snapshot now = state_after(1, scene, with_method("oenog"));
   const Box box = *scene.bodies[0].shapes[0].as<Box>();
@@ -58,8 +55,8 @@ double force_left(const Scene& scene, double traction) {
   return greatest / (traction * scene.spacing);
 }
 
-/// Hz, the lowest of a free bar of both materials of L each. Waves in a rod with its transverse inertia
-/// ([Love] §278): M u″ + ρ ω² (ν r)² u″ … with r² = H²/12, of plane strain.
+/// Lowest frequency, Hz, of a free bar of both materials, L each: rod waves with transverse inertia ([Love] §278), M
+/// u″ + ρ ω² (ν r)² u″ …, r² = H²/12, plane strain.
 double lowest_frequency(double ratio) {
   struct Wave {
     double k, Z;  // 1/m; traction over velocity
@@ -82,7 +79,7 @@ double lowest_frequency(double ratio) {
   return above / (2 * std::numbers::pi);
 }
 
-/// Hz, by the length of the bar over five swings from a cosine on either side.
+/// Frequency in Hz from the bar's length over five periods, starting from a cosine on either side.
 double measured_frequency(double ratio, double spacing) {
   Scene scene = bar(ratio, matched(ratio), 0, spacing, H / 2);
   const double expected = lowest_frequency(ratio), omega = 2 * std::numbers::pi * expected;
@@ -98,7 +95,7 @@ double measured_frequency(double ratio, double spacing) {
   while (crossings.size() < 11) {
     simulation->advance_to(simulation->time() + 0.002 / expected);
     const Snapshot now = simulation->snapshot();
-    double ends = 0;  // ∫ u sign(x): the odd part, as the length but of all particles
+    double ends = 0;  // ∫ u sign(x): the odd part of the displacement
     for (std::size_t i = 0; i < now.size(); ++i)
       ends += (now.x[2 * i] - now.x0[2 * i]) * (now.x0[2 * i] < -0.8 * L  ? -1
                                                 : now.x0[2 * i] > 0.8 * L ? 1
@@ -114,10 +111,10 @@ double measured_frequency(double ratio, double spacing) {
 
 TEST_SUITE("analytic") {
   TEST_CASE("oenog: layers of two materials under one stress leave no force where they meet") {
-    const double strain = 1e-6;  // so that what is of the second order in it is left out
+    const double strain = 1e-6;  // small enough to neglect second order
     for (const double ratio : {2.0, 10.0}) {
       CAPTURE(ratio);
-      SUBCASE("pulled, one behind the other") {
+      SUBCASE("in series under tension") {
         const double nu = matched(ratio), M = plane_modulus(soft, nu);
         Scene scene = bar(ratio, nu, 0, 0.001);
         const double of_stiff = M / plane_modulus(soft * ratio, nu_stiff);
@@ -127,7 +124,7 @@ TEST_SUITE("analytic") {
         scene.bodies[0].displacement[1] = [=](const Point& x) { return -strain * nu / (1 - nu) * x[1]; };
         CHECK(force_left(scene, strain * M) < 1e-4);
       }
-      SUBCASE("pulled, side by side") {
+      SUBCASE("in parallel under tension") {
         Scene scene = bar(ratio, nu_stiff, 1, 0.001);
         scene.bodies[0].displacement[0] = [=](const Point& x) { return strain * x[0]; };
         scene.bodies[0].displacement[1] = [=](const Point& x) {
@@ -135,7 +132,7 @@ TEST_SUITE("analytic") {
         };
         CHECK(force_left(scene, strain * plane_modulus(soft, nu_stiff)) < 1e-4);
       }
-      SUBCASE("sheared") {
+      SUBCASE("under shear") {
         Scene scene = bar(ratio, 0.3, 0, 0.001);
         const double G = soft / 2 / 1.3, of_stiff = G / (soft * ratio / 2 / (1 + nu_stiff));
         scene.bodies[0].displacement[1] = [=](const Point& x) {
@@ -146,7 +143,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("oenog: in 3D the stress that is shown beside an interface is that of its own side") {
+  TEST_CASE("oenog: in 3D the stress shown beside an interface belongs to its own side") {
     constexpr double strain = 1e-3, dp = 0.001, ratio = 5;
     Scene scene = bar(ratio, 0, 0, dp);
     scene.dim = 3;
@@ -160,7 +157,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("oenog: bodies of two materials do not fly apart, however their interface lies") {
+  TEST_CASE("oenog: bodies of two materials stay whole, whatever their interface") {
     constexpr double dp = 0.001;
     Scene scene;
     scene.spacing = dp;
@@ -175,7 +172,7 @@ TEST_SUITE("analytic") {
                        return std::hypot(x[0] - 6 * dp, x[1] - 6 * dp, x[2] - 6 * dp) < 4 * dp ? 1.0 : 0.0;
                      }}};
     }
-    SUBCASE("half a ring") {  // the gradients of a narrow end
+    SUBCASE("half a ring") {
       body.shapes = {Ring{{10 * dp, 7 * dp, 0}, 4 * dp, 9 * dp, RoundLayout::aligned}};
       body.parts = {{1, [](const Point& x) { return x[0] > 10 * dp ? 1.0 : 0.0; }}};
     }
@@ -195,10 +192,9 @@ TEST_SUITE("analytic") {
     CHECK(energy() < 1.001 * given);
   }
 
-  TEST_CASE("oenog: a bar whose halves differ in stiffness swings with its own frequency") {
+  TEST_CASE("oenog: a bar whose halves differ in stiffness vibrates at the exact frequency") {
     for (const double ratio : {10.0, 100.0}) {
       CAPTURE(ratio);
-      // −2.2e-4 and 0.3e-4; −0.6e-4 and −0.1e-4 at ten rows
       CHECK(std::abs(measured_frequency(ratio, 0.002) / lowest_frequency(ratio) - 1) < 2.5e-4);
     }
   }

@@ -1,4 +1,3 @@
-// The stiffest swing of a layout, of systems whose answer is known.
 
 #include <cmath>
 #include <numbers>
@@ -17,8 +16,8 @@ namespace {
 
 using Field = std::vector<Vec<double, 2>>;
 
-/// Of a chain of particles between two walls along x, with springs of 1 and masses of 1: 4 at most. Along y each has a
-/// spring of its own.
+/// Greatest eigenvalue, at most 4, of a chain of unit masses with unit springs between two walls along x. Along y
+/// each particle has its own spring.
 double of_chain(const std::vector<double>& springs, int threads, int& products) {
   products = 0;
   const int n = static_cast<int>(springs.size());
@@ -34,7 +33,7 @@ double of_chain(const std::vector<double>& springs, int threads, int& products) 
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("layout stiffness: the greatest eigenvalue of a tridiagonal matrix") {
+  TEST_CASE("layout stiffness: the greatest eigenvalue of a tridiagonal matrix is exact") {
     CHECK(greatest_eigenvalue({3}, {}) == 3);
     CHECK(greatest_eigenvalue({-1, -2, -5}, {0, 0}) == test::relative(-1, 1e-12));
     for (const int n : {2, 5, 30}) {
@@ -45,7 +44,8 @@ TEST_SUITE("unit") {
     CHECK(std::isnan(greatest_eigenvalue({1, std::nan("")}, {0.5})));
   }
 
-  TEST_CASE("layout stiffness: a chain within a hundredth, in few steps, and what stands out exactly") {
+  TEST_CASE(
+      "layout stiffness: a chain converges to a hundredth in few steps, and an isolated eigenvalue exactly") {
     int products = 0;
     std::vector<double> springs(3000, 1.0);
     const double chain = of_chain(springs, 1, products);
@@ -56,21 +56,21 @@ TEST_SUITE("unit") {
     CHECK(of_chain(springs, 1, products) == test::relative(9, 1e-4));
   }
 
-  TEST_CASE("layout stiffness: the same bits on any number of threads") {
+  TEST_CASE("layout stiffness: the result has the same bits on any number of threads") {
     constexpr int n = 50000;
     int products = 0;
     const std::vector<double> springs(n, 2.0);
     Field field(n);
     for (int i = 0; i < n; ++i) field[i] = {scattered(2 * i), scattered(2 * i + 1)};
     const double alone = of_chain(springs, 1, products), square = dot(field, field, 1);
-    CHECK(square == test::relative(2 * n / 3.0, 0.02));  // even from −1 to 1
+    CHECK(square == test::relative(2 * n / 3.0, 0.02));  // uniform in −1 … 1
     for (const int threads : {2, 3, 8}) {
       CHECK(dot(field, field, threads) == square);
       CHECK(of_chain(springs, threads, products) == alone);
     }
   }
 
-  TEST_CASE("layout stiffness: of two masses on a spring, with a force at rest, k (1/m + 1/M), of none 0") {
+  TEST_CASE("layout stiffness: two masses on a preloaded spring give k (1/m + 1/M), and none give 0") {
     const double k = 3, m = 0.5, M = 2, small = 1e-3;
     const auto forces = [&](const Field& u, Field& out) {
       for (const Vec<double, 2>& one : u) CHECK(dot(one, one) <= 1.001 * small * small);

@@ -1,4 +1,3 @@
-// oenog against its formulas written down plainly, and what an energy of the positions promises.
 
 #include <array>
 #include <cmath>
@@ -33,7 +32,7 @@ namespace {
 
 constexpr double damping = 0.01;  // the default
 
-/// A shaken plate held at its left end, its right half of a softer, lighter material.
+/// A perturbed plate clamped at its left end, with a softer, lighter right half.
 Scene clamped_plate_of_two_materials() {
   Scene scene = small_clamped_plate();
   scene.bodies.pop_back();
@@ -42,7 +41,7 @@ Scene clamped_plate_of_two_materials() {
   return scene;
 }
 
-/// The same of materials with a negative Poisson's ratio, whose bonds have less than G.
+/// The same with negative Poisson's ratios, whose bonds have less than G.
 Scene auxetic_plate() {
   Scene scene = clamped_plate_of_two_materials();
   scene.name = "auxetic-plate";
@@ -56,8 +55,8 @@ Scene ring_alone() {
   return scene;
 }
 
-/// Of particles of a lattice whose cells are longer than wide, each with bonds and strengths of its own; then
-/// of one with a bond in another direction. At rest nothing at all is cancelled.
+/// Checks a lattice with oblong cells, different bonds and strengths, then one off-lattice. At rest nothing is
+/// subtracted.
 template <int Dim, class Kept>
 void check_cancelled(double precision) {
   using Cancelled = CancelledBonds<Dim, Kept>;
@@ -99,7 +98,6 @@ void check_cancelled(double precision) {
   }
 }
 
-/// That strengths and areas of bonds between free particles, as they are packed, are the same from both ends.
 template <class Packed, int Dim>
 void check_both_ends(const Scene& scene) {
   CAPTURE(scene.name);
@@ -116,7 +114,7 @@ void check_both_ends(const Scene& scene) {
       {oenog, scene, initial, constants, materials, Law{}, ContactLaw{}, false, {}, 1}, /*damping*/ 0);
   const Packed owner(setup, ids);
   const auto packed = owner.view();
-  std::map<std::pair<int, int>, std::pair<double, Vec<double, Dim>>> seen;  // strength and area
+  std::map<std::pair<int, int>, std::pair<double, Vec<double, Dim>>> seen;
   for (int first = 0; first < initial.size(); first += lanes) {
     const auto& own = packed.of(first / lanes);
     for (int b = 0; b < own.a_count; ++b) {
@@ -130,7 +128,7 @@ void check_both_ends(const Scene& scene) {
   int both = 0;
   for (const auto& [ends, own] : seen) {
     const auto other = seen.find({ends.second, ends.first});
-    if (other == seen.end()) continue;  // a place at the clamp
+    if (other == seen.end()) continue;  // a point on the clamp's face
     ++both;
     CHECK(own.first == other->second.first);
     for (int k = 0; k < Dim; ++k) CHECK(own.second[k] == -other->second.second[k]);
@@ -141,7 +139,7 @@ void check_both_ends(const Scene& scene) {
 }  // namespace
 
 TEST_SUITE("reference") {
-  TEST_CASE("oenog: 40 steps are those of the formulas, with a clamp, two materials and on a ring") {
+  TEST_CASE("oenog: 40 steps equal the transcription, with a clamp, two materials and on a ring") {
     for (const Scene& scene : {clamped_plate_of_two_materials(), auxetic_plate(), ring_alone()}) {
       CAPTURE(scene.name);
       NaiveOenog naive(scene, oenog.h_over_dp);
@@ -163,7 +161,7 @@ TEST_SUITE("reference") {
     }
   }
 
-  TEST_CASE("oenog: the forces are minus the slopes of the energy") {
+  TEST_CASE("oenog: forces are minus the slopes of the energy") {
     const Scene scene = clamped_plate_of_two_materials();
     NaiveOenog naive(scene, oenog.h_over_dp);
     for (int step = 0; step < 40; ++step) naive.step(oenog.cfl, damping);
@@ -188,8 +186,7 @@ TEST_SUITE("reference") {
 }
 
 TEST_SUITE("term") {
-  TEST_CASE(
-      "bonds: what is cancelled at faces is nothing of a homogeneous strain, and outwards of another one") {
+  TEST_CASE("bonds: weights of face terms sum to zero and have the exact first moment") {
     for (const double nu : {0.0, 0.3, 0.49}) {
       CAPTURE(nu);
       Scene scene = small_clamped_plate();
@@ -199,7 +196,7 @@ TEST_SUITE("term") {
       const Bonds bonds = make_bonds(scene, initial, oenog.h_over_dp * scene.spacing);
       std::map<long, std::array<double, 2>> of_column;  // Σ w, Σ w |y|
       for (const FaceTerm& term : bonds.face_terms) {
-        if (std::abs(term.t[0]) < std::abs(term.t[1])) continue;  // of the ends
+        if (std::abs(term.t[0]) < std::abs(term.t[1])) continue;
         CHECK(std::abs(term.t[1]) < 1e-12 * std::abs(term.t[0]));
         const Point& x = initial.x[term.i];
         auto& sums = of_column[std::lround(x[0] / scene.spacing * 2)];
@@ -217,16 +214,16 @@ TEST_SUITE("term") {
     disc.bodies[0].shapes = {Disc{{}, 0.018, RoundLayout::spaced}};
     const InitialParticles of_disc = make_initial_particles(disc);
     CHECK(make_bonds(disc, of_disc, oenog.h_over_dp * disc.spacing)
-              .face_terms.empty());  // more than the eight nearest
+              .face_terms.empty());  // more than eight neighbours
   }
 
-  TEST_CASE("bond: what is cancelled of four particles is the sum of each, on a lattice and off it") {
+  TEST_CASE("bond: the cancelled energy of four particles equals single ones, on a lattice and off it") {
     check_cancelled<2, AlignedPack>(1e-12);
     check_cancelled<3, AlignedPack>(1e-12);
     check_cancelled<3, HalfPack>(1e-6);
   }
 
-  TEST_CASE("oenog: a strained body that is turned keeps its energy, and its forces turn with it") {
+  TEST_CASE("oenog: a rotated strained body keeps its energy, and its forces rotate with it") {
     const Scene scene = ring_alone();
     NaiveOenog naive(scene, oenog.h_over_dp);
     for (int step = 0; step < 40; ++step) naive.step(oenog.cfl, damping);
@@ -250,14 +247,14 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("oenog: both ends of a bond have its strength to the last bit, and opposite areas") {
+  TEST_CASE("oenog: both ends of a bond have the same strength to the last bit and opposite areas") {
     for (const Scene& scene : {clamped_plate_of_two_materials(), ring_alone()})
       check_both_ends<PackedBonds<2, AlignedPack>, 2>(scene);
     check_both_ends<PackedBonds<3, AlignedPack>, 3>(small_clamped_block());
     check_both_ends<PackedBonds<3, HalfPack>, 3>(jittered(small_clamped_block(), 0.2));
   }
 
-  TEST_CASE("oenog: a body of two materials keeps its momenta and its energy") {
+  TEST_CASE("oenog: a body of two materials conserves its momenta and its energy") {
     Scene scene = rotating_plate(0.2);
     scene.materials.push_back({"soft", /*ρ0*/ 900, /*E*/ 4e6, /*ν*/ 0.3});
     scene.bodies[0].parts = {{1, [](const Point& x) { return x[1] > 0.002 ? 1.0 : 0.0; }}};
@@ -275,13 +272,13 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("term") {
-  TEST_CASE("oenog: the damping takes a zigzag away and leaves the first mode alone") {
+  TEST_CASE("oenog: damping removes a zigzag and leaves the first mode unchanged") {
     Scene zigzag = rotating_plate(0);
     const double c0 = ring_rubber().sound_speed(), dp = zigzag.spacing;
     const auto parity = [dp](double x) { return std::lround(std::floor(x / dp)) % 2 == 0 ? 1.0 : -1.0; };
     zigzag.bodies[0].velocity[0] = [=](const Point& x) { return 1e-3 * c0 * parity(x[1]); };
     zigzag.bodies[0].velocity[1] = [=](const Point&) { return 0.0; };
-    // what is left of the energy at `from` later on
+    // share of the energy at `from` that remains at `to`
     const auto kept = [](const Scene& scene, double from, double to, double damping) {
       Settings settings = with_method("oenog");
       settings.constants["damping"] = damping;
@@ -295,10 +292,10 @@ TEST_SUITE("term") {
       return energy_at(to) / start;
     };
     const double shear_speed = std::sqrt(ring_rubber().shear_modulus() / ring_rubber().density);
-    const double period = std::numbers::pi * dp / shear_speed;  // of rows against each other: ω = 2 c_s/dp
+    const double period = std::numbers::pi * dp / shear_speed;  // rows against each other: ω = 2 c_s/dp
     CHECK(kept(zigzag, 0, 18 * period, 0) > 0.95);
     CHECK(kept(zigzag, 0, 18 * period, damping) < 0.12);
-    // after a period, in which what the first mode does not take of the start is damped
+    // from one period on, when only the first mode is left
     const Scene plate = oscillating_plate(0.001, 5);
     CHECK(kept(plate, 0.25, 0.5, damping) > 0.999);
     CHECK(kept(plate, 0.25, 0.5, damping) < 1);
@@ -307,7 +304,7 @@ TEST_SUITE("term") {
 
 namespace {
 
-/// A block that flies apart or together with the velocities L x, faster than its surface can tell its middle.
+/// A block with velocities L x, too fast for surface waves to reach its middle.
 Scene straining_block(const Mat<double, 2>& L) {
   Scene scene = rotating_plate(0);
   for (const int axis : {0, 1})
@@ -317,7 +314,6 @@ Scene straining_block(const Mat<double, 2>& L) {
   return scene;
 }
 
-/// From three particles around the middle of the block.
 Mat<double, 2> gradient(const Snapshot& now) {
   const auto corner = [&](double X, double Y) {
     for (std::size_t i = 0; i < now.size(); ++i)
@@ -325,7 +321,7 @@ Mat<double, 2> gradient(const Snapshot& now) {
     FAIL("no particle there");
     return now.size();
   };
-  const double half = 0.0005;  // of a spacing
+  const double half = 0.0005;
   const std::size_t low = corner(-half, -half), right = corner(half, -half), up = corner(-half, half);
   Mat<double, 2> F;
   for (int a = 0; a < 2; ++a) {
@@ -346,10 +342,10 @@ std::size_t middle_of(const Snapshot& now) {
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("oenog: pressure, stress and density shown are the neo-Hookean ones of the deformation") {
+  TEST_CASE("oenog: output pressure, stress and density are neo-Hookean") {
     const Material rubber = ring_rubber();
     const double rate = rubber.sound_speed() / 0.01, K = rubber.bulk_modulus(), G = rubber.shear_modulus();
-    Mat<double, 2> drawn, pressed, shut;  // J about 1.2, 0.8 and 0.3
+    Mat<double, 2> drawn, pressed, shut;
     drawn(0, 0) = 0.8, drawn(0, 1) = 0.5, drawn(1, 0) = -0.2, drawn(1, 1) = 0.3;
     pressed(0, 0) = -1, pressed(0, 1) = 0.4, pressed(1, 0) = 0.7, pressed(1, 1) = 0.1;
     shut(0, 0) = -3, shut(1, 1) = -3.5, shut(0, 1) = 0.3, shut(1, 0) = 0.1;
@@ -376,9 +372,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE(
-      "oenog: a wedge that is turned has no stress, not at its tip either, whose bonds hardly span the "
-      "plane") {
+  TEST_CASE("oenog: a rotated wedge has no stress, even at its tip, whose bonds are nearly collinear") {
     Scene scene = ring_alone();
     const Chain wedge{{0, 0, 0}, {0.02, -0.0035, 0}, {0.02, 0.0035, 0}};
     scene.bodies[0].shapes = {Polygon({wedge})};
@@ -395,8 +389,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE(
-      "oenog: drawn out to 2.4 times its length a body has the energy of its law, beyond 2.5 more, in 3D to "
-      "2") {
+      "oenog: a body has its law's energy up to 2.4 times its length, in 3D to 2, and more beyond 2.5") {
     const Material rubber = ring_rubber();
     for (const int dim : {2, 3}) {
       for (const double stretch : {1.5, 1.95, 2.4, 2.8}) {
@@ -425,7 +418,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("oenog: pressed below half its volume a body takes steps for what then stiffens it") {
+  TEST_CASE("oenog: steps shorten with the stiffening of a body compressed below half its volume") {
     const Material rubber = ring_rubber();
     const double G = rubber.shear_modulus(), M = rubber.bulk_modulus() + 4 * G / 3;
     const double c = std::sqrt(M / rubber.density), rate = 4 * rubber.sound_speed() / 0.01;
@@ -437,7 +430,7 @@ TEST_SUITE("analytic") {
       const Snapshot before = state_after(steps - 1, scene, with_method("oenog")),
                      now = state_after(steps, scene, with_method("oenog")),
                      after = state_after(steps + 1, scene, with_method("oenog"));
-      double J = 1;  // the least, where forces are taken: in the middle of the step, of √J nearly the mean
+      double J = 1;  // least J at mid-step, where forces are evaluated; √J is interpolated
       for (std::size_t i = 0; i < now.size(); ++i) {
         const auto root = [&](const Snapshot& at) { return std::sqrt(rubber.density / at.rho[i]); };
         J = std::min(J, std::pow(0.5 * (root(before) + root(now)), 2));
@@ -448,7 +441,7 @@ TEST_SUITE("analytic") {
       for (std::size_t i = 0; i < now.size(); ++i)
         fastest = std::max(fastest, std::hypot(now.v[2 * i], now.v[2 * i + 1]));
       const double shorter = oenog.cfl * scene.spacing / (c + fastest) / (after.time - now.time);
-      // ∂²/∂J² of (K + 4G/3)(1 − 2J)³ over the modulus at rest, and 1.5 that the steps have to spare
+      // ∂²/∂J² of (K + 4G/3)(1 − 2J)³ over the modulus at rest, and a safety factor of 1.5
       CHECK(1.5 * shorter * shorter == relative(1 + 24 * (1 - 2 * J), 0.02));
     }
     CHECK(shut == 2);
@@ -471,12 +464,11 @@ TEST_SUITE("determinism") {
 }
 
 TEST_SUITE("convergence") {
-  TEST_CASE("plate: the period of oenog is right from few rows on, whatever Poisson's ratio") {
+  TEST_CASE("plate: the period of oenog is accurate with few rows at any Poisson's ratio") {
     struct Plate {
-      double nu, period;               // s: finite elements for 0.3975, the others by h² from 20 and 40 rows
-      std::vector<double> error = {};  // at 5 rows, and at 10
+      double nu, period;               // period from finite elements, s
+      std::vector<double> error = {};  // with 5 and 10 rows
     };
-    // without what is taken back at faces: 8.3, 2.8, 0.17, −4.1 % and 2.2, 0.7, 0.06, −1.0 %
     for (const Plate& plate : {Plate{0, 0.27868, {0.016, 0.003}}, Plate{0.3, 0.26575, {0.007, 0.0015}},
                                Plate{0.3975, 0.25522, {0.003, 0.001}}, Plate{0.49, 0.2416, {0.028}}}) {
       CAPTURE(plate.nu);

@@ -1,4 +1,3 @@
-// oenog in 3D: its bonds, its energy, and what follows from there being one.
 
 #include <algorithm>
 #include <array>
@@ -15,7 +14,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/methods/bonded/layout/bonds.hpp"
 #include "engine/methods/bonded/methods.hpp"
 #include "tests/engine/methods/bonded/cantilever_3d.hpp"
@@ -45,26 +44,25 @@ Scene alone(const Shape& shape) {
   return scene;
 }
 Scene block(int x, int y, int z) { return alone(Box{{0, 0, 0}, {x * dp, y * dp, z * dp}}); }
-/// Held for X < 0, three particles deep.
+/// Clamped for X < 0, three particles deep.
 Scene clamped_block(int x, int y, int z) {
   Scene scene = alone(Box{{-3 * dp, 0, 0}, {x * dp, y * dp, z * dp}});
   scene.bodies[0].held = [](const Point& X) { return X[0] < 0 ? 1.0 : 0.0; };
   return scene;
 }
-/// Particles stand on its faces, of which x = 0 is held.
+/// Particles lie on its faces; the face x = 0 is clamped.
 Scene block_on_faces(int x, int y, int z) {
   Scene scene = block(x, y, z);
   scene.bodies[0].on_boundary = true;
   scene.bodies[0].held = [](const Point& X) { return X[0] <= 0 ? 1.0 : 0.0; };
   return scene;
 }
-/// One particle stands on the middle of a block, without neighbours on two of the axes.
+/// A block with one particle on top, which has no neighbours along two axes.
 Scene block_with_tip() {
   Scene scene = block(3, 3, 3);
   scene.bodies[0].shapes.push_back(Box{{dp, dp, 3 * dp}, {2 * dp, 2 * dp, 4 * dp}});
   return scene;
 }
-/// That flies into a wall at 0.9 sound speeds.
 Scene cube_at_wall() {
   Scene scene = block(8, 8, 8);
   scene.bodies[0].velocity[0] = constant(-0.9 * scene.materials[0].sound_speed());
@@ -77,7 +75,6 @@ Scene cube_at_wall() {
 }
 Scene ball() { return alone(Disc{{}, 0.0047}); }
 
-/// F X of every particle.
 Naive::Places deformed(const InitialParticles& initial, const Square& F) {
   Naive::Places at;
   for (const Point& X : initial.x) {
@@ -97,8 +94,7 @@ Square random_rotation(std::mt19937& random) {
       .toRotationMatrix();
 }
 
-/// The greatest force on a particle where `counts`, over G ε dp, of homogeneous strains of the size ε in
-/// random directions.
+/// Greatest force on the particles selected by `counts`, over G ε dp, for random homogeneous strains of size ε.
 template <class Counts>
 double unbalanced(const Scene& scene, const Counts& counts) {
   const double G = scene.materials[0].shear_modulus();
@@ -125,7 +121,7 @@ double sum(const std::vector<double>& values) {
   return total;
 }
 
-/// After its first steps; the scene must outlive it.
+/// Returns a run after `steps` steps; `scene` must outlive it.
 Naive strained(const Scene& scene, int steps) {
   Naive naive(scene, h_over_dp);
   for (int k = 0; k < steps; ++k) naive.step(oenog.cfl, 0);
@@ -138,7 +134,6 @@ Scene shaken_block() {
   return scene;
 }
 
-/// Two blocks that meet off their centres.
 Scene two_blocks() {
   const double c0 = ring_rubber().sound_speed();
   Scene scene = small_solid_collision();
@@ -157,7 +152,6 @@ bool same_bytes(const Snapshot& a, const Snapshot& b) {
          same(a.strain_energy, b.strain_energy);
 }
 
-/// Turned about its axis, by a quarter of a sine.
 Scene twisting_cantilever(int across) {
   Scene scene = square_cantilever(across);
   const auto rate = [](const Point& x) { return 5 * std::sin(std::numbers::pi * x[0] / 0.4); };  // rad/s
@@ -171,13 +165,13 @@ Scene twisting_cantilever(int across) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("bonds: in 3D a particle inside has 26, whose moments are isotropic, and the gradient of six") {
+  TEST_CASE("bonds: in 3D an interior particle has 26 with isotropic moments and a six-point gradient") {
     const Scene scene = block(5, 5, 5);
     const Bonds bonds = make_bonds(scene, make_initial_particles(scene), h_over_dp * dp);
     const int middle = 62;
     REQUIRE(bonds.begin[middle + 1] - bonds.begin[middle] == 26);
-    double moment[3][3] = {};  // of e_a² e_b²
-    double odd = 0;            // of e_x³ e_y
+    double moment[3][3] = {};  // e_a² e_b²
+    double odd = 0;            // e_x³ e_y
     int of_axes = 0;
     std::map<double, int> weights;  // to 2^-36
     const auto known = [](double w) { return std::abs(w - 2.0 / 3) < 1e-10 ? 2.0 / 3 : w; };
@@ -194,7 +188,7 @@ TEST_SUITE("unit") {
     CHECK(std::abs(odd) < 1e-9);
     CHECK(of_axes == 6);
     CHECK(weights[2.0 / 3] == 18);  // along axes and across faces
-    CHECK(weights[3.0 / 8] == 8);   // across the cube
+    CHECK(weights[3.0 / 8] == 8);
   }
 
   TEST_CASE("bonds: in 3D the gradient of a linear field is exact, at surfaces, tips and clamps too") {
@@ -202,7 +196,7 @@ TEST_SUITE("unit") {
       const InitialParticles initial = make_initial_particles(scene);
       const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
       for (int i = 0; i < initial.size(); ++i) {
-        if (initial.held[i] && !scene.bodies[0].on_boundary) continue;  // has no bonds
+        if (initial.held[i] && !scene.bodies[0].on_boundary) continue;
         Square one = Square::Zero();
         for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b)
           one += Eigen::Vector3d(bonds.of(i, b).X.data()) * Eigen::RowVector3d(bonds.gradient(i, b).data());
@@ -221,8 +215,8 @@ TEST_SUITE("unit") {
       CHECK(sum(start.m) == relative(density * sum(initial.V0), 1e-13));
       for (int i = 0; i < initial.size(); ++i) CHECK(start.m[i] == relative(density * bonds.mass[i], 1e-14));
     }
-    // the more at a face and the less below it has a first moment of dp²/15 of the face, in masses of dp²/24;
-    // where particles stand on the face the layout has it for both, and volumes have dp²/25 less
+    // a face's first moment is dp²/15 in volumes, dp²/24 in masses; with particles on faces the layout includes it,
+    // and volumes have dp²/25 less
     for (const bool on_faces : {false, true}) {
       CAPTURE(on_faces);
       const int n = on_faces ? 8 : 9;
@@ -230,7 +224,7 @@ TEST_SUITE("unit") {
       const InitialParticles initial = make_initial_particles(scene);
       const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
       const double middle = 0.5 * n * dp;
-      double moment = 0, of_mass = 0;  // of the column through the middle, about it
+      double moment = 0, of_mass = 0;  // first moment of the middle column
       for (int i = 0; i < initial.size(); ++i) {
         const Point& x = initial.x[i];
         if (std::abs(x[0] - middle) > 0.1 * dp || std::abs(x[1] - middle) > 0.1 * dp) continue;
@@ -243,11 +237,11 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("oenog: in 3D no bonds are kept but those of particles beside a clamp") {
+  TEST_CASE("oenog: in 3D only particles beside a clamp store bonds of their own") {
     Scene scene = block(12, 12, 12);
     CHECK(make_bonds(scene, make_initial_particles(scene), h_over_dp * dp).rows.empty());
     scene.bodies[0].held = [](const Point& X) { return X[0] < 2 * dp ? 1.0 : 0.0; };
-    // of three layers along x and, along y and z, of the place itself and those beside it
+    // three layers along x; along y and z the particle and its neighbours
     CHECK(make_bonds(scene, make_initial_particles(scene), h_over_dp * dp).rows.size() ==
           3 * 34 * 34 - 12 * 12);
   }
@@ -255,7 +249,7 @@ TEST_SUITE("unit") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("oenog: in 3D a homogeneous strain leaves no force inside a lattice and a ball cut from it") {
-    // the volumes near a face make four rows the surface's share
+    // volumes near a face give forces in four rows
     const auto deep = [](const Point& X) {
       return std::ranges::all_of(X, [](double x) { return std::abs(x - 5 * dp) < 0.6 * dp; });
     };
@@ -275,7 +269,7 @@ TEST_SUITE("analytic") {
     const Naive naive(scene, h_over_dp);
     double greatest = 0;
     for (int along = 0; along < 3; ++along) {
-      constexpr double size = 0.05;  // of strains that leave the held face where it is
+      constexpr double size = 0.05;  // of strains that keep the clamped face fixed
       Square F = Square::Identity();
       F(along, 0) += size;
       const auto force = naive.force(deformed(initial, F));
@@ -303,7 +297,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("reference") {
-  TEST_CASE("oenog: in 3D the forces are minus the slopes of the energy") {
+  TEST_CASE("oenog: in 3D forces are minus the slopes of the energy") {
     Scene scene = small_clamped_block();
     scene.bodies.pop_back();
     const Naive naive = strained(scene, 15);
@@ -327,7 +321,7 @@ TEST_SUITE("reference") {
 }
 
 TEST_SUITE("term") {
-  TEST_CASE("oenog: in 3D a strained body that is turned keeps its energy, and its forces turn with it") {
+  TEST_CASE("oenog: in 3D a rotated strained body keeps its energy, and its forces rotate with it") {
     const Scene scene = shaken_block();
     const Naive naive = strained(scene, 30);
     const double energy = naive.energy(naive.x);
@@ -356,8 +350,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE(
-      "oenog: in 3D two blocks that collide keep their momenta, damped or not, and undamped the energy") {
+  TEST_CASE("oenog: in 3D colliding blocks conserve their momenta and, undamped, the energy") {
     Scene scene = two_blocks();
     for (const auto& [law, damping] :
          {std::pair(ContactLaw::surface, 0.01), {ContactLaw::surface, 0.0}, {ContactLaw::penalty, 0.0}}) {
@@ -365,7 +358,7 @@ TEST_SUITE("conservation") {
       CAPTURE(damping);
       scene.contact = law;
       Settings settings = with_damping(damping);
-      settings.cfl = 0.32;  // half the default, of which the energy swings by 0.16 and not by 0.30 %
+      settings.cfl = 0.32;  // half the default, for smaller energy oscillations
       const auto simulation = make_simulation(scene, settings);
       const Snapshot first = simulation->snapshot();
       const Balance start = balance(first, scene);
@@ -383,7 +376,7 @@ TEST_SUITE("conservation") {
       CHECK(most_strained > 0.1 * start.kinetic);
       const Balance end = balance(simulation->snapshot(), scene);
       if (damping > 0) CHECK(end.kinetic + end.strain < 0.99 * start.kinetic);
-      CHECK(simulation->snapshot().v[0] < 0.5 * first.v[0]);  // they met
+      CHECK(simulation->snapshot().v[0] < 0.5 * first.v[0]);
     }
   }
 }
@@ -399,7 +392,7 @@ TEST_SUITE("determinism") {
     }
   }
 
-  TEST_CASE("oenog: in 3D a saved run goes on to the same bytes, pressed so far that steps are short") {
+  TEST_CASE("oenog: in 3D a resumed run gives the same bytes, even compressed to short steps") {
     const Scene scene = cube_at_wall();
     const auto before = make_simulation(scene, with_method("oenog"));
     make_steps(*before, 30);
@@ -416,7 +409,6 @@ TEST_SUITE("convergence") {
   TEST_CASE("oenog: in 3D a square cantilever bends and twists with the periods of finite elements") {
     constexpr double bending = 0.27691, torsion = 0.032507;  // s
     const auto near = [](double error, double bound) { CHECK(std::abs(error) < bound); };
-    // 2.6, 0.6, 9.6 and 1.3 %
     near(error_of_period(bending_cantilever(3), bending), 0.03);
     near(error_of_period(bending_cantilever(5), bending), 0.01);
     near(error_of_period(twisting_cantilever(3), torsion), 0.11);
@@ -425,7 +417,7 @@ TEST_SUITE("convergence") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("oenog: in 3D thin bars on the lattice bear the default step at any Poisson's ratio") {
+  TEST_CASE("oenog: in 3D thin bars on the lattice are stable at the default step for any Poisson's ratio") {
     struct Bar {
       double side, poisson_ratio;  // side in spacings
     };
@@ -454,7 +446,7 @@ TEST_SUITE("failure") {
     }
   }
 
-  TEST_CASE("oenog: in 3D a cube that meets a wall at 0.9 sound speeds stays whole and finite") {
+  TEST_CASE("oenog: in 3D a cube that hits a wall at 0.9 sound speeds stays whole and finite") {
     const Scene scene = cube_at_wall();
     const auto simulation = make_simulation(scene, with_method("oenog"));
     Judge judge(scene, *simulation);
@@ -468,7 +460,7 @@ TEST_SUITE("failure") {
     CHECK(judge.verdict() == Verdict::stable);
     CHECK(judge.pieces() == 1);
     CHECK(most_strained > 0.3 * start);
-    CHECK(balance(simulation->snapshot(), scene).linear_momentum[0] > 0);  // it came back
+    CHECK(balance(simulation->snapshot(), scene).linear_momentum[0] > 0);
   }
 }
 

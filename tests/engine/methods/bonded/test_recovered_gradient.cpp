@@ -1,4 +1,3 @@
-// What oenog shows: gradients that are exact for quadratic fields up to the surface.
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +38,6 @@ Scene block(int across, double length = L) {
   return scene;
 }
 
-/// Its right half of another material.
 Scene block_of_two() {
   Scene scene = block(10);
   scene.materials.push_back({"soft", 900, 4e6, 0.3});
@@ -58,7 +56,7 @@ RecoveredGradient recovered(const Scene& scene, const InitialParticles& initial,
                             /*threads*/ 1, halved);
 }
 
-/// Greatest error of the gradients of all monomials of the degree at a particle, over what they are in dp.
+/// Greatest relative error of the gradient over all monomials of `degree` at a particle, in units of dp.
 template <class Rows, class Gradient>
 double error(const Rows& rows, const Gradient& g, const InitialParticles& initial, int i, double dp,
              int degree) {
@@ -81,7 +79,8 @@ double error(const Rows& rows, const Gradient& g, const InitialParticles& initia
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("recovered gradient: exact for quadratic fields on every layout, or the method's own is") {
+  TEST_CASE(
+      "recovered gradient: it is exact for quadratic fields in every layout, or the method's own is shown") {
     for (const Scene& scene : {block(10), block_of_two(), small_collision(), small_clamped_plate()}) {
       CAPTURE(scene.name);
       const InitialParticles initial = make_initial_particles(scene);
@@ -109,12 +108,12 @@ TEST_SUITE("unit") {
         }
       }
       CHECK(worst < 1e-9);
-      CHECK(own < 1e-3);  // what balances the bonds near a re-entrant corner is left of it
+      CHECK(own < 1e-3);  // limited by the balancing of bonds near a re-entrant corner
       CHECK(shown > 0);
     }
   }
 
-  TEST_CASE("recovered gradient: in half the bytes it is the same in single precision") {
+  TEST_CASE("recovered gradient: the compact form equals the full one in single precision") {
     const Scene cube = jittered(small_clamped_block(), 0.2);
     const InitialParticles initial = make_initial_particles(cube);
     const RecoveredGradient whole = recovered(cube, initial), half = recovered(cube, initial, true);
@@ -126,7 +125,7 @@ TEST_SUITE("unit") {
     CHECK(half.halved == rounded);
   }
 
-  TEST_CASE("recovered gradient: of a larger cube there are more rows, but not more that differ") {
+  TEST_CASE("recovered gradient: a larger cube has more rows but no more distinct ones") {
     std::size_t entries = 0, numbers = 0;
     for (const int across : {10, 14}) {
       Scene cube = block(across, H);
@@ -140,8 +139,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE(
-      "recovered gradient: in a solid the layers beside another material, and no others, see both sides") {
+  TEST_CASE("recovered gradient: in a solid only layers beside another material see both sides") {
     const double dp = H / 5;
     Scene scene = block(5, 14 * dp);
     scene.dim = 3;
@@ -155,8 +153,7 @@ TEST_SUITE("unit") {
     for (int i = 0; i < initial.size(); ++i) CHECK(rows.between[i] == (std::abs(initial.x[i][0]) < dp));
   }
 
-  TEST_CASE(
-      "recovered gradient: linear where a body is two particles thick, the method's own where it is one") {
+  TEST_CASE("recovered gradient: it is linear for two layers and the method's own for one") {
     Scene thin = block(2);
     InitialParticles initial = make_initial_particles(thin);
     RecoveredGradient rows = recovered(thin, initial);
@@ -176,7 +173,7 @@ TEST_SUITE("unit") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("oenog: the stress of an imposed bending is exact at faces and corners") {
-    const double kappa = 1e3 / H, step = 1e-9;  // 1/m s, s: too short for forces to move anything
+    const double kappa = 1e3 / H, step = 1e-9;  // 1/m s, s: too short for motion by forces
     for (const double rate : {1.0, -1.0}) {
       Scene scene = block(5, H);
       // u = t κ (x y, −(x² + m y²)/2), m = ν/(1 − ν): pure bending
@@ -199,10 +196,10 @@ TEST_SUITE("analytic") {
     }
   }
 
-  // What is let go is a part of the body that happens to be driven: its outermost particles are strained.
+  // A region to be released later belongs to the body, so its outermost particles are strained.
   TEST_CASE(
-      "oenog: the stress before a driven end is that of what is free, up to its face or, if it is let go, "
-      "into it") {
+      "oenog: the stress in front of a driven end is the free part's up to its face, or inside if it is "
+      "released") {
     const double dp = H / 5, rate = 1e3, step = 1e-9;  // m, 1/s, s
     for (const int variant : {0, 1, 2, 3, 4, 5, 6, 7}) {
       const int dim = variant % 2 == 0 ? 2 : 3;
@@ -226,9 +223,10 @@ TEST_SUITE("analytic") {
       Settings settings = with_method("oenog");
       settings.step = step;
       const Snapshot now = state_after(1, scene, settings);
-      const double M = 2e6 * 0.7 / (1.3 * 0.4);  // Pa, of strain along one axis
+      const double M = 2e6 * 0.7 / (1.3 * 0.4);  // Pa, uniaxial strain
       for (std::size_t i = 0; i < now.size(); ++i) {
-        const double last = lets_go && grip_of_steel ? kink - dp : kink;  // that has the stress
+        const double last =
+            lets_go && grip_of_steel ? kink - dp : kink;  // position of the last strained particle
         const double should = now.x0[dim * i] < last + 0.1 * dp ? 1 : 0;
         CHECK(now.stress(i).xx / (M * rate * step) == Approx(should).scale(1).epsilon(1e-3));
       }

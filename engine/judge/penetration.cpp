@@ -1,4 +1,4 @@
-#include "engine/diagnostics/penetration.hpp"
+#include "engine/judge/penetration.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,12 +17,12 @@ namespace taut {
 namespace {
 
 // in spacings
-constexpr double near = 1.5;   // the eight around a particle of a square lattice, the six of a hexagonal one
-constexpr double far = 4;      // at the start: as far as what contact keeps apart is
-constexpr double reach = 2.5;  // of the lists; below `far` a body with little strain has nobody in them
+constexpr double near = 1.5;   // eight neighbours on a square lattice, six on a hexagonal one
+constexpr double far = 4;      // initially, as for contact
+constexpr double reach = 2.5;  // of lists; below `far`, so that they stay empty at small strain
 constexpr double skin = reach - near;
 
-constexpr double shallow(int dim) { return dim == 3 ? 0.41 : 0.29; }  // of penetration.hpp
+constexpr double shallow(int dim) { return dim == 3 ? 0.41 : 0.29; }  // see penetration.hpp
 
 constexpr double widest_inside = 2 * std::numbers::pi / 3;
 
@@ -33,7 +33,6 @@ Vec<double, Dim> place(const std::vector<double>& places, int i) {
   return x;
 }
 
-/// The directions from a particle to others, and whether they leave a wide gap.
 template <int Dim>
 struct Around;
 
@@ -46,7 +45,7 @@ struct Around<2> {
   bool leaves_gap() { return widest_gap(directions) > widest_inside; }
 };
 
-/// To all places on the surface of a cube of 5 × 5 × 5 from its middle: nothing is farther than 18° from one.
+/// Surface points of a 5 × 5 × 5 lattice, within 18° of any direction.
 std::array<Vec<double, 3>, 98> spread_directions() {
   std::array<Vec<double, 3>, 98> all;
   std::size_t n = 0;
@@ -60,7 +59,7 @@ std::array<Vec<double, 3>, 98> spread_directions() {
 
 template <>
 struct Around<3> {
-  std::bitset<98> has_one;  // of the spread directions, those that have one within half of `widest_inside`
+  std::bitset<98> has_one;  // [direction] near a particle
 
   void clear() { has_one.reset(); }
   void add(const Vec<double, 3>& d) {
@@ -74,7 +73,7 @@ struct Around<3> {
   bool leaves_gap() const { return !has_one.all(); }
 };
 
-/// From i to j at the start; from j to i the same number with the other sign, of zeros too.
+/// From i to j; antisymmetric to the sign of zeros.
 template <int Dim>
 Vec<double, Dim> way(const Snapshot& start, int i, int j) {
   return i < j ? place<Dim>(start.x0, j) - place<Dim>(start.x0, i) : -1.0 * way<Dim>(start, j, i);
@@ -100,7 +99,7 @@ std::vector<int> surface_particles(const Snapshot& start, double radius, int thr
   return surface;
 }
 
-/// Some of the particles, in cells.
+/// Particles sorted by cell.
 template <int Dim>
 class Cells {
  public:
@@ -113,7 +112,7 @@ class Cells {
     }
   }
 
-  /// Calls visit(j) for every one of them at most `radius` from x, which lies among them.
+  /// Calls visit(j) within `radius` of x, which must lie among the particles.
   template <class Visit>
   void for_each_around(const Vec<double, Dim>& x, Visit visit) const {
     grid_.for_each_row(x, [&](int first, int last) {
@@ -132,10 +131,10 @@ class Cells {
 
   double radius_;  // m
   CellGrid<Dim> grid_;
-  std::vector<Stored> stored_;  // in the order of the cells
+  std::vector<Stored> stored_;  // by cell
 };
 
-/// All in the box of some, widened by a margin.
+/// Particles in the box of `some`, widened by `margin`, m.
 template <int Dim>
 std::vector<int> particles_around(const Snapshot& now, const std::vector<int>& some, double margin) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -190,7 +189,7 @@ template <int Dim>
 bool Penetration::lists_hold(const Snapshot& now) const {
   if (at_search_.empty()) return false;
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  constexpr int lanes = Dim == 2 ? 2 : 1;  // doubles that any x86-64 works on at once
+  constexpr int lanes = Dim == 2 ? 2 : 1;  // doubles per instruction on any x86-64
   typedef double Several __attribute__((vector_size(lanes * sizeof(double))));
   constexpr int packs = Dim / lanes;
   Several low[packs], high[packs];
@@ -230,7 +229,7 @@ void Penetration::search(const Snapshot& now) {
   }
 }
 
-/// The particles of a surface that have a far one of a surface in reach.
+/// Surface particles with a far one in range.
 template <int Dim>
 std::vector<int> Penetration::to_ask(const Snapshot& now) const {
   const Cells<Dim> surface(now, surface_, reach * spacing_);

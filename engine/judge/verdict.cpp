@@ -1,4 +1,4 @@
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "engine/core/parallel.hpp"
-#include "engine/diagnostics/conservation.hpp"
 #include "engine/neighbors/close_pairs.hpp"
 
 namespace taut {
@@ -22,7 +21,7 @@ constexpr std::array<std::pair<Verdict, std::string_view>, 5> verdicts = {{
     {Verdict::diverged, "diverged"},
 }};
 
-/// The vector from one particle to another, of the places `x`.
+/// From i to j at positions `x`.
 template <int Dim>
 std::array<double, Dim> between(const std::vector<double>& x, int i, int j) {
   std::array<double, Dim> d;
@@ -63,8 +62,10 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool kee
     : particles_(start.size()),
       longest_(std::max(support, 2 * scene.spacing)),
       keeps_neighbors_(keeps_neighbors),
+      energies_(scene, start, support, keeps_neighbors),
       penetration_(start, scene.spacing, threads) {
-  // 1.5 dp: the eight nearest of a square lattice (√2 dp), the six of a hexagonal one, no second row
+  for (const Material& material : scene.materials) compliance_.push_back(1 / material.youngs_modulus);
+  // eight neighbours on a square lattice, six on a hexagonal one
   const auto add = [this](int i, int j) { bonds_.push_back({i, j, false}); };
   for_each_close_pair(start, 1.5 * scene.spacing, add, threads);
   bonds_.shrink_to_fit();
@@ -76,15 +77,6 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool kee
   for (std::size_t b = 0; b < bonds_.size(); ++b)
     for (const int i : {bonds_[b].i, bonds_[b].j}) bonds_of_[end[i]++] = static_cast<int>(b);
   pieces_ = start_pieces_ = count_pieces();
-  const Balance at_start = balance(start, scene);
-  if (scene.walls.empty() && !exchanges_momentum(scene, start))
-    closed_mass_ = std::accumulate(start.m.begin(), start.m.end(), 0.0);
-  start_momentum_ = at_start.linear_momentum;
-  start_energy_ = given_energy_ = motion(at_start) + at_start.strain;
-  least_strain_ = std::min(at_start.strain, 0.0);
-  constexpr double rounding = 1e-12;  // of the kinetic energy of the common motion, which motion() subtracts
-  constexpr double margin = 1e4, of_start = 10;
-  floor_ = margin * energy_of_rounding(scene, start) + rounding * at_start.kinetic - of_start * least_strain_;
 }
 
 Judge::Judge(const Scene& scene, const Simulation& simulation)
@@ -105,17 +97,9 @@ Judge::Judge(const Scene& scene, const Simulation& simulation)
 }
 
 void Judge::observe(const Snapshot& now, const Balance& balance, const Readings& readings) {
-  const double kinetic = motion(balance), energy = kinetic + balance.strain;
-  // the angular scale contains every position, the energies every other value
-  const bool finite = std::isfinite(energy) && std::isfinite(balance.angular_scale);
-  given_energy_ = std::max(given_energy_, start_energy_ + balance.work);
-  constexpr double small_part = 0.1;  // of the received energy
-  const bool moves = keeps_neighbors_ || kinetic > small_part * given_energy_;
-  const bool doubled = std::max(moves ? energy : 0, kinetic) > 2 * given_energy_;
-  const bool fell = keeps_neighbors_ && balance.strain < least_strain_ - small_part * given_energy_;
-  if (!finite || (given_energy_ > floor_ && (doubled || (fell && fell_))))
-    since_.try_emplace(Verdict::diverged, now.time);
-  fell_ = fell;
+  // the angular scale contains all positions, energies all else
+  const bool finite = std::isfinite(balance.kinetic + balance.strain) && std::isfinite(balance.angular_scale);
+  if (!finite || energies_.diverges(now)) since_.try_emplace(Verdict::diverged, now.time);
   if (!finite) return;
   static_assert(indicators[0].key == "hourglass_error");
   if (readings[0].share() > hourglass_threshold) since_.try_emplace(Verdict::hourglass, now.time);
@@ -125,17 +109,6 @@ void Judge::observe(const Snapshot& now, const Balance& balance, const Readings&
   pieces_ = count_pieces();
   if (!since_.contains(Verdict::fractured) && (pieces_ > start_pieces_ || has_crack()))
     since_.emplace(Verdict::fractured, now.time);
-}
-
-/// Kinetic energy, J; where nothing acts from outside, to an observer who goes along with all bodies as they began.
-double Judge::motion(const Balance& balance) const {
-  if (closed_mass_ == 0) return balance.kinetic;
-  double own = balance.kinetic;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double V = start_momentum_[k] / closed_mass_;
-    own += V * (0.5 * start_momentum_[k] - balance.linear_momentum[k]);
-  }
-  return std::max(own, 0.0);
 }
 
 Verdict Judge::verdict() const { return since_.empty() ? Verdict::stable : since_.rbegin()->first; }
@@ -174,23 +147,27 @@ double Judge::squared_stretch(const Bond& bond, const Snapshot& now) {
   return dot(x, x) / dot(X, X);
 }
 
-/// A crack stretches a bond and not what goes on from it, within 26° at the start and now (beside a ragged crack
-/// bonds lie back to back that did not); a smooth displacement stretches all of them alike.
+double Judge::compliance(const Bond& bond, const Snapshot& now) const {
+  return compliance_[now.material[bond.i]] + compliance_[now.material[bond.j]];
+}
+
+/// A crack stretches a bond but not its continuations within 26°. Smooth deformation stretches both, in proportion to
+/// their compliance.
 template <int Dim>
 bool Judge::stands_out(const Bond& bond, const Snapshot& now) const {
   constexpr double jump = 1.5, straight = 0.9;  // of stretches; cosine
-  const auto go_on = [](const std::array<double, Dim>& a, const std::array<double, Dim>& b) {
+  const auto continues = [](const std::array<double, Dim>& a, const std::array<double, Dim>& b) {
     const double along = dot(a, b);
     return along < 0 && along * along > straight * straight * dot(a, a) * dot(b, b);
   };
-  const double least = squared_stretch<Dim>(bond, now) / (jump * jump);
+  const double elongation = std::sqrt(squared_stretch<Dim>(bond, now)) - 1, own = compliance(bond, now);
   for (const auto& [i, j] : {std::pair(bond.i, bond.j), std::pair(bond.j, bond.i)}) {
     const auto X = between<Dim>(now.x0, i, j), x = between<Dim>(now.x, i, j);
     for (int k = first_of_[i]; k < first_of_[i + 1]; ++k) {
       const Bond& other = bonds_[bonds_of_[k]];
       const int to = other.i == i ? other.j : other.i;
-      if (go_on(X, between<Dim>(now.x0, i, to)) && go_on(x, between<Dim>(now.x, i, to)) &&
-          squared_stretch<Dim>(other, now) >= least)
+      if (continues(X, between<Dim>(now.x0, i, to)) && continues(x, between<Dim>(now.x, i, to)) &&
+          jump * std::sqrt(squared_stretch<Dim>(other, now)) >= 1 + elongation * compliance(other, now) / own)
         return false;
     }
   }
@@ -219,13 +196,13 @@ int Judge::count_pieces() const {
 }
 
 bool Judge::has_crack() const {
-  std::vector<int> seen(particles_, -1);  // the last bond from which a particle was reached
+  std::vector<int> seen(particles_, -1);  // [particle] last bond that reached it
   for (std::size_t b = 0; b < bonds_.size(); ++b)
     if (bonds_[b].broken && !bypassed(static_cast<int>(b), seen)) return true;
   return false;
 }
 
-/// Whether some way of at most `around` unbroken bonds leads from one end of a bond to the other.
+/// Whether at most `around` unbroken bonds connect its ends.
 bool Judge::bypassed(int bond, std::vector<int>& seen) const {
   constexpr int around = 8;
   const auto [start, goal, broken] = bonds_[static_cast<std::size_t>(bond)];

@@ -5,8 +5,8 @@
 
 #include "engine/core/archive.hpp"
 #include "engine/diagnostics/balance.hpp"
-#include "engine/diagnostics/penetration.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/penetration.hpp"
+#include "engine/judge/verdict.hpp"
 #include "tests/support/made_snapshot.hpp"
 #include "tests/support/relative.hpp"
 
@@ -27,8 +27,7 @@ void add_rows(std::vector<Point>& places, int columns, int rows, const Point& lo
     for (int i = 0; i < columns; ++i) places.push_back({low[0] + i * dp, low[1] + j * dp, 0});
 }
 
-/// A block of 20 × 8 particles whose upper row is at y = 0, and one of 8 × 6 above it, that begins 10 dp
-/// away.
+/// A block of 20 × 8 particles with its upper row at y = 0, and one of 8 × 6, 10 dp above it.
 Snapshot two_blocks() {
   std::vector<Point> places;
   add_rows(places, 20, 8, {0, -7 * dp, 0});
@@ -39,7 +38,6 @@ Snapshot two_blocks() {
   return now;
 }
 
-/// Body 1 as at the start, moved so that its lower row is at (6 dp + right, up).
 void put(Snapshot& now, double right, double up) {
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now.body[i] == 0) continue;
@@ -48,8 +46,7 @@ void put(Snapshot& now, double right, double up) {
   }
 }
 
-/// A strip of 60 × 4 particles, laid double: the turn has the radius r to the middle of the strip, and beyond
-/// it the second half lies over the first at a distance of 2r.
+/// A strip of 60 × 4 particles folded double: the turn has radius r at mid-thickness, the halves lie 2r apart.
 Snapshot hairpin(double r) {
   std::vector<Point> places;
   add_rows(places, 60, 4, {0, -1.5 * dp, 0});
@@ -68,7 +65,7 @@ Snapshot hairpin(double r) {
   return now;
 }
 
-/// A block of 9 × 9 × 4 particles whose upper layer is at z = 0, and one of 5 × 5 × 4 above it, 10 dp away.
+/// A block of 9 × 9 × 4 particles with its upper layer at z = 0, and one of 5 × 5 × 4, 10 dp above it.
 Snapshot two_cubes() {
   std::vector<Point> places;
   for (int k = 0; k < 4; ++k) add_rows(places, 9, 9, {0, 0, 0});
@@ -81,7 +78,6 @@ Snapshot two_cubes() {
   return now;
 }
 
-/// Body 1 as at the start, moved so that its lower layer is at (2 dp + right, 2 dp + right, up).
 void put_cube(Snapshot& now, double right, double up) {
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now.body[i] == 0) continue;
@@ -91,7 +87,6 @@ void put_cube(Snapshot& now, double right, double up) {
   }
 }
 
-/// About x by `angle`, then about z.
 void turn_all(Snapshot& now, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -102,7 +97,6 @@ void turn_all(Snapshot& now, double angle) {
   }
 }
 
-/// The hairpin as a sheet, five particles wide.
 Snapshot folded_sheet(double r) {
   const Snapshot strip = hairpin(r);
   std::vector<Point> places, initial;
@@ -119,12 +113,12 @@ Snapshot folded_sheet(double r) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("penetration: the widest gap of directions") {
+  TEST_CASE("penetration: the widest gap of directions is a fraction of π") {
     const auto gap = [](std::vector<double> directions) { return widest_gap(directions) / std::numbers::pi; };
     CHECK(gap({}) == 2);
     CHECK(gap({1}) == 2);
     CHECK(gap({0.5, 0.5 - std::numbers::pi}) == Approx(1));
-    CHECK(gap({3, -3}) == Approx(6 / std::numbers::pi));  // over the cut at π too
+    CHECK(gap({3, -3}) == Approx(6 / std::numbers::pi));
     CHECK(gap({-2, 0, 2}) == Approx(2 - 4 / std::numbers::pi));
   }
 
@@ -139,7 +133,7 @@ TEST_SUITE("unit") {
         put(now, right, up);
         CHECK(penetration(now) == 0);
       }
-    // pressed into a bowl, the lower one drawn out by 1.4 along its face, half a spacing away
+    // pressed into a bowl half a spacing away, the lower block stretched by 1.4
     put(now, 0, 0);
     for (std::size_t i = 0; i < now.size(); ++i) {
       double* x = &now.x[2 * i];
@@ -149,7 +143,7 @@ TEST_SUITE("unit") {
     CHECK(penetration(now) == 0);
   }
 
-  TEST_CASE("penetration: a body is in another from a depth of 0.29 spacings behind two of its particles") {
+  TEST_CASE("penetration: a body penetrates another from a depth of 0.29 spacings behind two particles") {
     const Snapshot start = two_blocks();
     const auto inside = [&](double right, double up) {
       Snapshot now = start;
@@ -161,21 +155,21 @@ TEST_SUITE("unit") {
     CHECK(inside(0.5 * dp, -1.01 * depth) > 0);
     CHECK(inside(0.5 * dp, -2 * dp) > 0);
     CHECK(inside(0.1 * dp, -4 * dp) > 0);
-    CHECK(inside(0, -0.99 * depth) == 0);  // behind one of its particles too
+    CHECK(inside(0, -0.99 * depth) == 0);  // also directly behind one particle
     CHECK(inside(0, -1.01 * depth) > 0);
-    CHECK(inside(30 * dp, -2 * dp) == 0);  // beside it
+    CHECK(inside(30 * dp, -2 * dp) == 0);
   }
 
-  TEST_CASE("penetration: a body folded into itself, and not one folded onto itself") {
-    const Snapshot start = hairpin(1e9);  // straight
+  TEST_CASE("penetration: a body folded into itself penetrates, one folded onto itself does not") {
+    const Snapshot start = hairpin(1e9);
     Penetration penetration(start, dp);
     CHECK(penetration(start) == 0);
-    CHECK(penetration(hairpin(2.5 * dp)) == 0);  // the halves a spacing apart
+    CHECK(penetration(hairpin(2.5 * dp)) == 0);
     CHECK(penetration(hairpin(2.1 * dp)) == 0);
     CHECK(penetration(hairpin(1.2 * dp)) > 0);
   }
 
-  TEST_CASE("penetration: neighbours of the start are no far part, however a body is strained and turned") {
+  TEST_CASE("penetration: initial neighbours never count, however a body is strained and rotated") {
     const Snapshot start = hairpin(1e9);
     Penetration penetration(start, dp);
     for (const double stretch : {0.4, 0.6, 1.0, 1.7})
@@ -191,14 +185,14 @@ TEST_SUITE("unit") {
       }
   }
 
-  TEST_CASE("penetration: what is found does not depend on when the lists were made") {
+  TEST_CASE("penetration: the result does not depend on when lists were built") {
     const Snapshot start = two_blocks();
     Penetration followed(start, dp);
     Snapshot now = start;
     int found = 0;
     for (int step = 0; step <= 600; ++step) {
-      put(now, 0.03 * dp * std::sin(0.1 * step), (10 - 0.02 * step) * dp);  // 2 dp deep at the end
-      for (std::size_t i = 0; i < now.size(); ++i) {  // a common motion, and the lower one is drawn out
+      put(now, 0.03 * dp * std::sin(0.1 * step), (10 - 0.02 * step) * dp);
+      for (std::size_t i = 0; i < now.size(); ++i) {
         if (now.body[i] == 0) now.x[2 * i] = (1 + 0.0004 * step) * now.x0[2 * i];
         now.x[2 * i + 1] = (now.body[i] == 0 ? now.x0[2 * i + 1] : now.x[2 * i + 1]) - step * dp;
       }
@@ -224,7 +218,7 @@ TEST_SUITE("unit") {
           put_cube(now, right, up);
           turn_all(now, turn);
           CHECK(penetration(now) == 0);
-          for (std::size_t i = 0; i < now.size(); ++i) {  // pressed into a bowl of radius 10 dp
+          for (std::size_t i = 0; i < now.size(); ++i) {
             const Point X = start.initial(i);
             now.x[3 * i + 2] += ((X[0] - 0.4) * (X[0] - 0.4) + (X[1] - 0.4) * (X[1] - 0.4)) / (20 * dp);
           }
@@ -233,7 +227,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "penetration in 3D: a body is in another from a depth of 0.41 spacings behind four of its particles") {
+      "penetration in 3D: a body penetrates another from a depth of 0.41 spacings behind four particles") {
     const Snapshot start = two_cubes();
     const auto inside = [&](double right, double up, double turn = 0) {
       Snapshot now = start;
@@ -243,16 +237,16 @@ TEST_SUITE("unit") {
     };
     CHECK(inside(0.5 * dp, -0.3 * dp) == 0);
     CHECK(inside(0.5 * dp, -0.5 * dp) > 0);
-    CHECK(inside(0, -0.3 * dp) == 0);  // behind one of its particles too
+    CHECK(inside(0, -0.3 * dp) == 0);  // also directly behind one particle
     CHECK(inside(0, -0.5 * dp) > 0);
     CHECK(inside(0.5 * dp, -2 * dp) > 0);
     CHECK(inside(0.1 * dp, -3 * dp) > 0);
     CHECK(inside(0.1 * dp, -3 * dp, 0.5) > 0);
-    CHECK(inside(30 * dp, -2 * dp) == 0);  // beside it
+    CHECK(inside(30 * dp, -2 * dp) == 0);
   }
 
-  TEST_CASE("penetration in 3D: a sheet folded into itself, and not one folded onto itself") {
-    const Snapshot start = folded_sheet(1e9);  // straight
+  TEST_CASE("penetration in 3D: a sheet folded into itself penetrates, one folded onto itself does not") {
+    const Snapshot start = folded_sheet(1e9);
     Penetration penetration(start, dp);
     CHECK(penetration(start) == 0);
     CHECK(penetration(folded_sheet(2.1 * dp)) == 0);

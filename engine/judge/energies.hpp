@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/core/point.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/snapshot.hpp"
+
+namespace taut {
+
+/// Greatest excess of a quantity over its bound, and the time at which it first exceeded the bound.
+struct Excess {
+  double greatest = 0;  // 0: never above the bound
+  double since = 0;     // s
+};
+
+/// Compares the energy of bodies with the energy that they received.
+/// - Groups: bodies that may have met share one. They may have met if, in a frame that moves with one of them, the boxes
+///   swept between two observations come into the range of contact. A group is closed unless it has clamped, guided,
+///   driven or loaded particles, may have reached a wall, or is damped.
+/// - Energy: kinetic + strain, of closed groups in the frame of their initial momentum (with gravity: of their momentum).
+///   Contact energy counts if only one group has contacts.
+/// - Received energy: initial energy, unless closed plus the greatest work of drives, loads and gravity. If it is
+///   round-off, that of a speed of 1e-4 sound speeds replaces it.
+/// A group diverges when kinetic, or kinetic + strain energy exceeds twice its received energy. For searched neighbours
+/// strain energy counts only while a tenth of the received energy is kinetic: their forces do not derive from it. With
+/// initial neighbours it also diverges when its strain energy lies a tenth of the received energy below its start in two
+/// successive observations: a law without a minimum of its energy.
+class EnergyTest {
+ public:
+  /// `support`: range of the interaction between particles, m.
+  EnergyTest(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors);
+
+  /// Returns whether a group diverges. Observations are in the order of their times.
+  bool diverges(const Snapshot& now);
+
+  /// Energy of a group over its received energy, where above 1.1.
+  const Excess& gain() const { return gain_; }
+  /// Change of the angular momentum of a closed group about its centre of mass, over its greatest
+  /// √(moment of inertia · 2 kinetic energy), where above 0.01.
+  const Excess& turn() const { return turn_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    const std::size_t bodies = group_.size();
+    archive(group_, at_wall_, fell_, most_work_, spin_scale_, gain_.greatest, gain_.since, turn_.greatest,
+            turn_.since, last_time_);
+    archive.check("the groups of a verdict", [&] {
+      for (const std::size_t size :
+           {group_.size(), at_wall_.size(), fell_.size(), most_work_.size(), spin_scale_.size()})
+        if (size != bodies) return false;
+      for (std::size_t b = 0; b < bodies; ++b)
+        if (group_[b] < 0 || group_[b] > static_cast<int>(b)) return false;
+      return true;
+    });
+    for (Sums& sums : last_) archive(sums.centre, sums.low, sums.high, sums.fastest);
+  }
+
+ private:
+  /// Sums over the particles of a body; with the contact energy they make a Balance.
+  struct Sums {
+    double mass = 0, kinetic = 0, strain = 0;
+    Point momentum{}, spin{};  // kg m/s; kg m²/s about the origin
+    Point centre{};            // of mass, m
+    double inertia = 0;        // Σ m |x − centre|², kg m²
+    Point low{}, high{};       // of the positions, m
+    double fastest = 0;        // greatest speed relative to the centre, m/s
+  };
+  struct Group {
+    double mass = 0, kinetic = 0, strain = 0, start = 0, start_strain = 0, start_kinetic = 0, work = 0;
+    Point momentum{}, start_momentum{};
+    bool closed = true, meets = false;
+  };
+
+  std::vector<Sums> sums(const Snapshot& now) const;
+  double work(const Snapshot& now, std::size_t body) const;
+  void merge(const std::vector<Sums>& now, double time);
+  bool may_meet(std::size_t a, std::size_t b, const std::vector<Sums>& now, double time) const;
+  bool may_touch_wall(std::size_t b, const std::vector<Sums>& now, double time) const;
+  std::vector<Group> groups(const std::vector<Sums>& now) const;  // [root of a group]
+  void watch_turn(const std::vector<Group>& all, const std::vector<Sums>& now, double time);
+
+  const Scene* scene_;
+  double reach_;  // m, at which bodies may act on each other
+  bool keeps_neighbors_;
+  double rounding_;                             // J/kg
+  double start_contact_;                        // J
+  std::vector<std::size_t> first_;              // [body + 1] its first particle
+  std::vector<bool> is_acted_on_;               // [body]
+  std::vector<Sums> start_, last_;              // [body]
+  double last_time_ = 0;                        // s
+  std::vector<int> group_;                      // [body] lowest body of its group
+  std::vector<unsigned char> at_wall_, fell_;   // [body]; fell_ of the lowest body of a group
+  std::vector<double> most_work_, spin_scale_;  // [body] J; kg m²/s
+  Excess gain_, turn_;
+};
+
+}  // namespace taut

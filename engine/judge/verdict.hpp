@@ -1,0 +1,113 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/diagnostics/balance.hpp"
+#include "engine/diagnostics/indicators.hpp"
+#include "engine/diagnostics/measures.hpp"
+#include "engine/judge/energies.hpp"
+#include "engine/judge/penetration.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/snapshot.hpp"
+#include "engine/solver/simulation.hpp"
+
+namespace taut {
+
+/// From best to worst; a run has its worst verdict.
+enum class Verdict { stable, hourglass, penetrated, fractured, diverged };
+std::string_view name(Verdict);
+std::optional<Verdict> find_verdict(std::string_view name);
+/// Verdicts in order; and without `stable`.
+std::vector<std::string> names_of_verdicts();
+std::vector<std::string> names_of_failures();
+
+/// Hourglass error (indicators.hpp) from which particles zigzag. Smooth results in the papers stay below 0.012
+/// ([Zhang2024] Fig. 3, 12, 18; [Khayyer2024] Fig. 9, 10), zigzags exceed 0.04 ([Zhang2024] Fig. 6, 12–14, 18;
+/// [Khayyer2024] Fig. 13; [Lee2016] Fig. 11). Smooth bending exceeds it at radii of about a spacing. Checkerboards
+/// are not judged: low stress raises them too.
+inline constexpr double hourglass_threshold = 0.03;
+
+struct BeyondLaw {
+  double share = 0;  // greatest share of bonds stretched beyond the law of elasticity
+  double since = 0;  // s
+};
+
+/// Judges a run from observed states.
+/// - hourglass: the hourglass error exceeds its threshold.
+/// - penetrated: a particle lies inside another body or a far part of its own; see Penetration.
+/// - fractured: the graph of unbroken bonds has more pieces than initially, or the ends of a broken bond are more
+///   than 8 unbroken bonds apart. Bonds join particles of a body initially within 1.5 dp. A bond is broken while
+///   longer than max(support, 2 dp). With initial neighbours its stretch must also exceed 1.5 times that of its
+///   continuations, so cracks one row apart are missed.
+/// - diverged: a value is not finite, or the energy of a body departs from its received energy; see EnergyTest.
+class Judge {
+ public:
+  Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors, int threads = 1);
+  Judge(const Scene& scene, const Simulation& simulation);
+  /// Records when each failure began. Without readings, hourglass is not judged.
+  void observe(const Snapshot& now, const Balance& balance, const Readings& readings = {});
+
+  Verdict verdict() const;
+  /// First time of each failure, s.
+  const std::map<Verdict, double>& since() const { return since_; }
+  int pieces() const { return pieces_; }  // of the graph of unbroken bonds
+  const BeyondLaw& beyond_law() const { return beyond_law_; }
+  const Excess& energy_gain() const { return energies_.gain(); }
+  const Excess& turn() const { return energies_.turn(); }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    for (Bond& bond : bonds_) archive(bond.broken);
+    archive(pieces_, beyond_law_.share, beyond_law_.since, since_);
+    energies_.serialize(archive);
+    archive.check("a verdict", [&] {
+      const auto is_failure = [](const auto& failure) {
+        return failure.first > Verdict::stable && failure.first <= Verdict::diverged;
+      };
+      return std::all_of(since_.begin(), since_.end(), is_failure);
+    });
+  }
+
+ private:
+  struct Bond {
+    int i, j;
+    bool broken;
+  };
+  /// Returns whether a bond broke or healed.
+  bool update_broken(const Snapshot& now);
+  template <int Dim>
+  bool update_broken_in(const Snapshot& now);
+  template <int Dim>
+  bool stands_out(const Bond& bond, const Snapshot& now) const;
+  double compliance(const Bond& bond, const Snapshot& now) const;
+  template <int Dim>
+  static double squared_stretch(const Bond& bond, const Snapshot& now);
+  int count_pieces() const;
+  bool has_crack() const;
+  bool bypassed(int bond, std::vector<int>& seen) const;
+
+  std::vector<double> compliance_;  // [material] 1/Young's modulus, 1/Pa
+  std::vector<Bond> bonds_;
+  std::vector<int> first_of_;  // [particle + 1] begin in bonds_of_
+  std::vector<int> bonds_of_;
+  std::size_t particles_ = 0;
+  double longest_ = 0;  // m; shorter bonds are unbroken
+  bool keeps_neighbors_ = false;
+  int start_pieces_ = 0;
+  int pieces_ = 0;
+  double lawful_stretch_ = std::numeric_limits<double>::infinity();
+  double shortest_ = 0;  // m, initially
+  BeyondLaw beyond_law_;
+  EnergyTest energies_;
+  Penetration penetration_;
+  std::map<Verdict, double> since_;
+};
+
+}  // namespace taut

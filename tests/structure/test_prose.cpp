@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+#include <doctest/doctest.h>
+
+#include "tests/structure/files.hpp"
+
+using namespace taut::test;
+
+namespace {
+
+/// Lines of a comment block, without the slashes.
+using Block = Texts;
+
+/// Blocks of lines that begin with slashes.
+std::vector<Block> comment_blocks(const std::string& text) {
+  static const std::regex comment(R"(\s*///?<?\s?(.*))");
+  std::vector<Block> blocks{{}};
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch words;
+    if (std::regex_match(line, words, comment))
+      blocks.back().push_back(words[1]);
+    else if (!blocks.back().empty())
+      blocks.emplace_back();
+  }
+  if (blocks.back().empty()) blocks.pop_back();
+  return blocks;
+}
+
+/// Names of the test cases and their parts.
+Texts test_names(const std::string& text) {
+  static const std::regex name(R"re((?:TEST_CASE|SUBCASE)\(\s*"((?:[^"\\]|\\.)*))re");
+  Texts names;
+  for (std::sregex_iterator found(text.begin(), text.end(), name), end; found != end; ++found)
+    names.push_back((*found)[1]);
+  return names;
+}
+
+/// A sentence that does not begin with its subject, behind a prefix such as "judge: ".
+bool lacks_subject(const std::string& text) {
+  static const std::regex opening(R"(([a-z0-9 -]+: )?(What|Of|Who|Whose|Whom|what|of|who|whose|whom)\b.*)");
+  return std::regex_match(text, opening);
+}
+
+bool is_generated(const std::string& document) {
+  return document == "scenes/LANGUAGE.md" || document.starts_with("scenes/studies/results/");
+}
+
+/// A line of a document that should be broken: no row of a table, no code, no link that fills it.
+bool is_running_text(const std::string& line) {
+  return !line.starts_with('|') && !line.starts_with("    ") && line.find("](") == std::string::npos;
+}
+
+}  // namespace
+
+TEST_SUITE("structure") {
+  TEST_CASE("prose: the checks find a comment without a subject, a long block and a long name") {
+    CHECK(lacks_subject("What holds them does no work."));
+    CHECK(lacks_subject("judge: what heals has been broken"));
+    CHECK_FALSE(lacks_subject("Clamped particles do no work."));
+    CHECK_FALSE(lacks_subject("Office hours"));
+    const std::vector<Block> blocks =
+        comment_blocks("int a;  // first\n/// One.\n/// Two.\nint b;\n// Three.\n");
+    CHECK(blocks == std::vector<Block>{{"One.", "Two."}, {"Three."}});
+    CHECK(test_names("TEST_CASE(\n      \"a \\\"name\\\" here\" \"rest\") SUBCASE(\"b\")") ==
+          Texts{"a \\\"name\\\" here", "b"});
+    CHECK(is_running_text("plain"));
+    CHECK_FALSE(is_running_text("| cell |"));
+  }
+
+  TEST_CASE("prose: comments and test names begin with their subject, and comments have at most 15 lines") {
+    constexpr std::size_t most_lines = 15;
+    for (const std::string part : {"engine", "render", "cli", "tests"})
+      for (const std::string& source : sources_below(top / part)) {
+        CAPTURE(part);
+        CAPTURE(source);
+        const std::string text = text_of(top / part / source);
+        for (const Block& block : comment_blocks(text)) {
+          CAPTURE(block.front());
+          CHECK(block.size() <= most_lines);
+          CHECK_FALSE(lacks_subject(block.front()));
+        }
+        for (const std::string& name : test_names(text)) {
+          CAPTURE(name);
+          CHECK_FALSE(lacks_subject(name));
+        }
+      }
+  }
+
+  TEST_CASE("prose: lines of documents have at most 120 columns outside tables") {
+    constexpr std::size_t most_columns = 120;
+    for (const std::string& document : files_below(top, {".md"})) {
+      if (is_generated(document)) continue;
+      CAPTURE(document);
+      std::istringstream lines(text_of(top / document));
+      bool is_code = false;
+      for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("```")) is_code = !is_code;
+        if (is_code || !is_running_text(line)) continue;
+        CAPTURE(line);
+        CHECK(columns_of(line) <= most_columns);
+      }
+    }
+  }
+}
