@@ -7,8 +7,8 @@
 namespace taut {
 namespace {
 
-/// Weight of a patch: a zigzag of 0.15 dp in a patch is judged like one of 0.03 dp in a body. Patches stay below 0.02 dp in
-/// runs that the papers show as smooth, and below 0.13 dp in creases folded to a radius of one spacing.
+/// Weight of a patch: a zigzag of 0.15 dp in a patch is judged like one of 0.03 dp in a body. Patches stay below 0.02 dp
+/// in runs that the papers show as smooth, and below 0.13 dp in creases folded to a radius of one spacing.
 constexpr double weight_of_patch = 0.2;
 
 constexpr double least_strain = 1e-8;  // strain of round-off: times Young's modulus, a stress

@@ -152,7 +152,7 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "mine") == "mine");
   }
 
-  TEST_CASE("what a stranger's file contains does nothing to the terminal") {
+  TEST_CASE("contents of foreign files do nothing to the terminal") {
     const TemporaryFolder folder;
     const std::string evil = "\x1b]0;evil\x07\u009b2J\u202e";
     const auto is_clean = [&](const Outcome& outcome) {
