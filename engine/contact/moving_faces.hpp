@@ -141,9 +141,9 @@ class MovingFaces {
   }
 
   /// Replaces `best` by the closest point of segment k if the node faces the segment and the rank is lower. The rank
-  /// is the distance plus up to half a length for segments that the sides of the node face obliquely: a corner is pushed
-  /// back by the face in front of it and not by the one beside it. A node beyond a sharp end acts with the length of
-  /// its side over the segment and with the depth of the side at that end.
+  /// is the distance plus up to half a length for segments that the sides of the node face obliquely: a
+  /// corner is pushed back by the face in front of it and not by the one beside it. A node beyond a sharp end acts
+  /// with the length of its side over the segment and with the depth of the side at that end.
   void measure(int node, int k, Foot& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
