@@ -8,8 +8,8 @@
 namespace taut {
 
 struct Impulse {
-  Point linear{};   // N s (2D: N s/m)
-  Point angular{};  // about the origin, N m s; in 2D only z
+  Point linear{};   // N s (per metre depth in 2D)
+  Point angular{};  // about the origin, N m s (per metre depth in 2D, where only z is not 0)
 };
 
 /// Stress, Pa. In 2D xz and yz are 0.

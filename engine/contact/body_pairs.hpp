@@ -10,11 +10,11 @@
 
 namespace taut {
 
-/// Contact candidates of two bodies, by particle.
+/// Contact candidates of two bodies, by particle. Searches only particles in the widened box of another body.
 template <int Dim>
 class BodyPairs {
  public:
-  /// Lists pairs up to reach + skin, m.
+  /// Lists pairs up to reach + skin, m, which remain valid until a particle has moved by half the skin.
   BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
   double lasts_for() const { return 0.5 * skin_; }  // m, valid path of the fastest particle

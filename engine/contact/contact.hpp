@@ -25,19 +25,20 @@ class Contact {
 
   /// Particles of two bodies interact by contact only.
   bool between_bodies() const { return between_bodies_; }
+  /// Returns whether some particles may have a force.
   bool acting() const { return !mechanism_->touching().empty(); }
 
   /// Searches if a particle moving by `way`, m, may leave the range of the last search. Returns whether it searched.
   bool prepare(const Particles<Dim>& s, double way);
   void search(const Particles<Dim>& s);
 
-  /// `dt`: duration of the forces, s.
+  /// Evaluates the forces, which act for `dt`, s, at the current positions.
   void evaluate(const Particles<Dim>& s, double dt, int threads);
 
   /// Greatest ratio of contact stiffness to the material's stiffness, at least 1.
   double stiffening() const { return mechanism_->stiffening(); }
 
-  /// As last evaluated. Requires `acting`.
+  /// Force on particle i as last evaluated. Requires `acting`.
   const V& force(int i) const { return force_[i]; }
 
   /// Impulse law: calls `change(i, impulse)` for touching particles. Impulses follow from the state before the first
@@ -53,18 +54,19 @@ class Contact {
     for (const int i : mechanism_->touching()) change(i, impulse_[i]);
   }
 
-  /// Impulse on `body` in the last step, by `other` or, if ≥ 0, by `wall`. For probes only.
+  /// Impulse on `body` in the last step, exerted by body `other`, or by `wall` if that is not negative. Recorded only
+  /// if a probe measures it.
   V impulse(int body, int other, int wall) const;
 
   /// Total impulses of walls on bodies.
   const Impulse& of_walls() const { return walls_.given(); }
 
-  /// 0 for impulses.
+  /// Energy of all contacts at the current positions; 0 for laws of impulses.
   double energy(const Particles<Dim>& s) const { return mechanism_->energy(s, walls_); }
 
   /// Pairs of two bodies, for probes.
   Neighbors neighbors(int particles) const { return mechanism_->neighbors(particles); }
-  /// Null if particles determine gaps.
+  /// Returns the faces from which gaps are measured; null if gaps are measured between particles.
   ContactsOfFaces<Dim>* faces() { return faces_; }
 
   template <class Archive>

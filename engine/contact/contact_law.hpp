@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Name in scene files; see terms/contact_laws.hpp.
+/// A law of contact, given by its name in scene files. terms/contact_laws.hpp lists the laws.
 struct ContactLaw {
   std::string_view name;
 

@@ -43,7 +43,7 @@ class ContactMechanism {
                         std::vector<V>& /*force*/, int /*threads*/) {}
   virtual double energy(const Particles<Dim>&, const WallContacts<Dim>&) { return 0; }
   virtual double stiffening() const { return 1; }
-  /// Force on `a`, as last evaluated.
+  /// Force of body `b` or of a wall on body `a`, as last evaluated.
   virtual V between(const Particles<Dim>& /*particles*/, int /*a*/, int /*b*/) const { return {}; }
   virtual V of_wall(const Particles<Dim>& /*particles*/, int /*a*/, int /*wall*/,
                     const WallContacts<Dim>& /*walls*/) const {

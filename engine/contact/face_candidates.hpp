@@ -49,11 +49,12 @@ class FaceCandidates {
 
  private:
   // in spacings
-  static constexpr double skin = 1;          // longer: fewer searches, more pairs
-  static constexpr double horizon = 4;       // search range, which limits how long a search is valid
-  static constexpr double far_apart = 3;     // opposite faces of a thinner wall do not interact
-  static constexpr double aside = 0.5;       // greatest cosine of the normals of a candidate
-  static constexpr double close_by = 4;      // initial distance; closer faces need a cosine below `folded`
+  static constexpr double skin = 1;       // longer: fewer searches, more pairs
+  static constexpr double horizon = 4;    // search range, which limits how long a search is valid
+  static constexpr double far_apart = 3;  // opposite faces of a thinner wall do not interact
+  static constexpr double aside = 0.5;    // greatest cosine of the normals of a candidate
+  static constexpr double close_by =
+      4;  // initial distance; closer faces are candidates only if their cosine is below `folded`
   static constexpr double folded = -0.1;     // see `close_by`
   static constexpr double turn_slack = 0.5;  // for rotation of nodes about their particles
 
@@ -63,13 +64,13 @@ class FaceCandidates {
   void watch(const MovingFaces& faces);
 
   double dp_;                         // m
-  double reach_;                      // in spacings
+  double reach_;                      // range of contact, in spacings
   bool meets_itself_, meets_others_;  // others: bodies or walls
   std::vector<int> all_nodes_, all_segments_;
   FaceSearch find_;
   std::vector<V> normal_;  // [segment] at a search
   MotionBound<2> others_bound_, own_bound_;
-  std::vector<V> behind_;  // [node] its main particle, m
+  std::vector<V> behind_;  // [node] position of its main particle, m
 };
 
 }  // namespace taut

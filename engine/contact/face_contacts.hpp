@@ -14,9 +14,11 @@
 
 namespace taut {
 
-/// Contact of faces in 2D (terms/surface_contact.hpp). Nodes are pushed to the closest point of the other face, with
-/// their length over it; the reaction acts on segment ends by ξ. Conserves both momenta, and energy unless
-/// facing_share changes at a turning corner.
+/// Contact between overlapping faces in 2D, by the law of terms/surface_contact.hpp. Each node is pushed towards its
+/// closest point of the other face; its force is weighted by the length of its sides that lies over that face. The
+/// reaction is split between the ends of the segment by ξ, and nodes pass forces to particles by their weights.
+/// Conserves linear and angular momentum. Also conserves energy, except where facing_share changes at a corner that
+/// turns. A body that folds meets itself.
 class FaceContacts final : public ContactMechanism<2> {
  public:
   using V = Vec<double, 2>;

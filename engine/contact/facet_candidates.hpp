@@ -70,7 +70,7 @@ class FacetCandidates {
   // in spacings
   static constexpr double skin = 1.4;        // longer: fewer searches, more pairs
   static constexpr double horizon = 4.25;    // search range, which limits how long a search is valid
-  static constexpr double cluster = 4;       // size of clusters
+  static constexpr double cluster = 4;       // width of the clusters of facets (see FacetPairs)
   static constexpr double far_apart = 4;     // initial distance along a bending face or across a gap
   static constexpr double far_inside = 8;    // initial distance through the body
   static constexpr double flat = 1e-6;       // round-off of facets in one plane
@@ -100,8 +100,8 @@ class FacetCandidates {
     own_bound_.restart(find<PairsOf::one_body>(facets, near_.order(), wanted, own_), behind_);
   }
 
-  /// Returns by how much the nearest unlisted pair may approach, m. Facets with similar normals are skipped: to
-  /// interact (facing_share) they must turn by 44° first.
+  /// Returns by how much the nearest unlisted pair may approach, m. Facets with similar normals are skipped: they
+  /// would have to turn by 44° to interact (facing_share), which takes longer than until the next search.
   template <PairsOf kind, class Wanted>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Wanted& wanted,
               std::vector<std::pair<int, int>>& list) {
@@ -141,8 +141,8 @@ class FacetCandidates {
   bool meets_itself_, meets_others_;  // others: bodies or walls
   FacetPairs near_;
   std::vector<int> nodes_;  // all
-  std::vector<V> normal_;   // [facet]
-  std::vector<V> behind_;   // [facet] particle behind, m
+  std::vector<V> normal_;   // [facet] initial
+  std::vector<V> behind_;   // [facet] position of the particle behind it, m
   std::vector<std::pair<int, int>> others_, own_, found_;
   MotionBound<3> others_bound_, own_bound_;
 };

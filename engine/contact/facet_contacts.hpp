@@ -58,9 +58,10 @@ class FacetContacts final : public ContactMechanism<3> {
     double cover = 0;          // Σ W
     double height = 0, M = 0;  // means of p, m, and M, Pa, weighted by W
     double k = 0;              // Pa/m
-    // slopes of the energy in `cover`, J, and in the means, over `cover`, N and m³
+    // slopes of the energy: in `cover`, J; in the means of p and M, divided by `cover`, N and m³
     double per_sum = 0, per_p = 0, per_M = 0;
-    double per_weight(double p, double modulus) const {  // slope in one W, J
+    double per_weight(double p,
+                      double modulus) const {  // slope of the energy in the weight W of one facet, J
       return per_sum + per_p * (p - height) + per_M * (modulus - M);
     }
   };
@@ -88,16 +89,16 @@ class FacetContacts final : public ContactMechanism<3> {
   void for_each_wall(const WallContacts<3>& walls, const F& f) const;
 
   double dp_, stiffness_;
-  double hardening_ = 1;  // greatest stiffness over stiffness at first touch
+  double hardening_ = 1;  // greatest ratio of the stiffness to the stiffness at first touch
   int threads_ = 1;
   MovingFacets facets_;
   std::vector<double> M_;  // [facet] K + 4G/3, Pa
   FacetCandidates candidates_;
 
-  std::vector<Row> rows_;                    // by facet, then body
-  std::vector<int> begin_, other_;           // [row] rows of near facets
-  std::vector<Touch> touches_;               // [row]
-  std::vector<int> near_;                    // rows in range, from the same index
+  std::vector<Row> rows_;           // by facet, then body
+  std::vector<int> begin_, other_;  // [row] rows of near facets
+  std::vector<Touch> touches_;      // [row]
+  std::vector<int> near_;           // rows of `other_` that are in range, stored from the same index on
   std::vector<MovingFacets::Slope> slopes_;  // [row]
   std::vector<int> watched_;                 // ascending
   std::vector<int> nodes_;                   // of `watched_`

@@ -47,13 +47,14 @@ inline int find_near_facets(const FacetColumns& facets, int p, int first, int la
   return count;
 }
 
-/// Finds near facets with different normals, first by clusters, their boxes and spread of normals.
+/// Finds pairs of near facets with different normals. Compares clusters of facets first, by their boxes and the
+/// spread of their normals, then single facets.
 class FacetPairs {
  public:
   using V = Vec<double, 3>;
 
   FacetPairs() = default;
-  /// `width`: size of clusters of equal initial direction, m.
+  /// A cluster contains the facets of a cell of this width, m, whose initial normals are similar.
   FacetPairs(const MovingFacets& facets, double width) {
     using Key = std::tuple<int, int, bool, std::array<double, 3>>;
     std::vector<Key> key;
@@ -77,9 +78,9 @@ class FacetPairs {
   }
 
   int size() const { return static_cast<int>(body_.size()); }
-  /// Cluster by cluster.
+  /// All facets, cluster by cluster.
   const std::vector<int>& order() const { return order_; }
-  const V& start(int facet) const { return start_[facet]; }  // initial, m
+  const V& start(int facet) const { return start_[facet]; }  // initial midpoint, m
   const std::vector<int>& bodies() const { return body_; }   // [facet]
 
   struct Limits {
@@ -110,9 +111,9 @@ class FacetPairs {
 
  private:
   struct Cluster {
-    V low, high;  // m
-    V normal;
-    double spread;  // greatest deviation from it
+    V low, high;    // m
+    V normal;       // mean of the normals
+    double spread;  // greatest deviation of a normal from `normal`
   };
 
   static constexpr double room = 1e-9;  // tolerance of rounding

@@ -11,8 +11,9 @@
 
 namespace taut {
 
-/// `holds` is true while points of one body cannot have approached by more than the free distance: by twice the
-/// greatest path, or else by twice the greatest deviation from rigid motion.
+/// Decides when the points of a body must be searched again. `holds` returns true while no two of them can have
+/// approached each other by more than `free`. The bound is twice the path of the fastest particle; when that is used
+/// up, twice the greatest deviation from the rigid motion of the body.
 template <int Dim>
 class MotionBound {
  public:

@@ -88,7 +88,7 @@ class MovingFaces {
     for (int n = 0; n < size(); ++n) place(s, n);
     for (int k = 0; k < static_cast<int>(normal_.size()); ++k) set_normal(k);
   }
-  /// Requires current positions of its nodes.
+  /// Requires that `place` has updated the nodes of segment k.
   void set_normal(int k) {
     const auto& [node, length, sense] = outline_.segments[k];
     const V t = place_[node[1]] - place_[node[0]];
@@ -109,6 +109,7 @@ class MovingFaces {
       f(stored_[k], outline_.shares[k].weight);
   }
 
+  /// Outward unit normal.
   const V& normal_of(int k) const { return normal_[k]; }
 
   bool has_sharp_end(int k) const { return sharp_[k][0] || sharp_[k][1]; }
@@ -130,7 +131,7 @@ class MovingFaces {
     return area;
   }
 
-  /// Forces give(n, f) that turn a node's sides, N per metre depth; `energy` per length.
+  /// Calls give(n, f) with the forces, N per metre depth, by which an energy per length turns the sides of a node.
   template <class Give>
   void push_facing(int node, const V& normal, double energy, const Give& give) const {
     for (const int k : outline_.beside[node])
@@ -139,9 +140,10 @@ class MovingFaces {
           turn(k, normal, energy * 0.5 * outline_.segments[k].length * slope, give);
   }
 
-  /// Replaces `best` by this segment's closest point if the node faces it and its rank is lower. The rank adds up to
-  /// half a segment length to faces not met straight, so that corners are pushed back by faces in front. Beyond a
-  /// sharp end the side acts, with its length over the segment and its depth at the end.
+  /// Replaces `best` by the closest point of segment k if the node faces the segment and the rank is lower. The rank
+  /// is the distance plus up to half a length for segments that the sides of the node face obliquely: a
+  /// corner is pushed back by the face in front of it and not by the one beside it. A node beyond a sharp end acts
+  /// with the length of its side over the segment and with the depth of the side at that end.
   void measure(int node, int k, Foot& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];

@@ -20,14 +20,14 @@ inline std::vector<int> indices_of(const std::vector<char>& seen) {
   return indices;
 }
 
-/// Current facets of layout/surface_mesh.hpp, over the means of their nodes, which are weighted means of particles;
-/// forces use the same weights.
+/// Current facets of layout/surface_mesh.hpp. A node is a weighted mean of particles; the midpoint of a facet is the
+/// mean of its nodes. Forces on facets go to nodes and particles by the same weights.
 class MovingFacets {
  public:
   using V = Vec<double, 3>;
 
   struct Place {
-    V middle{}, normal{};  // m; outwards
+    V middle{}, normal{};  // m; outward unit vector
     double area = 0;       // m²
   };
   /// Slopes of an energy, N, N m, N/m.

@@ -14,8 +14,8 @@
 
 namespace taut {
 
-/// Contact candidates of a folding body: particles at faces (particles_at_faces.hpp), initially far apart. Requires
-/// constant storage order.
+/// Contact candidates of a folding body: pairs of particles at faces (particles_at_faces.hpp) that were initially far
+/// apart and have come near. The storage order must not change.
 template <int Dim>
 class OwnPairs {
  public:

@@ -15,7 +15,7 @@ namespace taut {
 /// equal and opposite to the last bit. Walls act as mirror images.
 /// Differs from [Khayyer2024] Eq. 53–54, whose force stops only the approach of the old velocities: faces under a
 /// pressure p creep into each other at about p/(ρ c0). Here new velocities are stopped before positions follow. The
-/// paper gives no contact distance.
+/// paper gives no contact distance; here it is one spacing, as between two layers of a body.
 template <int Dim>
 class PairContacts final : public ContactMechanism<Dim> {
  public:

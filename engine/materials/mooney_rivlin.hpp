@@ -11,7 +11,7 @@ namespace taut {
 
 /// Nearly incompressible Mooney–Rivlin, [Lee2016] Eq. 8–12:
 ///   ψ = ζ (j^(−2/3) F:F − 3) + ξ (j^(−2) (H:H)^(3/2) − 3√3) + K/2 (J − 1)²,
-///   P = Σ_F + Σ_H ⨯ F + (Σ_j + K (J − 1)) H.
+///   P = Σ_F + Σ_H ⨯ F + (Σ_j + K (J − 1)) H,   H = cof F, j = det F.
 /// For small strains G = 2ζ + 3√3 ξ; a `cofactor_share` of 0 is neo-Hookean, 1 is [Lee2016] §8.7. Plane strain: F_zz
 /// = 1, H_zz = det F. Departures: constants make the energy 0 at rest; j = det F even where J is an unknown, see
 /// NeoHookean.

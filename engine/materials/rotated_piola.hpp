@@ -76,7 +76,8 @@ inline Mat<Pack, 3> nearest_rotation(const Mat<Pack, 3>& F) {
   return R;
 }
 
-/// Stress of `icb`, R σ⁰. It differs from St Venant–Kirchhoff, F σ⁰, by the order of the strain. No energy has this
+/// Stress of `icb`, P = R σ⁰ with σ⁰ = 2G dev E + K tr E I ([TranDuc2023] §2.3).
+/// It differs from St Venant–Kirchhoff, F σ⁰, by the order of the strain. No energy has this
 /// derivative (∂t_1/∂λ_2 ≠ ∂t_2/∂λ_1 of the principal stresses): `energy`, ½ σ⁰:E, is a diagnostic.
 struct RotatedPiola {
   double K, G;  // Pa

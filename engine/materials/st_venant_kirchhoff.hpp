@@ -5,7 +5,8 @@
 
 namespace taut {
 
-/// P = F S, Hooke's law between S and E. Softens without limit in compression: for large rotations with moderate
+/// P = F S, Hooke's law between the second Piola–Kirchhoff stress S and the Green–Lagrange strain E.
+/// Softens without limit in compression: for large rotations with moderate
 /// strains.
 struct StVenantKirchhoff {
   double K, G;  // Pa

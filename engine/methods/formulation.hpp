@@ -33,11 +33,11 @@ struct Formulation {
   std::string_view summary;
   std::string_view conserves;
   Family family = Family::ul_split;
-  int greatest_dim = 3;                      // maximum dimension of scenes
+  int greatest_dim = 3;                      // greatest dimension of the scenes that the method can run
   std::span<const Citation> citations = {};  // override the family's citations
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
-  ContactLaw contact = ContactLaw::sph;  // published
+  ContactLaw contact = ContactLaw::sph;  // by default the law of the paper
   double contact_stiffness = 1;          // see terms/penalty_contact.hpp
   bool several_materials = false;        // allowed in a scene
   double h_over_dp = 1.3;                // smoothing length over spacing

@@ -103,7 +103,7 @@ class Common {
   /// Allocates the fields of store_motion and sets the totals.
   void begin_motion(Snapshot& out) const;
   void store_motion(Snapshot& out, int i) const;
-  /// Sets everything but the changing fields of particles.
+  /// Sets all fields of a snapshot except those of single particles that change in time.
   void begin_snapshot(Snapshot& out) const;
   /// `rho` in kg/m³; `p`, `s` and `s_zz` (2D only) in Pa.
   void store(Snapshot& out, int i, double rho, double p, const Sym<double, Dim>& s, double s_zz) const;
@@ -130,7 +130,7 @@ class Common {
   }
 
  private:
-  /// m/s; false for NaN.
+  /// Checks a speed, m/s. Returns false for NaN.
   bool is_within_bounds(double speed) const {
     return speed >= 0 && speed <= greatest_mach_number * constants.c0;
   }

@@ -39,7 +39,7 @@ class Guides {
   }
 
  private:
-  std::vector<unsigned char> along_;
+  std::vector<unsigned char> along_;  // [id] bit k: no motion along axis k
 };
 
 /// Particles with prescribed velocity (Drive in engine/scene/scene.hpp). Their density and stress evolve as for
@@ -116,7 +116,7 @@ class Reactions {
 
   bool active() const { return active_; }
 
-  /// Begins a step of `dt`, s, from velocities `v`. Until its end the storage order must stay.
+  /// Begins a step of `dt`, s, from velocities `v`. The storage order must not change during the step.
   void begin(const std::vector<V>& v, double dt) {
     v_ = v;
     dt_ = dt;
@@ -127,7 +127,7 @@ class Reactions {
   /// N s (per metre depth in 2D).
   void add(int i, const V& impulse) { impulse_[i] += impulse; }
 
-  /// Mean force on particle i that recorded impulses do not explain, N.
+  /// Mean force on particle i over the step that the recorded impulses do not explain, N.
   V missing(const Particles<Dim>& s, int i) const {
     return (1 / dt_) * (s.m[i] * (s.v[i] - v_[i]) - impulse_[i]);
   }

@@ -23,8 +23,9 @@ enum class GradientCorrection : std::uint8_t { corrected, normalised };
 
 /// Pairs of initial neighbours within a body, from both sides: k_ij = V_i V_j ∇_i W(X_i − X_j) = −k_ji, and B of
 /// gradient_correction. Forces (internal_force_info, also [TranDuc2023] §2.3) are equal and opposite to the last bit.
-/// V in k_ij is the whole cell even on a face, in forces only the part inside. Then a uniform stress acts at faces
-/// only, to second order (summation by parts).
+/// V in k_ij is the whole cell even for a particle on a face; V in forces is only the part inside the body. Then a
+/// uniform stress exerts forces at the faces only, and gradients and forces are of second order (summation by parts).
+/// With the inner part also in k_ij the reaction of a clamp would spread over three layers.
 template <int Dim>
 struct InitialPairs {
   std::vector<int> begin, j;        // begin[i] … begin[i + 1] − 1; j ascends
@@ -157,7 +158,7 @@ double reach_of_pairs(double h) {
   return (1 - 1e-9) * K::support * h;
 }
 
-/// `V`: cells, m^Dim; `near`: within reach_of_pairs.
+/// Makes the pairs of the particles at `X`. `V`: cells, m^Dim; `near`: neighbours in the body within reach_of_pairs.
 template <class K, int Dim>
 InitialPairs<Dim> make_initial_pairs(const NeighborLists& near, const std::vector<Vec<double, Dim>>& X,
                                      const std::vector<double>& V, double h, GradientCorrection gradient,

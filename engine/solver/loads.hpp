@@ -37,13 +37,13 @@ class Loads {
   /// `t`: middle of the velocity update, s. Expressions are not thread-safe.
   void set_time(double t);
 
-  /// m/s², undamped; only gravity if not `free`.
+  /// Acceleration of particle i without damping, m/s². Only gravity if the particle is not `free`.
   V pull(const Particles<Dim>& s, int i, bool free) const { return free && active_ ? push(s, i) : g_; }
 
-  /// m/s².
+  /// Acceleration of particle i by loads, gravity and damping at its current velocity, m/s².
   V acceleration(const Particles<Dim>& s, int i) const { return push(s, i) - damping_ * s.v[i]; }
 
-  /// Applies a step to `v`, with damping of the mean velocity.
+  /// Adds the effect of a step of `dt`, s, to `v`. Damping uses the mean of the old and the new velocity.
   void act(const Particles<Dim>& s, int i, double dt, V& v) {
     const double half = 0.5 * damping_ * dt * s.mobile[i];
     v += (dt * s.mobile[i]) * push(s, i);

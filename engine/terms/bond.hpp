@@ -36,7 +36,7 @@ template <class T>
 T three_bond_slopes(const T& s, const T& half_inverse) {
   return s - 0.75 - half_inverse * half_inverse;
 }
-/// φ′(λ)/λ; times k_ij (x_j − x_i) the force on i.
+/// φ′(λ)/λ as a function of s. Times k_ij (x_j − x_i) it is the force on i, N.
 template <class T>
 T bond_slope(const T& s) {
   return (1.0 / 3) * three_bond_slopes(s, T(0.5 / s));

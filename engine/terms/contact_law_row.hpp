@@ -23,11 +23,11 @@ struct ContactLawRow {
   // initial gap of touching faces, spacings: particles of oblique faces touch first
   double touching = 0.1;
 
-  // Force along a pair, N (2D: N/m), and its energy, J (2D: J/m), for r < dp, m; K: contact modulus, Pa. For
+  // Force along a pair, N, and its energy, J, both per metre depth in 2D, for r < dp, m; K: contact modulus, Pa. For
   // particles, or in `sph` for walls.
   double (*force)(double r, double dp, double K, int dim) = nullptr;
   double (*energy)(double r, double dp, double K, int dim) = nullptr;
-  // Impulse instead of a force, N s (2D: N s/m); inverse masses in 1/kg.
+  // Impulse instead of a force, N s (per metre depth in 2D); inverse masses in 1/kg.
   double (*impulse)(double closing_speed, double inv_m_i, double inv_m_j) = nullptr;
 };
 
