@@ -19,7 +19,7 @@ struct Checkpoint {
   std::optional<double> spacing_asked;  // m
   double every = 0;                     // simulated time between checkpoints, s
   bool draws = true;
-  std::string state;  // bytes of RunOutput and engine `save`; empty: at the start
+  std::string state;  // bytes that the caller saved; empty: at the start
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -10,6 +10,7 @@
 
 namespace taut::cli {
 
+/// Environment of a session's line.
 struct Dialogue {
   std::ostream& out;
   const Interrupts& interrupts;
@@ -27,7 +28,7 @@ struct SessionCommand {
 /// The commands in the order of `help`.
 std::span<const SessionCommand> session_commands();
 
-/// Returns false for `quit`. Ignores empty lines and comments (#). Throws UsageError.
+/// Runs one line. Returns false for `quit`. Ignores empty lines and comments (#). Throws UsageError for a wrong line.
 bool run_session_line(Session& session, const std::string& line, const Dialogue& to);
 
 }  // namespace taut::cli

@@ -9,9 +9,9 @@
 
 namespace taut::cli {
 
-/// results.json (cli/COMMANDS.md). A run without a result has no keys after "folder"; an interrupted run has the
-/// values of its completed part. All runs are in grid order. Keys that vary between repetitions, such as "seconds",
-/// come last.
+/// Text of results.json; cli/COMMANDS.md describes its keys. A run without a result has no keys after "folder"; an
+/// interrupted run has the values of its completed part. All runs are in grid order. Keys that vary between
+/// repetitions, such as "seconds", come last.
 std::string results_json(const SweepPlan& plan);
 /// `index`: only this run.
 Json results_tree(const SweepPlan& plan, std::optional<int> index = {});
