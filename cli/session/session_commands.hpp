@@ -21,7 +21,7 @@ struct SessionCommand {
   std::string name;
   std::string arguments;
   std::string help;
-  /// `words`: arguments.
+  /// `words` are the words after the name.
   std::function<void(Session& session, const std::vector<std::string>& words, const Dialogue& to)> run;
 };
 
