@@ -34,7 +34,7 @@ struct Finding {
   std::string name, expected, is, difference;
   bool fine = false;
   bool bound = false;             // `expected` is a bound, not a value
-  std::optional<double> value{};  // if finite
+  std::optional<double> value{};  // number of `is`, if finite
 };
 /// Compares a number of the run. A measure without a value fails, for instance in a run that was too short. Throws
 /// UsageError for a name that run.json lacks, with the nearest names.
