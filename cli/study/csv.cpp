@@ -8,7 +8,7 @@
 namespace taut::cli {
 namespace {
 
-// protects memory
+// Limits far above the files of taut, so that a damaged file cannot exhaust the memory.
 constexpr std::size_t most_columns = 10000;
 constexpr std::uintmax_t most_mebibytes = 256;
 
@@ -84,7 +84,7 @@ CsvTable parse_csv(const std::string& text, const std::string& file) {
 
 CsvTable read_csv(const std::filesystem::path& path) {
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  const std::uintmax_t size = std::filesystem::file_size(path, error);  // fails for a pipe
   if (!error && size > most_mebibytes << 20)
     throw UsageError("'" + path.string() + "' has " + std::to_string(size >> 20) + " MiB; at most " +
                      std::to_string(most_mebibytes) + " MiB are allowed");

@@ -24,7 +24,8 @@ std::string one_line(std::string_view text) {
 /// False for continuation bytes of UTF-8.
 bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
-/// "./" protects from a leading '|', '<' or '-'. Control characters, and letters without a font, become octal.
+/// File name in the script's folder, as a string of gnuplot. "./" is added because a leading '|' or '<' would start a
+/// command, and '-' an option. Control characters, and letters without a font, become octal.
 std::string plot_file(const fs::path& file) {
   const std::string name = file.filename().string();
   const bool drawable = with_letters_of_fonts(name) == name;
@@ -76,7 +77,7 @@ std::string shortened(const std::string& name) {
 }
 
 double text_width(std::string_view text, double size) {
-  constexpr double letter = 0.62;  // average, plus a margin
+  constexpr double letter = 0.62;  // average width in DejaVu Sans per font size, plus a margin
   return static_cast<double>(std::ranges::count_if(text, begins_letter)) * letter * size * 96 / 72;
 }
 
@@ -96,7 +97,7 @@ double right_margin(const std::vector<std::string>& names) {
 
 std::string plot_head(const PlotFiles& files, int width, int height) {
   const bool vector = files.picture.extension() == ".svg";
-  // SVG has pixels for points at 96 dpi
+  // sizes in SVG are pixels, sizes in PNG are points at 96 dpi
   return fmt::format(
       "{}"
       "data = {}\n"

@@ -24,7 +24,7 @@ namespace {
   throw OutputError(path.string(), std::string("cannot be written: ") + std::strerror(error));
 }
 
-/// Returns 0 or an errno.
+/// Returns 0 or an errno. Repeats write(2), which may write less than requested.
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t taken = ::write(descriptor, text.data(), text.size());
@@ -35,6 +35,7 @@ int write_all(int descriptor, std::string_view text) {
   return 0;
 }
 
+/// False if the environment has TAUT_FSYNC=off, for runs whose files need not survive a power cut.
 bool waits_for_the_disk() {
   static const char* const asked = std::getenv("TAUT_FSYNC");
   return !asked || std::string_view(asked) != "off";
