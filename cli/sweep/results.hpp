@@ -13,7 +13,7 @@ namespace taut::cli {
 /// interrupted run has the values of its completed part. All runs are in grid order. Keys that vary between
 /// repetitions, such as "seconds", come last.
 std::string results_json(const SweepPlan& plan);
-/// `index`: only this run.
+/// Same contents as a tree; with `index`, only this run.
 Json results_tree(const SweepPlan& plan, std::optional<int> index = {});
 
 /// results.csv: a row per run, in the format of RFC 4180. Columns are paths in results.json: "set.v0",

@@ -59,7 +59,7 @@ int sync(const fs::path& path) {
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
 
-/// Does nothing if the file system has no locks.
+/// Locks the file until it is closed; does nothing if the file system has no locks.
 void wait_for_lock(int descriptor) {
   while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
   }
@@ -72,15 +72,16 @@ bool still_named(int descriptor, const std::string& path) {
          own.st_ino == named.st_ino;
 }
 
-/// Creates and locks a file; removes an abandoned one, waits for another writer. Returns −1 with errno on failure.
+/// Creates and locks a new file. Removes what a killed program left, and links, which it never follows. Waits while
+/// another process writes the file. Returns −1 with errno on failure.
 int open_new(const std::string& path) {
-  constexpr int most = 1000;
+  constexpr int most = 1000;  // attempts, if other writers come in between
   for (int k = 0; k < most; ++k) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno != EEXIST) return descriptor;
     if (descriptor >= 0) {
       wait_for_lock(descriptor);
-      if (still_named(descriptor, path)) return descriptor;
+      if (still_named(descriptor, path)) return descriptor;  // else another writer removed it before the lock
       ::close(descriptor);
       continue;
     }
@@ -100,7 +101,7 @@ int open_new(const std::string& path) {
   return -1;
 }
 
-/// A temporary folder beside `folder`, removed by the destructor.
+/// A temporary folder beside `folder`, on the same file system, so that it can be renamed. The destructor removes it.
 class Beside {
  public:
   Beside(const fs::path& folder, const char* what)
@@ -124,7 +125,8 @@ int rename_folder(const fs::path& from, const fs::path& to) {
   return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// Returns 0 or an errno. If the file system cannot exchange folders, `folder` is missing for a moment.
+/// Returns 0 or an errno. Exchanges the folders in one step; if the file system cannot do this, `folder` is missing
+/// for a moment.
 int put_in_place(const fs::path& fresh, const fs::path& folder) {
   if (!fs::exists(folder)) return rename_folder(fresh, folder);
   if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return 0;
@@ -221,6 +223,7 @@ AppendFile::~AppendFile() { ::close(descriptor_); }
 void AppendFile::append(std::string_view line) {
   const std::string text = std::string(line) + '\n';
   if (const int error = write_all(descriptor_, text)) {
+    // removes the partial line if possible; the error is reported in any case
     if (::ftruncate(descriptor_, length_) != 0) fail(path_, error);
     fail(path_, error);
   }
@@ -228,6 +231,7 @@ void AppendFile::append(std::string_view line) {
 }
 
 void write_whole_folder(const fs::path& folder, const std::vector<fs::path>& files) {
+  // without the final slash of "a/b/", so that names can be appended
   const fs::path target = (fs::absolute(folder) / "").lexically_normal().parent_path();
   const Beside fresh(target, "tmp");
   std::error_code error;

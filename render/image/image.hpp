@@ -19,7 +19,7 @@ inline constexpr Rgb white = {255, 255, 255};
 /// as stored; at 118, the contrasts with black and white are about equal.
 inline bool is_light(Rgb color) { return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] > 118; }
 
-/// A picture, by rows from the top. A pixel has the bytes B, G, R, 255, as OSMesa and Cairo require.
+/// A picture, by rows from the top. A pixel has the bytes B, G, R, 255, since OSMesa and Cairo draw into it.
 struct Image {
   int width = 0;
   int height = 0;
