@@ -9,7 +9,8 @@ namespace taut::render {
 /// A vector, m or dimensionless.
 using Vector = std::array<double, 3>;
 
-/// Viewpoint of a 3D scene. A View then bounds the picture plane, from the scene's origin.
+/// Viewpoint of a 3D scene. The View of such a scene is in the picture plane, to the right and up from the scene's
+/// origin.
 struct Camera {
   Vector from = {1, -2, 1};  // towards the camera, any length
   Vector up = {0, 0, 1};     // any length; y or x if parallel to `from`
@@ -26,13 +27,15 @@ struct CameraAxes {
 };
 
 CameraAxes axes_of(const Camera& camera);
-/// Turns the camera around the scene: to the right around `up`, then upwards, degrees.
+/// Turns the camera around the scene, degrees: to the right around `up`, then upwards around the picture's right
+/// axis.
 Camera orbited(const Camera& camera, double right, double upwards);
 AxesMarker marker_of(const Camera& camera);
 
 double dot(const Vector& a, const Vector& b);
 Vector cross(const Vector& a, const Vector& b);
 
+/// Projects points of the scene onto the picture plane.
 class Projection {
  public:
   Projection(const Camera& camera, const View& view);
@@ -43,7 +46,7 @@ class Projection {
     double scale;  // projected / true length; not positive behind the camera
   };
   Seen operator()(const Vector& x) const;
-  /// Projects a short vector at `from`.
+  /// Projects a short vector at the projected point `from`.
   Vector way(const Vector& way, const Seen& from) const;
 
  private:

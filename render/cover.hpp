@@ -7,7 +7,7 @@
 
 namespace taut::render {
 
-/// Occlusion test at SolidPainter's samples, 2 × 2 per pixel.
+/// Tests whether balls hide other balls, at the samples of SolidPainter, 2 × 2 per pixel.
 class Cover {
  public:
   /// Takes the plot's size, pixels.

@@ -51,7 +51,7 @@ void paint(const DiscRow& row, float x, float* depth, std::uint32_t* color) {
   for (int k = 0; k < lanes; ++k) r[k] = std::sqrt(r2[k]);
   const Floats coverage = row.reach - r;
   const auto rim = coverage < 1;
-  // A partly covered rim sample never hides a fully covered one.
+  // The nearest centre is in front, but a disc that covers a sample partly never hides one that covers it fully.
   const Floats d = r * row.depth + (rim ? Floats{} + 0.5f : Floats{});
   const auto nearest = loaded<Floats>(depth);
   const auto under = loaded<Colors>(color);

@@ -8,22 +8,23 @@
 
 namespace taut::render {
 
+/// A round particle in a plot.
 struct Dot {
   float x, y;           // centre, pixels from the plot's top left, y downwards
   float radius;         // pixels
   std::uint32_t color;  // bytes R, G, B, 255
 };
 
-/// Draws antialiased discs, equally on every machine.
+/// Draws antialiased discs. The same discs give the same pixels on every machine.
 ///
 /// A pixel belongs to the nearest centre, in radii: overlapping neighbours meet in a straight line, and order matters
 /// only where rims meet. Bands of samples fit into the cache; empty tiles are skipped.
 class DiscPainter {
  public:
-  /// The plot must have this background; nothing else may draw into it.
+  /// For one plot of one image, which must have this background at first. Nothing else may draw into the plot.
   explicit DiscPainter(const Rect& plot, Rgb background = white);
 
-  /// Replaces the previous discs.
+  /// Draws `discs` into the plot, in place of the previous ones.
   void draw(Image& image, std::span<const Dot> discs);
 
  private:
@@ -39,9 +40,9 @@ class DiscPainter {
   std::size_t sample(int column, int row) const { return static_cast<std::size_t>(row) * stride_ + column; }
 
   Rect plot_;
-  std::uint32_t background_;  // bytes B, G, R, 255
-  int bands_, tiles_;
-  std::size_t stride_;                   // of a row
+  std::uint32_t background_;             // bytes B, G, R, 255
+  int bands_, tiles_;                    // numbers in the plot, downwards and to the right
+  std::size_t stride_;                   // samples from one row to the next
   std::vector<std::uint32_t> end_;       // of each band's discs in `sorted_`, after a 0
   std::vector<std::uint32_t> sorted_;    // disc numbers by band
   std::vector<std::uint32_t> color_;     // samples of a band; bytes B, G, R, 255

@@ -13,7 +13,7 @@ namespace taut::render {
 inline constexpr int least_size = 64;
 inline constexpr int greatest_size = 8192;
 
-/// Bounds of drawn / true diameter.
+/// Bounds of the ratio drawn / true diameter of a particle.
 inline constexpr double least_glyph = 0.05;
 inline constexpr double greatest_glyph = 20;
 
@@ -28,7 +28,7 @@ struct Size {
   bool operator==(const Size&) const = default;
 };
 
-/// Appearance of pictures. Open options must be set before drawing.
+/// Appearance of pictures. Members without a value are open, and must be set before drawing.
 struct Look {
   std::optional<View> view;            // visible region; in 3D of the picture plane
   std::optional<Camera> camera{};      // only in 3D

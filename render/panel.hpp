@@ -10,7 +10,7 @@
 
 namespace taut::render {
 
-/// Bold title, gray note below.
+/// Heading of a column: title in bold, note in gray below.
 struct Heading {
   std::string title, note;
 };
@@ -26,16 +26,17 @@ struct PanelOptions {
 
 class Panel {
  public:
-  /// Only the size may be open. A bare look omits texts. Throws UsageError for sizes out of bounds or too small.
+  /// Only the size of the look may be open. A bare look omits all texts. Throws UsageError if the size is out of
+  /// bounds, or too small for so many pictures.
   explicit Panel(const PanelOptions& options);
   ~Panel();
 
   void draw(int column, int row, const FrameView& particles);
-  /// Writes at the top left.
+  /// Writes into the top left corner of a picture.
   void write_corner(int column, int row, const std::string& text);
-  /// Writes where no particles are.
+  /// Writes into the middle of a picture without particles.
   void write_middle(int column, int row, const std::string& text);
-  /// Draws the surrounding texts.
+  /// Draws the texts around the pictures.
   const Image& finish();
 
  private:

@@ -152,7 +152,7 @@ void Renderer::Parts::place_discs(const FrameView& frame) {
   discs.reserve(frame.value.size());
   off_scale = {};
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
-    // float would merge particles far from the origin
+    // double, because float could not separate particles far from the origin
     const double x = layout.column(frame.x[2 * i]);
     const double y = layout.row(frame.x[2 * i + 1]);
     const double size = 0.5 * glyph * frame.diameter[i] * layout.pixels_per_metre;

@@ -17,7 +17,8 @@ Vector sum(const Vector& a, const Vector& b, double times = 1) {
   return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
 }
 
-// minimum factor and pixels of overlap: bending opens gaps of second order in the spacing
+// Cells overlap by this factor and by at least so many pixels. Otherwise bending would open gaps between them, of
+// second order in the spacing.
 constexpr double overlap = 1.02, least_overlap = 0.7;
 
 Vector widened(const Vector& half) {
@@ -88,7 +89,7 @@ void Solids::drop_hidden() {
   });
 }
 
-/// Sorts nearest first, in slices: exact order only finds more hidden balls.
+/// Sorts balls into slices of depth, nearest first. Exact order is not needed: it would only find more hidden balls.
 void Solids::sort_roughly() {
   constexpr std::size_t slices = 4096;
   const auto [far, near] = std::ranges::minmax(balls_, {}, &Ball::z);
@@ -152,7 +153,7 @@ void Solids::place_walls(const FrameView& frame, const Projection& projection, s
     for (const auto& [from, to] : grid_on(wall, seen, cell)) add_line(from, to, projection, color);
 }
 
-/// Draws pieces: those behind the camera are omitted; each has a constant width.
+/// Adds a line as short pieces of constant width. Pieces behind the camera are omitted.
 void Solids::add_line(const Vector& from, const Vector& to, const Projection& projection,
                       std::uint32_t color) {
   constexpr int pieces = 16;

@@ -19,18 +19,18 @@ class Solids {
   explicit Solids(const PageLayout& layout, double glyph = 1)
       : layout_(layout), glyph_(glyph), cover_(layout.plot.width, layout.plot.height) {}
 
-  /// Omits hidden spheres.
+  /// Places spheres of the particles' size, without hidden ones.
   void place_balls(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
-  /// Shades cell faces that face the camera.
+  /// Places the shaded cell faces that face the camera.
   void place_boxes(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
-  /// Adds lines on 3D walls, behind particles.
+  /// Adds lines of `color` on the faces of 3D walls, except where a particle hides them.
   void place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color);
   /// Places 2D cells.
   void place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors);
 
-  /// Particles in the picture, also hidden ones.
+  /// Numbers of the particles that reach into the picture, including hidden ones.
   std::span<const std::size_t> placed() const { return placed_; }
   std::span<const Ball> balls() const { return balls_; }
   std::span<const Corner> corners() const { return corners_; }

@@ -20,8 +20,9 @@ std::pair<Vector, Vector> axes_on(const Vector& normal) {
 
 /// First and last line of one direction; `x` in cells.
 std::pair<double, double> ends(std::vector<double> x) {
-  constexpr double margin = 2;     // cells
-  constexpr double farthest = 50;  // cells from the median, if particles are lost
+  constexpr double margin = 2;  // cells beyond the points
+  constexpr double farthest =
+      50;  // cells from the median point, so that a lost particle does not extend the grid
   const auto [low, high] = std::ranges::minmax(x);
   const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
   std::ranges::nth_element(x, middle);

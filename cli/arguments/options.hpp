@@ -37,7 +37,7 @@ class Option {
   bool is_positional() const;
   bool takes_value() const;
   bool may_be_repeated() const;
-  /// "true" for a flag.
+  /// Values as typed; "true" for a flag.
   std::vector<std::string> values() const;
 
  private:
@@ -56,11 +56,11 @@ class Options {
   explicit Options(const Texts& texts);
   ~Options();
 
-  /// `target` is text, int, double, an optional of these, or a vector of texts or doubles. `placeholder` is for
-  /// --help. Only vectors may be repeated.
+  /// Declares an option that sets `target`: text, int, double, an optional of these, or a vector of texts or doubles.
+  /// `placeholder` is for --help. Only vectors may be repeated.
   template <class Target>
   Option add(std::string_view name, std::string_view placeholder, Target& target, std::string_view help);
-  /// Calls `take` after all words were read.
+  /// Declares an option whose text is passed to `take` after all words were read.
   Option add(std::string_view name, std::string_view placeholder,
              const std::function<void(const std::string&)>& take, std::string_view help);
   Option add(std::string_view name, std::string_view placeholder,

@@ -48,7 +48,7 @@ class CommandLine {
         next.push_back(option);
     return next;
   }
-  /// Scene of the typed words, if it can be read.
+  /// The typed scene with the typed method, or the scene of a typed run folder; nullopt if it cannot be read.
   std::optional<SceneFile> scene() const try {
     if (arguments_.empty()) return std::nullopt;
     std::vector<Setting> settings;
@@ -129,7 +129,8 @@ Completion complete_name(std::span<const Command> commands) {
   return completion;
 }
 
-/// Shells would split or execute such words, and bash does not quote all completions.
+/// Whether a word is safe to offer: shells could split or execute other words, since bash does not quote all
+/// completions. Names may come from files of other people.
 bool is_plain(const std::string& word) {
   return std::ranges::none_of(word, [](unsigned char c) {
     return c <= ' ' ||

@@ -20,7 +20,8 @@ struct Completion {
 /// Completes the last word of `typed`, which may be empty; `typed` excludes `taut`. Wrong words have no completions.
 Completion complete(std::span<const Command> commands, const std::vector<std::string>& typed);
 
-/// For `taut --complete WORDS`: a line with the pattern of files, then a line per word with text, tab and help.
+/// Output of `taut --complete WORDS`, for the script of a shell: a line with the pattern of files, then a line per
+/// word with text, tab and help.
 std::string answer_to_shell(std::span<const Command> commands, const std::vector<std::string>& typed);
 
 }  // namespace taut::cli

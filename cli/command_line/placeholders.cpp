@@ -79,7 +79,7 @@ constexpr Placeholder table[] = {
     {"NAME=VALUES", settable_names, ""},
     {"DIR", nullptr, "*/"},
     {"FILE", nullptr, "*"},
-    {"A", nullptr, "*.png"},
+    {"A", nullptr, "*.png"},  // an image or a folder of images; folders always fit
     {"B", nullptr, "*.png"},
 };
 
@@ -88,7 +88,7 @@ const Placeholder* find_placeholder(std::string_view name) {
   return found == std::end(table) ? nullptr : found;
 }
 
-/// Empty if `placeholder` is of no drawing key.
+/// Choices of a drawing key; empty if `placeholder` belongs to none.
 Words drawing_names(std::string_view placeholder) {
   const auto keys = drawing_keys();
   const auto key = std::ranges::find_if(keys, [placeholder](const DrawingKey& each) {
@@ -102,7 +102,7 @@ bool is_literal(std::string_view word) {
          std::ranges::all_of(word, [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
 }
 
-/// Includes the dot; empty if there is none.
+/// File extension with its dot: ".png" of "panel.png"; empty if there is none.
 std::string_view extension(std::string_view word) {
   const std::size_t dot = word.rfind('.');
   return dot == std::string_view::npos || dot + 1 == word.size() ? "" : word.substr(dot);
@@ -124,7 +124,7 @@ bool drop_end(std::string_view& text, std::string_view end) {
   return true;
 }
 
-/// "a,b," of "a,b,c".
+/// Part of a list before its last item: "a,b," of "a,b,c".
 std::string items_before(const std::string& typed) {
   const std::size_t comma = typed.rfind(',');
   return comma == std::string::npos ? "" : typed.substr(0, comma + 1);

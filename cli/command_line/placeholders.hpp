@@ -14,7 +14,8 @@ struct Choices {
   std::string files;
 };
 
-/// For placeholders such as FIELD, "FIELD,...", "LOW:HIGH|auto" and "panel.png"; `scene` adds its names, if known.
+/// Completions for a placeholder such as FIELD, "FIELD,...", "LOW:HIGH|auto" or "panel.png", after the partial word
+/// `typed`. `scene` adds its names; nullptr if it is unknown.
 Choices choices(std::string_view placeholder, const std::string& typed, const SceneFile* scene);
 
 }  // namespace taut::cli

@@ -8,7 +8,8 @@
 
 namespace taut::cli {
 
-/// Returns the exit code and reports all errors on `streams.err`.
+/// Runs `taut` with `arguments`, without the program's name. Returns the exit code. Reports all errors on
+/// `streams.err`.
 int run_program(std::span<const Command> commands, const std::vector<std::string>& arguments,
                 Streams streams);
 

@@ -37,7 +37,7 @@ double share(const std::string& text) {
   return percents ? *value / 100 : *value;
 }
 
-/// The scene's results below out/.
+/// Folders below out/ with results of the scene.
 std::vector<std::string> stored_results(const std::string& scene) {
   constexpr int deepest = 3;
   std::vector<std::string> files;

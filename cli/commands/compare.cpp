@@ -117,7 +117,7 @@ Drawing fitted_to(const Drawing& wish, bool bounded, const std::vector<SavedRun>
 /// Warns of particles outside the view.
 void tell_what_is_outside(const render::View& view, const std::vector<SavedRun>& runs,
                           const std::vector<Column>& columns, std::ostream& err) {
-  constexpr double worth_telling = 0.02;  // a few may fly away
+  constexpr double worth_telling = 0.02;  // share of the particles; single ones may fly away
   for (std::size_t k = 0; k < columns.size(); ++k) {
     double most = 0;
     for (const PanelCell& cell : columns[k].cells) {

@@ -42,7 +42,7 @@ void check_for_frames(const fs::path& folder) {
 
 void clear_for_frames(const fs::path& folder) {
   make_folders(folder);
-  check_for_frames(folder);  // may have changed
+  check_for_frames(folder);  // another process may have changed it
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (!is_lock(entry.path())) fs::remove(entry.path());
 }
@@ -55,7 +55,7 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
   }
   run.folder.check();
   const std::string scene = resolved_text(run.file, run.folder.path());
-  // a continued run would draw differently
+  // a continued run would draw its next frames differently
   if (fs::exists(run.folder.checkpoint()) && read_whole(run.folder.scene()) != scene)
     throw UsageError("the run in '" + run.folder.path().string() +
                      "' is not finished, so its frames cannot change; "
@@ -65,7 +65,7 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
   return run.folder.frames();
 }
 
-/// The run's folder, or that of the frames or of their run.
+/// The run's own folder, or with --out the folder of the frames or the run that contains it.
 fs::path folder_to_lock(const RenderArguments& options) {
   if (!options.out) return options.run;
   check_for_frames(*options.out);
@@ -74,9 +74,10 @@ fs::path folder_to_lock(const RenderArguments& options) {
 
 int render(const RenderArguments& options, Streams streams) {
   check_threads(options.threads);
-  SavedRun run = open_saved_run(options.run);  // checks that it is a run
+  SavedRun run =
+      open_saved_run(options.run);  // before locking: no lock file is written to a folder that is no run
   const FolderLock lock(folder_to_lock(options), FolderLock::Of::run, "taut render", streams.err);
-  run = open_saved_run(options.run);  // may have changed
+  run = open_saved_run(options.run);  // another process may have changed it before the lock
   run.file.drawing = with_options(run.file.drawing, options);
   suit(run.file.drawing, run.file);
   run.file.drawing.orbit = options.orbit;

@@ -46,7 +46,7 @@ void declare_options(Options& command, RunArguments& o) {
   command.add_flag("--quiet", o.quiet, "print no progress on stderr");
 }
 
-/// With --resume, the lock precedes all reading.
+/// The plan and the lock of its folder. With --resume, the folder is locked before anything is read.
 struct LockedPlan {
   std::unique_ptr<const FolderLock> lock;
   RunPlan plan;
@@ -61,10 +61,10 @@ LockedPlan planned(const RunArguments& options, std::ostream& err) {
     if (options.scene.empty()) throw UsageError("SCENE is required; see `taut run --help`");
     all.plan = make_plan(options);
     all.lock = lock(all.plan.folder.path());
-    all.plan.folder.check();  // may have changed
+    all.plan.folder.check();  // another process may have changed it before the lock
     return all;
   }
-  check_goes_on(*options.resume);  // checks that it is a run
+  check_goes_on(*options.resume);  // before locking: no lock file is written to a folder that is no run
   all.lock = lock(*options.resume);
   all.plan = resume_plan(*options.resume, options);
   if (!all.plan.state)

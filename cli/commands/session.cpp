@@ -64,7 +64,7 @@ int converse(const SessionArguments& options, Streams streams) {
       if (!streams.out.flush()) throw OutputError("standard output", "cannot be written");
       return one;
     }();
-    // a script's next lines rely on this one
+    // the next lines of a script rely on the interrupted one
     if (Interrupts::asked() && (!typed || Interrupts::asked_to_end())) return Interrupts::exit_code();
     if (options.strict && given.code != exit_fine) return given.code;
     if (!given.going) break;

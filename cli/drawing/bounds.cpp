@@ -7,9 +7,9 @@
 namespace taut::cli {
 namespace {
 
-constexpr double outside = 0.01;       // greatest share of values clipped at each end
-constexpr double not_far = 0.25;       // of the width without clipped values
-constexpr std::size_t most = 1 << 22;  // sampled values
+constexpr double outside = 0.01;  // greatest share of values clipped at each end
+constexpr double not_far = 0.25;  // greatest widening by clipped values, as a share of the width without them
+constexpr std::size_t most = 1 << 22;  // sampled values; of more, every second, fourth, … is used
 
 /// Greater values would overflow when squared; they count as not finite.
 bool counts(double value) {

@@ -21,12 +21,13 @@ class SequenceBounds {
   void add_positions(std::span<const double> x, int dim, double diameter);
   void add(const FrameView& particles);
 
-  /// Clips at most 1 % of the values above `round_off` at each end, and no end that widens the range by less than a
-  /// quarter. Never empty; symmetric about `middle`, if given.
+  /// Range of the values. At each end, it omits at most 1 % of the values whose size exceeds `round_off`, unless
+  /// including them widens the range by less than a quarter. Never empty; symmetric about `middle`, if given.
   render::Range range(std::optional<double> middle, double round_off = 0) const;
   /// With a margin of 5 % of the longer side.
   render::View view() const;
-  /// Centred at the origin, the centre of the followed body, and half as large again.
+  /// Same view, but centred at the origin, which is the centre of mass of the followed body, and 1.5 times as large,
+  /// so that its surroundings are visible.
   render::View view_about_origin() const;
   /// A view that contains everything from all directions.
   struct Orbit {
@@ -34,7 +35,7 @@ class SequenceBounds {
     render::Vector middle;
   };
   Orbit orbit() const;
-  /// Coordinate of the nearest particle towards the camera, m.
+  /// Coordinate of the nearest particle along the camera's direction, m.
   double front() const;
 
  private:
@@ -48,7 +49,7 @@ class SequenceBounds {
   std::optional<render::CameraAxes> axes_;
 };
 
-/// Sets the open members of `drawing`.
+/// Returns `drawing` with its open members set: colour map by the field, range and view by `shown`.
 Drawing fitted(Drawing drawing, const SequenceBounds& shown);
 
 }  // namespace taut::cli

@@ -51,7 +51,7 @@ struct Drawing {
   Expression is_cut{};
   std::optional<int> followed{};  // index into Scene::bodies
   std::vector<WallFace> walls{};
-  double round_off = 0;  // minimum width of an open range, in the unit of the colours
+  double round_off = 0;  // of the values; minimum width of an open range, in the unit of the colours
   ColorFormula of_formula{};
 };
 
@@ -60,12 +60,12 @@ struct ColorMeaning {
   std::optional<double> middle;  // neutral value of a signed field
 };
 ColorMeaning meaning(const Drawing& drawing);
-/// Values in the field's unit.
+/// Values of the run's particles, in the field's unit.
 std::vector<double> color_values(const Drawing& drawing, const Snapshot& snapshot);
 
 std::vector<std::string> names_of_fields();
 std::vector<std::string> names_of_fields(int dim);
-/// Throws UsageError for a field unknown in `dim` dimensions.
+/// Throws UsageError, with the nearest name, for a field that scenes of `dim` dimensions lack.
 const Field& known_field(const std::string& key, int dim = 3);
 
 }  // namespace taut::cli

@@ -22,7 +22,7 @@
 namespace taut::cli {
 
 std::string frame_name(int number);
-/// True also for unfinished files.
+/// Whether `path` has a name made by frame_name, complete or temporary.
 bool is_frame(const std::filesystem::path& path);
 
 struct Captions {
@@ -35,24 +35,28 @@ Drawing fitted(const Drawing& drawing, const Snapshot& snapshot);
 /// The drawing must have no open members.
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot);
 
-/// Draws frames at once if range and view are known, else all at the end with a common range and view. Threads draw
-/// beside the caller; the frames are written in order.
+/// Draws the frames of a run: at once if range and view are known, else all at the end with a common range and view;
+/// frames are kept in memory until then. Threads draw beside the caller, which waits if too many frames are pending.
+/// A frame's file exists only after those of all earlier frames.
 class Frames {
  public:
   static constexpr double memory_of_pictures = 1e9;  // bytes, with OpenGL; limits the number of threads
 
-  /// Throws if no picture can be drawn. `finish` adds the time of all threads to `seconds`.
+  /// Throws if no picture can be drawn. `origins` belong to the particles that `add` will get. `finish` adds the time
+  /// of all threads to `seconds`.
   Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
          int threads, Seconds& seconds);
 
   void add(const Snapshot& snapshot);
   /// `particles` are all of the run, with values and without texts.
   void add(const FrameView& particles);
-  /// Calls `go_on` before each frame. Returns false if stopped.
+  /// Draws the frames in memory. Calls `go_on` before each frame; returns false if it stopped the drawing.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
+  /// Waits for pending frames. Throws their errors, as all functions that add frames do.
   void finish();
 
   int kept() const { return static_cast<int>(kept_.size()); }
+  /// Grows while frames are pending.
   int written() const { return written_; }
 
   /// Call after `finish`.
@@ -74,7 +78,7 @@ class Frames {
   }
 
  private:
-  /// Single precision could not separate particles far from the origin.
+  /// Content of a frame. Single precision could not separate particles far from the origin.
   struct Kept {
     double time;   // s
     Point origin;  // m

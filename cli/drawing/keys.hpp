@@ -53,11 +53,11 @@ struct DrawingKey {
   bool takes_words() const { return words.names != nullptr; }
 };
 
-/// In the order of --help and scene.toml.
+/// All keys, in the order of --help and scene.toml.
 std::span<const DrawingKey> drawing_keys();
 const DrawingKey& drawing_key(std::string_view name);
 
-/// Throws UsageError and then changes nothing.
+/// Sets a key as typed on the command line or in a session. Throws UsageError and then changes nothing.
 void set_typed(Drawing& drawing, const DrawingKey& key, const std::string& text);
 
 }  // namespace taut::cli

@@ -11,15 +11,16 @@ namespace taut::cli {
 
 class Options;
 
+/// Drawing options as typed. Omitted values come from the scene.
 struct DrawingOptions {
-  std::map<std::string, std::optional<std::string>, std::less<>> typed;
+  std::map<std::string, std::optional<std::string>, std::less<>> typed;  // by key
 
   bool any() const;
 };
 
 void declare_drawing_options(Options& command, DrawingOptions& options);
 
-/// Throws UsageError.
+/// Returns `drawing` changed by the options. Throws UsageError.
 Drawing with_options(Drawing drawing, const DrawingOptions& options);
 
 }  // namespace taut::cli

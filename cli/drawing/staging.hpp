@@ -23,10 +23,10 @@ struct Origins {
 };
 
 Origins origins_of(const Snapshot& snapshot);
-/// Throws SceneError.
+/// Origins of the initial particles of a scene. Throws SceneError.
 Origins origins_of(const Scene& scene);
 
-/// `view` refers to its arrays.
+/// Particles of one picture. `view` refers to the arrays of this object.
 struct StagedParticles {
   int dim = 2;
   double time = 0;  // s
@@ -37,15 +37,15 @@ struct StagedParticles {
   FrameView view() const;
 };
 
-/// Removes particles in the cut and centres the followed body. A cut uses initial positions and deforms with the
-/// body.
+/// Selects and places the particles of a picture: removes those in the cut, and centres the followed body. A cut uses
+/// initial positions, so that it deforms with the body.
 class Staging {
  public:
-  /// Throws UsageError if no particle is left.
+  /// Throws UsageError if the cut leaves no particle.
   Staging(const Drawing& drawing, Origins origins);
 
   int dim() const { return origins_.dim; }
-  std::size_t size() const { return shown_.size(); }
+  std::size_t size() const { return shown_.size(); }  // particles drawn
 
   /// `particles` are all particles of the run.
   StagedParticles operator()(const FrameView& particles) const;

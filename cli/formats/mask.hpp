@@ -21,7 +21,7 @@ struct Mask {
 
 inline constexpr int greatest_mask_side = 4096;  // pixels
 
-/// Darkness over white, or opacity. Throws UsageError if the file is unreadable or too large.
+/// Reads the darkness over white, or the opacity, of a PNG. Throws UsageError if it is unreadable or too large.
 enum class MaskOf : std::uint8_t { darkness, alpha };
 Mask read_mask(const std::filesystem::path& png, MaskOf of);
 

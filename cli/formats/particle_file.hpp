@@ -22,7 +22,7 @@ class ParticleFile {
 
   double time() const { return time_; }  // s
   std::size_t size() const { return size_; }
-  std::vector<std::string> fields() const;  // keys of scalar arrays, in the order of the file
+  std::vector<std::string> fields() const;  // keys of the scalar arrays, in the order of the file
   bool has(const std::string& field) const;
   std::vector<double> positions(int dim) const;  // n × dim, m
   std::vector<double> diameter() const;          // m

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-/// Reference of the language, from the tables used by the readers.
+/// Reference of the language of scene and sweep files, generated from the tables that the readers use.
 namespace taut::cli {
 
 /// A section, a list such as the shapes, or one shape, ...
@@ -27,12 +27,13 @@ struct LanguageFile {
 LanguageFile scene_language();
 LanguageFile sweep_language();
 
-/// Finds keys only if nothing else has this name. Returns several if a probe and a measure share a name.
+/// Topics called `name`: sections, lists, shapes, probes, measures, laws, fields or colour maps, and keys only if
+/// nothing else has this name. Several if a probe and a measure share a name; empty if there is none.
 std::vector<Topic> find_topics(std::string_view name);
 /// Names of all topics except keys.
 std::vector<std::string> topic_names();
 
-/// Wraps to `columns`, if given.
+/// Text for a terminal, wrapped to `columns` if given.
 std::string as_text(const Topic& topic, std::optional<std::size_t> columns = {});
 std::string as_text(const LanguageFile& file, std::optional<std::size_t> columns = {});
 /// Content of scenes/LANGUAGE.md.
@@ -51,7 +52,7 @@ Rows method_rows();
 /// Keys of all sections and kinds.
 Rows key_rows();
 
-/// Example for a section or shape, or empty.
+/// Example of a section or shape, or empty.
 std::string_view example_of(std::string_view name);
 
 }  // namespace taut::cli

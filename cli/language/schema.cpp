@@ -10,8 +10,8 @@
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/methods/catalogue.hpp"
 
-/// Taplo, the completion in TOML editors, ignores if/then and allOf tables: oneOf lists keys of kinds, if/then adds
-/// checks.
+/// Taplo, which completes TOML in editors, follows oneOf and anyOf. It ignores if/then, and skips tables with allOf.
+/// So the keys of kinds are under oneOf, and if/then only adds checks.
 namespace taut::cli {
 namespace {
 

@@ -17,9 +17,9 @@ struct Checkpoint {
   std::string scene;                    // text of scene.toml
   std::vector<std::string> fields;      // none: particles are not saved
   std::optional<double> spacing_asked;  // m
-  double every = 0;                     // simulated time, s
+  double every = 0;                     // simulated time between checkpoints, s
   bool draws = true;
-  std::string state;  // empty: at the start
+  std::string state;  // bytes that the caller saved; empty: at the start
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -31,16 +31,17 @@ struct Checkpoint {
   }
 };
 
-/// The version is only for messages.
+/// First bytes of a checkpoint. The version is only for messages.
 struct CheckpointHeader {
   std::string version{build_info.version};
   int format = format_of("checkpoint.bin");
 };
 
-/// Replaces the file atomically, with a checksum. Throws OutputError.
+/// Replaces the file atomically. It begins with its kind, the version and the format number, and ends with a checksum
+/// of everything. Throws OutputError.
 void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, CheckpointHeader header = {});
 
-/// Throws UsageError for a damaged file or another format.
+/// Throws UsageError, with the reason, for a damaged file or another format.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace taut::cli

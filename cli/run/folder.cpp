@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view head_of_record = "{\n  \"taut\": \"";  // as in `to_json`
 
-/// Includes temporary files.
+/// Whether `path` has a name made by RunFolder::particle_file or particle_index, complete or temporary.
 bool is_particle_file(const fs::path& path) {
   const std::string name = path.filename().string();
   return name.starts_with("particles") &&
@@ -66,7 +66,7 @@ void RunFolder::check() const {
       throw UsageError("'" + inner.string() +
                        "' is a link; files would be written and removed in its target; " +
                        "remove it or name another folder with --out");
-  // a run was killed at its start
+  // a run that was killed at its start leaves only these files
   const bool begun = holds_only({run_lock_name, record().filename().string() + ".tmp"});
   if (!read_record(record()) && !begun && !is_damaged())
     throw UsageError("'" + path_.string() +

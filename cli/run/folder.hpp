@@ -12,7 +12,7 @@
 
 namespace taut::cli {
 
-/// See cli/COMMANDS.md.
+/// Output folder of a run; cli/COMMANDS.md describes its files.
 class RunFolder {
  public:
   /// `named`: the user has named this folder, so that it may be a link.
@@ -23,16 +23,17 @@ class RunFolder {
   /// Whether run.json is unreadable. A run is identified by scene and history, else by the beginning of run.json and
   /// all file names.
   bool is_damaged() const;
-  /// Creates the folder and first run.json, which identifies a run. Throws OutputError.
+  /// Creates the folder, and `record` as run.json before any other file: it marks the folder as a run. Throws
+  /// OutputError.
   void claim(std::string_view record) const;
   /// Removes an earlier run's results. Throws OutputError.
   void clear() const;
   /// Remove all but the first `number` files. Throw OutputError.
   void keep_frames(int number) const;
   void keep_particle_files(int number) const;
-  /// Throws OutputError.
+  /// Removes the checkpoint, complete or temporary. Throws OutputError.
   void clear_checkpoint() const;
-  /// Also removes difference.png. Throws OutputError.
+  /// Removes the frames, and difference.png made from them. Throws OutputError.
   void clear_frames() const;
 
   const std::filesystem::path& path() const { return path_; }
@@ -40,6 +41,7 @@ class RunFolder {
   std::filesystem::path frame(int number) const { return frames() / frame_name(number); }
   std::filesystem::path particles() const { return path_ / "particles"; }
   std::filesystem::path particle_file(int number) const;
+  /// Times and names of the particle files, for ParaView.
   std::filesystem::path particle_index() const { return particles() / "particles.pvd"; }
   std::filesystem::path history() const { return path_ / "history.csv"; }
   std::filesystem::path lines() const { return path_ / "lines.csv"; }
@@ -55,8 +57,9 @@ class RunFolder {
   bool named_;
 };
 
+/// Finds the run folder that contains `path`, if any. It must be locked before `path` is written.
 std::optional<std::filesystem::path> run_around(const std::filesystem::path& path);
-/// Locks the run folder that contains `path`, if any. Throws as FolderLock.
+/// Locks the run folder that contains `path`, if any, else returns nullptr. Throws like FolderLock.
 std::unique_ptr<const FolderLock> lock_around(const std::filesystem::path& path, std::string_view command);
 
 }  // namespace taut::cli

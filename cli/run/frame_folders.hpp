@@ -13,7 +13,7 @@ class Options;
 class Json;
 struct TestCase;
 
-/// Sorted PNG names, possibly none.
+/// Sorted names of the PNG files in a folder; none if the folder is missing.
 std::vector<std::string> picture_names(const std::filesystem::path& folder);
 
 /// The frames of a run folder, else `folder`.
@@ -28,10 +28,10 @@ struct PictureDifference {
 struct FolderDifference {
   std::vector<std::string> only_in_a, only_in_b;
   std::vector<PictureDifference> pictures;  // in both folders
-  std::string worst;                        // may be empty
+  std::string worst;                        // name of the most different picture; empty without pictures
   render::ImageDifference at_worst;
 
-  int different() const;
+  int different() const;  // number of `pictures` beyond the limit
   bool alike() const { return only_in_a.empty() && only_in_b.empty() && different() == 0; }
 };
 

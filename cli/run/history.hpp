@@ -14,9 +14,10 @@
 namespace taut::cli {
 
 std::vector<std::string> history_columns(const Scene& scene);
-/// Empty for a number.
+/// Unit of a column; empty for a plain number.
 std::string history_unit(const std::string& column, const Scene& scene);
 
+/// Length of a file when the checkpoint was saved.
 struct SavedLength {
   std::int64_t length = 0;  // bytes
 
@@ -30,10 +31,10 @@ struct SavedLength {
   }
 };
 
-/// history.csv: a row per history time, in SI units, written immediately.
+/// history.csv: a row per history time, in SI units. Each row is complete in the file at once.
 class History {
  public:
-  /// `start` selects an empty file, or that of a run to be loaded.
+  /// `start` selects a new file, or the existing file of a run that continues.
   History(const std::filesystem::path& path, const Scene& scene,
           AppendFile::Start start = AppendFile::Start::empty);
 
@@ -55,12 +56,12 @@ class History {
   AppendFile file_;
   SavedLength saved_;
   int dim_;
-  bool works_, damps_;
+  bool works_, damps_;  // external forces do work; the scene is damped
   long last_step_ = -1;
 };
 
-/// lines.csv: a row per point of each sample, in SI units, written immediately; `reference`: exact solution of the
-/// method's law, or empty.
+/// lines.csv: a row per point of each sample, in SI units, complete in the file at once. The column `reference` is
+/// the exact solution of the method's law, or empty.
 class LineSamplesFile {
  public:
   LineSamplesFile(const std::filesystem::path& path, const Scene& scene, const std::string& law,

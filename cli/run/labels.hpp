@@ -8,9 +8,10 @@
 
 namespace taut::cli {
 
+/// Labels of runs that are shown side by side.
 struct RunLabels {
-  std::string title, note;               // of all runs
-  std::vector<render::Heading> columns;  // differences
+  std::string title, note;               // common to all runs: scene, method
+  std::vector<render::Heading> columns;  // differences: scene, method, parameters, spacing, constants
 };
 
 RunLabels label_runs(const std::vector<SavedRun>& runs);

@@ -24,7 +24,8 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// Judgements cost more than rows, and are independent of them.
+/// A run is judged at its start and after each of these parts, independent of the rows, since a judgement costs more
+/// than a row.
 constexpr int judged_parts = 200;
 
 /// history.csv, drift, verdict and indicators. Rows between judgements repeat the indicators.
@@ -106,7 +107,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   Judge judge_;
   IndicatorGauge gauge_;
   long judged_step_ = -1;
-  Readings readings_;
+  Readings readings_;  // of that step
   ConservationWatch conservation_;
   std::optional<History> history_;
 };
@@ -186,7 +187,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
         frames_(*plan.drawing, origins_of(simulation.snapshot()), plan.folder.frames(),
                 {plan.file.scene.title, result.record.method, result.record.until}, simulation.threads(),
                 result.record.seconds) {
-    // earlier frames are unknown
+    // for a continued run, the view of its earlier frames is unknown
     if (!plan.drawing->followed && !plan.state) unseen_ = plan.drawing->look.view;
   }
 
@@ -240,8 +241,8 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   RunResult& result_;
   Agenda agenda_;
   Frames frames_;
-  std::optional<render::View> unseen_;
-  int on_disk_ = 0;
+  std::optional<render::View> unseen_;  // view in which no particle has appeared yet
+  int on_disk_ = 0;                     // number of frames known to be on disk
 };
 
 class ParticlesOutput final : public OutputOf<ParticlesOutput> {
@@ -290,7 +291,7 @@ const Snapshot& LastStep::at(double t) {
 std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
                                                      LastStep& last_step, RunResult& result) {
   std::vector<std::unique_ptr<RunOutput>> all;
-  // first, to stop the output of diverged states
+  // HistoryOutput is the first: it detects divergence, and diverged states are not output
   all.push_back(std::make_unique<HistoryOutput>(plan, simulation, result));
   all.push_back(std::make_unique<MeasuresOutput>(plan, simulation, last_step, result));
   if (plan.drawing) all.push_back(std::make_unique<FramesOutput>(plan, simulation, last_step, result));

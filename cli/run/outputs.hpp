@@ -10,7 +10,7 @@
 
 namespace taut::cli {
 
-/// Interpolates within the last step.
+/// State at any time within the last step. The simulation is not affected.
 class LastStep {
  public:
   explicit LastStep(const Simulation& simulation) : simulation_(simulation) {}
@@ -37,30 +37,31 @@ class RunOutput {
   virtual void open(AppendFile::Start) {}
   /// Next output time, s, or infinity.
   virtual double next() const = 0;
-  /// Whether it needs the exact time, not the first step from then.
+  /// Whether it takes states at its exact times, between steps. Otherwise it takes the first step at or after each
+  /// time.
   virtual bool is_at_its_time() const { return true; }
-  /// Whether it must also take the final state.
+  /// Whether it must also take the final state, at any time.
   virtual bool lacks_the_end() const { return false; }
-  /// Outputs all that is due and updates the result, after the first step from `next`.
+  /// Writes all output that is due, and updates the result. Called after the first step at or after `next`.
   virtual void take() = 0;
   /// Waits for background work.
   virtual void settle() {}
-  /// Waits until output is on disk.
+  /// Waits until all output since the last call is on disk.
   virtual void put_on_disk() {}
   /// Updates the result before run.json is written.
   virtual void tell() {}
   /// Does deferred work; false if interrupted.
   virtual bool complete(const Interrupts&, Progress&) { return true; }
 
-  /// Saving requires `settle`; loading changes no file.
+  /// State for checkpoints. Call `settle` before saving; loading changes no file.
   virtual void save(Saver& saver) = 0;
   virtual void load(Loader& loader) = 0;
   /// Removes output newer than the loaded state.
   virtual void take_back() {}
 };
 
-/// All outputs in calling order; they update `result`, not the folder. Throws SceneError for a line that leaves its
-/// body.
+/// Creates all outputs, in the order in which they take a state. They write to `result`; the folder is not touched
+/// yet. Throws SceneError for a line that leaves its body.
 std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
                                                      LastStep& last_step, RunResult& result);
 

@@ -12,8 +12,8 @@ struct PanelCell {
   std::string remark;  // in the corner, or in the middle without particles
 };
 
-/// Particles nearest to `time` (s), with their time if different, in the unit of `until` (s). None after the run's
-/// end.
+/// Returns the saved particles nearest to `time` (s); none after the end of the run. If they are of another time, the
+/// remark contains it, in the unit of `until` (s).
 PanelCell cell_at(const SavedRun& run, double time, double until, const Drawing& drawing,
                   const Origins& origins);
 

@@ -8,16 +8,17 @@
 
 namespace taut::cli {
 
-/// Writes a file per time, atomically, and their index.
+/// Saves the particles of a run: a file per time, written atomically, and an index of all files.
 class ParticleSeries {
  public:
   /// Adds its time to `seconds`.
   ParticleSeries(std::vector<const Field*> fields, const RunFolder& folder, Seconds& seconds);
 
   void add(const Snapshot& snapshot);
-  /// Throws OutputError, as `add`.
+  /// Writes the index of all files so far. Throws OutputError, as `add` does.
   void save_index();
   int written() const { return static_cast<int>(times_.size()); }
+  /// Waits until all files are on disk.
   void put_on_disk();
 
   template <class Archive>
@@ -31,8 +32,8 @@ class ParticleSeries {
   RunFolder folder_;
   Seconds& seconds_;
   std::vector<double> times_;  // s
-  std::size_t on_disk_ = 0;
-  std::size_t indexed_ = 0;
+  std::size_t on_disk_ = 0;    // number of files
+  std::size_t indexed_ = 0;    // number of files, by this process
 };
 
 }  // namespace taut::cli

@@ -25,7 +25,7 @@ namespace {
 
 constexpr int default_history_rows = 1000;
 
-/// Checked first: the scene depends on the method.
+/// Checks names of methods before the scene is read, because the scene depends on the method.
 void check_methods(const std::vector<Setting>& settings) {
   std::vector<std::string> names;
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);
@@ -173,7 +173,7 @@ std::vector<const Field*> particle_fields(const RunOptions& options, int dim) {
 
 namespace {
 
-/// Expressions are left to the scene.
+/// Numbers in canonical form; expressions unchanged, for the scene to evaluate.
 std::string number_or_expression(const std::string& text) {
   const auto number = parsed<double>(text);
   return number ? exact(*number) : text;
@@ -244,7 +244,7 @@ void declare_particle_options(Options& command, RunOptions& o) {
 }
 
 void check_threads(int threads, std::string_view option) {
-  constexpr int few = 8;  // per core
+  constexpr int few = 8;  // per core; more threads only wait for each other
   const int most = std::max(2 * few, few * cores());
   if (threads > most)
     throw UsageError(std::string(option) + " is " + std::to_string(threads) + "; at most " +

@@ -13,10 +13,10 @@ namespace taut::cli {
 
 class Options;
 
-/// Omitted values come from the scene.
+/// Options of `taut run` as typed. Omitted values come from the scene.
 struct RunOptions {
   std::string scene;
-  std::vector<Setting> settings;  // --method, --spacing, --until, then --set
+  std::vector<Setting> settings;  // --method, --spacing, --until, then --set, which has priority
   std::optional<std::string> out;
   bool out_named = true;  // by the user, not by a sweep
   std::optional<double> every, history;
@@ -34,20 +34,21 @@ void declare_output_options(Options& command, RunOptions& options);
 
 void declare_particle_options(Options& command, RunOptions& options);
 
-/// Throws UsageError for too many threads, or of what else `option` counts.
+/// Throws UsageError for far more threads than cores, or of what else `option` counts.
 void check_threads(int threads, std::string_view option = "--threads");
-/// Throws UsageError and SceneError.
+/// Reads the scene with the settings of the options. Throws UsageError and SceneError.
 SceneFile scene_to_run(const RunOptions& options);
 
+/// Prints the remark of a scene, if any.
 void tell(const SceneFile& file, std::ostream& err);
 
 /// Checks all input without changing the run folder. Throws UsageError and SceneError.
 RunPlan make_plan(const RunOptions& options);
 
-/// None: particles are not saved.
+/// Fields to save; none if particles are not saved.
 std::vector<const Field*> particle_fields(const RunOptions& options, int dim);
 
-/// Throws UsageError for unknown names and `stable`.
+/// Throws UsageError for unknown names, and for `stable`, on which no run can fail.
 std::optional<Verdict> parse_verdict(const std::optional<std::string>& text);
 
 }  // namespace taut::cli

@@ -18,12 +18,13 @@
 
 namespace taut::cli {
 
+/// Contents of run.json.
 struct RunRecord {
   enum class Status { running, finished, interrupted, failed };
 
   std::string scene, method, material_law;
-  std::string remark;                  // warnings
-  std::optional<std::string> contact;  // of several bodies or walls
+  std::string remark;                  // message about the reading of the scene, mostly empty
+  std::optional<std::string> contact;  // contact law, if there are several bodies or walls
   std::string stepping;                // "dual" or "single"
   double cfl = 0;                      // factor of the time step
   std::vector<Parameter> parameters;
@@ -38,7 +39,7 @@ struct RunRecord {
   std::string reason;  // of a failure
   long steps = 0;
   int threads = 1;
-  std::string machine;  // processor
+  std::string machine;  // processor, for `seconds`
   Seconds seconds;
   Verdict verdict = Verdict::stable;
   std::map<Verdict, double> since;  // s
@@ -68,12 +69,12 @@ std::vector<RunWarning> warnings(const RunRecord& record);
 /// Explains an energy drift of 1 % or more; else empty.
 std::string energy_note(const RunRecord& record);
 
-/// Unknown and non-finite values become null.
+/// Keys are in reading order. Unknown and non-finite values become null.
 Json to_json(const RunRecord& record);
 
-/// Missing and null keys give empty members.
+/// Contents of another run's run.json. Missing and null keys give empty members.
 struct StoredRecord {
-  std::string version;  // of taut
+  std::string version;  // of taut; may be empty
   std::optional<RunRecord::Status> status;
   std::optional<Verdict> verdict;
   std::optional<double> reached, until;  // s
@@ -81,11 +82,12 @@ struct StoredRecord {
   Json all;
 };
 
-/// None without a file. Throws UsageError with file and key for invalid records.
+/// Returns nullopt without a file. Throws UsageError, with file and key, for a record that taut cannot have written.
 std::optional<StoredRecord> checked_record(const std::filesystem::path& file);
-/// None for invalid records.
+/// Same as checked_record, but returns nullopt for invalid records.
 std::optional<StoredRecord> read_record(const std::filesystem::path& file);
 
+/// Name of the processor, or "unknown".
 std::string machine_name();
 
 }  // namespace taut::cli

@@ -8,15 +8,16 @@
 
 namespace taut::cli {
 
-/// Throws UsageError if the particles do not suffice.
+/// Throws UsageError if the saved particles do not suffice for the run's drawing.
 void check_redrawing(const SavedRun& run);
 
-/// `all` is false after an interrupt.
+/// Number of frames drawn. `all` is false after an interrupt.
 struct Redrawn {
   int frames = 0;
   bool all = true;
 };
 
+/// Draws all frames of a run from its saved particles. `threads` of 0 uses all cores.
 Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int threads, Progress& progress);
 
 }  // namespace taut::cli

@@ -10,7 +10,7 @@ namespace taut::cli {
 
 std::string run_report(const RunPlan& plan, const RunResult& result);
 
-/// `fail_on`: mildest failing verdict; default: diverged.
+/// Exit code of a run. `fail_on` is the mildest verdict that fails; without it, only divergence fails.
 int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on = {});
 
 std::string describe_divergence(const NumericalError& error);

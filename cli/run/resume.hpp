@@ -9,8 +9,9 @@ namespace taut::cli {
 /// Throws UsageError if the run cannot continue.
 void check_goes_on(const std::filesystem::path& folder);
 
-/// Continues the run in `folder` from its checkpoint, else from the start. Options `given` must agree with it, except
-/// --threads; without a checkpoint file, they select frames, particles and checkpoints. Throws UsageError.
+/// Plan that continues the run in `folder` from its checkpoint, else from the start. `given` are the options beside
+/// --resume. They must agree with the folder, except --threads. Without a checkpoint file, they select frames,
+/// particles and checkpoints. Throws UsageError with the reason and a remedy.
 RunPlan resume_plan(const std::filesystem::path& folder, const RunOptions& given);
 
 }  // namespace taut::cli

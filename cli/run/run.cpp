@@ -26,7 +26,7 @@ class Run {
  public:
   Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Interrupts& interrupts,
       Progress& progress, RunRecord record);
-  Run(const Run&) = delete;
+  Run(const Run&) = delete;  // its parts refer to one another
   Run& operator=(const Run&) = delete;
 
   RunResult execute();
@@ -92,7 +92,7 @@ RunResult Run::execute() {
     put_on_disk();
     save(status == finished ? running : status);  // deferred frames are not drawn yet
     const bool all_done = complete();
-    put_on_disk();
+    put_on_disk();  // before run.json reports it
     save(status == finished && !all_done ? interrupted : status);
     // also after divergence
     if (all_done && record_.status != interrupted) plan_.folder.clear_checkpoint();
@@ -143,7 +143,7 @@ void Run::open_files(AppendFile::Start start) {
   for (const auto& output : outputs_) output->open(start);
 }
 
-/// The checkpoint refers to other files; they are on disk first.
+/// A checkpoint refers to the contents of other files, so these are put on disk first.
 void Run::save_checkpoint() {
   if (!plan_.checkpoint_every) return;
   put_on_disk();
@@ -199,7 +199,8 @@ void Run::step_through() {
     advance(std::min({next_output(), next_checkpoint_, record_.until}));
     const bool stopped = interrupts_.asked();
     show_what_is_due(false);
-    // after outputs, which need the state before the step; before the final row of history.csv
+    // A checkpoint follows the outputs, which need the state before the step. It precedes the final row of
+    // history.csv, which a continued run would have in excess.
     const bool well = result_.failure.empty();
     if (well && (stopped || record_.reached >= next_checkpoint_)) save_checkpoint();
     going = well && !stopped && record_.reached < record_.until;
@@ -280,7 +281,7 @@ std::string Run::record_text() const { return to_json(record_).dump(2) + "\n"; }
 
 void Run::write_record() const { write_atomically(plan_.folder.record(), record_text(), Kept::on_disk); }
 
-/// Tries even with a full disk or memory.
+/// Writes run.json if possible, even with a full disk or without memory.
 void Run::save_failure(const std::string& reason) {
   const auto tried = [](const auto& work) {
     try {

@@ -18,28 +18,30 @@ namespace taut::cli {
 /// A validated run.
 struct RunPlan {
   SceneFile file;
-  std::optional<double> spacing_asked;        // m
+  std::optional<double> spacing_asked;        // m, from the scene or the command line
   std::optional<Drawing> drawing;             // none: no frames
   std::vector<const Field*> particle_fields;  // none: not saved
   std::vector<double> frame_times,
-      history_times;  // s, sorted; particles: frame times
+      history_times;  // s, sorted; particles are saved at frame times
   RunFolder folder{"."};
-  std::optional<double> checkpoint_every;  // simulated time, s
-  std::optional<std::string> state;        // to continue from; none: start
+  std::optional<double> checkpoint_every;  // simulated time, s; none: no checkpoints
+  std::optional<std::string> state;        // of the run in the folder, to continue it; none: from the start
 
   std::string scene_text() const { return resolved_text(file, folder.path()); }
 };
 
+/// Creates the simulation. Errors about the scene contain their place in the file.
 std::unique_ptr<Simulation> start(const SceneFile& file);
 
 struct RunResult {
   RunRecord record;
   int frames = 0;       // number written
-  std::string failure;  // empty: none
+  std::string failure;  // reason of an early end, or empty
 };
 
-/// Simulates `plan`. Throws OutputError; before changing the folder, also the errors of make_simulation.
-/// `setup_seconds` were spent on reading. `before_it_begins` precedes changes of the folder.
+/// Simulates `plan` and writes its run folder. Throws OutputError, and the errors of make_simulation before any
+/// change of the folder. `setup_seconds` is the time spent on reading the scene. `before_it_begins` is called after
+/// all checks, before the folder changes.
 RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
                     double setup_seconds, const std::function<void()>& before_it_begins = {});
 

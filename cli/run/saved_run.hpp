@@ -12,13 +12,14 @@
 
 namespace taut::cli {
 
+/// A run folder with saved particles.
 struct SavedRun {
   RunFolder folder;
   SceneFile file;
   std::vector<ParticleFile> particles;  // in order of time
 };
 
-/// Throws UsageError if there are none.
+/// Throws UsageError if the folder is no run or has no particles.
 SavedRun open_saved_run(const std::filesystem::path& folder);
 
 struct ColoredParticles {
@@ -29,7 +30,8 @@ struct ColoredParticles {
   FrameView view() const;
 };
 
-/// `origins`: of the run. UsageError for a field that was not saved.
+/// Colours particles as `drawing` requires; `origins` are those of the run. Throws UsageError for a field that was
+/// not saved.
 ColoredParticles read_colored(const ParticleFile& file, const Drawing& drawing, const Origins& origins);
 
 }  // namespace taut::cli

@@ -16,9 +16,9 @@ class Agenda {
  public:
   explicit Agenda(std::vector<double> times) : times_(std::move(times)) {}
 
-  /// Infinity at the end.
+  /// Next time that was not reached, or infinity.
   double next() const;
-  /// Times up to `now` since the last call.
+  /// Times up to `now` that no earlier call returned.
   std::span<const double> reached(double now);
   std::size_t done() const { return done_; }
 
@@ -33,13 +33,13 @@ class Agenda {
   std::size_t done_ = 0;
 };
 
-/// Chooses slices of about 0.2 s, for interrupts.
+/// Splits a run into slices of about 0.2 s of wall clock, by its speed so far, so that interrupts are checked often.
 class Pace {
  public:
-  /// The first slice is usually one step.
+  /// The first slice is a millionth of the run, usually one step, since the speed is unknown.
   explicit Pace(double until) : slice_(1e-6 * until) {}
 
-  double slice() const { return slice_; }  // s
+  double slice() const { return slice_; }  // simulated time, s
   void took(double run_time, double seconds) {
     const double wished = seconds > 0 ? 0.2 * run_time / seconds : 4 * slice_;
     slice_ = std::clamp(wished, slice_ / 4, 4 * slice_);

@@ -92,8 +92,8 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
 
 /// Smallest significant difference of a field, in its unit; noise, such as stress in free flight, is smaller.
 double round_off(const Field& field, const Scene& scene) {
-  constexpr double strain = 1e-9, in_single_precision = 1e-6;
-  double stiffest = 0;  // Pa
+  constexpr double strain = 1e-9, in_single_precision = 1e-6;  // relative
+  double stiffest = 0;                                         // Pa
   for (const Material& material : scene.materials) stiffest = std::max(stiffest, material.youngs_modulus);
   if (field.unit == "Pa") return strain * stiffest;
   if (field.unit == "m") return strain * scene.spacing;
@@ -166,7 +166,7 @@ void suit(Drawing& drawing, const SceneFile& file) {
 
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
   TomlCursor render = root.section("render", "[render]", keys_of("render"));
-  // words first, then numbers
+  // Words come first: missing keys are added in this order, and errors list the known words.
   for (const bool words : {true, false})
     for (const DrawingKey& key : drawing_keys())
       if (key.takes_words() == words) read_key(render, key, drawing);

@@ -12,30 +12,32 @@
 
 namespace taut::cli {
 
+/// Values of the names in expressions.
 using Names = std::map<std::string, double>;
 
+/// Error in an expression. The message contains the error and the known names.
 class ExpressionError : public std::runtime_error {
  public:
   ExpressionError(const std::string& what, std::size_t where) : std::runtime_error(what), offset(where) {}
 
-  std::size_t offset;  // of the error in the text
+  std::size_t offset;  // of the error in the text, 0-based
 };
 
 /// The value need not be finite. `pi` and muParser's functions are known. Comparisons, && and || give 1 or 0.
 double evaluate(const std::string& text, const Names& names);
 
-/// Function of position x, y, z. Thread-safe: copies share a lock.
+/// Function of the position x, y, z. Thread-safe: copies share their state, and one thread at a time evaluates it.
 Expression compile(const std::string& text, const Names& names);
-/// Function of time t.
+/// Function of time t, s.
 std::function<double(double)> compile_of_time(const std::string& text, const Names& names);
-/// Function of position and t.
+/// Function of the position and t.
 Solution compile_in_time(const std::string& text, const Names& names);
 
 /// Function of the values named `values` and of t. Names that are no identifiers cannot be used.
 std::function<double(const std::vector<double>&, double)> compile_of_values(
     const std::string& text, Names names, const std::vector<std::string>& values);
 
-/// Names without functions, known or not; empty if `text` is invalid.
+/// Names that occur in `text`, known or not, without functions; empty if `text` is invalid.
 std::set<std::string> names_in(const std::string& text);
 
 std::vector<std::string> function_names();

@@ -18,16 +18,16 @@ struct NumberRange {
 constexpr NumberRange above(double low) { return {.low = low, .open_low = true}; }
 constexpr NumberRange at_least(double low) { return {.low = low}; }
 
-/// LANGUAGE.md and the JSON Schema are generated from it.
+/// Type of a key's value. LANGUAGE.md and the JSON Schema are generated from it.
 struct KeyType {
   enum class Kind : std::uint8_t {
     number,  // or an expression in quotes
-    whole,
+    whole,   // whole number, or an expression in quotes
     flag,
     text,
-    word,  // one of `words`, or of `names()`
-    vector,
-    table,  // a table with the keys of `section`
+    word,    // one of `words`, or of `names()`
+    vector,  // `size` numbers
+    table,   // a table with the keys of `section`
   };
   enum class Form : std::uint8_t { one, list, one_or_list };
   static constexpr std::size_t any_size = static_cast<std::size_t>(-1);
@@ -36,7 +36,7 @@ struct KeyType {
   std::string_view shown = {};  // in LANGUAGE.md: "METHOD"; empty for the usual text of the kind
   std::string_view unit = {};
   NumberRange bounds = {};
-  std::array<std::string_view, 8> words = {};
+  std::array<std::string_view, 8> words = {};     // unused ones are empty
   std::vector<std::string> (*names)() = nullptr;  // alternative to `words`
   std::string_view section = {};                  // of a table; a number with a section can also be a table
   std::string_view pattern = {};                  // of a text: a regular expression
@@ -76,7 +76,7 @@ struct KeyType {
   }
 };
 
-/// Returns "number > 0, m", "spaced or lattice", "[[x, y], ...], m".
+/// Description of a type: "number > 0, m", "spaced or lattice", "[[x, y], ...], m".
 std::string type_text(const KeyType& type);
 std::vector<std::string> words_of(const KeyType& type);
 
@@ -94,10 +94,11 @@ constexpr KeyType whole(double low, double high) {
 }
 constexpr KeyType flag() { return {.kind = KeyType::Kind::flag}; }
 constexpr KeyType text(std::string_view shown = "text") { return {.shown = shown}; }
-/// A text for TomlCursor::line.
+/// A text of one line, as TomlCursor::line reads it.
 constexpr KeyType line(std::string_view pattern = "^[^\\u0000-\\u001f\\u007f]*$") {
   return {.shown = "text", .pattern = pattern, .longest = 200};
 }
+/// Name of a body, a probe, …
 constexpr KeyType label() {
   return {.shown = "letters, digits, _ and -", .pattern = "^[A-Za-z0-9_-]+$", .longest = 100};
 }
@@ -116,6 +117,7 @@ constexpr KeyType vector_of(std::size_t size, std::string_view shown, std::strin
                             NumberRange bounds = {}) {
   return {.kind = KeyType::Kind::vector, .shown = shown, .unit = unit, .bounds = bounds, .size = size};
 }
+/// A number, or a table with the keys of `section`.
 constexpr KeyType number_or_table(std::string_view shown, std::string_view section) {
   return {.kind = KeyType::Kind::number, .shown = shown, .section = section};
 }
@@ -127,16 +129,17 @@ constexpr KeyType table(std::string_view section, std::string_view shown) {
 }  // namespace types
 
 struct KeyInfo {
-  std::string_view name;
+  std::string_view name;  // or `any_name`
   KeyType type;
   std::string_view by_default;  // empty: required; "or X": the key X can replace it
   std::string_view help;
 };
 
-/// Stands for names that the user chooses.
+/// Name of a key that the user chooses.
 inline constexpr std::string_view any_name = "NAME";
 inline constexpr KeyInfo named_by_user[] = {{any_name, {}, "", ""}};
 
+/// A table of a scene or sweep file, for `taut describe` and the reader.
 struct Section {
   std::string_view name;
   std::string_view header;  // "[[body]]"
@@ -144,7 +147,8 @@ struct Section {
   std::span<const KeyInfo> keys;
 };
 
-/// The first section is the file itself. Kinds of shapes, probes and measures have further keys.
+/// Sections of a scene file; the first one is the file itself. Kinds of shapes, probes and measures have further
+/// keys.
 std::span<const Section> scene_sections();
 std::span<const Section> sweep_sections();
 const Section& find_section(std::string_view name);

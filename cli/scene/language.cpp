@@ -13,7 +13,8 @@
 #include "engine/methods/catalogue.hpp"
 #include "engine/settings.hpp"
 
-/// The language of scene and sweep files. Further keys are defined with kinds of shapes, probes and measures.
+/// The tables of scene and sweep files with their keys. The keys of a kind of shape, probe or measure are defined
+/// with the kind.
 namespace taut::cli {
 namespace {
 

@@ -140,7 +140,7 @@ void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& met
     root.table().set("law", TomlValue(settings.law));
 }
 
-/// Smaller steps lose particle motion to rounding.
+/// With smaller steps a run would take years, and rounding would remove the motion in a step.
 constexpr double least_cfl = 1e-6;
 
 std::string check_cfl(double cfl) {

@@ -28,7 +28,7 @@ struct Rows {
   std::size_t next = 0;
   int line = 0;
 
-  /// Next row, without comments and byte order mark; nullopt at the end.
+  /// Next row; nullopt at the end. Skips comments, and the byte order mark that spreadsheets write.
   std::optional<std::vector<std::string>> read() {
     if (constexpr std::string_view mark = "\xEF\xBB\xBF"; next == 0 && text.starts_with(mark))
       next = mark.size();

@@ -30,7 +30,7 @@ std::string read_law(TomlCursor& reference) {
 }
 
 bool alike(double a, double b) {
-  constexpr double tolerance = 1e-9;
+  constexpr double tolerance = 1e-9;  // relative
   return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 

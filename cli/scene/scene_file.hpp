@@ -24,8 +24,9 @@ struct Parameter {
   double default_value = 0;         // without settings
 };
 
-/// The name is a parameter, "method.CONSTANT", method, spacing, until, cfl, stepping, contact, law, jitter or
-/// jitter_seed. The value is a number, a word, or an expression of earlier parameters.
+/// A change of a scene, as in `--set name=value`. The name is a parameter, "method.CONSTANT", method, spacing, until,
+/// cfl, stepping, contact, law, jitter or jitter_seed. The value is a number, a word, or an expression of earlier
+/// parameters.
 struct Setting {
   std::string name, value;
   FilePlace place = {};  // unknown for the command line
@@ -35,33 +36,38 @@ std::string text_of(const Setting& setting);
 
 struct SceneFile {
   std::filesystem::path path;
-  std::string text;
+  std::string text;  // contents of the file
   Scene scene;
   Settings settings;
   Drawing drawing;
   double spacing_asked = 0;       // m; the scene has the nearest spacing that divides the first body
   std::string remark;             // warning, one line or empty
-  std::optional<double> history;  // interval of history.csv, s
+  std::optional<double> history;  // interval of history.csv, s; default: until / 1000
   std::vector<Parameter> parameters;
-  std::map<std::string, std::string> unmet_references;  // "holds for other methods", by measure
-  TomlValue tree;                                       // with all defaults and settings
+  std::map<std::string, std::string> unmet_references;  // failed conditions of references, by measure
+  TomlValue tree;                                       // of the file, with all defaults and settings
   std::map<std::string, FilePlace> places;              // by dotted path: "body.left.velocity"
 };
 
-/// The last setting of a name counts. Throws SceneError with file, line and column, UsageError for settings.
+/// Reads a scene file with settings, of which the last one of a name counts. Throws SceneError with file, line and
+/// column, UsageError for settings.
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
 /// Reads the stored text again, because a pipe can be read only once.
 SceneFile read_again(const SceneFile& scene, const std::vector<Setting>& settings = {});
+/// Names that --set and --grid accept for this scene and its method.
 std::vector<std::string> names_to_set(const SceneFile& scene);
 /// Words that the setting `name` allows; empty if it takes numbers.
 std::vector<std::string> texts_to_set(std::string_view name);
-/// Sets what a drawing takes from the scene. Throws UsageError if the drawing does not fit the scene.
+/// Sets the members of a drawing that depend on the scene: cut, follow, the camera in 3D. Throws UsageError if the
+/// drawing does not fit the scene.
 void suit(Drawing& drawing, const SceneFile& scene);
-/// Adds file, line and column to an error of the engine.
+/// Returns an error of the engine with file, line and column of its key.
 SceneError locate(const SceneFile& scene, const SceneError& error);
-/// Writes TOML with all defaults and the current history and drawing, to be read from `folder`.
+/// TOML of the scene with all defaults, and the current history and drawing. Reading it from `folder` gives the same
+/// scene.
 std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder);
-/// Removes [render] except `frames`, because a drawing can change after the run. Throws SceneError for invalid TOML.
+/// Text of a scene without [render], except `frames`: a drawing can change after the run. Throws SceneError for
+/// invalid TOML.
 std::string undrawn(const std::string& scene);
 
 }  // namespace taut::cli

@@ -124,7 +124,8 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
   return given;
 }
 
-/// Limits the box of the face search, and coordinates, which must fit into cell numbers.
+/// Throws for particles that are too far apart: the search for faces covers their bounding box, and cell numbers
+/// limit coordinates.
 void refuse_far(const GivenSites& given, const std::filesystem::path& file, const ShapeSetting& setting) {
   constexpr double most_sides = 1e6, farthest = 1e9, most_times = 1e6;  // in dp; in dp^dim
   const double cell = std::pow(setting.dp, setting.dim);
@@ -207,8 +208,8 @@ double usual_distance(std::vector<Point> places) {
   return *middle;
 }
 
-/// Each particle gets a cell's volume. Distances are 1 to 1.12 dp in lattices, down to 0.75 dp in disordered
-/// particles.
+/// Particles without volumes get a cell of the scene's spacing each. Throws if their distance contradicts this
+/// volume. Distances are 1 to 1.12 dp in lattices, and down to 0.75 dp in disordered particles.
 void refuse_other_mass(double apart, const std::filesystem::path& file, const ShapeSetting& setting) {
   if (std::isfinite(apart) && (apart < 0.7 * setting.dp || apart > 1.3 * setting.dp))
     throw SceneError(file.string(), 0, 0, "",

@@ -7,7 +7,7 @@
 
 namespace taut::cli {
 
-// `type` and `rotate` are read in shapes.cpp.
+// Each function reads the shape of a table, without the keys `type` and `rotate`, which shapes.cpp reads.
 
 Shape read_polygon(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_ellipse(TomlCursor& shape, const ShapeSetting& setting);

@@ -38,7 +38,8 @@ std::vector<fs::path> folders_of_user() {
   return folders;
 }
 
-/// A build has `scenes` beside the program. Without /proc, the program's location is unknown.
+/// A build has a link `scenes` beside the program; an installation can be moved as a whole. Without /proc, the
+/// program's location is unknown.
 std::vector<fs::path> places_of_shipped() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);

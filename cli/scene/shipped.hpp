@@ -6,15 +6,16 @@
 
 namespace taut::cli {
 
-/// Scene folders in search order: TAUT_SCENES (separated by ':'), then `scenes` beside the program or the installed
-/// share/taut/scenes. Throws UsageError for a missing folder of TAUT_SCENES.
+/// Scene folders in search order: those of the environment variable TAUT_SCENES (separated by ':'), then `scenes`
+/// beside the program, or share/taut/scenes if it is installed. The first folder with a name counts. Throws
+/// UsageError for a missing folder of TAUT_SCENES.
 std::vector<std::filesystem::path> scene_folders();
-/// Sorted names, those of gallery/ last as "gallery/NAME". Throws UsageError without scene folders.
+/// Sorted names of scenes; names in gallery/ come last, as "gallery/NAME". Throws UsageError without scene folders.
 std::vector<std::string> scene_names();
 /// `scene` is a path or a name. Throws UsageError with the nearest names.
 std::filesystem::path find_scene(const std::string& scene);
 
-/// Sorted names of files in studies/.
+/// Sorted names of the sweep files in studies/ of the scene folders.
 std::vector<std::string> study_names();
 /// `sweep` is a path or a name. Throws UsageError with the nearest names.
 std::filesystem::path find_sweep(const std::string& sweep);

@@ -17,11 +17,12 @@ namespace taut::cli {
 /// Data shared by the cursors of a file.
 struct TomlSource {
   std::string file;
-  int dim = 3;
+  int dim = 3;                 // of the scene; expressions of 2D scenes have no z
   std::set<std::string> used;  // names in expressions read so far
 };
 
-/// Typed access to a table of a scene file, which writes defaults into the table. Throws SceneError with the place of
+/// Typed access to a table of a scene file. Writes defaults into the table, so that it ends up complete, and records
+/// which keys were read, for `finish`. Throws SceneError with the place of
 /// a wrong value, std::logic_error for a key that is not in `keys`.
 class TomlCursor {
  public:
@@ -38,7 +39,7 @@ class TomlCursor {
   void also_takes(std::span<const KeyInfo> keys);
   void also_takes(const KeyInfo& key) { also_takes({&key, 1}); }
 
-  /// Returns nullptr if missing.
+  /// Returns nullptr if the key is missing, and marks the key as read.
   TomlValue* find(std::string_view key);
   TomlValue& need(std::string_view key);
 
@@ -80,6 +81,7 @@ class TomlCursor {
   [[noreturn]] void fail(const TomlValue& value, std::string_view key, const std::string& message) const;
   [[noreturn]] void fail_unknown(const TomlValue& value, std::string_view key, std::string_view kind,
                                  std::string_view given, const std::vector<std::string>& known) const;
+  /// Marks the names of an expression as used.
   void note_names(const std::string& text);
   /// Throws for a key that is not allowed.
   void refuse_unknown_keys() const;

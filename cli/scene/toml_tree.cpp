@@ -9,7 +9,7 @@
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
-#ifndef TOML_HEADER_ONLY  // pkg-config may define it
+#ifndef TOML_HEADER_ONLY  // pkg-config may define it as 0
 #define TOML_HEADER_ONLY 1
 #endif
 #define TOML_ENABLE_FORMATTERS 0
@@ -181,7 +181,7 @@ bool is_section_list(const TomlValue& value) {
          std::all_of(value.items.begin(), value.items.end(), is_section);
 }
 
-/// Values first: after a [header] they would belong to it.
+/// Prints plain values first: after a [header] they would belong to its table.
 void print_section(std::string& text, const TomlValue& table, const std::string& path) {
   for (const TomlEntry& entry : table.entries)
     if (!is_section(entry.value) && !is_section_list(entry.value))

@@ -14,7 +14,7 @@ struct FilePlace {
 
 struct TomlEntry;
 
-/// Tables keep the order of the file.
+/// A value of a TOML file with its place. Tables keep the order of the file.
 struct TomlValue {
   enum class Kind { table, array, text, number, boolean, date };
   Kind kind = Kind::table;
@@ -35,7 +35,7 @@ struct TomlValue {
   /// Returns nullptr if missing.
   TomlEntry* find(std::string_view key);
   const TomlEntry* find(std::string_view key) const;
-  /// A replaced value keeps its place; a new one gets the table's.
+  /// Replaces or appends the value of `key`. A replaced value keeps its place; a new one gets the table's.
   void set(std::string_view key, TomlValue value);
   /// "a number", "a table", ...
   std::string_view kind_name() const;
@@ -48,10 +48,10 @@ struct TomlEntry {
   bool known = false;  // has been read
 };
 
-/// Throws SceneError with the place of the error.
+/// Parses TOML. Throws SceneError with the place of a syntax error.
 TomlValue parse_toml(std::string_view text, const std::string& file);
 
-/// Numbers read back exactly; printing again gives the same text.
+/// Formats TOML. Numbers read back exactly; reading and printing the text again gives the same text.
 std::string print_toml(const TomlValue& root);
 
 }  // namespace taut::cli

@@ -59,7 +59,7 @@ LineInput::LineInput(Complete complete) : typed_(::isatty(STDIN_FILENO) && ::isa
   if (!typed_) return;
   complete_words = std::move(complete);
   rl_readline_name = "taut";
-  rl_catch_signals = 1;  // restores the terminal for signals
+  rl_catch_signals = 1;  // restores the terminal before a signal is handled
   rl_basic_word_break_characters = " \t";
   rl_attempted_completion_function = complete_last_word;
   using_history();
@@ -69,7 +69,7 @@ LineInput::LineInput(Complete complete) : typed_(::isatty(STDIN_FILENO) && ::isa
 
 LineInput::~LineInput() {
   if (!typed_) return;
-  std::error_code ignored;
+  std::error_code ignored;  // failing to save the history is no error
   const fs::path file = history_file();
   fs::create_directories(file.parent_path(), ignored);
   write_history(file.c_str());

@@ -20,8 +20,9 @@ class LineInput {
   LineInput(const LineInput&) = delete;
   LineInput& operator=(const LineInput&) = delete;
 
+  /// Whether stdin and stdout are a terminal.
   bool is_typed() const { return typed_; }
-  /// None at the end or when asked to terminate. Ctrl-C discards a partial line.
+  /// Next line; nullopt at the end of input, or if a signal asks the program to end. Ctrl-C discards a partial line.
   std::optional<std::string> next();
 
  private:

@@ -24,7 +24,7 @@ class Session {
   const SceneFile& file() const { return file_; }
   const Simulation& simulation() const { return *simulation_; }
 
-  /// Both stop at an interrupt, and throw NumericalError.
+  /// Both stop at an interrupt, and throw NumericalError if the simulation diverges.
   void step(long count, const Interrupts& interrupts);
   /// Runs to the first step at or past `t`; then shows `t` exactly.
   void run_until(double t, const Interrupts& interrupts, Progress& progress);
@@ -38,18 +38,19 @@ class Session {
   void set_look(const DrawingKey& key, const std::string& text);
   /// Moves the view, m.
   void pan(double dx, double dy);
-  /// Enlarges by `factor` > 0.
+  /// Enlarges the view about its centre by `factor` > 0; a factor below 1 shows more.
   void zoom(double factor);
   /// Orbits the 3D camera, degrees.
   void orbit(double right, double upwards);
   /// The drawing with automatic values filled in.
   Drawing drawing() const;
+  /// Writes a picture as `taut run` would draw this frame.
   void frame(const std::filesystem::path& file) const;
-  /// `drawing` must be complete.
+  /// Picture of the current state. `drawing` must have no open members.
   render::Image picture(const Drawing& drawing) const;
 
   void save(const std::filesystem::path& file) const;
-  /// Loads a state of the same scene and method.
+  /// Loads a state that `save` wrote, of the same scene and method.
   void load(const std::filesystem::path& file);
 
  private:

@@ -75,7 +75,7 @@ void set_look(Session& session, const DrawingKey& key, const Words& words) {
     return session.set_look(key, join(words, " "));
   const bool one_word = words.size() == 1 && (key.takes_words() || words[0] == automatic);
   if (!one_word && (key.takes_words() || words.size() != key.numbers.count)) wrong_words(key.name);
-  if (!one_word) std::ranges::for_each(words, number);  // for its error
+  if (!one_word) std::ranges::for_each(words, number);  // throws errors that name the word
   session.set_look(key, join(words, std::string_view(&key.numbers.between, 1)));
 }
 
@@ -119,7 +119,7 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
 
 void frame(Session& session, const Words& words, const Dialogue& to) {
   if (words.size() != 1) wrong_words("frame");
-  // protects other files from wrong completion
+  // a wrong completion must not overwrite another file
   if (const std::string wrong = png_name(words[0]); !wrong.empty()) throw UsageError(wrong);
   session.frame(words[0]);
   to.out << "file=" << words[0] << '\n';

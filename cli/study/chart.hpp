@@ -10,8 +10,8 @@
 namespace taut::cli {
 
 enum class Cost {
-  seconds,         // solving time on the run's machine
-  particle_steps,  // particles × steps
+  seconds,         // solving time on the machine of the run
+  particle_steps,  // particles × steps, equal on all machines
 };
 std::vector<std::string> cost_names();
 /// Throws UsageError with the nearest names.
@@ -35,7 +35,7 @@ struct ChartPoint {
   bool stable = true;
 };
 
-/// Runs that differ in spacing only, from coarse to fine.
+/// Runs of one method that differ only in spacing, from coarse to fine.
 struct ChartSeries {
   std::string name, method;
   std::vector<ChartPoint> points;
@@ -56,18 +56,19 @@ struct Chart {
   int without_result = 0;               // unfinished
 };
 
-/// Why there is no error: such as "no reference", or the verdict.
+/// Reason of a missing error: "no reference", "no value" or the verdict; empty if the point has an error.
 std::string without_error(const ChartPoint& point);
 
 /// "1.2 %" or "3 mm".
 std::string shown_error(const Chart& chart, double error);
 
-/// Least-squares slope of log error over log spacing of stable runs; none for fewer than two.
+/// Least-squares slope of log error over log spacing of the stable runs; nullopt for fewer than two spacings.
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 
-/// The default measure has an error in most runs, at a tie it is the scene's first; `*_time` and errors with a unit
-/// come last. Throws UsageError for an unknown measure, or one without any error. Of repeated runs, the cheapest
-/// counts. Reference runs have no point.
+/// The default measure is the one with errors in most runs; at a tie, the scene's first. Times (`*_time`) and errors
+/// with a unit come last, because they hardly depend on accuracy or are not comparable. Of repeated runs, the
+/// cheapest counts. Runs that serve as reference have no point. Throws UsageError for an unknown measure, with the
+/// nearest names, and for a measure without any error.
 Chart make_chart(const StoredResults& results, const ChartRequest& request);
 
 }  // namespace taut::cli

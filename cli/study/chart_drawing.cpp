@@ -15,8 +15,9 @@ namespace taut::cli {
 namespace {
 
 constexpr std::size_t most_series = 24;  // in the legend
-// gnuplot needs room beyond an axis
+// limits of an axis, since gnuplot computes with values beyond both ends
 constexpr double least = 1e-290, greatest = 1e290;
+// heights in pixels: plot, row of the strip above it, title, axis, note
 constexpr double field = 520, row = 17, above = 52, below = 69, note = 21;
 
 struct Range {

@@ -14,19 +14,20 @@ struct ChartErrors {
   std::vector<const StoredRun*> against{};  // one reference per swept scene
   std::vector<std::string> swept{};         // names in which these scenes differ
 
-  /// nullptr if there is none.
+  /// Run that replaces the references for this run's scene, or nullptr.
   const StoredRun* reference_of(const StoredRun& run) const;
   std::optional<double> of(const StoredRun& run) const;
-  /// Whether there is a value, with or without a reference.
+  /// Whether the run has a value, with or without a reference.
   bool measured(const StoredRun& run) const;
   bool relative(const StoredRun& run) const;
-  /// Empty: a share.
+  /// Unit of the errors; empty for shares of a reference or of a length.
   std::string unit(const StoredRun& run) const;
 };
 
+/// Chooses the measure as make_chart() does.
 ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& request);
 
-/// "measures.period.error".
+/// Column of a measure: "measures.period.error".
 std::string measure_column(const std::string& measure, std::string_view what);
 /// "0.5 mm".
 std::string shown_spacing(double spacing);

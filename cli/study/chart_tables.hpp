@@ -6,15 +6,18 @@
 
 namespace taut::cli {
 
-/// Order of convergence, finest run and unstable runs of each series.
+/// Table for a terminal: order of convergence, finest run and number of unstable runs of each series.
 std::string orders_table(const Chart& chart);
+/// Markdown: error of each series at each spacing.
 std::string markdown(const Chart& chart);
-/// Cheapest run of each series within some errors; empty unless errors are shares and costs seconds.
+/// Markdown: cheapest run of each series for several accuracies; empty unless errors are shares and costs are
+/// seconds.
 std::string markdown_of_prices(const Chart& chart);
 std::string chart_json(const Chart& chart);
 
-/// "error of period, % of the reference".
+/// Label of the error axis: "error of period, % of the reference".
 std::string error_label(const Chart& chart);
+/// Notes for the whole chart: fixed settings, reference, machine.
 std::vector<std::string> footnotes(const Chart& chart);
 
 }  // namespace taut::cli

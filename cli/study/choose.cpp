@@ -73,7 +73,7 @@ std::string nothing_stable(std::optional<double> seconds) {
   return "There is no stable run with a measured error" + std::string(seconds ? " in this time" : "") + ".\n";
 }
 
-/// The stable run with the least error.
+/// The stable run with the least error within the time limit.
 std::string nearest_run(const Chart& chart, const Wish& wish) {
   const ChartSeries* series = nullptr;
   const ChartPoint* nearest = nullptr;

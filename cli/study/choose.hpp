@@ -9,12 +9,14 @@
 
 namespace taut::cli {
 
+/// Request for a run.
 struct Wish {
-  double error = 0;               // a share or in the chart's unit
-  std::optional<double> seconds;  // of solving
+  double error = 0;               // maximum; a share, or in the chart's unit
+  std::optional<double> seconds;  // maximum solving time
 };
 
-/// A stable run. If a finer run fails, its accuracy is accidental, and it is no offer.
+/// A stable run that meets a request. If a finer run of its series does not, the accuracy is accidental, and the run
+/// is no offer.
 struct Offer {
   const ChartSeries* series;
   const ChartPoint* point;
@@ -27,7 +29,9 @@ std::vector<Offer> grants(const Chart& chart, const Wish& wish);
 /// Runs not beaten in both error and cost, cheapest first.
 std::vector<Offer> front(const Chart& chart, std::optional<double> seconds);
 
+/// Text for the user: the run to take with its evidence, or how close the nearest run comes.
 std::string advice(const Chart& chart, const Wish& wish);
+/// Text for the user: cost of each accuracy.
 std::string price_list(const Chart& chart, std::optional<double> seconds);
 Json to_json(const std::vector<Offer>& offers);
 

@@ -8,7 +8,7 @@
 namespace taut::cli {
 namespace {
 
-// protects memory
+// Limits far above the files of taut, so that a damaged file cannot exhaust the memory.
 constexpr std::size_t most_columns = 10000;
 constexpr std::uintmax_t most_mebibytes = 256;
 

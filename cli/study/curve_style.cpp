@@ -14,14 +14,14 @@
 namespace taut::cli {
 namespace {
 
-// Okabe and Ito, for colour-blind readers; darker for yellow and black
+// Okabe and Ito's colours for colour-blind readers. Darker colours replace their yellow and black.
 constexpr std::array colors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                "#56B4E9", "#E69F00", "#6A3D9A", "#444444"};
-// disc, square, triangle, diamond, inverted triangle, pentagon
+// disc, square, triangle, diamond, inverted triangle, pentagon; with 8 colours, 24 methods look different
 constexpr std::array markers = {7, 5, 9, 13, 11, 15};  // filled; one less: open
 constexpr std::array dashes = {1, 2, 4, 3, 5};
 
-// viridis without its lightest colours
+// viridis without its lightest colours, which are hardly visible on white
 constexpr std::array<std::array<double, 3>, 5> ramp = {
     {{68, 1, 84}, {62, 74, 137}, {38, 130, 142}, {53, 183, 121}, {144, 215, 65}}};
 constexpr std::array ramp_dashes = {1, 2, 4};
@@ -55,7 +55,7 @@ std::string CurveStyle::marker() const {
 
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& names) {
   std::vector<CurveStyle> all;
-  std::map<std::string, std::size_t> of_method, of_color;  // uses
+  std::map<std::string, std::size_t> of_method, of_color;  // number of uses so far
   for (const std::string& method : names) {
     const std::size_t k = number_of(method);
     CurveStyle style{.color = colors[k % colors.size()]};

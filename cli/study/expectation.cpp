@@ -28,7 +28,7 @@ double finite_number(const std::string& text, const std::string& whole) {
                    "' is not a number; write NAME=VALUE±TOLERANCE, NAME<VALUE or NAME>VALUE, without units");
 }
 
-/// Offsets of sign and number.
+/// Offsets of the tolerance sign and of its number in `text`.
 std::optional<std::pair<std::size_t, std::size_t>> find_tolerance(const std::string& text) {
   for (const std::string_view sign : {"±", "+-", "+/-"})
     if (const std::size_t at = text.find(sign); at != std::string::npos) return {{at, at + sign.size()}};

@@ -10,7 +10,7 @@ namespace taut::cli {
 
 struct Tolerance {
   double size = 0;
-  bool relative = false;  // to the expected value
+  bool relative = false;  // `size` is a share of the expected value
 };
 /// Parses "1%" or "0.002". Throws UsageError, which names `option`.
 Tolerance parse_tolerance(const std::string& text, const std::string& option);
@@ -19,24 +19,29 @@ struct Expectation {
   enum class Kind { equal, below, above };
   std::string name;  // measure or path: "conservation.energy"
   Kind kind = Kind::equal;
-  bool or_equal = false;  // for bounds
+  bool or_equal = false;  // of a bound
   double value = 0;       // in the measure's unit
   Tolerance tolerance{};
 };
 
-/// Parses "period=0.2545±1%", "period=0.2545+-0.002", "period<0.26", "period>=0.25". Throws UsageError.
+/// Parses "period=0.2545±1%", "period=0.2545+-0.002", "period=0.2545" (tolerance `for_all`), "period<0.26",
+/// "period>=0.25". Throws UsageError.
 Expectation parse_expectation(const std::string& text, const std::optional<Tolerance>& for_all);
 std::vector<Expectation> expectations_of(const StoredRun& baseline, const Tolerance& tolerance);
 
+/// Result of one expectation, a row of the table.
 struct Finding {
   std::string name, expected, is, difference;
   bool fine = false;
-  bool bound = false;             // a bound is violated, a value has moved
-  std::optional<double> value{};  // if finite
+  bool bound = false;             // `expected` is a bound, not a value
+  std::optional<double> value{};  // number of `is`, if finite
 };
-/// A measure without a value fails. Throws UsageError for unknown names.
+/// Compares a number of the run. A measure without a value fails, for instance in a run that was too short. Throws
+/// UsageError for a name that run.json lacks, with the nearest names.
 Finding find_out(const StoredRun& run, const Expectation& expected);
+/// Checks that the verdict is no worse than `worst`.
 Finding find_out_verdict(const StoredRun& run, const std::string& worst);
+/// Checks that the run has finished.
 Finding find_out_end(const StoredRun& run);
 
 std::string findings_table(const std::vector<Finding>& findings);

@@ -28,7 +28,8 @@ bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x
 /// A byte in a string in single quotes, as an octal escape: gnuplot 5.4 reads '' as one quote only behind a letter.
 std::string plot_byte(char c) { return fmt::format("'.\"\\{:03o}\".'", static_cast<unsigned char>(c)); }
 
-/// "./" protects from a leading '|', '<' or '-'. Control characters, and letters without a font, become octal.
+/// Path from the script's folder, as a string of gnuplot. "./" is added because a leading '|' or '<' would start a command,
+/// and '-' an option. Control characters, and letters without a font, become octal.
 std::string plot_path(const std::string& name) {
   const bool drawable = with_letters_of_fonts(name) == name;
   std::string result;
@@ -77,7 +78,7 @@ std::string shortened(const std::string& name) {
 }
 
 double text_width(std::string_view text, double size) {
-  constexpr double letter = 0.62;  // average, plus a margin
+  constexpr double letter = 0.62;  // average width in DejaVu Sans per font size, plus a margin
   return static_cast<double>(std::ranges::count_if(text, begins_letter)) * letter * size * 96 / 72;
 }
 
@@ -97,7 +98,7 @@ double right_margin(const std::vector<std::string>& names) {
 
 std::string plot_head(const PlotFiles& files, int width, int height) {
   const bool vector = files.picture.extension() == ".svg";
-  // SVG has pixels for points at 96 dpi
+  // sizes in SVG are pixels, sizes in PNG are points at 96 dpi
   return fmt::format(
       "{}"
       "data = {}\n"

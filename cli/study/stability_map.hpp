@@ -14,22 +14,22 @@ struct MapRequest {
 };
 
 struct MapCell {
-  std::string verdict;          // empty: none
+  std::string verdict;          // empty: none, see `status`
   std::string status;           // "finished", "error", "to do", ...
-  std::optional<double> since;  // start of the verdict, s
+  std::optional<double> since;  // start of the verdict, s; none if stable
 };
 
-/// Verdicts by value and method; a row per method and other settings.
+/// Verdicts by value of a parameter and by method. A method has a row for each combination of other settings.
 struct StabilityMap {
   std::string title, scene;
   std::string parameter;
-  std::string label;
-  std::vector<std::string> values;  // ascending
-  std::vector<std::string> rows;
+  std::string label;                                       // of the parameter, with its unit
+  std::vector<std::string> values;                         // of the parameter; numbers ascend
+  std::vector<std::string> rows;                           // methods
   std::vector<std::vector<std::optional<MapCell>>> cells;  // by row and value
 };
 
-/// Throws UsageError for an unknown parameter, or if it is missing and several were swept.
+/// Throws UsageError for an unknown parameter, or if none is requested and several were swept.
 StabilityMap make_map(const StoredResults& results, const MapRequest& request);
 
 std::string map_table(const StabilityMap& map);

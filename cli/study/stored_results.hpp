@@ -10,7 +10,7 @@
 
 namespace taut::cli {
 
-/// Prefix of swept names in results.csv.
+/// Prefix of swept names in the columns of results.csv: "set.v0".
 inline constexpr std::string_view set_prefix = "set.";
 
 using StoredSettings = std::vector<std::pair<std::string, std::string>>;
@@ -18,14 +18,15 @@ using StoredSettings = std::vector<std::pair<std::string, std::string>>;
 /// A row of results.csv.
 struct StoredRun {
   std::string file;      // results.csv
-  StoredSettings cells;  // without empty ones; "fixed.until": set for all runs
+  StoredSettings cells;  // by column: "set.v0", "fixed.until" (set for all runs); no empty cells
 
+  /// Empty if the cell is missing.
   std::string text(std::string_view column) const;
   std::optional<double> number(std::string_view column) const;
   /// Whether it finished or diverged.
   bool has_result() const;
   std::string method() const;  // known before a result if swept
-  std::string folder() const;
+  std::string folder() const;  // of the run, beside results.csv
   bool is_stable() const { return has_result() && text("verdict") == "stable"; }
 
   mutable std::vector<std::uint32_t> by_column =
@@ -36,8 +37,8 @@ struct StoredRun {
 struct StoredResults {
   std::string title;  // of a sweep, else the scene
   std::string scene;
-  std::map<std::string, std::string> units;  // of swept parameters
-  StoredSettings fixed;                      // settings of all sweeps
+  std::map<std::string, std::string> units;  // of swept parameters, from results.json
+  StoredSettings fixed;                      // common settings of all sweeps, from results.json
   std::vector<StoredRun> runs;
 
   std::vector<std::string> measures() const;
@@ -45,23 +46,25 @@ struct StoredResults {
   std::string label(const std::string& name) const;
 };
 
-/// Reads results.csv, also in a sweep's folder. Throws UsageError for other files, several scenes, or without
-/// results.
+/// Reads sweeps; each of `files` is a results.csv or the folder of a sweep. Throws UsageError for other or unreadable
+/// files, files without results, and several scenes.
 StoredResults read_results(const std::vector<std::string>& files);
 
-/// Reads a run folder or run.json. Throws UsageError for others.
+/// Reads one run from its folder or run.json, with the same columns. Throws UsageError for other paths.
 StoredRun read_stored_run(const std::string& path);
 
-/// Removes runs of other methods, if `methods` are given. Throws UsageError for one without runs.
+/// Removes the runs of other methods, unless `methods` is empty. Throws UsageError for a method without runs, with
+/// the nearest names.
 void keep_methods(StoredResults& results, const std::vector<std::string>& methods);
 
-/// Columns that distinguish runs of equal method and `x`. A setting represents dependent parameters.
+/// Columns that distinguish runs of equal method and `x`: "set.cfl". A setting also represents the parameters that
+/// depend on it.
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x);
 /// Names set for the scene, not its simulation: "v0", "until", "law".
 std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs);
-/// Value of a name, set or default, or "".
+/// Value of a name, set or default; "" if unknown.
 std::string value_of(const StoredRun& run, const std::string& name);
-/// "enog, cfl=0.5".
+/// "enog, cfl=0.5": method and cells of these columns.
 std::string series_name(const StoredRun& run, const std::vector<std::string>& columns);
 
 }  // namespace taut::cli

@@ -16,7 +16,7 @@
 
 namespace taut::cli {
 
-/// Sections [chart], [map] and [history] of a sweep file (cli/COMMANDS.md).
+/// Pictures of a study: sections [chart], [map] and [history] of a sweep file (cli/COMMANDS.md).
 struct StudyPictures {
   struct Named {
     std::string name;
@@ -36,27 +36,27 @@ struct StudyPictures {
   std::vector<HistoryColumn> history;  // empty: none
 };
 
-/// Throws SceneError.
+/// Reads these sections. Throws SceneError.
 StudyPictures read_pictures(TomlCursor& root);
 
 /// Contents of a study's runs, known before they start.
 struct Shown {
   std::set<std::string> measures;
-  std::set<std::string> referenced;   // with a reference
-  std::set<std::string> differences;  // from a reference
+  std::set<std::string> referenced;   // measures with a reference in some run
+  std::set<std::string> differences;  // measures that are differences from a reference
   std::set<std::string> methods;
-  std::set<std::string> columns;  // of history.csv
-  std::vector<std::string> swept;
-  std::vector<std::string> varied;
+  std::set<std::string> columns;    // of history.csv
+  std::vector<std::string> swept;   // names of the grid
+  std::vector<std::string> varied;  // swept names with several values
 };
 
-/// Throws SceneError for pictures without data.
+/// Throws SceneError, before any run, for pictures whose data the runs will lack.
 void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file, const Shown& shown);
 
-/// Draws into `folder`; returns the exit code. Throws UsageError and OutputError.
+/// Draws from results.csv in `folder` into `folder`. Returns the exit code. Throws UsageError and OutputError.
 int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& folder, Streams streams);
 
-/// Warns of omitted runs. Throws UsageError.
+/// Makes a chart of results.csv files, and warns of omitted runs. Throws UsageError.
 Chart read_chart(const std::vector<std::string>& results, const ChartRequest& request, std::ostream& err);
 /// Draw a picture and print its files, also a table of a chart or map. Return the exit code. Throw UsageError and
 /// OutputError.

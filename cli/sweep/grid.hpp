@@ -7,6 +7,7 @@
 
 namespace taut::cli {
 
+/// Settings of one run of a sweep.
 using GridRow = std::vector<Setting>;
 
 struct Axis {
@@ -14,7 +15,8 @@ struct Axis {
   std::vector<Setting> values;
 };
 
-/// Parses "v1,v2,..." or "lo:hi:step" with both ends. Commas in brackets belong to expressions. Values are canonical.
+/// Parses "v1,v2,..." or "lo:hi:step" with both ends included. Commas in brackets belong to expressions.
+/// Numbers are returned in canonical form, without round-off.
 /// Throws UsageError for a step that does not divide the range, and repeated values.
 std::vector<std::string> parse_values(const std::string& text);
 /// Parses "name=values". Throws UsageError.
@@ -22,12 +24,13 @@ Axis parse_axis(const std::string& text);
 /// Shortest form of a number; trims other texts.
 std::string canonical_value(const std::string& text);
 
-/// The last axis varies fastest. Throws UsageError for repeated axes.
+/// All combinations of values; the last axis varies fastest. Throws UsageError for repeated axes.
 std::vector<GridRow> all_combinations(const std::vector<Axis>& axes);
-/// Throws UsageError for too many or repeated runs.
+/// Throws UsageError for more runs than a sweep allows, and for repeated runs.
 void check_rows(const std::vector<GridRow>& rows);
 
-/// Name such as "v0=0.06_method=og", of letters, digits and ".=_+-", with a hash if changed or shortened.
+/// Folder name of a row, such as "v0=0.06_method=og". It has only letters, digits and ".=_+-"; a hash is added if
+/// other characters are replaced or the name is shortened.
 std::string folder_name(const GridRow& row);
 /// "v0=0.06, method=og".
 std::string text_of(const GridRow& row);

@@ -20,10 +20,11 @@ struct SweepOptions {
 
 void declare_sweep_options(Options& command, SweepOptions& options);
 
-/// Throws UsageError and SceneError.
+/// Reads the sweep file or the grid. Throws UsageError and SceneError.
 SweepRequest make_request(const SweepOptions& options);
 
-/// The command without options such as --list; an option and its value are one word.
+/// Words of the command without options that concern only this call, such as --list. An option and its value are one
+/// word.
 std::vector<std::string> lasting_words(const Options& command);
 
 }  // namespace taut::cli

@@ -37,10 +37,10 @@ RunOptions options_of(const SweepRequest& request, const GridRow& row, const Set
   return options;
 }
 
-/// Throws errors that only particles reveal.
+/// Throws errors that appear only when the particles are created.
 void check_particles(const SceneFile& file) try {
   Settings settings = file.settings;
-  settings.threads = 1;  // processes with threads cannot be forked
+  settings.threads = 1;  // a process that has had several threads cannot be forked
   make_simulation(file.scene, settings);
 } catch (const SceneError& error) {
   throw locate(file, error);
@@ -78,7 +78,7 @@ double work_of(const SceneFile& file) {
   return scene.until / (file.settings.cfl * std::pow(scene.spacing, scene.dim + 1));
 }
 
-/// Refuses names both fixed and swept.
+/// Throws for a name that is both fixed for all runs and swept.
 void check_base(const SweepRequest& request) {
   std::set<std::string> fixed;
   for (const std::vector<Setting>* settings : {&request.base.settings, &request.set})

@@ -14,21 +14,21 @@ namespace taut::cli {
 
 enum class RunState {
   to_do,
-  outdated,     // other settings or version
+  outdated,     // the folder has a run of other settings or of another version
   interrupted,  // or killed
   damaged,      // unreadable run.json
-  broken,       // ended without a result
-  done,         // finished or diverged
+  broken,       // ended without a result: crash or full disk
+  done,         // finished or diverged: both are results
 };
 std::string_view name(RunState);
 
 /// A validated run.
 struct SweepRun {
   int index = 0;
-  GridRow settings;  // swept
+  GridRow settings;  // swept settings, as in the grid
   RunOptions options;
   std::string folder;   // in the sweep's folder
-  std::string scene;    // future scene.toml
+  std::string scene;    // text of scene.toml that the run will write
   int last_frame = -1;  // -1: none
   double work = 0;      // relative duration, estimated
   bool forced = false;  // repeat even if done
@@ -36,10 +36,13 @@ struct SweepRun {
   std::string problem;  // of a broken run
   Json record;          // run.json if done or interrupted, else null
 
+  /// Reads state and record from the run folder.
   void read_folder();
+  /// Resets state and record, as for an empty folder.
   void forget();
 };
 
+/// A name with different values in the runs.
 struct Swept {
   std::string name;
   std::string unit, help;  // of a parameter
@@ -53,22 +56,22 @@ struct SweepPlan {
   std::vector<Setting> fixed;  // for all runs
   std::vector<SweepRun> runs;  // in grid order
   StudyPictures pictures;
-  std::set<std::string> remarks;
+  std::set<std::string> remarks;  // of its scenes
 };
 
-/// Settings from files contain their place.
+/// A sweep as requested. Settings from a file contain their place.
 struct SweepRequest {
   std::string title;
   std::filesystem::path file;  // empty: command line
-  RunOptions base;
-  std::vector<Setting> set;  // from the file; no name of `base`
+  RunOptions base;             // for all runs
+  std::vector<Setting> set;    // from the file; no name of `base`
   std::filesystem::path folder;
   std::vector<GridRow> rows;
   StudyPictures pictures;
 };
 
-/// Checks all runs and pictures, reads run folders, starts nothing. Throws SceneError with the place in the sweep
-/// file, or UsageError with the run.
+/// Checks all runs and pictures, and reads the run folders; starts no run. Throws SceneError with the place in the
+/// sweep file, or UsageError with the run.
 SweepPlan plan_sweep(const SweepRequest& request);
 
 }  // namespace taut::cli

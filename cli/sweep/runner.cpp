@@ -44,7 +44,7 @@ double share_done(const SweepRun& run) {
   return std::clamp(*record->reached / *record->until, 0.0, 1.0);
 }
 
-/// Bug, then output error, then input error.
+/// Returns the graver exit code: a bug, then an output error, then an input error.
 int gravest(int a, int b) {
   for (const int code : {exit_bug, exit_not_written, exit_wrong_input})
     if (a == code || b == code) return code;

@@ -13,15 +13,16 @@ namespace taut::cli {
 
 struct SweepEnd {
   bool interrupted = false;
-  int code = 0;  // gravest exit code of broken runs
+  int code = 0;  // gravest exit code of a `broken` run, or 0
 };
 
 struct SweepEvents {
-  std::function<void(const SweepRun&)> ended;
-  std::function<void()> waiting;  // about ten times a second
+  std::function<void(const SweepRun&)> ended;  // called with the run's new state
+  std::function<void()> waiting;               // about ten times a second
 };
 
-/// Does `jobs` runs at a time in processes; long runs first, to keep cores busy.
+/// Does runs of a sweep, `jobs` at a time, each in its own process. The longest runs start first, so that no core
+/// idles at the end.
 class SweepRunner {
  public:
   SweepRunner(std::vector<SweepRun*> runs, int jobs, const Interrupts& interrupts, Progress& progress,

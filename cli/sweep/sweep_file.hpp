@@ -9,7 +9,7 @@
 
 namespace taut::cli {
 
-/// See cli/COMMANDS.md, scenes/LANGUAGE.md.
+/// Contents of a sweep file; see cli/COMMANDS.md and scenes/LANGUAGE.md.
 struct SweepFile {
   std::filesystem::path path;
   std::string title, scene;
@@ -18,9 +18,9 @@ struct SweepFile {
   StudyPictures pictures;
 };
 
-/// Whether it is a sweep, not a scene. Throws SceneError unless it is TOML.
+/// Whether the file is a sweep, not a scene. Throws SceneError unless it is TOML.
 bool is_sweep_file(const std::filesystem::path& path);
-/// Throws SceneError with its place. Does not check names and values against the scene.
+/// Throws SceneError with file, line and column. Does not check names and values against the scene.
 SweepFile read_sweep(const std::filesystem::path& path);
 
 }  // namespace taut::cli

@@ -22,7 +22,7 @@ namespace {
   throw OutputError(path.string(), std::string("cannot be written: ") + std::strerror(error));
 }
 
-/// Returns 0 or an errno.
+/// Returns 0 or an errno. Repeats write(2), which may write less than requested.
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t taken = ::write(descriptor, text.data(), text.size());
@@ -33,6 +33,7 @@ int write_all(int descriptor, std::string_view text) {
   return 0;
 }
 
+/// False if the environment has TAUT_FSYNC=off, for runs whose files need not survive a power cut.
 bool waits_for_the_disk() {
   static const char* const asked = std::getenv("TAUT_FSYNC");
   return !asked || std::string_view(asked) != "off";
@@ -56,7 +57,7 @@ int sync(const fs::path& path) {
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
 
-/// Does nothing if the file system has no locks.
+/// Locks the file until it is closed; does nothing if the file system has no locks.
 void wait_for_lock(int descriptor) {
   while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
   }
@@ -69,15 +70,16 @@ bool still_named(int descriptor, const std::string& path) {
          own.st_ino == named.st_ino;
 }
 
-/// Creates and locks a file; removes an abandoned one, waits for another writer. Returns −1 with errno on failure.
+/// Creates and locks a new file. Removes what a killed program left, and links, which it never follows. Waits while
+/// another process writes the file. Returns −1 with errno on failure.
 int open_new(const std::string& path) {
-  constexpr int most = 1000;
+  constexpr int most = 1000;  // attempts, if other writers come in between
   for (int k = 0; k < most; ++k) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno != EEXIST) return descriptor;
     if (descriptor >= 0) {
       wait_for_lock(descriptor);
-      if (still_named(descriptor, path)) return descriptor;
+      if (still_named(descriptor, path)) return descriptor;  // else another writer removed it before the lock
       ::close(descriptor);
       continue;
     }
@@ -97,7 +99,7 @@ int open_new(const std::string& path) {
   return -1;
 }
 
-/// A temporary folder beside `folder`, removed by the destructor.
+/// A temporary folder beside `folder`, on the same file system, so that it can be renamed. The destructor removes it.
 class Beside {
  public:
   Beside(const fs::path& folder, const char* what)
@@ -121,7 +123,8 @@ int rename_folder(const fs::path& from, const fs::path& to) {
   return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// Returns 0 or an errno. If the file system cannot exchange folders, `folder` is missing for a moment.
+/// Returns 0 or an errno. Exchanges the folders in one step; if the file system cannot do this, `folder` is missing
+/// for a moment.
 int put_in_place(const fs::path& fresh, const fs::path& folder) {
   if (!fs::exists(folder)) return rename_folder(fresh, folder);
   if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return 0;
@@ -257,6 +260,7 @@ AppendFile::~AppendFile() { ::close(descriptor_); }
 void AppendFile::append(std::string_view line) {
   const std::string text = std::string(line) + '\n';
   if (const int error = write_all(descriptor_, text)) {
+    // removes the partial line if possible; the error is reported in any case
     if (::ftruncate(descriptor_, length_) != 0) fail(path_, error);
     fail(path_, error);
   }
@@ -264,7 +268,7 @@ void AppendFile::append(std::string_view line) {
 }
 
 void write_whole_folder(const fs::path& folder, const std::vector<fs::path>& files) {
-  // "a/b/" and "a/b" are the same folder; the target of a link is replaced
+  // without the final slash of "a/b/", so that names can be appended; the target of a link is replaced
   std::error_code no_target;
   const fs::path real = fs::weakly_canonical(folder, no_target);
   const fs::path target = ((no_target ? fs::absolute(folder) : real) / "").lexically_normal().parent_path();

@@ -31,18 +31,18 @@ sigset_t interrupting_signals() {
   return set;
 }
 
-/// A child would never get locks that other threads hold.
+/// Throws if the process has several threads: a child would never get locks that other threads hold.
 void check_no_threads() {
-  std::error_code no_proc;
+  std::error_code no_proc;  // without /proc, threads cannot be counted
   const std::filesystem::directory_iterator threads("/proc/self/task", no_proc);
   if (!no_proc && std::distance(begin(threads), end(threads)) > 1)
     throw std::logic_error("a process with several threads cannot be forked");
 }
 
-/// SIGINT and SIGHUP stay blocked in the child.
+/// First action of a child, called with the interrupting signals blocked; SIGINT and SIGHUP stay blocked.
 void settle(pid_t parent, int output) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(1);
+  if (::getppid() != parent) ::_exit(1);  // the parent ended before prctl
   // SIGTERM ends the child until `work` sets a handler
   std::signal(SIGTERM, SIG_DFL);
   sigset_t terminate;

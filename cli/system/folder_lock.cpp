@@ -25,7 +25,7 @@ namespace {
 
 struct Kind {
   const char* file;
-  short lock;
+  short lock;  // F_WRLCK or F_RDLCK
   bool stays;  // the file remains after unlocking
 };
 constexpr std::array kinds = {Kind{run_lock_name, F_WRLCK, false},  // in the order of FolderLock::Of
@@ -134,7 +134,7 @@ int FolderLock::try_once() {
   }
 }
 
-/// Refuses links and pipes: the folder may belong to another user.
+/// Refuses links and pipes: the folder may belong to another user, and the file is written to.
 void FolderLock::open() {
   const auto fail = [this](const std::string& reason) { throw OutputError(file_.string(), reason); };
   constexpr int how = O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;

@@ -14,12 +14,12 @@ class FolderLock {
  public:
   enum class Of {
     run,            // excludes all others; the file is removed
-    sweep,          // excludes all others; the file stays
-    part_of_sweep,  // excludes writers of the whole sweep only
+    sweep,          // excludes all others, also writers of parts; the file stays
+    part_of_sweep,  // excludes writers of the whole sweep, but not of other parts; the file stays
   };
 
-  /// Creates a missing folder; `command` is for other processes. Throws UsageError if another process holds the lock,
-  /// OutputError if the folder cannot be written to.
+  /// Creates a missing folder. The lock file shows `command` to other processes. Throws UsageError if another process
+  /// holds the lock, OutputError if the folder cannot be written to.
   FolderLock(const std::filesystem::path& folder, Of of, std::string_view command, std::ostream& err);
   /// Removes the folders that it created, if empty.
   ~FolderLock();
@@ -27,7 +27,7 @@ class FolderLock {
   FolderLock& operator=(const FolderLock&) = delete;
 
  private:
-  /// Returns 0 or an errno.
+  /// Tries to lock once. Returns 0 or an errno.
   int acquire();
   int try_once();
   void open();
@@ -36,10 +36,11 @@ class FolderLock {
 
   Of of_;
   std::filesystem::path file_;
-  std::vector<std::filesystem::path> made_;  // innermost first
+  std::vector<std::filesystem::path> made_;  // created folders, innermost first
   int descriptor_ = -1;
 };
 
+/// Name of the lock file in a run folder.
 inline constexpr const char* run_lock_name = "run.lock";
 
 }  // namespace taut::cli

@@ -14,6 +14,7 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_alw
 
 extern "C" void on_signal(int number) {
   if (at_once.load()) {
+    // ends a progress line
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, "\n", 1);
     ::_exit(exit_by_signal(number));
   }

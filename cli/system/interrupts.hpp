@@ -6,7 +6,8 @@
 namespace taut::cli {
 
 /// While an object exists, the first Ctrl-C, SIGTERM or SIGHUP only sets a flag, so that a run can stop after its
-/// step. A second one ends the program, except SIGHUP, which shells send twice. SIGPIPE is ignored.
+/// step. SIGHUP comes when the terminal closes. A second signal ends the program at once, except SIGHUP, which shells
+/// send twice. SIGPIPE is ignored. Files stay complete in all cases, since each is renamed when it is complete.
 class Interrupts {
  public:
   Interrupts();
@@ -14,7 +15,8 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// While an object exists, a first or earlier signal ends the program: for long work that checks no flag.
+  /// While an object exists, the first signal ends the program at once, and an earlier signal ends it here: for long
+  /// work that checks no flag and has not written to files yet.
   class AtOnce {
    public:
     AtOnce();
@@ -23,11 +25,12 @@ class Interrupts {
     AtOnce& operator=(const AtOnce&) = delete;
   };
 
-  /// Keeps its value until the next object, so that no signal is missed.
+  /// Whether a signal came. Like `asked_to_end`, keeps its value after the object's end, until the next object
+  /// exists: callers can check it then without missing a signal.
   static bool asked() { return flag() != 0; }
-  /// By SIGTERM or SIGHUP: the program must end, not only the command.
+  /// Whether SIGTERM or SIGHUP came: the program must end, not only the command.
   static bool asked_to_end();
-  /// 128 + signal.
+  /// 128 + the signal that came.
   static int exit_code();
   /// The signal, or 0; long work can check it.
   static const std::atomic<int>& flag();

@@ -11,7 +11,8 @@
 
 namespace taut::cli {
 
-/// Runs pieces of work in threads: first halves in any order, second halves in the order of `add`, until a failure.
+/// Runs pieces of work in threads. A piece has two halves: first halves run in any order, second halves in the order
+/// of `add`. After the failure of a piece, the second halves of later pieces are skipped.
 class OrderedWork {
  public:
   using SecondHalf = std::function<void()>;
@@ -20,7 +21,7 @@ class OrderedWork {
 
   /// With 0 workers, `add` does all work.
   explicit OrderedWork(int workers);
-  /// Drops pieces that have not begun.
+  /// Drops pieces that have not begun, and waits for the others.
   ~OrderedWork();
   OrderedWork(const OrderedWork&) = delete;
   OrderedWork& operator=(const OrderedWork&) = delete;
@@ -29,6 +30,7 @@ class OrderedWork {
   int room() const { return 3 * static_cast<int>(workers_.size()); }
   /// Throws the first error of a piece.
   void add(Piece piece);
+  /// Waits until all work is done. Throws like `add`.
   void finish();
 
  private:
@@ -36,11 +38,11 @@ class OrderedWork {
   void do_seconds(std::unique_lock<std::mutex>& lock);
   void throw_failure() const;
 
-  std::mutex mutex_;
+  std::mutex mutex_;  // guards all members below
   std::condition_variable changed_;
   std::deque<Piece> waiting_;
-  std::map<long, SecondHalf> seconds_;  // by number of the piece
-  long added_ = 0, begun_ = 0, done_ = 0;
+  std::map<long, SecondHalf> seconds_;     // by number of the piece
+  long added_ = 0, begun_ = 0, done_ = 0;  // numbers of pieces
   bool is_closing_ = false;
   std::exception_ptr failure_;
   std::vector<std::thread> workers_;

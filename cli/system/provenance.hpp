@@ -15,8 +15,8 @@ struct FileFormat {
   int number;
 };
 
-/// Raise a number if old readers would misread the new format; for checkpoint.bin also if a `serialize` or the bytes
-/// of a step change.
+/// Format number of each kind of file. Raise a number if old readers would misread the new format; for checkpoint.bin
+/// also if a `serialize` or the bytes of a step change.
 inline constexpr std::array<FileFormat, 7> file_formats{{{"run.json", 1},
                                                          {"results.json", 1},
                                                          {"results.csv", 1},
@@ -39,6 +39,7 @@ std::string host_name();
 /// Origin of a record: the build, and the process since construction.
 class Provenance {
  public:
+  /// The object for run.json, with the times until now.
   Json to_json() const;
 
  private:

@@ -5,6 +5,7 @@
 
 namespace taut::cli {
 
+/// Wall clock since construction, s.
 class Stopwatch {
  public:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -14,7 +15,7 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// CPU time of all threads.
+/// CPU time of all threads of the process since construction, s.
 class CpuStopwatch {
  public:
   double seconds() const { return now() - start_; }

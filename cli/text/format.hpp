@@ -24,9 +24,9 @@ std::string exact(double value);
 std::string brief(double value);
 /// At most six digits.
 std::string six_digits(double value);
-/// "4.1 M".
+/// "4.1 M": SI prefix, for rates.
 std::string with_prefix(double value);
-/// "12 %".
+/// "12 %" for a share of 0.12.
 std::string percent(double share);
 /// "0:07" or "1:02:03".
 std::string clock_time(double seconds);
@@ -34,13 +34,14 @@ std::string join(const std::vector<std::string>& words, std::string_view between
 /// "a, b or c".
 std::string join_with_or(std::vector<std::string> words);
 
-/// The same on every machine (FNV-1a).
+/// Hash (FNV-1a), the same on every machine.
 std::uint64_t hash_of(std::string_view text);
 
-/// Separates columns by two blanks. A table wider than `columns` wraps its widest column. Escapes control characters.
+/// Formats `rows` as a table, with two blanks between columns. A table wider than `columns` wraps its widest column.
+/// Control characters are escaped.
 std::string in_columns(std::vector<std::vector<std::string>> rows, int indent = 2,
                        std::optional<std::size_t> columns = {});
-/// No newline at the end.
+/// Wraps `text` to lines of at most `columns` characters, each after `indent` blanks; no newline at the end.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns);
 
 /// "NAME_00012.EXTENSION"

@@ -54,19 +54,19 @@ class Json {
   const std::string& text() const { return std::get<std::string>(value_); }
   const std::vector<Json>& items() const { return std::get<std::vector<Json>>(value_); }
   const std::vector<Member>& members() const { return std::get<std::vector<Member>>(value_); }
-  /// Returns nullptr if missing.
+  /// Returns nullptr if this is no object or has no such key.
   const Json* find(std::string_view key) const;
 
-  /// Adds a missing member. Null becomes an object.
+  /// Member of an object; a missing member is added as null. A null value becomes an object.
   Json& operator[](std::string_view key);
   /// Appends a member to an object that does not have this key yet.
   void append(std::string key, Json value);
-  /// Null becomes an array.
+  /// Appends to an array. A null value becomes an array.
   void add(Json item);
-  /// Returns a copy with the missing members of `other`.
+  /// Returns a copy of this object, extended by the members of `other` that it lacks.
   Json with(const Json& other) const;
 
-  /// With `indent`, one value per line. Replaces invalid UTF-8.
+  /// One line, or with `indent` one line per value. Replaces invalid UTF-8.
   std::string dump(int indent = -1) const;
   /// All leaf values by JSON pointer: "/measures/period/value".
   std::vector<Member> leaves() const;
@@ -79,10 +79,11 @@ class Json {
       value_;
 };
 
-/// Throws UsageError for text that is not JSON, repeats a key, or has more than 64 levels.
+/// Parses the contents of `file`. Throws UsageError for text that is not JSON, repeats a key in an object, or has
+/// more than 64 levels.
 Json parse_json(const std::string& text, const std::string& file);
 
-/// A number if the text is a JSON number.
+/// A number if the text is a JSON number, else a text.
 Json number_or_text(const std::string& text);
 
 }  // namespace taut::cli

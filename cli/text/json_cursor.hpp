@@ -10,7 +10,8 @@
 
 namespace taut::cli {
 
-/// Typed access to JSON. Throws UsageError with the path ("measures.period.value"), the actual and the allowed value.
+/// Typed access to a value of a JSON file. Every error is a UsageError with the file, the path of the key
+/// ("measures.period.value"), the actual value and the allowed values.
 class JsonCursor {
  public:
   /// The arguments must outlive the cursor.
@@ -18,14 +19,14 @@ class JsonCursor {
 
   const std::string& path() const { return path_; }
   bool is_null() const;
-  /// A missing key is null.
+  /// Member of an object; a missing key gives null.
   JsonCursor at(const std::string& key) const;
-  /// Empty for null.
+  /// Members of an object, items of an array; none for null.
   std::vector<std::pair<std::string, JsonCursor>> members() const;
   std::vector<JsonCursor> items() const;
   /// "" for null.
   std::string text() const;
-  /// Returns a number as text.
+  /// A number as written in the file, or a text.
   std::string number_or_text() const;
 
   void check_object() const;
@@ -40,7 +41,8 @@ class JsonCursor {
   std::string path_;
 };
 
-/// Checks the keys that taut writes; all values can be null. Throws UsageError.
+/// Parses a run.json and checks the type of every key that taut writes; each may be null, and other keys are ignored.
+/// `verdicts` lists the allowed verdicts. Throws UsageError.
 Json parse_run_json(const std::string& text, const std::string& file,
                     const std::vector<std::string>& verdicts);
 

@@ -6,6 +6,7 @@
 
 namespace taut::cli {
 
+/// Result of a check, a picture or a run.
 struct TestCase {
   enum class Result { passed, failed, error };
   std::string name;
@@ -14,16 +15,17 @@ struct TestCase {
   std::optional<double> seconds{};
 };
 
+/// Results of one call of a command.
 struct TestReport {
   std::string command;
   std::string subject;  // run folder or title
   std::vector<TestCase> cases;
 };
 
-/// Replaces letters that XML cannot contain.
+/// JUnit XML with one test suite. Replaces bytes and letters that XML cannot contain.
 std::string junit_xml(const TestReport& report);
 
-/// At most ten, the limit of GitHub Actions per step.
+/// Failures and errors as workflow commands of GitHub Actions: at most ten, its limit per step.
 std::string github_annotations(const TestReport& report);
 
 }  // namespace taut::cli

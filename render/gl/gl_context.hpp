@@ -15,11 +15,11 @@ class GlContext {
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// Makes the context current in this thread; `framebuffer()` draws into `target`, of equal size. OpenGL's row 0 is
-  /// at the bottom.
+  /// Makes the context current in this thread as long as the object exists. What is drawn into `framebuffer()`
+  /// appears in `target`, which must have the context's size. OpenGL's row 0 is the bottom row of the image.
   class Current {
    public:
-    /// Throws UsageError without enough memory.
+    /// Throws UsageError if there is not enough memory for the picture.
     Current(GlContext& context, Image& target);
     ~Current();  // completes the picture in the image
     Current(const Current&) = delete;

@@ -23,7 +23,7 @@ namespace {
 EGLDisplay open_display() {
   // equal bytes on all machines
   setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
-  // a cache is not worth files in the home folder
+  // The small shaders compile quickly. A cache would write to the home folder, and warn if that is read-only.
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const EGLDisplay display =
       eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -42,7 +42,7 @@ EGLDisplay display() {
 
 struct GlContext::Handle {
   EGLContext context = EGL_NO_CONTEXT;
-  GLuint framebuffer = 0, color = 0;
+  GLuint framebuffer = 0, color = 0;  // deleted with the context
   ~Handle() {
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display(), context);
   }

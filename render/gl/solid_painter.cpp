@@ -16,10 +16,10 @@
 namespace taut::render {
 namespace {
 
-// per direction
+// per direction: a pixel is the mean of 2 × 2 samples
 constexpr int samples = 2;
 
-// limits the buffers; 1920 × 1080 needs one band
+// limits the buffers to 16 Mi samples of 8 bytes; a picture of 1920 × 1080 has one band
 constexpr int samples_per_band = 1 << 24;
 
 // x to the right, y downwards, z towards the camera. Surfaces keep their colour if they face the camera, the share

@@ -29,10 +29,11 @@ struct Corner {
 /// depth buffer, 2006].
 class SolidPainter {
  public:
-  /// Throws UsageError without enough memory.
+  /// Throws UsageError if there is not enough memory for such a picture.
   SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background = white);
 
-  /// Clears `picture`, and draws balls and triangles (three corners each) into the plot.
+  /// Fills the framebuffer `picture` with the background, and draws balls and triangles (three corners each) into the
+  /// plot.
   void draw(std::uint32_t picture, std::span<const Ball> balls, std::span<const Corner> corners);
 
  private:

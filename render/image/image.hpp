@@ -15,11 +15,11 @@ struct Rect {
 using Rgb = std::array<std::uint8_t, 3>;
 inline constexpr Rgb white = {255, 255, 255};
 
-/// Whether black is easier to read on this colour than white: ITU-R BT.709 of stored values; contrasts are equal at
-/// 118.
+/// Whether black is easier to read on this colour than white. The weights of ITU-R BT.709 are applied to the values
+/// as stored; at 118, the contrasts with black and white are about equal.
 inline bool is_light(Rgb color) { return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] > 118; }
 
-/// A picture, by rows from the top. A pixel is B, G, R, 255.
+/// A picture, by rows from the top. A pixel has the bytes B, G, R, 255, since OSMesa and Cairo draw into it.
 struct Image {
   int width = 0;
   int height = 0;

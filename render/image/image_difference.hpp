@@ -6,14 +6,15 @@
 
 namespace taut::render {
 
-/// ΔE*ab; other processors' rounding stays well below.
+/// Colour difference (ΔE*ab) that is just noticeable. Differences by rounding on other processors are much smaller.
 inline constexpr double just_noticeable = 2.3;
 
-/// Differences of pictures: the share measures widespread ones, the densest window local ones, such as one particle.
+/// Difference of two pictures of one size. The share measures widespread changes. The densest window measures local
+/// changes, such as one moved particle, which hardly affect the share.
 struct ImageDifference {
   double share = 0;           // of pixels beyond the tolerance, 0 to 1
   double greatest = 0;        // ΔE*ab
-  double densest = 0;         // share in the worst window of 16 × 16 pixels
+  double densest = 0;         // share of differing pixels in the worst window of 16 × 16 pixels, 0 to 1
   int column = 0, row = 0;    // top left of that window
   int width = 0, height = 0;  // of that window; smaller in small pictures
 };
@@ -25,10 +26,10 @@ struct DifferenceLimit {
   double greatest = std::numeric_limits<double>::infinity();  // ΔE*ab
 };
 
-/// Throws UsageError for different sizes.
+/// Throws UsageError for pictures of different sizes.
 ImageDifference compare(const Image& a, const Image& b, double tolerance = just_noticeable);
 
-/// Greatest ratio to a limit; alike up to 1.
+/// Greatest ratio of a difference to its limit; pictures are alike up to 1.
 double excess(const ImageDifference& difference, const DifferenceLimit& limit = {});
 
 bool alike(const ImageDifference& difference, const DifferenceLimit& limit = {});

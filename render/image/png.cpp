@@ -24,12 +24,12 @@
 namespace taut::render {
 namespace {
 
-// protect from forged headers; sides allow for panels
+// Limits protect against forged headers. A side can be twice the largest drawn side, for panels.
 constexpr png_uint_32 greatest_side = 16384;
 constexpr png_alloc_size_t most_beside = 8 << 20;  // bytes of other chunks
 constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
-// libpng's simplified API needs no longjmp, but converts to sRGB.
+// The classic API of libpng is used: the simplified one needs no longjmp, but converts to sRGB.
 
 /// libpng's error. It outlives the frames that longjmp skips.
 struct Complaint {
@@ -44,7 +44,7 @@ void on_error(png_structp png, png_const_charp message) {
 
 void on_warning(png_structp, png_const_charp) {}
 
-/// Returns false if libpng failed. longjmp runs no destructors: `work` must not need any.
+/// Calls `work`. Returns false if libpng failed. longjmp runs no destructors: `work` must not need any.
 template <class Work>
 bool completes(png_structp png, const Work& work) {
   if (setjmp(png_jmpbuf(png))) return false;
@@ -198,7 +198,7 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 void write_png(const Image& image, const std::filesystem::path& path) { write_png(encode_png(image), path); }
 
 void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  // renaming in a folder is atomic
+  // in the same folder, because a rename is atomic only within a file system
   std::filesystem::path part = path;
   part += ".part" + std::to_string(getpid());
 
@@ -209,7 +209,7 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
   if (!file) fail_to_write(path, std::strerror(errno));
   const bool all = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   int reason = all ? 0 : errno;
-  // a full disk may appear only here
+  // a full disk may be reported only when the last bytes leave the buffer
   if (std::fclose(file) != 0 && all) reason = errno;
 
   std::error_code error;

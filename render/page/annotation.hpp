@@ -22,7 +22,7 @@ class ColorKey {
   /// Fills the height of `room`, from its left edge.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& off_scale);
-  /// Width for a height in pixels and values in `unit`, em.
+  /// Required width, em, for a height in pixels and values in `unit`.
   double width(int height, double em, std::string_view unit) const;
 
  private:
@@ -31,17 +31,18 @@ class ColorKey {
 
 class Annotation {
  public:
-  /// The image's pixels must outlive the annotation. `until` (last time, s) sets the unit of all times; 0: each has
-  /// its own.
+  /// The image must outlive the annotation and must not move its pixels. `until` (last time, s) sets the unit of all
+  /// times; 0: each has its own.
   Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background);
 
   void show(const AxesMarker& axes) { axes_ = axes; }
-  /// Perspective pictures have no scale.
+  /// For perspective pictures, in which lengths differ.
   void leave_out_scale_bar() { has_scale_bar_ = false; }
 
   void draw(const FrameView& frame, const OffScale& off_scale);
-  /// Whether only header and off-scale marks would change.
+  /// Whether the last drawing fits this frame, except for the header and the off-scale marks.
   bool stands_for(const FrameView& frame) const { return frame.field == field_ && frame.unit == unit_; }
+  /// Replaces title, method, time and off-scale marks.
   void draw_again(const FrameView& frame, const OffScale& off_scale);
 
  private:

@@ -11,7 +11,7 @@
 
 namespace taut::render {
 
-// Gray levels from 0 (full contrast) to 1 (background).
+// Gray levels from 0 (full contrast) to 1 (background). Black text on white has too much contrast.
 inline constexpr double ink = 0.13;
 inline constexpr double faint = 0.42;
 inline constexpr double cap_height = 0.73;  // of digits, per font size
@@ -24,15 +24,15 @@ class Canvas {
  public:
   enum class Align { left, centre, right };
 
-  /// The image's pixels must outlive the canvas.
+  /// The image must outlive the canvas and must not move its pixels.
   explicit Canvas(Image& image, Rgb background = white);
 
-  /// Call `begin` after other changes to the image, `end` after drawing.
+  /// Call `begin` after anything else has drawn into the image, and `end` after drawing.
   void begin();
   void end();
 
   cairo_t* cairo() { return cairo_.get(); }
-  /// Level from 0 (white on dark, black on light) to 1 (background).
+  /// Sets the gray level, from 0 (white on dark, black on light) to 1 (background).
   void gray(double level);
   void color(Rgb color);
   void use(Weight weight, double size);
@@ -42,7 +42,7 @@ class Canvas {
   /// Draws text upwards; (x, y) is the middle of its baseline.
   void turned_text(const std::string& text, double x, double y);
   double width_of(const std::string& text);
-  /// Shortens text with an ellipsis to `room`.
+  /// Shortens text with an ellipsis to a width of `room`, pixels.
   std::string fitted(std::string text, double room);
 
  private:

@@ -10,7 +10,7 @@ namespace taut::render {
 
 enum class Weight { regular, bold };
 
-/// Finds DejaVu Sans. Throws OutputError with its package.
+/// Finds the file of DejaVu Sans in the font folders of the system. Throws OutputError, which names the package.
 std::filesystem::path find_font(Weight weight);
 
 /// A font from its file, without fontconfig and hinting: letters are equal on all machines.
@@ -18,6 +18,7 @@ class Font {
  public:
   explicit Font(const std::filesystem::path& file);
 
+  /// Selects the font; `size` in pixels.
   void use(cairo_t* cairo, double size) const;
 
  private:

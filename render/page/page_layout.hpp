@@ -12,7 +12,7 @@ struct View {
   bool operator==(const View&) const = default;
 };
 
-/// Unit vectors of x, y, z: right, up and towards the viewer.
+/// Unit vectors of the scene's axes x, y, z in the picture: components to the right, up and towards the viewer.
 using AxesMarker = std::array<std::array<double, 3>, 3>;
 
 struct PageLayout {
@@ -30,14 +30,15 @@ struct PageLayout {
 /// Minimum width of bar, numbers and label, em.
 inline constexpr double room_of_bar = 5.75;
 
-/// Sizes in pixels; 0: no texts.
+/// Height of texts and of the colour key, pixels; both are 0 in a picture that is too small for texts.
 struct TextSize {
   double font = 0;
   int key_height = 0;
 };
 TextSize text_size(int width, int height);
 
-/// Without texts, the plot fills the picture. The key is `room` em wide, but at most 36 %.
+/// Without texts, or in a small picture, the plot fills the picture. The key is `room` em wide, but at most 36 % of
+/// the width.
 PageLayout make_layout(int width, int height, const View& view, bool texts = true, double room = room_of_bar);
 
 }  // namespace taut::render

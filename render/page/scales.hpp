@@ -21,14 +21,14 @@ struct OffScale {
 
 class ColorBar {
  public:
-  /// `no_number`: colour of NaN.
+  /// `colors` are evenly spaced from `low` to `high`. `no_number` is the colour of NaN.
   ColorBar(double low, double high, const std::array<Rgb, 256>& colors, Rgb no_number);
 
-  /// Width for a height in pixels and values in `unit`, em.
+  /// Required width, em, for a height in pixels and values in `unit`.
   double width(int height, double em, std::string_view unit) const;
   /// Fills the height of `room`, from its left edge. Omits numbers if they, or their unit, do not fit.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
-  /// Replaces arrows at exceeded ends, and a NaN swatch.
+  /// Draws arrows at the exceeded ends and a swatch for NaN, in place of the previous ones.
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& found) const;
 
  private:
@@ -42,7 +42,8 @@ class ColorBar {
   std::string tick_unit_;  // of ticks_
 };
 
-/// "von Mises stress (MPa)": to fit, the name is shortened, never the unit. May be empty.
+/// "von Mises stress (MPa)", at most `room` pixels long: the name is shortened, never the unit. Empty if the unit
+/// does not fit.
 std::string label_of_bar(Canvas& canvas, std::string_view field, const std::string& unit, double room);
 
 /// Draws a bar of a round length, about a fifth of the plot.

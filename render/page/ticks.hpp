@@ -6,7 +6,7 @@
 
 namespace taut::render {
 
-/// `value * factor` in `unit`, e.g. 1e-6 and "MPa".
+/// A quantity is shown as `value * factor` in `unit`, e.g. 1e-6 and "MPa".
 struct Scale {
   double factor = 1;
   std::string unit;
@@ -26,16 +26,16 @@ struct Ticks {
   std::string unit;
 };
 
-/// Places at most `most` (2 or more) multiples of 1, 2 or 5 times a power of ten.
+/// At most `most` (2 or more) ticks within [low, high], at multiples of 1, 2 or 5 times a power of ten.
 Ticks nice_ticks(double low, double high, std::string_view unit, int most);
 
 /// Greatest 1, 2 or 5 times a power of ten up to `length` > 0.
 double nice_length(double length);
 
-/// Typographic minus; never "−0".
+/// Formats with a typographic minus; never "−0".
 std::string format_fixed(double value, int decimals);
 
-/// "5.004 ms", in the unit of `until`, if given.
+/// "5.004 ms". With the last time `until`, s, all times have the same unit.
 std::string format_time(double t, double until = 0);
 
 }  // namespace taut::render
