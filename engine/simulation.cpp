@@ -34,8 +34,8 @@ void check_constants(const MethodInfo& method, const Settings& settings, int dim
 Elasticity elasticity(const Material& material, std::span<const LawParameter> parameters) {
   Elasticity e{material.density, material.sound_speed(), material.bulk_modulus(), material.shear_modulus()};
   for (std::size_t k = 0; k < parameters.size(); ++k) {
-    const auto given = material.of_laws.find(parameters[k].key);
-    e.of_law[k] = given == material.of_laws.end() ? parameters[k].value : given->second;
+    const auto given = material.law_parameters.find(parameters[k].key);
+    e.of_law[k] = given == material.law_parameters.end() ? parameters[k].value : given->second;
   }
   return e;
 }
@@ -49,7 +49,8 @@ std::vector<Elasticity> elasticities(const Scene& scene, const LawRow* law) {
 
 bool same(const Material& a, const Material& b) {
   return a.density == b.density && a.youngs_modulus == b.youngs_modulus &&
-         a.poisson_ratio == b.poisson_ratio && a.bulk_modulus() == b.bulk_modulus() && a.of_laws == b.of_laws;
+         a.poisson_ratio == b.poisson_ratio && a.bulk_modulus() == b.bulk_modulus() &&
+         a.law_parameters == b.law_parameters;
 }
 
 void check_dimension(const Scene& scene, const MethodInfo& method) {
@@ -106,7 +107,7 @@ void check_walls(const Scene& scene, const InitialParticles& initial) {
       Point deep = initial.at_start(i);  // a particle, then the point below it
       double height = 0;
       for (std::size_t k = 0; k < 3; ++k) height += (deep[k] - wall.at[k]) * wall.normal[k];
-      if (initial.held[i] || height > dp) continue;
+      if (initial.clamped[i] || height > dp) continue;
       const auto refuse = [&](const std::string& how) {
         throw SceneError(
             "wall." + wall.name,
@@ -117,8 +118,8 @@ void check_walls(const Scene& scene, const InitialParticles& initial) {
         refuse(fmt::format("one of its particles is {:g} m behind the face of the wall", -height));
       for (std::size_t k = 0; k < 3; ++k) deep[k] -= (height + greatest_depth * dp) * wall.normal[k];
       constexpr double round_off = 1e-6;  // spacings
-      if (body.held && body.held(deep) != 0) continue;
-      if (starts_as_laid(body) && holds(body, deep, scene.dim, -round_off * dp))
+      if (body.clamped && body.clamped(deep) != 0) continue;
+      if (is_undisplaced(body) && holds(body, deep, scene.dim, -round_off * dp))
         refuse(
             fmt::format("its face is more than {:g} spacings behind the face of the wall", greatest_depth));
     }

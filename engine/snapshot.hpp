@@ -38,7 +38,7 @@ struct Snapshot {
   std::vector<double> diameter;       // as drawn: V0^(1/dim), m
   std::vector<int> body;              // index into Scene::bodies
   std::vector<int> material;          // index into Scene::materials
-  std::vector<unsigned char> held;
+  std::vector<unsigned char> clamped;
   std::vector<unsigned char> driven;  // in a region that is driven at some time
 
   std::size_t size() const { return m.size(); }
@@ -66,7 +66,7 @@ struct Snapshot {
     for (std::vector<double>* field : {&x0, &x, &v}) field->resize(n * d);
     for (std::vector<double>* field : {&m, &rho, &p, &diameter}) field->resize(n);
     s.resize(n * stored(dim));
-    body.resize(n), material.resize(n), held.resize(n), driven.resize(n);
+    body.resize(n), material.resize(n), clamped.resize(n), driven.resize(n);
   }
   void set_deviator(std::size_t i, const StressTensor& t) {
     double* c = &s[i * stored(dim)];

@@ -18,7 +18,7 @@ Snapshot blend(const Snapshot& before, const Snapshot& after, double t) {
   const double dt = after.time - before.time, share = (t - before.time) / dt;
   // all members: a new one must be interpolated here or left as in `after`
   auto& [dim, time, step, x0, x, v, m, rho, p, s, strain_energy, contact_energy, work, body_work, damped,
-         of_walls, diameter, body, material, held, driven] = out;
+         of_walls, diameter, body, material, clamped, driven] = out;
   time = t;
   for (const auto field : {&Snapshot::x, &Snapshot::v, &Snapshot::rho, &Snapshot::p, &Snapshot::s,
                            &Snapshot::strain_energy, &Snapshot::body_work})

@@ -65,8 +65,8 @@ Projection::Projection(const Camera& camera, const View& view)
                                                std::tan(camera.field_of_view * std::numbers::pi / 360)
                                          : 0) {}
 
-Projection::Seen Projection::operator()(const Vector& x) const {
-  Seen seen{{dot(axes_.right, x), dot(axes_.up, x), dot(axes_.back, x)}, 1};
+Projection::Projected Projection::operator()(const Vector& x) const {
+  Projected seen{{dot(axes_.right, x), dot(axes_.up, x), dot(axes_.back, x)}, 1};
   if (distance_ == 0) return seen;
   seen.scale = distance_ / (distance_ + front_ - seen.at[2]);
   seen.at[0] = middle_x_ + (seen.at[0] - middle_x_) * seen.scale;
@@ -74,7 +74,7 @@ Projection::Seen Projection::operator()(const Vector& x) const {
   return seen;
 }
 
-Vector Projection::way(const Vector& way, const Seen& from) const {
+Vector Projection::project_vector(const Vector& way, const Projected& from) const {
   Vector seen{dot(axes_.right, way), dot(axes_.up, way), dot(axes_.back, way)};
   if (distance_ == 0) return seen;
   // derivative of operator()

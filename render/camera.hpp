@@ -41,13 +41,13 @@ class Projection {
   Projection(const Camera& camera, const View& view);
 
   /// Coordinates to the right, up and towards the camera, m; the first two are scaled.
-  struct Seen {
+  struct Projected {
     Vector at;
     double scale;  // projected / true length; not positive behind the camera
   };
-  Seen operator()(const Vector& x) const;
+  Projected operator()(const Vector& x) const;
   /// Projects a short vector at the projected point `from`.
-  Vector way(const Vector& way, const Seen& from) const;
+  Vector project_vector(const Vector& way, const Projected& from) const;
 
  private:
   CameraAxes axes_;

@@ -9,7 +9,7 @@ namespace {
 constexpr int samples = 2;  // per direction
 constexpr int side = 8;     // samples of a tile
 constexpr float nothing = -1e30f;
-constexpr float doubt = 0.1f;  // samples; OpenGL rounds differently
+constexpr float rounding_margin = 0.1f;  // samples; OpenGL rounds differently
 
 /// Samples with centres within `half` of `centre`.
 struct Span {
@@ -39,8 +39,8 @@ struct Cover::Tiles {
   int left, right, top, bottom;
 
   Tiles(const Ball& ball, int width, int height) {
-    const Span x = span_of(samples * ball.x, samples * ball.radius + doubt, width);
-    const Span y = span_of(samples * ball.y, samples * ball.radius + doubt, height);
+    const Span x = span_of(samples * ball.x, samples * ball.radius + rounding_margin, width);
+    const Span y = span_of(samples * ball.y, samples * ball.radius + rounding_margin, height);
     left = x.from / side, right = (x.to + side - 1) / side;
     top = y.from / side, bottom = (y.to + side - 1) / side;
   }
@@ -68,7 +68,7 @@ bool Cover::hides(const Ball& ball) const {
   const float front = ball.z + ball.radius;
   if (hides(Tiles(ball, width_, height_), front)) return true;
   unsigned seen = 0;
-  for_rows(samples * ball.x, samples * ball.y, samples * ball.radius + doubt, width_, height_,
+  for_rows(samples * ball.x, samples * ball.y, samples * ball.radius + rounding_margin, width_, height_,
            [&](std::size_t from, std::size_t to) {
              for (; from < to; ++from) seen |= static_cast<unsigned>(depth_[from] < front);
            });
@@ -76,7 +76,7 @@ bool Cover::hides(const Ball& ball) const {
 }
 
 void Cover::add(const Ball& ball) {
-  for_rows(samples * ball.x, samples * ball.y, samples * ball.radius - doubt, width_, height_,
+  for_rows(samples * ball.x, samples * ball.y, samples * ball.radius - rounding_margin, width_, height_,
            [&](std::size_t from, std::size_t to) {
              for (; from < to; ++from) depth_[from] = std::max(depth_[from], ball.z);
            });

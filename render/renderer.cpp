@@ -131,7 +131,7 @@ Renderer::Parts::Parts(const Look& look, double until)
   if (layout.font > 0) annotation.emplace(image, layout, coloring.key(), until, background);
   if (annotation && look.camera) {
     annotation->show(marker_of(*look.camera));
-    if (look.camera->field_of_view > 0) annotation->leave_out_scale_bar();
+    if (look.camera->field_of_view > 0) annotation->hide_scale_bar();
   }
 }
 
@@ -188,7 +188,7 @@ void Renderer::Parts::draw_walls(const FrameView& frame) {
 /// Keeps the previous page if both have only discs, without walls.
 void Renderer::Parts::draw_discs(const FrameView& frame) {
   const bool page_stands =
-      disc_painter && frame.walls.empty() && (!annotation || annotation->stands_for(frame));
+      disc_painter && frame.walls.empty() && (!annotation || annotation->is_current_for(frame));
   if (!page_stands) {
     image.fill(background);
     disc_painter.emplace(layout.plot, background);

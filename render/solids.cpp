@@ -63,7 +63,7 @@ void Solids::place_balls(const FrameView& frame, const Projection& projection,
                          std::span<const std::uint32_t> colors) {
   clear();
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
-    const Projection::Seen seen = projection(at(frame.x, i));
+    const Projection::Projected seen = projection(at(frame.x, i));
     const double x = layout_.column(seen.at[0]), y = layout_.row(seen.at[1]);
     const double size = 0.5 * glyph_ * frame.diameter[i] * seen.scale * layout_.pixels_per_metre;
     const double radius = drawn_radius(size);
@@ -110,13 +110,13 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
   clear();
   const double scale = layout_.pixels_per_metre, half_scale = 0.5 * scale;
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
-    const Projection::Seen seen = projection(at(frame.x, i));
+    const Projection::Projected seen = projection(at(frame.x, i));
     if (!(seen.scale > 0)) continue;
     const Vector centre{layout_.column(seen.at[0]), layout_.row(seen.at[1]), seen.at[2] * scale};
     std::array<Vector, 3> half;
     double reach = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vector way = projection.way(at(frame.cell, 3 * i + k), seen);
+      const Vector way = projection.project_vector(at(frame.cell, 3 * i + k), seen);
       half[k] = widened({half_scale * way[0], -half_scale * way[1], half_scale * way[2]});
       reach += std::hypot(half[k][0], half[k][1], half[k][2]);
     }
@@ -145,7 +145,7 @@ void Solids::place_walls(const FrameView& frame, const Projection& projection, s
   const double cell = nice_length(std::min(layout_.plot.width, layout_.plot.height) / scale / cells);
   std::vector<Vector> seen;
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
-    const Projection::Seen p = projection(at(frame.x, i));
+    const Projection::Projected p = projection(at(frame.x, i));
     if (p.scale > 0 && in_picture(layout_.column(p.at[0]), layout_.row(p.at[1]), cell * scale))
       seen.push_back(at(frame.x, i));
   }
@@ -164,7 +164,7 @@ void Solids::add_line(const Vector& from, const Vector& to, const Projection& pr
     return projection(x);
   };
   for (int k = 0; k < pieces; ++k) {
-    const Projection::Seen a = placed(k), b = placed(k + 1);
+    const Projection::Projected a = placed(k), b = placed(k + 1);
     if (!(a.scale > 0 && b.scale > 0)) continue;
     const double scale = layout_.pixels_per_metre;
     const Vector half{0.5 * scale * (b.at[0] - a.at[0]), -0.5 * scale * (b.at[1] - a.at[1]),

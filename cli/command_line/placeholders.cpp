@@ -13,7 +13,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-Words method_names(const SceneFile*) { return texts_to_set("method"); }
+Words method_names(const SceneFile*) { return allowed_words("method"); }
 Words shipped_scenes(const SceneFile*) { return scene_names(); }
 
 Words sweep_names(const SceneFile*) {
@@ -140,7 +140,7 @@ void add_assignments(Choices& choices, const Words& names, bool several, const s
   if (equals == std::string::npos) return add(choices, names, "", "=");
   const std::string before = typed.substr(0, equals + 1);
   const std::string items = several ? items_before(typed.substr(equals + 1)) : "";
-  add(choices, texts_to_set(typed.substr(0, equals)), before + items);
+  add(choices, allowed_words(typed.substr(0, equals)), before + items);
 }
 
 void add_alternative(Choices& choices, std::string_view name, const std::string& typed,

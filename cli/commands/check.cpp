@@ -22,21 +22,21 @@ std::vector<Finding> findings(const CheckArguments& o, const StoredRun& run) {
   if (!o.tolerance.empty()) tolerance = parse_tolerance(o.tolerance, "--tolerance");
   std::vector<Expectation> expected;
   for (const std::string& text : o.measures) expected.push_back(parse_expectation(text, tolerance));
-  std::vector<Finding> all{find_out_end(run)};
+  std::vector<Finding> all{check_end(run)};
   if (!o.baseline.empty()) {
     if (!tolerance) throw UsageError("--baseline needs --tolerance, such as --tolerance 1%");
     const StoredRun baseline = read_stored_run(o.baseline);
-    if (!find_out_end(baseline).fine)
+    if (!check_end(baseline).fine)
       throw UsageError("the baseline '" + o.baseline +
                        "' is a run that has not finished; give a finished one");
     if (baseline.text("scene") != run.text("scene"))
       throw UsageError("the baseline is a run of scene '" + baseline.text("scene") +
                        "', the run is of scene '" + run.text("scene") + "'; both must be of one scene");
     for (const Expectation& e : expectations_of(baseline, *tolerance)) expected.push_back(e);
-    if (o.verdict.empty()) all.push_back(find_out_verdict(run, baseline.text("verdict")));
+    if (o.verdict.empty()) all.push_back(check_verdict(run, baseline.text("verdict")));
   }
-  if (!o.verdict.empty()) all.push_back(find_out_verdict(run, o.verdict));
-  for (const Expectation& e : expected) all.push_back(find_out(run, e));
+  if (!o.verdict.empty()) all.push_back(check_verdict(run, o.verdict));
+  for (const Expectation& e : expected) all.push_back(check_expectation(run, e));
   if (all.size() == 1) throw UsageError("nothing to check: give --measure, --baseline or --verdict");
   return all;
 }

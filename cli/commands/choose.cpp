@@ -74,7 +74,7 @@ bool is_same(const std::string& a, const std::string& b) {
 }
 
 /// Removes runs with other scene settings; returns the settings that removed some.
-std::string keep_those_of(const SceneFile& file, StoredResults& results) {
+std::string keep_matching_runs(const SceneFile& file, StoredResults& results) {
   std::vector<std::string> others;
   for (const std::string& name : names_of_scene(results.runs)) {
     const std::string wanted = value_in(file, name);
@@ -88,13 +88,13 @@ std::string keep_those_of(const SceneFile& file, StoredResults& results) {
   return join(others);
 }
 
-Json json(const Chart& chart, const Wish* wish, std::optional<double> seconds,
+Json json(const Chart& chart, const ChoiceLimits* limits, std::optional<double> seconds,
           const std::vector<Offer>& offers) {
   Json answer = json_answer("choose");
   answer["scene"] = chart.scene;
   answer["measure"] = chart.measure;
   answer["unit"] = chart.unit.empty() ? Json() : Json(chart.unit);
-  answer["error"] = wish ? Json(wish->error) : Json();
+  answer["error"] = limits ? Json(limits->error) : Json();
   answer["seconds"] = seconds;
   answer["granted"] = !offers.empty();
   answer["runs"] = to_json(offers);
@@ -112,7 +112,7 @@ int choose(const ChooseArguments& options, Streams streams) {
   StoredResults results = read_results(files);
   if (results.scene != scene)
     throw UsageError("the results are of scene " + results.scene + "; they must be of " + scene);
-  const std::string wanted = keep_those_of(file, results);
+  const std::string wanted = keep_matching_runs(file, results);
   if (std::ranges::none_of(results.runs, &StoredRun::has_result))
     throw UsageError("no run in " + join(files) + " has the values of the scene, " + wanted +
                      "; choose other values with --set");
@@ -125,12 +125,13 @@ int choose(const ChooseArguments& options, Streams streams) {
   if (error && chart.unit.empty() && *error >= 1 && !options.error->ends_with('%'))
     streams.err << "taut: --error " << *options.error << " allows an error of " << brief(100 * *error)
                 << " %; write " << *options.error << "% for " << *options.error << " %\n";
-  const Wish wish{error.value_or(0), options.seconds};
-  const std::vector<Offer> offers = error ? grants(chart, wish) : front(chart, options.seconds);
+  const ChoiceLimits limits{error.value_or(0), options.seconds};
+  const std::vector<Offer> offers =
+      error ? suitable_offers(chart, limits) : pareto_front(chart, options.seconds);
   if (options.json)
-    streams.out << json(chart, error ? &wish : nullptr, options.seconds, offers).dump(2) << '\n';
+    streams.out << json(chart, error ? &limits : nullptr, options.seconds, offers).dump(2) << '\n';
   else
-    streams.out << (error ? advice(chart, wish) : price_list(chart, options.seconds))
+    streams.out << (error ? advice(chart, limits) : price_list(chart, options.seconds))
                 << "Results: " << join(files) << '\n';
   return offers.empty() ? exit_not_granted : exit_fine;
 }

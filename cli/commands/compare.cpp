@@ -81,7 +81,7 @@ Drawing wish(const std::vector<SavedRun>& runs, const CompareArguments& options)
   drawing.look.size.reset();
   drawing.look.view.reset();
   drawing = with_options(drawing, options);
-  suit(drawing, runs.front().file);
+  apply_scene(drawing, runs.front().file);
   return drawing;
 }
 
@@ -137,7 +137,8 @@ void tell_what_is_outside(const render::View& view, const std::vector<SavedRun>&
 void draw(render::Panel& panel, const std::vector<Column>& columns) {
   for (int column = 0; const auto& [staging, cells] : columns) {
     for (int row = 0; const PanelCell& cell : cells) {
-      if (cell.particles) panel.draw(column, row, staging.dressed(staging(cell.particles->view())).view());
+      if (cell.particles)
+        panel.draw(column, row, staging.with_cells_and_walls(staging(cell.particles->view())).view());
       if (!cell.particles)
         panel.write_middle(column, row, cell.remark);
       else if (!cell.remark.empty())
@@ -169,7 +170,7 @@ int compare_runs(const CompareArguments& options, Streams streams) {
   std::vector<Column> columns;
   for (const SavedRun& run : runs) {
     Drawing drawing = wished;
-    suit(drawing, run.file);  // body numbers may differ
+    apply_scene(drawing, run.file);  // body numbers may differ
     if (drawing.look.categories != wished.look.categories)
       throw UsageError("'" + runs.front().folder.path().string() + "' has " + join(wished.look.categories) +
                        ", '" + run.folder.path().string() + "' has " + join(drawing.look.categories) +

@@ -33,7 +33,7 @@ CriticalStep search(const SceneFile& file, const CriticalStepArguments& options,
   const Interrupts interrupts;
   const auto goes_on = [&](const CriticalStep& so_far) {
     progress.show(so_far.trials / (so_far.trials + usual_trials), bracket(so_far));
-    return !interrupts.asked();
+    return !interrupts.interrupted();
   };
   progress.begin("critical step");
   try {
@@ -93,7 +93,7 @@ Json result_json(const SceneFile& file, const CriticalStep& found) {
 
 int find(const CriticalStepArguments& options, Streams streams) {
   const SceneFile file = scene_to_run(options);
-  tell(file, streams.err);
+  print_remark(file, streams.err);
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const CriticalStep found = search(file, options, progress);
   if (options.json)

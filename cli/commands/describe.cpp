@@ -80,7 +80,7 @@ std::string motion_text(const Body& body) {
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   if (const std::string along = axes_of(body.guided); !along.empty())
     add("clamped along " + along + " in part");
-  else if (body.held)
+  else if (body.clamped)
     add("clamped in part");
   if (const std::string along = axes_of(body.displacement); !along.empty())
     add("displaced along " + along + " at the start");

@@ -61,7 +61,7 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
                      "' is not finished, so its frames cannot change; "
                      "name another folder with --out, or finish the run with `taut run --resume`");
   run.folder.clear_frames();
-  write_atomically(run.folder.scene(), scene, Kept::on_disk);
+  write_atomically(run.folder.scene(), scene, Durability::on_disk);
   return run.folder.frames();
 }
 
@@ -79,7 +79,7 @@ int render(const RenderArguments& options, Streams streams) {
   const FolderLock lock(folder_to_lock(options), FolderLock::Of::run, "taut render", streams.err);
   run = open_saved_run(options.run);  // another process may have changed it before the lock
   run.file.drawing = with_options(run.file.drawing, options);
-  suit(run.file.drawing, run.file);
+  apply_scene(run.file.drawing, run.file);
   run.file.drawing.orbit = options.orbit;
   check_redrawing(run);  // before anything is removed
   const fs::path folder = prepare(options, run);

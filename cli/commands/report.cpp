@@ -37,7 +37,7 @@ int report(const PageArguments& options, Streams streams) {
   const Interrupts interrupts;
   while (options.watch && page.running) {
     for (int k = 0; k < 20; ++k) {  // two seconds
-      if (interrupts.asked()) return interrupts.exit_code();
+      if (interrupts.interrupted()) return interrupts.exit_code();
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
     page = write_report(request);

@@ -64,7 +64,7 @@ LockedPlan planned(const RunArguments& options, std::ostream& err) {
     all.plan.folder.check();  // another process may have changed it before the lock
     return all;
   }
-  check_goes_on(*options.resume);  // before locking: no lock file is written to a folder that is no run
+  check_resumable(*options.resume);  // before locking: no lock file is written to a folder that is no run
   all.lock = lock(*options.resume);
   all.plan = resume_plan(*options.resume, options);
   if (!all.plan.state)
@@ -90,7 +90,7 @@ int run(const RunArguments& options, Streams streams) {
   const Stopwatch setup;
   const std::optional<Verdict> fail_on = parse_verdict(options.fail_on);
   const auto [lock, plan] = planned(options, streams.err);
-  tell(plan.file, streams.err);
+  print_remark(plan.file, streams.err);
   const Interrupts interrupts;
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const RunResult result =

@@ -52,7 +52,7 @@ void greet(const Session& session, std::ostream& out) {
 
 int converse(const SessionArguments& options, Streams streams) {
   Session session(options);
-  tell(session.file(), streams.err);
+  print_remark(session.file(), streams.err);
   LineInput input([&](const auto& words) { return session_choices(session, words); });
   const bool typed = input.is_typed();
   Progress progress(streams.err, progress_style(streams.err, !typed));
@@ -65,11 +65,11 @@ int converse(const SessionArguments& options, Streams streams) {
       return one;
     }();
     // the next lines of a script rely on the interrupted one
-    if (Interrupts::asked() && (!typed || Interrupts::asked_to_end())) return Interrupts::exit_code();
+    if (Interrupts::interrupted() && (!typed || Interrupts::must_end())) return Interrupts::exit_code();
     if (options.strict && given.code != exit_fine) return given.code;
     if (!given.going) break;
   }
-  return Interrupts::asked_to_end() ? Interrupts::exit_code() : exit_fine;  // signal at the prompt
+  return Interrupts::must_end() ? Interrupts::exit_code() : exit_fine;  // signal at the prompt
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ int snapshot(SnapshotArguments options, Streams streams) {
     options.out_named = false;
   }
   const RunPlan plan = make_plan(options);
-  tell(plan.file, streams.err);
+  print_remark(plan.file, streams.err);
   check_baseline(options, plan.folder.path());
   const FolderLock lock(plan.folder.path(), FolderLock::Of::run, "taut snapshot", streams.err);
   plan.folder.check();  // may have changed

@@ -37,7 +37,7 @@ std::string listing(const SweepPlan& plan) {
   for (const SweepRun& run : plan.runs)
     rows.push_back(
         {std::to_string(run.index), text_of(run.settings), run.folder, std::string(name(run.state))});
-  const auto done = std::ranges::count(plan.runs, RunState::done, &SweepRun::state);
+  const auto done = std::ranges::count(plan.runs, SweepRunState::done, &SweepRun::state);
   return in_columns(rows, 0) + "\n" + std::to_string(done) + " of " + std::to_string(plan.runs.size()) +
          " runs are done in " + plan.folder.string() + "\n";
 }
@@ -45,7 +45,7 @@ std::string listing(const SweepPlan& plan) {
 int emit(const SweepOptions& o, const Options& command, const SweepPlan& plan, std::ostream& out) {
   const EmitForm& form = find_emit_form(*o.emit);
   const std::string script = emit_script(form, plan.title, static_cast<int>(plan.runs.size()), o.run.threads,
-                                         lasting_words(command));
+                                         command_to_repeat(command));
   if (!o.run.out) {
     out << script;
     return exit_fine;
@@ -67,13 +67,13 @@ std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o, std::
   for (SweepRun& run : plan.runs) {
     if (o.index && run.index != *o.index) continue;
     run.read_folder();  // may have changed before the lock
-    if (run.state == RunState::damaged)
+    if (run.state == SweepRunState::damaged)
       err << "taut: run " << run.index << " (" << text_of(run.settings)
           << "): " << RunFolder(*run.options.out).record().string() << " is damaged; the run is repeated\n";
-    outdated += run.state == RunState::outdated;
+    outdated += run.state == SweepRunState::outdated;
     run.forced = o.force;
     if (run.forced) run.forget();
-    if (run.state != RunState::done) runs.push_back(&run);
+    if (run.state != SweepRunState::done) runs.push_back(&run);
   }
   if (outdated > 0)
     err << "taut: " << outdated << (outdated == 1 ? " finished run" : " finished runs") << " in '"
@@ -99,7 +99,7 @@ std::string text(const SweepPlan& plan, const SweepOptions& o) {
 }
 
 /// Reports runs of other grids.
-void tell_what_remains(const SweepPlan& plan, std::ostream& err) {
+void report_other_runs(const SweepPlan& plan, std::ostream& err) {
   std::vector<std::string> others;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(plan.folder, error)) {
@@ -195,7 +195,7 @@ int execute(SweepPlan& plan, const SweepArguments& o, Streams streams) {
     results.write();
   }
   const bool passed = answer(plan, o, fail_on, streams);
-  if (!o.index) tell_what_remains(plan, streams.err);
+  if (!o.index) report_other_runs(plan, streams.err);
   if (end.code != exit_fine) return end.code;
   if (end.interrupted) return Interrupts::exit_code();
   std::ostream nowhere(nullptr);  // stdout contains only the JSON

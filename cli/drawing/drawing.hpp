@@ -47,7 +47,7 @@ struct Drawing {
   std::string formula{};  // expression that colours the particles, or empty
   bool orbit = false;     // 3D: the camera circles the scene once during the run
 
-  // set by `suit` (cli/scene)
+  // set by `apply_scene` (cli/scene)
   Expression is_cut{};
   std::optional<int> followed{};  // index into Scene::bodies
   std::vector<WallFace> walls{};

@@ -264,7 +264,7 @@ std::optional<Numbers> typed_numbers(const DrawingKey::Numbers& key, std::string
 /// Returns nullopt for a wrong value. Throws UsageError for an unknown name.
 std::optional<DrawingValue> typed_value(const DrawingKey& key, const std::string& text) {
   if (text == automatic && key.placeholder.ends_with("|auto")) return left_open();
-  if (key.of_text) return text;
+  if (key.is_free_text) return text;
   if (!key.takes_words()) return typed_numbers(key.numbers, text);
   const std::vector<std::string> names = key.words.names();
   if (std::ranges::find(names, text) == names.end() && !key.words.has_formula(text))
@@ -293,7 +293,7 @@ std::span<const DrawingKey> drawing_keys() {
                          "the range of the whole sequence, without outliers",
                  .session_help =
                      "values at the ends of the colour scale, in the field's unit; auto: the current range",
-                 .may_be_open = true,
+                 .allows_auto = true,
                  .numbers = {.count = 2,
                              .in_file = "[low, high]",
                              .typed = "LOW:HIGH with LOW < HIGH, such as 0:2e6, or 'auto'"},
@@ -303,7 +303,7 @@ std::span<const DrawingKey> drawing_keys() {
                  .placeholder = "COLORMAP",
                  .help = "colour map (`taut list colormaps`); default: by the field",
                  .session_help = "colour map (`taut list colormaps`)",
-                 .may_be_open = true,
+                 .allows_auto = true,
                  .words = {"colour map", names_of_colormaps},
                  .set = set_colormap,
                  .get = get_colormap},
@@ -312,7 +312,7 @@ std::span<const DrawingKey> drawing_keys() {
           .placeholder = "X0:X1:Y0:Y1|auto",
           .help = "visible region, m; auto: the whole motion",
           .session_help = "visible region, m; fit: all particles at this time",
-          .may_be_open = true,
+          .allows_auto = true,
           .numbers = {.count = 4,
                       .in_file = "[x_min, x_max, y_min, y_max]",
                       .typed = "X_MIN:X_MAX:Y_MIN:Y_MAX in metres, such as -0.1:0.1:0:0.05, or 'auto'"},
@@ -322,7 +322,7 @@ std::span<const DrawingKey> drawing_keys() {
                  .placeholder = "X:Y:Z|auto",
                  .help = "3D: direction towards the camera; auto: 1:-2:1",
                  .session_help = "3D: direction towards the camera",
-                 .may_be_open = true,
+                 .allows_auto = true,
                  .numbers = {.count = 3,
                              .in_file = "[x, y, z]",
                              .typed = "X:Y:Z, a direction towards the camera such as 1:-2:1, or 'auto'"},
@@ -332,7 +332,7 @@ std::span<const DrawingKey> drawing_keys() {
                  .placeholder = "X:Y:Z|auto",
                  .help = "3D: direction that points up in the picture; auto: 0:0:1",
                  .session_help = "3D: direction that points up in the picture",
-                 .may_be_open = true,
+                 .allows_auto = true,
                  .numbers = {.count = 3,
                              .in_file = "[x, y, z]",
                              .typed = "X:Y:Z, a direction that points up such as 0:0:1, or 'auto'"},
@@ -342,7 +342,7 @@ std::span<const DrawingKey> drawing_keys() {
                  .placeholder = "DEGREES|auto",
                  .help = "3D: vertical field of view, degrees; auto: 0, parallel projection",
                  .session_help = "3D: vertical field of view, degrees; 0: parallel projection",
-                 .may_be_open = true,
+                 .allows_auto = true,
                  .numbers = {.in_file = "degrees",
                              .typed = fmt::format("DEGREES from 0 (parallel) to {}, or 'auto'",
                                                   render::greatest_field_of_view),
@@ -356,7 +356,7 @@ std::span<const DrawingKey> drawing_keys() {
           .help =
               "shape of particles: discs (2D), spheres (3D), or cells, which fill the bodies without gaps",
           .session_help = "shape of particles: discs (2D), spheres (3D), or cells",
-          .may_be_open = true,
+          .allows_auto = true,
           .words = {"style", names_of_styles},
           .set = set_style,
           .get = get_style},
@@ -364,7 +364,7 @@ std::span<const DrawingKey> drawing_keys() {
                  .placeholder = "EXPRESSION|none",
                  .help = "particles to hide, by their initial position, such as 'y < 0'",
                  .session_help = "particles to hide, by their initial position, such as y < 0",
-                 .of_text = true,
+                 .is_free_text = true,
                  .set = set_text<&Drawing::cut>,
                  .get = get_text<&Drawing::cut>},
       DrawingKey{
@@ -372,7 +372,7 @@ std::span<const DrawingKey> drawing_keys() {
           .placeholder = "BODY|none",
           .help = "body whose centre of mass stays in the middle of the picture; the view is relative to it",
           .session_help = "body that stays in the middle of the picture",
-          .of_text = true,
+          .is_free_text = true,
           .set = set_text<&Drawing::follow>,
           .get = get_text<&Drawing::follow>},
       DrawingKey{.name = "glyph",
@@ -390,7 +390,7 @@ std::span<const DrawingKey> drawing_keys() {
                  .placeholder = "white|black|#RRGGBB",
                  .help = "background colour: white, black or #rrggbb; texts get a contrasting colour",
                  .session_help = "background colour: white, black or #rrggbb",
-                 .of_text = true,
+                 .is_free_text = true,
                  .pattern = "^(white|black|#[0-9A-Fa-f]{6})$",
                  .numbers = {.typed = std::string(right_colors)},
                  .set = set_background,
@@ -418,7 +418,7 @@ std::span<const DrawingKey> drawing_keys() {
       DrawingKey{.name = "frames",
                  .placeholder = "N",
                  .help = "number of frames after the frame at t = 0, evenly spaced in time",
-                 .of_runs = true,
+                 .counts_frames = true,
                  .numbers = {.whole = true, .in_file = "whole number", .low = 1, .high = most_frames},
                  .set = set_frames,
                  .get = get_frames},

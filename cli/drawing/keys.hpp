@@ -40,13 +40,13 @@ struct DrawingKey {
   std::string_view placeholder;  // ends in "|auto" if allowed
   std::string_view help;
   std::string_view session_help = {};  // empty: no session command
-  bool may_be_open = false;            // "auto" allowed in scene files
-  bool of_runs = false;                // number of pictures, not style
+  bool allows_auto = false;            // "auto" allowed in scene files
+  bool counts_frames = false;          // number of pictures, not style
   Words words = {};
-  bool of_text = false;           // free text; "none" if empty
+  bool is_free_text = false;      // free text; "none" if empty
   std::string_view pattern = {};  // of other texts; `typed` explains it
   Numbers numbers = {};
-  /// Sets the value, or returns an error message for scene files. `suit` (cli/scene) checks if it fits the scene.
+  /// Sets the value, or returns an error for scene files. `apply_scene` (cli/scene) checks if it fits the scene.
   std::string (*set)(Drawing&, const DrawingValue&);
   DrawingValue (*get)(const Drawing&);
 

@@ -110,7 +110,7 @@ StagedParticles Staging::operator()(const FrameView& particles) const {
   return staged;
 }
 
-StagedParticles Staging::dressed(StagedParticles staged) const {
+StagedParticles Staging::with_cells_and_walls(StagedParticles staged) const {
   staged.walls = walls_;
   for (WallFace& wall : staged.walls)
     for (std::size_t k = 0; k < 3; ++k) wall.at[k] -= staged.origin[k];

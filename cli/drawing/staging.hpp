@@ -50,7 +50,7 @@ class Staging {
   /// `particles` are all particles of the run.
   StagedParticles operator()(const FrameView& particles) const;
   /// Adds walls and, in style `cells`, replaces particles by visible cells.
-  StagedParticles dressed(StagedParticles staged) const;
+  StagedParticles with_cells_and_walls(StagedParticles staged) const;
   /// Adds the values, and the positions that an open view must contain.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 

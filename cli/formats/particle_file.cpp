@@ -70,7 +70,7 @@ void write_point_data(Writer& file, const Snapshot& now, std::span<const Field* 
   file.array(velocity_name, "Float64", with_three_components(now.v, now.dim), 3);
   file.array("body", "Int32", now.body);
   file.array("material", "Int32", now.material);
-  file.array(held_name, "UInt8", now.held);
+  file.array(held_name, "UInt8", now.clamped);
   file.line("</PointData>");
 }
 

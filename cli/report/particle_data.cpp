@@ -108,7 +108,7 @@ std::optional<Json> particle_data(const fs::path& run_folder) {
   if (!fs::exists(folder.particle_file(0), error)) return std::nullopt;
   SavedRun run = open_saved_run(run_folder);
   if (run.file.scene.dim != 3) return std::nullopt;
-  suit(run.file.drawing, run.file);
+  apply_scene(run.file.drawing, run.file);
   const Origins origins = origins_of(run.file.scene);
   const Staging staging(run.file.drawing, origins);
   const std::size_t particles = std::max<std::size_t>(staging.size(), 1);

@@ -45,7 +45,7 @@ void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, 
   std::string bytes = std::string(kind) + saver.take();
   const std::uint32_t sum = checksum(bytes);
   bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
-  write_atomically(path, bytes, Kept::on_disk);
+  write_atomically(path, bytes, Durability::on_disk);
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) {

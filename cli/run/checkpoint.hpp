@@ -14,19 +14,19 @@ namespace taut::cli {
 /// Everything needed to continue a run.
 struct Checkpoint {
   std::string method;
-  std::string scene;                    // text of scene.toml
-  std::vector<std::string> fields;      // none: particles are not saved
-  std::optional<double> spacing_asked;  // m
-  double every = 0;                     // simulated time between checkpoints, s
+  std::string scene;                        // text of scene.toml
+  std::vector<std::string> fields;          // none: particles are not saved
+  std::optional<double> requested_spacing;  // m
+  double every = 0;                         // simulated time between checkpoints, s
   bool draws = true;
   std::string state;  // bytes that the caller saved; empty: at the start
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(method, scene, fields, spacing_asked, every, draws, state);
+    archive(method, scene, fields, requested_spacing, every, draws, state);
     archive.check("an interval or a spacing", [&] {
       return std::isfinite(every) && every >= 0 &&
-             (!spacing_asked || (std::isfinite(*spacing_asked) && *spacing_asked > 0));
+             (!requested_spacing || (std::isfinite(*requested_spacing) && *requested_spacing > 0));
     });
   }
 };

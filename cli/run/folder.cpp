@@ -35,7 +35,7 @@ void remove_file(const fs::path& path) {
 }
 
 template <class Ours>
-void remove_those(const fs::path& folder, const Ours& ours) {
+void remove_files_if(const fs::path& folder, const Ours& ours) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
     if (ours(entry.path())) remove_file(entry.path());
@@ -98,13 +98,13 @@ bool RunFolder::holds_only(const std::set<std::string>& names) const {
 void RunFolder::claim(std::string_view record_text) const {
   for (const fs::path& inner : {frames(), particles()}) check_writable(inner);
   make_folders(path_);
-  write_atomically(record(), record_text, Kept::on_disk);
+  write_atomically(record(), record_text, Durability::on_disk);
 }
 
 void RunFolder::clear() const {
   make_folders(frames());
   clear_frames();
-  remove_those(particles(), is_particle_file);
+  remove_files_if(particles(), is_particle_file);
   std::error_code not_empty;
   fs::remove(particles(), not_empty);
   remove_file(history());
@@ -114,14 +114,14 @@ void RunFolder::clear() const {
 void RunFolder::keep_frames(int number) const {
   std::set<fs::path> kept;
   for (int k = 0; k < number; ++k) kept.insert(frame(k));
-  remove_those(frames(), [&](const fs::path& path) { return is_frame(path) && !kept.contains(path); });
+  remove_files_if(frames(), [&](const fs::path& path) { return is_frame(path) && !kept.contains(path); });
 }
 
 void RunFolder::keep_particle_files(int number) const {
   std::set<fs::path> kept{particle_index()};
   for (int k = 0; k < number; ++k) kept.insert(particle_file(k));
-  remove_those(particles(),
-               [&](const fs::path& path) { return is_particle_file(path) && !kept.contains(path); });
+  remove_files_if(particles(),
+                  [&](const fs::path& path) { return is_particle_file(path) && !kept.contains(path); });
 }
 
 void RunFolder::clear_checkpoint() const {
@@ -130,7 +130,7 @@ void RunFolder::clear_checkpoint() const {
 }
 
 void RunFolder::clear_frames() const {
-  remove_those(frames(), is_frame);
+  remove_files_if(frames(), is_frame);
   remove_file(difference());
 }
 

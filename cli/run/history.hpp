@@ -49,7 +49,7 @@ class History {
     archive(last_step_);
   }
   /// Removes rows newer than the checkpoint. Throws OutputError.
-  void take_back() { file_.cut(saved_.length); }
+  void discard_newer() { file_.cut(saved_.length); }
   void put_on_disk() const { file_.put_on_disk(); }
 
  private:
@@ -75,7 +75,7 @@ class LineSamplesFile {
     saved_.serialize(archive, file_);
     for (Known& line : lines_) archive(line.written);
   }
-  void take_back() { file_.cut(saved_.length); }
+  void discard_newer() { file_.cut(saved_.length); }
   void put_on_disk() const { file_.put_on_disk(); }
 
  private:

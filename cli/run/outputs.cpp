@@ -44,12 +44,12 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
 
   void open(AppendFile::Start start) override { history_.emplace(path_, scene_, start); }
   double next() const override { return std::min(agenda_.next(), judge_times_.next()); }
-  bool is_at_its_time() const override { return false; }
-  bool lacks_the_end() const override {
+  bool needs_exact_time() const override { return false; }
+  bool needs_final_state() const override {
     return std::min(history_->last_step(), judged_step_) != simulation_.steps();
   }
 
-  void take() override {
+  void write_due() override {
     const Timed timed(result_.record.seconds.write);
     const double time = simulation_.time();
     const bool row = !agenda_.reached(time).empty(), judged = !judge_times_.reached(time).empty();
@@ -61,8 +61,8 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   }
 
   void put_on_disk() override { history_->put_on_disk(); }
-  void tell() override { result_.record.conservation = conservation_.so_far(); }
-  void take_back() override { history_->take_back(); }
+  void update_result() override { result_.record.conservation = conservation_.so_far(); }
+  void discard_newer() override { history_->discard_newer(); }
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -133,7 +133,7 @@ class MeasuresOutput final : public OutputOf<MeasuresOutput> {
   }
   double next() const override { return lines_.next(); }
 
-  void take() override {
+  void write_due() override {
     const Timed timed(result_.record.seconds.write);
     while (lines_.next() <= simulation_.time()) lines_.sample(last_step_.at(lines_.next()));
     if (file_) file_->add(lines_.samples());
@@ -142,13 +142,13 @@ class MeasuresOutput final : public OutputOf<MeasuresOutput> {
     if (file_) file_->put_on_disk();
   }
 
-  void tell() override {
+  void update_result() override {
     result_.record.measures = measure(scene_, simulation_.series(), result_.record.material_law,
                                       lines_.samples(), &simulation_.snapshot());
   }
 
-  void take_back() override {
-    if (file_) file_->take_back();
+  void discard_newer() override {
+    if (file_) file_->discard_newer();
   }
 
   template <class Archive>
@@ -193,19 +193,19 @@ class FramesOutput final : public OutputOf<FramesOutput> {
 
   double next() const override { return agenda_.next(); }
 
-  void take() override {
+  void write_due() override {
     for (const double due : agenda_.reached(simulation_.time())) frames_.add(last_step_.at(due));
     if (unseen_ && shows_some(*unseen_, simulation_.snapshot())) unseen_.reset();
   }
 
-  void settle() override { frames_.finish(); }
+  void wait() override { frames_.finish(); }
   void put_on_disk() override {
     if (on_disk_ == frames_.written()) return;
     while (on_disk_ < frames_.written()) cli::put_on_disk(folder_.frame(on_disk_++));
     cli::put_on_disk(folder_.frames());
   }
-  void tell() override { result_.frames = frames_.written(); }
-  void take_back() override { folder_.keep_frames(on_disk_ = frames_.written()); }
+  void update_result() override { result_.frames = frames_.written(); }
+  void discard_newer() override { folder_.keep_frames(on_disk_ = frames_.written()); }
 
   bool complete(const Interrupts& interrupts, Progress& progress) override {
     if (unseen_)
@@ -214,11 +214,11 @@ class FramesOutput final : public OutputOf<FramesOutput> {
     const int count = frames_.kept();
     if (count == 0) return true;
     // draw also after an interrupt
-    const bool asked_before = interrupts.asked();
+    const bool interrupted_before = interrupts.interrupted();
     progress.begin("drawing " + std::to_string(count) + " frames");
     const bool all = frames_.draw_kept([&](int drawn) {
       progress.show(static_cast<double>(drawn) / count, "frame " + std::to_string(drawn + 1));
-      return asked_before || !interrupts.asked();
+      return interrupted_before || !interrupts.interrupted();
     });
     progress.end(std::to_string(frames_.written()) + " frames");
     return all;
@@ -255,12 +255,12 @@ class ParticlesOutput final : public OutputOf<ParticlesOutput> {
         series_(plan.particle_fields, plan.folder, result.record.seconds) {}
 
   double next() const override { return agenda_.next(); }
-  void take() override {
+  void write_due() override {
     for (const double due : agenda_.reached(simulation_.time())) series_.add(last_step_.at(due));
   }
   void put_on_disk() override { series_.put_on_disk(); }
-  void tell() override { series_.save_index(); }
-  void take_back() override { folder_.keep_particle_files(series_.written()); }
+  void update_result() override { series_.save_index(); }
+  void discard_newer() override { folder_.keep_particle_files(series_.written()); }
 
   template <class Archive>
   void serialize(Archive& archive) {

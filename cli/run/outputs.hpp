@@ -39,25 +39,25 @@ class RunOutput {
   virtual double next() const = 0;
   /// Whether it takes states at its exact times, between steps. Otherwise it takes the first step at or after each
   /// time.
-  virtual bool is_at_its_time() const { return true; }
+  virtual bool needs_exact_time() const { return true; }
   /// Whether it must also take the final state, at any time.
-  virtual bool lacks_the_end() const { return false; }
+  virtual bool needs_final_state() const { return false; }
   /// Writes all output that is due, and updates the result. Called after the first step at or after `next`.
-  virtual void take() = 0;
+  virtual void write_due() = 0;
   /// Waits for background work.
-  virtual void settle() {}
+  virtual void wait() {}
   /// Waits until all output since the last call is on disk.
   virtual void put_on_disk() {}
   /// Updates the result before run.json is written.
-  virtual void tell() {}
+  virtual void update_result() {}
   /// Does deferred work; false if interrupted.
   virtual bool complete(const Interrupts&, Progress&) { return true; }
 
-  /// State for checkpoints. Call `settle` before saving; loading changes no file.
+  /// State for checkpoints. Call `wait` before saving; loading changes no file.
   virtual void save(Saver& saver) = 0;
   virtual void load(Loader& loader) = 0;
   /// Removes output newer than the loaded state.
-  virtual void take_back() {}
+  virtual void discard_newer() {}
 };
 
 /// Creates all outputs, in the order in which they take a state. They write to `result`; the folder is not touched

@@ -35,7 +35,7 @@ void ParticleSeries::save_index() {
   for (std::size_t k = 0; k < times_.size(); ++k)
     text += "<DataSet timestep=\"" + exact(times_[k]) + "\" part=\"0\" file=\"" +
             folder_.particle_file(static_cast<int>(k)).filename().string() + "\"/>\n";
-  write_atomically(folder_.particle_index(), text + "</Collection>\n</VTKFile>\n", Kept::on_disk);
+  write_atomically(folder_.particle_index(), text + "</Collection>\n</VTKFile>\n", Durability::on_disk);
   indexed_ = times_.size();
 }
 

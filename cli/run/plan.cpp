@@ -78,11 +78,11 @@ std::string value_in(const SceneFile& file, const Setting& setting) {
   if (setting.name == "contact") return std::string(name(file.scene.contact));
   if (setting.name == "stepping") return file.settings.stepping == Stepping::single ? "single" : "dual";
   // as requested, not rounded
-  return parsed<double>(setting.value) ? setting.value : exact(file.spacing_asked);
+  return parsed<double>(setting.value) ? setting.value : exact(file.requested_spacing);
 }
 
 /// The run folder of this scene.toml.
-std::optional<std::filesystem::path> left_by(const SceneFile& file) {
+std::optional<std::filesystem::path> run_folder_of(const SceneFile& file) {
   const RunFolder folder(std::filesystem::absolute(file.path).parent_path());
   std::error_code error;
   if (file.path.filename() != folder.scene().filename() || !std::filesystem::exists(folder.record(), error))
@@ -101,7 +101,7 @@ std::string changes_text(const RunOptions& options, const SceneFile& file) {
     else
       last[setting.name] = setting;
   for (const Parameter& parameter : file.parameters)  // changed in a copied scene.toml
-    if (!left_by(file) && parameter.value != parameter.default_value)
+    if (!run_folder_of(file) && parameter.value != parameter.default_value)
       last.try_emplace(parameter.name, Setting{parameter.name, ""});
   if (last.empty()) return "";
   const SceneFile as_it_is = read_again(file, method);
@@ -118,7 +118,7 @@ std::string changes_text(const RunOptions& options, const SceneFile& file) {
 }
 
 std::string default_folder(const RunOptions& options, const SceneFile& file) {
-  if (const auto left = left_by(file))
+  if (const auto left = run_folder_of(file))
     return "out/" + left->filename().string() + "-again" +
            (file.settings.method == read_again(file).settings.method ? "" : "-" + file.settings.method) +
            changes_text(options, file);
@@ -260,7 +260,7 @@ SceneFile scene_to_run(const RunOptions& options) {
   return file;
 }
 
-void tell(const SceneFile& file, std::ostream& err) {
+void print_remark(const SceneFile& file, std::ostream& err) {
   if (!file.remark.empty()) err << "taut: " << file.remark << '\n';
 }
 
@@ -269,7 +269,7 @@ RunPlan make_plan(const RunOptions& options) {
   SceneFile& file = plan.file;
   file = scene_to_run(options);
   file.drawing = with_options(file.drawing, options.drawing);
-  suit(file.drawing, file);
+  apply_scene(file.drawing, file);
   file.drawing.frames = frame_count(options, file);
   file.history = history_interval(options, file);
   if (options.out && options.out->empty()) throw UsageError("--out is empty; name a folder");
@@ -279,7 +279,7 @@ RunPlan make_plan(const RunOptions& options) {
   for (const std::string& remark : {no_use(options), lines_without_samples(file.scene),
                                     warning_about_reactions(file.scene, *find_method(file.settings.method))})
     if (!remark.empty()) file.remark += (file.remark.empty() ? "" : "; ") + remark;
-  plan.spacing_asked = file.spacing_asked;
+  plan.requested_spacing = file.requested_spacing;
   plan.checkpoint_every = options.checkpoint_every;
   if (!options.no_render) plan.drawing = file.drawing;
   plan.particle_fields = particle_fields(options, file.scene.dim);

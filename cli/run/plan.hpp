@@ -40,7 +40,7 @@ void check_threads(int threads, std::string_view option = "--threads");
 SceneFile scene_to_run(const RunOptions& options);
 
 /// Prints the remark of a scene, if any.
-void tell(const SceneFile& file, std::ostream& err);
+void print_remark(const SceneFile& file, std::ostream& err);
 
 /// Checks all input without changing the run folder. Throws UsageError and SceneError.
 RunPlan make_plan(const RunOptions& options);

@@ -147,7 +147,7 @@ Json to_json(const RunRecord& record) {
   json["parameters"] = parameters(record);
   json["dim"] = record.dim;
   json["spacing"] = record.spacing;
-  if (record.spacing_asked) json["spacing_asked"] = record.spacing_asked;
+  if (record.requested_spacing) json["spacing_asked"] = record.requested_spacing;
   if (record.jitter.share > 0) {
     json["jitter"] = record.jitter.share;
     json["jitter_seed"] = record.jitter.seed;
@@ -193,7 +193,7 @@ std::optional<StoredRecord> checked_record(const std::filesystem::path& file) {
   record.verdict = find_verdict(text_in(all, "verdict"));
   record.reached = number_in(all, "reached");
   record.until = number_in(all, "until");
-  record.spacing_asked = number_in(all, "spacing_asked");
+  record.requested_spacing = number_in(all, "spacing_asked");
   record.all = std::move(all);
   return record;
 }

@@ -29,8 +29,8 @@ struct RunRecord {
   double cfl = 0;                      // factor of the time step
   std::vector<Parameter> parameters;
   int dim = 2;
-  double spacing = 0;                   // m, as used
-  std::optional<double> spacing_asked;  // m, if different
+  double spacing = 0;                       // m, as used
+  std::optional<double> requested_spacing;  // m, if different
   Jitter jitter;
   long particles = 0;
   double mass = 0;                // kg, in 2D per metre of depth
@@ -77,8 +77,8 @@ struct StoredRecord {
   std::string version;  // of taut; may be empty
   std::optional<RunRecord::Status> status;
   std::optional<Verdict> verdict;
-  std::optional<double> reached, until;  // s
-  std::optional<double> spacing_asked;   // m
+  std::optional<double> reached, until;     // s
+  std::optional<double> requested_spacing;  // m
   Json all;
 };
 

@@ -27,7 +27,7 @@ Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int thr
   const double count = static_cast<double>(run.particles.size());
   const auto go_on = [&](int drawn) {
     progress.show(drawn / count, "frame " + std::to_string(drawn + 1));
-    return !interrupts.asked();
+    return !interrupts.interrupted();
   };
   const auto add_all = [&] {
     for (const ParticleFile& file : run.particles) {

@@ -147,8 +147,8 @@ std::string run_report(const RunPlan& plan, const RunResult& result) {
     rows.push_back({"law", "not followed since t = " + brief(beyond.since) + " s: up to " +
                                percent(beyond.share) +
                                " of the bonds are stretched too far and are stiffer"});
-  if (record.spacing_asked)
-    rows.push_back({"spacing", brief(record.spacing) + " m; " + brief(*record.spacing_asked) +
+  if (record.requested_spacing)
+    rows.push_back({"spacing", brief(record.spacing) + " m; " + brief(*record.requested_spacing) +
                                    " m does not divide the first body"});
   rows.push_back({"run", plan.folder.path().string()});
   if (plan.drawing)

@@ -54,7 +54,7 @@ RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoin
 }
 
 /// First option that would change `plan`, made from `stored`; or "".
-std::string what_differs(const RunOptions& given, const RunOptions& stored, const RunPlan& plan) {
+std::string first_conflict(const RunOptions& given, const RunOptions& stored, const RunPlan& plan) {
   std::error_code error;
   if (given.out && !fs::equivalent(*given.out, plan.folder.path(), error)) return "--out " + *given.out;
   if (given.no_render && plan.drawing) return "--no-render";
@@ -83,7 +83,7 @@ std::string what_differs(const RunOptions& given, const RunOptions& stored, cons
 
 }  // namespace
 
-void check_goes_on(const fs::path& path) {
+void check_resumable(const fs::path& path) {
   const RunFolder folder(path);
   check_something_is_left(folder, checked_record(folder.record()));
 }
@@ -98,10 +98,10 @@ RunPlan resume_plan(const fs::path& path, const RunOptions& given) {
   const RunOptions stored = stored_options(folder, checkpoint, given);
   RunPlan plan = make_plan(stored);
   if (checkpoint) check_same_scene(*checkpoint, folder, plan);
-  if (const std::string other = what_differs(given, stored, plan); !other.empty())
+  if (const std::string other = first_conflict(given, stored, plan); !other.empty())
     throw UsageError("--resume continues the run in '" + path.string() + "' unchanged; " + other +
                      " would change it; leave it out");
-  plan.spacing_asked = checkpoint ? checkpoint->spacing_asked : record->spacing_asked;
+  plan.requested_spacing = checkpoint ? checkpoint->requested_spacing : record->requested_spacing;
   if (checkpoint && !checkpoint->state.empty()) plan.state = std::move(checkpoint->state);
   return plan;
 }

@@ -7,7 +7,7 @@
 namespace taut::cli {
 
 /// Throws UsageError if the run cannot continue.
-void check_goes_on(const std::filesystem::path& folder);
+void check_resumable(const std::filesystem::path& folder);
 
 /// Plan that continues the run in `folder` from its checkpoint, else from the start. `given` are the options beside
 /// --resume. They must agree with the folder, except --threads. Without a checkpoint file, they select frames,

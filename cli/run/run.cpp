@@ -33,7 +33,7 @@ class Run {
 
  private:
   void begin();
-  void take_up(const std::string& state);
+  void resume_from(const std::string& state);
   void load(const std::string& state);
   void open_files(AppendFile::Start start);
   void save_checkpoint();
@@ -78,12 +78,12 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Inte
       last_step_(*simulation_),
       outputs_(make_outputs(plan, *simulation_, last_step_, result_)),
       pace_(record_.until) {
-  simulation_->heed(Interrupts::flag());
+  simulation_->set_stop_flag(Interrupts::flag());
 }
 
 RunResult Run::execute() {
   if (!plan_.state) plan_.folder.claim(record_text());
-  if (plan_.state) take_up(*plan_.state);  // may throw; the run is then unchanged
+  if (plan_.state) resume_from(*plan_.state);  // may throw; the run is then unchanged
   try {
     if (!plan_.state) begin();
     simulate();
@@ -105,7 +105,7 @@ RunResult Run::execute() {
 
 /// Writes first what a restart needs: the run may be killed.
 void Run::begin() {
-  write_atomically(plan_.folder.scene(), plan_.scene_text(), Kept::on_disk);
+  write_atomically(plan_.folder.scene(), plan_.scene_text(), Durability::on_disk);
   plan_.checkpoint_every ? write_checkpoint("") : plan_.folder.clear_checkpoint();
   plan_.folder.clear();
   open_files(AppendFile::Start::empty);
@@ -113,7 +113,7 @@ void Run::begin() {
 }
 
 /// Removes output newer than the checkpoint.
-void Run::take_up(const std::string& state) {
+void Run::resume_from(const std::string& state) {
   const double setup = record_.seconds.setup;
   open_files(AppendFile::Start::as_it_is);
   try {
@@ -121,7 +121,7 @@ void Run::take_up(const std::string& state) {
   } catch (const UsageError& e) {
     throw UsageError("'" + plan_.folder.checkpoint().string() + "' cannot be used: " + e.what());
   }
-  for (const auto& output : outputs_) output->take_back();
+  for (const auto& output : outputs_) output->discard_newer();
   record_.seconds.setup += setup;
   record_.reached = simulation_->time();
   record_.steps = simulation_->steps();
@@ -157,14 +157,14 @@ void Run::save_checkpoint() {
 }
 
 void Run::put_on_disk() {
-  for (const auto& output : outputs_) output->settle();
+  for (const auto& output : outputs_) output->wait();
   const Timed timed(record_.seconds.write);
   for (const auto& output : outputs_) output->put_on_disk();
 }
 
 void Run::write_checkpoint(std::string state) const {
-  Checkpoint checkpoint{record_.method,      plan_.scene_text(),      {},
-                        plan_.spacing_asked, *plan_.checkpoint_every, plan_.drawing.has_value(),
+  Checkpoint checkpoint{record_.method,          plan_.scene_text(),      {},
+                        plan_.requested_spacing, *plan_.checkpoint_every, plan_.drawing.has_value(),
                         std::move(state)};
   for (const Field* field : plan_.particle_fields) checkpoint.fields.emplace_back(field->key);
   cli::write_checkpoint(plan_.folder.checkpoint(), std::move(checkpoint));
@@ -194,10 +194,10 @@ void Run::step_through() {
       plan_.file.scene.name + ", " + record_.method + ", " + std::to_string(record_.particles) + " particles",
       record_.reached / record_.until);
   if (!plan_.state)
-    for (const auto& output : outputs_) output->take();
+    for (const auto& output : outputs_) output->write_due();
   for (bool going = result_.failure.empty(); going;) {
     advance(std::min({next_output(), next_checkpoint_, record_.until}));
-    const bool stopped = interrupts_.asked();
+    const bool stopped = interrupts_.interrupted();
     show_what_is_due(false);
     // A checkpoint follows the outputs, which need the state before the step. It precedes the final row of
     // history.csv, which a continued run would have in excess.
@@ -219,20 +219,20 @@ double Run::next_output() const {
 double Run::next_between_steps() const {
   double next = std::numeric_limits<double>::infinity();
   for (const auto& output : outputs_)
-    if (output->is_at_its_time()) next = std::min(next, output->next());
+    if (output->needs_exact_time()) next = std::min(next, output->next());
   return next;
 }
 
 void Run::show_what_is_due(bool at_end) {
   for (const auto& output : outputs_) {
     if (!result_.failure.empty()) return;
-    if (output->next() <= record_.reached || (at_end && output->lacks_the_end())) output->take();
+    if (output->next() <= record_.reached || (at_end && output->needs_final_state())) output->write_due();
   }
 }
 
 /// Advances in slices, between which interrupts are checked; they do not change the steps.
 void Run::advance(double target) {
-  while (record_.reached < target && !interrupts_.asked()) {
+  while (record_.reached < target && !interrupts_.interrupted()) {
     const Stopwatch watch;
     const double from = record_.reached;
     step_to(std::min(target, from + pace_.slice()));
@@ -273,13 +273,15 @@ void Run::save(RunRecord::Status status) {
   since_saved_ = {};
   record_.status = status;
   record_.reason = result_.failure;
-  for (const auto& output : outputs_) output->tell();
+  for (const auto& output : outputs_) output->update_result();
   write_record();
 }
 
 std::string Run::record_text() const { return to_json(record_).dump(2) + "\n"; }
 
-void Run::write_record() const { write_atomically(plan_.folder.record(), record_text(), Kept::on_disk); }
+void Run::write_record() const {
+  write_atomically(plan_.folder.record(), record_text(), Durability::on_disk);
+}
 
 /// Writes run.json if possible, even with a full disk or without memory.
 void Run::save_failure(const std::string& reason) {
@@ -290,8 +292,8 @@ void Run::save_failure(const std::string& reason) {
     }
   };
   for (const auto& output : outputs_) {
-    tried([&] { output->settle(); });  // pending files take space
-    tried([&] { output->tell(); });
+    tried([&] { output->wait(); });  // pending files take space
+    tried([&] { output->update_result(); });
   }
   record_.status = RunRecord::Status::failed;
   record_.reason = reason;
@@ -323,9 +325,9 @@ RunRecord new_record(const RunPlan& plan, const Simulation& simulation) {
   record.parameters = file.parameters;
   record.dim = file.scene.dim;
   record.spacing = file.scene.spacing;
-  if (const auto asked = plan.spacing_asked;
+  if (const auto asked = plan.requested_spacing;
       asked && std::abs(*asked - record.spacing) > 1e-9 * record.spacing)
-    record.spacing_asked = asked;
+    record.requested_spacing = asked;
   record.jitter = file.scene.jitter;
   record.particles = static_cast<long>(start.size());
   record.mass = std::accumulate(start.m.begin(), start.m.end(), 0.0);
@@ -349,7 +351,7 @@ RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress&
   const Provenance provenance;
   std::unique_ptr<Simulation> simulation;
   {
-    const Interrupts::AtOnce nothing_to_lose;
+    const Interrupts::ExitOnSignal nothing_to_lose;
     progress.prepare(plan.file.scene.name + ", " + plan.file.settings.method + ", setting up ...");
     simulation = start(plan.file);
   }

@@ -18,7 +18,7 @@ namespace taut::cli {
 /// A validated run.
 struct RunPlan {
   SceneFile file;
-  std::optional<double> spacing_asked;        // m, from the scene or the command line
+  std::optional<double> requested_spacing;    // m, from the scene or the command line
   std::optional<Drawing> drawing;             // none: no frames
   std::vector<const Field*> particle_fields;  // none: not saved
   std::vector<double> frame_times,

@@ -72,11 +72,11 @@ void read_lattice(TomlCursor& cursor, int dim, Body& body) {
 }
 
 /// An empty text as a component leaves its axis free.
-void read_held(TomlCursor& cursor, int dim, Body& body) {
+void read_clamped(TomlCursor& cursor, int dim, Body& body) {
   if (!cursor.find("held")) cursor.table().set("held", TomlValue(0.0));
   const TomlValue& value = cursor.need("held");
   if (value.kind != Kind::array) {
-    body.held = cursor.function_of(value, "held");
+    body.clamped = cursor.function_of(value, "held");
     return;
   }
   std::size_t axis = 0;
@@ -86,7 +86,7 @@ void read_held(TomlCursor& cursor, int dim, Body& body) {
   }
   const std::vector<Expression> all(body.guided.begin(), body.guided.begin() + dim);
   if (std::ranges::any_of(all, [](const Expression& along) { return !along; })) return;
-  body.held = [all](const Point& x) {
+  body.clamped = [all](const Point& x) {
     return std::ranges::all_of(all, [&](const Expression& along) { return along(x) != 0; });
   };
 }
@@ -183,7 +183,7 @@ void read_mirror(TomlCursor& cursor, int dim, Body& body) {
 Layers layers_of(TomlCursor& cursor, bool keeps_neighbors) {
   const TomlValue* lattice = cursor.find("lattice");
   if (lattice && lattice->text == name(Lattice::hexagonal)) return Layers::of_lattice;
-  return keeps_neighbors ? Layers::that_fit_faces : Layers::evenly_spaced;
+  return keeps_neighbors ? Layers::for_initial_neighbours : Layers::for_searched_neighbours;
 }
 
 Body read_body(TomlCursor& cursor, const SceneFile& file, bool keeps_neighbors) {
@@ -205,7 +205,7 @@ Body read_body(TomlCursor& cursor, const SceneFile& file, bool keeps_neighbors) 
   read_lattice(cursor, scene.dim, body);
   body.rotation = read_rotation(cursor, scene.dim, body.shapes.front()->middle());
   read_velocity(cursor, scene.dim, body);
-  read_held(cursor, scene.dim, body);
+  read_clamped(cursor, scene.dim, body);
   read_displacement(cursor, scene.dim, body);
   read_mirror(cursor, scene.dim, body);
   read_parts(cursor, scene, body);
@@ -244,7 +244,7 @@ std::string label(TomlCursor& entry, const std::vector<std::string>& taken) {
   return name;
 }
 
-void read_outside(TomlCursor& root, Scene& scene) {
+void read_gravity_and_damping(TomlCursor& root, Scene& scene) {
   if (!root.find("gravity")) root.table().set("gravity", zeros(scene.dim));
   std::size_t axis = 0;
   for (const TomlValue& component : components(root, "gravity", scene.dim))
@@ -259,8 +259,8 @@ void read_bodies(TomlCursor& root, bool keeps_neighbors, SceneFile& file) {
   Scene& scene = file.scene;
   for (TomlValue& value : root.list("body")) {
     const TomlEntry* name = value.find("name");
-    const std::string known_as = name ? name->value.text : std::to_string(scene.bodies.size() + 1);
-    TomlCursor cursor = root.enter(value, "body." + known_as, "body '" + known_as + "'", keys_of("body"));
+    const std::string label = name ? name->value.text : std::to_string(scene.bodies.size() + 1);
+    TomlCursor cursor = root.enter(value, "body." + label, "body '" + label + "'", keys_of("body"));
     scene.bodies.push_back(read_body(cursor, file, keeps_neighbors));
   }
   if (scene.bodies.empty())

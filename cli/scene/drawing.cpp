@@ -24,9 +24,9 @@ TomlValue toml_of(const DrawingKey& key, const DrawingValue& value) {
 
 /// A word for "auto" and for keys of words, else numbers.
 DrawingValue given(TomlCursor& render, const DrawingKey& key) {
-  if (key.takes_words() || key.of_text) return render.text(key.name);
+  if (key.takes_words() || key.is_free_text) return render.text(key.name);
   const TomlValue& value = render.need(key.name);
-  if (key.may_be_open) {
+  if (key.allows_auto) {
     if (value.kind == Kind::text && value.text == automatic) return value.text;
     if (key.numbers.count > 1 && value.kind != Kind::array)
       render.fail(value, key.name,
@@ -39,7 +39,7 @@ DrawingValue given(TomlCursor& render, const DrawingKey& key) {
 
 void check_name(TomlCursor& render, const DrawingKey& key, const std::string& name) {
   std::vector<std::string> known = key.words.names();
-  if (key.may_be_open) known.emplace(known.begin(), automatic);
+  if (key.allows_auto) known.emplace(known.begin(), automatic);
   if (std::ranges::find(known, name) == known.end() && !key.words.has_formula(name))
     render.fail_unknown(render.need(key.name), key.name, key.words.kind, name, known);
 }
@@ -100,7 +100,7 @@ double round_off(const Field& field, const Scene& scene) {
   return field.unit.empty() ? strain + in_single_precision * std::abs(field.middle) : 0;
 }
 
-void settle(Drawing& drawing, const Scene& scene) {
+void fill_from_scene(Drawing& drawing, const Scene& scene) {
   drawing.look.categories.clear();
   const Counted counted = drawing.formula.empty() ? drawing.field->counts : Counted::nothing;
   if (counted == Counted::bodies) drawing.look.categories = names_of(scene.bodies);
@@ -135,7 +135,7 @@ ColorFormula color_formula(const std::string& text, int dim, const Names& names)
 void read_formula(TomlCursor& render, const Scene& scene, Drawing& drawing) {
   try {
     drawing.of_formula = color_formula(drawing.formula, scene.dim, render.names());
-    render.note_names(drawing.formula);
+    render.mark_names_used(drawing.formula);
   } catch (const ExpressionError& error) {
     render.fail(render.need("color"), "color", error.what());
   }
@@ -143,9 +143,9 @@ void read_formula(TomlCursor& render, const Scene& scene, Drawing& drawing) {
 
 }  // namespace
 
-void suit(Drawing& drawing, const SceneFile& file) {
+void apply_scene(Drawing& drawing, const SceneFile& file) {
   if (const auto wrong = mismatch(drawing, file.scene)) throw UsageError(wrong->what);
-  settle(drawing, file.scene);
+  fill_from_scene(drawing, file.scene);
   drawing.is_cut = {};
   drawing.of_formula = {};
   Names names{{"dp", file.scene.spacing}};
@@ -177,7 +177,7 @@ void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
     });
     render.fail(render.need(*given), *given, wrong->what);
   }
-  settle(drawing, scene);
+  fill_from_scene(drawing, scene);
   if (!drawing.cut.empty()) drawing.is_cut = render.function_of(render.need("cut"), "cut");
   if (!drawing.formula.empty()) read_formula(render, scene, drawing);
   render.finish();

@@ -27,7 +27,7 @@ std::vector<std::string> names_of_reference_laws() {
 }
 
 constexpr std::string_view identifier = "^[A-Za-z_][A-Za-z0-9_]*$";
-constexpr KeyType method_name = types::one_of("METHOD", [] { return texts_to_set("method"); });
+constexpr KeyType method_name = types::one_of("METHOD", [] { return allowed_words("method"); });
 constexpr KeyType rotation = types::number_or_table("degrees or { angle, about, axis }", "rotate");
 constexpr KeyType of_place = types::expression("expression of the place");
 
@@ -51,9 +51,9 @@ constexpr KeyInfo top_keys[] = {
     {"method", method_name, default_method, "simulation method: `taut list methods`"},
     {"method_constants", types::number().by_name("NAME"), "the method's",
      "constants of the method: `taut describe METHOD`"},
-    {"law", types::one_of("LAW", [] { return texts_to_set("law"); }), "the method's",
+    {"law", types::one_of("LAW", [] { return allowed_words("law"); }), "the method's",
      "law of elasticity; the method must support it: `taut list laws`"},
-    {"contact", types::one_of("CONTACT", [] { return texts_to_set("contact"); }), "published",
+    {"contact", types::one_of("CONTACT", [] { return allowed_words("contact"); }), "published",
      "contact law between bodies: `taut list contacts`"},
     {"stepping", types::word("dual", "single"), "dual",
      "dual: recomputes the geometry of pairs at advection steps only; single: at every step. Only the "
@@ -295,12 +295,12 @@ KeyType type_of(const DrawingKey& key) {
   KeyType type = types::vector_of(numbers.count, numbers.in_file, "", bounds);
   if (numbers.count == 1)
     type = numbers.whole ? types::whole(bounds.low, bounds.high) : types::number("", bounds);
-  if (key.of_text) type = types::text(key.placeholder.substr(0, key.placeholder.find('|')));
+  if (key.is_free_text) type = types::text(key.placeholder.substr(0, key.placeholder.find('|')));
   if (!key.pattern.empty()) type = {.shown = numbers.typed, .pattern = key.pattern};
   if (key.takes_words())
     type = types::one_of(key.words.names().size() > most_shown ? key.words.kind : "", key.words.names);
   if (key.words.or_formula) return type.or_other("=EXPRESSION");
-  return key.may_be_open ? type.or_other(automatic) : type;
+  return key.allows_auto ? type.or_other(automatic) : type;
 }
 
 std::vector<KeyInfo> all_render_keys() {

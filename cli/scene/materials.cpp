@@ -29,7 +29,7 @@ void read_law_parameters(TomlCursor& cursor, Material& material) {
         cursor.fail(cursor.need(parameter.key), parameter.key,
                     fmt::format("{} = {:g} must be between {:g} and {:g}: {}", parameter.key, value,
                                 parameter.low, parameter.high, parameter.help));
-      material.of_laws[std::string(parameter.key)] = value;
+      material.law_parameters[std::string(parameter.key)] = value;
     }
   }
 }

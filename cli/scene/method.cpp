@@ -173,7 +173,7 @@ std::string law_name(std::string_view material_law) {
   return name;
 }
 
-std::vector<std::string> texts_to_set(std::string_view name) {
+std::vector<std::string> allowed_words(std::string_view name) {
   if (name == "method") return names_of(methods());
   if (name == "stepping") return stepping_names;
   if (name == "law") return names_of_elastic_laws();

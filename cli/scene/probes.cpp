@@ -25,8 +25,8 @@ constexpr KeyInfo component{"component", types::word("x", "y", "z"), "",
                             "axis of the component; in mirror_asymmetry the normal of the mirror plane"};
 constexpr KeyInfo part{"component", types::word("xx", "yy", "zz", "xy", "xz", "yz", "von_mises", "pressure"),
                        "", "component or invariant of the stress; xz and yz only in 3D"};
-constexpr KeyInfo held_where{"where", types::expression("expression of the place"), "everywhere",
-                             "region of the summed particles, where the expression is not 0"};
+constexpr KeyInfo reaction_where{"where", types::expression("expression of the place"), "everywhere",
+                                 "region of the summed particles, where the expression is not 0"};
 constexpr KeyInfo met{"bodies", types::text("BODY").list(2, 2), "or body and wall",
                       "force of the second body on the first"};
 constexpr KeyInfo met_body{"body", types::text("name of a body"), "or bodies", "body on which the wall acts"};
@@ -63,7 +63,7 @@ const std::vector<ProbeKind> kinds{
     {"reaction", ProbeKind::force_unit,
      "sum of the reaction forces on clamped and driven particles of a body. Without loads and damping, "
      "only reaction, contact force and weight change the momentum of the body",
-     {key::body, key::held_where, key::component}},
+     {key::body, key::reaction_where, key::component}},
     {"contact_force", ProbeKind::force_unit,
      "contact force of another body or of a wall on a body",
      {key::met, key::met_body, key::wall, key::component}},
@@ -137,7 +137,7 @@ void read_probes_in(TomlCursor& cursor, const Scene& scene, Probe& probe) {
     if (!used.contains(other.name)) continue;
     std::ranges::for_each(other.bodies, add_material);
     if (probe.bodies.empty()) probe.bodies = other.bodies;
-    probe.of_forces = probe.of_forces && is_of_steps(other);
+    probe.of_forces = probe.of_forces && is_step_mean(other);
   }
   probe.of_forces = probe.of_forces && !probe.bodies.empty();
   if (probe.bodies.empty()) probe.bodies = {0};

@@ -74,7 +74,7 @@ std::filesystem::path find_file(const std::filesystem::path& folder, const std::
 }
 
 /// Removes the scene folder from a path, so that runs do not depend on its location.
-std::string known_as(const std::filesystem::path& file) {
+std::string path_without_scene_folder(const std::filesystem::path& file) {
   std::error_code error;
   for (const std::filesystem::path& scenes : scene_folders()) {
     const auto inside = file.lexically_relative(std::filesystem::weakly_canonical(scenes, error));
@@ -83,10 +83,10 @@ std::string known_as(const std::filesystem::path& file) {
   return file.string();
 }
 
-void see_files_of(TomlValue& value, const std::filesystem::path& folder) {
-  for (TomlValue& item : value.items) see_files_of(item, folder);
+void make_paths_relative_in(TomlValue& value, const std::filesystem::path& folder) {
+  for (TomlValue& item : value.items) make_paths_relative_in(item, folder);
   for (TomlEntry& entry : value.entries) {
-    see_files_of(entry.value, folder);
+    make_paths_relative_in(entry.value, folder);
     const std::filesystem::path file = entry.value.text;
     std::error_code error;
     if (entry.key == "file" && file.is_absolute())
@@ -104,13 +104,13 @@ std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path&
     table.fail(table.need("file"), "file",
                "there is no " + std::string(what) + " '" + path.string() +
                    "'; a relative path must start at the scene's folder");
-  table.table().set("file", TomlValue(known_as(path)));
+  table.table().set("file", TomlValue(path_without_scene_folder(path)));
   return path;
 }
 
-void see_files_from(const std::filesystem::path& folder, TomlValue& scene) {
+void make_paths_relative(const std::filesystem::path& folder, TomlValue& scene) {
   for (const std::string_view key : {"reference", "body"})
-    if (TomlEntry* section = scene.find(key)) see_files_of(section->value, folder);
+    if (TomlEntry* section = scene.find(key)) make_paths_relative_in(section->value, folder);
 }
 
 std::string file_text(const std::filesystem::path& path, std::size_t most_bytes) {

@@ -206,14 +206,14 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
 struct Part {
   std::string law;
   bool of_method;
-  int of_parameters;  // 2: for these values, 1: for those of `when`, 0: for any
+  int specificity;  // 2: for these values, 1: for those of `when`, 0: for any
   const TomlValue* from;
   Reference what;
 };
 
 /// Parts for the method come first, then parts for more specific parameters.
 bool counts_before(const Part& a, const Part& b) {
-  return std::pair(a.of_method, a.of_parameters) > std::pair(b.of_method, b.of_parameters);
+  return std::pair(a.of_method, a.specificity) > std::pair(b.of_method, b.specificity);
 }
 
 /// Merges the parts of one law by measure; the first part of a measure counts.

@@ -154,7 +154,7 @@ class SceneReading {
     read_settings(root_, changes, file_);
     read_times(root_, changes, dp, file_);
     read_jitter(root_, changes, file_.scene.jitter);
-    read_outside(root_, file_.scene);
+    read_gravity_and_damping(root_, file_.scene);
     read_materials(root_, file_.scene);
     read_bodies(root_, find_method(file_.settings.method)->keeps_neighbors, file_);
     name_touching(root_, file_);
@@ -214,7 +214,7 @@ SceneFile read_text(const std::string& text, const std::filesystem::path& path,
     SceneReading reading(dp, path, tree, changes, source);
     if (reading.fitted() == dp) {
       SceneFile file = reading.finish();
-      file.spacing_asked = asked;
+      file.requested_spacing = asked;
       file.text = text;
       return file;
     }
@@ -253,11 +253,11 @@ std::string resolved_text(const SceneFile& scene, const std::filesystem::path& f
   TomlValue tree = scene.tree;
   if (scene.history) tree.set("history", TomlValue(*scene.history));
   tree.set("render", drawing_table(scene.drawing));
-  see_files_from(folder, tree);
+  make_paths_relative(folder, tree);
   return print_toml(tree);
 }
 
-std::string undrawn(const std::string& scene) {
+std::string without_drawing(const std::string& scene) {
   TomlValue tree = parse_toml(scene, "scene.toml");
   if (TomlEntry* render = tree.find("render"))
     render->value.entries.remove_if([](const TomlEntry& entry) { return entry.key != "frames"; });

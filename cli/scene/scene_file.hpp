@@ -40,7 +40,7 @@ struct SceneFile {
   Scene scene;
   Settings settings;
   Drawing drawing;
-  double spacing_asked = 0;       // m; the scene has the nearest spacing that divides the first body
+  double requested_spacing = 0;   // m; the scene has the nearest spacing that divides the first body
   std::string remark;             // warning, one line or empty
   std::optional<double> history;  // interval of history.csv, s; default: until / 1000
   std::vector<Parameter> parameters;
@@ -57,10 +57,10 @@ SceneFile read_again(const SceneFile& scene, const std::vector<Setting>& setting
 /// Names that --set and --grid accept for this scene and its method.
 std::vector<std::string> names_to_set(const SceneFile& scene);
 /// Words that the setting `name` allows; empty if it takes numbers.
-std::vector<std::string> texts_to_set(std::string_view name);
+std::vector<std::string> allowed_words(std::string_view name);
 /// Sets the members of a drawing that depend on the scene: cut, follow, the camera in 3D. Throws UsageError if the
 /// drawing does not fit the scene.
-void suit(Drawing& drawing, const SceneFile& scene);
+void apply_scene(Drawing& drawing, const SceneFile& scene);
 /// Returns an error of the engine with file, line and column of its key.
 SceneError locate(const SceneFile& scene, const SceneError& error);
 /// TOML of the scene with all defaults, and the current history and drawing. Reading it from `folder` gives the same
@@ -68,6 +68,6 @@ SceneError locate(const SceneFile& scene, const SceneError& error);
 std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder);
 /// Text of a scene without [render], except `frames`: a drawing can change after the run. Throws SceneError for
 /// invalid TOML.
-std::string undrawn(const std::string& scene);
+std::string without_drawing(const std::string& scene);
 
 }  // namespace taut::cli

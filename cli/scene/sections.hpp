@@ -44,7 +44,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
 /// published contact law.
 void name_touching(TomlCursor& root, const SceneFile& file);
 /// Reads gravity and damping.
-void read_outside(TomlCursor& root, Scene& scene);
+void read_gravity_and_damping(TomlCursor& root, Scene& scene);
 void read_materials(TomlCursor& root, Scene& scene);
 void read_bodies(TomlCursor& root, bool keeps_neighbors, SceneFile& file);
 void read_walls(TomlCursor& root, Scene& scene);
@@ -53,7 +53,7 @@ void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
 /// Makes the paths of tables and shape files relative to `folder`.
-void see_files_from(const std::filesystem::path& folder, TomlValue& scene);
+void make_paths_relative(const std::filesystem::path& folder, TomlValue& scene);
 /// Finds the file of the key `file` in `folder` or a scene folder, and writes its path into the table. `what` names
 /// the kind of file in messages.
 std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
@@ -81,10 +81,10 @@ inline const std::vector<std::string> axis_names = {"x", "y", "z"};
 
 /// Default layout of round shapes.
 enum class Layers : std::uint8_t {
-  that_fit_faces,  // methods with initial neighbours
-  evenly_spaced,   // methods that search neighbours
-  of_lattice,      // the body has a hexagonal lattice
-  none             // cut-outs, combined shapes
+  for_initial_neighbours,   // methods with initial neighbours
+  for_searched_neighbours,  // methods that search neighbours
+  of_lattice,               // the body has a hexagonal lattice
+  none                      // cut-outs, combined shapes
 };
 struct ShapeSetting {
   int dim = 2;
@@ -156,8 +156,8 @@ void read_each(TomlCursor& root, const std::string& key, const Read& read) {
   int number = 0;
   for (TomlValue& value : root.list(key)) {
     const TomlEntry* name = value.find("name");
-    const std::string known_as = name ? name->value.text : std::to_string(++number);
-    TomlCursor cursor = root.enter(value, key + "." + known_as, key + " '" + known_as + "'", keys_of(key));
+    const std::string label = name ? name->value.text : std::to_string(++number);
+    TomlCursor cursor = root.enter(value, key + "." + label, key + " '" + label + "'", keys_of(key));
     read(cursor);
   }
 }

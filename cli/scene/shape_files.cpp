@@ -78,14 +78,14 @@ auto with_place(TomlCursor& shape, const Read& read) {
 struct GivenSites {
   std::vector<Point> places;    // m
   std::vector<double> volumes;  // m², m³
-  bool weighed = true;          // false: all volumes are dp^dim
+  bool has_volumes = true;      // false: all volumes are dp^dim
 };
 
 GivenSites tabled_sites(const std::filesystem::path& file, const ShapeSetting& setting) {
   const std::vector<std::string> axes(axis_names.begin(), axis_names.begin() + setting.dim);
   const ColumnTable table = read_columns(file, axes, {"volume"});
   GivenSites given{std::vector<Point>(table.rows()), table.columns.back()};
-  given.weighed = !given.volumes.empty();
+  given.has_volumes = !given.volumes.empty();
   for (std::size_t i = 0; i < given.places.size(); ++i)
     for (std::size_t k = 0; k < axes.size(); ++k) given.places[i][k] = table.columns[k][i];
   given.volumes.resize(given.places.size(), std::pow(setting.dp, setting.dim));
@@ -127,7 +127,7 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
 /// Throws for particles that are too far apart: the search for faces covers their bounding box, and cell numbers
 /// limit coordinates.
 void refuse_far(const GivenSites& given, const std::filesystem::path& file, const ShapeSetting& setting) {
-  constexpr double most_sides = 1e6, farthest = 1e9, most_times = 1e6;  // in dp; in dp^dim
+  constexpr double most_sides = 1e6, farthest = 1e9, max_volume_ratio = 1e6;  // in dp; in dp^dim
   const double cell = std::pow(setting.dp, setting.dim);
   double room = 1;
   for (std::size_t k = 0; k < static_cast<std::size_t>(setting.dim); ++k) {
@@ -144,7 +144,7 @@ void refuse_far(const GivenSites& given, const std::filesystem::path& file, cons
               setting.dp, axis_names[k], low[k], high[k], greatest_particle_number));
   }
   for (const double volume : given.volumes)
-    if (volume > most_times * cell || volume * most_times < cell)
+    if (volume > max_volume_ratio * cell || volume * max_volume_ratio < cell)
       throw SceneError(
           file.string(), 0, 0, "",
           fmt::format(
@@ -281,7 +281,7 @@ Shape read_particles(TomlCursor& shape, const ShapeSetting& setting) {
   refuse_far(given, file, setting);
   refuse_other_spacing(given.volumes, file, setting);
   refuse_twins(given.places, file);
-  if (!given.weighed) refuse_other_mass(usual_distance(given.places), file, setting);
+  if (!given.has_volumes) refuse_other_mass(usual_distance(given.places), file, setting);
   return GivenParticles(std::move(given.places), std::move(given.volumes), setting.dim);
 }
 

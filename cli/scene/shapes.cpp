@@ -52,17 +52,18 @@ Shape read_ring(TomlCursor& shape, const ShapeSetting& setting) {
   if (layers == Layers::none) return ring;
   std::vector<RoundLayout> allowed = {RoundLayout::aligned, RoundLayout::spaced, RoundLayout::lattice};
   if (dim == 3) allowed.erase(allowed.begin() + 1);
-  ring.layout =
-      read_layout_of_hollow(shape, allowed, ring.default_layout(dim, layers == Layers::that_fit_faces),
-                            can_be_aligned(ring.inner, ring.outer), layers);
+  ring.layout = read_layout_of_hollow(shape, allowed,
+                                      ring.default_layout(dim, layers == Layers::for_initial_neighbours),
+                                      can_be_aligned(ring.inner, ring.outer), layers);
   return ring;
 }
 
 Shape read_disc(TomlCursor& shape, const ShapeSetting& setting) {
   Disc disc{shape.point("centre", setting.dim), shape.positive("radius")};
   if (setting.dim == 2 && setting.layers != Layers::none)
-    disc.layout = read_layout(shape, {RoundLayout::spaced, RoundLayout::lattice},
-                              Disc::default_layout(setting.layers == Layers::that_fit_faces), setting.layers);
+    disc.layout =
+        read_layout(shape, {RoundLayout::spaced, RoundLayout::lattice},
+                    Disc::default_layout(setting.layers == Layers::for_initial_neighbours), setting.layers);
   return disc;
 }
 
@@ -85,9 +86,10 @@ Shape read_cylinder(TomlCursor& shape, const ShapeSetting& setting) {
     shape.fail(shape.need("inner"), "inner",
                "inner = " + exact(cylinder.inner) + " must be less than radius = " + exact(cylinder.radius));
   if (setting.layers != Layers::none)
-    cylinder.layout = read_layout_of_hollow(shape, {RoundLayout::aligned, RoundLayout::lattice},
-                                            cylinder.default_layout(setting.layers == Layers::that_fit_faces),
-                                            can_be_aligned(cylinder.inner, cylinder.radius), setting.layers);
+    cylinder.layout =
+        read_layout_of_hollow(shape, {RoundLayout::aligned, RoundLayout::lattice},
+                              cylinder.default_layout(setting.layers == Layers::for_initial_neighbours),
+                              can_be_aligned(cylinder.inner, cylinder.radius), setting.layers);
   return cylinder;
 }
 

@@ -175,7 +175,7 @@ double TomlCursor::value_of(const TomlValue& value, std::string_view key) {
     } catch (const ExpressionError& error) {
       fail_expression(value, key, error);
     }
-    note_names(value.text);
+    mark_names_used(value.text);
   } else {
     fail(value, key,
          std::string(key) + " must be a number or an expression, not " + std::string(value.kind_name()));
@@ -199,7 +199,7 @@ std::function<double(Arguments...)> TomlCursor::function(const TomlValue& value,
   } catch (const ExpressionError& error) {
     fail_expression(value, key, error);
   }
-  note_names(value.text);
+  mark_names_used(value.text);
   const SceneError failure(source_.file, value.place.line, value.place.column, full_path(key), "");
   return [function, failure, show, name = std::string(key), text = value.text](Arguments... at) {
     const double result = function(at...);
@@ -242,7 +242,7 @@ std::function<double(const std::vector<double>&, double)> TomlCursor::function_o
     if (names_.contains(probe) && names_in(text).contains(probe))
       fail(value, key, "'" + probe + "' is the name of a probe and of a number; give the probe another name");
   try {
-    note_names(text);
+    mark_names_used(text);
     return compile_of_values(text, names_, probes);
   } catch (const ExpressionError& error) {
     fail_expression(value, key, error);
@@ -315,7 +315,7 @@ void TomlCursor::finish() const {
       fail(entry.place, entry.key, quote(entry.key) + " has no effect in " + what_ + "; remove it");
 }
 
-void TomlCursor::note_names(const std::string& text) { source_.used.merge(names_in(text)); }
+void TomlCursor::mark_names_used(const std::string& text) { source_.used.merge(names_in(text)); }
 
 std::string TomlCursor::full_path(std::string_view key) const {
   return path_.empty() || key.empty() ? path_ + std::string(key) : path_ + "." + std::string(key);

@@ -82,7 +82,7 @@ class TomlCursor {
   [[noreturn]] void fail_unknown(const TomlValue& value, std::string_view key, std::string_view kind,
                                  std::string_view given, const std::vector<std::string>& known) const;
   /// Marks the names of an expression as used.
-  void note_names(const std::string& text);
+  void mark_names_used(const std::string& text);
   /// Throws for a key that is not allowed.
   void refuse_unknown_keys() const;
   /// Also throws for a key that was never read.

@@ -26,7 +26,7 @@ FilePlace place_of(const toml::source_position& position) {
 constexpr int most_parts = 16, most_levels = 300;
 
 /// Returns the end of the text quoted at `at`. A text in one quote ends with its line at the latest.
-std::size_t behind_quoted(std::string_view text, std::size_t at) {
+std::size_t end_of_quoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const bool long_one = text.substr(at, 3) == std::string(3, quote);
   for (std::size_t i = at + (long_one ? 3 : 1); i < text.size(); ++i) {
@@ -53,7 +53,7 @@ void refuse_long_keys(std::string_view text, const std::string& file) {
   std::size_t begin = 0;
   for (std::size_t i = 0, dots = 0; i < text.size();) {
     if (text[i] == '"' || text[i] == '\'') {
-      i = behind_quoted(text, i);
+      i = end_of_quoted(text, i);
       continue;
     }
     if (text[i] == '#') i = std::min(text.find('\n', i), text.size() - 1);
@@ -257,7 +257,7 @@ std::string_view line_of(std::string_view text, int number) {
 }
 
 /// Hint for a common mistake, else empty.
-std::string likely_slip(std::string_view line, std::string_view message) {
+std::string mistake_hint(std::string_view line, std::string_view message) {
   if (std::ranges::count(line, '"') % 2 == 1) return ". Is a quote missing in this line?";
   if (message.find("redefine existing") != std::string_view::npos)
     return ". Sections that occur several times need two brackets: [[body]]";
@@ -279,7 +279,7 @@ TomlValue parse_toml(std::string_view text, const std::string& file) {
     const FilePlace place = place_of(error.source().begin);
     throw SceneError(file, place.line, place.column, "",
                      "not valid TOML: " + std::string(error.description()) +
-                         likely_slip(line_of(text, place.line), error.description()));
+                         mistake_hint(line_of(text, place.line), error.description()));
   }
 }
 

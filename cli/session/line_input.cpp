@@ -93,7 +93,7 @@ std::optional<std::string> LineInput::next_typed() {
       return text;
     }
     std::puts("");
-    if (!interrupts.asked() || interrupts.asked_to_end()) return std::nullopt;
+    if (!interrupts.interrupted() || interrupts.must_end()) return std::nullopt;
   }
 }
 

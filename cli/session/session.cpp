@@ -20,7 +20,7 @@ namespace {
 
 std::unique_ptr<Simulation> start_heedful(const SceneFile& file) {
   std::unique_ptr<Simulation> simulation = start(file);
-  simulation->heed(Interrupts::flag());
+  simulation->set_stop_flag(Interrupts::flag());
   return simulation;
 }
 
@@ -50,13 +50,13 @@ Session::Session(const RunOptions& options)
       file_(scene_to_run(options)),
       drawing_(with_options(file_.drawing, options.drawing)),
       simulation_(start_heedful(file_)) {
-  suit(drawing_, file_);
+  apply_scene(drawing_, file_);
 }
 
 void Session::step(long count, const Interrupts& interrupts) {
   constexpr double later = std::numeric_limits<double>::infinity();
   between_.reset();
-  for (long k = 0; k < count && !interrupts.asked(); ++k)
+  for (long k = 0; k < count && !interrupts.interrupted(); ++k)
     simulation_->advance_to(std::nextafter(simulation_->time(), later));
 }
 
@@ -66,7 +66,7 @@ void Session::run_until(double t, const Interrupts& interrupts, Progress& progre
   const double start = simulation_->time();
   between_.reset();
   progress.begin("to " + brief(t) + " s");
-  while (simulation_->time() < t && !interrupts.asked()) {
+  while (simulation_->time() < t && !interrupts.interrupted()) {
     const Stopwatch watch;
     const double from = simulation_->time(), to = std::min(t, from + pace.slice());
     simulation_->advance(to, t);
@@ -106,7 +106,7 @@ std::vector<std::string> Session::names_to_change() const {
 void Session::set_look(const DrawingKey& key, const std::string& text) {
   Drawing drawing = drawing_;
   set_typed(drawing, key, text);
-  suit(drawing, file_);
+  apply_scene(drawing, file_);
   fitted(drawing, shown());  // throws if a cut leaves nothing
   if (key.name == "view" || drawing.look.camera != drawing_.look.camera) window_.reset();
   drawing_ = std::move(drawing);
@@ -164,7 +164,7 @@ void Session::load(const std::filesystem::path& path) {
   if (checkpoint.method != file_.settings.method)
     throw UsageError("'" + path.string() + "' has method '" + checkpoint.method +
                      "', but this session has '" + file_.settings.method + "'");
-  if (undrawn(checkpoint.scene) != undrawn(resolved_text(file_, file_.path.parent_path())))
+  if (without_drawing(checkpoint.scene) != without_drawing(resolved_text(file_, file_.path.parent_path())))
     throw UsageError("'" + path.string() + "' is from another scene, or has other parameters or constants");
   std::unique_ptr<Simulation> simulation = start_heedful(file_);
   try {

@@ -71,7 +71,7 @@ std::string arguments_of(const DrawingKey& key) {
 
 /// Accepts a word or the key's numbers.
 void set_look(Session& session, const DrawingKey& key, const Words& words) {
-  if (!words.empty() && (key.of_text || key.words.has_formula(words[0])))
+  if (!words.empty() && (key.is_free_text || key.words.has_formula(words[0])))
     return session.set_look(key, join(words, " "));
   const bool one_word = words.size() == 1 && (key.takes_words() || words[0] == automatic);
   if (!one_word && (key.takes_words() || words.size() != key.numbers.count)) wrong_words(key.name);
@@ -106,7 +106,7 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
   const Terminal terminal(to.out);
   Drawing drawing = session.drawing();
   render::Look& look = drawing.look;
-  terminal.suit(look);
+  terminal.adapt(look);
   to.out << terminal.text_of(session.picture(drawing));
   // texts would be illegible
   const ColorMeaning colors = meaning(drawing);

@@ -101,7 +101,7 @@ Terminal::Terminal(const std::ostream& out) {
 
 Terminal::~Terminal() = default;
 
-void Terminal::suit(render::Look& look) const {
+void Terminal::adapt(render::Look& look) const {
   const Geometry& size = screen_->size;
   const auto within = [](int side) { return std::clamp(side, render::least_size, render::greatest_size); };
   look.size = {within(size.columns * size.cell_width), within(size.rows * size.cell_height)};

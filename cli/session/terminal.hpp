@@ -20,7 +20,7 @@ class Terminal {
   Terminal& operator=(const Terminal&) = delete;
 
   /// Sets the picture's size for this terminal. Pictures of characters become bare: they are too coarse for texts.
-  void suit(render::Look& look) const;
+  void adapt(render::Look& look) const;
   /// Escape sequences or characters that show the picture, with the last line end.
   std::string text_of(const render::Image& image) const;
 

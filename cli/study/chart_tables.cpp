@@ -90,7 +90,7 @@ std::string markdown_of_prices(const Chart& chart) {
   for (const ChartSeries& series : chart.series) {
     std::vector<std::string> cells{"`" + series.name + "`"};
     for (const double level : levels) {
-      const std::vector<Offer> offers = grants(chart, {.error = level, .seconds = {}});
+      const std::vector<Offer> offers = suitable_offers(chart, {.error = level, .seconds = {}});
       const auto own = std::ranges::find(offers, &series, &Offer::series);
       cells.push_back(own == offers.end()
                           ? "-"

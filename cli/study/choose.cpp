@@ -29,10 +29,10 @@ std::vector<Offer> cheapest_first(std::vector<Offer> all) {
   return all;
 }
 
-std::string wish_line(const Chart& chart, const Wish& wish) {
+std::string limits_line(const Chart& chart, const ChoiceLimits& limits) {
   std::string text =
-      chart.scene + ", error of " + chart.measure + " at most " + shown_error(chart, wish.error);
-  if (wish.seconds) text += ", within " + brief(*wish.seconds) + " s";
+      chart.scene + ", error of " + chart.measure + " at most " + shown_error(chart, limits.error);
+  if (limits.seconds) text += ", within " + brief(*limits.seconds) + " s";
   return text;
 }
 
@@ -74,39 +74,39 @@ std::string nothing_stable(std::optional<double> seconds) {
 }
 
 /// The stable run with the least error within the time limit.
-std::string nearest_run(const Chart& chart, const Wish& wish) {
+std::string nearest_run(const Chart& chart, const ChoiceLimits& limits) {
   const ChartSeries* series = nullptr;
   const ChartPoint* nearest = nullptr;
   for (const ChartSeries& s : chart.series)
     for (const ChartPoint& point : s.points)
-      if (point.stable && point.error && in_time(point, wish.seconds) &&
+      if (point.stable && point.error && in_time(point, limits.seconds) &&
           (!nearest || *point.error < *nearest->error)) {
         series = &s;
         nearest = &point;
       }
-  if (!nearest) return nothing_stable(wish.seconds);
+  if (!nearest) return nothing_stable(limits.seconds);
   std::string text = "The smallest error of a stable run";
-  if (wish.seconds) text += " in this time";
+  if (limits.seconds) text += " in this time";
   text += ": " + settings_of(*series, *nearest) + ", " + result_of(chart, *nearest) + ".\n";
-  if (*nearest->error <= wish.error) text += "Finer runs of the same method do not confirm this error.\n";
+  if (*nearest->error <= limits.error) text += "Finer runs of the same method do not confirm this error.\n";
   return text;
 }
 
 }  // namespace
 
-std::vector<Offer> grants(const Chart& chart, const Wish& wish) {
+std::vector<Offer> suitable_offers(const Chart& chart, const ChoiceLimits& limits) {
   std::vector<Offer> all;
   for (const ChartSeries& series : chart.series) {
     std::vector<Offer> granted = cheapest_first(offers(series));
     std::erase_if(granted, [&](const Offer& offer) {
-      return offer.error > wish.error || !in_time(*offer.point, wish.seconds);
+      return offer.error > limits.error || !in_time(*offer.point, limits.seconds);
     });
     if (!granted.empty()) all.push_back(granted.front());
   }
   return cheapest_first(all);
 }
 
-std::vector<Offer> front(const Chart& chart, std::optional<double> seconds) {
+std::vector<Offer> pareto_front(const Chart& chart, std::optional<double> seconds) {
   std::vector<Offer> all;
   for (const ChartSeries& series : chart.series)
     for (const Offer& offer : offers(series))
@@ -121,11 +121,11 @@ std::vector<Offer> front(const Chart& chart, std::optional<double> seconds) {
   return best;
 }
 
-std::string advice(const Chart& chart, const Wish& wish) {
-  const std::vector<Offer> all = grants(chart, wish);
-  std::string text = wish_line(chart, wish) + ":\n\n";
+std::string advice(const Chart& chart, const ChoiceLimits& limits) {
+  const std::vector<Offer> all = suitable_offers(chart, limits);
+  std::string text = limits_line(chart, limits) + ":\n\n";
   if (all.empty())
-    return text + "No run is accurate enough. " + nearest_run(chart, wish) +
+    return text + "No run is accurate enough. " + nearest_run(chart, limits) +
            "Sweep finer spacings or other methods.\n";
   const Offer& best = all.front();
   text += "  take  " + settings_of(*best.series, *best.point) + ": " + result_of(chart, *best.point) + "\n";
@@ -136,7 +136,7 @@ std::string advice(const Chart& chart, const Wish& wish) {
 }
 
 std::string price_list(const Chart& chart, std::optional<double> seconds) {
-  const std::vector<Offer> all = front(chart, seconds);
+  const std::vector<Offer> all = pareto_front(chart, seconds);
   std::string text = chart.scene + ", cost of an error of " + chart.measure +
                      (seconds ? ", within " + brief(*seconds) + " s" : "") + ":\n\n";
   if (all.empty()) return text + nothing_stable(seconds);

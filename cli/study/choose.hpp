@@ -10,7 +10,7 @@
 namespace taut::cli {
 
 /// Request for a run.
-struct Wish {
+struct ChoiceLimits {
   double error = 0;               // maximum; a share, or in the chart's unit
   std::optional<double> seconds;  // maximum solving time
 };
@@ -25,12 +25,12 @@ struct Offer {
 };
 
 /// Cheapest suitable run of each series, cheapest first.
-std::vector<Offer> grants(const Chart& chart, const Wish& wish);
+std::vector<Offer> suitable_offers(const Chart& chart, const ChoiceLimits& limits);
 /// Runs not beaten in both error and cost, cheapest first.
-std::vector<Offer> front(const Chart& chart, std::optional<double> seconds);
+std::vector<Offer> pareto_front(const Chart& chart, std::optional<double> seconds);
 
 /// Text for the user: the run to take with its evidence, or how close the nearest run comes.
-std::string advice(const Chart& chart, const Wish& wish);
+std::string advice(const Chart& chart, const ChoiceLimits& limits);
 /// Text for the user: cost of each accuracy.
 std::string price_list(const Chart& chart, std::optional<double> seconds);
 Json to_json(const std::vector<Offer>& offers);

@@ -18,6 +18,6 @@ struct CurveStyle {
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& methods);
 /// Styles of lines without markers. Lines of one method, or that would look alike, get colours from dark to light.
 std::vector<CurveStyle> line_styles(const std::vector<std::string>& methods);
-inline constexpr std::size_t most_told_apart = 24;  // distinguishable lines
+inline constexpr std::size_t most_distinct_lines = 24;  // distinguishable lines
 
 }  // namespace taut::cli

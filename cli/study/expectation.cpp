@@ -6,8 +6,8 @@
 
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
-#include "engine/judge/verdict.hpp"
 #include "engine/error.hpp"
+#include "engine/judge/verdict.hpp"
 
 namespace taut::cli {
 namespace {
@@ -126,7 +126,7 @@ std::vector<Expectation> expectations_of(const StoredRun& baseline, const Tolera
   return all;
 }
 
-Finding find_out(const StoredRun& run, const Expectation& e) {
+Finding check_expectation(const StoredRun& run, const Expectation& e) {
   const bool measure = is_measure(run, e.name);
   const auto is = run.number(measure ? measure_column(e.name, "value") : e.name);
   if (!measure && !is) throw UsageError(unknown_name("measure or number of run.json", e.name, names_in(run)));
@@ -139,7 +139,7 @@ Finding find_out(const StoredRun& run, const Expectation& e) {
           *is};
 }
 
-Finding find_out_verdict(const StoredRun& run, const std::string& worst) {
+Finding check_verdict(const StoredRun& run, const std::string& worst) {
   const auto is = find_verdict(run.text("verdict")), allowed = find_verdict(worst);
   if (!allowed) throw UsageError(unknown_name("verdict", worst, names_of_verdicts()));
   return {"verdict",
@@ -150,7 +150,7 @@ Finding find_out_verdict(const StoredRun& run, const std::string& worst) {
           true};
 }
 
-Finding find_out_end(const StoredRun& run) {
+Finding check_end(const StoredRun& run) {
   const std::string status = run.text("status");
   return {"status", "finished", status.empty() ? "no value" : status, "", status == "finished", true};
 }

@@ -38,11 +38,11 @@ struct Finding {
 };
 /// Compares a number of the run. A measure without a value fails, for instance in a run that was too short. Throws
 /// UsageError for a name that run.json lacks, with the nearest names.
-Finding find_out(const StoredRun& run, const Expectation& expected);
+Finding check_expectation(const StoredRun& run, const Expectation& expected);
 /// Checks that the verdict is no worse than `worst`.
-Finding find_out_verdict(const StoredRun& run, const std::string& worst);
+Finding check_verdict(const StoredRun& run, const std::string& worst);
 /// Checks that the run has finished.
-Finding find_out_end(const StoredRun& run);
+Finding check_end(const StoredRun& run);
 
 std::string findings_table(const std::vector<Finding>& findings);
 

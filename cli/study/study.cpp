@@ -56,12 +56,12 @@ void check_name(const std::filesystem::path& file, std::string_view kind, const 
 }
 
 /// With several swept parameters, one must be named.
-void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& file, Shown shown) {
+void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& file, AvailableData available) {
   const std::string& wanted = map.request.parameter;
-  for (auto* names : {&shown.swept, &shown.varied}) std::erase(*names, "method");
-  check_name(file, "swept parameter", wanted, map.place, {shown.swept.begin(), shown.swept.end()});
+  for (auto* names : {&available.swept, &available.varied}) std::erase(*names, "method");
+  check_name(file, "swept parameter", wanted, map.place, {available.swept.begin(), available.swept.end()});
   if (!wanted.empty()) return;
-  const std::vector<std::string>& all = shown.varied.empty() ? shown.swept : shown.varied;
+  const std::vector<std::string>& all = available.varied.empty() ? available.swept : available.varied;
   if (all.size() != 1)
     throw SceneError(file.string(), map.place.line, map.place.column, "map",
                      all.empty() ? "only the method is swept: there is no parameter to map"
@@ -69,22 +69,23 @@ void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& fi
                                        "); name one of them, such as parameter = \"" + all.front() + "\"");
 }
 
-void check_chart(const StudyPictures::Charted& chart, const std::filesystem::path& file, const Shown& shown) {
+void check_chart(const StudyPictures::Charted& chart, const std::filesystem::path& file,
+                 const AvailableData& available) {
   const auto& [request, place] = chart;
   const auto fail = [&](const std::string& why) {
     throw SceneError(file.string(), place.line, place.column,
                      request.measure.empty() ? "chart" : request.measure, why);
   };
-  check_name(file, "measure of the scene", request.measure, place, shown.measures);
-  if (!request.against.empty() && shown.differences.contains(request.measure))
+  check_name(file, "measure of the scene", request.measure, place, available.measures);
+  if (!request.against.empty() && available.differences.contains(request.measure))
     fail("'" + request.measure +
          "' is itself a difference from a reference of the scene; chart it without `against`");
   if (!request.against.empty()) return;
   const std::string way_out =
       " with these parameters, so no run has an error; against = METHOD compares with the finest run of a "
       "method";
-  if (request.measure.empty() && shown.referenced.empty()) fail("no measure has a reference" + way_out);
-  if (!request.measure.empty() && !shown.referenced.contains(request.measure))
+  if (request.measure.empty() && available.referenced.empty()) fail("no measure has a reference" + way_out);
+  if (!request.measure.empty() && !available.referenced.contains(request.measure))
     fail("'" + request.measure + "' has no reference" + way_out);
 }
 
@@ -118,13 +119,14 @@ StudyPictures read_pictures(TomlCursor& root) {
   return pictures;
 }
 
-void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file, const Shown& shown) {
-  for (const StudyPictures::Charted& chart : pictures.charts) check_chart(chart, file, shown);
+void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file,
+                    const AvailableData& available) {
+  for (const StudyPictures::Charted& chart : pictures.charts) check_chart(chart, file, available);
   for (const StudyPictures::Named& method : pictures.methods)
-    check_name(file, "method of the sweep", method.name, method.place, shown.methods);
-  if (pictures.map) check_map(*pictures.map, file, shown);
+    check_name(file, "method of the sweep", method.name, method.place, available.methods);
+  if (pictures.map) check_map(*pictures.map, file, available);
   for (const HistoryColumn& column : pictures.history)
-    check_name(file, "column of history.csv", column.name, column.place, shown.columns);
+    check_name(file, "column of history.csv", column.name, column.place, available.columns);
 }
 
 int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& folder, Streams streams) {
@@ -175,9 +177,9 @@ int draw_chart(const std::vector<std::string>& results, const ChartRequest& requ
 int draw_history(const StoredResults& results, const std::vector<HistoryColumn>& columns,
                  const HistoryColumn& x, const PlotFiles& files, Streams streams) {
   const HistoryPlot plot = make_history_plot(results, columns, x);
-  if (plot.curves.size() > most_told_apart)
+  if (plot.curves.size() > most_distinct_lines)
     streams.err << "taut: " << files.picture.string() << " has " << plot.curves.size() << " lines; only "
-                << most_told_apart << " can be told apart; their numbers are in "
+                << most_distinct_lines << " can be told apart; their numbers are in "
                 << files.data().filename().string() << '\n';
   const int code = draw_plot(files, history_script(plot, files), history_data(plot));
   print_files("history", files, "", streams);

@@ -40,7 +40,7 @@ struct StudyPictures {
 StudyPictures read_pictures(TomlCursor& root);
 
 /// Contents of a study's runs, known before they start.
-struct Shown {
+struct AvailableData {
   std::set<std::string> measures;
   std::set<std::string> referenced;   // measures with a reference in some run
   std::set<std::string> differences;  // measures that are differences from a reference
@@ -51,7 +51,8 @@ struct Shown {
 };
 
 /// Throws SceneError, before any run, for pictures whose data the runs will lack.
-void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file, const Shown& shown);
+void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file,
+                    const AvailableData& available);
 
 /// Draws from results.csv in `folder` into `folder`. Returns the exit code. Throws UsageError and OutputError.
 int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& folder, Streams streams);

@@ -100,7 +100,7 @@ SweepRequest make_request(const SweepOptions& o) {
   return request;
 }
 
-std::vector<std::string> lasting_words(const Options& command) {
+std::vector<std::string> command_to_repeat(const Options& command) {
   const std::vector<std::string> passing = {"--list", "--jobs",  "--index", "--force",
                                             "--emit", "--quiet", "--json",  "--junit"};
   std::vector<std::string> words{path_of_program(), "sweep"};

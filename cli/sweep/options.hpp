@@ -25,6 +25,6 @@ SweepRequest make_request(const SweepOptions& options);
 
 /// Words of the command without options that concern only this call, such as --list. An option and its value are one
 /// word.
-std::vector<std::string> lasting_words(const Options& command);
+std::vector<std::string> command_to_repeat(const Options& command);
 
 }  // namespace taut::cli

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 /// Compares scene.toml files. Without frames, drawing settings may differ, e.g. by `taut render`.
 bool are_of_one_run(const std::string& one, const std::string& other, bool drawn) try {
-  return one == other || (!drawn && undrawn(one) == undrawn(other));
+  return one == other || (!drawn && without_drawing(one) == without_drawing(other));
 } catch (const SceneError&) {
   return false;
 }
@@ -56,7 +56,7 @@ bool is_wrong(const RunOptions& options) try {
 }
 
 /// The setting whose removal makes the run valid, or nullptr.
-const Setting* culprit(const SweepRequest& request, const GridRow& row) {
+const Setting* invalid_setting(const SweepRequest& request, const GridRow& row) {
   for (const GridRow* settings : {&request.set, &row})
     for (const Setting& s : *settings)
       if (!is_wrong(options_of(request, row, &s))) return &s;
@@ -67,7 +67,7 @@ const Setting* culprit(const SweepRequest& request, const GridRow& row) {
 [[noreturn]] void report(const SweepRequest& request, const GridRow& row, const std::string& what) {
   const std::string message = what + " (in the run " + text_of(row) + ")";
   if (request.file.empty()) throw UsageError(message);
-  const Setting* setting = culprit(request, row);
+  const Setting* setting = invalid_setting(request, row);
   const FilePlace place = setting ? setting->place : FilePlace{};
   throw SceneError(request.file.string(), place.line, place.column, setting ? setting->name : "", message);
 }
@@ -100,24 +100,24 @@ void check_folder(const fs::path& folder) {
                      "' contains files that are not from a sweep; name another folder with --out");
 }
 
-void add_shown(Shown& shown, const SceneFile& file) {
+void add_available(AvailableData& available, const SceneFile& file) {
   for (const Measure& measure : file.scene.measures) {
-    shown.measures.insert(measure.name);
-    if (is_difference(measure.kind)) shown.differences.insert(measure.name);
+    available.measures.insert(measure.name);
+    if (is_difference(measure.kind)) available.differences.insert(measure.name);
     for (const auto& [law, reference] : file.scene.references)
-      if (reference.has(measure.name)) shown.referenced.insert(measure.name);
+      if (reference.has(measure.name)) available.referenced.insert(measure.name);
   }
-  shown.methods.insert(file.settings.method);
-  for (const std::string& column : history_columns(file.scene)) shown.columns.insert(column);
+  available.methods.insert(file.settings.method);
+  for (const std::string& column : history_columns(file.scene)) available.columns.insert(column);
 }
 
-void add_swept(Shown& shown, const std::string& name, const std::vector<GridRow>& rows) {
+void add_swept(AvailableData& available, const std::string& name, const std::vector<GridRow>& rows) {
   std::set<std::string> values;
   for (const GridRow& row : rows)
     for (const Setting& setting : row)
       if (setting.name == name) values.insert(setting.value);
-  shown.swept.push_back(name);
-  if (values.size() > 1) shown.varied.push_back(name);
+  available.swept.push_back(name);
+  if (values.size() > 1) available.varied.push_back(name);
 }
 
 /// Detects runs made equal by rounded spacings.
@@ -154,26 +154,26 @@ std::vector<Swept> swept_names(const std::vector<GridRow>& rows, const SceneFile
 
 }  // namespace
 
-std::string_view name(RunState state) {
+std::string_view name(SweepRunState state) {
   switch (state) {
-    case RunState::to_do:
+    case SweepRunState::to_do:
       return "to do";
-    case RunState::outdated:
+    case SweepRunState::outdated:
       return "to do: finished with other settings";
-    case RunState::interrupted:
+    case SweepRunState::interrupted:
       return "to do: interrupted";
-    case RunState::damaged:
+    case SweepRunState::damaged:
       return "to do: run.json is damaged";
-    case RunState::broken:
+    case SweepRunState::broken:
       return "broken";
-    case RunState::done:
+    case SweepRunState::done:
       return "done";
   }
   return "";
 }
 
 void SweepRun::forget() {
-  state = RunState::to_do;
+  state = SweepRunState::to_do;
   problem.clear();
   record = nullptr;
 }
@@ -183,7 +183,7 @@ void SweepRun::read_folder() {
   forget();
   const RunFolder files(*options.out);
   const std::optional<StoredRecord> found = read_record(files.record());
-  if (!found && files.is_damaged()) state = RunState::damaged;
+  if (!found && files.is_damaged()) state = SweepRunState::damaged;
   if (!found) return;
   const bool same = found->version == build_info.version &&
                     are_of_one_run(read_whole(files.scene()).value_or(""), scene, last_frame >= 0);
@@ -195,13 +195,13 @@ void SweepRun::read_folder() {
   const bool saved = !options.save_particles || fs::exists(files.particle_index(), error);
   const bool followed = fs::exists(files.history(), error);
   if (!same) {
-    state = ended ? RunState::outdated : RunState::interrupted;
+    state = ended ? SweepRunState::outdated : SweepRunState::interrupted;
   } else if (ended) {
-    state = drawn && saved && followed ? RunState::done : RunState::to_do;
+    state = drawn && saved && followed ? SweepRunState::done : SweepRunState::to_do;
   } else {
-    state = RunState::interrupted;
+    state = SweepRunState::interrupted;
   }
-  if (state == RunState::done || (same && found->status == Status::interrupted)) record = found->all;
+  if (state == SweepRunState::done || (same && found->status == Status::interrupted)) record = found->all;
 }
 
 SweepPlan plan_sweep(const SweepRequest& request) {
@@ -218,7 +218,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
                  .remarks = {}};
   plan.fixed.insert(plan.fixed.end(), request.set.begin(), request.set.end());
   std::set<std::pair<std::string, ContactLaw>> combinations;
-  Shown shown;
+  AvailableData available;
   Spacings spacings;
   for (const GridRow& row : request.rows) {
     SweepRun run;
@@ -242,7 +242,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
         if (plan.title.empty()) plan.title = file.scene.title;
         plan.swept = swept_names(request.rows, file);
       }
-      add_shown(shown, file);
+      add_available(available, file);
     } catch (const SceneError& error) {
       throw SceneError(error.file, error.line, error.column, error.key,
                        error.what() + (" (in the run " + text_of(row) + ")"));
@@ -253,8 +253,8 @@ SweepPlan plan_sweep(const SweepRequest& request) {
     plan.runs.push_back(std::move(run));
   }
   if (plan.title.empty()) plan.title = plan.scene;
-  for (const Swept& s : plan.swept) add_swept(shown, s.name, request.rows);
-  check_pictures(request.pictures, request.file, shown);
+  for (const Swept& s : plan.swept) add_swept(available, s.name, request.rows);
+  check_pictures(request.pictures, request.file, available);
   return plan;
 }
 

@@ -12,7 +12,7 @@
 
 namespace taut::cli {
 
-enum class RunState {
+enum class SweepRunState {
   to_do,
   outdated,     // the folder has a run of other settings or of another version
   interrupted,  // or killed
@@ -20,7 +20,7 @@ enum class RunState {
   broken,       // ended without a result: crash or full disk
   done,         // finished or diverged: both are results
 };
-std::string_view name(RunState);
+std::string_view name(SweepRunState);
 
 /// A validated run.
 struct SweepRun {
@@ -32,7 +32,7 @@ struct SweepRun {
   int last_frame = -1;  // -1: none
   double work = 0;      // relative duration, estimated
   bool forced = false;  // repeat even if done
-  RunState state = RunState::to_do;
+  SweepRunState state = SweepRunState::to_do;
   std::string problem;  // of a broken run
   Json record;          // run.json if done or interrupted, else null
 

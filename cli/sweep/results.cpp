@@ -17,7 +17,7 @@ constexpr std::array times = {"threads", "machine", "seconds", "particle_steps_p
 
 std::string status(const SweepRun& run) {
   if (run.record.is_object()) return run.record.find("status")->text();
-  return run.state == RunState::broken ? "error" : "to do";
+  return run.state == SweepRunState::broken ? "error" : "to do";
 }
 
 Json run_json(const SweepRun& run) {
@@ -81,7 +81,7 @@ const Json* find(const Json& run, std::initializer_list<const char*> path) {
 
 std::string measure_cell(const SweepRun& run, const std::string& measure) {
   const Json* value = find(run.record, {"measures", measure.c_str(), "value"});
-  return value && run.state == RunState::done ? brief(value->number()) : "-";
+  return value && run.state == SweepRunState::done ? brief(value->number()) : "-";
 }
 
 /// Names without and with units.
@@ -139,14 +139,14 @@ std::string results_csv(const SweepPlan& plan) {
 }
 
 void write_results(const SweepPlan& plan) {
-  write_atomically(plan.folder / "results.csv", results_csv(plan), Kept::on_disk);
-  write_atomically(plan.folder / "results.json", results_json(plan), Kept::on_disk);
+  write_atomically(plan.folder / "results.csv", results_csv(plan), Durability::on_disk);
+  write_atomically(plan.folder / "results.json", results_json(plan), Durability::on_disk);
 }
 
 TestCase test_case(const SweepRun& run, const std::optional<Verdict>& fail_on) {
   using Result = TestCase::Result;
   TestCase test{text_of(run.settings), Result::error, run.problem.empty() ? outcome(run) : run.problem};
-  if (run.state != RunState::done) return test;
+  if (run.state != SweepRunState::done) return test;
   const Json* verdict = find(run.record, {"verdict"});
   test.result =
       fail_on && verdict && find_verdict(verdict->text()) >= fail_on ? Result::failed : Result::passed;
@@ -160,7 +160,7 @@ TestCase test_case(const SweepRun& run, const std::optional<Verdict>& fail_on) {
 
 std::string outcome(const SweepRun& run) {
   const Json* verdict = find(run.record, {"verdict"});
-  if (!verdict || run.state != RunState::done) return status(run);
+  if (!verdict || run.state != SweepRunState::done) return status(run);
   const std::string& name = verdict->text();
   const Json* since = find(run.record, {"since", name.c_str()});
   return name + (since ? " since " + brief(since->number()) + " s" : "");

@@ -21,7 +21,7 @@ int run_alone(SweepRun run) {
     const Stopwatch setup;
     const FolderLock lock(*run.options.out, FolderLock::Of::run, "taut sweep", std::cerr);
     run.read_folder();
-    if (!run.forced && run.state == RunState::done) return exit_fine;
+    if (!run.forced && run.state == SweepRunState::done) return exit_fine;
     const RunPlan plan = make_plan(run.options);
     const Interrupts interrupts;
     Progress silent(std::cerr, Progress::Style::none);
@@ -79,12 +79,12 @@ SweepEnd SweepRunner::execute(const std::string& title) {
     show_progress();
     events_.waiting();
   }
-  end_.interrupted = interrupts_.asked();
+  end_.interrupted = interrupts_.interrupted();
   progress_.end(std::to_string(done_) + " of " + std::to_string(count_) + " runs");
   return end_;
 }
 
-bool SweepRunner::may_start() const { return !waiting_.empty() && !interrupts_.asked(); }
+bool SweepRunner::may_start() const { return !waiting_.empty() && !interrupts_.interrupted(); }
 
 void SweepRunner::wait_for_something() {
   constexpr int patience = 100;  // ms
@@ -103,9 +103,9 @@ void SweepRunner::finish(Job& job) {
   run.read_folder();
   // an interrupted run ended properly or has not begun
   const bool stopped = passed_on_ && (end.code == exit_by_signal(SIGTERM) || end.signal == SIGTERM);
-  if (run.state != RunState::done && !stopped) {
+  if (run.state != SweepRunState::done && !stopped) {
     const bool by_signal = end.signal != 0;
-    run.state = RunState::broken;
+    run.state = SweepRunState::broken;
     run.record = nullptr;
     run.problem = by_signal ? std::string("killed: ") + ::strsignal(end.signal) : last_line(end.output);
     if (run.problem.empty()) run.problem = "ended with exit code " + std::to_string(end.code);
@@ -120,7 +120,7 @@ void SweepRunner::finish(Job& job) {
 }
 
 void SweepRunner::pass_on_interrupt() {
-  if (passed_on_ || !interrupts_.asked()) return;
+  if (passed_on_ || !interrupts_.interrupted()) return;
   passed_on_ = true;
   for (const Job& job : at_work_) job.process->ask_to_stop();
 }

@@ -138,26 +138,26 @@ int put_in_place(const fs::path& fresh, const fs::path& folder) {
 
 }  // namespace
 
-void write_atomically(const fs::path& path, std::string_view text, Kept kept) {
+void write_atomically(const fs::path& path, std::string_view text, Durability durability) {
   const std::string temporary = path.string() + ".tmp";
   const int descriptor = open_new(temporary);
   if (descriptor < 0) fail(path, errno);
   int error = write_all(descriptor, text);
-  if (error == 0 && kept == Kept::on_disk) error = sync(descriptor);
+  if (error == 0 && durability == Durability::on_disk) error = sync(descriptor);
   // closing a copy reports late errors and keeps the lock
   if (const int other = ::dup(descriptor); other >= 0 && ::close(other) != 0 && error == 0) error = errno;
   if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
   if (error != 0) ::unlink(temporary.c_str());
   ::close(descriptor);
-  if (error == 0 && kept == Kept::on_disk) error = sync(folder_of(path));
+  if (error == 0 && durability == Durability::on_disk) error = sync(folder_of(path));
   if (error != 0) fail(path, error);
 }
 
-WriteTurn::WriteTurn(const fs::path& path)
+FileLock::FileLock(const fs::path& path)
     : temporary_(path.string() + ".tmp"), descriptor_(open_new(temporary_)) {
   if (descriptor_ < 0) fail(path, errno);
 }
-WriteTurn::~WriteTurn() {
+FileLock::~FileLock() {
   ::unlink(temporary_.c_str());
   ::close(descriptor_);
 }

@@ -10,20 +10,20 @@
 namespace taut::cli {
 
 /// `on_disk` survives power cuts but is slow: for files that cannot be made again or mark others as complete.
-enum class Kept { from_crashes, on_disk };
+enum class Durability { from_crashes, on_disk };
 
 /// Writes a temporary file and renames it, so other processes see the old or the new file, never a
 /// part. Throws OutputError after it has removed the temporary file.
 void write_atomically(const std::filesystem::path& path, std::string_view text,
-                      Kept kept = Kept::from_crashes);
+                      Durability durability = Durability::from_crashes);
 
 /// Locks a file that another program writes, as long as the object exists. Other writers wait. Throws OutputError.
-class WriteTurn {
+class FileLock {
  public:
-  explicit WriteTurn(const std::filesystem::path& path);
-  ~WriteTurn();
-  WriteTurn(const WriteTurn&) = delete;
-  WriteTurn& operator=(const WriteTurn&) = delete;
+  explicit FileLock(const std::filesystem::path& path);
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
 
  private:
   std::string temporary_;

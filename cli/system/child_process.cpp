@@ -40,7 +40,7 @@ void check_no_threads() {
 }
 
 /// First action of a child, called with the interrupting signals blocked; SIGINT and SIGHUP stay blocked.
-void settle(pid_t parent, int output) {
+void prepare_child(pid_t parent, int output) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);  // the parent ended before prctl
   // SIGTERM ends the child until `work` sets a handler
@@ -68,7 +68,7 @@ ChildProcess::ChildProcess(const std::function<int()>& work) {
   process_ = ::fork();
   const int error = errno;
   if (process_ == 0) {
-    settle(parent, ends[1]);
+    prepare_child(parent, ends[1]);
     const int code = work();
     std::cout.flush();
     std::cerr.flush();

@@ -85,7 +85,7 @@ int spawn(const std::vector<std::string>& arguments, const fs::path& folder, int
 void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResult& result) {
   std::array<char, 1024> buffer{};
   while (true) {
-    if (interrupts.asked() && !result.stopped) {
+    if (interrupts.interrupted() && !result.stopped) {
       result.stopped = true;
       ::kill(process, SIGTERM);
     }
@@ -100,7 +100,7 @@ void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResu
 }
 
 /// New folder beside `file` in which another program writes it, so that no foreign link can lead it elsewhere. Requires
-/// the WriteTurn of the file.
+/// the FileLock of the file.
 class Workplace {
  public:
   explicit Workplace(const fs::path& file)
@@ -167,7 +167,7 @@ ProcessResult run_process(std::vector<std::string> arguments, const fs::path& fo
 int make_file(const Maker& maker, const MakerArguments& arguments, const fs::path& folder,
               const fs::path& file) {
   const Interrupts interrupts;
-  const WriteTurn turn(file);
+  const FileLock turn(file);
   const Workplace workplace(fs::absolute(file));
   const fs::path& part = workplace.file();
   std::vector<std::string> words = arguments(part);

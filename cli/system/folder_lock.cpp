@@ -93,7 +93,7 @@ FolderLock::FolderLock(const fs::path& folder, Of of, std::string_view command, 
     : of_(of), file_(folder / kind(of).file) {
   const int error = acquire();
   if (error == 0) {
-    say_who(command);
+    write_holder(command);
   } else if (knows_no_locks(error)) {
     err << "taut: '" << folder.string() << "' is on a file system without locks; make sure that no other "
         << "taut process writes to it\n";
@@ -162,7 +162,7 @@ bool FolderLock::is_still_there() const {
 }
 
 /// Writes nothing for parts of a sweep, which share the lock.
-void FolderLock::say_who(std::string_view command) const {
+void FolderLock::write_holder(std::string_view command) const {
   std::array<char, 32> since{};
   const std::time_t now = std::time(nullptr);
   std::tm local{};

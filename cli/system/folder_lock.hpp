@@ -32,7 +32,7 @@ class FolderLock {
   int try_once();
   void open();
   bool is_still_there() const;
-  void say_who(std::string_view command) const;
+  void write_holder(std::string_view command) const;
 
   Of of_;
   std::filesystem::path file_;

@@ -47,13 +47,13 @@ Interrupts::~Interrupts() {
   ::sigaction(SIGPIPE, &old_pipe_, nullptr);
 }
 
-Interrupts::AtOnce::AtOnce() {
+Interrupts::ExitOnSignal::ExitOnSignal() {
   at_once.store(true);
-  if (asked()) ::_exit(exit_code());
+  if (interrupted()) ::_exit(exit_code());
 }
-Interrupts::AtOnce::~AtOnce() { at_once.store(false); }
+Interrupts::ExitOnSignal::~ExitOnSignal() { at_once.store(false); }
 
-bool Interrupts::asked_to_end() { return flag() == SIGTERM || flag() == SIGHUP; }
+bool Interrupts::must_end() { return flag() == SIGTERM || flag() == SIGHUP; }
 
 int Interrupts::exit_code() { return exit_by_signal(flag()); }
 

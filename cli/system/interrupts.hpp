@@ -17,19 +17,19 @@ class Interrupts {
 
   /// While an object exists, the first signal ends the program at once, and an earlier signal ends it here: for long
   /// work that checks no flag and has not written to files yet.
-  class AtOnce {
+  class ExitOnSignal {
    public:
-    AtOnce();
-    ~AtOnce();
-    AtOnce(const AtOnce&) = delete;
-    AtOnce& operator=(const AtOnce&) = delete;
+    ExitOnSignal();
+    ~ExitOnSignal();
+    ExitOnSignal(const ExitOnSignal&) = delete;
+    ExitOnSignal& operator=(const ExitOnSignal&) = delete;
   };
 
-  /// Whether a signal came. Like `asked_to_end`, keeps its value after the object's end, until the next object
+  /// Whether a signal came. Like `must_end`, keeps its value after the object's end, until the next object
   /// exists: callers can check it then without missing a signal.
-  static bool asked() { return flag() != 0; }
+  static bool interrupted() { return flag() != 0; }
   /// Whether SIGTERM or SIGHUP came: the program must end, not only the command.
-  static bool asked_to_end();
+  static bool must_end();
   /// 128 + the signal that came.
   static int exit_code();
   /// The signal, or 0; long work can check it.

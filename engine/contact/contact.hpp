@@ -59,7 +59,7 @@ class Contact {
   V impulse(int body, int other, int wall) const;
 
   /// Total impulses of walls on bodies.
-  const Impulse& of_walls() const { return walls_.given(); }
+  const Impulse& of_walls() const { return walls_.recorded_impulse(); }
 
   /// Energy of all contacts at the current positions; 0 for laws of impulses.
   double energy(const Particles<Dim>& s) const { return mechanism_->energy(s, walls_); }

@@ -15,8 +15,8 @@ bool FaceCandidates::search(const Particles<2>& s, MovingFaces& faces, const Wal
   const bool others = meets_others_ && !(way && others_bound_.holds(*way));
   bool own = meets_itself_ && !(way && own_bound_.holds(*way));
   if (own && way) {
-    faces.follow(s, behind_);
-    own = !own_bound_.still_holds(behind_, faces.outline().body, *way);
+    faces.follow(s, main_places_);
+    own = !own_bound_.still_holds(main_places_, faces.outline().body, *way);
   }
   if (!others && !own) return false;
   faces.place_all(s);
@@ -49,7 +49,7 @@ void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<
 
 /// No side of the node can face this segment before the next search (facet_candidates.hpp:find). Initially close
 /// faces, often at right angles, count only when they begin to face each other.
-bool FaceCandidates::looks_aside(const MovingFaces& faces, int node, int segment) const {
+bool FaceCandidates::cannot_face(const MovingFaces& faces, int node, int segment) const {
   const auto& [a, b] = faces.segment(segment).node;
   const V D = faces.x0(node) - 0.5 * (faces.x0(a) + faces.x0(b));
   const double least = dot(D, D) < close_by * close_by * dp_ * dp_ ? folded : aside;
@@ -68,12 +68,12 @@ void FaceCandidates::search_own(const Particles<2>& s, const MovingFaces& faces)
       const V d = faces.x0(n) - faces.x0(end);
       if (dot(d, d) <= least2) return false;
     }
-    return !looks_aside(faces, n, k);
+    return !cannot_face(faces, n, k);
   };
   const double beyond =
       find_(faces, all_nodes_, all_segments_, (reach_ + skin) * dp_, horizon * dp_, wanted, own_faces);
-  faces.follow(s, behind_);
-  own_bound_.restart(beyond - (reach_ + turn_slack) * dp_, behind_);
+  faces.follow(s, main_places_);
+  own_bound_.restart(beyond - (reach_ + turn_slack) * dp_, main_places_);
 }
 
 /// Lists nodes of candidates, adjacent nodes, their segments and particles.

@@ -60,7 +60,7 @@ class FaceCandidates {
 
   void search_others(const MovingFaces& faces, const WallContacts<2>& walls);
   void search_own(const Particles<2>& s, const MovingFaces& faces);
-  bool looks_aside(const MovingFaces& faces, int node, int segment) const;
+  bool cannot_face(const MovingFaces& faces, int node, int segment) const;
   void watch(const MovingFaces& faces);
 
   double dp_;                         // m
@@ -70,7 +70,7 @@ class FaceCandidates {
   FaceSearch find_;
   std::vector<V> normal_;  // [segment] at a search
   MotionBound<2> others_bound_, own_bound_;
-  std::vector<V> behind_;  // [node] position of its main particle, m
+  std::vector<V> main_places_;  // [node] position of its main particle, m
 };
 
 }  // namespace taut

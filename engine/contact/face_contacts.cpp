@@ -66,29 +66,29 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
   for (std::size_t k = 0; k < near.node.size(); ++k) {
     const int n = near.node[k];
     const auto segments = std::span(near.segment).subspan(near.begin[k], near.begin[k + 1] - near.begin[k]);
-    Foot foot, twin;
+    ClosestPoint closest, twin;
     distance2.clear();
     for (const int l : segments) distance2.push_back(faces_.distance2(n, l));
     const auto nearest = std::ranges::min_element(distance2) - distance2.begin();
     const auto is_sharp = [&](int l) { return faces_.has_sharp_end(l); };  // may act beyond its end
     if (distance2[nearest] >= power<2>(reach * dp_) && std::ranges::none_of(segments, is_sharp)) continue;
-    faces_.measure(n, segments[nearest], foot);  // excludes most others
+    faces_.measure(n, segments[nearest], closest);  // excludes most others
     for (std::ptrdiff_t l = 0; l < std::ssize(segments); ++l)
-      if (l != nearest && (distance2[l] < foot.rank * foot.rank || is_sharp(segments[l])))
-        faces_.measure(n, segments[l], foot);
-    if (foot.segment == Outline::none) continue;
-    const auto touch = faces_.touch(foot);
+      if (l != nearest && (distance2[l] < closest.rank * closest.rank || is_sharp(segments[l])))
+        faces_.measure(n, segments[l], closest);
+    if (closest.segment == Outline::none) continue;
+    const auto touch = faces_.touch(closest);
     for (const int l : segments) {
-      if (touch.depth <= 0 || !faces_.beside(l, foot.segment)) continue;
-      Foot other;
+      if (touch.depth <= 0 || !faces_.beside(l, closest.segment)) continue;
+      ClosestPoint other;
       faces_.measure(n, l, other);
-      if (std::abs(other.rank - foot.rank) < tie * dp_) twin = other;
+      if (std::abs(other.rank - closest.rank) < tie * dp_) twin = other;
     }
     if (twin.segment == Outline::none) {
-      f(n, foot, touch);
+      f(n, closest, touch);
       continue;
     }
-    for (Foot* half : {&foot, &twin}) {
+    for (ClosestPoint* half : {&closest, &twin}) {
       half->weight = 0.5;
       f(n, *half, faces_.touch(*half));
     }
@@ -109,10 +109,10 @@ void FaceContacts::for_each_wall(const WallContacts<2>& walls, const F& f) const
 void FaceContacts::act_on_nodes(const Particles<2>& s, double dt, WallContacts<2>& walls) {
   for (const int n : candidates_.watched_nodes) own_force_[n] = reaction_[n] = V{};
   const auto push_back_to = [&](std::vector<V>& reaction) {
-    return [&](int n, const Foot& foot, const auto& touch) {
+    return [&](int n, const ClosestPoint& closest, const auto& touch) {
       if (touch.depth <= 0 || touch.depth >= reach * dp_) return;
       faces_.push(
-          foot, touch, stiffness(n, foot.segment), [&](int node, const V& f) { own_force_[node] += f; },
+          closest, touch, stiffness(n, closest.segment), [&](int node, const V& f) { own_force_[node] += f; },
           [&](int node, const V& f) { reaction[node] += f; });
     };
   };
@@ -123,7 +123,7 @@ void FaceContacts::act_on_nodes(const Particles<2>& s, double dt, WallContacts<2
     const auto give = [&](int node, const V& f) {
       own_force_[node] += f;
       faces_.for_each_share(
-          node, [&](int i, double weight) { walls.book(s.x[i], (dt * s.mobile[i] * weight) * f); });
+          node, [&](int i, double weight) { walls.record_impulse(s.x[i], (dt * s.mobile[i] * weight) * f); });
     };
     give(n, (2 * surface_force(depth, area, k)) * walls.normal(wall));
     faces_.push_facing(n, walls.normal(wall), surface_energy(depth, 1, k), give);
@@ -145,9 +145,9 @@ double FaceContacts::energy(const Particles<2>& s, const WallContacts<2>& walls)
   place_watched(s);
   double sum = 0;
   for (const NearFaces* near : {&candidates_.other_faces, &candidates_.own_faces}) {
-    for_each_touch(*near, [&](int n, const Foot& foot, const auto& touch) {
+    for_each_touch(*near, [&](int n, const ClosestPoint& closest, const auto& touch) {
       if (touch.depth < reach * dp_)
-        sum += surface_energy(touch.depth, foot.area(), stiffness(n, foot.segment));
+        sum += surface_energy(touch.depth, closest.area(), stiffness(n, closest.segment));
     });
   }
   for_each_wall(walls, [&](int, int, double depth, double area, double k) {
@@ -158,12 +158,12 @@ double FaceContacts::energy(const Particles<2>& s, const WallContacts<2>& walls)
 
 auto FaceContacts::between(const Particles<2>&, int a, int b) const -> V {
   V sum{};
-  for_each_touch(candidates_.other_faces, [&](int n, const Foot& foot, const auto& touch) {
+  for_each_touch(candidates_.other_faces, [&](int n, const ClosestPoint& closest, const auto& touch) {
     if (touch.depth <= 0 || touch.depth >= reach * dp_) return;
-    const int own = faces_.outline().body[n], other = faces_.body_of_segment(foot.segment);
+    const int own = faces_.outline().body[n], other = faces_.body_of_segment(closest.segment);
     V f{};
     faces_.push(
-        foot, touch, stiffness(n, foot.segment), [&](int, const V& on_own) { f += on_own; },
+        closest, touch, stiffness(n, closest.segment), [&](int, const V& on_own) { f += on_own; },
         [](int, const V&) {});
     if (own == a && other == b) sum += f;
     if (own == b && other == a) sum -= f;
@@ -183,9 +183,9 @@ double FaceContacts::gap(const Particles<2>& s, int a, int b) {
   if (candidates_.other_faces.node.empty()) return reach * dp_;
   place_watched(s);
   double least = reach * dp_;
-  for_each_touch(candidates_.other_faces, [&](int n, const Foot& foot, const auto& touch) {
+  for_each_touch(candidates_.other_faces, [&](int n, const ClosestPoint& closest, const auto& touch) {
     if (touch.depth >= reach * dp_) return;
-    const int own = faces_.outline().body[n], other = faces_.body_of_segment(foot.segment);
+    const int own = faces_.outline().body[n], other = faces_.body_of_segment(closest.segment);
     if ((own == a && other == b) || (own == b && other == a)) least = std::min(least, -touch.depth);
   });
   return least;

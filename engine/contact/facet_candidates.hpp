@@ -40,12 +40,12 @@ class FacetCandidates {
               std::optional<double> way) {
     const bool others = meets_others_ && !(way && others_bound_.holds(*way));
     bool own = meets_itself_ && !(way && own_bound_.holds(*way));
-    if (others || own) facets.follow(s, behind_);
+    if (others || own) facets.follow(s, particle_places_);
     if (others) {
       search_others(s, facets, walls);
       if (way) others_bound_.holds(*way);
     }
-    own = own && !(way && own_bound_.still_holds(behind_, near_.bodies(), *way));
+    own = own && !(way && own_bound_.still_holds(particle_places_, near_.bodies(), *way));
     if (own) {
       search_own(s, facets);
       if (way) own_bound_.holds(*way);
@@ -79,7 +79,7 @@ class FacetCandidates {
 
   void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
     constexpr double margin = horizon + 2;  // 2: distance of two particles from faces
-    const std::vector<char> near = near_other_bodies<3>(behind_, near_.bodies(), margin * dp_);
+    const std::vector<char> near = near_other_bodies<3>(particle_places_, near_.bodies(), margin * dp_);
     std::vector<int> candidates = near_.order();
     std::erase_if(candidates, [&](int f) { return !near[f]; });
     facets.place(s, facets.nodes_of(candidates), candidates, 1);
@@ -89,7 +89,7 @@ class FacetCandidates {
     near_wall.clear();
     for (int f = 0; f < near_.size(); ++f)
       for (int w = 0; w < walls.count(); ++w)
-        if (walls.height(w, behind_[f]) < horizon * dp_) near_wall.emplace_back(f, w);
+        if (walls.height(w, particle_places_[f]) < horizon * dp_) near_wall.emplace_back(f, w);
   }
   void search_own(const Particles<3>& s, MovingFacets& facets) {
     const auto wanted = [&](int f, int g) {
@@ -97,7 +97,7 @@ class FacetCandidates {
       return dot(D, D) > far_inside * far_inside * dp_ * dp_ || dot(D, normal_[g] - normal_[f]) > -flat * dp_;
     };
     facets.place(s, nodes_, near_.order(), 1);
-    own_bound_.restart(find<PairsOf::one_body>(facets, near_.order(), wanted, own_), behind_);
+    own_bound_.restart(find<PairsOf::one_body>(facets, near_.order(), wanted, own_), particle_places_);
   }
 
   /// Returns by how much the nearest unlisted pair may approach, m. Facets with similar normals are skipped: they
@@ -140,9 +140,9 @@ class FacetCandidates {
   double dp_, reach_;                 // m
   bool meets_itself_, meets_others_;  // others: bodies or walls
   FacetPairs near_;
-  std::vector<int> nodes_;  // all
-  std::vector<V> normal_;   // [facet] initial
-  std::vector<V> behind_;   // [facet] position of the particle behind it, m
+  std::vector<int> nodes_;          // all
+  std::vector<V> normal_;           // [facet] initial
+  std::vector<V> particle_places_;  // [facet] position of the particle behind it, m
   std::vector<std::pair<int, int>> others_, own_, found_;
   MotionBound<3> others_bound_, own_bound_;
 };

@@ -185,7 +185,7 @@ void FacetContacts::evaluate(const Particles<3>& s, double dt, WallContacts<3>& 
                   .normal = (surface_energy(depth, area, k) * slope) * normal},
                  force_);
   });
-  share_out([&](int i, const V& f) { walls.book(s.x[i], (dt * s.mobile[i]) * f); });
+  share_out([&](int i, const V& f) { walls.record_impulse(s.x[i], (dt * s.mobile[i]) * f); });
   slopes_.resize(rows_.size());
   parallel_for(static_cast<int>(rows_.size()), threads_, [&](int r) { slopes_[r] = slope_of(r); });
   for (std::size_t r = 0; r < rows_.size(); ++r)

@@ -30,7 +30,7 @@ struct FacingHalf {
 };
 
 /// Closest point of a segment to a node.
-struct Foot {
+struct ClosestPoint {
   int node = Outline::none, segment = Outline::none;
   double xi = 0;                                          // from the first end
   double distance2 = 0;                                   // m²
@@ -53,7 +53,7 @@ class MovingFaces {
       const auto first = outline_.shares.begin() + outline_.begin[n],
                  last = outline_.shares.begin() + outline_.begin[n + 1];
       const auto most = std::ranges::max_element(first, last, {}, &PointWeight::weight);
-      behind_.push_back(static_cast<int>(most - outline_.shares.begin()));
+      main_share_.push_back(static_cast<int>(most - outline_.shares.begin()));
     }
     find_sharp_ends();
   }
@@ -99,7 +99,7 @@ class MovingFaces {
   /// Position of the main particle of each node, m.
   void follow(const Particles<2>& s, std::vector<V>& x) const {
     x.clear();
-    for (const int share : behind_) x.push_back(s.x[stored_[share]]);
+    for (const int share : main_share_) x.push_back(s.x[stored_[share]]);
   }
 
   /// f(i, weight) for stored particles of a node.
@@ -144,7 +144,7 @@ class MovingFaces {
   /// is the distance plus up to half a length for segments that the sides of the node face obliquely: a
   /// corner is pushed back by the face in front of it and not by the one beside it. A node beyond a sharp end acts
   /// with the length of its side over the segment and with the depth of the side at that end.
-  void measure(int node, int k, Foot& best) const {
+  void measure(int node, int k, ClosestPoint& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
     const double along = dot(d, t) / dot(t, t);
@@ -153,18 +153,19 @@ class MovingFaces {
     const V offset = d - xi * t;
     const double distance2 = dot(offset, offset);
     if (xi >= 0 && xi <= 1 && distance2 >= best.rank * best.rank) return;
-    Foot foot;
-    foot.node = node, foot.segment = k, foot.xi = xi, foot.distance2 = distance2;
-    foot.offset = offset, foot.normal = normal_of(k);
-    auto& [one, two] = foot.halves;
-    one = facing_half(foot, outline_.beside[node][0]);
-    two = facing_half(foot, outline_.beside[node][1]);
-    if (!(foot.area() > 0)) return;
-    if (is_beyond(foot)) (one.area() > two.area() ? two : one) = {};  // it enters over the end
+    ClosestPoint closest;
+    closest.node = node, closest.segment = k, closest.xi = xi, closest.distance2 = distance2;
+    closest.offset = offset, closest.normal = normal_of(k);
+    auto& [one, two] = closest.halves;
+    one = facing_half(closest, outline_.beside[node][0]);
+    two = facing_half(closest, outline_.beside[node][1]);
+    if (!(closest.area() > 0)) return;
+    if (is_beyond(closest)) (one.area() > two.area() ? two : one) = {};  // it enters over the end
     const double straight = std::max(one.share, two.share);
-    const double distance = is_beyond(foot) ? std::abs(touch(foot).depth) : std::sqrt(foot.distance2);
-    foot.rank = distance + 0.5 * (1 - straight) * outline_.segments[k].length;
-    if (foot.rank < best.rank) best = foot;
+    const double distance =
+        is_beyond(closest) ? std::abs(touch(closest).depth) : std::sqrt(closest.distance2);
+    closest.rank = distance + 0.5 * (1 - straight) * outline_.segments[k].length;
+    if (closest.rank < best.rank) best = closest;
   }
 
   struct Touch {
@@ -172,43 +173,44 @@ class MovingFaces {
     V out;         // direction of the force
   };
   /// At blunt ends the mean normal of both segments tells the inside. Nodes across it, past a tip, are outside.
-  Touch touch(const Foot& foot) const {
-    if (is_beyond(foot)) {
-      const FacingHalf& half = foot.halves[foot.halves[0].side == Outline::none ? 1 : 0];
-      return {depth_at(foot, half, foot.xi > 1), foot.normal};
+  Touch touch(const ClosestPoint& closest) const {
+    if (is_beyond(closest)) {
+      const FacingHalf& half = closest.halves[closest.halves[0].side == Outline::none ? 1 : 0];
+      return {depth_at(closest, half, closest.xi > 1), closest.normal};
     }
-    const bool second = foot.xi >= 1;
-    if ((foot.xi > 0 && foot.xi < 1) || sharp_[foot.segment][second])
-      return {-dot(foot.offset, foot.normal), foot.normal};
-    const int next = outline_.beside[outline_.segments[foot.segment].node[second]][second];
-    const V normal = next == Outline::none ? foot.normal : foot.normal + normal_of(next);
-    const double distance = std::sqrt(foot.distance2);
+    const bool second = closest.xi >= 1;
+    if ((closest.xi > 0 && closest.xi < 1) || sharp_[closest.segment][second])
+      return {-dot(closest.offset, closest.normal), closest.normal};
+    const int next = outline_.beside[outline_.segments[closest.segment].node[second]][second];
+    const V normal = next == Outline::none ? closest.normal : closest.normal + normal_of(next);
+    const double distance = std::sqrt(closest.distance2);
     constexpr double across = 0.25;  // cosine
-    if (dot(foot.offset, normal) >= -across * distance * std::sqrt(dot(normal, normal)))
-      return {-distance, foot.normal};
-    return {distance, (-1 / distance) * foot.offset};
+    if (dot(closest.offset, normal) >= -across * distance * std::sqrt(dot(normal, normal)))
+      return {-distance, closest.normal};
+    return {distance, (-1 / distance) * closest.offset};
   }
 
   /// Forces own(n, f) on the node's face, other(n, f) on the segment's, N per metre depth, from slopes of depth,
   /// overlap and facing. `k`: stiffness.
   template <class Own, class Other>
-  void push(const Foot& foot, const Touch& touch, double k, const Own& own, const Other& other) const {
-    const std::array<int, 2>& end = outline_.segments[foot.segment].node;
-    const double size = surface_force(touch.depth, foot.area(), k);
-    if (!is_beyond(foot)) {
-      own(foot.node, size * touch.out);
-      other(end[0], (-(1 - foot.xi) * size) * touch.out);
-      other(end[1], (-foot.xi * size) * touch.out);
+  void push(const ClosestPoint& closest, const Touch& touch, double k, const Own& own,
+            const Other& other) const {
+    const std::array<int, 2>& end = outline_.segments[closest.segment].node;
+    const double size = surface_force(touch.depth, closest.area(), k);
+    if (!is_beyond(closest)) {
+      own(closest.node, size * touch.out);
+      other(end[0], (-(1 - closest.xi) * size) * touch.out);
+      other(end[1], (-closest.xi * size) * touch.out);
     }
-    for (const FacingHalf& h : foot.halves) {
+    for (const FacingHalf& h : closest.halves) {
       if (!(h.share > 0)) continue;
-      const double per_length = surface_energy(touch.depth, foot.weight, k) * h.half;
-      if (is_beyond(foot)) push_at_end(foot, h, touch.depth, size, own, other);
+      const double per_length = surface_energy(touch.depth, closest.weight, k) * h.half;
+      if (is_beyond(closest)) push_at_end(closest, h, touch.depth, size, own, other);
       for (const int e : {0, 1})
         if (h.rise[e] != 0)
-          push_along(foot, h, e, per_length * h.share * h.past * h.over[1 - e] * h.rise[e], own, other);
+          push_along(closest, h, e, per_length * h.share * h.past * h.over[1 - e] * h.rise[e], own, other);
       if (h.slope != 0)
-        push_turning(h.side, foot.segment, per_length * h.slope * h.covered() * h.past, own, other);
+        push_turning(h.side, closest.segment, per_length * h.slope * h.covered() * h.past, own, other);
       if (h.past_slope != 0)
         push_turning(h.side, h.next, per_length * h.share * h.covered() * h.past_slope, own, other);
     }
@@ -223,7 +225,7 @@ class MovingFaces {
   }
 
  private:
-  static bool is_beyond(const Foot& foot) { return foot.xi < 0 || foot.xi > 1; }
+  static bool is_beyond(const ClosestPoint& closest) { return closest.xi < 0 || closest.xi > 1; }
 
   int other_end(int node, int side) const {
     const auto& ends = outline_.segments[side].node;
@@ -231,12 +233,12 @@ class MovingFaces {
   }
   V way(int node, int side) const { return place_[other_end(node, side)] - place_[node]; }
 
-  FacingHalf facing_half(const Foot& foot, int side) const {
+  FacingHalf facing_half(const ClosestPoint& closest, int side) const {
     FacingHalf h;
     if (side == Outline::none) return h;
-    const auto [node, k, xi] = std::tuple(foot.node, foot.segment, foot.xi);
+    const auto [node, k, xi] = std::tuple(closest.node, closest.segment, closest.xi);
     const V normal = normal_of(side);
-    const double cosine = dot(normal, foot.normal);
+    const double cosine = dot(normal, closest.normal);
     h.side = side, h.half = 0.5 * outline_.segments[side].length;
     h.share = facing_share(cosine), h.slope = facing_slope(cosine);
     if (!(h.share > 0) || !has_sharp_end(k)) return h;
@@ -260,40 +262,40 @@ class MovingFaces {
   }
 
   /// Depth of a side where it crosses end e, m.
-  double depth_at(const Foot& foot, const FacingHalf& h, int e) const {
-    const V place = place_[foot.node] + h.at[e] * way(foot.node, h.side);
-    return -dot(place - place_[outline_.segments[foot.segment].node[e]], foot.normal);
+  double depth_at(const ClosestPoint& closest, const FacingHalf& h, int e) const {
+    const V place = place_[closest.node] + h.at[e] * way(closest.node, h.side);
+    return -dot(place - place_[outline_.segments[closest.segment].node[e]], closest.normal);
   }
 
   /// For segment t with end e, side w from x to z, crossing s and r = n·w/t·w:
   ///   δdepth = −(n − r t)·((1 − s) δx + s δz − δe) − r depth n·δt
   template <class Own, class Other>
-  void push_at_end(const Foot& foot, const FacingHalf& h, double depth, double size, const Own& own,
-                   const Other& other) const {
-    const auto& ends = outline_.segments[foot.segment].node;
-    const int e = foot.xi > 1;
-    const V t = place_[ends[1]] - place_[ends[0]], w = way(foot.node, h.side);
-    const double r = dot(foot.normal, w) / dot(t, w);
-    const V out = foot.normal - r * t;
-    own(foot.node, ((1 - h.at[e]) * size) * out);
-    own(other_end(foot.node, h.side), (h.at[e] * size) * out);
+  void push_at_end(const ClosestPoint& closest, const FacingHalf& h, double depth, double size,
+                   const Own& own, const Other& other) const {
+    const auto& ends = outline_.segments[closest.segment].node;
+    const int e = closest.xi > 1;
+    const V t = place_[ends[1]] - place_[ends[0]], w = way(closest.node, h.side);
+    const double r = dot(closest.normal, w) / dot(t, w);
+    const V out = closest.normal - r * t;
+    own(closest.node, ((1 - h.at[e]) * size) * out);
+    own(other_end(closest.node, h.side), (h.at[e] * size) * out);
     other(ends[e], -size * out);
-    other(ends[1], (r * depth * size) * foot.normal);
-    other(ends[0], (-r * depth * size) * foot.normal);
+    other(ends[1], (r * depth * size) * closest.normal);
+    other(ends[0], (-r * depth * size) * closest.normal);
   }
 
   /// Applies the slope of the energy in s: δs = −(t·((1 − s) δx + s δz − δe) − depth n·δt)/t·w.
   template <class Own, class Other>
-  void push_along(const Foot& foot, const FacingHalf& h, int e, double slope, const Own& own,
+  void push_along(const ClosestPoint& closest, const FacingHalf& h, int e, double slope, const Own& own,
                   const Other& other) const {
-    const auto& ends = outline_.segments[foot.segment].node;
+    const auto& ends = outline_.segments[closest.segment].node;
     const V t = place_[ends[1]] - place_[ends[0]];
-    const double by = slope / dot(t, way(foot.node, h.side)), turning = by * depth_at(foot, h, e);
-    own(foot.node, ((1 - h.at[e]) * by) * t);
-    own(other_end(foot.node, h.side), (h.at[e] * by) * t);
+    const double by = slope / dot(t, way(closest.node, h.side)), turning = by * depth_at(closest, h, e);
+    own(closest.node, ((1 - h.at[e]) * by) * t);
+    own(other_end(closest.node, h.side), (h.at[e] * by) * t);
     other(ends[e], -by * t);
-    other(ends[1], -turning * foot.normal);
-    other(ends[0], turning * foot.normal);
+    other(ends[1], -turning * closest.normal);
+    other(ends[0], turning * closest.normal);
   }
 
   /// Applies the slope of an energy in the cosine of two normals: δn = −t n·δt/|t|².
@@ -332,7 +334,7 @@ class MovingFaces {
   Outline outline_;
   std::vector<std::array<bool, 2>> sharp_;  // [segment][end]
   std::vector<int> stored_;                 // [share] storage index
-  std::vector<int> behind_;                 // [node] share of the main particle
+  std::vector<int> main_share_;             // [node] share of the main particle
   std::vector<V> place_;                    // [node] m
   std::vector<V> normal_;                   // [segment]
 };

@@ -64,14 +64,14 @@ class MovingFacets {
     const std::vector<int> where = s.places_of_ids();
     stored_.clear();
     for (const PointWeight& share : mesh_.shares) stored_.push_back(where[share.particle]);
-    behind_.clear();
-    for (const SurfaceMesh::Facet& facet : mesh_.facets) behind_.push_back(where[facet.particle]);
+    particle_of_facet_.clear();
+    for (const SurfaceMesh::Facet& facet : mesh_.facets) particle_of_facet_.push_back(where[facet.particle]);
   }
 
   /// Position of the particle behind each facet, m.
   void follow(const Particles<3>& s, std::vector<V>& x) const {
     x.clear();
-    for (const int i : behind_) x.push_back(s.x[i]);
+    for (const int i : particle_of_facet_) x.push_back(s.x[i]);
   }
 
   /// `nodes`: all nodes of `facets`.
@@ -110,8 +110,8 @@ class MovingFacets {
 
   template <class Archive>
   void serialize(Archive& archive, int particles) {
-    archive.fixed(stored_, behind_);
-    for (const std::vector<int>* list : {&stored_, &behind_})
+    archive.fixed(stored_, particle_of_facet_);
+    for (const std::vector<int>* list : {&stored_, &particle_of_facet_})
       archive.check("a particle of a face", [&] {
         return std::ranges::all_of(*list, [&](int i) { return is_below(i, particles); });
       });
@@ -129,9 +129,9 @@ class MovingFacets {
   }
 
   SurfaceMesh mesh_;
-  std::vector<int> stored_;  // [share] storage index
-  std::vector<int> behind_;  // [facet] storage index
-  std::vector<V> x_;         // [node] m
+  std::vector<int> stored_;             // [share] storage index
+  std::vector<int> particle_of_facet_;  // [facet] storage index
+  std::vector<V> x_;                    // [node] m
   std::vector<Place> place_;
 };
 

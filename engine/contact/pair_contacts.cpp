@@ -16,7 +16,7 @@ PairContacts<Dim>::PairContacts(const SolverInput& input, const ContactLawRow& l
   const auto by_contact = [](const Probe& probe) { return probe.kind == Probe::Kind::contact_force; };
   const std::size_t bodies = input.scene.bodies.size();
   if (has_impulses() && std::ranges::any_of(input.scene.probes, by_contact))
-    given_.assign(bodies, std::vector<V>(bodies + input.scene.walls.size()));
+    recorded_impulses_.assign(bodies, std::vector<V>(bodies + input.scene.walls.size()));
   for (const int material : input.initial.material) K_.push_back(input.materials[material].K);
 }
 
@@ -71,7 +71,7 @@ void PairContacts<Dim>::evaluate(const Particles<Dim>& s, double dt, WallContact
   for_each_wall_touch(s, walls, 0, [&](int i, int wall, const V& x, double r) {
     const V f = push(r, dp_, modulus(s, i, i), Dim) * walls.normal(wall);
     force[i] += f;
-    walls.book(x, (dt * s.mobile[i]) * f);
+    walls.record_impulse(x, (dt * s.mobile[i]) * f);
   });
 }
 
@@ -117,28 +117,28 @@ template <int Dim>
 void PairContacts<Dim>::stop_approach(const Particles<Dim>& s, double gone, WallContacts<Dim>& walls,
                                       const std::vector<double>& inverse_mass, std::vector<V>& impulse) {
   const auto stop = law_.impulse;
-  for (std::vector<V>& given : given_) std::ranges::fill(given, V{});
+  for (std::vector<V>& given : recorded_impulses_) std::ranges::fill(given, V{});
   for (const int i : touching_) {
     impulse[i] = V{};
     for_each_touch(s, i, gone, [&](int j, const V& d, double r) {
       const double closing_speed = -dot(s.v[i] - s.v[j], d) / r;
       const V given = (stop(closing_speed, inverse_mass[i], inverse_mass[j]) / r) * d;
       impulse[i] += given;
-      note(s.body[i], s.body[j], given);
+      record_impulse(s.body[i], s.body[j], given);
     });
   }
   for_each_wall_touch(s, walls, gone, [&](int i, int wall, const V& x, double) {
     const V& normal = walls.normal(wall);
     const V given = stop(-dot(s.v[i], normal), inverse_mass[i], 0) * normal;
     impulse[i] += given;
-    note(s.body[i], bodies() + wall, given);
-    walls.book(x, given);
+    record_impulse(s.body[i], bodies() + wall, given);
+    walls.record_impulse(x, given);
   });
 }
 
 template <int Dim>
 auto PairContacts<Dim>::impulse(int body, int other, int wall) const -> V {
-  return given_[body][wall < 0 ? other : bodies() + wall];
+  return recorded_impulses_[body][wall < 0 ? other : bodies() + wall];
 }
 
 template class PairContacts<2>;

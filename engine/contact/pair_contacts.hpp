@@ -56,9 +56,9 @@ class PairContacts final : public ContactMechanism<Dim> {
   template <class F>
   void for_each_wall_touch(const Particles<Dim>& s, const WallContacts<Dim>& walls, double gone,
                            const F& f) const;
-  int bodies() const { return static_cast<int>(given_.size()); }
-  void note(int body, int other, const V& impulse) {
-    if (!given_.empty()) given_[body][other] += impulse;
+  int bodies() const { return static_cast<int>(recorded_impulses_.size()); }
+  void record_impulse(int body, int other, const V& impulse) {
+    if (!recorded_impulses_.empty()) recorded_impulses_[body][other] += impulse;
   }
 
   const ContactLawRow& law_;
@@ -66,7 +66,7 @@ class PairContacts final : public ContactMechanism<Dim> {
   double stiffness_;       // over K1 K2/(K1 + K2)
   std::vector<double> K_;  // [id] Pa
   PairCandidates<Dim> candidates_;
-  std::vector<std::vector<V>> given_;  // [body][body, then wall] N s, for probes
+  std::vector<std::vector<V>> recorded_impulses_;  // [body][body, then wall] N s, for probes
 };
 
 }  // namespace taut

@@ -32,19 +32,19 @@ class WallContacts {
   }
 
   /// Records an impulse, N s, on a particle at x.
-  void book(const V& x, const V& impulse) {
-    for (int k = 0; k < Dim; ++k) given_.linear[k] += impulse[k];
-    given_.angular[2] += x[0] * impulse[1] - x[1] * impulse[0];
+  void record_impulse(const V& x, const V& impulse) {
+    for (int k = 0; k < Dim; ++k) recorded_impulse_.linear[k] += impulse[k];
+    recorded_impulse_.angular[2] += x[0] * impulse[1] - x[1] * impulse[0];
     if constexpr (Dim == 3) {
-      given_.angular[0] += x[1] * impulse[2] - x[2] * impulse[1];
-      given_.angular[1] += x[2] * impulse[0] - x[0] * impulse[2];
+      recorded_impulse_.angular[0] += x[1] * impulse[2] - x[2] * impulse[1];
+      recorded_impulse_.angular[1] += x[2] * impulse[0] - x[0] * impulse[2];
     }
   }
-  const Impulse& given() const { return given_; }
+  const Impulse& recorded_impulse() const { return recorded_impulse_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(given_);
+    archive(recorded_impulse_);
   }
 
  private:
@@ -53,7 +53,7 @@ class WallContacts {
   };
 
   std::vector<Plane> planes_;
-  Impulse given_;
+  Impulse recorded_impulse_;
 };
 
 inline constexpr TermInfo wall_info{

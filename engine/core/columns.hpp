@@ -85,7 +85,7 @@ void put(const Mat<Pack, Dim>& A, const ColumnsView<Dim * Dim>& columns, int fir
 
 /// Loads four vectors; lanes from `count` on are 0.
 template <int Dim>
-Vec<Pack, Dim> four_of(const Vec<double, Dim>* rows, int count) {
+Vec<Pack, Dim> load_four(const Vec<double, Dim>* rows, int count) {
   Vec<Pack, Dim> v{};
   if (count < lanes) [[unlikely]] {
     for (int lane = 0; lane < count; ++lane)
@@ -100,7 +100,7 @@ Vec<Pack, Dim> four_of(const Vec<double, Dim>* rows, int count) {
   return v;
 }
 template <int Dim>
-void put_four(const Vec<Pack, Dim>& v, Vec<double, Dim>* rows, int count) {
+void store_four(const Vec<Pack, Dim>& v, Vec<double, Dim>* rows, int count) {
   if (Dim == 2 && count >= lanes) [[likely]] {
     store(__builtin_shufflevector(v[0], v[1], 0, 4, 1, 5), rows[0].c);
     store(__builtin_shufflevector(v[0], v[1], 2, 6, 3, 7), rows[2].c);
@@ -109,12 +109,12 @@ void put_four(const Vec<Pack, Dim>& v, Vec<double, Dim>* rows, int count) {
   }
 }
 template <int Dim>
-Vec<Pack, Dim> four_of(const std::vector<Vec<double, Dim>>& rows, int first) {
-  return four_of(&rows[first], static_cast<int>(rows.size()) - first);
+Vec<Pack, Dim> load_four(const std::vector<Vec<double, Dim>>& rows, int first) {
+  return load_four(&rows[first], static_cast<int>(rows.size()) - first);
 }
 template <int Dim>
-void put_four(const Vec<Pack, Dim>& v, std::vector<Vec<double, Dim>>& rows, int first) {
-  put_four(v, &rows[first], static_cast<int>(rows.size()) - first);
+void store_four(const Vec<Pack, Dim>& v, std::vector<Vec<double, Dim>>& rows, int first) {
+  store_four(v, &rows[first], static_cast<int>(rows.size()) - first);
 }
 
 }  // namespace taut

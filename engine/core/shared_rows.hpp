@@ -30,7 +30,7 @@ class SharedRows {
     if (2 * known_ >= table_.size()) grow();
     std::size_t at = first_of(hash);
     for (; table_[at].begin >= 0; at = next(at))
-      if (table_[at].hash == hash && stands(bytes, row.size(), table_[at].begin)) return table_[at].begin;
+      if (table_[at].hash == hash && equals_at(bytes, row.size(), table_[at].begin)) return table_[at].begin;
     const int begin = static_cast<int>(all_.size());
     table_[at] = {hash, begin};
     ++known_;
@@ -53,7 +53,7 @@ class SharedRows {
   static std::string_view bytes_of(const std::vector<T>& row) {
     return {reinterpret_cast<const char*>(row.data()), row.size() * sizeof(T)};
   }
-  bool stands(std::string_view bytes, std::size_t size, int begin) const {
+  bool equals_at(std::string_view bytes, std::size_t size, int begin) const {
     const char* const there = reinterpret_cast<const char*>(all_.data() + begin);
     return size <= all_.size() - static_cast<std::size_t>(begin) &&
            std::string_view(there, bytes.size()) == bytes;

@@ -10,7 +10,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 // Time to spin before sleep: waking takes as long as a loop of a small scene.
 constexpr std::chrono::microseconds patience{100};
-constexpr int looks = 50;  // between clock reads, or before the owner yields
+constexpr int spins = 50;  // between clock reads, or before the owner yields
 
 void pause() {
 #if defined(__x86_64__)
@@ -64,7 +64,7 @@ void Team::run(int threads, int chunks, Work work, const void* of) {
   take_part(job, 0);
   int looked = 0;
   while (left_.load(std::memory_order_acquire) > 0) {
-    if (looked < looks)
+    if (looked < spins)
       ++looked, pause();
     else
       ::sched_yield();
@@ -93,7 +93,7 @@ void Team::help(int member) {
 std::uint64_t Team::wait_for_other_than(std::uint64_t word) {
   const Clock::time_point begin = Clock::now();
   do {
-    for (int k = 0; k < looks; ++k, pause())
+    for (int k = 0; k < spins; ++k, pause())
       if (const std::uint64_t now = job_.load(std::memory_order_acquire); now != word) return now;
   } while (Clock::now() - begin < patience);
   std::unique_lock lock(mutex_);

@@ -12,7 +12,7 @@ class TeamSize {
  public:
   explicit TeamSize(int most) : most_(most) {}
 
-  int threads() const { return alone_ > 0 ? 1 : most_; }
+  int threads() const { return single_blocks_ > 0 ? 1 : most_; }
 
   /// Call before a series of steps: only their time counts.
   void resume() { last_ = seconds(); }
@@ -26,7 +26,7 @@ class TeamSize {
   void step_took(double time) {
     taken_ += time;
     ++steps_;
-    if (alone_ > 0) {
+    if (single_blocks_ > 0) {
       if (steps_ == most_steps || (steps_ == least_steps && taken_ > long_enough)) block_alone_done();
     } else if (taken_ > block_alone_) {
       team_failed();
@@ -46,18 +46,18 @@ class TeamSize {
   void block_alone_done() {
     block_ = steps_;
     block_alone_ = taken_;
-    --alone_;
+    --single_blocks_;
     begin_block();
   }
   void team_failed() {
     const double lost = taken_ - block_alone_ * steps_ / block_;  // s
     patience_ = std::min(2 * patience_, most_patience);
-    alone_ = static_cast<int>(std::clamp(worth * lost / block_alone_, patience_, 1e6));
-    well_ = 0;
+    single_blocks_ = static_cast<int>(std::clamp(worth * lost / block_alone_, patience_, 1e6));
+    team_blocks_ = 0;
     begin_block();
   }
   void team_did_well() {
-    if (++well_ == often) alone_ = 1, well_ = 0;
+    if (++team_blocks_ == often) single_blocks_ = 1, team_blocks_ = 0;
     patience_ = 1;
     begin_block();
   }
@@ -68,11 +68,11 @@ class TeamSize {
   }
 
   int most_;
-  int alone_ = 1;           // remaining blocks on one thread
+  int single_blocks_ = 1;   // remaining blocks on one thread
   int block_ = 0;           // steps of the last block on one thread
   double block_alone_ = 0;  // its duration, s
-  int well_ = 0;            // team blocks since then
-  double patience_ = 1;     // least `alone_` after a failed trial
+  int team_blocks_ = 0;     // team blocks since then
+  double patience_ = 1;     // least `single_blocks_` after a failed trial
   int steps_ = 0;           // steps of the current block
   double taken_ = 0;        // its duration so far, s
   double last_ = 0;         // s, end of the last step

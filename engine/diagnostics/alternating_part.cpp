@@ -36,7 +36,7 @@ constexpr double least_left = 0.3;
 double scale(int dim) { return dim == 3 ? std::sqrt(207.0 / 170) * 85 / 128 : std::sqrt(11.0 / 8) / 2; }
 
 bool alike(const Snapshot& now, std::size_t i, std::size_t j) {
-  return now.material[i] == now.material[j] && now.held[i] == now.held[j];
+  return now.material[i] == now.material[j] && now.clamped[i] == now.clamped[j];
 }
 
 /// Similar particles in range, the particle itself first.
@@ -48,7 +48,7 @@ struct Neighborhoods {
 };
 
 /// Excludes neighbours across a slot: its opening is no zigzag.
-void leave_out_beyond_slots(const Snapshot& start, double spacing, int threads, Neighborhoods& near) {
+void exclude_across_slots(const Snapshot& start, double spacing, int threads, Neighborhoods& near) {
   const auto squared = [&](int i, int j) {
     const double r = distance_between(start.initial(static_cast<std::size_t>(i)),
                                       start.initial(static_cast<std::size_t>(j)), start.dim) /
@@ -90,7 +90,7 @@ Neighborhoods neighborhoods(const Snapshot& start, double spacing, int threads) 
   std::vector<std::size_t> end(near.begin.begin(), near.begin.end() - 1);
   for (std::size_t i = 0; i < start.size(); ++i) near.all[end[i]++] = static_cast<int>(i);
   for_each_pair([&](int i, int j) { near.all[end[i]++] = j, near.all[end[j]++] = i; });
-  leave_out_beyond_slots(start, spacing, threads, near);
+  exclude_across_slots(start, spacing, threads, near);
   return near;
 }
 
@@ -217,7 +217,7 @@ AlternatingPart alternating_part(const Snapshot& start, double spacing, int thre
   Rows rows(start, spacing, near);
   std::vector<std::size_t> moving;
   for (std::size_t i = 0; i < start.size(); ++i)
-    if (start.held[i] == 0) moving.push_back(i);
+    if (start.clamped[i] == 0) moving.push_back(i);
   const auto near_of = [&](int k) { return near[moving[static_cast<std::size_t>(k)]]; };
   make_in_order(
       static_cast<int>(moving.size()), threads, [&](int k) { return rows.make(near_of(k)); },

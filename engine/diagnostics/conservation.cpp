@@ -19,7 +19,7 @@ std::optional<double> ratio(double change, double scale) {
 }  // namespace
 
 bool exchanges_momentum(const Scene& scene, const Snapshot& start) {
-  const bool holds = std::ranges::any_of(start.held, [](unsigned char held) { return held != 0; });
+  const bool holds = std::ranges::any_of(start.clamped, [](unsigned char clamped) { return clamped != 0; });
   return holds || has_guides(scene) || has_drives(scene) || has_loads(scene) || scene.damping > 0;
 }
 

@@ -54,7 +54,7 @@ LineRecorder::Points LineRecorder::points_of(const SampleLine& line, const Snaps
   const int end = static_cast<int>(last - now.body.begin());
   const bool of_stress = field_of(line, now.dim).unit == "Pa";
   const double link = scene ? link_of_neighbors * scene->spacing : std::numeric_limits<double>::infinity();
-  const Surroundings all{x, now.held, now.driven, now.material, begin, end, reach_, link, now.dim};
+  const Surroundings all{x, now.clamped, now.driven, now.material, begin, end, reach_, link, now.dim};
   Points points;
   for (int k = 0; k < line.points; ++k) {
     const Point at = line_point(line, k);

@@ -172,7 +172,7 @@ Value given_then(const Source& source) {
 /// None if the extreme is at the end and may grow. Errors (`turns` false) always count.
 Measured extreme(const Source& source, double value) {
   const auto &t = source.curve[0].t, &y = source.curve[0].y;
-  if (!source.turns || y.back() != value) return value;
+  if (!source.end_extreme_may_grow || y.back() != value) return value;
   if (std::ranges::min(y) == std::ranges::max(y)) return none("the series is {:g} at all times", value);
   return none("the series has its extreme at the end, {:g} s: use a longer run", t.back());
 }

@@ -38,9 +38,9 @@ struct MeasureSource {
   std::optional<double> reference_value;
   const SampleLine* line = nullptr;  // may be null
   const std::vector<LineSample>* samples = nullptr;
-  const Snapshot* now = nullptr;  // may be null
-  double until = 0;               // s
-  bool turns = true;              // an extreme at the end may still grow
+  const Snapshot* now = nullptr;     // may be null
+  double until = 0;                  // s
+  bool end_extreme_may_grow = true;  // an extreme at the end may still grow
 };
 
 struct Measured {

@@ -58,8 +58,8 @@ MeasureSource source_of(const Measure& measure, const Scene& scene, const Series
   for (const std::string& name : measure.probes) {
     const std::size_t probe = probe_index(scene, name, key + ".probe");
     const Probe& of = scene.probes[probe];
-    source.curve.push_back(finite_part({series.time, series.value.at(probe), is_of_steps(of)}));
-    if (of.kind == Probe::Kind::mirror_asymmetry) source.turns = false;
+    source.curve.push_back(finite_part({series.time, series.value.at(probe), is_step_mean(of)}));
+    if (of.kind == Probe::Kind::mirror_asymmetry) source.end_extreme_may_grow = false;
   }
   if (!measure.free.empty()) {
     source.free =

@@ -90,7 +90,7 @@ std::optional<FieldError> field_error(const Measure& measure, const Snapshot& no
   std::vector<Site> sites;
   double scale = 0, sum = 0, greatest = 0;  // squared
   for (std::size_t i = 0; i < now.size(); ++i) {
-    if (now.body[i] != measure.body || now.held[i]) continue;
+    if (now.body[i] != measure.body || now.clamped[i]) continue;
     Site site{now.initial(i), {}, now.m[i]};
     Point should{};
     for (std::size_t k = 0; k < fields.size(); ++k) {

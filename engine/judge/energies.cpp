@@ -26,7 +26,7 @@ Point sum(const Point& a, double factor, const Point& b) {
 
 bool is_acted_on(const Scene& scene, const Body& body) {
   const auto exists = [](const Expression& expression) { return bool(expression); };
-  return scene.damping > 0 || exists(body.held) || std::ranges::any_of(body.guided, exists) ||
+  return scene.damping > 0 || exists(body.clamped) || std::ranges::any_of(body.guided, exists) ||
          !body.drives.empty() || !body.loads.empty();
 }
 

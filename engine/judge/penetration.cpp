@@ -181,8 +181,8 @@ int Penetration::count(const Snapshot& now) {
   if (surface_.empty()) return 0;
   if (!lists_hold<Dim>(now)) search<Dim>(now);
   Around<Dim> around;
-  return static_cast<int>(
-      std::ranges::count_if(asked_, [&](const Asked& asked) { return is_inside<Dim>(now, asked, around); }));
+  return static_cast<int>(std::ranges::count_if(
+      tested_, [&](const Tested& tested) { return is_inside<Dim>(now, tested, around); }));
 }
 
 template <int Dim>
@@ -214,32 +214,32 @@ bool Penetration::lists_hold(const Snapshot& now) const {
 template <int Dim>
 void Penetration::search(const Snapshot& now) {
   at_search_ = now.x;
-  asked_.clear();
+  tested_.clear();
   near_.clear();
-  const std::vector<int> ask = to_ask<Dim>(now);
-  if (ask.empty()) return;
+  const std::vector<int> particles = particles_to_test<Dim>(now);
+  if (particles.empty()) return;
   const double radius = reach * spacing_;
-  const Cells<Dim> around(now, particles_around<Dim>(now, ask, radius), radius);
-  for (const int i : ask) {
+  const Cells<Dim> around(now, particles_around<Dim>(now, particles, radius), radius);
+  for (const int i : particles) {
     const int begin = static_cast<int>(near_.size());
     around.for_each_around(place<Dim>(now.x, i), [&](int j) {
       if (is_far<Dim>(now, i, j)) near_.push_back(j);
     });
-    asked_.push_back({i, begin, static_cast<int>(near_.size())});
+    tested_.push_back({i, begin, static_cast<int>(near_.size())});
   }
 }
 
 /// Surface particles with a far one in range.
 template <int Dim>
-std::vector<int> Penetration::to_ask(const Snapshot& now) const {
+std::vector<int> Penetration::particles_to_test(const Snapshot& now) const {
   const Cells<Dim> surface(now, surface_, reach * spacing_);
-  std::vector<int> ask;
+  std::vector<int> particles;
   for (const int i : surface_) {
     bool any = false;
     surface.for_each_around(place<Dim>(now.x, i), [&](int j) { any = any || is_far<Dim>(now, i, j); });
-    if (any) ask.push_back(i);
+    if (any) particles.push_back(i);
   }
-  return ask;
+  return particles;
 }
 
 template <int Dim>
@@ -251,12 +251,12 @@ bool Penetration::is_far(const Snapshot& now, int i, int j) const {
 }
 
 template <int Dim, class Around>
-bool Penetration::is_inside(const Snapshot& now, const Asked& asked, Around& around) const {
+bool Penetration::is_inside(const Snapshot& now, const Tested& tested, Around& around) const {
   around.clear();
   bool at_surface = false;
-  for (int k = asked.begin; k < asked.end; ++k) {
+  for (int k = tested.begin; k < tested.end; ++k) {
     const int j = near_[static_cast<std::size_t>(k)];
-    const Vec<double, Dim> d = place<Dim>(now.x, j) - place<Dim>(now.x, asked.particle);
+    const Vec<double, Dim> d = place<Dim>(now.x, j) - place<Dim>(now.x, tested.particle);
     const double r2 = dot(d, d) / (spacing_ * spacing_);
     if (r2 >= near * near) continue;
     if (r2 > shallow(Dim) * shallow(Dim)) around.add(d);

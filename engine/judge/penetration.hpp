@@ -24,7 +24,7 @@ class Penetration {
   int operator()(const Snapshot& now);
 
  private:
-  struct Asked {
+  struct Tested {
     int particle, begin, end;  // of `near_`
   };
 
@@ -35,17 +35,17 @@ class Penetration {
   template <int Dim>
   void search(const Snapshot& now);
   template <int Dim>
-  std::vector<int> to_ask(const Snapshot& now) const;
+  std::vector<int> particles_to_test(const Snapshot& now) const;
   template <int Dim>
   bool is_far(const Snapshot& now, int i, int j) const;
   template <int Dim, class Around>
-  bool is_inside(const Snapshot& now, const Asked& asked, Around& around) const;
+  bool is_inside(const Snapshot& now, const Tested& tested, Around& around) const;
 
   double spacing_;            // m
   std::vector<int> surface_;  // ascending
   std::vector<bool> on_surface_;
   std::vector<double> at_search_;  // Snapshot::x; initially empty
-  std::vector<Asked> asked_;
+  std::vector<Tested> tested_;
   std::vector<int> near_;  // far candidates
 };
 

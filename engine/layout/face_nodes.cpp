@@ -18,20 +18,19 @@ constexpr double greatest_square = 3;
 
 }  // namespace
 
-ParticlesAround::ParticlesAround(const InitialParticles& initial, int body, double dp)
-    : initial_(initial), dp_(dp) {
+NodeWeights::NodeWeights(const InitialParticles& initial, int body, double dp) : initial_(initial), dp_(dp) {
   for (int i = initial.first[as_index(body)]; i < initial.first[as_index(body) + 1]; ++i)
     cells_[cell_of(initial.x[as_index(i)])].push_back(i);
 }
 
-ParticlesAround::Cell ParticlesAround::cell_of(const Point& x) const {
+NodeWeights::Cell NodeWeights::cell_of(const Point& x) const {
   Cell cell{};
   for (std::size_t k = 0; k < as_index(initial_.dim); ++k)
     cell[k] = static_cast<long>(std::floor(x[k] / (greatest_reach * dp_)));
   return cell;
 }
 
-std::vector<int> ParticlesAround::near(const Point& x) const {
+std::vector<int> NodeWeights::near(const Point& x) const {
   std::vector<int> found;
   const Cell middle = cell_of(x);
   const long depth = initial_.dim == 3 ? 1 : 0;
@@ -47,7 +46,7 @@ std::vector<int> ParticlesAround::near(const Point& x) const {
   return found;
 }
 
-std::vector<PointWeight> ParticlesAround::shares_of(const Point& x) const {
+std::vector<PointWeight> NodeWeights::shares_of(const Point& x) const {
   const std::vector<int> around = linked_to_nearest(initial_.x, near(x), x, link_of_neighbors * dp_);
   std::vector<Point> places;
   for (const int i : around) places.push_back(initial_.x[as_index(i)]);

@@ -23,9 +23,9 @@ struct FaceNodes {
   }
 };
 
-class ParticlesAround {
+class NodeWeights {
  public:
-  ParticlesAround(const InitialParticles& initial, int body, double dp);
+  NodeWeights(const InitialParticles& initial, int body, double dp);
 
   /// Returns shares of the smallest reach with low Σ weight². Empty if too few particles are near, or all in a plane.
   std::vector<PointWeight> shares_of(const Point& x) const;

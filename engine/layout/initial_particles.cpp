@@ -43,7 +43,7 @@ Bounds lattice_bounds_of(const Body& body) {
 }
 
 /// A cut-out that removes nothing is most likely a mistake.
-void refuse_idle_cuts(const Body& body, const std::vector<long>& cut) {
+void check_cuts(const Body& body, const std::vector<long>& cut) {
   for (std::size_t k = 0; k < cut.size(); ++k)
     if (cut[k] == 0)
       throw SceneError("body." + body.name + ".without", "without: shape " + std::to_string(k + 1) +
@@ -115,7 +115,7 @@ std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
       }
     }
   }
-  refuse_idle_cuts(body, cut);
+  check_cuts(body, cut);
   return sites;
 }
 
@@ -173,7 +173,7 @@ void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, const S
 /// Reflects after the layout, so that mirrored bodies are exact images.
 std::vector<InitialSite> body_sites(const Body& as_given, const Scene& scene) {
   const int dim = scene.dim;
-  const Body body = as_laid(as_given, dim);
+  const Body body = unplaced_body(as_given, dim);
   std::vector<InitialSite> sites = own_sites(body, dim, scene.spacing);
   if (sites.empty()) sites = lattice_sites(body, dim, scene.spacing);
   for (InitialSite& site : sites) site.middle = placed(as_given, site.x, dim);
@@ -211,7 +211,7 @@ void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
     if (is_idle(body.guided[k])) refuse(fmt::format("held[{}]", k));
   const bool by_component =
       std::ranges::any_of(body.guided, [](const Expression& e) { return e != nullptr; });
-  if (!by_component && is_idle(body.held)) refuse("held");
+  if (!by_component && is_idle(body.clamped)) refuse("held");
 }
 
 /// Weights of n + 1 particles, in cells. An end that is not `free` may be a plane of symmetry.
@@ -239,7 +239,7 @@ bool may_mirror(const InitialParticles& layout, int first, int axis, int dim, co
   const unsigned normal = 1u << axis, others = ((1u << dim) - 1) & ~normal;
   bool guided = false;
   for (int i = first; i < layout.size(); ++i) {
-    if (!on_face(i - first) || layout.held[i]) continue;
+    if (!on_face(i - first) || layout.clamped[i]) continue;
     const unsigned guide = layout.guided[i];
     if ((guide & normal) == 0 && (guide & others) != others) return false;
     guided = true;
@@ -301,14 +301,14 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
     layout.material.push_back(part < 0 ? body.material : body.parts[part].material);
     const int drive = last_that_holds(body.drives, site.middle);
     layout.drive.push_back(drive);
-    const bool held = value_of(body.held, site.middle) != 0;
-    layout.held.push_back(held);
-    if (held && drive >= 0)
+    const bool clamped = value_of(body.clamped, site.middle) != 0;
+    layout.clamped.push_back(clamped);
+    if (clamped && drive >= 0)
       throw SceneError("body." + body.name + ".driven",
                        "particles of body '" + body.name +
                            "' are both held and driven; 'held' and the 'where' of 'driven' must not overlap");
-    layout.guided.push_back(held ? 0 : guide_at(body, site.middle));
-    const auto is_free = [&](int k) { return !held && (layout.guided.back() >> k & 1) == 0; };
+    layout.guided.push_back(clamped ? 0 : guide_at(body, site.middle));
+    const auto is_free = [&](int k) { return !clamped && (layout.guided.back() >> k & 1) == 0; };
     // jitter would move guided particles off a rotated face
     const bool stays = drive >= 0 || (body.rotation && layout.guided.back() != 0);
     Point x = site.x, v{};

@@ -9,16 +9,16 @@ namespace taut {
 /// Particles of all bodies, body after body.
 struct InitialParticles {
   int dim = 2;
-  std::vector<Point> x, v;            // reference position, m; velocity, m/s
-  std::vector<Point> middle;          // of cells, m, for tests of regions and images; empty = x
-  std::vector<Point> start;           // starting position, m; empty = x
-  std::vector<double> V0;             // m^dim
-  std::vector<double> inside;         // V0 / cell: < 1 on a face, slightly > 1 next to a free one
-  std::vector<int> body;              // index into Scene::bodies
-  std::vector<int> material;          // index into Scene::materials
-  std::vector<int> drive;             // index into the body's drives, or -1
-  std::vector<unsigned char> held;    // 1: clamped
-  std::vector<unsigned char> guided;  // bit k: fixed along axis k; empty = none
+  std::vector<Point> x, v;             // reference position, m; velocity, m/s
+  std::vector<Point> middle;           // of cells, m, for tests of regions and images; empty = x
+  std::vector<Point> start;            // starting position, m; empty = x
+  std::vector<double> V0;              // m^dim
+  std::vector<double> inside;          // V0 / cell: < 1 on a face, slightly > 1 next to a free one
+  std::vector<int> body;               // index into Scene::bodies
+  std::vector<int> material;           // index into Scene::materials
+  std::vector<int> drive;              // index into the body's drives, or -1
+  std::vector<unsigned char> clamped;  // 1: clamped
+  std::vector<unsigned char> guided;   // bit k: fixed along axis k; empty = none
   // image under a symmetry rotation of the body, or itself
   std::vector<int> turned;
   std::vector<int> first;  // first particle of each body, then the total

@@ -41,11 +41,11 @@ std::vector<PointWeight> point_in_cell(const std::vector<Point>& x, int begin, i
                                        const Body& body, double dp, int dim) {
   constexpr double round_off = 1e-9;
   const Point pitch = pitch_on_boundary(*body.shapes.front().as<Box>(), dp, dim);
-  const Point laid = laid_at(body, at, dim);
+  const Point laid = unplaced_point(body, at, dim);
   std::vector<PointWeight> point;
   double sum = 0;
   for (int i = begin; i < end; ++i) {
-    const Point of_particle = laid_at(body, x[static_cast<std::size_t>(i)], dim);
+    const Point of_particle = unplaced_point(body, x[static_cast<std::size_t>(i)], dim);
     double weight = 1;
     for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
       weight *= std::max(0.0, 1 - std::abs(of_particle[k] - laid[k]) / pitch[k]);
@@ -101,8 +101,8 @@ std::vector<PointWeight> point_of(const std::vector<Point>& x, const std::vector
 
 /// `point` if all its particles count, else one of those that do and are linked to `nearest`.
 template <class Counts>
-std::vector<PointWeight> point_of_those(std::vector<PointWeight> point, std::vector<int> near, int nearest,
-                                        const Surroundings& all, const Point& at, const Counts& counts) {
+std::vector<PointWeight> point_of_matching(std::vector<PointWeight> point, std::vector<int> near, int nearest,
+                                           const Surroundings& all, const Point& at, const Counts& counts) {
   if (std::ranges::all_of(point, [&](const PointWeight& w) { return counts(w.particle); })) return point;
   std::erase_if(near, [&](int i) { return !counts(i); });
   point = point_of(all.x, linked(all.x, near, nearest, all.link), at, all.reach, all.dim);
@@ -163,31 +163,31 @@ std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, 
 std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const Surroundings& all,
                                          const Point& at) {
   std::vector<int> near = within_reach(all.x, all.begin, all.end, at, all.reach);
-  std::erase_if(near, [&](int i) { return all.held[i] != 0; });
+  std::erase_if(near, [&](int i) { return all.clamped[i] != 0; });
   const bool driven_only = std::ranges::all_of(near, [&](int i) { return all.driven[i] != 0; });
-  const auto is_free = [&](int i) { return all.held[i] == 0 && (driven_only || all.driven[i] == 0); };
+  const auto is_free = [&](int i) { return all.clamped[i] == 0 && (driven_only || all.driven[i] == 0); };
   std::erase_if(near, [&](int i) { return !is_free(i); });
   if (near.empty()) return {};
   const int nearest = nearest_of(all.x, near, at);
-  return point_of_those(std::move(point), std::move(near), nearest, all, at,
-                        [&](int i) { return is_free(i) && all.material[i] == all.material[nearest]; });
+  return point_of_matching(std::move(point), std::move(near), nearest, all, at,
+                           [&](int i) { return is_free(i) && all.material[i] == all.material[nearest]; });
 }
 
 std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const Surroundings& all,
-                                         const std::vector<int>& moves_with, const Point& at) {
+                                         const std::vector<int>& motion_group, const Point& at) {
   std::vector<int> near = within_reach(all.x, all.begin, all.end, at, all.reach);
   if (near.empty()) return point;
   const int nearest = nearest_of(all.x, near, at);
   const double least = squared_distance(all.x[nearest], at);
   // ties count, so that the face of a clamp is clamped
   const auto steered = std::ranges::find_if(near, [&](int i) {
-    return moves_with[i] != 0 && squared_distance(all.x[i], at) <= least + 1e-6 * all.link * all.link;
+    return motion_group[i] != 0 && squared_distance(all.x[i], at) <= least + 1e-6 * all.link * all.link;
   });
   if (steered == near.end())
-    return point_of_those(std::move(point), std::move(near), nearest, all, at,
-                          [&](int i) { return all.material[i] == all.material[nearest]; });
+    return point_of_matching(std::move(point), std::move(near), nearest, all, at,
+                             [&](int i) { return all.material[i] == all.material[nearest]; });
   const int first = *steered;
-  std::erase_if(near, [&](int i) { return moves_with[i] != moves_with[first]; });
+  std::erase_if(near, [&](int i) { return motion_group[i] != motion_group[first]; });
   point = point_of(all.x, linked(all.x, near, first, all.link), at, all.reach, all.dim);
   if (point.empty()) point = {{first, 1}};
   return point;

@@ -36,7 +36,7 @@ std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, 
 
 struct Surroundings {
   const std::vector<Point>& x;  // m
-  const std::vector<unsigned char>& held;
+  const std::vector<unsigned char>& clamped;
   const std::vector<unsigned char>& driven;
   const std::vector<int>& material;
   int begin, end;
@@ -52,8 +52,8 @@ std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const S
                                          const Point& at);
 
 /// Replaces a `point` at kinks of the displacement. If the nearest particle is clamped or driven, uses particles that
-/// move with it, else particles of its material. `moves_with[i]`: number of the joint motion, 0 = free.
+/// move with it, else particles of its material. `motion_group[i]`: number of the joint motion, 0 = free.
 std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const Surroundings& all,
-                                         const std::vector<int>& moves_with, const Point& at);
+                                         const std::vector<int>& motion_group, const Point& at);
 
 }  // namespace taut

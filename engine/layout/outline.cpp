@@ -64,8 +64,8 @@ class OutlineMaker {
 
  private:
   void add(int b) {
-    const Body body = as_laid(scene_.bodies[as_index(b)], scene_.dim);
-    const ParticlesAround particles(initial_, b, scene_.spacing);
+    const Body body = unplaced_body(scene_.bodies[as_index(b)], scene_.dim);
+    const NodeWeights particles(initial_, b, scene_.spacing);
     if (needs_clipping(body)) {
       const auto all_are = [](const Point&, const Point&) { return true; };
       for (const Chain& chain : whole_outline(body, scene_.dim, scene_.spacing))
@@ -87,7 +87,7 @@ class OutlineMaker {
   }
 
   template <class IsFace>
-  void add(int b, const Chain& chain, const ParticlesAround& particles, const IsFace& is_face) {
+  void add(int b, const Chain& chain, const NodeWeights& particles, const IsFace& is_face) {
     const std::size_t n = chain.size();
     std::vector<int> node(n, Outline::none);
     for (std::size_t k = 0; k < n; ++k) {
@@ -105,7 +105,7 @@ class OutlineMaker {
   }
 
   /// Node of a chain point, created at first use; shared where chains meet.
-  int node_at(int& known, int b, const Point& laid, const ParticlesAround& particles) {
+  int node_at(int& known, int b, const Point& laid, const NodeWeights& particles) {
     if (known != Outline::none) return known;
     const Point x = placed(scene_.bodies[as_index(b)], laid, scene_.dim);
     std::erase_if(open_, [&](int n) {

@@ -157,7 +157,7 @@ class LaidPlaces {
 void refuse_particles_inside(const InitialParticles& layout, const Scene& scene, std::size_t a, std::size_t b,
                              const Bounds& box) {
   std::optional<LaidPlaces> laid;
-  if (!starts_as_laid(scene.bodies[b])) laid.emplace(layout, scene, b);
+  if (!is_undisplaced(scene.bodies[b])) laid.emplace(layout, scene, b);
   for (int i = layout.first[a]; i < layout.first[a + 1]; ++i) {
     const Point& x = layout.at_start(i);
     if (!lies_in(x, box, scene.spacing)) continue;

@@ -59,7 +59,7 @@ class Faces {
 
   /// Point of a face near x, to 1e-6 spacings, or x itself. `outside` is outwards of x.
   Point nearest(const Point& x, const Point& outside) const {
-    const std::optional<Point> at = down_the_height(x);
+    const std::optional<Point> at = descend_to_face(x);
     return at && is_face(*at) ? *at : on_the_line(x, outside);
   }
 
@@ -98,7 +98,7 @@ class Faces {
   static constexpr double fine = 1e-6, aside = 1e-3, farthest = 1.5, stride = 0.05;
   static constexpr double least_slope = 0.1;  // squared slope of the height
 
-  std::optional<Point> down_the_height(const Point& x) const {
+  std::optional<Point> descend_to_face(const Point& x) const {
     constexpr int steps = 20;
     Point at = x;
     for (int step = 0; step < steps; ++step) {
@@ -153,7 +153,7 @@ class BodyMesh {
  public:
   BodyMesh(const Scene& scene, const InitialParticles& initial, int body, SurfaceMesh& out)
       : given_(scene.bodies[as_index(body)]),
-        laid_(as_laid(given_, dim)),
+        laid_(unplaced_body(given_, dim)),
         dp_(scene.spacing),
         index_(body),
         cells_(laid_, dp_),
@@ -200,7 +200,7 @@ class BodyMesh {
   void find_facets() {
     std::vector<Cell> filled;  // [particle]
     for (int i = first_; i < initial_.first[as_index(index_) + 1]; ++i)
-      filled.push_back(cells_.of(laid_at(given_, initial_.x[as_index(i)], dim)));
+      filled.push_back(cells_.of(unplaced_point(given_, initial_.x[as_index(i)], dim)));
     std::vector<Cell> sorted = filled;
     std::ranges::sort(sorted);
     for (std::size_t i = 0; i < filled.size(); ++i) {
@@ -310,8 +310,8 @@ class BodyMesh {
     const Point out = vector_area(corner);
     Point outside = mean;
     for (std::size_t k = 0; k < dim; ++k) outside[k] += dp_ / area * out[k];
-    const Point face =
-        placed(given_, faces_.nearest(laid_at(given_, mean, dim), laid_at(given_, outside, dim)), dim);
+    const Point face = placed(
+        given_, faces_.nearest(unplaced_point(given_, mean, dim), unplaced_point(given_, outside, dim)), dim);
     double along = 0;
     for (std::size_t k = 0; k < dim; ++k) along += (face[k] - mean[k]) * out[k] / area;
     return along;
@@ -324,7 +324,7 @@ class BodyMesh {
   Cells cells_;
   Faces faces_;
   const InitialParticles& initial_;
-  ParticlesAround particles_;
+  NodeWeights particles_;
   bool turned_inside_out_;
   SurfaceMesh& out_;
   std::vector<SurfaceMesh::Facet> facets_;

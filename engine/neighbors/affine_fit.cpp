@@ -15,10 +15,10 @@ using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 constexpr double reach = 1.6;  // of neighbours, spacings
 
-Layout layout_of(const Snapshot& now) { return {now.dim, now.x0, now.diameter, now.body}; }
+InitialPositions initial_positions(const Snapshot& now) { return {now.dim, now.x0, now.diameter, now.body}; }
 
-void keep_near(const Layout& start, std::size_t i, std::vector<std::size_t>& found, std::size_t begin,
-               double nearest) {
+void keep_near(const InitialPositions& start, std::size_t i, std::vector<std::size_t>& found,
+               std::size_t begin, double nearest) {
   const auto far = [&](std::size_t j) { return start.distance(i, j) > reach * nearest; };
   found.erase(std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end(), far),
               found.end());
@@ -31,7 +31,7 @@ LinearMap linear_map(const Matrix& matrix) {
 }
 
 LinearMap fitted(const Snapshot& now, std::size_t i, std::span<const std::size_t> neighbors) {
-  const Layout start = layout_of(now);
+  const InitialPositions start = initial_positions(now);
   const auto d = static_cast<std::size_t>(now.dim);
   Matrix moment = Matrix::Zero(), sum = Matrix::Zero();
   for (const std::size_t j : neighbors) {
@@ -49,19 +49,19 @@ LinearMap fitted(const Snapshot& now, std::size_t i, std::span<const std::size_t
 
 }  // namespace
 
-Point Layout::way(std::size_t i, std::size_t j) const {
+Point InitialPositions::way(std::size_t i, std::size_t j) const {
   const auto d = static_cast<std::size_t>(dim);
   Point way{};
   for (std::size_t k = 0; k < d; ++k) way[k] = x0[d * j + k] - x0[d * i + k];
   return way;
 }
 
-double Layout::distance(std::size_t i, std::size_t j) const {
+double InitialPositions::distance(std::size_t i, std::size_t j) const {
   const Point X = way(i, j);
   return std::sqrt(X[0] * X[0] + X[1] * X[1] + X[2] * X[2]);
 }
 
-FirstNeighbors first_neighbors(const Layout& start) {
+FirstNeighbors first_neighbors(const InitialPositions& start) {
   FirstNeighbors all;
   const std::size_t n = start.diameter.size(), d = static_cast<std::size_t>(start.dim);
   all.first.assign(n + 1, 0);
@@ -101,7 +101,7 @@ LinearMap inverse_moment(const LinearMap& moment, int dim) {
 }
 
 std::vector<LinearMap> affine_maps(const Snapshot& now) {
-  const FirstNeighbors neighbors = first_neighbors(layout_of(now));
+  const FirstNeighbors neighbors = first_neighbors(initial_positions(now));
   std::vector<LinearMap> maps;
   maps.reserve(now.size());
   for (std::size_t i = 0; i < now.size(); ++i) maps.push_back(fitted(now, i, neighbors[i]));
@@ -109,7 +109,7 @@ std::vector<LinearMap> affine_maps(const Snapshot& now) {
 }
 
 LinearMap affine_map(const Snapshot& now, std::size_t i) {
-  const Layout start = layout_of(now);
+  const InitialPositions start = initial_positions(now);
   const double widest = reach * std::ranges::max(now.diameter);
   std::vector<std::size_t> found;
   double nearest = 1e300;

@@ -13,7 +13,7 @@ namespace taut {
 /// Linear map, row by row.
 using LinearMap = std::array<double, 9>;
 
-struct Layout {
+struct InitialPositions {
   int dim = 2;
   std::span<const double> x0;        // n × dim, m
   std::span<const double> diameter;  // m
@@ -33,7 +33,7 @@ struct FirstNeighbors {
     return std::span(neighbor).subspan(first[i], first[i + 1] - first[i]);
   }
 };
-FirstNeighbors first_neighbors(const Layout& start);
+FirstNeighbors first_neighbors(const InitialPositions& start);
 
 /// Regularised inverse of Σ X ⊗ X over neighbours, 1/m²; in 2D without the third axis.
 LinearMap inverse_moment(const LinearMap& moment, int dim);

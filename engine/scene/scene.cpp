@@ -37,7 +37,7 @@ Point rotated(const Rotation& rotation, const Point& x) {
   return y;
 }
 
-Body as_laid(Body body, int dim) {
+Body unplaced_body(Body body, int dim) {
   const Point middle = body.shapes.front()->middle();
   for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
     if (body.mirror[k])
@@ -54,7 +54,7 @@ Point placed(const Body& body, Point x, int dim) {
   return body.rotation ? rotated(*body.rotation, x) : x;
 }
 
-Point laid_at(const Body& body, Point x, int dim) {
+Point unplaced_point(const Body& body, Point x, int dim) {
   if (body.rotation) x = rotated({body.rotation->axis, body.rotation->about, -body.rotation->angle}, x);
   for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
     if (body.mirror[k]) x[k] = -x[k];
@@ -75,7 +75,7 @@ bool holds(const Body& body, const Point& x, int dim, double tolerance) {
 
 double Material::sound_speed() const { return std::sqrt(bulk_modulus() / density); }
 
-bool lets_go(const Drive& drive, const Scene& scene) {
+bool ends_before_run(const Drive& drive, const Scene& scene) {
   return drive.until && !(scene.until > 0 && *drive.until >= scene.until);
 }
 
@@ -91,7 +91,7 @@ bool has_displacements(const Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const Body& body) { return any_is_given(body.displacement); });
 }
 
-bool starts_as_laid(const Body& body) { return !any_is_given(body.displacement); }
+bool is_undisplaced(const Body& body) { return !any_is_given(body.displacement); }
 
 Point displaced(const Body& body, const Point& x) {
   Point y = x;
@@ -120,7 +120,7 @@ std::string_view name(Lattice lattice) {
 }
 
 double fitted_spacing(const Body& first, int dim, double spacing) {
-  const double extent = first.shapes.front()->thinnest(dim);
+  const double extent = first.shapes.front()->extent_to_divide(dim);
   if (!(extent > 0)) return spacing;
   const double row = first.lattice == Lattice::hexagonal ? hexagonal_row : 1;
   const double fitted = extent / (std::max(1.0, std::round(extent / (spacing * row))) * row);

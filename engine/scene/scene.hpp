@@ -26,7 +26,7 @@ struct Material {
   double youngs_modulus = 0;      // E, Pa
   double poisson_ratio = 0;       // ν
   double given_bulk_modulus = 0;  // Pa; 0 = from E and ν. [Khayyer2024] Eq. 57 takes E
-  std::map<std::string, double, std::less<>> of_laws{};  // given LawRow::parameters, by key
+  std::map<std::string, double, std::less<>> law_parameters{};  // given LawRow::parameters, by key
 
   double bulk_modulus() const {  // K, Pa
     return given_bulk_modulus > 0 ? given_bulk_modulus : youngs_modulus / (3 * (1 - 2 * poisson_ratio));
@@ -106,7 +106,7 @@ struct Body {
   std::vector<Drive> drives;           // the last one with a particle counts
   std::vector<Load> loads;             // all with a particle add up
   std::array<Expression, 3> velocity;  // initial velocity, m/s
-  Expression held;                     // clamped region
+  Expression clamped;                  // clamped region
   std::array<Expression, 3> guided;    // region that is fixed along this axis
   std::array<bool, 3> mirror{};        // reflects the layout along these axes about the first shape's centre
   std::optional<Rotation> rotation;    // after reflection
@@ -117,11 +117,11 @@ struct Body {
 bool holds(const Body& body, const Point& x, int dim, double tolerance);
 
 /// The body before rotation and reflection, shifted such that x → −x reflects it into place.
-Body as_laid(Body body, int dim);
-/// Maps a point of as_laid(body) to its place.
+Body unplaced_body(Body body, int dim);
+/// Maps a point of unplaced_body(body) to its place.
 Point placed(const Body& body, Point x, int dim);
 /// Inverse of `placed`.
-Point laid_at(const Body& body, Point x, int dim);
+Point unplaced_point(const Body& body, Point x, int dim);
 
 /// Component of the Cauchy stress, positive in tension, or invariant, Pa.
 enum class StressPart : std::uint8_t { xx, yy, zz, xy, xz, yz, von_mises, pressure };
@@ -176,7 +176,7 @@ inline constexpr Probe::Kind Probe::Kind::displacement{"displacement"}, Probe::K
     Probe::Kind::contact_force{"contact_force", true}, Probe::Kind::expression{"expression"};
 
 /// Whether samples are means over a step.
-inline bool is_of_steps(const Probe& probe) { return probe.kind.is_force || probe.of_forces; }
+inline bool is_step_mean(const Probe& probe) { return probe.kind.is_force || probe.of_forces; }
 
 /// Evenly spaced points in a body at which a field is sampled.
 struct SampleLine {
@@ -258,7 +258,7 @@ struct Scene {
 };
 
 /// Whether the drive ends before the run. An end with the run does not count, as the last step overshoots.
-bool lets_go(const Drive& drive, const Scene& scene);
+bool ends_before_run(const Drive& drive, const Scene& scene);
 /// Returns the last region that contains x; −1 = none.
 template <class Region>
 int last_that_holds(const std::vector<Region>& regions, const Point& x) {
@@ -268,7 +268,7 @@ int last_that_holds(const std::vector<Region>& regions, const Point& x) {
 }
 bool has_drives(const Scene& scene);
 bool has_displacements(const Scene& scene);
-bool starts_as_laid(const Body& body);
+bool is_undisplaced(const Body& body);
 /// Returns the start of the particle with reference position x.
 Point displaced(const Body& body, const Point& x);
 bool has_guides(const Scene& scene);

@@ -11,7 +11,7 @@ Bounds joined(Bounds a, const Bounds& b) {
 }
 
 bool ShapeBase::has_exact_measure() const { return true; }
-double ShapeBase::thinnest(int) const { return 0; }
+double ShapeBase::extent_to_divide(int) const { return 0; }
 Point ShapeBase::middle() const { return bounds().middle(); }
 Point ShapeBase::anchor() const { return bounds().low; }
 std::vector<InitialSite> ShapeBase::sites(int, double) const { return {}; }

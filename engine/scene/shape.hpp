@@ -70,7 +70,7 @@ struct ShapeBase {
   virtual double measure(int dim) const = 0;
   virtual bool has_exact_measure() const;
   /// Extent that must hold a whole number of particles, m; 0 = none.
-  virtual double thinnest(int dim) const;
+  virtual double extent_to_divide(int dim) const;
   /// Centre of reflections and rotations.
   virtual Point middle() const;
   /// Corner of the lattice if this is the first shape.

@@ -34,7 +34,7 @@ Common<Dim>::Common(const SolverInput& input, double support)
     p.x.push_back(point(initial.x[i]));
     p.v.push_back(external.drives.moves(i) ? external.drives.velocity(i) : point(initial.v[i]));
     p.m.push_back(input.materials[initial.material[i]].rho0 * initial.V0[i]);
-    p.mobile.push_back(initial.held[i] ? 0 : 1);
+    p.mobile.push_back(initial.clamped[i] ? 0 : 1);
     vmax = std::max(vmax, std::sqrt(dot(p.v[i], p.v[i])));
   }
   p.id.resize(p.x.size());
@@ -92,29 +92,29 @@ std::vector<Vec<double, Dim>> middle_velocities(const Particles<Dim>& s, int bod
 
 /// Names the diverged particle with the lowest id.
 template <int Dim>
-void Common<Dim>::refuse_speeds() const {
+void Common<Dim>::throw_if_diverged() const {
   const double limit = greatest_mach_number * constants.c0,
                of_bodies = greatest_mach_number_of_bodies * constants.c0;
   const std::vector<V> middle = middle_velocities(particles, static_cast<int>(initial.first.size()) - 1);
-  int culprit = size();  // id
+  int failed_id = size();  // id
   bool of_body = false;
   for (int i = 0; i < size(); ++i) {
-    const V against = particles.v[i] - middle[particles.body[i]];
-    const bool leaves = !(dot(against, against) <= limit * limit);
+    const V relative_velocity = particles.v[i] - middle[particles.body[i]];
+    const bool leaves = !(dot(relative_velocity, relative_velocity) <= limit * limit);
     if ((!leaves && dot(particles.v[i], particles.v[i]) <= of_bodies * of_bodies) ||
-        particles.id[i] > culprit)
+        particles.id[i] > failed_id)
       continue;
-    culprit = particles.id[i], of_body = !leaves;
+    failed_id = particles.id[i], of_body = !leaves;
   }
-  if (culprit == size()) return;
+  if (failed_id == size()) return;
   const std::string what =
-      of_body ? fmt::format("particle {} and its body are faster than {:g} m/s ({:g} c0)", culprit, of_bodies,
-                            greatest_mach_number_of_bodies)
+      of_body ? fmt::format("particle {} and its body are faster than {:g} m/s ({:g} c0)", failed_id,
+                            of_bodies, greatest_mach_number_of_bodies)
               : fmt::format(
                     "particle {} is faster than its body by more than {:g} m/s ({:g} c0), or its speed is "
                     "not a number",
-                    culprit, limit, greatest_mach_number);
-  throw NumericalError(run.steps, run.time, culprit, "velocity", what);
+                    failed_id, limit, greatest_mach_number);
+  throw NumericalError(run.steps, run.time, failed_id, "velocity", what);
 }
 
 template <int Dim>
@@ -180,7 +180,7 @@ void Common<Dim>::begin_snapshot(Snapshot& out) const {
   out.material = initial.material;
   out.driven = initial.driven();
   for (std::size_t i = 0; i < n; ++i) {
-    out.held[particles.id[i]] = particles.mobile[i] == 0;
+    out.clamped[particles.id[i]] = particles.mobile[i] == 0;
     for (int k = 0; k < Dim; ++k) out.x0[i * Dim + k] = initial.x[i][k];
     out.diameter[i] = std::pow(initial.V0[i], 1.0 / Dim);
   }

@@ -51,7 +51,7 @@ class Common {
   void go_to_start();
 
   /// Returns `by_speed`, s, reduced for stiff contact, or the fixed step of the settings.
-  double fixed_or(double by_speed) const {
+  double fixed_or_stable_step(double by_speed) const {
     constexpr double spare = 1.5;
     return constants.step > 0 ? constants.step
                               : by_speed / std::sqrt(std::max(1.0, contact.stiffening() / spare));
@@ -70,7 +70,7 @@ class Common {
       if (external.reactions.active()) external.reactions.add(i, impulse);
       V v = p.v[i];
       v += (p.mobile[i] / p.m[i]) * impulse;
-      if (!external.drives.moves(p.id[i])) external.guides.hold(p.id[i], v);
+      if (!external.drives.moves(p.id[i])) external.guides.constrain(p.id[i], v);
       external.drives.replace(p, i, v);
       const V change = v - p.v[i];
       p.v[i] = v;
@@ -88,7 +88,7 @@ class Common {
     refuse_divergence();
   }
   void refuse_divergence() const {
-    if (!is_within_bounds(vmax)) refuse_speeds();
+    if (!is_within_bounds(vmax)) throw_if_diverged();
   }
 
   /// For methods that search only contacts.
@@ -134,7 +134,7 @@ class Common {
   bool is_within_bounds(double speed) const {
     return speed >= 0 && speed <= greatest_mach_number * constants.c0;
   }
-  void refuse_speeds() const;
+  void throw_if_diverged() const;
   double fastest() const;  // m/s
   bool are_of_this_scene() const;
   bool are_numbers() const;

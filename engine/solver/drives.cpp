@@ -8,8 +8,9 @@ Drives<Dim>::Drives(const Scene& scene, const InitialParticles& initial) {
   for (const Body& body : scene.bodies) {
     first.push_back(static_cast<int>(drives_.size()));
     for (const Drive& drive : body.drives)
-      drives_.push_back(
-          {drive.velocity, lets_go(drive, scene) ? *drive.until : std::numeric_limits<double>::infinity()});
+      drives_.push_back({drive.velocity, ends_before_run(drive, scene)
+                                             ? *drive.until
+                                             : std::numeric_limits<double>::infinity()});
   }
   if (drives_.empty()) return;
   for (int id = 0; id < initial.size(); ++id)

@@ -24,14 +24,14 @@ class Guides {
   unsigned char axes(int id) const { return active() ? along_[id] : 0; }
 
   /// Sets the constrained components of `v` to 0.
-  void hold(int id, Vec<double, Dim>& v) const {
+  void constrain(int id, Vec<double, Dim>& v) const {
     if (!active() || along_[id] == 0) return;
     for (int k = 0; k < Dim; ++k)
       if (along_[id] >> k & 1) v[k] = 0;
   }
 
   /// The constrained components of `force`.
-  Vec<double, Dim> along(int id, const Vec<double, Dim>& force) const {
+  Vec<double, Dim> constrained_part(int id, const Vec<double, Dim>& force) const {
     Vec<double, Dim> kept{};
     for (int k = 0; k < Dim && active(); ++k)
       if (along_[id] >> k & 1) kept[k] = force[k];
@@ -43,7 +43,7 @@ class Guides {
 };
 
 /// Particles with prescribed velocity (Drive in engine/scene/scene.hpp). Their density and stress evolve as for
-/// clamped particles (strains_what_is_held in methods/ul_split/). In each step call `set_time`, then `replace` for
+/// clamped particles (strains_clamped in methods/ul_split/). In each step call `set_time`, then `replace` for
 /// each new velocity before its use.
 template <int Dim>
 class Drives {
@@ -128,7 +128,7 @@ class Reactions {
   void add(int i, const V& impulse) { impulse_[i] += impulse; }
 
   /// Mean force on particle i over the step that the recorded impulses do not explain, N.
-  V missing(const Particles<Dim>& s, int i) const {
+  V unexplained_force(const Particles<Dim>& s, int i) const {
     return (1 / dt_) * (s.m[i] * (s.v[i] - v_[i]) - impulse_[i]);
   }
 

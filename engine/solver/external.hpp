@@ -38,7 +38,7 @@ struct External {
     if (drives.moves(p.id[i])) return drives.replace(p, i, v);
     const bool loaded = loads.active();
     if (loaded) loads.act(p, i, dt, v);
-    guides.hold(p.id[i], v);
+    guides.constrain(p.id[i], v);
     if (loaded) loads.count(p, i, dt, 0.5 * (p.v[i] + v));
   }
 
@@ -48,8 +48,8 @@ struct External {
   V reaction(const Particles<Dim>& p, int i) const {
     const int id = p.id[i];
     const bool free = p.mobile[i] != 0 && !drives.moves(id);
-    const V all = reactions.missing(p, i) - p.m[i] * loads.pull(p, i, free);
-    return free ? guides.along(id, all) : all;
+    const V all = reactions.unexplained_force(p, i) - p.m[i] * loads.pull(p, i, free);
+    return free ? guides.constrained_part(id, all) : all;
   }
 
   template <class Archive>

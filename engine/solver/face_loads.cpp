@@ -139,7 +139,7 @@ std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initi
     all[i] = {0, k, 0};
     for (const int j : near(i)) {
       const Place<Dim> d = way<Dim>(initial, j, i);
-      if (initial.held[j] || (d - d.dot(n) * n).norm() > aside * spacing) continue;
+      if (initial.clamped[j] || (d - d.dot(n) * n).norm() > aside * spacing) continue;
       if (Below& known = all[j]; d.norm() < known.distance) known = {d.norm(), k, d.dot(n)};
     }
   }

@@ -95,7 +95,7 @@ std::vector<Point> InitialConfiguration<Dim>::surface() const {
 template <int Dim>
 double InitialConfiguration<Dim>::step_size() const {
   const Constants& c = common_.constants;
-  return common_.fixed_or(c.cfl * c.h / (wave_speed + common_.vmax));
+  return common_.fixed_or_stable_step(c.cfl * c.h / (wave_speed + common_.vmax));
 }
 
 template <int Dim>

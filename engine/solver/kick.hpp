@@ -40,8 +40,8 @@ struct Kick {
     for (int k = 0; k < Dim; ++k) force[k] += columns[k];
   }
   /// Records internal forces, N, and contact. Requires `impulse`; call before particles move.
-  void note(int first, Vec<Pack, Dim> force) const {
-    if (contact) force += four_of(contact + first, size - first);
+  void record(int first, Vec<Pack, Dim> force) const {
+    if (contact) force += load_four(contact + first, size - first);
     for (int lane = 0; lane < std::min(lanes, size - first); ++lane)
       impulse[first + lane] += dt * lane_of(force, lane);
   }
@@ -73,15 +73,15 @@ struct Kick {
   /// Advances v of four particles by `force`, N, and contact; x does not change. `mobility` = mobile/m, 1/kg.
   [[gnu::always_inline]] Vec<Pack, Dim> by_forces(int first, const Pack& mobility,
                                                   Vec<Pack, Dim> force) const {
-    if (contact) force += four_of(contact + first, size - first);
-    Vec<Pack, Dim> next = four_of(v + first, size - first);
+    if (contact) force += load_four(contact + first, size - first);
+    Vec<Pack, Dim> next = load_four(v + first, size - first);
     next += (dt * mobility) * force;
     for (int lane = 0; act && lane < std::min(lanes, size - first); ++lane) {
       V own = lane_of(next, lane);
       act(outside, first + lane, dt, own);
       set_lane(next, lane, own);
     }
-    put_four(next, v + first, size - first);
+    store_four(next, v + first, size - first);
     return next;
   }
 
@@ -101,7 +101,7 @@ struct Steering {
 
   bool drives(int id) const { return axes && (axes[id] & driven) != 0; }
   /// Sets guided components to 0. The particle must not be driven.
-  void hold(int id, Vec<double, Dim>& v) const {
+  void constrain(int id, Vec<double, Dim>& v) const {
     if (!axes) return;
     for (int k = 0; k < Dim; ++k)
       if (axes[id] >> k & 1) v[k] = 0;

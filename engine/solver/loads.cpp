@@ -96,12 +96,12 @@ template <int Dim>
 auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParticles& initial, int body)
     -> std::vector<std::pair<int, V>> {
   const auto is_driven = [&](int id) {
-    return initial.drive[id] >= 0 && !lets_go(scene.bodies[body].drives[initial.drive[id]], scene);
+    return initial.drive[id] >= 0 && !ends_before_run(scene.bodies[body].drives[initial.drive[id]], scene);
   };
   std::vector<int> loaded;  // particles driven to the end only for tractions and densities
   double volume = 0;        // of particles that are free at some time
   for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
-    if (initial.held[id] || load.where(initial.cell(id)) == 0) continue;
+    if (initial.clamped[id] || load.where(initial.cell(id)) == 0) continue;
     if (is_driven(id) && load.kind == Load::Kind::force) continue;
     loaded.push_back(id);
     if (!is_driven(id)) volume += initial.V0[id];

@@ -66,11 +66,11 @@ void ParticleSimulation<Dim>::take_snapshot(Snapshot& out) const {
 
 template <int Dim>
 const Snapshot& ParticleSimulation<Dim>::shown(const std::vector<int>& stored) {
-  if (seen_.m.empty()) common_->begin_snapshot(seen_);
+  if (probe_snapshot_.m.empty()) common_->begin_snapshot(probe_snapshot_);
   std::set<int> some;
   for (const int i : stored) some.insert(i / lanes);
-  scheme_->show(seen_, std::vector<int>(some.begin(), some.end()));
-  return seen_;
+  scheme_->show(probe_snapshot_, std::vector<int>(some.begin(), some.end()));
+  return probe_snapshot_;
 }
 
 template <int Dim>

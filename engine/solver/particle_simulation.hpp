@@ -36,7 +36,7 @@ class ParticleSimulation final : public Simulation, private ProbeSource<Dim> {
 
   std::unique_ptr<Common<Dim>> common_;
   std::unique_ptr<Scheme<Dim>> scheme_;
-  Snapshot seen_;  // for probes
+  Snapshot probe_snapshot_;  // for probes
 };
 
 template <Family F, class Kernels, bool with_v4 = false>

@@ -46,7 +46,7 @@ Points point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
 Surroundings surroundings(const ProbeSetUp& in, int body, const std::vector<unsigned char>& driven) {
   const auto& [scene, initial, reach] = in;
   return {initial.x,
-          initial.held,
+          initial.clamped,
           driven,
           initial.material,
           initial.first[body],
@@ -58,14 +58,14 @@ Surroundings surroundings(const ProbeSetUp& in, int body, const std::vector<unsi
 
 Points moving_point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
   const InitialParticles& initial = in.initial;
-  std::vector<int> moves_with(initial.held.size());
-  for (std::size_t id = 0; id < moves_with.size(); ++id)
-    moves_with[id] = initial.held[id] ? -1 : initial.drive[id] + 1;
+  std::vector<int> motion_group(initial.clamped.size());
+  for (std::size_t id = 0; id < motion_group.size(); ++id)
+    motion_group[id] = initial.clamped[id] ? -1 : initial.drive[id] + 1;
   Points by_all = point(in, probe, at);
   const int body = probe.bodies[0];
   if (in.scene.bodies[body].on_boundary) return by_all;  // a point on a particle is this particle
   const std::vector<unsigned char> driven = initial.driven();
-  return point_of_motion(std::move(by_all), surroundings(in, body, driven), moves_with, at);
+  return point_of_motion(std::move(by_all), surroundings(in, body, driven), motion_group, at);
 }
 
 template <int Dim>
@@ -108,7 +108,7 @@ void follow_constrained(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
   const int body = probe.bodies[0];
   for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
     const bool guided = !initial.guided.empty() && (initial.guided[id] >> probe.axis & 1);
-    if (!initial.held[id] && initial.drive[id] < 0 && !guided) continue;
+    if (!initial.clamped[id] && initial.drive[id] < 0 && !guided) continue;
     if (!probe.where || probe.where(initial.cell(id)) != 0) f.at.push_back({id, 1});
   }
   if (f.at.empty())
@@ -234,7 +234,7 @@ double gap(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
 template <int Dim>
 double mirror_asymmetry(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
   // a body without contact may never be searched again
-  if (now.is_look && f.probe.bodies[0] == f.probe.bodies[1]) update_mirror_asymmetry<Dim>(f, now);
+  if (now.evaluates_expensive && f.probe.bodies[0] == f.probe.bodies[1]) update_mirror_asymmetry<Dim>(f, now);
   return f.last;
 }
 

@@ -68,7 +68,7 @@ struct ProbeStep : ProbeView<Dim> {
   const Snapshot* shown;              // stresses for rows with `takes_stress`
   double time, dt;                    // s; initially dt = 0
   const std::vector<double>& before;  // of earlier probes
-  bool is_look;                       // true every few steps, for expensive values
+  bool evaluates_expensive;           // true every few steps, for expensive values
 };
 
 template <int Dim>

@@ -23,7 +23,7 @@ ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& in
 template <int Dim>
 void ProbeRecorder<Dim>::rebuilt(const Particles<Dim>& s, const Neighbors& neighbors, double support) {
   support_ = support;
-  where_ = s.places_of_ids();
+  storage_of_id_ = s.places_of_ids();
   for (ProbeFollower<Dim>& f : followers_)
     if (f.row->rebuilt) f.row->rebuilt(f, view(s), neighbors);
 }
@@ -37,7 +37,7 @@ void ProbeRecorder<Dim>::record(const Particles<Dim>& s, double time, ProbeSourc
   // bodies without contact may never be searched again
   constexpr std::size_t now_and_then = 32;
   std::vector<int> stressed = stressed_;
-  for (int& i : stressed) i = where_[i];
+  for (int& i : stressed) i = storage_of_id_[i];
   std::vector<double> values;
   const ProbeStep<Dim> step{view(s),
                             source,

@@ -20,30 +20,32 @@ class ProbeRecorder {
   void record(const Particles<Dim>& s, double time, ProbeSource<Dim>& source, Series& series);
 
   std::size_t size() const { return followers_.size(); }
-  /// `where_` matches the storage order.
+  /// `storage_of_id_` matches the storage order.
   bool follows(const Particles<Dim>& s) const {
     for (int i = 0; i < s.size(); ++i)
-      if (where_[s.id[i]] != i) return false;
+      if (storage_of_id_[s.id[i]] != i) return false;
     return true;
   }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.fixed(where_);
+    archive.fixed(storage_of_id_);
     archive(support_);
     for (ProbeFollower<Dim>& f : followers_) {
-      archive.indices(f.pairs, std::pair(where_.size(), where_.size()));
+      archive.indices(f.pairs, std::pair(storage_of_id_.size(), storage_of_id_.size()));
       archive(f.last);
     }
   }
 
  private:
-  ProbeView<Dim> view(const Particles<Dim>& s) const { return {s, where_, first_, diameter_, support_}; }
+  ProbeView<Dim> view(const Particles<Dim>& s) const {
+    return {s, storage_of_id_, first_, diameter_, support_};
+  }
 
   std::vector<ProbeFollower<Dim>> followers_;
-  std::vector<int> where_;        // [id] storage index
-  std::vector<int> first_;        // [body] first particle
-  std::vector<double> diameter_;  // [id] contact distance of pair laws, m
+  std::vector<int> storage_of_id_;  // [id] storage index
+  std::vector<int> first_;          // [body] first particle
+  std::vector<double> diameter_;    // [id] contact distance of pair laws, m
   double support_ = 0;
   std::vector<int> stressed_;  // ids for stress probes
 };

@@ -52,7 +52,7 @@ class Simulation {
   /// As `advance_to`, but makes no step that ends at or past `short_of`, s.
   virtual void advance(double t, double short_of) = 0;
   /// Makes `advance` return after the current step when `stop` is not 0; it must outlive the simulation.
-  void heed(const std::atomic<int>& stop) { stop_ = &stop; }
+  void set_stop_flag(const std::atomic<int>& stop) { stop_ = &stop; }
 
   /// State for `load`, including the series.
   virtual std::string save() = 0;

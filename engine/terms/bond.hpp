@@ -57,28 +57,28 @@ T bond_stiffness(const T& s, const T& half_inverse) {
 template <int Dim>
 inline constexpr std::array<double, 2> cancelled_range = {0.25, Dim == 2 ? 6.25 : 4};
 template <int Dim, class T>
-T within_cancelled(const T& s) {
+T limited_stretch(const T& s) {
   constexpr auto range = cancelled_range<Dim>;
   return min(max(s, filled<T>(range[0])), filled<T>(range[1]));
 }
 template <int Dim, class T>
 T cancelled_energy(const T& s) {
-  const T inside = within_cancelled<Dim>(s);
+  const T inside = limited_stretch<Dim>(s);
   return bond_energy(inside) + 0.5 * bond_slope(inside) * (s - inside);
 }
 template <int Dim, class T>
 T cancelled_slope(const T& s) {
-  return bond_slope(within_cancelled<Dim>(s));
+  return bond_slope(limited_stretch<Dim>(s));
 }
 template <int Dim>
 double cancelled_slope_rate(double s) {
-  return s == within_cancelled<Dim>(s) ? (1 + 0.5 / (s * s * s)) / 3 : 0;
+  return s == limited_stretch<Dim>(s) ? (1 + 0.5 / (s * s * s)) / 3 : 0;
 }
 /// Products of cancelled_slope of s and t with three times their thirds; one division, which would dominate the cost.
 template <int Dim, class T>
 [[gnu::always_inline]] inline std::array<T, 2> cancelled_pulls(const T& s, const T& t, const T& third_of_s,
                                                                const T& third_of_t) {
-  const T a = within_cancelled<Dim>(s), b = within_cancelled<Dim>(t), half_inverse = 0.5 / (a * b);
+  const T a = limited_stretch<Dim>(s), b = limited_stretch<Dim>(t), half_inverse = 0.5 / (a * b);
   return {third_of_s * three_bond_slopes(a, T(half_inverse * b)),
           third_of_t * three_bond_slopes(b, T(half_inverse * a))};
 }
@@ -103,14 +103,15 @@ struct ClosedNeoHookean {
   T energy(const Mat<T, Dim>& F) const {  // Pa
     const T t = half_trace(F), J = determinant(F), cube_root = root(J);
     return 0.5 * G * (cube_root * cube_root * (2 * t + (3 - Dim)) - 3) + 0.5 * K * (J - 1) * (J - 1) +
-           wave_modulus() * power<3>(shut(J));
+           wave_modulus() * power<3>(closure(J));
   }
   /// ∂energy/∂F, Pa; `cube_root` = root(det F).
   template <int Dim>
   Mat<T, Dim> piola(const Mat<T, Dim>& F, const T& cube_root) const {
     const T t = half_trace(F), J = determinant(F), shear = G * cube_root * cube_root;
     const T of_c = (-1.0 / 3) * shear * power<3>(cube_root) * (2 * t + (3 - Dim));
-    const T of_J = K * (J - 1) - 6 * wave_modulus() * power<2>(shut(J)) + of_c * in_place_of(J).slope;
+    const T of_J =
+        K * (J - 1) - 6 * wave_modulus() * power<2>(closure(J)) + of_c * limited_volume_ratio(J).slope;
     return shear * F + of_J * cofactor(F);
   }
   template <int Dim>
@@ -118,14 +119,14 @@ struct ClosedNeoHookean {
     return piola(F, root(determinant(F)));
   }
   /// c^(−1/3)
-  static T root(const T& J) { return inverse_cube_root(in_place_of(J).c); }
+  static T root(const T& J) { return inverse_cube_root(limited_volume_ratio(J).c); }
 
  private:
   struct Closed {
     T c, slope;  // dc/dJ
   };
   /// c(J): J from ½ on, above ¼ below.
-  static Closed in_place_of(const T& J) {
+  static Closed limited_volume_ratio(const T& J) {
     const T one = filled<T>(1);
     if (!any(J < 0.5)) return {J, one};
     const T below = 0.25 / (0.75 - min(J, filled<T>(0.5)));
@@ -136,7 +137,7 @@ struct ClosedNeoHookean {
   static T half_trace(const Mat<T, Dim>& F) {
     return 0.5 * trace(right_cauchy_green(F));
   }
-  static T shut(const T& J) { return max(1 - 2 * J, T{}); }
+  static T closure(const T& J) { return max(1 - 2 * J, T{}); }
   T wave_modulus() const { return K + 4.0 / 3 * G; }
 };
 inline constexpr TermInfo stress_info{"stress", "f_i = Σ_j (T_i g_ij − T_j g_ji)", "ours",

@@ -118,7 +118,7 @@ inline double covered_slope(double cover) {
   return 6 / 0.7 * t * (1 - t);
 }
 
-inline double covered_bend(double cover) {
+inline double covered_second_derivative(double cover) {
   const double t = (cover - 0.15) / 0.7;
   return t > 0 && t < 1 ? 6 / 0.49 * (1 - 2 * t) : 0;
 }
@@ -131,7 +131,7 @@ inline double hardening(double depth, double cover, double dp) {
   if (cover < soon) return 1;
   const double u2 = depth * depth / (dp * dp), W = std::max(cover, first), slope = covered_slope(W);
   return (1 + 6 * u2) * covered_share(W) + 4 * depth / dp * (1 + 2 * u2) * slope * steepest +
-         u2 * (1 + u2) * (std::abs(covered_bend(W)) * steepest * steepest + slope * bend);
+         u2 * (1 + u2) * (std::abs(covered_second_derivative(W)) * steepest * steepest + slope * bend);
 }
 
 }  // namespace taut

@@ -26,7 +26,7 @@ namespace {
 
 // Limits protect against forged headers. A side can be twice the largest drawn side, for panels.
 constexpr png_uint_32 greatest_side = 16384;
-constexpr png_alloc_size_t most_beside = 8 << 20;  // bytes of other chunks
+constexpr png_alloc_size_t max_chunk_bytes = 8 << 20;  // bytes of other chunks
 constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
 // The classic API of libpng is used: the simplified one needs no longjmp, but converts to sRGB.
@@ -65,7 +65,7 @@ struct Reader : Complaint {
 void read_header(Reader& reader, std::FILE* file, Alpha alpha) {
   png_init_io(reader.png, file);
   png_set_user_limits(reader.png, greatest_side, greatest_side);
-  png_set_chunk_malloc_max(reader.png, most_beside);
+  png_set_chunk_malloc_max(reader.png, max_chunk_bytes);
   png_read_info(reader.png, reader.info);
   // gives B, G, R and opacity or 255
   png_set_expand(reader.png);

@@ -37,11 +37,11 @@ class Annotation {
 
   void show(const AxesMarker& axes) { axes_ = axes; }
   /// For perspective pictures, in which lengths differ.
-  void leave_out_scale_bar() { has_scale_bar_ = false; }
+  void hide_scale_bar() { has_scale_bar_ = false; }
 
   void draw(const FrameView& frame, const OffScale& off_scale);
   /// Whether the last drawing fits this frame, except for the header and the off-scale marks.
-  bool stands_for(const FrameView& frame) const { return frame.field == field_ && frame.unit == unit_; }
+  bool is_current_for(const FrameView& frame) const { return frame.field == field_ && frame.unit == unit_; }
   /// Replaces title, method, time and off-scale marks.
   void draw_again(const FrameView& frame, const OffScale& off_scale);
 

@@ -51,9 +51,9 @@ SceneFile scene_of(const Subject& subject) {
 }
 
 /// Repeats the measured part of a simulation.
-class Stretch {
+class MeasuredPart {
  public:
-  Stretch(const Subject& subject, int threads) : motion_(motion_of(subject.dim)) {
+  MeasuredPart(const Subject& subject, int threads) : motion_(motion_of(subject.dim)) {
     const SceneFile file = scene_of(subject);
     Settings settings = file.settings;
     settings.threads = threads;
@@ -85,7 +85,7 @@ class Stretch {
 benchmark::Counter rate(double amount) { return {amount, benchmark::Counter::kIsRate}; }
 
 void run_method(benchmark::State& state, const Subject& subject) {
-  Stretch stretch(subject, static_cast<int>(state.range(0)));
+  MeasuredPart stretch(subject, static_cast<int>(state.range(0)));
   long steps = 0, pair_steps = 0;
   for (auto _ : state) {
     if (stretch.over()) {
@@ -145,7 +145,7 @@ void compare_with_transcription(benchmark::State& state, const Subject& subject)
   const SceneFile file = scene_of(subject);
   const Step step = subject.dim == 2 ? transcription<2>(file.scene, file.settings)
                                      : transcription<3>(file.scene, file.settings);
-  Stretch stretch(subject, 1);
+  MeasuredPart stretch(subject, 1);
   double engine = std::numeric_limits<double>::max(), paper = engine;  // s per step
   for (auto _ : state) {
     const int steps = motion_of(subject.dim).transcribed;

@@ -185,13 +185,13 @@ TEST_SUITE("conservation") {
       const auto simulation = make_simulation(scene, with_method(std::string(method.name)));
       make_steps(*simulation, steps);
       const Snapshot& now = simulation->snapshot();
-      int held = 0, moved = 0;
+      int clamped = 0, moved = 0;
       for (std::size_t i = 0; i < now.size(); ++i) {
-        if (!now.held[i]) continue;
-        ++held;
+        if (!now.clamped[i]) continue;
+        ++clamped;
         moved += now.x[2 * i] != now.x0[2 * i] || now.x[2 * i + 1] != now.x0[2 * i + 1];
       }
-      CHECK(held == 20);
+      CHECK(clamped == 20);
       CHECK(moved == 0);
     }
   }

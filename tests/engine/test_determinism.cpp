@@ -27,7 +27,7 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
 bool same_bytes(const Snapshot& a, const Snapshot& b) {
   return a.dim == b.dim && a.time == b.time && a.step == b.step && same(a.x0, b.x0) && same(a.x, b.x) &&
          same(a.v, b.v) && same(a.m, b.m) && same(a.rho, b.rho) && same(a.p, b.p) && same(a.s, b.s) &&
-         same(a.diameter, b.diameter) && same(a.body, b.body) && same(a.held, b.held);
+         same(a.diameter, b.diameter) && same(a.body, b.body) && same(a.clamped, b.clamped);
 }
 
 /// The two small scenes with probes, some of which use forces within a step.
@@ -35,10 +35,10 @@ std::vector<Scene> probed_scenes() {
   std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
   for (Scene& scene : scenes) {
     Probe stress = make_probe("stress", Probe::Kind::stress);
-    stress.at = scene.bodies[0].held ? Point{0.008, 0, 0} : Point{-0.0141, 0, 0};
+    stress.at = scene.bodies[0].clamped ? Point{0.008, 0, 0} : Point{-0.0141, 0, 0};
     scene.probes = {make_probe("speed", Probe::Kind::mean_velocity),
                     make_probe("push", Probe::Kind::contact_force, {0, 1}), stress};
-    if (scene.bodies[0].held) scene.probes.push_back(make_probe("clamp", Probe::Kind::reaction));
+    if (scene.bodies[0].clamped) scene.probes.push_back(make_probe("clamp", Probe::Kind::reaction));
   }
   return scenes;
 }
@@ -89,7 +89,8 @@ TEST_SUITE("determinism") {
     };
     for (Scene scene : {small_clamped_plate(), small_clamped_block()}) {
       for (Body& body : scene.bodies) {
-        if (const auto held = body.held) body.held = [=](const Point& x) { return alone(held(x)); };
+        if (const auto clamped = body.clamped)
+          body.clamped = [=](const Point& x) { return alone(clamped(x)); };
         for (Expression& of_one : body.velocity) {
           const auto velocity = of_one;
           of_one = [=](const Point& x) { return alone(velocity ? velocity(x) : 0); };

@@ -151,9 +151,9 @@ void read_records(std::string_view bytes) {
   read_record(record);
   attempt([&] {
     const StoredRun run = read_stored_run("r");
-    std::vector<cli::Finding> findings{find_out_end(run), find_out_verdict(run, "hourglass")};
+    std::vector<cli::Finding> findings{check_end(run), check_verdict(run, "hourglass")};
     for (const Expectation& expected : expectations_of(read_stored_run(baseline), Tolerance{0.1, true}))
-      findings.push_back(find_out(run, expected));
+      findings.push_back(check_expectation(run, expected));
     findings_table(findings);
   });
   attempt([&] {

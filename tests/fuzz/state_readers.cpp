@@ -58,9 +58,9 @@ const std::string& state_of(std::size_t number) {
 }
 
 /// Interrupts a run after `lines` lines of progress: at its start, at a quarter.
-class Impatient : public std::streambuf {
+class InterruptAfterLines : public std::streambuf {
  public:
-  explicit Impatient(int lines) : lines_(lines) {}
+  explicit InterruptAfterLines(int lines) : lines_(lines) {}
 
  private:
   int overflow(int c) override {
@@ -83,7 +83,7 @@ RunOptions run_options(const SmallScene& scene) {
 const std::map<std::string, std::string>& interrupted_run() {
   static std::map<std::string, std::string> files;
   if (!files.empty()) return files;
-  Impatient terminal(2);
+  InterruptAfterLines terminal(2);
   std::ostream err(&terminal);
   const Interrupts interrupts;
   Progress progress(err, Progress::Style::lines);
@@ -142,7 +142,7 @@ void read_resumed(std::string_view bytes) {
   RunOptions alone;
   alone.threads = 1;
   const RunPlan plan = resume_plan(run, alone);
-  Impatient terminal(1);
+  InterruptAfterLines terminal(1);
   std::ostream err(&terminal);
   const Interrupts interrupts;
   Progress progress(err, Progress::Style::lines);

@@ -51,7 +51,7 @@ TEST_SUITE("unit") {
     check_near(parallel({0.3, 0.7, 0.4}).at, {0.3, 0.4, -0.7});
     check_near(perspective({0.3, -0.25, 0.4}).at, {0.3, 0.4, 0.25});
     // the camera is 1 m from the front plane
-    const Projection::Seen seen = perspective({0.3, 0.75, 0.4});
+    const Projection::Projected seen = perspective({0.3, 0.75, 0.4});
     CHECK(seen.scale == Approx(0.5));
     check_near(seen.at, {0.15, 0.5 - 0.05, -0.75});
     CHECK(perspective({0, -2, 0}).scale < 0);  // behind the camera
@@ -64,7 +64,7 @@ TEST_SUITE("unit") {
       const Vector x{0.3, -0.2, 0.5}, way{2e-6, 1e-6, -3e-6};
       const Vector far = projection({x[0] + way[0], x[1] + way[1], x[2] + way[2]}).at;
       const Vector near = projection(x).at;
-      const Vector seen = projection.way(way, projection(x));
+      const Vector seen = projection.project_vector(way, projection(x));
       for (std::size_t k = 0; k < 3; ++k)
         CHECK(seen[k] == Approx(far[k] - near[k]).scale(1e-6).epsilon(1e-4));
     }

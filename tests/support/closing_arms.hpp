@@ -23,7 +23,7 @@ inline Scene closing_arms(int dim, double dp, double gap, double height, double 
 }
 
 /// Penetration, m: how far left-arm particles have passed right-arm particles beside them along x.
-inline double crossed(const Snapshot& now, int dim, double dp, double height) {
+inline double penetration(const Snapshot& now, int dim, double dp, double height) {
   const auto n = static_cast<std::size_t>(dim);
   double most = -1;
   for (std::size_t i = 0; i < now.size(); ++i) {

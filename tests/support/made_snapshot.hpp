@@ -21,7 +21,7 @@ inline Snapshot made_snapshot(int dim, const std::vector<Point>& places) {
   now.diameter.assign(n, 1);
   now.body.assign(n, 0);
   now.material.assign(n, 0);
-  now.held.assign(n, 0);
+  now.clamped.assign(n, 0);
   return now;
 }
 

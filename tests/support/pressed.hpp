@@ -75,7 +75,7 @@ class Pressed {
   double gap() { return faces_.gap(s, 0, 1); }
   V between(int a, int b) const { return faces_.between(s, a, b); }
   V of_wall(int a) const { return faces_.of_wall(s, a, 0, walls_); }
-  const Impulse& of_walls() const { return walls_.given(); }
+  const Impulse& of_walls() const { return walls_.recorded_impulse(); }
   const std::vector<int>& touching() const { return faces_.touching(); }
 
   Particles<Dim> s;

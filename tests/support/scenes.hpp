@@ -54,7 +54,7 @@ inline Scene oscillating_plate(double vf, int across = 10) {
   Body plate;
   plate.name = "plate";
   plate.shapes = {Box{{0, -H / 2, 0}, {L, H / 2, 0}}, Box{{-clamp, -H / 2 - grip, 0}, {0, H / 2 + grip, 0}}};
-  plate.held = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
+  plate.clamped = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
   const auto f = [=](double x) {
     const double kx = kL * x / L;
     return (std::sin(kL) + std::sinh(kL)) * (std::cos(kx) - std::cosh(kx)) -
@@ -83,7 +83,7 @@ inline Scene ball_plate(double v0 = 0.02, double dp = 0.0025) {
   plate.name = "plate";
   plate.shapes = {stretch(-length / 2, length / 2), stretch(-length / 2 - fixed, -length / 2),
                   stretch(length / 2, length / 2 + fixed)};
-  plate.held = [=](const Point& x) { return std::abs(x[0]) > length / 2 ? 1.0 : 0.0; };
+  plate.clamped = [=](const Point& x) { return std::abs(x[0]) > length / 2 ? 1.0 : 0.0; };
   ball.name = "ball";
   ball.shapes = {Disc{{0, height, 0}, radius}};
   ball.velocity[1] = constant(-v0 * ball_rubber().sound_speed());
@@ -127,7 +127,7 @@ inline Scene small_clamped_plate() {
   Body plate, disc;
   plate.name = "plate";
   plate.shapes = {Box{{0, -H / 2, 0}, {L, H / 2, 0}}, Box{{-4 * dp, -H / 2, 0}, {0, H / 2, 0}}};
-  plate.held = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
+  plate.clamped = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
   plate.velocity[0] = [=](const Point& x) { return c0 * 0.02 * shake(x, 5 * dp); };
   plate.velocity[1] = [=](const Point& x) { return c0 * (0.1 * x[0] / L + 0.02 * shake(x, 7 * dp)); };
   disc.name = "disc";
@@ -188,7 +188,7 @@ inline Scene small_clamped_block() {
   Body block, ball;
   block.name = "block";
   block.shapes = {Box{{-3 * dp, -H / 2, -H / 2}, {L, H / 2, H / 2}}};
-  block.held = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
+  block.clamped = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
   block.velocity[0] = [=](const Point& x) { return c0 * 0.02 * shake(x, 5 * dp); };
   block.velocity[1] = [=](const Point& x) { return c0 * (0.1 * x[0] / L + 0.02 * shake(x, 7 * dp)); };
   block.velocity[2] = [=](const Point& x) { return c0 * 0.1 * x[0] * x[1] / (L * H); };

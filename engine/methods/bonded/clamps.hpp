@@ -25,13 +25,14 @@ class Clamps {
     places.resize(first_ + count);
     Q.resize(first_ + count);
     for (int i = 0; i < count; ++i) {
-      const int behind = behind_.emplace_back(where[all[i].behind]);
-      V from_behind;
+      const int rigid_particle = rigid_particle_.emplace_back(where[all[i].rigid_particle]);
+      V from_rigid_particle;
       for (int k = 0; k < Dim; ++k) {
         places[k][first_ + i] = places[Dim + k][first_ + i] = all[i].x[k];
-        from_behind[k] = all[i].x[k] - s.x[behind][k];
+        from_rigid_particle[k] = all[i].x[k] - s.x[rigid_particle][k];
       }
-      if (drives.lasts(all[i].behind)) driven_.push_back({first_ + i, behind, from_behind});
+      if (drives.lasts(all[i].rigid_particle))
+        driven_.push_back({first_ + i, rigid_particle, from_rigid_particle});
     }
   }
 
@@ -39,10 +40,10 @@ class Clamps {
 
   /// Moves driven places; `ahead` in s.
   void follow(const Particles<Dim>& s, double ahead, const ColumnsView<2 * Dim>& places) const {
-    for (const auto& [place, behind, from_behind] : driven_)
+    for (const auto& [place, rigid_particle, from_rigid_particle] : driven_)
       for (int k = 0; k < Dim; ++k) {
-        const double x = s.x[behind][k] + from_behind[k];
-        places[k][place] = x, places[Dim + k][place] = x + ahead * s.v[behind][k];
+        const double x = s.x[rigid_particle][k] + from_rigid_particle[k];
+        places[k][place] = x, places[Dim + k][place] = x + ahead * s.v[rigid_particle][k];
       }
   }
 
@@ -67,17 +68,17 @@ class Clamps {
       const double slopes =
           three_bond_slopes(dot(d, ahead) * spring.per_r02()[lane], spring.half_inverse(r2)[lane]);
       pull += (spring.third()[lane] * slopes) * d;
-      use(behind_[place], pull);
+      use(rigid_particle_[place], pull);
     }
   }
 
  private:
   struct Driven {
-    int place, behind;  // stored indices
-    V from_behind;      // from particle to place, m
+    int place, rigid_particle;  // stored indices
+    V from_rigid_particle;      // from particle to place, m
   };
-  int first_ = 0;            // column of the first place
-  std::vector<int> behind_;  // [place] stored index of the rigid particle
+  int first_ = 0;                    // column of the first place
+  std::vector<int> rigid_particle_;  // [place] stored index of the rigid particle
   std::vector<Driven> driven_;
 };
 

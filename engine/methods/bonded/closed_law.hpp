@@ -8,21 +8,21 @@ namespace taut {
 
 /// Continues laws below J = ½: c replaces det F in shear, and (K + 4G/3)(1 − 2J)³ is added. Laws of F alone have the
 /// latter only.
-struct Closing {
+struct Continuation {
   double J, c, per_J;  // det F; its replacement; dc/dJ
-  double shut;         // 1 − 2J, or 0
+  double closure;      // 1 − 2J, or 0
 
-  explicit Closing(double det) : J(det), c(det), per_J(1), shut(0) {
+  explicit Continuation(double det) : J(det), c(det), per_J(1), closure(0) {
     if (!(J < 0.5)) return;
     const double below = 0.25 / (0.75 - J);
-    c = 0.25 + 0.25 * below, per_J = below * below, shut = 1 - 2 * J;
+    c = 0.25 + 0.25 * below, per_J = below * below, closure = 1 - 2 * J;
   }
 };
 
 template <class L, int Dim>
 double closed_energy(const L& law, const Mat<double, Dim>& F) {
-  const Closing at(determinant(F));
-  const double closing = (law.K + 4.0 / 3 * law.G) * power<3>(at.shut);
+  const Continuation at(determinant(F));
+  const double closing = (law.K + 4.0 / 3 * law.G) * power<3>(at.closure);
   if constexpr (requires { law.shear_energy(F, F, at.c); })
     return law.shear_energy(F, cofactor(F), at.c) + 0.5 * law.K * power<2>(at.J - 1) + closing;
   else
@@ -32,9 +32,9 @@ double closed_energy(const L& law, const Mat<double, Dim>& F) {
 /// Returns ∂closed_energy/∂F.
 template <class L, int Dim>
 Mat<double, Dim> closed_piola(const L& law, const Mat<double, Dim>& F) {
-  const Closing at(determinant(F));
+  const Continuation at(determinant(F));
   const Mat<double, Dim> H = cofactor(F);
-  const double closing = -6 * (law.K + 4.0 / 3 * law.G) * power<2>(at.shut);
+  const double closing = -6 * (law.K + 4.0 / 3 * law.G) * power<2>(at.closure);
   if constexpr (requires { law.slopes(F, H, at.c); }) {
     const auto by = law.slopes(F, H, at.c);
     const double of_J = law.K * (at.J - 1) + by.j * at.per_J + closing;

@@ -37,7 +37,7 @@ struct BondedFields {
   Vec<Pack, Dim>* bond_force;   // [group] N
   double lead;                  // 3 τ of the bonds, s
   double least_r2;              // minimum r², m²
-  bool own_law;                 // GroupLaw instead of `laws`
+  bool uses_group_law;          // GroupLaw instead of `laws`
   LawsInUse laws;
   const int* material;  // padded to whole groups
   const GroupRows* groups;

@@ -192,14 +192,15 @@ auto InterfaceSites<Dim>::energy_across(const StoredSiteBond& bond, double s, do
     -> AcrossEnergy {
   const double difference =
       bond.own_strength * cancelled_slope<Dim>(own) - bond.strength * cancelled_slope<Dim>(across);
-  const double astray = s - across, lacking = 0.25 * std::max(0.0, bond.own_strength - bond.strength);
-  return {
-      (0.5 * difference + 0.5 * lacking * astray) * astray - bond.strength * cancelled_energy<Dim>(across),
-      0.5 * difference + lacking * astray,
-      -0.5 * (bond.own_strength * cancelled_slope<Dim>(own) +
-              bond.strength * cancelled_slope_rate<Dim>(across) * astray) -
-          lacking * astray,
-      0.5 * bond.own_strength * cancelled_slope_rate<Dim>(own) * astray};
+  const double deviation = s - across,
+               missing_strength = 0.25 * std::max(0.0, bond.own_strength - bond.strength);
+  return {(0.5 * difference + 0.5 * missing_strength * deviation) * deviation -
+              bond.strength * cancelled_energy<Dim>(across),
+          0.5 * difference + missing_strength * deviation,
+          -0.5 * (bond.own_strength * cancelled_slope<Dim>(own) +
+                  bond.strength * cancelled_slope_rate<Dim>(across) * deviation) -
+              missing_strength * deviation,
+          0.5 * bond.own_strength * cancelled_slope_rate<Dim>(own) * deviation};
 }
 
 template <int Dim>

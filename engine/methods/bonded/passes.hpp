@@ -74,7 +74,7 @@ Pack energy_of_four(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& b
   const GroupLaw& own = f.law(group);
   Sym<Pack, Dim> C = right_cauchy_green(F);
   for (int k = 0; k < Dim; ++k) C(k, k) = own.V > 0 ? C(k, k) : filled<Pack>(1);
-  const Pack W = f.own_law ? own.law.energy(F) : f.laws.template visit<M>([&](const auto* laws) {
+  const Pack W = f.uses_group_law ? own.law.energy(F) : f.laws.template visit<M>([&](const auto* laws) {
     return closed_energy(laws, f.material + lanes * group, F);
   });
   return own.V * W - bonds.cancelled.energy(group, C);
@@ -93,7 +93,8 @@ void set_stress(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds
                 const StrainOfFour<Dim>& now) {
   const GroupLaw& own = f.law(group);
   const Mat<Pack, Dim>& F = now.F;
-  const Mat<Pack, Dim> P = f.own_law ? own.law.piola(F, now.root) : piola_of_chosen_law<M>(f, group, F);
+  const Mat<Pack, Dim> P =
+      f.uses_group_law ? own.law.piola(F, now.root) : piola_of_chosen_law<M>(f, group, F);
   const Mat<Pack, Dim> FS = product(F, bonds.cancelled.slopes(group, right_cauchy_green(F)));
   Mat<Pack, Dim> T;
   for (int a = 0; a < Dim; ++a)
@@ -116,7 +117,7 @@ double stress_pass(const BondedFields<Dim>& f, const Threads& threads) {
         for (int a = 0; a < Dim; ++a) f.bond_force[first + k][a] = of[k].force[a];
         stiffest = max(stiffest, of[k].stiffest);
       }
-      for (int k = 0; f.own_law && k < count; ++k)
+      for (int k = 0; f.uses_group_law && k < count; ++k)
         of[k].root = ClosedNeoHookean<Pack>::root(determinant(of[k].F));
       for (int k = 0; k < count; ++k) set_stress<M>(f, bonds, first + k, of[k]);
       return greatest(stiffest);
@@ -139,7 +140,7 @@ double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threa
   return f.with_bonds([&](const auto& bonds) {
     if (kick.impulse)
       parallel_for(f.group_count(), threads,
-                   [&](int group) { kick.note(lanes * group, inner_force(f, bonds, group)); });
+                   [&](int group) { kick.record(lanes * group, inner_force(f, bonds, group)); });
     return parallel_max(block_count(f), threads, [&](int n) {
       Pack fastest{};
       for (int group = groups_of_block * n; group < std::min(groups_of_block * (n + 1), f.group_count());
@@ -189,7 +190,7 @@ void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& th
 
 template <const BondedFormulation& M, int Dim>
 ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, const Mat<Pack, Dim>& F) {
-  if (f.own_law) return shown_neo_hookean(f.law(group).law.K, f.law(group).law.G, F);
+  if (f.uses_group_law) return shown_neo_hookean(f.law(group).law.K, f.law(group).law.G, F);
   ShownStress<Pack, Dim> all{};
   f.laws.template visit<M>([&](const auto* laws) {
     for (int lane = 0; lane < std::min(lanes, f.size - lanes * group); ++lane) {

@@ -18,7 +18,7 @@ Bonded<Dim>::Bonded(Common<Dim>& common, const SolverInput& input, const Kernels
       p_(common.particles),
       c_(common.constants),
       materials_(input.materials),
-      own_law_(input.law == as<BondedFormulation>(input.method)->law),
+      uses_group_law_(input.law == as<BondedFormulation>(input.method)->law),
       laws_(input.law, input.materials),
       constraints_(setup.bonds.constraints),
       wave_speed_(setup.wave_speed),
@@ -41,7 +41,7 @@ Bonded<Dim>::Bonded(Common<Dim>& common, const SolverInput& input, const Kernels
   if (setup.bonds.off_lattice || Dim == 3) find_layout_frequency();
   // by column, because corners have forces under uniform stress
   if (has_loads(input.scene))
-    loads.act_on_faces(input.scene, with_rigid_held(common_.initial, setup.bonds), FaceRule::by_column,
+    loads.act_on_faces(input.scene, with_rigid_clamped(common_.initial, setup.bonds), FaceRule::by_column,
                        surface(setup.bonds), common_.run.support);
   common_.contact.search(p_);
   common_.show_contacts_to_probes();
@@ -113,7 +113,7 @@ void Bonded<Dim>::bind_fields() {
         .bond_force = bond_force_.data(),
         .lead = f_.lead,
         .least_r2 = 1e-4 * c_.dp * c_.dp,
-        .own_law = own_law_,
+        .uses_group_law = uses_group_law_,
         .laws = laws_.in_use(),
         .material = material_.data(),
         .groups = groups_.data(),
@@ -132,7 +132,7 @@ template <int Dim>
 double Bonded<Dim>::step_size() const {
   constexpr double spare = 1.5;
   const double stiffer = std::sqrt(std::max(1.0, layout_ * stiffest_ / spare));
-  return common_.fixed_or(c_.cfl * c_.dp / (wave_speed_ + common_.vmax) / stiffer);
+  return common_.fixed_or_stable_step(c_.cfl * c_.dp / (wave_speed_ + common_.vmax) / stiffer);
 }
 
 template <int Dim>

@@ -59,14 +59,14 @@ class Bonded final : public Scheme<Dim> {
   void renew_recovered() const;
   BondedFields<Dim> fields_now(Columns<2 * Dim>& places) const;
   int group_count() const { return (p_.size() + lanes - 1) / lanes; }
-  LawOfOne law_of_one() const { return {materials_, own_law_, laws_}; }
+  LawOfOne law_of_one() const { return {materials_, uses_group_law_, laws_}; }
 
   const Kernels& kernels_;
   Common<Dim>& common_;
   Particles<Dim>& p_;
   const Constants& c_;
   std::vector<Elasticity> materials_;
-  bool own_law_;
+  bool uses_group_law_;
   Materials laws_;
   std::vector<int> material_;  // [stored], padded to whole groups
   Constraints constraints_;    // [id]

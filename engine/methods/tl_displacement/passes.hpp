@@ -11,9 +11,9 @@ template <const TlDisplacementFormulation&, int Dim>
 void drift(const TlDisplacementFields<Dim>& f, double dt, const Threads& threads) {
   parallel_for(f.groups(), threads, [&](int group) {
     const int first = lanes * group, count = f.size - first;
-    const Vec<Pack, Dim> x = four_of(f.x + first, count) + filled<Pack>(dt) * four_of(f.v + first, count);
-    put_four(x, f.x + first, count);
-    put(x - four_of(f.X + first, count), f.displacement, first);
+    const Vec<Pack, Dim> x = load_four(f.x + first, count) + filled<Pack>(dt) * load_four(f.v + first, count);
+    store_four(x, f.x + first, count);
+    put(x - load_four(f.X + first, count), f.displacement, first);
   });
 }
 
@@ -43,13 +43,13 @@ template <const TlDisplacementFormulation&, int Dim>
 double force_pass(const TlDisplacementFields<Dim>& f, const Kick<Dim>& kick, const Threads& threads) {
   if (kick.impulse)
     parallel_for(f.groups(), threads,
-                 [&](int group) { kick.note(lanes * group, f.pairs.pair_sum(f.stress, group)); });
+                 [&](int group) { kick.record(lanes * group, f.pairs.pair_sum(f.stress, group)); });
   return parallel_max(f.groups(), threads, [&](int group) {
     const int first = lanes * group, count = f.size - first;
     const Sites<Dim>& site = f.sites[group];
     const Vec<Pack, Dim> v =
         kick.by_forces(first, site.mobile * site.per_m, f.pairs.pair_sum(f.stress, group));
-    put_four(four_of(f.x + first, count) + filled<Pack>(0.5 * kick.dt) * v, f.x + first, count);
+    store_four(load_four(f.x + first, count) + filled<Pack>(0.5 * kick.dt) * v, f.x + first, count);
     return greatest(dot(v, v));
   });
 }

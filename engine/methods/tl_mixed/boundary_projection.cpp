@@ -14,7 +14,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 Eigen::Vector3d vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
 /// Column m is e_m × z.
-Eigen::Matrix3d turns(const Eigen::Vector3d& z) {
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& z) {
   Eigen::Matrix3d m;
   m << 0, z[2], -z[1], -z[2], 0, z[0], z[1], -z[0], 0;
   return m;
@@ -81,7 +81,7 @@ void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z)
   refer_to_centroid(Z, m_);  // (iii) holds about any origin
   Eigen::Matrix<double, 6, 6> S = Eigen::Matrix<double, 6, 6>::Zero();
   for (std::size_t a = 0; a < v.size(); ++a) {
-    const Eigen::Matrix3d turn = turns(vector(Z[a]));
+    const Eigen::Matrix3d turn = cross_matrix(vector(Z[a]));
     S.topLeftCorner<3, 3>().diagonal().array() += m_[a];
     S.topRightCorner<3, 3>() += m_[a] * turn;
     S.bottomRightCorner<3, 3>() += m_[a] * turn.transpose() * turn;
@@ -99,7 +99,7 @@ void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z)
       double one = 0;
       for (const auto& [a, w] : point.w) one += w;
       r_C(row, 1 + k) = one;
-      r_C.row(row).tail<3>() = turns(vector(interpolated(point, Z))).row(k);
+      r_C.row(row).tail<3>() = cross_matrix(vector(interpolated(point, Z))).row(k);
     }
     solved[k] = factors_[k].K->solve(r_C);
     const auto C = r_C.rightCols<6>();
@@ -109,7 +109,7 @@ void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z)
   // minimum-norm, as S may be singular
   const Eigen::Matrix<double, 6, 1> delta = least_squares(S, right).x;
   for (std::size_t a = 0; a < v.size(); ++a) {
-    const Eigen::Vector3d rigid = delta.head<3>() + turns(vector(Z[a])) * delta.tail<3>();
+    const Eigen::Vector3d rigid = delta.head<3>() + cross_matrix(vector(Z[a])) * delta.tail<3>();
     for (std::size_t k = 0; k < 3; ++k) v[a][k] += rigid[static_cast<Eigen::Index>(k)];
   }
   for (std::size_t k = 0; k < 3; ++k) {

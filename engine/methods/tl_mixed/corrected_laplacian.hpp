@@ -18,7 +18,7 @@ std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         double h, double scale, int threads = 1) {
   constexpr int N = Dim + 1;
   // minimum nonlinear share of Σ V r⁴; lattice corners have 0.03
-  constexpr double least_told = 0.02;
+  constexpr double least_nonlinear_share = 0.02;
   std::vector<double> w(pairs.j.size());
   parallel_for(pairs.size(), threads, [&](int i) {
     // lengths in h; the last column is the right-hand side
@@ -46,7 +46,7 @@ std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
     }
     const double squares = A[Dim][Dim];
     for (int k = 0; k < N; ++k) {  // A is positive definite: no pivots
-      if (k == Dim && A[Dim][Dim] < least_told * squares) {
+      if (k == Dim && A[Dim][Dim] < least_nonlinear_share * squares) {
         A[Dim][Dim] = 1, A[Dim][N] = 0;
         break;
       }

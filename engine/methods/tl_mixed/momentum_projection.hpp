@@ -7,9 +7,9 @@ namespace taut {
 
 /// Torque and inertia summed in lanes.
 template <int Dim>
-struct Turning;
+struct RotationSums;
 template <>
-struct Turning<2> {
+struct RotationSums<2> {
   Pack torque{}, inertia{};
 
   void add(const Pack& V, const Vec<Pack, 2>& z, const Vec<Pack, 2>& a) {
@@ -20,7 +20,7 @@ struct Turning<2> {
   static Vec<Pack, 2> times(double lambda, const Vec<Pack, 2>& z) { return {-lambda * z[1], lambda * z[0]}; }
 };
 template <>
-struct Turning<3> {
+struct RotationSums<3> {
   Vec<Pack, 3> torque{};
   Sym<Pack, 3> inertia{};
 
@@ -50,7 +50,7 @@ inline Pack volumes_of_four(const double* V, int i, int last) {
 template <int Dim>
 void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, const double* V, int first,
                         int last, double share = 1) {
-  const auto places = [&](int i) { return four_of(Z + i, last - i); };
+  const auto places = [&](int i) { return load_four(Z + i, last - i); };
   Pack volume{};
   Vec<Pack, Dim> sum_a{}, sum_Z{};
   for (int i = first; i < last; i += lanes) {
@@ -61,12 +61,12 @@ void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, co
   }
   const Pack per_volume = filled<Pack>(1 / sum(volume));
   const Vec<Pack, Dim> mean_a = per_volume * spread(sum(sum_a)), mean_Z = per_volume * spread(sum(sum_Z));
-  Turning<Dim> turning;  // divided by density
+  RotationSums<Dim> turning;  // divided by density
   for (int i = first; i < last; i += lanes)
     turning.add(volumes_of_four(V, i, last), places(i) - mean_Z, vector_at<Dim>(a, i));
   const auto omega = turning.rate();
   for (int i = first; i < last; i += lanes) {
-    const Vec<Pack, Dim> rigid = Turning<Dim>::times(omega, places(i) - mean_Z) + mean_a;
+    const Vec<Pack, Dim> rigid = RotationSums<Dim>::times(omega, places(i) - mean_Z) + mean_a;
     const Vec<Pack, Dim> left = vector_at<Dim>(a, i) - filled<Pack>(share) * rigid;
     if (i + lanes <= last)
       put(left, a, i);

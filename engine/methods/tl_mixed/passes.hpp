@@ -96,7 +96,7 @@ void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
     const LawsOfFour<L, M.several_materials> laws{of_materials, f.material};
     parallel_pass(f.groups(), threads, [&](int group) {
       const int first = lanes * group;
-      const Vec<Pack, Dim> v = four_of(f.v + first, f.size - first);
+      const Vec<Pack, Dim> v = load_four(f.v + first, f.size - first);
       for (int k = 0; k < Dim; ++k) store(v[k], f.flow[k] + first);
       if constexpr (U::has_J) store(f.now.J[group].value, f.flow[Dim] + first);
       const Mat<Pack, Dim> P = laws(group, [&](const auto& law) { return U::piola(law, f.now, group); });
@@ -179,7 +179,7 @@ template <int Dim>
                                                           const StageActions<Dim>& actions, int group) {
   const int first = lanes * group;
   Vec<Pack, Dim> a = vector_at<Dim>(f.a, first);
-  if (kick.contact) a += f.sites[group].per_m * four_of(kick.contact + first, f.size - first);
+  if (kick.contact) a += f.sites[group].per_m * load_four(kick.contact + first, f.size - first);
   if (kick.impulse) watch(f, kick, group, a);
   if (actions.load)
     each_of(f, group, [&](int i) {
@@ -208,10 +208,10 @@ void predict(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActi
       f.start.H[group] = f.now.H[group];
       f.now.H[group] = combination(1.0, f.now.H[group], dt, f.rate.H[group]);
     }
-    const Vec<Pack, Dim> a = acceleration(f, kick, actions, group), v = four_of(f.v + first, count);
+    const Vec<Pack, Dim> a = acceleration(f, kick, actions, group), v = load_four(f.v + first, count);
     put(a, f.a_start, first);
-    put_four(v, f.v_start + first, count);
-    put_four(v + filled<Pack>(dt) * a, f.v + first, count);
+    store_four(v, f.v_start + first, count);
+    store_four(v + filled<Pack>(dt) * a, f.v + first, count);
     if (actions.steer) each_of(f, group, [&](int i) { actions.steer(actions.of, i, f.v[i]); });
   });
 }
@@ -234,14 +234,14 @@ double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageAc
                                     dt * (f.rate.J[group].value + load(f.dissipation_J[0] + first)));
     if constexpr (U::has_H) f.now.H[group] = mean(f.start.H[group], f.now.H[group], f.rate.H[group]);
     const Vec<Pack, Dim> a = vector_at<Dim>(f.a_start, first) + acceleration(f, kick, actions, group);
-    Vec<Pack, Dim> v = four_of(f.v_start + first, count) + filled<Pack>(0.5 * dt) * a;
+    Vec<Pack, Dim> v = load_four(f.v_start + first, count) + filled<Pack>(0.5 * dt) * a;
     if (actions.close)
       each_of(f, group, [&](int i) {
         Vec<double, Dim> own = lane_of(v, i % lanes);
         actions.close(actions.of, i, dt, f.v_start[i], own);
         set_lane(v, i % lanes, own);
       });
-    put_four(v, f.v + first, count);
+    store_four(v, f.v + first, count);
     return greatest(dot(v, v));
   });
 }

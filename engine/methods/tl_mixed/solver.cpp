@@ -113,28 +113,29 @@ double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
 /// has dp for h: 0.3 dp/c_p is unstable at free faces.
 template <int Dim>
 double TlMixed<Dim>::step_size() const {
-  if (Dim == 2) return common_.fixed_or(std::min(body_.step_size(), dissipation_limit_));
+  if (Dim == 2) return common_.fixed_or_stable_step(std::min(body_.step_size(), dissipation_limit_));
   const double fastest = std::sqrt(kernels_.greatest_stiffness(f_, common_.threads_now()) / c_.rho0);
   const double at_least = body_.wave_speed;  // softened bodies may stiffen again
-  if (!(fastest <= greatest_wave_ratio * at_least)) crushed();
-  return common_.fixed_or(std::min(c_.cfl * c_.h / std::max(fastest, at_least), dissipation_limit_));
+  if (!(fastest <= greatest_wave_ratio * at_least)) throw_crushed();
+  return common_.fixed_or_stable_step(
+      std::min(c_.cfl * c_.h / std::max(fastest, at_least), dissipation_limit_));
 }
 
 /// Throws NumericalError with the lowest id of a crushed particle.
 template <int Dim>
-void TlMixed<Dim>::crushed() const {
+void TlMixed<Dim>::throw_crushed() const {
   const double limit = greatest_wave_ratio * body_.wave_speed;
-  int culprit = p_.size();
+  int failed_id = p_.size();
   std::vector<AlignedPack> bound(groups());
   kernels_.stiffnesses(f_, bound.data());
   for (int i = 0; i < p_.size(); ++i)
     if (!(bound[i / lanes].value[i % lanes] <= c_.rho0 * limit * limit))
-      culprit = std::min(culprit, p_.id[i]);
+      failed_id = std::min(failed_id, p_.id[i]);
   throw NumericalError(
-      common_.run.steps, common_.run.time, culprit, "deformation",
+      common_.run.steps, common_.run.time, failed_id, "deformation",
       fmt::format("particle {} is crushed or turned inside out: waves in it are more than {:g} "
                   "times as fast as at the start, or its deformation is not a number",
-                  culprit, greatest_wave_ratio));
+                  failed_id, greatest_wave_ratio));
 }
 
 /// U* = U + Δt U̇(U), U** = U* + Δt U̇(U*), then ½ (U + U**). [Lee2016] Eq. 43
@@ -186,7 +187,7 @@ StageActions<Dim> TlMixed<Dim>::actions() {
     if (all.external.drives.moves(id))
       v = all.external.drives.velocity(id);
     else
-      all.external.guides.hold(id, v);
+      all.external.guides.constrain(id, v);
   };
   const auto close = [](void* of, int i, double dt, const V& before, V& v) {
     Of& all = *static_cast<Of*>(of);
@@ -194,7 +195,7 @@ StageActions<Dim> TlMixed<Dim>::actions() {
     External<Dim>& acting = all.external;
     p.v[i] = before;
     if (acting.drives.moves(p.id[i])) return acting.drives.replace(p, i, v);
-    acting.guides.hold(p.id[i], v);
+    acting.guides.constrain(p.id[i], v);
     if (acting.loads.active()) acting.loads.count(p, i, dt, 0.5 * (p.v[i] + v));
   };
   return {.of = &common_,
@@ -211,7 +212,7 @@ void TlMixed<Dim>::project_on_boundary(double ahead) {
   std::vector<unsigned char> axes(p_.x.size());
   for (int i = 0; i < p_.size(); ++i) {
     const int id = p_.id[i];
-    if (common_.initial.held[id] || external.drives.moves(id))
+    if (common_.initial.clamped[id] || external.drives.moves(id))
       axes[i] = (1 << Dim) - 1;
     else
       axes[i] = external.guides.axes(id);

@@ -54,7 +54,7 @@ class TlMixed final : public Scheme<Dim> {
   void make_strains();
   void set_start_gradients();
   double greatest_step_of_dissipation(int threads) const;
-  [[noreturn]] void crushed() const;
+  [[noreturn]] void throw_crushed() const;
   void find_rates(double dt);
   void project_on_boundary(double ahead);
   void stop_approach(double dt);

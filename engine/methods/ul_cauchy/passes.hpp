@@ -220,16 +220,16 @@ double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, 
     Vec<double, Dim> u = f.v[i];
     if (!steering.drives(f.id[i])) {
       u += f.mobile[i] * u_minus_v;
-      steering.hold(f.id[i], u);
+      steering.constrain(f.id[i], u);
     }
     Vec<double, Dim> x = f.x[i];
     x += ahead * u;
     f.transported[i].set(u, f.rho[i], f.m[i] / f.rho[i], x);
     const int body = f.body[i];
-    Vec<double, Dim> against = u - f.drift[body];
+    Vec<double, Dim> relative_velocity = u - f.drift[body];
     const Vec<double, Dim> arm = f.x[i] - f.centre[body];
-    against[0] += f.spin[body] * arm[1], against[1] -= f.spin[body] * arm[0];
-    return dot(against, against);
+    relative_velocity[0] += f.spin[body] * arm[1], relative_velocity[1] -= f.spin[body] * arm[0];
+    return dot(relative_velocity, relative_velocity);
   });
 }
 

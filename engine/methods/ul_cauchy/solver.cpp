@@ -83,14 +83,14 @@ void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
 /// Time step, s, [Khayyer2024] Eq. 26, but shorter for materials stiffer in shear.
 template <int Dim>
 double UlCauchy<Dim>::step_size() const {
-  return common_.fixed_or(c_.cfl * c_.h / c_.step_speed);
+  return common_.fixed_or_stable_step(c_.cfl * c_.h / c_.step_speed);
 }
 
 /// Symplectic Euler step. Differs from [Khayyer2024] Eq. 22–25, where rates of the old state let waves grow. ∇u is
 /// taken at mid-step (`geometry` = ½); at the start, bodies rotating at ω swell by (ω dt)²/2 per step.
 template <int Dim>
 void UlCauchy<Dim>::step(double dt) {
-  if (2 * way_ > skin * c_.dp) rebuild();
+  if (2 * relative_distance_ > skin * c_.dp) rebuild();
   if (common_.contact.prepare(p_, common_.vmax * dt)) show_neighbors_to_probes();
   common_.contact.evaluate(p_, dt, common_.threads_now());
   kernels_.gradients(f_, c_, common_.threads_now());
@@ -111,11 +111,11 @@ template <int Dim>
 void UlCauchy<Dim>::transport(double dt) {
   const double fastest2 =
       kernels_.transport(f_, c_, common_.external.steering(), c_.geometry * dt, common_.threads_now());
-  way_ += dt * std::sqrt(fastest2);
+  relative_distance_ += dt * std::sqrt(fastest2);
   for (std::size_t body = 0; body < drift_.size(); ++body) centre_[body] += dt * drift_[body];
   // a rotation by ω dt stretches a pair by the square; a quarter per end
   const double turn = dt * *std::ranges::max_element(spin_, {}, [](double spin) { return std::abs(spin); });
-  way_ += 0.25 * turn * turn * (common_.run.support + skin * c_.dp);
+  relative_distance_ += 0.25 * turn * turn * (common_.run.support + skin * c_.dp);
 }
 
 template <int Dim>
@@ -132,7 +132,7 @@ void UlCauchy<Dim>::rebuild() {
   bind_fields();
   common_.contact.search(p_);
   show_neighbors_to_probes();
-  way_ = 0;
+  relative_distance_ = 0;
 }
 
 template <int Dim>
@@ -232,7 +232,7 @@ void UlCauchy<Dim>::serialize(Archive& archive) {
     return of_one_material_.empty() || std::cmp_equal(of_one_material_.size(), near_.begin.back());
   });
   archive.fixed(drift_, spin_, centre_);
-  archive(way_);
+  archive(relative_distance_);
   if constexpr (Archive::loads) bind_fields();
 }
 

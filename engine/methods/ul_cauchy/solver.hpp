@@ -67,10 +67,10 @@ class UlCauchy final : public Scheme<Dim> {
   Neighbors near_;
   std::vector<AlignedPack> w_, of_one_material_;
   // rigid motion at the last search; 0 under sph_contact_
-  std::vector<V> drift_;      // m/s
-  std::vector<double> spin_;  // 1/s
-  std::vector<V> centre_;     // drifted position, m
-  double way_ = 0;            // maximum distance moved relative to it, m
+  std::vector<V> drift_;          // m/s
+  std::vector<double> spin_;      // 1/s
+  std::vector<V> centre_;         // drifted position, m
+  double relative_distance_ = 0;  // maximum distance moved relative to it, m
   UlCauchyFields<Dim> f_{};
 };
 

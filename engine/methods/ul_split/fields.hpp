@@ -92,14 +92,14 @@ struct PairGeometry {
 /// Single precision saves memory in 3D; kernel units fit its range.
 template <int Dim>
 struct PairCache {
-  static constexpr bool halved = Dim == 3;
-  using Kept = std::conditional_t<halved, HalfPack, AlignedPack>;
+  static constexpr bool single_precision = Dim == 3;
+  using Stored = std::conditional_t<single_precision, HalfPack, AlignedPack>;
   /// Least −r ∂W/∂r in kernel units; below it, inverses would overflow.
-  static constexpr double least = halved ? 1e-30 : 0;
+  static constexpr double least = single_precision ? 1e-30 : 0;
 
-  Kept* gradients;  // Dim per pack
-  Kept *inverse_slopes, *inverse_distances;
-  Kept* closeness_of;        // with artificial stress
+  Stored* gradients;  // Dim per pack
+  Stored *inverse_slopes, *inverse_distances;
+  Stored* closeness_of;      // with artificial stress
   double steepness, length;  // kernel units, 1/m^(Dim+1), m; 1 unless halved
 
   void set(int b, const PairGeometry<Dim>& pairs) const {
@@ -122,7 +122,7 @@ struct PairCache {
 
  private:
   static Pack scaled(const Pack& a, double unit) {
-    if constexpr (halved) return unit * a;
+    if constexpr (single_precision) return unit * a;
     return a;
   }
 };
@@ -155,8 +155,8 @@ struct UlSplitFields {
   // gradient correction and volume at the last rebuild
   TensorRow<Dim>* recovery;
 
-  const int *begin, *j;  // neighbours, see Neighbors
-  int* meets;            // 1: has neighbours in other bodies
+  const int *begin, *j;        // neighbours, see Neighbors
+  int* has_foreign_neighbors;  // 1: has neighbours in other bodies
   PairCache<Dim> pairs;
   const MixedPack* mixed;
   int mixed_count;

@@ -37,7 +37,7 @@ constexpr bool carries_stress(const UlSplitFormulation& m) { return m.shear == S
 
 /// Keeps stress continuous across a clamp; otherwise `oas` tears off. Rigid clamps suit the other methods: strained
 /// ones make `enog` too stiff. [Zhang2024] does not specify this.
-constexpr bool strains_what_is_held(const UlSplitFormulation& m) { return carries_stress(m); }
+constexpr bool strains_clamped(const UlSplitFormulation& m) { return carries_stress(m); }
 
 constexpr bool consistent(const UlSplitFormulation& m) {
   return (!m.artificial_stress || carries_stress(m)) &&  // needed for artificial stress

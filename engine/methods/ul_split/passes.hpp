@@ -80,7 +80,7 @@ void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const
       s.pairs.set(b, pair);
       if constexpr (M.artificial_stress) s.pairs.set_closeness(b, kernel.closeness(d));
     }
-    s.meets[i] = any(outside);
+    s.has_foreign_neighbors[i] = any(outside);
     if constexpr (!carries_stress(M)) s.recovery[i].set(gradient_correction(sum(moment)), here.V[0]);
   });
 }
@@ -113,7 +113,7 @@ void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& 
 template <int Dim>
 Vec<Pack, Dim> gradient_inside(const UlSplitFields<Dim>& s, int i, int b) {
   Vec<Pack, Dim> g = s.pairs.gradient(b);
-  if (s.meets[i])
+  if (s.has_foreign_neighbors[i])
     for (int k = 0; k < Dim; ++k) g[k] = s.pairs.inverse_distance(b) < 0 ? g[k] : Pack{};
   return g;
 }
@@ -210,7 +210,7 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
             laplacian_term_nonconservative(v_ij, f_j.V, dot(grad_W, grad_W), s.pairs.inverse_distance(b));
     }
     s.drho[i] = s.rho[i] * sum(compression);
-    if constexpr (!strains_what_is_held(M)) s.drho[i] *= s.mobile[i];
+    if constexpr (!strains_clamped(M)) s.drho[i] *= s.mobile[i];
     if constexpr (M.shear == Shear::nested_stress) s.ds[i] = jaumann_rate<M.deviator>(sum(L), s.s[i], c.G);
     // G/ρ is inside the time integral; outside, as in [Zhang2024] Eq. 20, linear momentum would drift
     const double inv_rho = s.flow_new[i].c[Dim + 1] / s.m[i];
@@ -218,7 +218,7 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
       s.da_shear[i] = (c.zeta * c.G * inv_rho) * sum(laplacian);
     if constexpr (M.shear == Shear::laplacian_velocity_nonconservative)
       s.da_shear[i] = (c.G * inv_rho) * sum(laplacian);
-    if constexpr (!strains_what_is_held(M))
+    if constexpr (!strains_clamped(M))
       if (steering.drives(s.id[i])) s.drho[i] = 0;
     s.rho[i] += dt * s.drho[i];
     if constexpr (carries_stress(M))

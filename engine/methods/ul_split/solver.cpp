@@ -36,7 +36,7 @@ UlSplit<Dim>::UlSplit(Common<Dim>& common, const SolverInput& input, const Kerne
   rho_.assign(n, c_.rho0), drho_.assign(n, 0);
   s_.assign(n, {});
   flow_.resize(n), flow_new_.resize(n);
-  meets_.resize(n);
+  has_foreign_neighbors_.resize(n);
   if (carries_stress(method_)) {
     ds_.assign(n, {});
     stress_.resize(n);
@@ -53,21 +53,23 @@ UlSplit<Dim>::UlSplit(Common<Dim>& common, const SolverInput& input, const Kerne
 /// Time step, s, [Zhang2024] Eq. 22, but shorter for materials stiffer in shear.
 template <int Dim>
 double UlSplit<Dim>::step_size() const {
-  return common_.fixed_or(c_.cfl * c_.h / (c_.step_speed + common_.vmax));
+  return common_.fixed_or_stable_step(c_.cfl * c_.h / (c_.step_speed + common_.vmax));
 }
 
 /// One acoustic step, [Zhang2024] Eq. 22–25.
 template <int Dim>
 void UlSplit<Dim>::step(double dt) {
   // Eq. 21 as a distance at the maximum speed since the start, so that turning points do not delay it
-  if (stepping_ == Stepping::single ? common_.run.steps > 0 : advected_ >= c_.cfl_advection * c_.h) rebuild();
+  if (stepping_ == Stepping::single ? common_.run.steps > 0
+                                    : distance_since_rebuild_ >= c_.cfl_advection * c_.h)
+    rebuild();
   common_.contact.prepare(p_, common_.vmax * dt);
   kernels_.half_drift(f_, c_, 0.5 * dt, common_.threads_now());
   kernels_.contact_geometry(f_, c_);
   common_.contact.evaluate(p_, dt, common_.threads_now());
   accelerate(dt);
   close_rates(0.5 * dt);
-  advected_ += greatest_speed_ * dt;
+  distance_since_rebuild_ += greatest_speed_ * dt;
   common_.finish_step(dt);
 }
 
@@ -105,7 +107,7 @@ void UlSplit<Dim>::rebuild() {
   cache_pairs();
   common_.contact.search(p_);
   common_.probes.rebuilt(p_, near_, common_.run.support);
-  advected_ = 0;
+  distance_since_rebuild_ = 0;
   if (!at_start) return;
   // initial rates for the first half step
   for (int i = 0; i < p_.size(); ++i) flow_new_[i].set(p_.v[i], 0, p_.m[i] / rho_[i]);
@@ -117,7 +119,7 @@ void UlSplit<Dim>::cache_pairs() {
   const auto n = static_cast<std::size_t>(packs());
   gradients_.resize(Dim * n), inverse_slopes_.resize(n), inverse_distances_.resize(n);
   if (method_.artificial_stress) closeness_.resize(n);
-  if (PairCache<Dim>::halved) kernel_steepness_ = kernels_.steepness(c_), kernel_length_ = c_.h;
+  if (PairCache<Dim>::single_precision) kernel_steepness_ = kernels_.steepness(c_), kernel_length_ = c_.h;
   bind_fields();
   kernels_.geometry(f_, c_, common_.threads_now());
   list_mixed_packs();
@@ -127,7 +129,7 @@ template <int Dim>
 void UlSplit<Dim>::list_mixed_packs() {
   mixed_.clear();
   for (int i = 0; i < p_.size() && sph_contact_; ++i) {
-    if (!meets_[i]) continue;
+    if (!has_foreign_neighbors_[i]) continue;
     const auto is_of_another_body = [&](int j) { return p_.body[j] != p_.body[i]; };
     for (int b = near_.begin[i]; b < near_.begin[i + 1]; ++b)
       if (std::any_of(near_.pack(b), near_.pack(b) + lanes, is_of_another_body)) mixed_.push_back({i, b});
@@ -158,7 +160,7 @@ void UlSplit<Dim>::bind_fields() {
         .recovery = recovery_.data(),
         .begin = near_.begin.data(),
         .j = near_.j.data(),
-        .meets = meets_.data(),
+        .has_foreign_neighbors = has_foreign_neighbors_.data(),
         .pairs = {gradients_.data(), inverse_slopes_.data(), inverse_distances_.data(), closeness_.data(),
                   kernel_steepness_, kernel_length_},
         .mixed = mixed_.data(),
@@ -207,7 +209,7 @@ template <class Archive>
 void UlSplit<Dim>::serialize(Archive& archive) {
   archive.fixed(rho_, drho_, a_shear_, da_shear_, s_, ds_, x_recovered_);
   near_.serialize(archive, p_.x.size());
-  archive.fixed(meets_, recovery_);
+  archive.fixed(has_foreign_neighbors_, recovery_);
   archive(gradients_, inverse_slopes_, inverse_distances_, closeness_, kernel_steepness_, kernel_length_);
   archive.check("the geometry of pairs", [&] {
     const auto n = static_cast<std::size_t>(packs());
@@ -215,7 +217,7 @@ void UlSplit<Dim>::serialize(Archive& archive) {
            closeness_.size() == (method_.artificial_stress ? n : 0) && kernel_steepness_ > 0 &&
            kernel_length_ > 0;
   });
-  archive(greatest_speed_, advected_);
+  archive(greatest_speed_, distance_since_rebuild_);
   if constexpr (Archive::loads) {
     list_mixed_packs();
     bind_fields();

@@ -46,8 +46,8 @@ class UlSplit final : public Scheme<Dim> {
   CellGrid<Dim> grid_;
   NeighborSearch<Dim> search_;
   Neighbors near_;
-  double greatest_speed_ = 0;  // maximum since the start, m/s
-  double advected_ = 0;        // distance since the last rebuild, m
+  double greatest_speed_ = 0;          // maximum since the start, m/s
+  double distance_since_rebuild_ = 0;  // distance since the last rebuild, m
 
   // see UlSplitFields
   std::vector<double> rho_, drho_;
@@ -56,9 +56,9 @@ class UlSplit final : public Scheme<Dim> {
   std::vector<V> x_recovered_;  // positions at the last stress recovery, m
   std::vector<FlowRow<Dim>> flow_, flow_new_;
   std::vector<TensorRow<Dim>> stress_, repulsion_, recovery_;
-  std::vector<int> meets_;
-  using Kept = typename PairCache<Dim>::Kept;
-  std::vector<Kept> gradients_, inverse_slopes_, inverse_distances_, closeness_;
+  std::vector<int> has_foreign_neighbors_;
+  using Stored = typename PairCache<Dim>::Stored;
+  std::vector<Stored> gradients_, inverse_slopes_, inverse_distances_, closeness_;
   bool sph_contact_;
   double kernel_steepness_ = 1, kernel_length_ = 1;  // see PairCache
   std::vector<MixedPack> mixed_;                     // for sph_contact_

@@ -22,7 +22,7 @@ double Box::measure(int dim) const {
   return product;
 }
 
-double Box::thinnest(int dim) const {
+double Box::extent_to_divide(int dim) const {
   double least = high[0] - low[0];
   for (std::size_t k = 1; k < as_index(dim); ++k) least = std::min(least, high[k] - low[k]);
   return least;

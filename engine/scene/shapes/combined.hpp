@@ -53,7 +53,7 @@ struct Combined final : ShapeBase {
     return measure;
   }
   bool has_exact_measure() const override { return false; }
-  double thinnest(int dim) const override { return shapes.front()->thinnest(dim); }
+  double extent_to_divide(int dim) const override { return shapes.front()->extent_to_divide(dim); }
   Point middle() const override { return shapes.front()->middle(); }
   Point anchor() const override { return shapes.front()->anchor(); }
   void shift(std::size_t axis, double by) override {

@@ -36,7 +36,7 @@ struct Ellipse final : ShapeBase {
     for (std::size_t k = 0; k < as_index(dim); ++k) product *= semi_axes[k];
     return product;
   }
-  double thinnest(int dim) const override {
+  double extent_to_divide(int dim) const override {
     return 2 * *std::min_element(semi_axes.begin(), semi_axes.begin() + dim);
   }
   Point middle() const override { return centre; }

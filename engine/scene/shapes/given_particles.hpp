@@ -35,15 +35,15 @@ class GivenParticles final : public ShapeBase {
   }
   bool holds(const Point& x, int dim, double tolerance) const override {
     const Point y{x[0] - by_[0], x[1] - by_[1], x[2] - by_[2]};
-    bool held = false;
+    bool contained = false;
     around(y, [&](std::size_t i) {
       const double half = 0.5 * std::pow(volumes_[i], 1.0 / dim);
       bool in = true;
       for (std::size_t k = 0; k < as_index(dim); ++k)
         in = in && std::abs(y[k] - places_[i][k]) <= half + tolerance;
-      held = held || in;
+      contained = contained || in;
     });
-    return held;
+    return contained;
   }
   double measure(int) const override { return volume_; }
   void shift(std::size_t axis, double by) override { by_[axis] += by; }

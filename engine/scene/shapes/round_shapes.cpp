@@ -175,7 +175,9 @@ double Cylinder::measure(int) const {
   return (measure_of_ball(2, radius) - measure_of_ball(2, inner)) * length();
 }
 
-double Cylinder::thinnest(int) const { return std::min(length(), inner > 0 ? radius - inner : 2 * radius); }
+double Cylinder::extent_to_divide(int) const {
+  return std::min(length(), inner > 0 ? radius - inner : 2 * radius);
+}
 
 std::vector<InitialSite> Cylinder::sites(int, double dp) const {
   return layout == RoundLayout::aligned ? aligned_sites(*this, dp) : std::vector<InitialSite>{};

@@ -38,7 +38,7 @@ struct Disc final : ShapeBase {
   bool holds(const Point& x, int dim, double tolerance) const override;
   void shift(std::size_t axis, double by) override { centre[axis] += by; }
   double measure(int dim) const override { return measure_of_ball(dim, radius); }
-  double thinnest(int) const override { return 2 * radius; }
+  double extent_to_divide(int) const override { return 2 * radius; }
   Point middle() const override { return centre; }
   Point anchor() const override { return bounds().middle(); }
   /// Places 1 particle in the centre and 6, 12, 18 … on the layers, a hexagonal lattice made round.
@@ -62,7 +62,7 @@ struct Ring final : ShapeBase {
   bool holds(const Point& x, int dim, double tolerance) const override;
   void shift(std::size_t axis, double by) override { centre[axis] += by; }
   double measure(int dim) const override { return measure_of_ball(dim, outer) - measure_of_ball(dim, inner); }
-  double thinnest(int) const override { return outer - inner; }
+  double extent_to_divide(int) const override { return outer - inner; }
   Point middle() const override { return centre; }
   Point anchor() const override { return bounds().middle(); }
   /// Layers at r = inner + (k + ½) dp begin on the positive x axis. Aligned layers form a polar grid, dp apart at
@@ -91,7 +91,7 @@ struct Cylinder final : ShapeBase {
   bool holds(const Point& x, int dim, double tolerance) const override;
   void shift(std::size_t axis, double by) override { from[axis] += by, to[axis] += by; }
   double measure(int dim) const override;
-  double thinnest(int dim) const override;
+  double extent_to_divide(int dim) const override;
   Point middle() const override { return Bounds{from, to}.middle(); }
   Point anchor() const override { return from; }
   /// Aligned layers: slices about dp apart, each a 2D ring.

@@ -19,7 +19,7 @@ struct Turned final : ShapeBase {
   }
   double measure(int dim) const override { return shape->measure(dim); }
   bool has_exact_measure() const override { return shape->has_exact_measure(); }
-  double thinnest(int dim) const override { return shape->thinnest(dim); }
+  double extent_to_divide(int dim) const override { return shape->extent_to_divide(dim); }
   Point middle() const override { return rotated(rotation, shape->middle()); }
   Point anchor() const override { return shape->anchor(); }
   void shift(std::size_t axis, double by) override {

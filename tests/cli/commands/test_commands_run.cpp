@@ -28,7 +28,7 @@ std::vector<double> numbers(const std::string& row) {
 }
 
 /// stderr of a short run; `text` starts with keys before all sections.
-std::string said_of(const std::string& text, const TemporaryFolder& folder) {
+std::string errors_of(const std::string& text, const TemporaryFolder& folder) {
   std::ofstream(folder / "scene.toml")
       << "title = \"Still\"\nuntil = 1e-6\n"
       << text << "[material.rubber]\ndensity = 1000\nyoungs_modulus = 1e7\npoisson_ratio = 0.4\n";
@@ -45,7 +45,7 @@ TEST_SUITE("cli") {
       "a body whose particles' mass differs from its shape's gives a warning, and an exact one does not") {
     const TemporaryFolder folder;
     const auto told = [&](const std::string& shape) {
-      return said_of("spacing = 0.1\n[[body]]\nname = \"b\"\nmaterial = \"rubber\"\n" + shape, folder);
+      return errors_of("spacing = 0.1\n[[body]]\nname = \"b\"\nmaterial = \"rubber\"\n" + shape, folder);
     };
     const std::string of_lattice =
         "shape = { type = \"disc\", centre = [0, 0], radius = 0.3, layout = \"lattice\" }\n";
@@ -59,7 +59,7 @@ TEST_SUITE("cli") {
   TEST_CASE("a wall that starts inside a body gives a warning, and a touching one does not") {
     const TemporaryFolder folder;
     const auto told = [&](const std::string& floor, const std::string& velocity) {
-      return said_of(
+      return errors_of(
           "spacing = 0.002\n[[body]]\nname = \"disc\"\nmaterial = \"rubber\"\n"
           "shape = { type = \"disc\", centre = [0, 0.02], radius = 0.02 }\nvelocity = [0, " +
               velocity + "]\n[[wall]]\nname = \"floor\"\nnormal = [0, 1]\nat = [0, " + floor + "]\n",

@@ -68,7 +68,7 @@ TEST_SUITE("unit") {
   TEST_CASE("keys of drawing: an optional key can be set back to automatic") {
     Drawing drawing = other_drawing();
     for (const DrawingKey& key : drawing_keys())
-      if (key.may_be_open) CHECK(key.set(drawing, std::string(automatic)).empty());
+      if (key.allows_auto) CHECK(key.set(drawing, std::string(automatic)).empty());
     CHECK_FALSE(drawing.look.view);
     CHECK_FALSE(drawing.look.range);
     CHECK_FALSE(drawing.look.colormap);

@@ -37,7 +37,7 @@ Snapshot some_particles(int dim, std::size_t count) {
     now.diameter.push_back(0.1 + static_cast<double>(i));
     now.body.push_back(static_cast<int>(i % 3));
     now.material.push_back(static_cast<int>(i % 2));
-    now.held.push_back(i % 5 == 0);
+    now.clamped.push_back(i % 5 == 0);
   }
   return now;
 }

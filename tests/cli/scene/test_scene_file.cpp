@@ -71,7 +71,7 @@ TEST_SUITE("unit") {
     const double c0 = std::sqrt(1e7 / (3 * (1 - 2 * 0.4)) / 1200);
     CHECK(scene.bodies[0].velocity[0]({2, 0, 0}) == Approx(0.06 * c0 * 2).epsilon(1e-14));
     CHECK_FALSE(scene.bodies[0].velocity[1]);
-    CHECK_FALSE(scene.bodies[0].held);
+    CHECK_FALSE(scene.bodies[0].clamped);
     const auto& ring = *scene.bodies[1].shapes[0].as<Ring>();
     CHECK(ring.inner == 1);
     CHECK(ring.outer == 2);
@@ -231,8 +231,8 @@ TEST_SUITE("unit") {
     const auto& clamp = *scene.bodies.at(0).shapes.at(1).as<Box>();
     CHECK(clamp.low[0] == Approx(-0.068));
     CHECK(clamp.low[1] == Approx(-0.018));
-    CHECK(scene.bodies[0].held({-1e-9, 0, 0}) != 0);
-    CHECK(scene.bodies[0].held({0, 0, 0}) == 0);
+    CHECK(scene.bodies[0].clamped({-1e-9, 0, 0}) != 0);
+    CHECK(scene.bodies[0].clamped({0, 0, 0}) == 0);
     CHECK(particles(scene) == 1612);
     // Eq. 28–29: tip at vf c0, clamp at rest, middle computed separately
     const auto& velocity = scene.bodies[0].velocity[1];
@@ -273,9 +273,9 @@ TEST_SUITE("unit") {
     CHECK(scene.bodies[0].name == "plate");
     CHECK(scene.bodies[0].shapes.at(1).as<Box>()->low[0] == Approx(-0.26));
     CHECK(scene.bodies[0].shapes.at(2).as<Box>()->high[0] == Approx(0.26));
-    CHECK(scene.bodies[0].held({0.2501, 0, 0}) != 0);
-    CHECK(scene.bodies[0].held({-0.2501, 0, 0}) != 0);
-    CHECK(scene.bodies[0].held({0.2499, 0, 0}) == 0);
+    CHECK(scene.bodies[0].clamped({0.2501, 0, 0}) != 0);
+    CHECK(scene.bodies[0].clamped({-0.2501, 0, 0}) != 0);
+    CHECK(scene.bodies[0].clamped({0.2499, 0, 0}) == 0);
     CHECK(scene.bodies[1].shapes.at(0).as<Disc>()->radius == 0.05);
     CHECK(scene.bodies[1].shapes.at(0).as<Disc>()->centre == Point{0, 0.1, 0});
     CHECK(scene.bodies[1].velocity[1]({}) == Approx(-7.45355992).epsilon(1e-8));  // 0.02 c0

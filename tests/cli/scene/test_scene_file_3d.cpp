@@ -61,7 +61,7 @@ void check_resolved(const SceneFile& file) {
   const InitialParticles a = make_initial_particles(file.scene), b = make_initial_particles(again.scene);
   CHECK(a.x == b.x);
   CHECK(a.V0 == b.V0);
-  CHECK(a.held == b.held);
+  CHECK(a.clamped == b.clamped);
   CHECK(a.guided == b.guided);
 }
 
@@ -181,7 +181,7 @@ TEST_SUITE("cli") {
     for (int i = 0; i < layout.size(); ++i) {
       const Point& x = layout.x[i];
       const bool along_x = x[0] < 0.1 || x[1] < 0.1, along_z = x[0] < 0.1 && x[2] < 0.1;
-      CHECK(layout.held[i] == 0);
+      CHECK(layout.clamped[i] == 0);
       CHECK(layout.guided[i] == (along_x ? 1 : 0) + (along_z ? 4 : 0));
       CHECK(layout.v[i] == Point{along_x ? 0.0 : 1.0, 2, along_z ? 0.0 : 3.0});
     }
@@ -190,7 +190,7 @@ TEST_SUITE("cli") {
     const InitialParticles clamped = make_initial_particles(all.scene);
     for (int i = 0; i < clamped.size(); ++i) {
       const double x = clamped.x[i][0];
-      CHECK(clamped.held[i] == (x < 0.1));
+      CHECK(clamped.clamped[i] == (x < 0.1));
       CHECK(clamped.guided[i] == (x < 0.1 ? 0 : x < 0.2 ? 3 : x < 0.3 ? 1 : 0));
     }
     check_solid_error(solid_scene(brick, "held = @[\"x < 1\", 0]"), {"held must be an array of 3"});

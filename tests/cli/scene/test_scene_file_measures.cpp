@@ -141,8 +141,8 @@ TEST_SUITE("cli") {
                              force + "[[probe]]\nname = \"sum\"\nof = \"expression\"\nvalue = \"" + value +
                                  "\"\n" + replaced(old, "tip", "sum")))
               .scene;
-      CHECK(is_of_steps(scene.probes.at(1)));
-      return is_of_steps(scene.probes.at(2));
+      CHECK(is_step_mean(scene.probes.at(1)));
+      return is_step_mean(scene.probes.at(2));
     };
     CHECK(of_steps("2*push - v0"));
     CHECK_FALSE(of_steps("push + t"));

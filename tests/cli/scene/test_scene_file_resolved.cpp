@@ -56,7 +56,7 @@ void check_same(const Body& a, const Body& b) {
     if (is_simple(a.shapes[i])) CHECK(equal_as<Box, Disc, Ring, Cylinder>(a.shapes[i], b.shapes[i]));
   CHECK(a.lattice == b.lattice);
   for (std::size_t k = 0; k < 3; ++k) check_same(a.velocity[k], b.velocity[k]);
-  check_same(a.held, b.held);
+  check_same(a.clamped, b.clamped);
   REQUIRE(a.parts.size() == b.parts.size());
   for (std::size_t i = 0; i < a.parts.size(); ++i) {
     CHECK(a.parts[i].material == b.parts[i].material);

@@ -233,7 +233,7 @@ unit = "s"
     now.x = {0, 0, 0.05, 0, 1, 1, 2, 0.1};
     now.v.assign(8, 3);
     now.m.assign(4, 1), now.diameter = {0.05, 0.05, 0.05, 0.06};
-    now.body = {0, 0, 1, 1}, now.material = {0, 0, 0, 0}, now.held.assign(4, 0);
+    now.body = {0, 0, 1, 1}, now.material = {0, 0, 0, 0}, now.clamped.assign(4, 0);
     write_file("saved.vtp", particle_file_text(now, {}));
     const InitialParticles all = laid(scene_text(R"({ type = "particles", file = "saved.vtp" })"));
     CHECK(all.x == std::vector<Point>{{0, 0, 0}, {0.05, 0, 0}, {1, 1, 0}, {2, 0.1, 0}});

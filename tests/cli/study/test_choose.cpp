@@ -30,7 +30,7 @@ TEST_SUITE("cli") {
   TEST_CASE("the cheapest run that is stable, accurate and not contradicted by a finer one is chosen") {
     const TemporaryFolder folder;
     const taut::cli::Chart chart = chart_of(folder);
-    const auto all = taut::cli::grants(chart, {0.01, std::nullopt});
+    const auto all = taut::cli::suitable_offers(chart, {0.01, std::nullopt});
     REQUIRE(all.size() == 2);
     CHECK(all[0].series->name == "icb");
     CHECK(all[0].point->spacing == 0.4);
@@ -38,17 +38,17 @@ TEST_SUITE("cli") {
     CHECK(all[1].series->name == "tl");
     CHECK(all[1].point->spacing == 0.1);
     CHECK(all[1].finer == 0);
-    const auto rough = taut::cli::grants(chart, {0.06, std::nullopt});
+    const auto rough = taut::cli::suitable_offers(chart, {0.06, std::nullopt});
     CHECK(rough.front().point->cost == 1);
     CHECK(rough.front().finer == 2);
-    CHECK(taut::cli::grants(chart, {0.06, 0.5}).empty());
-    CHECK(taut::cli::grants(chart, {0.003, std::nullopt}).empty());
+    CHECK(taut::cli::suitable_offers(chart, {0.06, 0.5}).empty());
+    CHECK(taut::cli::suitable_offers(chart, {0.003, std::nullopt}).empty());
     // inclusive limit
-    CHECK(taut::cli::grants(chart, {0.008, std::nullopt}).front().point->error == 0.008);
-    CHECK(taut::cli::grants(chart, {0.0079, std::nullopt}).front().point->error == 0.004);
-    CHECK(taut::cli::grants(chart, {0.0039, std::nullopt}).empty());
-    CHECK(taut::cli::grants(chart, {0.06, 1.0}).size() == 1);
-    CHECK(taut::cli::grants(chart, {0.06, 0.99}).empty());
+    CHECK(taut::cli::suitable_offers(chart, {0.008, std::nullopt}).front().point->error == 0.008);
+    CHECK(taut::cli::suitable_offers(chart, {0.0079, std::nullopt}).front().point->error == 0.004);
+    CHECK(taut::cli::suitable_offers(chart, {0.0039, std::nullopt}).empty());
+    CHECK(taut::cli::suitable_offers(chart, {0.06, 1.0}).size() == 1);
+    CHECK(taut::cli::suitable_offers(chart, {0.06, 0.99}).empty());
   }
 
   TEST_CASE("choose reports method, spacing and evidence, or that no result is accurate enough") {
@@ -80,7 +80,7 @@ TEST_SUITE("cli") {
       "run") {
     const TemporaryFolder folder;
     const taut::cli::Chart chart = chart_of(folder);
-    const auto all = taut::cli::front(chart, std::nullopt);
+    const auto all = taut::cli::pareto_front(chart, std::nullopt);
     // tl's first run counts with the finer 5 %; icb's first dominates tl's third
     REQUIRE(all.size() == 3);
     CHECK(all[0].series->name == "tl");
@@ -91,8 +91,8 @@ TEST_SUITE("cli") {
     CHECK(all[1].error == 0.008);
     CHECK(all[2].error == 0.004);
     for (const auto& offer : all)
-      CHECK(taut::cli::grants(chart, {offer.error, std::nullopt}).front().point == offer.point);
-    CHECK(taut::cli::front(chart, 10).size() == 1);
+      CHECK(taut::cli::suitable_offers(chart, {offer.error, std::nullopt}).front().point == offer.point);
+    CHECK(taut::cli::pareto_front(chart, 10).size() == 1);
     const std::string file = write_results(folder / "b", runs, "colliding-rings");
     const Outcome outcome = call({"choose", "colliding-rings", "--from", file});
     CAPTURE(outcome.err);

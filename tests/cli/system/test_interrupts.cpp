@@ -12,11 +12,11 @@ using namespace taut::test;
 TEST_SUITE("unit") {
   TEST_CASE("a second SIGHUP, which a closed terminal can send, does not end the program at once") {
     const Interrupts interrupts;
-    CHECK_FALSE(interrupts.asked_to_end());
+    CHECK_FALSE(interrupts.must_end());
     std::raise(SIGHUP);
-    CHECK(interrupts.asked_to_end());
+    CHECK(interrupts.must_end());
     std::raise(SIGHUP);
-    CHECK(interrupts.asked_to_end());
+    CHECK(interrupts.must_end());
   }
 
   TEST_CASE("a signal is remembered until the next Interrupts object") {
@@ -24,15 +24,15 @@ TEST_SUITE("unit") {
       const Interrupts interrupts;
       std::raise(SIGTERM);
     }
-    CHECK(Interrupts::asked_to_end());
+    CHECK(Interrupts::must_end());
     const Interrupts interrupts;
-    CHECK_FALSE(Interrupts::asked());
+    CHECK_FALSE(Interrupts::interrupted());
   }
 
   TEST_CASE("a closed pipe does not end the program") {
     const Interrupts interrupts;
     std::raise(SIGPIPE);
-    CHECK_FALSE(interrupts.asked_to_end());
+    CHECK_FALSE(interrupts.must_end());
   }
 }
 

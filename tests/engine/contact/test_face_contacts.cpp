@@ -118,7 +118,7 @@ TEST_SUITE("conservation") {
       Scene scene =
           scene_of({Disc{{0, 0.00392, 0}, 0.00382}, Box{{-half_width, -0.006, 0}, {half_width, 0, 0}}});
       scene.bodies[0].velocity[1] = constant(-8);
-      scene.bodies[1].held = [](const Point& x) { return x[1] < -0.004 ? 1.0 : 0.0; };
+      scene.bodies[1].clamped = [](const Point& x) { return x[1] < -0.004 ? 1.0 : 0.0; };
       for (const int body : {0, 1})
         scene.probes.push_back(
             make_probe(body == 0 ? "disc" : "block", Probe::Kind::mirror_asymmetry, {body, body}));
@@ -151,7 +151,7 @@ TEST_SUITE("conservation") {
     scene.bodies[0].on_boundary = scene.bodies[1].on_boundary = true;
     scene.bodies[0].rotation = Rotation{{0, 0, 1}, {0, 4.9 * mm, 0}, 45};
     scene.bodies[0].velocity[1] = constant(-0.3);
-    scene.bodies[1].held = [](const Point& x) { return x[1] < -3 * mm ? 1.0 : 0.0; };
+    scene.bodies[1].clamped = [](const Point& x) { return x[1] < -3 * mm ? 1.0 : 0.0; };
     const auto simulation = make_simulation(scene, with_method("oenog"));
     const double start = total_energy(*simulation, scene);
     double most = 0, touched = 0;
@@ -373,7 +373,7 @@ TEST_SUITE("failure") {
         for (int k = 1; k <= 30; ++k) {
           simulation->advance_to(0.0001 * k);
           pressed = std::max(pressed, simulation->snapshot().contact_energy / before.kinetic);
-          most = std::max(most, crossed(simulation->snapshot(), 2, dp, arm));
+          most = std::max(most, penetration(simulation->snapshot(), 2, dp, arm));
         }
         CHECK(most < 0);
         if (law != ContactLaw::impulse) CHECK(pressed > 0.001);

@@ -80,7 +80,7 @@ TEST_SUITE("term") {
     }
     for (const double cover : {0.3, 0.6, 0.8})
       CHECK((covered_slope(cover + step) - covered_slope(cover - step)) / (2 * step) ==
-            Approx(covered_bend(cover)).epsilon(1e-6));
+            Approx(covered_second_derivative(cover)).epsilon(1e-6));
     CHECK(hardening(dp, 0.09, dp) == 1);
     for (const double at : {-0.97, -0.8, 0.5, 0.75, 0.9}) {
       const double p = at * dp, d = step * dp;
@@ -324,7 +324,7 @@ TEST_SUITE("failure") {
         for (int k = 1; k <= 20; ++k) {
           simulation->advance_to(0.0001 * k);
           pressed = std::max(pressed, simulation->snapshot().contact_energy / kinetic);
-          most = std::max(most, crossed(simulation->snapshot(), 3, dp, arm));
+          most = std::max(most, penetration(simulation->snapshot(), 3, dp, arm));
         }
         CHECK(most < 0);
         if (law != ContactLaw::impulse) CHECK(pressed > 0.001);

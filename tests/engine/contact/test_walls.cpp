@@ -206,7 +206,7 @@ TEST_SUITE("unit") {
       for (const char* part : {"'disc'", "'roof'", "inside"})
         CHECK(std::string(error.what()).find(part) != std::string::npos);
     }
-    scene.bodies[0].held = [](const Point& x) { return x[1] > 0.0059 ? 1.0 : 0.0; };
+    scene.bodies[0].clamped = [](const Point& x) { return x[1] > 0.0059 ? 1.0 : 0.0; };
     CHECK_NOTHROW(make_simulation(scene, with_method("tl")));
   }
 

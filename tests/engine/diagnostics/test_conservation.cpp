@@ -10,9 +10,9 @@ using namespace taut::test;
 
 namespace {
 
-Snapshot particle(bool held) {
+Snapshot particle(bool clamped) {
   Snapshot start;
-  start.held = {static_cast<unsigned char>(held)};
+  start.clamped = {static_cast<unsigned char>(clamped)};
   return start;
 }
 
@@ -31,15 +31,15 @@ TEST_SUITE("unit") {
     later.strain = 2;
     later.linear_momentum = {1, 0.5, 0};
     later.momentum_scale = 5;
-    for (const bool held : {false, true}) {
-      ConservationWatch watch(Scene(), particle(held));
+    for (const bool clamped : {false, true}) {
+      ConservationWatch watch(Scene(), particle(clamped));
       for (const Balance& sums : {start, later, start}) watch.follow(sums);
       const Conservation found = watch.so_far();
       REQUIRE(found.energy);
       CHECK(*found.energy == Approx(0.25));
       CHECK_FALSE(found.angular_momentum);  // no rotation, hence no scale
-      REQUIRE(found.linear_momentum.has_value() == !held);
-      if (!held) CHECK(*found.linear_momentum == Approx(0.1));
+      REQUIRE(found.linear_momentum.has_value() == !clamped);
+      if (!clamped) CHECK(*found.linear_momentum == Approx(0.1));
     }
   }
 

@@ -70,9 +70,9 @@ TEST_SUITE("unit") {
   TEST_CASE("field_error: clamped particles and other bodies do not count") {
     Snapshot now = sheared({1, 0});
     now.time = 0.1;
-    now.held[2] = 1;
+    now.clamped[2] = 1;
     CHECK(field_error(displacement(), now, shear())->greatest == Approx(0).scale(1).epsilon(1e-12));
-    now.held[2] = 0;
+    now.clamped[2] = 0;
     now.body[2] = 1;
     CHECK(field_error(displacement(), now, shear())->rms == Approx(0).scale(1).epsilon(1e-12));
   }

@@ -318,7 +318,7 @@ TEST_SUITE("unit") {
         const bool right = body.start.x[2 * i] > 0;
         if (what == 0) body.start.body[i] = right;
         if (what == 1) body.start.material[i] = right;
-        if (what == 2) body.start.held[i] = right;
+        if (what == 2) body.start.clamped[i] = right;
       }
       CHECK(jump().first < 1e-12);
       CHECK(jump().second < 1e-12);

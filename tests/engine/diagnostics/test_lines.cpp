@@ -68,7 +68,7 @@ TEST_SUITE("unit") {
   TEST_CASE("lines: a stress is extrapolated linearly into the clamp, as by a probe") {
     Scene scene = rotating_plate(0.01);
     scene.bodies[0].velocity = {};
-    scene.bodies[0].held = [](const Point& x) { return x[1] > 0.008 ? 1.0 : 0.0; };
+    scene.bodies[0].clamped = [](const Point& x) { return x[1] > 0.008 ? 1.0 : 0.0; };
     scene.bodies[0].displacement[1] = [](const Point& x) { return 1e-3 * (x[1] - 20 * x[1] * x[1]); };
     SampleLine line;
     line.name = "down";

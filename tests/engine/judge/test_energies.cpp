@@ -119,7 +119,7 @@ TEST_SUITE("unit") {
         CAPTURE(clamped);
         CAPTURE(common);
         Squares squares({{}, {0, 5, 0}});
-        if (clamped) squares.scene.bodies[0].held = [](const Point&) { return 1.0; };
+        if (clamped) squares.scene.bodies[0].clamped = [](const Point&) { return 1.0; };
         squares.set_turn(0, 1);
         for (std::size_t i = 0; i < 16; ++i) squares.now.v[2 * i] += common;
         EnergyTest test = squares.test();

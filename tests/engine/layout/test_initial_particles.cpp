@@ -24,7 +24,9 @@ double volume(const InitialParticles& layout) {
   return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
 }
 
-long held(const InitialParticles& layout) { return std::count(layout.held.begin(), layout.held.end(), 1); }
+long clamped(const InitialParticles& layout) {
+  return std::count(layout.clamped.begin(), layout.clamped.end(), 1);
+}
 
 Scene one_body(int dim, double spacing, const std::vector<Shape>& shapes) {
   Scene scene;
@@ -66,7 +68,7 @@ TEST_SUITE("unit") {
     CHECK(rings.size() == 4398);
     CHECK(rings.first == std::vector<int>{0, 2199, 4398});
     CHECK(volume(rings) == relative(2 * std::numbers::pi * (0.04 * 0.04 - 0.03 * 0.03), 1e-13));
-    CHECK(held(rings) == 0);
+    CHECK(clamped(rings) == 0);
   }
 
   TEST_CASE("layout: particles of a ring are a spacing apart and half a spacing inside its faces") {
@@ -116,11 +118,11 @@ TEST_SUITE("unit") {
   TEST_CASE("layout: the plate has 1612 particles, 612 of them in its clamp") {
     const InitialParticles plate = make_initial_particles(oscillating_plate(0.05));
     CHECK(plate.size() == 1612);
-    CHECK(held(plate) == 612);
+    CHECK(clamped(plate) == 612);
     CHECK(volume(plate) == relative(0.2 * 0.02 + 0.068 * 0.036));
     for (int i = 0; i < plate.size(); ++i) {
-      CHECK(static_cast<bool>(plate.held[i]) == (plate.x[i][0] < 0));
-      if (plate.held[i]) CHECK(plate.v[i] == Point{});
+      CHECK(static_cast<bool>(plate.clamped[i]) == (plate.x[i][0] < 0));
+      if (plate.clamped[i]) CHECK(plate.v[i] == Point{});
     }
     const auto tip = std::max_element(plate.x.begin(), plate.x.end());
     CHECK((*tip)[0] == relative(0.199));
@@ -131,7 +133,7 @@ TEST_SUITE("unit") {
     const InitialParticles layout = make_initial_particles(ball_plate());
     CHECK(layout.size() == 2928);
     CHECK(layout.first[1] == (200 + 2 * 4) * 8);
-    CHECK(held(layout) == 2 * 4 * 8);
+    CHECK(clamped(layout) == 2 * 4 * 8);
     for (int i = 0; i < layout.size(); ++i) CHECK(layout.body[i] == (i >= layout.first[1]));
   }
 

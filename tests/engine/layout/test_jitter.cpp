@@ -84,14 +84,14 @@ TEST_SUITE("unit") {
   TEST_CASE("jitter: clamped and driven particles stay, free components of others move") {
     Scene scene = brick(2);
     Body& body = scene.bodies[0];
-    body.held = [](const Point& x) { return x[0] < dp ? 1.0 : 0.0; };
+    body.clamped = [](const Point& x) { return x[0] < dp ? 1.0 : 0.0; };
     body.guided[1] = [](const Point& x) { return x[0] > 1 - dp ? 1.0 : 0.0; };
     body.drives.resize(1);
     body.drives[0].where = [](const Point& x) { return x[0] > dp && x[0] < 2 * dp ? 1.0 : 0.0; };
     const InitialParticles lattice = make_initial_particles(scene);
     scene.jitter = {0.49, 1};
     const InitialParticles moved = make_initial_particles(scene);
-    CHECK(moved.held == lattice.held);  // regions are selected by cells
+    CHECK(moved.clamped == lattice.clamped);  // regions are selected by cells
     CHECK(moved.drive == lattice.drive);
     CHECK(moved.guided == lattice.guided);
     for (int i = 0; i < lattice.size(); ++i) {
@@ -150,8 +150,8 @@ TEST_SUITE("unit") {
       CHECK(moved.V0 == lattice.V0);
       int on_faces = 0, free = 0;
       for (int i = 0; i < moved.size(); ++i) {
-        const Point was = laid_at(scene.bodies[0], lattice.x[i], 3),
-                    is = laid_at(scene.bodies[0], moved.x[i], 3);
+        const Point was = unplaced_point(scene.bodies[0], lattice.x[i], 3),
+                    is = unplaced_point(scene.bodies[0], moved.x[i], 3);
         for (int k = 0; k < 3; ++k) {
           const bool on_face = std::abs(was[k] - 0.5) > 0.5 - 1e-9;
           (on_face ? on_faces : free) += 1;

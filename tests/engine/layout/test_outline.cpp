@@ -29,7 +29,7 @@ Scene of(std::vector<Shape> shapes) {
   return scene;
 }
 
-bool held_by(const Scene& scene, const Point& x, double tolerance) {
+bool is_in_body(const Scene& scene, const Point& x, double tolerance) {
   return std::ranges::any_of(scene.bodies[0].shapes,
                              [&](const Shape& shape) { return shape->holds(x, 2, tolerance); });
 }
@@ -45,12 +45,12 @@ void check_faces(const Scene& scene, double length) {
     CHECK(segment.length == Approx(dp).epsilon(0.3));
     const double off = 0.1 * dp * segment.sense / segment.length;
     const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0};
-    CHECK_FALSE(held_by(scene, {middle[0] + off * (b[1] - a[1]), middle[1] - off * (b[0] - a[0]), 0}, 0));
-    CHECK(held_by(scene, {middle[0] - off * (b[1] - a[1]), middle[1] + off * (b[0] - a[0]), 0}, 0));
+    CHECK_FALSE(is_in_body(scene, {middle[0] + off * (b[1] - a[1]), middle[1] - off * (b[0] - a[0]), 0}, 0));
+    CHECK(is_in_body(scene, {middle[0] - off * (b[1] - a[1]), middle[1] + off * (b[0] - a[0]), 0}, 0));
   }
   CHECK(sum == Approx(length).epsilon(1e-3));
   for (int n = 0; n < outline.size(); ++n) {
-    CHECK(held_by(scene, outline.x[n], 1e-6 * dp));
+    CHECK(is_in_body(scene, outline.x[n], 1e-6 * dp));
     CHECK(outline.beside[n][0] != Outline::none);
     CHECK(outline.beside[n][1] != Outline::none);
     CHECK(outline.segments[outline.beside[n][0]].node[1] == n);

@@ -81,7 +81,7 @@ struct Particle {
   Matrix S{};
   Material material{};
   int body = 0, of_material = 0;
-  bool held = false;
+  bool clamped = false;
 
   double V() const { return m / rho; }
   double p() const { return material.c() * material.c() * (rho - material.rho0); }  // Eq. 5
@@ -110,7 +110,7 @@ class Run {
     const std::vector<double> D = density_diffusion();
     const std::vector<double> rho = densities();  // volumes stay the initial ones
     for (std::size_t i = 0; i < particles.size(); ++i)
-      if (!particles[i].held) particles[i].u = particles[i].u + dt * a[i];
+      if (!particles[i].clamped) particles[i].u = particles[i].u + dt * a[i];
     if (!is_.tranduc) stop_approach();
     const std::vector<Vector> u = transport_velocities();
     std::vector<Vector> at;
@@ -304,7 +304,7 @@ class Run {
       const Particle& a = particles[i];
       u.push_back(a.u);
       for (const std::size_t j : others_[i]) {
-        if (!near(i, j) || a.held) continue;
+        if (!near(i, j) || a.clamped) continue;
         const Particle& b = particles[j];
         u[i] = u[i] + is_.xsph() * 2 * b.m / (b.rho + a.rho) * w(std::hypot(r_ij(i, j)[0], r_ij(i, j)[1])) *
                           (b.u - a.u);
@@ -378,11 +378,11 @@ class Run {
     for (const Particle& a : particles) {
       Vector impulse{};
       for_each_touch(a, [&](const Particle& b, const Vector& r, double) {
-        if (dot(b.u - a.u, r) >= 0 || (a.held && b.held)) return;
-        const double mass = a.held ? b.m : b.held ? a.m : a.m * b.m / (a.m + b.m);
+        if (dot(b.u - a.u, r) >= 0 || (a.clamped && b.clamped)) return;
+        const double mass = a.clamped ? b.m : b.clamped ? a.m : a.m * b.m / (a.m + b.m);
         impulse = impulse + mass * dot(b.u - a.u, r) / dot(r, r) * r;
       });
-      change.push_back(a.held ? Vector{} : 1 / a.m * impulse);
+      change.push_back(a.clamped ? Vector{} : 1 / a.m * impulse);
     }
     for (std::size_t i = 0; i < n(); ++i) particles[i].u = particles[i].u + change[i];
   }

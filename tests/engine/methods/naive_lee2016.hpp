@@ -42,7 +42,7 @@ struct Particle {
   Matrix F = Matrix::Identity(), H = F;
   double J = 1, V = 0;
   int body = 0;
-  bool held = false;
+  bool clamped = false;
   Matrix L = Matrix::Zero();      // gradient correction
   Vector alpha = Vector::Zero();  // Laplacian correction
   double beta = 0;
@@ -179,7 +179,7 @@ struct Run {
   }
 
   /// Z ↦ λ × Z for each component of λ_ang; one component in 2D.
-  static Eigen::Matrix<double, Dim, Dim == 2 ? 1 : 3> turns(const Vector& z) {
+  static Eigen::Matrix<double, Dim, Dim == 2 ? 1 : 3> cross_matrix(const Vector& z) {
     Eigen::Matrix<double, Dim, Dim == 2 ? 1 : 3> columns;
     if constexpr (Dim == 2)
       columns << -z[1], z[0];
@@ -196,14 +196,14 @@ struct Run {
     for (std::size_t a = 0; a < T.size(); ++a) {
       if (particles[a].body != body) continue;
       Eigen::Matrix<double, Dim, unknowns> C;
-      C << turns(Z[a]), Matrix::Identity();
+      C << cross_matrix(Z[a]), Matrix::Identity();
       A += particles[a].V * C.transpose() * C;
       right -= particles[a].V * C.transpose() * T[a];
     }
     const Vec<unknowns> lambda = solution(A, right);
     for (std::size_t a = 0; a < T.size(); ++a)
       if (particles[a].body == body)
-        T[a] += turns(Z[a]) * lambda.template head<unknowns - Dim>() + lambda.template tail<Dim>();
+        T[a] += cross_matrix(Z[a]) * lambda.template head<unknowns - Dim>() + lambda.template tail<Dim>();
   }
 
   std::vector<Rates> rates(const std::vector<Vector>& Z) {
@@ -247,7 +247,7 @@ struct Run {
         ++contacts;
         E += contact_stiffness * K / 2 * std::pow(dp, Dim - 2) * (dp - d.norm()) * d.normalized() / a.V;
       }
-      if (!a.held) out[k].p = E - T[k] + Dp[k];
+      if (!a.clamped) out[k].p = E - T[k] + Dp[k];
       out[k].J += DJ[k];
     }
     return out;

@@ -28,7 +28,7 @@ void lay_particles(Run& run, const Scene& scene, const Lay& lay) {
   for (int i = 0; i < initial.size(); ++i) {
     auto& a = run.particles.emplace_back();
     a.body = initial.body[i];
-    a.held = initial.held[i];
+    a.clamped = initial.clamped[i];
     lay(a, i, initial);
   }
 }

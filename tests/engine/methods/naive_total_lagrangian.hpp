@@ -43,7 +43,7 @@ struct Particle {
   Place X = Place::Zero(), x = Place::Zero(), v = Place::Zero();
   double m = 0, V = 0;
   int body = 0;
-  bool held = false;
+  bool clamped = false;
   Square F = Square::Zero(), P = Square::Zero(), N = Square::Zero();  // N: renormalisation, dimensionless
   double s = 1;                                                       // Σ V W
 };
@@ -227,7 +227,7 @@ struct Run {
     for (const Particle& i : particles) f.push_back(force(i));
     for (std::size_t n = 0; n < particles.size(); ++n) {
       Particle& i = particles[n];
-      if (!i.held) i.v += dt / i.m * f[n];
+      if (!i.clamped) i.v += dt / i.m * f[n];
       i.x += dt / 2 * i.v;
     }
     time += dt;

@@ -52,7 +52,7 @@ struct Particle {
   Vector<Dim> x{}, v{};
   double m = 0, rho = 0, drho = 0, p = 0;
   int body = 0;
-  bool held = false;
+  bool clamped = false;
   Matrix<Dim> s{}, ds{};  // shear stress (integrated or output only) and its rate
   Vector<Dim> a_shear{}, da_shear{};
   Vector<Dim> x_shown{};  // x at the last update of an output-only stress
@@ -91,7 +91,7 @@ class Run {
 
   /// One acoustic step, Eq. 22–25.
   void step() {
-    if (time > 0 && (!dual_ || way_ >= cfl_advection * h_)) {
+    if (time > 0 && (!dual_ || distance_since_rebuild_ >= cfl_advection * h_)) {
       advance_shown_stress();
       rebuild();
     }
@@ -108,7 +108,7 @@ class Run {
     for (std::size_t i = 0; i < particles.size(); ++i) {  // Eq. 24 and positions of Eq. 25
       Particle& a = particles[i];
       for (int k = 0; k < Dim; ++k) {
-        if (!a.held) a.v[k] += dt * acceleration[i][k];
+        if (!a.clamped) a.v[k] += dt * acceleration[i][k];
         a.x[k] += 0.5 * dt * a.v[k];
       }
       speed_ = std::max(speed_, length(a.v));
@@ -116,7 +116,7 @@ class Run {
     find_rates(V);
     for (Particle& a : particles) advance_half(a, dt);  // Eq. 25
     greatest_speed_ = std::max(greatest_speed_, speed_);
-    way_ += greatest_speed_ * dt;
+    distance_since_rebuild_ += greatest_speed_ * dt;
     time += dt;
   }
 
@@ -175,8 +175,8 @@ class Run {
         set_geometry(i, g);
       }
     }
-    held_volumes_ = volumes();
-    way_ = 0;
+    volumes_at_rebuild_ = volumes();
+    distance_since_rebuild_ = 0;
     ++rebuilds;
   }
 
@@ -267,7 +267,7 @@ class Run {
           laplacian[k] += 2 * (plain ? v_ij[k] : zeta * along * g.e[k]) / g.r * g.dW * V[j];
         }
       }
-      a.drho = a.held && !nested() ? 0 : -a.rho * divergence;  // Eq. 1
+      a.drho = a.clamped && !nested() ? 0 : -a.rho * divergence;  // Eq. 1
       if (nested()) a.ds = stress_rate(gradient, a.s);
       for (int k = 0; k < Dim && !nested(); ++k) a.da_shear[k] = G_ / a.rho * laplacian[k];  // Eq. 20
     }
@@ -291,7 +291,7 @@ class Run {
   /// Eq. 26–27 for the displacements since the last update, with the geometry and volumes of the last rebuild.
   void advance_shown_stress() {
     if (nested()) return;
-    const std::vector<double>& V = held_volumes_;
+    const std::vector<double>& V = volumes_at_rebuild_;
     std::vector<Vector> way;
     for (const Particle& a : particles) {
       way.emplace_back();
@@ -327,8 +327,8 @@ class Run {
   bool dual_;
   double dp_, h_, rho0_, c0_, G_;
   std::vector<std::vector<PairGeometry>> pairs_;
-  std::vector<double> held_volumes_;
-  double speed_ = 0, greatest_speed_ = 0, way_ = 0;
+  std::vector<double> volumes_at_rebuild_;
+  double speed_ = 0, greatest_speed_ = 0, distance_since_rebuild_ = 0;
 };
 
 }  // namespace taut::test::naive

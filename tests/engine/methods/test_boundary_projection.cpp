@@ -90,7 +90,7 @@ Momenta momenta(const Made& made, const std::vector<Point>& v) {
   return sum;
 }
 
-Scene held_and_driven(int dim) {
+Scene clamped_and_driven(int dim) {
   const double dp = 0.001;
   Scene scene;
   scene.name = "held-and-driven";
@@ -100,7 +100,7 @@ Scene held_and_driven(int dim) {
   Body body;
   body.name = "block";
   body.shapes = {Box{{0, 0, 0}, {8 * dp, 5 * dp, dim == 3 ? 4 * dp : 0}}};
-  body.held = [=](const Point& x) { return x[0] < dp ? 1.0 : 0.0; };
+  body.clamped = [=](const Point& x) { return x[0] < dp ? 1.0 : 0.0; };
   body.guided[1] = [=](const Point& x) { return x[1] < dp ? 1.0 : 0.0; };
   Drive drive;
   drive.where = [=](const Point& x) { return x[0] > 7 * dp ? 1.0 : 0.0; };
@@ -130,13 +130,13 @@ double greatest_miss(const Scene& scene, const Snapshot& now, double h) {
   const Body& body = scene.bodies[0];
   double greatest = 0;
   for (int i = 0; i < static_cast<int>(X.size()); ++i) {
-    const bool driven = body.drives[0].where(X[i]) != 0, held = body.held(X[i]) != 0;
+    const bool driven = body.drives[0].where(X[i]) != 0, clamped = body.clamped(X[i]) != 0;
     Point sum{};
     for (const auto& [a, W] : seen_at(i, X, V, h * scene.spacing, scene.dim))
       for (std::size_t k = 0; k < 3; ++k) sum[k] += W * now.velocity(a)[k];
     const Point given{driven ? body.drives[0].velocity[0](now.time) : 0, 0, 0};
     for (std::size_t k = 0; k < 3; ++k)
-      if (driven || held || (k == 1 && body.guided[1](X[i]) != 0))
+      if (driven || clamped || (k == 1 && body.guided[1](X[i]) != 0))
         greatest = std::max(greatest, std::abs(sum[k] - given[k]));
   }
   return greatest;
@@ -212,7 +212,7 @@ TEST_SUITE("analytic") {
     };
     for (const auto& [dim, h, without] :
          {Row{2, h_over_dp(2), 1e-4}, Row{2, 1.05, 1e-3}, Row{3, h_over_dp(3), 1e-3}}) {
-      const Scene scene = held_and_driven(dim);
+      const Scene scene = clamped_and_driven(dim);
       for (const std::string method : {"pf", "pf-jst", "pfj-jst", "pfhj-jst"}) {
         const auto miss = [&, h = h](double on) {
           return greatest_miss(scene, state_after(5, scene, projected(method, on, h)), h);
@@ -223,20 +223,20 @@ TEST_SUITE("analytic") {
         CHECK(miss(0) > without);
         const Snapshot now = state_after(5, scene, projected(method, 1, h));
         for (std::size_t i = 0; i < now.size(); ++i)
-          if (now.held[i] != 0) CHECK(now.position(i) == now.initial(i));
+          if (now.clamped[i] != 0) CHECK(now.position(i) == now.initial(i));
       }
     }
   }
 
   TEST_CASE("boundary projection: a free body is unchanged") {
-    Scene scene = held_and_driven(2);
+    Scene scene = clamped_and_driven(2);
     const auto same = [&] {
       const Snapshot on = state_after(20, scene, projected("pf-jst")),
                      off = state_after(20, scene, projected("pf-jst", 0));
       return on.x == off.x && on.v == off.v;
     };
     CHECK_FALSE(same());
-    scene.bodies[0].held = {};
+    scene.bodies[0].clamped = {};
     scene.bodies[0].guided = {};
     scene.bodies[0].drives.clear();
     CHECK(same());
@@ -245,7 +245,7 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("determinism") {
   TEST_CASE("boundary projection: two threads, or a checkpoint and a drive's end, give the same bytes") {
-    Scene scene = held_and_driven(2);
+    Scene scene = clamped_and_driven(2);
     Settings settings = projected("pfj-jst");
     settings.step = 2e-6;
     scene.bodies[0].drives[0].until = 2.5e-5;

@@ -66,7 +66,7 @@ Scene strained_block(const Mat<double, Dim>& F, double off, double share = 0.4) 
   scene.dim = Dim;
   scene.spacing = dp;
   scene.materials = {ring_rubber()};
-  scene.materials[0].of_laws["cofactor_share"] = share;
+  scene.materials[0].law_parameters["cofactor_share"] = share;
   scene.bodies.resize(1);
   Body& body = scene.bodies[0];
   body.name = "block";

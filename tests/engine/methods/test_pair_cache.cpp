@@ -31,15 +31,15 @@ template <int Dim>
 Cached<Dim> cached_at(double dp, const Pack& distance) {
   const UlSplitConstants c = constants_at(dp);
   const PairKernel<enog, Dim> kernel(c);
-  using Kept = typename PairCache<Dim>::Kept;
-  std::vector<Kept> gradients(2 * Dim), slopes(2), distances(2);
-  const bool halved = PairCache<Dim>::halved;
+  using Stored = typename PairCache<Dim>::Stored;
+  std::vector<Stored> gradients(2 * Dim), slopes(2), distances(2);
+  const bool single_precision = PairCache<Dim>::single_precision;
   const PairCache<Dim> pairs{gradients.data(),
                              slopes.data(),
                              distances.data(),
                              nullptr,
-                             halved ? PairKernel<enog, Dim>::steepness(c) : 1,
-                             halved ? c.h : 1};
+                             single_precision ? PairKernel<enog, Dim>::steepness(c) : 1,
+                             single_precision ? c.h : 1};
   Vec<Pack, Dim> d{}, back{};
   d[0] = 0.6 * dp * distance, d[1] = -0.8 * dp * distance;
   for (int k = 0; k < Dim; ++k) back[k] = -d[k];

@@ -265,9 +265,9 @@ TEST_SUITE("unit") {
 
   TEST_CASE("shapes: a shape without particles is refused") {
     Scene scene = scene_of(0.001, {Box{{0, 0, 0}, {0.02, 0.02, 0}}});
-    scene.bodies[0].held = [](const Point& x) { return x[0] < -1; };
+    scene.bodies[0].clamped = [](const Point& x) { return x[0] < -1; };
     CHECK(has(overlap_of(scene), "held: no particle of body 'body' is held"));
-    scene.bodies[0].held = {};
+    scene.bodies[0].clamped = {};
     scene.bodies[0].guided[1] = [](const Point& x) { return x[0] < -1; };
     CHECK(has(overlap_of(scene), "held[1]"));
     scene.bodies[0].guided = {};

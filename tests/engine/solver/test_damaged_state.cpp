@@ -36,7 +36,7 @@ Scene touching_blocks(int dim) {
   right.name = "right";
   right.shapes = {Box{{0.0002, -0.002, -depth}, {0.0062, 0.002, depth}}};
   right.velocity[0] = constant(0);
-  right.held = [](const Point& x) { return x[0] > 0.005 ? 1.0 : 0.0; };
+  right.clamped = [](const Point& x) { return x[0] > 0.005 ? 1.0 : 0.0; };
   Drive drive;
   drive.where = [](const Point& x) { return x[0] < -0.0055 ? 1.0 : 0.0; };
   drive.velocity[0] = [](double t) { return 5 + t; };

@@ -47,9 +47,9 @@ Scene swinging_cube(int dim, int n) {
   const auto axes = static_cast<std::size_t>(dim);
   for (std::size_t k = 0; k < axes; ++k) {
     body.guided[k] = [=](const Point& x) {
-      bool held = near(x[k], 0);
-      for (std::size_t l = 0; l < axes; ++l) held |= l != k && near(x[l], side);
-      return held ? 1.0 : 0.0;
+      bool clamped = near(x[k], 0);
+      for (std::size_t l = 0; l < axes; ++l) clamped |= l != k && near(x[l], side);
+      return clamped ? 1.0 : 0.0;
     };
     body.displacement[k] = [=](const Point& x) {
       double u = amplitude;
@@ -197,7 +197,7 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("displacement: a clamped body that starts displaced with its clamp stays at rest") {
     Scene scene = block(0.01);
-    scene.bodies[0].held = [](const Point& x) { return x[0] < 0.004 ? 1.0 : 0.0; };
+    scene.bodies[0].clamped = [](const Point& x) { return x[0] < 0.004 ? 1.0 : 0.0; };
     scene.bodies[0].displacement = {constant(0.3), constant(-0.2), {}};
     for (const char* method : {"tl", "pfj-jst", "oenog"}) {
       CAPTURE(method);

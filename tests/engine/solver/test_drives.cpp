@@ -54,7 +54,7 @@ TEST_SUITE("analytic") {
         CAPTURE(method);
         Scene scene = pushed_bar();
         scene.bodies[0].drives[0].where = [=](const Point& x) { return x[0] < layers * dp ? 1.0 : 0.0; };
-        scene.bodies[0].held = [=](const Point& x) { return x[0] > length - layers * dp ? 1.0 : 0.0; };
+        scene.bodies[0].clamped = [=](const Point& x) { return x[0] > length - layers * dp ? 1.0 : 0.0; };
         const std::vector<Point> driven = {
             {0, 2.5 * dp, 0}, {0.5 * dp, 0.5 * dp, 0}, {layers * dp, 2 * dp, 0}};
         for (const Point& at : driven) {
@@ -179,16 +179,16 @@ TEST_SUITE("determinism") {
 
 TEST_SUITE("unit") {
   TEST_CASE("driven: a region driven with zero velocity equals a clamp") {
-    Scene held = oscillating_plate(0.05, 4);
-    held.until = 1;
-    Scene driven = held;
-    driven.bodies[0].held = {};
-    const Expression velocity = held.bodies[0].velocity[1];
+    Scene clamped = oscillating_plate(0.05, 4);
+    clamped.until = 1;
+    Scene driven = clamped;
+    driven.bodies[0].clamped = {};
+    const Expression velocity = clamped.bodies[0].velocity[1];
     driven.bodies[0].velocity[1] = [=](const Point& x) { return x[0] < 0 ? 0 : velocity(x); };
-    driven.bodies[0].drives = {{.where = held.bodies[0].held, .velocity = {}, .until = {}}};
+    driven.bodies[0].drives = {{.where = clamped.bodies[0].clamped, .velocity = {}, .until = {}}};
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
-      const Snapshot one = state_after(60, held, with_method(std::string(method.name)));
+      const Snapshot one = state_after(60, clamped, with_method(std::string(method.name)));
       const Snapshot other = state_after(60, driven, with_method(std::string(method.name)));
       double off = 0, way = 0;
       for (std::size_t k = 0; k < one.x.size(); ++k) {

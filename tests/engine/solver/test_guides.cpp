@@ -52,15 +52,15 @@ TEST_SUITE("unit") {
     for (int i = 0; i < layout.size(); ++i) {
       const bool x = layout.x[i][0] < dp, y = layout.x[i][1] < dp;
       CHECK(layout.guided[i] == (x ? 1 : 0) + (y ? 2 : 0));
-      CHECK(layout.held[i] == 0);
+      CHECK(layout.clamped[i] == 0);
       if (x) CHECK(layout.v[i][0] == 0);
       if (y) CHECK(layout.v[i][1] == 0);
       if (!x) CHECK(layout.v[i][0] != 0);
     }
-    scene.bodies[0].held = [](const Point& x) { return x[0] < dp ? 1.0 : 0.0; };
+    scene.bodies[0].clamped = [](const Point& x) { return x[0] < dp ? 1.0 : 0.0; };
     layout = make_initial_particles(scene);
     for (int i = 0; i < layout.size(); ++i)
-      if (layout.held[i]) CHECK(layout.guided[i] == 0);
+      if (layout.clamped[i]) CHECK(layout.guided[i] == 0);
     scene.bodies[0].guided = {};
     CHECK(make_initial_particles(scene).guided.empty());
   }

@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
-#include "engine/judge/verdict.hpp"
 #include "engine/error.hpp"
+#include "engine/judge/verdict.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
@@ -46,7 +46,7 @@ Load load(Load::Kind kind, double x, double y) {
 Scene pulled_bar(double force) {
   Scene scene = bar();
   Body& body = scene.bodies[0];
-  body.held = [](const Point& at) { return at[0] < 4 * dp ? 1.0 : 0.0; };
+  body.clamped = [](const Point& at) { return at[0] < 4 * dp ? 1.0 : 0.0; };
   body.loads = {load(Load::Kind::force, force, 0.2 * force)};
   body.loads[0].ramp = [](double t) { return std::min(1.0, t / 1e-4); };
   return scene;

@@ -269,7 +269,7 @@ TEST_SUITE("unit") {
       if (driven)
         body.drives = {{.where = grip, .velocity = {}, .until = {}}};
       else
-        body.held = grip;
+        body.clamped = grip;
       body.displacement[0] = [](const Point& x) { return strain * (x[0] < edge ? x[0] : edge); };
       scene.probes = {at_point(Probe::Kind::stress, 0, {edge, 0.001, 0}, 0)};
       SampleLine line;
@@ -285,8 +285,8 @@ TEST_SUITE("unit") {
     };
     for (const char* method : {"pf-jst", "tl"}) {
       CAPTURE(method);
-      const std::vector<double> held = shown(method, false), driven = shown(method, true);
-      for (std::size_t k = 0; k < held.size(); ++k) CHECK(driven[k] == relative(held[k]));
+      const std::vector<double> clamped = shown(method, false), driven = shown(method, true);
+      for (std::size_t k = 0; k < clamped.size(); ++k) CHECK(driven[k] == relative(clamped[k]));
       CHECK(driven[0] > 0);
     }
     Scene scene = two_discs(0.01, 0);
@@ -355,7 +355,7 @@ TEST_SUITE("unit") {
       body.shapes = {Box{{0, 0, 0}, {8 * pitch, 3.6 * pitch, 0}}};  // four cells across, of another pitch
       body.on_boundary = true;
       body.rotation = turn;
-      body.held = [=](const Point& x) { return rotated(back, x)[0] < 1.2 * pitch ? 1.0 : 0.0; };
+      body.clamped = [=](const Point& x) { return rotated(back, x)[0] < 1.2 * pitch ? 1.0 : 0.0; };
       for (std::size_t k = 0; k < 2; ++k)
         body.velocity[k] = [=](const Point& x) {
           const double along = rotated(back, x)[0];

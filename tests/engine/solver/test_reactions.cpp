@@ -38,7 +38,7 @@ Scene hanging(int dim) {
   Body block;
   block.name = "block";
   block.shapes = {Box{{-2 * dp, -8 * dp, dim == 3 ? -2 * dp : 0}, {2 * dp, 2 * dp, dim == 3 ? 2 * dp : 0}}};
-  block.held = [](const Point& x) { return x[1] > 0 ? 1.0 : 0.0; };
+  block.clamped = [](const Point& x) { return x[1] > 0 ? 1.0 : 0.0; };
   scene.bodies = {block};
   scene.gravity[1] = [](double) { return -g; };
   scene.probes = {component(Probe::Kind::reaction, {0}, 0), component(Probe::Kind::reaction, {0}, 1),
@@ -82,7 +82,7 @@ void for_each_method(const std::function<void(const std::string&, int)>& f) {
 constexpr double acceleration = 300;  // m/s²
 Scene lifted(std::optional<double> until) {
   Scene scene = hanging(2);
-  scene.bodies[0].held = {};
+  scene.bodies[0].clamped = {};
   Drive drive;
   drive.where = constant(1);
   drive.velocity[1] = [](double t) { return acceleration * t; };
@@ -162,7 +162,7 @@ TEST_SUITE("conservation") {
 
   TEST_CASE("reaction: a roller has a force along its axis only, and each region has its own") {
     Scene scene = hanging(2);
-    scene.bodies[0].held = {};
+    scene.bodies[0].clamped = {};
     scene.bodies[0].guided[1] = [](const Point& x) { return x[1] > 0 ? 1.0 : 0.0; };
     scene.bodies[0].velocity[0] = constant(1);
     scene.damping = 2e4;
@@ -286,7 +286,7 @@ TEST_SUITE("unit") {
     Body below, disc, above;
     below.name = "below";
     below.shapes = {Box{{-4 * dp, -2 * dp, 0}, {4 * dp, 0, 0}}};
-    below.held = constant(1);
+    below.clamped = constant(1);
     disc.name = "disc";
     disc.shapes = {Disc{{0, 4.5 * dp, 0}, 4 * dp}};
     above.name = "above";

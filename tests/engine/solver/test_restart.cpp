@@ -30,10 +30,10 @@ void add_probes(Scene& scene) {
   scene.probes.back().axis = 1;
   scene.probes.push_back(make_probe("push", Probe::Kind::contact_force, {0, 1}));
   Probe stress = make_probe("stress", Probe::Kind::stress);
-  stress.at = scene.bodies[0].held ? Point{0.008, 0, 0} : Point{-0.0141, 0, 0};
+  stress.at = scene.bodies[0].clamped ? Point{0.008, 0, 0} : Point{-0.0141, 0, 0};
   stress.part = StressPart::xx;
   scene.probes.push_back(stress);
-  if (scene.bodies[0].held) scene.probes.push_back(make_probe("clamp", Probe::Kind::reaction));
+  if (scene.bodies[0].clamped) scene.probes.push_back(make_probe("clamp", Probe::Kind::reaction));
 }
 
 /// Collisions; in the second scene one body is clamped, loaded and driven half of the time, with gravity and damping;
@@ -121,7 +121,7 @@ TEST_SUITE("restart") {
       return 0.0;
     };
     const auto stopped = make_simulation(scene, with_method("enog"));
-    stopped->heed(stop);
+    stopped->set_stop_flag(stop);
     stopped->advance_to(1e9);
     CHECK(stopped->time() < 0.6 * straight->time());
     const long steps = stopped->steps();

@@ -208,14 +208,14 @@ TEST_SUITE("unit") {
     after.rho = {1400}, after.p = {0}, after.s = {5, 2, 3, 0}, after.strain_energy = {6};
     after.contact_energy = 0, after.work = 7, after.damped = 10;
     after.of_walls = {{5, 0, 0}, {0, 0, 0}};
-    after.body = {3}, after.held = {1};
+    after.body = {3}, after.clamped = {1};
     const Snapshot now = blend(before, after, 1.5);
     CHECK((now.time == 1.5 && now.step == 7));
     CHECK((now.rho[0] == 1100 && now.p[0] == 6 && now.strain_energy[0] == 3));
     CHECK(now.s == std::vector<double>{2, 2, 3, 3});
     CHECK((now.contact_energy == 3 && now.work == 6.25 && now.damped == 8.5));
     CHECK((now.of_walls.linear[0] == 2 && now.of_walls.angular[2] == 1.5));
-    CHECK((now.body[0] == 3 && now.held[0] == 1));
+    CHECK((now.body[0] == 3 && now.clamped[0] == 1));
     CHECK(same(blend(before, after, 3).s, after.s));
     CHECK(same(blend(before, after, 1).s, before.s));
   }

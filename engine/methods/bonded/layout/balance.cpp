@@ -87,9 +87,9 @@ Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen:
     const double step = rz / p.dot(Np);
     alpha += step * p;
     r -= step * Np;
-    constexpr double astray = 1e3;
+    constexpr double divergence_factor = 1e3;
     const double left = r.allFinite() ? r.cwiseAbs().maxCoeff() : infinite;
-    if (!(left < astray * least)) return best;
+    if (!(left < divergence_factor * least)) return best;
     if (left < least) least = left, best = alpha;
     z = precondition(r);
     const double next = r.dot(z);

@@ -148,9 +148,9 @@ class BondFinisher {
   double share_before_clamp(int i, const Point& X) const {
     const Body& body = scene_.bodies[initial_.body[i]];
     const auto is_in_clamp = [&](const Point& x) {
-      if (body.held && body.held(x) != 0) return true;
+      if (body.clamped && body.clamped(x) != 0) return true;
       const int drive = last_that_holds(body.drives, x);
-      return drive >= 0 && !lets_go(body.drives[drive], scene_);
+      return drive >= 0 && !ends_before_run(body.drives[drive], scene_);
     };
     double free = 0, inside = 1;
     for (int halving = 0; halving < 50; ++halving) {

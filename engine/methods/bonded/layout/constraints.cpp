@@ -44,9 +44,9 @@ Constraints make_constraints(const Scene& scene, const InitialParticles& initial
     const Body& body = scene.bodies[initial.body[i]];
     const int drive = initial.drive[i];
     // half cells before a driven face can deform
-    if (drive >= 0 && !body.on_boundary && !lets_go(body.drives[drive], scene))
+    if (drive >= 0 && !body.on_boundary && !ends_before_run(body.drives[drive], scene))
       constraints[i] = Constraint::driven;
-    else if (initial.held[i])
+    else if (initial.clamped[i])
       constraints[i] = Constraint::clamped;
   }
   return scene.dim == 3 ? with_pins<3>(constraints, initial, scene.spacing)

@@ -111,9 +111,9 @@ BondedSetup make_bonded_setup(const SolverInput& input, double damping) {
   return setup;
 }
 
-InitialParticles with_rigid_held(const InitialParticles& initial, const Bonds& bonds) {
+InitialParticles with_rigid_clamped(const InitialParticles& initial, const Bonds& bonds) {
   InitialParticles out = initial;
-  for (int i = 0; i < out.size(); ++i) out.held[i] = bonds.is_rigid(i);
+  for (int i = 0; i < out.size(); ++i) out.clamped[i] = bonds.is_rigid(i);
   return out;
 }
 

@@ -24,8 +24,8 @@ struct CancelledTerm {
 
 /// Point where a bond enters a clamp.
 struct ClampPlace {
-  Point x;     // initial, m
-  int behind;  // id of the rigid particle
+  Point x;             // initial, m
+  int rigid_particle;  // id of the rigid particle
 };
 
 /// Arrays are by id. `initial` must outlive it.
@@ -47,6 +47,6 @@ struct BondedSetup {
 BondedSetup make_bonded_setup(const SolverInput& input, double damping);
 
 /// For loads, which do not act on rigid particles.
-InitialParticles with_rigid_held(const InitialParticles& initial, const Bonds& bonds);
+InitialParticles with_rigid_clamped(const InitialParticles& initial, const Bonds& bonds);
 
 }  // namespace taut

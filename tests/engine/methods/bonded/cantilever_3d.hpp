@@ -26,7 +26,7 @@ inline Scene square_cantilever(int across) {
   Body beam;
   beam.name = "beam";
   beam.shapes = {Box{{-3 * scene.spacing, -H / 2, -H / 2}, {L, H / 2, H / 2}}};
-  beam.held = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
+  beam.clamped = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
   scene.bodies = {beam};
   scene.probes = {make_probe("tip", Probe::Kind::displacement)};
   scene.probes[0].at = {L, 0, 0};

@@ -75,7 +75,7 @@ class NaiveOenogIn {
   }
 
   int size() const { return initial_.size(); }
-  bool held(int i) const { return initial_.held[i]; }
+  bool clamped(int i) const { return initial_.clamped[i]; }
   const Bonds& bonds() const { return bonds_; }
   const Interfaces& interfaces() const { return interfaces_; }
   double contacts = 0;  // pairs in contact, summed over all steps
@@ -85,7 +85,7 @@ class NaiveOenogIn {
   double energy(const Places& at) const {
     double E = 0;
     for (int i = 0; i < size(); ++i) {
-      if (held(i)) continue;
+      if (clamped(i)) continue;
       if (site_of_[i] >= 0) {
         E += of_site(at, i).value;
         for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b)
@@ -106,7 +106,7 @@ class NaiveOenogIn {
   Places force(const Places& at) const {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
-      if (held(i)) continue;
+      if (clamped(i)) continue;
       if (site_of_[i] >= 0) {
         pull_site(at, i, f);
         continue;
@@ -126,7 +126,7 @@ class NaiveOenogIn {
   Places force_by_hand(const Places& at) const {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
-      if (held(i)) continue;
+      if (clamped(i)) continue;
       if (site_of_[i] >= 0) {
         pull_site(at, i, f);
         continue;
@@ -156,12 +156,12 @@ class NaiveOenogIn {
     const double tau = damping * scene_.spacing / (shear_speed * share);
     Places f(x.size());
     for (int i = 0; i < size(); ++i) {
-      for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1] && !held(i); ++b) {
+      for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1] && !clamped(i); ++b) {
         const int j = bonds_.j[b];
         const auto d = way(x, i, b);
         const double r0 = rest(i, b);
         double rate = 0;
-        for (int a = 0; a < Dim; ++a) rate += d[a] * ((held(j) ? 0 : v[j][a]) - v[i][a]) / (r0 * r0);
+        for (int a = 0; a < Dim; ++a) rate += d[a] * ((clamped(j) ? 0 : v[j][a]) - v[i][a]) / (r0 * r0);
         const double k = strength(i, b) / (r0 * r0);
         for (int a = 0; a < Dim; ++a) {
           f[i][a] += k * tau * rate * d[a];
@@ -208,7 +208,7 @@ class NaiveOenogIn {
         stiffest_ = std::max(stiffest_, (24 * l * l - 6 + 6 * std::pow(l, -4)) / 24);  // φ″
       }
     for (int i = 0; i < size(); ++i) {
-      if (held(i)) continue;
+      if (clamped(i)) continue;
       const double m = material(i).density * bonds_.mass[i];
       for (int k = 0; k < Dim; ++k) {
         v[i][k] += dt * (f[i][k] + dashpots[i][k] + others[i][k]) / m;
@@ -231,7 +231,7 @@ class NaiveOenogIn {
   }
   double modulus(int i, int b) const {
     const int j = bonds_.j[b];
-    return held(j) ? of_bonds(i) : 1 / (0.5 / of_bonds(i) + 0.5 / of_bonds(j));
+    return clamped(j) ? of_bonds(i) : 1 / (0.5 / of_bonds(i) + 0.5 / of_bonds(j));
   }
 
   static double phi(double l) { return (2 * std::pow(l, 4) - 3 * l * l + std::pow(l, -2)) / 24; }
@@ -393,7 +393,7 @@ class NaiveOenogIn {
     const int j = bonds_.j[b];
     Place d;
     for (int k = 0; k < Dim; ++k)
-      d[k] = (held(j) ? initial_.x[i][k] + bonds_.of(i, b).X[k] : at[j][k]) - at[i][k];
+      d[k] = (clamped(j) ? initial_.x[i][k] + bonds_.of(i, b).X[k] : at[j][k]) - at[i][k];
     return d;
   }
   template <std::size_t N>

@@ -218,7 +218,7 @@ TEST_SUITE("unit") {
     const InitialParticles initial = make_initial_particles(scene);
     const Bonds bonds = bonds_of(scene, initial);
     for (int i = 0; i < initial.size(); ++i) {
-      if (initial.held[i]) continue;
+      if (initial.clamped[i]) continue;
       double gx = 0, gy = 0;
       for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
         const double df = 3 * bonds.of(i, b).X[0] - 7 * bonds.of(i, b).X[1];
@@ -235,7 +235,7 @@ TEST_SUITE("unit") {
     const InitialParticles initial = make_initial_particles(scene);
     const Bonds bonds = bonds_of(scene, initial);
     for (int i = 0; i < initial.size(); ++i) {
-      if (initial.held[i]) continue;
+      if (initial.clamped[i]) continue;
       CHECK(bonds.begin[i + 1] - bonds.begin[i] <= 8);
       for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) CHECK(bonds.of(i, b).weight > 0);
     }
@@ -243,7 +243,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("bonds: a disc in a skew clamp stays at rest") {
     Scene scene = alone(Disc{{}, 0.0153, RoundLayout::spaced}, 0.001);
-    scene.bodies[0].held = [](const Point& x) { return x[0] + 0.3 * x[1] < -0.002 ? 1.0 : 0.0; };
+    scene.bodies[0].clamped = [](const Point& x) { return x[0] + 0.3 * x[1] < -0.002 ? 1.0 : 0.0; };
     const auto simulation = make_simulation(scene, with_method("oenog"));
     CHECK(std::abs(balance(simulation->snapshot(), scene).strain) < 1e-9);  // J
     simulation->advance_to(1e-4);
@@ -256,9 +256,9 @@ TEST_SUITE("unit") {
     const Bonds bonds = bonds_of(scene, initial);
     int ends = 0;
     for (int i = 0; i < initial.size(); ++i) {
-      if (initial.held[i]) CHECK(bonds.begin[i] == bonds.begin[i + 1]);
+      if (initial.clamped[i]) CHECK(bonds.begin[i] == bonds.begin[i + 1]);
       for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
-        if (!initial.held[bonds.j[b]]) continue;
+        if (!initial.clamped[bonds.j[b]]) continue;
         ++ends;
         CHECK(std::abs(initial.x[i][0] + bonds.of(i, b).X[0]) < 1e-9 * scene.spacing);
       }
@@ -269,7 +269,7 @@ TEST_SUITE("unit") {
   TEST_CASE("bonds: volumes sum to the body's and integrate y² better than lattice volumes") {
     Scene scene = small_clamped_plate();
     scene.bodies.pop_back();
-    scene.bodies[0].held = {};
+    scene.bodies[0].clamped = {};
     const InitialParticles initial = make_initial_particles(scene);
     const Bonds bonds = bonds_of(scene, initial);
     double exact = 0, lattice = 0, corrected = 0, V0 = 0, V = 0;
@@ -289,7 +289,7 @@ TEST_SUITE("unit") {
     // the midpoint rule lacks dp²/24 of the slope at each face
     Scene scene = small_clamped_plate();
     scene.bodies.pop_back();
-    scene.bodies[0].held = {};
+    scene.bodies[0].clamped = {};
     const InitialParticles initial = make_initial_particles(scene);
     const Bonds bonds = bonds_of(scene, initial);
     double moment = 0, faces = 0;

@@ -23,14 +23,16 @@ namespace {
 constexpr double dp = 0.02, omega = 1, length = 0.7, half = 0.05;  // m, rad/s
 
 /// A bar clamped where x² + y² < held_to², in 3D along all of z, and rotating about the origin.
-Scene bar(int dim, double held_to) {
+Scene bar(int dim, double clamped_to) {
   Scene scene;
   scene.dim = dim;
   scene.spacing = dp;
   scene.materials = {{"stiff", /*ρ0*/ 1000, /*E*/ 3e7, /*ν*/ 0.3}};
   Body body;
   body.shapes = {Box{{-half, -half, -half}, {length - half, half, half}}};
-  body.held = [=](const Point& x) { return x[0] * x[0] + x[1] * x[1] < held_to * held_to ? 1.0 : 0.0; };
+  body.clamped = [=](const Point& x) {
+    return x[0] * x[0] + x[1] * x[1] < clamped_to * clamped_to ? 1.0 : 0.0;
+  };
   body.velocity[0] = [](const Point& x) { return -omega * x[1]; };
   body.velocity[1] = [](const Point& x) { return omega * x[0]; };
   scene.bodies = {body};
@@ -67,7 +69,7 @@ double resistance(double spacing, bool both, const char* method, std::optional<d
   if (both)
     body.drives.push_back({left, {}, until});
   else
-    body.held = left;
+    body.clamped = left;
   scene.bodies = {body};
   Probe force = make_probe("force", Probe::Kind::reaction);
   force.where = right;
@@ -104,7 +106,7 @@ TEST_SUITE("analytic") {
       scene.until = 1;
       Body& body = scene.bodies[0];
       body.on_boundary = true;
-      body.held = [](const Point& x) { return x[0] < -half + 0.1 * dp ? 1.0 : 0.0; };
+      body.clamped = [](const Point& x) { return x[0] < -half + 0.1 * dp ? 1.0 : 0.0; };
       body.velocity = {};
       Drive drive;
       drive.where = [](const Point& x) { return x[0] > length - half - 0.1 * dp ? 1.0 : 0.0; };
@@ -128,7 +130,7 @@ TEST_SUITE("analytic") {
       CAPTURE(dim);
       Scene scene = bar(dim, 0);
       Body& body = scene.bodies[0];
-      body.held = [](const Point& x) { return x[0] < 0.3 ? 1.0 : 0.0; };
+      body.clamped = [](const Point& x) { return x[0] < 0.3 ? 1.0 : 0.0; };
       body.velocity = {};
       Drive drive;
       drive.where = [](const Point& x) { return x[0] > 0.3 ? 1.0 : 0.0; };
@@ -174,7 +176,7 @@ TEST_SUITE("term") {
         CAPTURE(along);
         Scene scene = bar(dim, 0);
         scene.bodies[0].shapes = {Box{{-3 * dp, -0.1, -0.1}, {0.2, 0.1, 0.1}}};
-        scene.bodies[0].held = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
+        scene.bodies[0].clamped = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
         scene.bodies[0].velocity = {};
         scene.bodies[0].displacement[along] = [](const Point& x) { return std::max(size * x[0], 0.0); };
         scene.probes.clear();
@@ -207,7 +209,7 @@ TEST_SUITE("unit") {
     CHECK(count(bar(2, 1.2 * dp)) == 0);
     CHECK(count(bar(3, 1.2 * dp)) == 0);
     Scene face = bar(2, 0);
-    face.bodies[0].held = [](const Point& x) { return x[0] < -half + dp ? 1.0 : 0.0; };
+    face.bodies[0].clamped = [](const Point& x) { return x[0] < -half + dp ? 1.0 : 0.0; };
     CHECK(count(face) == 0);
   }
 }

@@ -168,7 +168,7 @@ TEST_SUITE("reference") {
     const auto force = naive.force(naive.x);
     double greatest = 0, difference = 0;
     for (int i = 0; i < naive.size(); ++i) {
-      for (int k = 0; k < 2 && !naive.held(i); ++k) {
+      for (int k = 0; k < 2 && !naive.clamped(i); ++k) {
         auto there = naive.x;
         const double step = 1e-5 * scene.spacing;
         there[i][k] += step;

@@ -47,14 +47,14 @@ Scene block(int x, int y, int z) { return alone(Box{{0, 0, 0}, {x * dp, y * dp, 
 /// Clamped for X < 0, three particles deep.
 Scene clamped_block(int x, int y, int z) {
   Scene scene = alone(Box{{-3 * dp, 0, 0}, {x * dp, y * dp, z * dp}});
-  scene.bodies[0].held = [](const Point& X) { return X[0] < 0 ? 1.0 : 0.0; };
+  scene.bodies[0].clamped = [](const Point& X) { return X[0] < 0 ? 1.0 : 0.0; };
   return scene;
 }
 /// Particles lie on its faces; the face x = 0 is clamped.
 Scene block_on_faces(int x, int y, int z) {
   Scene scene = block(x, y, z);
   scene.bodies[0].on_boundary = true;
-  scene.bodies[0].held = [](const Point& X) { return X[0] <= 0 ? 1.0 : 0.0; };
+  scene.bodies[0].clamped = [](const Point& X) { return X[0] <= 0 ? 1.0 : 0.0; };
   return scene;
 }
 /// A block with one particle on top, which has no neighbours along two axes.
@@ -196,7 +196,7 @@ TEST_SUITE("unit") {
       const InitialParticles initial = make_initial_particles(scene);
       const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
       for (int i = 0; i < initial.size(); ++i) {
-        if (initial.held[i] && !scene.bodies[0].on_boundary) continue;
+        if (initial.clamped[i] && !scene.bodies[0].on_boundary) continue;
         Square one = Square::Zero();
         for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b)
           one += Eigen::Vector3d(bonds.of(i, b).X.data()) * Eigen::RowVector3d(bonds.gradient(i, b).data());
@@ -240,7 +240,7 @@ TEST_SUITE("unit") {
   TEST_CASE("oenog: in 3D only particles beside a clamp store bonds of their own") {
     Scene scene = block(12, 12, 12);
     CHECK(make_bonds(scene, make_initial_particles(scene), h_over_dp * dp).rows.empty());
-    scene.bodies[0].held = [](const Point& X) { return X[0] < 2 * dp ? 1.0 : 0.0; };
+    scene.bodies[0].clamped = [](const Point& X) { return X[0] < 2 * dp ? 1.0 : 0.0; };
     // three layers along x; along y and z the particle and its neighbours
     CHECK(make_bonds(scene, make_initial_particles(scene), h_over_dp * dp).rows.size() ==
           3 * 34 * 34 - 12 * 12);
@@ -304,7 +304,7 @@ TEST_SUITE("reference") {
     const auto force = naive.force(naive.x);
     double greatest = 0, difference = 0;
     for (int i = 0; i < naive.size(); i += 2) {
-      for (int k = 0; k < 3 && !naive.held(i); ++k) {
+      for (int k = 0; k < 3 && !naive.clamped(i); ++k) {
         const double step = 1e-5 * dp;
         auto there = naive.x;
         there[i][k] += step;
@@ -433,7 +433,7 @@ TEST_SUITE("failure") {
       Body bar;
       bar.name = "bar";
       bar.shapes = {Box{{0, 0, 0}, {6 * bar_dp, side * bar_dp, side * bar_dp}}};
-      bar.held = [](const Point& x) { return x[0] < bar_dp ? 1.0 : 0.0; };
+      bar.clamped = [](const Point& x) { return x[0] < bar_dp ? 1.0 : 0.0; };
       bar.velocity[0] = [](const Point& x) { return 0.02 * x[1]; };
       bar.velocity[1] = [](const Point& x) { return 0.05 * x[0] * x[0]; };
       bar.velocity[2] = [](const Point& x) { return 0.03 * x[0] * x[2]; };

@@ -266,7 +266,7 @@ TEST_SUITE("failure") {
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {L, 10 * spacing, 0}},
                               Box{{L, 4 * spacing, 0}, {L + 3 * spacing, 5 * spacing, 0}}};
     scene.probes.clear();
-    scene.bodies[0].held = {};
+    scene.bodies[0].clamped = {};
     scene.bodies[0].velocity[0] = scene.bodies[0].velocity[1] = [](const Point& x) {
       return 0.5 * std::sin(x[1] / 0.01 + x[0] / 0.02);
     };

@@ -51,7 +51,7 @@ RecoveredGradient recovered(const Scene& scene, const InitialParticles& initial,
   const double h = oenog.h_over_dp * scene.spacing;
   Constraints constraints(initial.size());
   for (int i = 0; i < initial.size(); ++i)
-    if (initial.held[i]) constraints[i] = Constraint::clamped;
+    if (initial.clamped[i]) constraints[i] = Constraint::clamped;
   return recovered_gradient(initial, constraints, initial.drive, id, scene.spacing, greatest_bond_reach * h,
                             /*threads*/ 1, halved);
 }
@@ -91,7 +91,7 @@ TEST_SUITE("unit") {
       for (int i = 0; i < initial.size(); ++i) {
         const int begin = rows.begin[i], end = rows.begin[i + 1];
         shown += end > begin;
-        if (initial.held[i]) continue;
+        if (initial.clamped[i]) continue;
         for (const int degree : {1, 2}) {
           if (end > begin)
             worst = std::max(
@@ -104,7 +104,7 @@ TEST_SUITE("unit") {
         }
         for (int b = begin; b < end; ++b) {
           CHECK(initial.material[rows.j[b]] == initial.material[i]);
-          CHECK(initial.held[rows.j[b]] == initial.held[i]);
+          CHECK(initial.clamped[rows.j[b]] == initial.clamped[i]);
         }
       }
       CHECK(worst < 1e-9);
@@ -203,11 +203,11 @@ TEST_SUITE("analytic") {
     const double dp = H / 5, rate = 1e3, step = 1e-9;  // m, 1/s, s
     for (const int variant : {0, 1, 2, 3, 4, 5, 6, 7}) {
       const int dim = variant % 2 == 0 ? 2 : 3;
-      const bool grip_of_steel = variant / 2 % 2 == 1, lets_go = variant / 4 == 1;
+      const bool grip_of_steel = variant / 2 % 2 == 1, ends_before_run = variant / 4 == 1;
       CAPTURE(dim);
       CAPTURE(grip_of_steel);
-      CAPTURE(lets_go);
-      const double kink = (lets_go ? 4.5 : 4) * dp;
+      CAPTURE(ends_before_run);
+      const double kink = (ends_before_run ? 4.5 : 4) * dp;
       Scene scene = block(5, 14 * dp);
       scene.dim = dim;
       if (dim == 3) scene.bodies[0].shapes = {Box{{-7 * dp, -H / 2, -H / 2}, {7 * dp, H / 2, H / 2}}};
@@ -217,7 +217,7 @@ TEST_SUITE("analytic") {
       }
       Drive still;
       still.where = [=](const Point& X) { return X[0] > 4 * dp ? 1.0 : 0.0; };
-      if (lets_go) still.until = 2 * step;
+      if (ends_before_run) still.until = 2 * step;
       scene.bodies[0].drives = {still};
       scene.bodies[0].velocity[0] = [=](const Point& X) { return rate * std::min(X[0] - kink, 0.0); };
       Settings settings = with_method("oenog");
@@ -226,7 +226,7 @@ TEST_SUITE("analytic") {
       const double M = 2e6 * 0.7 / (1.3 * 0.4);  // Pa, uniaxial strain
       for (std::size_t i = 0; i < now.size(); ++i) {
         const double last =
-            lets_go && grip_of_steel ? kink - dp : kink;  // position of the last strained particle
+            ends_before_run && grip_of_steel ? kink - dp : kink;  // position of the last strained particle
         const double should = now.x0[dim * i] < last + 0.1 * dp ? 1 : 0;
         CHECK(now.stress(i).xx / (M * rate * step) == Approx(should).scale(1).epsilon(1e-3));
       }
