@@ -28,8 +28,8 @@ bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x
 /// A byte in a string in single quotes, as an octal escape: gnuplot 5.4 reads '' as one quote only behind a letter.
 std::string plot_byte(char c) { return fmt::format("'.\"\\{:03o}\".'", static_cast<unsigned char>(c)); }
 
-/// Path from the script's folder, as a string of gnuplot. "./" is added because a leading '|' or '<' would start a command,
-/// and '-' an option. Control characters, and letters without a font, become octal.
+/// Path from the script's folder, as a string of gnuplot. "./" is added because a leading '|' or '<' would start a
+/// command, and '-' an option. Control characters, and letters without a font, become octal.
 std::string plot_path(const std::string& name) {
   const bool drawable = with_letters_of_fonts(name) == name;
   std::string result;
