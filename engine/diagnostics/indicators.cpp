@@ -46,14 +46,20 @@ Reading IndicatorGauge::hourglass(const std::vector<double>& squared) const {
     if (first != end)
       greatest = std::max(greatest, std::accumulate(first, end, 0.0) / static_cast<double>(end - first));
   }
-  for (int row = 0; row < part_.rows(); ++row) {
+  constexpr double weight = weight_of_patch * weight_of_patch;  // of squares
+  const auto judge_patch = [&](int row) {
     double sum = 0;
     int count = 0;
-    for (int k = part_.begin[row]; k < part_.begin[row + 1]; ++k) {
+    for (int k = part_.begin[row]; k < part_.begin[row + 1]; ++k)
       if (const int other = row_of_[part_.j[k]]; other >= 0) sum += squared[other], ++count;
-    }
-    if (const double mean = weight_of_patch * weight_of_patch * sum / count; mean > greatest)
+    if (const double mean = weight * sum / count; mean > greatest)
       greatest = mean, worst.particle = part_.j[part_.begin[row]];
+  };
+  // a patch is worse than a body only if one of its particles is
+  for (int row = 0; row < part_.rows(); ++row) {
+    if (weight * squared[row] <= greatest) continue;
+    for (int k = part_.begin[row]; k < part_.begin[row + 1]; ++k)
+      if (const int other = row_of_[part_.j[k]]; other >= 0) judge_patch(other);
   }
   worst.part = std::sqrt(greatest);
   return worst;

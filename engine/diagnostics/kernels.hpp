@@ -12,20 +12,17 @@ struct SnapshotView {
   const double* strain_energy;  // null: from p and s
   const int* material;
 };
-/// Particles from `first` to before `end`.
-inline SnapshotView view_of(const Snapshot& now, std::size_t first, std::size_t end) {
-  const std::size_t dim = static_cast<std::size_t>(now.dim), stress = now.dim == 3 ? 6 : 4;
-  return {.size = end - first,
-          .x = now.x.data() + dim * first,
-          .v = now.v.data() + dim * first,
-          .m = now.m.data() + first,
-          .rho = now.rho.data() + first,
-          .p = now.p.data() + first,
-          .s = now.s.data() + stress * first,
-          .strain_energy = now.strain_energy.empty() ? nullptr : now.strain_energy.data() + first,
-          .material = now.material.data() + first};
+inline SnapshotView view_of(const Snapshot& now) {
+  return {.size = now.size(),
+          .x = now.x.data(),
+          .v = now.v.data(),
+          .m = now.m.data(),
+          .rho = now.rho.data(),
+          .p = now.p.data(),
+          .s = now.s.data(),
+          .strain_energy = now.strain_energy.empty() ? nullptr : now.strain_energy.data(),
+          .material = now.material.data()};
 }
-inline SnapshotView view_of(const Snapshot& now) { return view_of(now, 0, now.size()); }
 struct AlternatingView {
   int rows;
   const int *begin, *j, *first_weight;

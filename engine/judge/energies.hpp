@@ -65,7 +65,7 @@ class EnergyTest {
     Point centre{};            // of mass, m
     double inertia = 0;        // Σ m |x − centre|², kg m²
     Point low{}, high{};       // of the positions, m
-    double fastest = 0;        // greatest speed relative to the centre, m/s
+    double fastest = 0;        // greatest speed relative to the first particle, m/s
   };
   struct Group {
     double mass = 0, kinetic = 0, strain = 0, start = 0, start_strain = 0, start_kinetic = 0, work = 0;
@@ -73,6 +73,8 @@ class EnergyTest {
     bool closed = true, meets = false;
   };
 
+  template <int Dim>
+  void add_up(const Snapshot& now, std::vector<Sums>& all) const;
   std::vector<Sums> sums(const Snapshot& now) const;
   double work(const Snapshot& now, std::size_t body) const;
   void merge(const std::vector<Sums>& now, double time);
