@@ -68,7 +68,11 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   void serialize(Archive& archive) {
     archive(agenda_, judge_times_, judge_, conservation_, *history_, readings_, judged_step_,
             result_.record.indicator);
-    if constexpr (std::is_same_v<Archive, Loader>) take_verdict();
+    archive.check("an indicator", [&] {
+      const long particle = result_.record.indicator[0].particle;
+      return particle >= -1 && particle < static_cast<long>(simulation_.snapshot().size());
+    });
+    if constexpr (std::is_same_v<Archive, Loader>) take_verdict(simulation_.snapshot());
   }
 
  private:
@@ -79,15 +83,14 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
     judge_.observe(now, sums, readings_);
     for (std::size_t k = 0; k < readings_.size(); ++k)
       result_.record.indicator[k].take(readings_[k], now.time);
-    take_verdict();
+    take_verdict(now);
     if (judge_.verdict() == Verdict::diverged) result_.failure = describe_divergence(now, sums);
   }
-  void take_verdict() {
+  void take_verdict(const Snapshot& now) {
     if (const long particle = result_.record.indicator[0].particle; particle >= 0) {
-      const Snapshot& start = simulation_.snapshot();
-      const auto first = start.x0.begin() + start.dim * particle;
-      result_.record.patch_body = scene_.bodies[start.body[particle]].name;
-      result_.record.patch_place.assign(first, first + start.dim);
+      const auto first = now.x0.begin() + now.dim * particle;
+      result_.record.patch_body = scene_.bodies[now.body[particle]].name;
+      result_.record.patch_place.assign(first, first + now.dim);
     } else {
       result_.record.patch_body.clear();
     }
