@@ -11,8 +11,8 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Invalid scene. `key` is the dotted path of the wrong value ("body.left.velocity"). The engine knows no files, so the
-/// reader of the scene adds the place in the file.
+/// Invalid scene. `key` is the dotted path of the wrong value ("body.left.velocity"). The engine reads no files; the
+/// scene reader adds the place in the file.
 class SceneError : public std::runtime_error {
  public:
   SceneError(std::string key, const std::string& what) : SceneError("", 0, 0, std::move(key), what) {}

@@ -15,7 +15,7 @@ namespace taut {
 /// of rings it is off by the ratio.
 struct FaceLayer {
   std::vector<int> id;
-  std::vector<Point> normal;    // outwards
+  std::vector<Point> normal;    // unit vectors, outwards
   std::vector<Point> traction;  // Pa, at ramp factor 1
   std::vector<double> area;     // m^(dim − 1)
   bool has_edge = false;        // the region is not a layer, since it covers two faces that meet
@@ -34,8 +34,9 @@ using FaceShare = std::pair<int, Point>;
 /// - uniform: f_j = t (n · S_j). A uniform stress σ with σ n = t is in equilibrium to round-off, also at corners.
 ///   Force and moment are exact only for uniform t on a whole side of a rectangle or box.
 /// - by_column: the particles below a layer particle share its force in proportion to n · S_j. The areas have the
-///   end correction of the midpoint rule, so that the force of a linear t is exact. Corners are not in equilibrium.
-///   If Σ n · S is below half of the area, the whole force stays on the layer.
+///   end correction of the midpoint rule, so that the force of a linear t is exact, and its moment too if t is
+///   normal to a plane face. Corners are not in equilibrium. If Σ n · S is below half of the area, the whole force
+///   stays on the layer.
 /// In thin bodies, S_j includes the opposite face. Both rules then use the half of the column nearer to the face
 /// and apply the missing area at the middle. The opposite face has the same there with the other sign.
 enum class FaceRule : std::uint8_t { uniform, by_column };
