@@ -28,7 +28,7 @@ bool FaceCandidates::search(const Particles<2>& s, MovingFaces& faces, const Wal
   return true;
 }
 
-/// Also lists the nodes near walls; this list is valid as long as that of the candidates.
+/// Also lists the nodes near walls; this list stays valid as long as the candidates.
 void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<2>& walls) {
   constexpr double margin = horizon + 2;  // 2: one end of a segment lies within its length
   const std::vector<char> near = near_other_bodies<2>(faces.places(), faces.outline().body, margin * dp_);

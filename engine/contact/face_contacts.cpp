@@ -155,7 +155,7 @@ double FaceContacts::energy(const Particles<2>& s, const WallContacts<2>& walls)
     });
   }
   for_each_wall(walls, [&](int, int, double depth, double area, double k) {
-    sum += surface_energy(depth, area, k);  // two passes, half of whose energy belongs to the image
+    sum += surface_energy(depth, area, k);  // two passes; half of their energy belongs to the image
   });
   return sum;
 }

@@ -144,8 +144,8 @@ auto FacetContacts::measured(int r) -> Touch {
   return touch;
 }
 
-/// Derivative of the energies with respect to the middle, normal and area of the facet of row r: its own energy and
-/// those of the facets to whose means it contributes.
+/// Derivative of the energies with respect to the middle, normal and area of the facet of row r. Sums the energy of
+/// this facet and of all facets to whose mean it contributes.
 MovingFacets::Slope FacetContacts::slope_of(int r) const {
   const Touch& own = touches_[r];
   const double area = facets_[rows_[r].facet].area, M = M_[rows_[r].facet];
@@ -210,7 +210,7 @@ double FacetContacts::energy(const Particles<3>& s, const WallContacts<3>& walls
     sum += hard_energy(-touches_[r].height, area_of(rows_[r].facet) * covered_share(touches_[r].cover),
                        touches_[r].k, dp_);
   for_each_wall(walls, [&](int facet, int, double depth, double share, double k) {
-    // two passes, half of whose energy belongs to the image
+    // two passes; half of their energy belongs to the image
     sum += surface_energy(depth, area_of(facet) * share, k);
   });
   return sum;

@@ -35,7 +35,7 @@ struct External {
     loads.set_time(t - 0.5 * dt);
     if (reactions.active()) reactions.begin(p.v, dt);
   }
-  /// Applies all external actions to `v` and records their work. `v` is the new velocity of particle i, so far
+  /// Applies all external actions to `v` and records their work. `v` is the new velocity of particle i, at first
   /// without external actions.
   void act(const Particles<Dim>& p, int i, double dt, V& v) {
     if (drives.moves(p.id[i])) return drives.replace(p, i, v);
