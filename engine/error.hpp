@@ -11,8 +11,8 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Invalid scene. `key` is the dotted path of the wrong value ("body.left.velocity"); the reader adds the place in
-/// the file.
+/// Invalid scene. `key` is the dotted path of the wrong value ("body.left.velocity"). The engine reads no files; the
+/// scene reader adds the place in the file.
 class SceneError : public std::runtime_error {
  public:
   SceneError(std::string key, const std::string& what) : SceneError("", 0, 0, std::move(key), what) {}
@@ -25,7 +25,7 @@ class SceneError : public std::runtime_error {
   std::string key;
 };
 
-/// A particle has an infinite or NaN value.
+/// A simulation diverged: a value of a particle is infinite or NaN, or its speed exceeds the limit of the solver.
 class NumericalError : public std::runtime_error {
  public:
   NumericalError(long step, double time, long particle, std::string field, const std::string& what)

@@ -6,12 +6,12 @@
 
 namespace taut {
 
-/// A wall; `normal` points to the bodies.
+/// A rigid wall; `normal` points to the side of the bodies.
 struct WallFace {
   std::array<double, 3> at{}, normal{};  // m; unit vector
 };
 
-/// Input of a renderer: one coloured field at one time, n particles. The caller owns the arrays.
+/// Complete input of a renderer: n particles with one coloured field at one time. The caller owns the arrays.
 struct FrameView {
   int dim = 2;
   double time = 0;                   // s

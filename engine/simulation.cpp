@@ -15,6 +15,7 @@
 namespace taut {
 namespace {
 
+/// Throws UsageError if the method lacks a constant of the settings or its value is out of bounds.
 void check_constants(const MethodInfo& method, const Settings& settings, int dim) {
   const std::vector<MethodConstant> constants = method_constants(method.formulation, dim);
   for (const auto& [name, value] : settings.constants) {
@@ -31,6 +32,7 @@ void check_constants(const MethodInfo& method, const Settings& settings, int dim
   }
 }
 
+/// `parameters`: those of the elastic law; the material overrides their defaults.
 Elasticity elasticity(const Material& material, std::span<const LawParameter> parameters) {
   Elasticity e{material.density, material.sound_speed(), material.bulk_modulus(), material.shear_modulus()};
   for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -53,6 +55,7 @@ bool same(const Material& a, const Material& b) {
          a.law_parameters == b.law_parameters;
 }
 
+/// Throws SceneError if the method does not support the dimension of the scene.
 void check_dimension(const Scene& scene, const MethodInfo& method) {
   if (scene.dim <= method.formulation.greatest_dim) return;
   std::string others;
@@ -63,6 +66,7 @@ void check_dimension(const Scene& scene, const MethodInfo& method) {
                                       method.name, others));
 }
 
+/// Names of the methods that support several materials in `dim` dimensions.
 std::string of_several(int dim) {
   std::string names;
   for (const MethodInfo& method : methods())
@@ -71,6 +75,7 @@ std::string of_several(int dim) {
   return names;
 }
 
+/// Throws SceneError if the scene has several materials and the method supports only one.
 void check_materials(const Scene& scene, const InitialParticles& initial, const MethodInfo& method) {
   if (method.several_materials) return;
   const int first = initial.material.front();
@@ -85,6 +90,7 @@ void check_materials(const Scene& scene, const InitialParticles& initial, const 
   }
 }
 
+/// Throws SceneError if a body starts displaced and the method has no reference configuration.
 void check_displacements(const Scene& scene, const MethodInfo& method) {
   if (method.keeps_neighbors) return;
   for (const Body& body : scene.bodies)
@@ -97,8 +103,9 @@ void check_displacements(const Scene& scene, const MethodInfo& method) {
                              "use a method with initial neighbours, such as tl or oenog");
 }
 
-/// Throws SceneError if a particle starts behind a wall's face, or an undisplaced shape more than `greatest_depth`
-/// spacings behind. Clamped regions are exempt.
+/// Throws SceneError if a body starts inside a wall: if a particle is behind the face of the wall, or if the shape
+/// of an undisplaced body reaches more than `greatest_depth` spacings behind it. Clamped regions may be inside
+/// walls.
 void check_walls(const Scene& scene, const InitialParticles& initial) {
   const double dp = scene.spacing;
   for (const Wall& wall : scene.walls) {
@@ -126,6 +133,7 @@ void check_walls(const Scene& scene, const InitialParticles& initial) {
   }
 }
 
+/// Constants that all methods have.
 Constants common_constants(const std::vector<Elasticity>& materials, const InitialParticles& initial,
                            const Scene& scene, const Settings& settings, const MethodInfo& method,
                            const ConstantValues& values) {
@@ -140,6 +148,7 @@ Constants common_constants(const std::vector<Elasticity>& materials, const Initi
   return c;
 }
 
+/// Default number of threads: all cores, fewer for small scenes.
 int useful_threads(int particles) {
   constexpr int least_particles = 300;  // per thread
   return std::clamp(particles / least_particles, 1, cores());

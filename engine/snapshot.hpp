@@ -7,6 +7,7 @@
 
 namespace taut {
 
+/// Impulse on bodies from outside.
 struct Impulse {
   Point linear{};   // N s (per metre depth in 2D)
   Point angular{};  // about the origin, N m s (per metre depth in 2D, where only z is not 0)
@@ -17,7 +18,8 @@ struct StressTensor {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
 };
 
-/// All particles in order of creation. In 2D, masses and energies are per metre depth.
+/// All particles at one time, in order of creation whatever the storage order. In 2D, masses and energies are per
+/// metre depth.
 struct Snapshot {
   int dim = 2;
   double time = 0;  // s
@@ -31,22 +33,22 @@ struct Snapshot {
   std::vector<double> s;    // deviatoric stress xx, xy, yy, zz (2D) or xx, xy, xz, yy, yz, zz (3D), Pa
   std::vector<double> strain_energy;  // J; empty for methods that do not define it
   double contact_energy = 0;          // stored in contacts, J
-  double work = 0;                    // total of drives, loads and gravity, J
+  double work = 0;                    // done by drives, loads and gravity since the start, J
   std::vector<double> body_work;      // [body] its share of `work`, J
-  double damped = 0;                  // total removed by Scene::damping, J
-  Impulse of_walls;                   // total from all walls
+  double damped = 0;                  // removed by Scene::damping since the start, J
+  Impulse of_walls;                   // from all walls since the start
   std::vector<double> diameter;       // as drawn: V0^(1/dim), m
   std::vector<int> body;              // index into Scene::bodies
   std::vector<int> material;          // index into Scene::materials
   std::vector<unsigned char> clamped;
-  std::vector<unsigned char> driven;  // in a region that is driven at some time
+  std::vector<unsigned char> driven;  // in a region that a drive moves at some time
 
   std::size_t size() const { return m.size(); }
 
-  Point initial(std::size_t i) const { return point(x0, i); }
-  Point position(std::size_t i) const { return point(x, i); }
-  Point velocity(std::size_t i) const { return point(v, i); }
-  StressTensor deviator(std::size_t i) const {
+  Point initial(std::size_t i) const { return point(x0, i); }  // m
+  Point position(std::size_t i) const { return point(x, i); }  // m
+  Point velocity(std::size_t i) const { return point(v, i); }  // m/s
+  StressTensor deviator(std::size_t i) const {                 // Pa
     if (const double* c = &s[i * stored(dim)]; dim == 3)
       return {c[0], c[3], c[5], c[1], c[2], c[4]};
     else
@@ -59,7 +61,7 @@ struct Snapshot {
     return sigma;
   }
 
-  /// Allocates all fields except `strain_energy`.
+  /// Allocates the fields of n particles except `strain_energy`.
   void resize(int dimensions, std::size_t n) {
     dim = dimensions;
     const auto d = static_cast<std::size_t>(dim);

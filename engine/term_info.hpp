@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// A term's equation, source, function and test. Defined below its function.
+/// Equation, source, function and test of a term of a method. Each is defined below its function.
 struct TermInfo {
   std::string_view what;      // "stress rate"
   std::string_view formula;   // in Unicode
@@ -13,7 +13,7 @@ struct TermInfo {
   std::string_view test;      // name of its test case
 };
 
-/// Source of a term in a method's own paper, where TermInfo cites another one.
+/// Source of a term in the method's own paper, if the TermInfo cites another paper.
 struct Citation {
   std::string_view what;    // TermInfo::what
   std::string_view source;  // replaces TermInfo::source

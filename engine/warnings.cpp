@@ -16,6 +16,7 @@
 namespace taut {
 namespace {
 
+/// Warns of bodies whose shape the lattice does not fit.
 void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr double tolerated = 0.02;
   std::vector<double> volume(scene.bodies.size());  // [body], undeformed, m^dim
@@ -35,7 +36,8 @@ void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, c
   }
 }
 
-/// Supersonic speeds are mostly unit errors. In a closed scene, speeds are relative to the common motion.
+/// Speeds above the sound speed are mostly unit errors, such as a modulus in MPa. In a closed scene, speeds are
+/// relative to the common motion.
 void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   const auto dim = static_cast<std::size_t>(start.dim);
   Point common{};  // m/s
@@ -61,7 +63,7 @@ void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, c
 
 void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr double of_motion = 1e-3;
-  constexpr double of_stiffness = 1e-9;  // of a uniform strain of about 1e-5
+  constexpr double of_stiffness = 1e-9;  // energy of a uniform strain of about 1e-5
   const double kinetic = balance(start, scene).kinetic, stored = start.contact_energy;  // J
   double stiffness = 0;                                                                 // J
   for (std::size_t i = 0; i < start.size(); ++i) {
@@ -76,9 +78,10 @@ void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene,
                   stored, share));
 }
 
+/// Warns of two bodies that are less than two spacings apart and within the kernel support: `sph` may join them.
 void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start,
                               double support) {
-  constexpr double parts = 2 - 1e-6;         // spacings; bodies this far apart separate
+  constexpr double parts = 2 - 1e-6;         // spacings; bodies this far apart separate with every method
   std::optional<std::pair<int, int>> first;  // in scene order
   double nearest = std::min(support, parts * scene.spacing);
   for_each_meeting_pair(start, nearest, [&](int i, int j) {

@@ -10,11 +10,12 @@
 /// Warnings about scenes that run but are probably wrong; one sentence each, without a full stop.
 namespace taut {
 
-/// Warns of `reaction` probes if the method does not conserve momentum; else empty.
+/// Warns of `reaction` and `contact_force` probes if the method does not conserve momentum; else returns an empty
+/// string.
 std::string warning_about_reactions(const Scene& scene, const MethodInfo& method);
 
-/// Warns of masses 2 % or more off the shapes, supersonic speeds, contacts that store energy, bodies that `sph` may
-/// join.
+/// Warns of an unsuitable initial state: masses that differ from the shapes by 2 % or more, speeds above the sound
+/// speed, contacts that store energy, and bodies that contact by `sph` may join.
 std::vector<std::string> warnings_at_start(const Scene& scene, const MethodInfo& method,
                                            const Simulation& simulation);
 

@@ -9,8 +9,9 @@
 
 namespace taut {
 
-/// Rigid frictionless half-spaces. A wall acts on a particle like its mirror image, so a body behaves as if it met
-/// its own image. Records impulses.
+/// Rigid frictionless walls, each a half-space. A wall acts on a particle by the contact law, like the mirror image
+/// of the particle at twice its height. A body at a wall thus behaves as if it met an equal body. Records the
+/// impulses that walls give to bodies.
 template <int Dim>
 class WallContacts {
  public:
@@ -26,12 +27,12 @@ class WallContacts {
 
   bool any() const { return !planes_.empty(); }
   int count() const { return static_cast<int>(planes_.size()); }
-  const V& normal(int wall) const { return planes_[wall].normal; }  // towards bodies
-  double height(int wall, const V& x) const {                       // m, of x
+  const V& normal(int wall) const { return planes_[wall].normal; }  // unit vector towards the bodies
+  double height(int wall, const V& x) const {                       // of x above the wall, m
     return dot(x - planes_[wall].at, planes_[wall].normal);
   }
 
-  /// Records an impulse, N s, on a particle at x.
+  /// Adds the impulse, N s, of a wall on a particle at x, m.
   void record_impulse(const V& x, const V& impulse) {
     for (int k = 0; k < Dim; ++k) recorded_impulse_.linear[k] += impulse[k];
     recorded_impulse_.angular[2] += x[0] * impulse[1] - x[1] * impulse[0];

@@ -72,7 +72,7 @@ Kick<Dim> Common<Dim>::kick(double dt, double t) {
 
 namespace {
 
-/// Component-wise median of each body, m/s; robust against outliers.
+/// Component-wise median velocity of each body, m/s; robust against a few diverged particles.
 template <int Dim>
 std::vector<Vec<double, Dim>> middle_velocities(const Particles<Dim>& s, int bodies) {
   std::vector<Vec<double, Dim>> middle(bodies);
@@ -90,7 +90,7 @@ std::vector<Vec<double, Dim>> middle_velocities(const Particles<Dim>& s, int bod
 
 }  // namespace
 
-/// Names the diverged particle with the lowest id.
+/// Throws NumericalError that names the diverged particle with the lowest id.
 template <int Dim>
 void Common<Dim>::throw_if_diverged() const {
   const double limit = greatest_mach_number * constants.c0,
@@ -124,6 +124,7 @@ double Common<Dim>::fastest() const {
   return std::sqrt(fastest2);
 }
 
+/// Checks a loaded state: each particle occurs once and has its body and material.
 template <int Dim>
 bool Common<Dim>::are_of_this_scene() const {
   std::vector<bool> seen(size());
@@ -136,6 +137,7 @@ bool Common<Dim>::are_of_this_scene() const {
   return true;
 }
 
+/// Checks that the positions and velocities of a loaded state are finite.
 template <int Dim>
 bool Common<Dim>::are_numbers() const {
   for (int i = 0; i < size(); ++i)

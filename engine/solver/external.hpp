@@ -9,6 +9,8 @@
 
 namespace taut {
 
+/// External actions on particles (drives, guides, loads, gravity and damping) and the measurement of reaction
+/// forces.
 template <int Dim>
 struct External {
   using V = Vec<double, Dim>;
@@ -25,7 +27,7 @@ struct External {
 
   bool active() const { return drives.active() || loads.active() || guides.active(); }
 
-  /// `t`: time of the new velocities, s. Call before `act`.
+  /// `t`: time of the new velocities, s. Call once in each step of `dt`, before `act`.
   void set_time(double dt, double t, const Particles<Dim>& p) {
     const int before = drives.number_of_active();
     drives.set_time(t);
@@ -33,7 +35,8 @@ struct External {
     loads.set_time(t - 0.5 * dt);
     if (reactions.active()) reactions.begin(p.v, dt);
   }
-  /// Applies external actions to `v`, a new velocity without them, and records their work.
+  /// Applies all external actions to `v` and records their work. `v` is the new velocity of particle i, at first
+  /// without external actions.
   void act(const Particles<Dim>& p, int i, double dt, V& v) {
     if (drives.moves(p.id[i])) return drives.replace(p, i, v);
     const bool loaded = loads.active();
@@ -44,7 +47,8 @@ struct External {
 
   Steering<Dim> steering() const { return {drives.active() || guides.active() ? axes_.data() : nullptr}; }
 
-  /// Force of clamp, guide or drive over the last step, N; includes the weight, not loads.
+  /// Force of its clamp, guide or drive on particle i over the last step, N. Includes the weight that they carry,
+  /// but no loads.
   V reaction(const Particles<Dim>& p, int i) const {
     const int id = p.id[i];
     const bool free = p.mobile[i] != 0 && !drives.moves(id);

@@ -17,11 +17,12 @@ namespace {
 template <int Dim>
 using Place = Eigen::Vector<double, Dim>;
 
-constexpr double layer_reach = 2.1;  // dp, for the direction of a layer
-constexpr double close_reach = 2.2;  // dp, along the face
+constexpr double layer_reach = 2.1;  // dp, range of the particles that determine the normal of a layer
+constexpr double close_reach = 2.2;  // dp, range of the search along the face
 constexpr double aside = 0.75;       // dp, greatest offset of a particle below another one
 
-constexpr double least_scaled = 0.5;  // least ratio of n · S to area of a column that shares a force
+/// Least ratio of n · S to area of a column that shares a force; ends of bars have 0.95 to 1.5.
+constexpr double least_scaled = 0.5;
 
 template <int Dim>
 Place<Dim> place(const Point& p) {
@@ -41,13 +42,14 @@ Place<Dim> way(const InitialParticles& initial, int i, int j) {
   return place<Dim>(initial.x[j]) - place<Dim>(initial.x[i]);
 }
 
-/// Index in the layer, or −1.
+/// Index of particle i in the layer, or −1.
 int position(const std::vector<int>& layer, int i) {
   const auto found = std::ranges::lower_bound(layer, i);
   return found != layer.end() && *found == i ? static_cast<int>(found - layer.begin()) : -1;
 }
 
-/// Outward unit normal of the layer; 0 if none.
+/// Outward unit normal of the layer at particle i: the direction in which the layer is thin, away from the rest of
+/// the body. Returns 0 if there is none.
 template <int Dim>
 Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int> near,
                     const std::vector<int>& layer, double spacing) {
@@ -69,7 +71,7 @@ Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int>
   return side > 0 ? n : Place<Dim>(-n);
 }
 
-/// Ratio of face area to layer area.
+/// Ratio of face area to layer area at particle k of the layer, from the chords to its neighbours in the layer.
 template <int Dim>
 double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                std::span<const int> near, double spacing) {
@@ -86,15 +88,15 @@ double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& in
   return std::pow(inside > 0 ? outside / inside : 1, Dim - 1);
 }
 
-/// Particles below a layer particle, down to the middle of a thin body.
+/// Particles below a layer particle; in a thin body down to the middle between both faces.
 struct Column {
-  bool thin = false;                                        // its gradients may reach the opposite face
+  bool thin = false;  // particles in reach of its face may be in reach of the opposite face
   double middle = std::numeric_limits<double>::infinity();  // depth, m; infinite unless thin
   double area = 0;                                          // Σ n · S, m^(dim − 1)
-  int at_middle = 0;
+  int at_middle = 0;                                        // number of its particles at the middle
 };
 
-/// Deepest particle below i and its depth, m.
+/// Deepest particle below i among its neighbours, and its depth, m.
 template <int Dim>
 std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticles& initial,
                                const NeighborsOfOne<Dim>& near, double spacing) {
@@ -107,7 +109,8 @@ std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticle
   return known;
 }
 
-/// `near`: reach of a face. Faces interact if closer than twice this reach.
+/// Column below particle i. A face is in reach of particles up to the range of `near`; two faces interact if they
+/// are closer than twice this range.
 template <int Dim>
 Column column(int i, const Place<Dim>& n, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
               double spacing) {
@@ -128,7 +131,7 @@ struct Below {
   double depth = 0;                                           // m, along the normal
 };
 
-/// Nearest layer particle above each free particle, by id.
+/// For each free particle below the layer, by id: the nearest layer particle above it.
 template <int Dim>
 std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initial,
                            const NeighborsOfOne<Dim>& near, double spacing) {
@@ -146,7 +149,7 @@ std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initi
   return all;
 }
 
-/// Nearest particle in direction `along`, or −1.
+/// Nearest particle beside i in the direction of the unit vector `along`, or −1.
 template <int Dim>
 int beside(int i, const Place<Dim>& along, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
            double spacing) {
@@ -162,7 +165,7 @@ int beside(int i, const Place<Dim>& along, const InitialParticles& initial, cons
   return found;
 }
 
-/// Unit vectors along the face towards possible neighbours.
+/// Unit vectors along the face, in which particle k of the layer has a neighbour unless the face ends there.
 template <int Dim>
 std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                                    const NeighborsOfOne<Dim>& near) {
@@ -181,8 +184,8 @@ std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const 
   }
 }
 
-/// End correction of the midpoint rule for the layer's areas; without it the moment of a linear traction has an error
-/// of 1/n².
+/// Factors on the areas of the layer: the end correction of the midpoint rule at corners and edges of the body.
+/// Without it, the moment of a traction that is linear along a face of n rows is too small by the fraction 1/n².
 template <int Dim>
 std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& initial,
                                 const NeighborsOfOne<Dim>& near, double spacing) {
@@ -203,7 +206,7 @@ std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& 
 /// Whether some normals are almost perpendicular to the first one.
 template <int Dim>
 bool are_of_two_faces(const std::vector<Point>& normals) {
-  constexpr double across = 0.3;  // greatest |n · m|
+  constexpr double across = 0.3;  // greatest |n · m|; faces that do not meet are opposite
   const auto first = std::ranges::find_if(normals, [](const Point& n) { return n != Point{}; });
   return std::ranges::any_of(normals, [&](const Point& n) {
     return n != Point{} && std::abs(place<Dim>(n).dot(place<Dim>(*first))) < across;

@@ -9,6 +9,7 @@
 namespace taut {
 namespace {
 
+/// Calls f(Kernel<…>{}) with the kernel of this name.
 template <class F>
 auto with_kernel(KernelName name, const F& f) {
   switch (name) {
@@ -31,7 +32,7 @@ template <int Dim>
 InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const SolverInput& input,
                                                 GradientCorrection gradient, double normalised)
     : materials(input.law, input.materials), common_(common) {
-  // particles stay in creation order
+  // particles stay in creation order: along the rows of a lattice or the layers of a round body
   const Particles<Dim>& p = common.particles;
   const InitialParticles& initial = common.initial;
   const double h = common.constants.h;
@@ -55,7 +56,7 @@ InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const Solve
     of_four.mobile[i % lanes] = p.mobile[i];
     for (int c = 0; c < Sym<double, Dim>::size; ++c) of_four.B.c[c][i % lanes] = pairs.B[i].c[c];
   }
-  // normalised gradients underestimate uniform fields: loads stay on the layer as in the paper
+  // normalised gradients underestimate uniform fields; loads then stay on the layer, as in their paper
   if (gradient == GradientCorrection::corrected)
     common.external.loads.act_on_faces(input.scene, initial, FaceRule::uniform, surface(),
                                        common.run.support);
@@ -79,7 +80,8 @@ void InitialConfiguration<Dim>::check_pairs(const Scene& scene, const Formulatio
   }
 }
 
-/// S_i = −Σ_j (V_i B_i + V_j B_j) k_ij by id, m^(Dim − 1); 0 inside a lattice.
+/// Surface S_i = −Σ_j (V_i B_i + V_j B_j) k_ij by id, m^(Dim − 1), on which a uniform stress acts; 0 inside a
+/// lattice.
 template <int Dim>
 std::vector<Point> InitialConfiguration<Dim>::surface() const {
   const auto& [begin, j, k, B] = pairs;

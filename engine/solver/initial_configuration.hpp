@@ -9,14 +9,15 @@
 
 namespace taut {
 
-/// Initial configuration of total-Lagrangian methods. Unlike in the papers, particles lie half a spacing inside faces
-/// unless Body::on_boundary is set.
+/// Initial configuration of total-Lagrangian methods: particles interact with their initial neighbours. The papers
+/// place particles on the boundary; here the outermost lie half a spacing inside the face unless Body::on_boundary
+/// is set.
 template <int Dim>
 class InitialConfiguration {
  public:
   using V = Vec<double, Dim>;
 
-  /// Also moves particles to their start and lets loads act on faces. Throws SceneError if a body is too thin.
+  /// Moves particles to their start positions and lets loads act on faces. Throws SceneError if a body is too thin.
   /// `normalised`: see TlDisplacementConstants.
   InitialConfiguration(Common<Dim>& common, const SolverInput& input,
                        GradientCorrection gradient = GradientCorrection::corrected, double normalised = 0);
@@ -27,16 +28,19 @@ class InitialConfiguration {
   std::vector<Sites<Dim>> sites;
   std::vector<int> material;  // padded to whole groups
   Materials materials;
-  double wave_speed = 0;  // greatest c_p = √((K + 4G/3)/ρ0), m/s
+  double wave_speed = 0;  // greatest c_p = √((K + 4G/3)/ρ0) of all materials, m/s
 
   int groups() const { return static_cast<int>(sites.size()); }
   LawsInUse laws() const { return materials.in_use(); }
-  /// CFL h/(c_p + |v|max), s. [Lee2016] Eq. 44 has the spacing for h and the wave speed of the strained body.
+  /// Time step CFL h/(c_p + |v|max), s. [Lee2016] Eq. 44 uses the spacing instead of h and the wave speed of the
+  /// strained body; |v|max replaces the effect of the strain.
   double step_size() const;
+  /// Allocates strain energies in a snapshot that Common has begun.
   static void begin(Snapshot& out) { out.strain_energy.resize(out.size()); }
   void begin_motion(Snapshot& out) const { common_.begin_motion(out), begin(out); }
+  /// Stores motion and strain energy only.
   void store_motion(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
-  /// F, J: deformation gradient and volume ratio.
+  /// `F`, `J`: deformation gradient and volume ratio that determine the stress of particle i.
   void store(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
 
  private:

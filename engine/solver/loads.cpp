@@ -10,7 +10,7 @@ namespace taut {
 
 namespace {
 
-/// Boxes have flat faces; elsewhere lattice steps look like edges.
+/// Whether all faces are flat and meet at edges. On other faces, steps of the lattice look like edges.
 bool is_of_boxes(const Body& body) {
   const auto is_box = [](const Shape& shape) { return shape.as<Box>() != nullptr; };
   return std::ranges::all_of(body.shapes, is_box) && std::ranges::all_of(body.without, is_box);
@@ -91,15 +91,17 @@ void Loads<Dim>::spread_by(const std::vector<double>& volume, const Scene& scene
   }
 }
 
-/// Throws SceneError if no particle of the region is ever free. Particles driven to the end take no share of a force.
+/// Shares of a load by id, N. Throws SceneError if no particle of the region is ever free. Particles that are
+/// driven to the end take no share of a force; particles released earlier take theirs from then on.
 template <int Dim>
 auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParticles& initial, int body)
     -> std::vector<std::pair<int, V>> {
   const auto is_driven = [&](int id) {
     return initial.drive[id] >= 0 && !ends_before_run(scene.bodies[body].drives[initial.drive[id]], scene);
   };
-  std::vector<int> loaded;  // particles driven to the end only for tractions and densities
-  double volume = 0;        // of particles that are free at some time
+  // includes particles that are driven to the end, except for forces: on faces they are part of the layer
+  std::vector<int> loaded;
+  double volume = 0;  // of particles that are free at some time, m^Dim
   for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
     if (initial.clamped[id] || load.where(initial.cell(id)) == 0) continue;
     if (is_driven(id) && load.kind == Load::Kind::force) continue;
@@ -112,7 +114,7 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
         "body." + name + ".loaded",
         "a load of body '" + name +
             "' is only on particles that are held, or driven to the end, where it has no effect");
-  // volume per unit of load: region, cubic metre, or layer per area
+  // volume that a unit of load acts on: the region, a unit volume, or the layer per unit of face area
   const double over = load.kind == Load::Kind::force      ? volume
                       : load.kind == Load::Kind::traction ? scene.spacing
                                                           : 1;

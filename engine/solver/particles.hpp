@@ -7,7 +7,8 @@
 
 namespace taut {
 
-/// Particle data of all methods, in storage order: by cell with searched neighbours, else by creation.
+/// Particle data that all methods share, in storage order. Methods with searched neighbours sort particles by cell;
+/// others keep the order of creation.
 template <int Dim>
 struct Particles {
   using V = Vec<double, Dim>;
@@ -15,9 +16,9 @@ struct Particles {
   std::vector<V> x, v;         // m, m/s
   std::vector<double> m;       // kg (per metre depth in 2D)
   std::vector<double> mobile;  // 1, or 0 where clamped
-  std::vector<int> id;         // creation order
-  std::vector<int> body;
-  std::vector<int> material;  // index into Scene::materials
+  std::vector<int> id;         // position in the order of creation
+  std::vector<int> body;       // index into Scene::bodies
+  std::vector<int> material;   // index into Scene::materials
 
   int size() const { return static_cast<int>(x.size()); }
 
@@ -29,7 +30,7 @@ struct Particles {
   }
 };
 
-/// Moves row order[i] to i. Empty arrays stay empty.
+/// Reorders each array so that the former row order[i] becomes row i. Empty arrays stay empty.
 template <class... Arrays>
 void reorder(const std::vector<int>& order, int threads, Arrays&... arrays) {
   const auto one = [&](auto& array) {

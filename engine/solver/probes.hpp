@@ -12,11 +12,12 @@ namespace taut {
 template <int Dim>
 class ProbeRecorder {
  public:
-  /// `support`: radius of interaction, m. Throws SceneError if a point is outside its body.
+  /// `support`: radius of interaction, m. Throws SceneError if a probe does not fit its body.
   ProbeRecorder(const Scene& scene, const InitialParticles& initial, double support);
 
-  /// Call after a neighbour search.
+  /// Updates storage indices and all values that change only with a neighbour search. Call after each search.
   void rebuilt(const Particles<Dim>& s, const Neighbors& neighbors, double support);
+  /// Appends one row to `series`.
   void record(const Particles<Dim>& s, double time, ProbeSource<Dim>& source, Series& series);
 
   std::size_t size() const { return followers_.size(); }
@@ -27,6 +28,7 @@ class ProbeRecorder {
     return true;
   }
 
+  /// Only the members that depend on the storage order or on earlier steps.
   template <class Archive>
   void serialize(Archive& archive) {
     archive.fixed(storage_of_id_);
@@ -45,7 +47,7 @@ class ProbeRecorder {
   std::vector<ProbeFollower<Dim>> followers_;
   std::vector<int> storage_of_id_;  // [id] storage index
   std::vector<int> first_;          // [body] first particle
-  std::vector<double> diameter_;    // [id] contact distance of pair laws, m
+  std::vector<double> diameter_;    // [id] V^(1/Dim) of the whole cell, from which pair laws act, m
   double support_ = 0;
   std::vector<int> stressed_;  // ids for stress probes
 };

@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Constants of four particles; 0 in padding.
+/// Constants of a group of four particles; 0 in the padding of the last group.
 template <int Dim>
 struct Sites {
   Sym<Pack, Dim> B;                   // 1/m^Dim

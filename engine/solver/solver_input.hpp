@@ -13,10 +13,10 @@
 
 namespace taut {
 
-/// Constants by name; lengths in m.
+/// Constants of a method by name, from the settings or by default; lengths in m.
 using ConstantValues = std::map<std::string_view, double>;
 
-/// Common constants with the values of a family's rows.
+/// Returns `all` extended by the constants of a family, whose `rows` take their values from `values`.
 template <class C>
 C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, const ConstantValues& values) {
   C c{all};
@@ -24,6 +24,7 @@ C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, co
   return c;
 }
 
+/// Validated input of a solver.
 struct SolverInput {
   const Formulation& method;
   const Scene& scene;
@@ -32,11 +33,11 @@ struct SolverInput {
   std::vector<Elasticity> materials;  // in the order of Scene::materials
   Law law;                            // for methods with a choice of laws
   ContactLaw contact;                 // never `published`
-  bool keeps_neighbors;               // see FamilyRow; distant parts of a body then interact by contact
+  bool keeps_neighbors;  // see FamilyRow; parts of a body that were far apart then interact by contact
   Stepping stepping;
   int threads;
-  InstructionSet kernels{};    // best allowed
-  ConstantValues values = {};  // of the family
+  InstructionSet kernels{};    // best set allowed
+  ConstantValues values = {};  // constants of the family
 };
 
 }  // namespace taut
