@@ -157,8 +157,8 @@ void dissipation_pass(const TlMixedFields<Dim>& f, const TlMixedConstants& c, co
   }
 }
 
-/// Removes the total force and torque of the accelerations of the body first … last − 1 ([Lee2016] Eq. 45–49), and the
-/// total dissipation of J (Eq. 51).
+/// Removes the total force and torque of the accelerations of the body first … last − 1 ([Lee2016] Eq. 45–49), and
+/// the total dissipation of J (Eq. 51).
 template <const TlMixedFormulation& M, int Dim>
 void project(const TlMixedFields<Dim>& f, const TlMixedConstants& c, int first, int last) {
   project_on_momenta(f.a, f.x, f.V0, first, last, c.projection);

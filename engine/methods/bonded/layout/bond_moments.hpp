@@ -22,8 +22,8 @@ class Moments {
     for (int m = 0; m < count; ++m) target_[m] = isotropic(powers_[m]);
   }
 
-  /// Changes the weights w of bonds X as little as possible so that their moments equal the targets. Returns false if no
-  /// such weights ≥ 0 exist.
+  /// Changes the weights w of bonds X as little as possible so that their moments equal the targets. Returns false if
+  /// no such weights ≥ 0 exist.
   bool make_right(const std::vector<Eigen::Vector<double, Dim>>& X, std::vector<double>& w) const {
     std::vector<Vector> M(X.size());
     for (std::size_t b = 0; b < X.size(); ++b) M[b] = of(X[b].normalized());

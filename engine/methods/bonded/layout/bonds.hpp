@@ -30,7 +30,8 @@ inline Point gradient_of(const InverseMoment& B, const ReferenceBond& bond) {
   return g;
 }
 
-/// A term that particle i at a face cancels in addition to its bonds, as for one more bond along t (THEORY.md, Faces).
+/// A term that particle i at a face cancels in addition to its bonds, as for one more bond along t (THEORY.md,
+/// Faces).
 struct FaceTerm {
   int i;
   Point t;
@@ -39,8 +40,8 @@ struct FaceTerm {
 
 struct SolidGeometry;
 
-/// Bonds inside bodies, stored from both ends; they never change. Rigid particles have no bonds of their own, unless they
-/// stand on the face of a clamp. THEORY.md derives the choices.
+/// Bonds inside bodies, stored from both ends; they never change. Rigid particles have no bonds of their own, unless
+/// they stand on the face of a clamp. THEORY.md derives the choices.
 struct Bonds {
   std::vector<int> begin;           // [n + 1] first bond of each particle
   std::vector<int> j;               // [bond] the other particle

@@ -9,8 +9,8 @@ namespace taut {
 
 inline constexpr double greatest_across = 8;  // maximum of the own G over G_ij of a bond across an interface
 
-/// Particles beside another material, whose deformation has a kink there (THEORY.md, Interfaces). Such a particle has a
-/// site unless the normal is not determined (corners, three materials), a side is one layer thin, it is bonded to a
+/// Particles beside another material, whose deformation has a kink there (THEORY.md, Interfaces). Such a particle has
+/// a site unless the normal is not determined (corners, three materials), a side is one layer thin, it is bonded to a
 /// clamp, or the materials differ only in density.
 struct Interfaces {
   struct Site {

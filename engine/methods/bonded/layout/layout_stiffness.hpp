@@ -13,8 +13,8 @@
 
 namespace taut {
 
-/// Returns the maximum eigenvalue of the symmetric tridiagonal matrix T with the off-diagonal `beside`, one entry shorter
-/// than the diagonal: above it all pivots of T − λ are negative. NaN if an entry is NaN.
+/// Returns the maximum eigenvalue of the symmetric tridiagonal matrix T with the off-diagonal `beside`, one entry
+/// shorter than the diagonal: above it all pivots of T − λ are negative. NaN if an entry is NaN.
 inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside) {
   const std::size_t n = diagonal.size();
   const auto is_above = [&](double lambda) {
@@ -85,9 +85,9 @@ double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   }
 }
 
-/// Returns ω² of the highest mode about the current positions, in 1/s²: the maximum eigenvalue of M^(−½) K M^(−½), with K
-/// from differences of forces. `mobility` is 1/m, in 1/kg, or 0 for constrained particles. forces(u, out) computes the
-/// forces, in N, at displacements u with |u| ≤ `small`, in m.
+/// Returns ω² of the highest mode about the current positions, in 1/s²: the maximum eigenvalue of M^(−½) K M^(−½),
+/// with K from differences of forces. `mobility` is 1/m, in 1/kg, or 0 for constrained particles. forces(u, out)
+/// computes the forces, in N, at displacements u with |u| ≤ `small`, in m.
 template <int Dim, class Forces>
 double highest_frequency_squared(const std::vector<double>& mobility, double small, int threads,
                                  const Forces& forces) {

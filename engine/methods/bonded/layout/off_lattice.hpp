@@ -27,8 +27,8 @@ bool is_on_lattice(const std::vector<Eigen::Vector3d>& X, double spacing);
 bool is_at_surface(const std::vector<Eigen::Vector2d>& X);
 bool is_at_surface(const std::vector<Eigen::Vector3d>& X);
 
-/// Returns the maximum, over all strains, of the energy of bonds X with weights w over the energy of the isotropic solid
-/// with λ = μ.
+/// Returns the maximum, over all strains, of the energy of bonds X with weights w over the energy of the isotropic
+/// solid with λ = μ.
 double excess(const std::vector<Eigen::Vector2d>& X, const std::vector<double>& w);
 double excess(const std::vector<Eigen::Vector3d>& X, const std::vector<double>& w);
 

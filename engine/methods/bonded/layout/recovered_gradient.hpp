@@ -14,8 +14,8 @@ struct RecoveredView {
   const unsigned char* between;  // null: none
 };
 
-/// Gradients on the initial layout for snapshots, exact for quadratic fields up to the surface, where the method's own
-/// gradient is not (THEORY.md, Recovered gradient):
+/// Gradients on the initial layout for snapshots, exact for quadratic fields up to the surface, where the method's
+/// own gradient is not (THEORY.md, Recovered gradient):
 ///   ∇f at i = Σ_j (f_j − f_i) ⊗ g_ij,   Σ_j X_ij ⊗ g_ij = I,   Σ_j X_ij ⊗ X_ij ⊗ g_ij = 0.
 struct RecoveredGradient {
   std::vector<int> begin;  // [n + 1] first entry of each particle; without entries its own gradient is used
