@@ -182,7 +182,7 @@ class Rows {
     std::vector<double> g;
     bool between = false;
   };
-  /// Thread-safe.
+  /// Called on several threads at once.
   Row make(int k) const {
     Row row;
     const int i = id_[k];
