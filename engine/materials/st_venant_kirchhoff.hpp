@@ -5,8 +5,8 @@
 
 namespace taut {
 
-/// P = F S, Hooke's law between the second Piola–Kirchhoff stress S and the Green–Lagrange strain E.
-/// Softens without limit in compression: for large rotations with moderate
+/// St Venant–Kirchhoff law P = F S, with Hooke's law between the second Piola–Kirchhoff stress S and the
+/// Green–Lagrange strain E. It softens without limit in compression, so use it for large rotations with moderate
 /// strains.
 struct StVenantKirchhoff {
   double K, G;  // Pa

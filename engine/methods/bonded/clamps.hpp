@@ -11,12 +11,13 @@
 
 namespace taut {
 
-/// Clamp places, stored in columns after the particles.
+/// Clamp places, stored in columns after the particles. Places on a driven region follow it.
 template <int Dim>
 class Clamps {
  public:
   using V = Vec<double, Dim>;
 
+  /// Resizes the columns and appends all places, where the stress Q is 0.
   void add_places(const std::vector<ClampPlace>& all, const Particles<Dim>& s, const Drives<Dim>& drives,
                   Columns<2 * Dim>& places, Columns<Dim * Dim>& Q) {
     const std::vector<int> where = stored_places(s.id);
@@ -38,7 +39,7 @@ class Clamps {
 
   bool has_driven() const { return !driven_.empty(); }
 
-  /// Moves driven places; `ahead` in s.
+  /// Moves places on driven regions with their rigid particles and sets x and x + `ahead` v; `ahead` in s.
   void follow(const Particles<Dim>& s, double ahead, const ColumnsView<2 * Dim>& places) const {
     for (const auto& [place, rigid_particle, from_rigid_particle] : driven_)
       for (int k = 0; k < Dim; ++k) {
@@ -47,7 +48,7 @@ class Clamps {
       }
   }
 
-  /// Calls use(rigid particle, force on the free particle in N) for each bond.
+  /// Calls use(rigid particle, force on the free particle in N) for each bond into a clamp.
   template <class Storage, class Use>
   void for_each_pull(const PackedBonds<Dim, Storage>& packed, const ColumnsView<2 * Dim>& places,
                      const ColumnsView<Dim * Dim>& Q, double least_r2, const Use& use) const {

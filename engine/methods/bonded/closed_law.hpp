@@ -6,8 +6,9 @@
 
 namespace taut {
 
-/// Continues laws below J = ½: c replaces det F in shear, and (K + 4G/3)(1 − 2J)³ is added. Laws of F alone have the
-/// latter only.
+/// Continuation of any law below J = ½, as in ClosedNeoHookean: c replaces det F in the shear part, and the energy
+/// density gets the additional term (K + 4G/3)(1 − 2J)³, in Pa. Laws without a separate shear part get only this
+/// term.
 struct Continuation {
   double J, c, per_J;  // det F; its replacement; dc/dJ
   double closure;      // 1 − 2J, or 0
@@ -44,6 +45,7 @@ Mat<double, Dim> closed_piola(const L& law, const Mat<double, Dim>& F) {
   }
 }
 
+/// As above, for four particles with their materials.
 template <class L, int Dim>
 Pack closed_energy(const L* laws, const int* material, const Mat<Pack, Dim>& F) {
   Pack energy{};

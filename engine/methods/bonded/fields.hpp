@@ -10,8 +10,9 @@
 
 namespace taut {
 
+/// The default law of the family for four particles.
 struct alignas(sizeof(Pack)) GroupLaw {
-  Pack V;  // m^Dim; 0 in padding and without F
+  Pack V;  // m^Dim, weight of the energy; 0 in padding and for particles without F
   ClosedNeoHookean<Pack> law;
 };
 struct GroupRows {
@@ -36,15 +37,15 @@ struct BondedFields {
   const double* mobility;       // 1/kg; 0 if constrained
   Vec<Pack, Dim>* bond_force;   // [group] N
   double lead;                  // 3 τ of the bonds, s
-  double least_r2;              // minimum r², m²
-  bool uses_group_law;          // GroupLaw instead of `laws`
+  double least_r2;              // minimum r², (dp/100)², m²
+  bool uses_group_law;          // uses GroupLaw, otherwise `laws`
   LawsInUse laws;
   const int* material;  // padded to whole groups
   const GroupRows* groups;
   const GroupLaw* group_laws;
   const Mat<Pack, Dim>* B;
   BondsView<Dim, AlignedPack> bonds;
-  BondsView<Dim, HalfPack> halved_bonds;  // for off-lattice 3D
+  BondsView<Dim, HalfPack> halved_bonds;  // off-lattice in 3D, where no particles share constants
   bool halved;
 
   int group_count() const { return (size + lanes - 1) / lanes; }
@@ -53,6 +54,7 @@ struct BondedFields {
   void set_place(int i) const {
     for (int k = 0; k < Dim; ++k) places[k][i] = x[i][k], places[Dim + k][i] = x[i][k] + lead * v[i][k];
   }
+  /// Returns pass(bonds) with the bonds in use.
   template <class Pass>
   auto with_bonds(const Pass& pass) const {
     if constexpr (Dim == 3)

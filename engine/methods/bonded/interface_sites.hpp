@@ -14,6 +14,7 @@
 
 namespace taut {
 
+/// W of one particle, by the default law of the family or the chosen law.
 struct LawOfOne {
   const std::vector<Elasticity>& materials;
   bool own;
@@ -31,7 +32,7 @@ struct LawOfOne {
   }
 };
 
-/// Sites in storage order (THEORY.md, Interfaces).
+/// Sites of Interfaces in storage order (THEORY.md, Interfaces). They are few and are computed one by one.
 template <int Dim>
 class InterfaceSites {
  public:
@@ -39,12 +40,14 @@ class InterfaceSites {
   using Square = Mat<double, Dim>;
 
   InterfaceSites() = default;
+  /// `ids` is in storage order.
   InterfaceSites(const BondedSetup& setup, const std::vector<int>& ids);
 
+  /// Replaces Q of the particles with a site and adds the forces of their kinks, in N, to the bond forces.
   template <class Column, class Law>
   void pass(const Column& x, const Law& law, int threads, Columns<Dim * Dim>& Q,
             std::vector<Vec<Pack, Dim>>& bond_force);
-  /// Returns the energy of particle i minus its energy without interface, J.
+  /// Returns the energy of particle i minus the energy it would have inside its own material alone, in J.
   template <class Column, class Law>
   double energy_of_kink(int i, const Column& x, const Law& law) const;
 
@@ -70,6 +73,7 @@ class InterfaceSites {
   struct Deformations {
     Square mean, own, other, across;
   };
+  /// A lane of a group receives the force weight × pulls_[pull].
   struct PullShare {
     int pull, lane;
     double weight;
@@ -77,7 +81,7 @@ class InterfaceSites {
   struct GroupShares {
     int group, begin, end;
   };
-  /// Energy and its derivatives by s, s° of F_across and s° of F_own.
+  /// Energy of a bond across, in J, and its derivatives with respect to s, s° of F_across and s° of F_own.
   struct AcrossEnergy {
     double energy, of_s, of_across, of_own;
   };
@@ -139,7 +143,7 @@ InterfaceSites<Dim>::InterfaceSites(const BondedSetup& setup, const std::vector<
   share_out();
 }
 
-/// Sorts shares by group, for one thread per group.
+/// Sorts shares by group, so that no two threads add to one group.
 template <int Dim>
 void InterfaceSites<Dim>::share_out() {
   struct Part {
@@ -186,7 +190,7 @@ auto InterfaceSites<Dim>::deformations(const StoredSite& site, const Column& x) 
   return of;
 }
 
-/// Excludes φ(s), the energy of the spring.
+/// Excludes φ(s), the energy of the spring in PackedBonds.
 template <int Dim>
 auto InterfaceSites<Dim>::energy_across(const StoredSiteBond& bond, double s, double across, double own)
     -> AcrossEnergy {

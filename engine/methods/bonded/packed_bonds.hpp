@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// One bond of each lane; 0 in padding.
+/// Constants of one bond of each of four particles; 0 in padding.
 template <class Storage>
 struct alignas(sizeof(Pack)) Spring {
   Pack third_of_k;       // k/3, N/m (per metre depth in 2D)
@@ -29,7 +29,7 @@ struct alignas(sizeof(Pack)) Spring {
   Pack half_inverse(const Pack& r2) const { return half_r0_squared / r2; }
 };
 
-/// 1/r0² stays double, so that bonds at rest have no force.
+/// Spring in half the bytes. 1/r0² stays in double precision, because otherwise bonds at rest would have a force.
 template <>
 struct Spring<HalfPack> {
   HalfPack third_of_k;
@@ -49,17 +49,19 @@ struct Spring<HalfPack> {
   }
 };
 
+/// A bond of a free particle that ends at a clamp place.
 struct BondToClamp {
   int group, lane, bond, place;
 };
 
-/// Bonds of groups of four particles: those with a_ij first, each part in storage order of the neighbours. HalfPack
-/// is used if groups share no constants.
+/// Bonds of groups of four contiguous particles, as pointers for the passes. The bonds of a particle are sorted:
+/// bonds with an a_ij come first, and each part is in the storage order of the neighbours. Storage is AlignedPack, or
+/// HalfPack if no two groups share constants.
 template <int Dim, class Storage>
 struct PackedBondsView {
   struct GroupRows {  // first indices
     int slot, count, spring, scale;
-    int a, a_count;  // a prefix of the bonds has a_ij
+    int a, a_count;  // only the first a_count bonds have an a_ij
   };
 
   const GroupRows* groups = nullptr;
@@ -72,6 +74,7 @@ struct PackedBondsView {
   const LaneSlot* slots(const GroupRows& own) const { return all_slots + own.slot; }
   const Spring<Storage>* springs(const GroupRows& own) const { return all_springs + own.spring; }
   const Vec<Storage, Dim>* a_ij(const GroupRows& own) const { return all_a_ij + own.a; }
+  /// Energy scale of this end of each bond: G V0_i w_ij, J.
   const Storage* energy_scales(const GroupRows& own) const { return all_energy_scales + own.scale; }
 };
 
@@ -81,7 +84,7 @@ class PackedBonds {
   using View = PackedBondsView<Dim, Storage>;
 
   PackedBonds() = default;
-  /// `ids` in storage order.
+  /// `ids` is in storage order.
   PackedBonds(const BondedSetup& setup, const std::vector<int>& ids, int threads = 1);
 
   View view() const {
@@ -113,13 +116,14 @@ class PackedBonds {
   std::vector<BondToClamp> bonds_to_clamp_;
 };
 
+/// Inverts `ids`: returns [id] the stored index of each particle.
 inline std::vector<int> stored_places(const std::vector<int>& ids) {
   std::vector<int> where(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) where[ids[i]] = static_cast<int>(i);
   return where;
 }
 
-/// Clamp places follow all groups.
+/// Clamp places are stored after all groups.
 template <int Dim, class Storage>
 PackedBonds<Dim, Storage>::PackedBonds(const BondedSetup& setup, const std::vector<int>& ids, int threads) {
   const int n = static_cast<int>(ids.size()), groups = (n + lanes - 1) / lanes, size = groups * lanes;

@@ -9,12 +9,12 @@
 
 namespace taut {
 
-/// Stress for snapshots. T: one particle or four.
+/// Stress for snapshots, by the law without its continuation below J = ½. T: one particle or four.
 template <class T, int Dim>
 struct alignas(alignment_of<T>) ShownStress {
   T J, p;         // Pa
   Sym<T, Dim> s;  // deviator, Pa
-  T s_zz;         // out of plane
+  T s_zz;         // out of plane, in 2D, Pa
 };
 
 /// Returns p = −K (J − 1), s = G J^(−5/3) dev(F Fᵀ) with (F Fᵀ)_zz = 1 in 2D and J ≥ 0.05.
@@ -30,7 +30,7 @@ ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat
   return {J, -K * (J - 1), shear * b, shear * (1 - mean)};
 }
 
-/// Returns only the pressure −K (J − 1) below J = 0.05.
+/// Returns the stress of any other law; below J = 0.05 only the pressure −K (J − 1).
 template <class L, int Dim>
 ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   const double J = determinant(F);
@@ -41,7 +41,8 @@ ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   return {J, p, sigma, zz + p};
 }
 
-/// Replaces F by the recovered gradient of u, m.
+/// Returns F of the four particles from `first` on, replaced by the recovered gradient of the displacements u, in m,
+/// where there is one.
 template <int Dim>
 Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const AlignedPack* u, int size,
                                       int first, Mat<Pack, Dim> F) {
@@ -66,10 +67,11 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const Alig
   return F;
 }
 
-/// Scales F to the volume ratio J, unless the own gradient averages two sides.
+/// Scales F of the four particles from `first` on to the volume ratio J of their own gradient, unless that gradient
+/// averages two sides.
 template <int Dim>
 void keep_volume(const RecoveredView& recovered, int size, int first, Mat<Pack, Dim>& F, const Pack& J) {
-  const Pack least = filled<Pack>(0.05);  // crushed or inverted particles
+  const Pack least = filled<Pack>(0.05);  // crushed or inverted particles do not keep their volume
   const Pack ratio = max(J, least) / max(determinant(F), least);
   const Pack root = inverse_cube_root(ratio);
   Pack scale = ratio * root * root;

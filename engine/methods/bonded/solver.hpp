@@ -22,10 +22,11 @@ struct StoredBonds {
   BondsView<Dim, Storage> view() const { return {packed.view(), cancelled.view()}; }
 };
 
-/// Bonded bodies (THEORY.md) with position Verlet. The stress pass computes F_i, bond forces and Q_i = T_i B_i. With
-/// g_ij = B_i a_ij and a_ij = −a_ji, the force pass computes
+/// Bodies held together by bonds (THEORY.md); time integration is position Verlet. Passes work on groups of four
+/// particles, one per lane. The stress pass computes F_i, the bond forces and Q_i = T_i B_i. With g_ij = B_i a_ij and
+/// a_ij = −a_ji, the force pass computes the stress force
 ///   Σ_j (T_i g_ij − T_j g_ji) = Σ_j (Q_i + Q_j) a_ij,
-/// so both share one vector per bond.
+/// so that both passes share one vector per bond.
 template <int Dim>
 class Bonded final : public Scheme<Dim> {
  public:
@@ -71,8 +72,8 @@ class Bonded final : public Scheme<Dim> {
   std::vector<int> material_;  // [stored], padded to whole groups
   Constraints constraints_;    // [id]
   double wave_speed_;          // m/s, see BondedSetup
-  double layout_ = 1;          // highest ω² relative to a lattice, ≥ 1
-  double stiffest_ = 1;        // maximum stiffness relative to rest
+  double layout_ = 1;          // initial highest ω² over that of a lattice, at least 1
+  double stiffest_ = 1;        // maximum stiffness of bonds and particles in the last step, relative to rest
   SharedRows<GroupLaw> group_laws_;
   SharedRows<Mat<Pack, Dim>> B_;
   std::vector<GroupRows> groups_;
@@ -84,7 +85,7 @@ class Bonded final : public Scheme<Dim> {
   Columns<1> mobility_;
   std::vector<Vec<Pack, Dim>> bond_force_;
   BondedFields<Dim> f_{};
-  // recomputed after a drive ends
+  // computed for the first snapshot, and again after a drive ends
   mutable RecoveredGradient recovered_;
   mutable long released_ = 0;  // particles whose drives have ended
 };

@@ -10,8 +10,9 @@ namespace taut {
 
 /// Weights of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale`, m²:
 ///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²),   r_ij = X_i − X_j,            [Lee2016] Eq. A.1, A.2
-/// L is exact for linear fields and |X − X_i|² (A.3–A.5). Where neighbours hardly distinguish these, as at corners,
-/// β = 0 avoids tiny steps. L is not symmetric.
+/// ΔW = W″ + (Dim − 1) W′/r. α and β make L of a linear field 0 and L of |X − X_i|² 2 Dim (A.3–A.5, printed for 3D).
+/// Where neighbours hardly distinguish the two fields, as at corners, β is 0 and the second condition is dropped:
+/// large w_ij would require tiny time steps. L is not symmetric: Σ V_i L[f]_i ≠ 0.
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
@@ -139,7 +140,7 @@ Vec<Pack, N> second_laplacian(const LaplacianView<Dim>& pairs, const ColumnsView
   return sum;
 }
 
-/// Spectral radius of dp⁴ L*[L[·]], 1 to 2 % low.
+/// Returns the spectral radius of dp⁴ L*[L[·]], 1 to 2 % low, by power iteration; equal for any number of threads.
 template <int Dim>
 double biharmonic_spectral_radius(const LaplacianView<Dim>& pairs, int particles, int threads) {
   constexpr int fields = 2;

@@ -8,25 +8,26 @@
 
 namespace taut {
 
-/// Unknowns or rates of four particles.
+/// Unknowns other than positions and velocities, or their rates, in groups of four particles.
 template <int Dim>
 struct Strains {
   Mat<Pack, Dim>* F;
-  AlignedPack* J;     // may be null
-  Mat<Pack, Dim>* H;  // cofactor of F; may be null
+  AlignedPack* J;     // volume ratio; null unless it is an unknown
+  Mat<Pack, Dim>* H;  // cofactor of F; null unless it is an unknown
 };
 
-/// External actions on particle i; may be null.
+/// External actions on particle i in the stages of a step. A function is null if no such action exists.
 template <int Dim>
 struct StageActions {
   using V = Vec<double, Dim>;
 
   void* of;
-  /// Adds loads to `a`.
+  /// Adds the acceleration by loads, m/s², to `a`.
   void (*load)(void* of, int i, V& a);
-  /// Sets a prescribed `v` after the first stage.
+  /// Sets `v` after the first stage where drives or guides prescribe it.
   void (*steer)(void* of, int i, V& v);
-  /// Sets a prescribed `v` after a step and counts work.
+  /// Sets `v` where prescribed, at the end of a step of `dt` that began with the velocity `before`. Counts the work
+  /// of loads and drives.
   void (*close)(void* of, int i, double dt, const V& before, V& v);
 };
 

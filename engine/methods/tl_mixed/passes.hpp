@@ -11,13 +11,14 @@
 
 namespace taut {
 
+/// Access to the unknowns of method M, which may lack J and H.
 template <const TlMixedFormulation& M, int Dim>
 struct UnknownsOf {
   using Mat = taut::Mat<Pack, Dim>;
 
   static constexpr bool has_J = follows_volume_ratio(M);
   static constexpr bool has_H = M.unknowns == Unknowns::v_F_H_J && Dim == 3;
-  static constexpr int fields = Dim + has_J;  // that dissipate
+  static constexpr int fields = Dim + has_J;  // number of fields with dissipation: v and J
 
   static Pack volume_ratio(const Strains<Dim>& u, int group) {
     if constexpr (has_J)
@@ -44,13 +45,14 @@ struct UnknownsOf {
     else
       return f.pairs;
   }
-  /// Columns of (v, J) in use.
+  /// Returns the columns of (v, J) that method M uses.
   static ColumnsView<fields> own(const ColumnsView<Dim + 1>& columns) {
     return {columns.all, columns.length};
   }
 };
 
-/// Initial F, J and H; `flow` contains x − X.
+/// Sets F, J and H of bodies that start displaced. `flow` contains x − X, in m: F is the kernel gradient of the
+/// positions, J = det F and H = cof F.
 template <const TlMixedFormulation& M, int Dim>
 void start_gradients(const TlMixedFields<Dim>& f) {
   using U = UnknownsOf<M, Dim>;
@@ -61,7 +63,7 @@ void start_gradients(const TlMixedFields<Dim>& f) {
   }
 }
 
-/// Maximum bound of ρ0 c², Pa.
+/// Returns the maximum of stiffness_bound (law.hpp), ρ0 c² of the fastest wave, over all particles, in Pa.
 template <const TlMixedFormulation& M, int Dim>
 double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -75,7 +77,7 @@ double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Bound of each particle.
+/// Writes the stiffness_bound of the particles of each group to out[group], in Pa.
 template <const TlMixedFormulation& M, int Dim>
 void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   using U = UnknownsOf<M, Dim>;
@@ -88,7 +90,7 @@ void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   });
 }
 
-/// Fills `flow` and `stress`.
+/// Fills the columns that the next passes gather: `flow` with (v, J) and `stress` with V P B.
 template <const TlMixedFormulation& M, int Dim>
 void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -105,6 +107,7 @@ void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   });
 }
 
+/// Computes dF/dt, dJ/dt, dH/dt, the internal acceleration and dp² L[U].
 template <const TlMixedFormulation& M, int Dim>
 void gather_pass(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -134,7 +137,7 @@ inline constexpr TermInfo cofactor_info{
     "methods/tl_mixed/passes.hpp:gather_pass",
     "mixed: in 3D collisions and a block hit on its clamp follow the transcription"};
 
-/// Adds D(U) = c_p dp ε₂ L[U] − c_p dp³ ε₄ L*[L[U]]. [Lee2016] Eq. 35–38
+/// Adds the dissipation D(U) = c_p dp ε₂ L[U] − c_p dp³ ε₄ L*[L[U]] of velocity and J. [Lee2016] Eq. 35–38
 template <const TlMixedFormulation& M, int Dim>
 void dissipation_pass(const TlMixedFields<Dim>& f, const TlMixedConstants& c, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -154,26 +157,29 @@ void dissipation_pass(const TlMixedFields<Dim>& f, const TlMixedConstants& c, co
   }
 }
 
-/// Removes force and torque (Eq. 45–49), and the sum of the dissipation of J (Eq. 51).
+/// Removes the total force and torque of the accelerations of the body first … last − 1 ([Lee2016] Eq. 45–49), and
+/// the total dissipation of J (Eq. 51).
 template <const TlMixedFormulation& M, int Dim>
 void project(const TlMixedFields<Dim>& f, const TlMixedConstants& c, int first, int last) {
   project_on_momenta(f.a, f.x, f.V0, first, last, c.projection);
   if constexpr (UnknownsOf<M, Dim>::has_J) subtract_mean(f.dissipation_J, f.V0, first, last, c.projection);
 }
 
+/// Calls use(i) for each particle of a group; the last group may have fewer than four.
 template <int Dim, class F>
 [[gnu::always_inline]] inline void each_of(const TlMixedFields<Dim>& f, int group, const F& use) {
   const int first = lanes * group, last = std::min(first + lanes, f.size);
   for (int i = first; i < last; ++i) use(i);
 }
 
-/// Adds the impulse of a stage, half the step.
+/// Adds the impulse of one stage, ½ dt m a, for the probes of reaction forces: both stages share the step.
 template <int Dim>
 [[gnu::noinline]] void watch(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, int group,
                              Vec<Pack, Dim> a) {
   each_of(f, group, [&](int i) { kick.impulse[i] += (0.5 * kick.dt * f.m[i]) * lane_of(a, i % lanes); });
 }
 
+/// Returns dv/dt with contact and loads, m/s²; 0 for constrained particles.
 template <int Dim>
 [[gnu::always_inline]] inline Vec<Pack, Dim> acceleration(const TlMixedFields<Dim>& f, const Kick<Dim>& kick,
                                                           const StageActions<Dim>& actions, int group) {
@@ -190,7 +196,7 @@ template <int Dim>
   return f.sites[group].mobile * a;
 }
 
-/// First stage. Driven particles get their final velocity.
+/// First stage, U* = U + Δt U̇(U). Driven particles get their velocity at the end of the step.
 template <const TlMixedFormulation& M, int Dim>
 void predict(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActions<Dim>& actions,
              const Threads& threads) {
@@ -216,7 +222,7 @@ void predict(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActi
   });
 }
 
-/// Second stage, ½ (U + U* + Δt U̇(U*)). Returns the maximum v², m²/s².
+/// Second stage: sets U to ½ (U + U* + Δt U̇(U*)). Returns the maximum v², m²/s².
 template <const TlMixedFormulation& M, int Dim>
 double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActions<Dim>& actions,
                const Threads& threads) {
@@ -246,7 +252,7 @@ double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageAc
   });
 }
 
-/// Advances F, J and H by `dt` times `flow`.
+/// Advances F, J and H to positions that have moved by `dt` times the velocities in `flow`.
 template <const TlMixedFormulation& M, int Dim>
 void follow(const TlMixedFields<Dim>& f, double dt, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;

@@ -14,7 +14,7 @@
 namespace taut {
 namespace {
 
-/// multiple of c_p beyond which the run has diverged
+/// Multiple of c_p in the strained body beyond which time steps shrink without end: the run has diverged.
 constexpr double greatest_wave_ratio = 100;
 using K = Kernel<KernelName::wendland_c2>;
 

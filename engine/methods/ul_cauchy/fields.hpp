@@ -42,6 +42,7 @@ Motion<Dim> gather_motion(const MotionRow<Dim>* rows, const int* j) {
   gather<MotionRow<Dim>::width>(rows[0].c, j, column);
   return motion_of<Dim>(column, true);
 }
+/// As gather_motion, without the position.
 template <int Dim>
 Motion<Dim> gather_motion_only(const MotionRow<Dim>* rows, const int* j) {
   constexpr int width = Row<Dim + 2>::width;
@@ -56,7 +57,7 @@ Motion<Dim> spread_motion(const MotionRow<Dim>& row) {
   return motion_of<Dim>(column, true);
 }
 
-/// Unused columns are omitted.
+/// Row that the stress pass gathers of each neighbour. Columns that method M does not use are omitted.
 template <const UlCauchyFormulation& M, int Dim>
 struct StressRow {
   static constexpr bool riemann = M.viscosity == Viscosity::riemann;
@@ -70,6 +71,7 @@ struct StressRow {
   static constexpr int width = row_width(columns);
   alignas(row_alignment(columns)) double c[width] = {};
 
+  /// Values of four rows; `Columns` provides column(k).
   template <class Columns>
   struct Values : Columns {
     using Columns::column;
@@ -77,7 +79,7 @@ struct StressRow {
     Vec<Pack, Dim> v() const { return vector(v_at); }
     Pack rho() const { return column(rho_at); }
     Pack V() const { return column(V_at); }
-    /// V or m.
+    /// Weight of a neighbour in the sums: V or m.
     Pack weight() const { return M.pair_stress == PairStress::squares ? Pack(rho() * V()) : V(); }
     Mat<Pack, Dim> T() const { return matrix(T_at); }  // σ·L, σ or σ/ρ²
     Sym<Pack, Dim> D() const {                         // symmetric part of ∇u
@@ -112,7 +114,7 @@ struct StressRow {
     Pack column(int k) const { return spread[k]; }
   };
 
-  /// Loads columns on use, as all exceed the registers.
+  /// Rows of four neighbours. Each column is loaded where it is used, because all columns do not fit the registers.
   [[gnu::always_inline]] static Values<RowsOfFour> gather(const StressRow* rows, const int* j) {
     return {RowsOfFour(rows[0].c, width, j)};
   }
@@ -134,7 +136,7 @@ struct StressRow {
   }
 };
 
-/// −σ⁺ as StressRow::T.
+/// −σ⁺ of the artificial stress, in the form of StressRow::T. Separate, because not every particle needs it.
 template <int Dim>
 struct RepulsionRow : Row<Dim * Dim> {
   using Row<Dim * Dim>::c;
@@ -153,6 +155,7 @@ struct RepulsionRow : Row<Dim * Dim> {
   }
 };
 
+/// Results of the gradient pass for one particle.
 template <int Dim>
 struct Gradients {
   Sym<double, Dim> L{};         // kernel gradient correction
@@ -161,16 +164,17 @@ struct Gradients {
   double colour = 0;            // Σ W V
 };
 
+/// Returns whether the method uses W itself, not only its gradient.
 constexpr bool needs_kernel(const UlCauchyFormulation& m) {
   return m.artificial_stress || m.transport_velocity;
 }
 
-/// Unused arrays are null.
+/// Pointers to the fields of all particles and pairs, for the passes. Arrays that a method does not use are null.
 template <int Dim>
 struct UlCauchyFields {
   using V = Vec<double, Dim>;
 
-  int size;
+  int size;    // number of particles
   V* x;        // m
   const V* v;  // m/s
   const double *m, *mobile;
@@ -181,12 +185,12 @@ struct UlCauchyFields {
   MotionRow<Dim>* motion;       // at the start of the step
   MotionRow<Dim>* moved;        // with the new velocity
   MotionRow<Dim>* transported;  // with û
-  void* stress;                 // StressRows
+  void* stress;                 // [particle] StressRow of the method
   RepulsionRow<Dim>* repulsion;
-  const int *begin, *j;                // neighbours, see Neighbors
-  AlignedPack* w;                      // w(q) of neighbours
-  const AlignedPack* of_one_material;  // 1 or 0; null: all 1
-  // rigid motion of bodies since the last search
+  const int *begin, *j;                // neighbours in the same body, or under `sph` in any; see Neighbors
+  AlignedPack* w;                      // w(q) of kernels/kernel.hpp for each pair, if needs_kernel
+  const AlignedPack* of_one_material;  // 1 if both particles of a pair have one material, else 0; null: all 1
+  // [body] rigid motion since the last neighbour search
   const V *drift, *centre;  // m/s, m
   const double* spin;       // 1/s
 
@@ -196,7 +200,7 @@ struct UlCauchyFields {
   }
   const int* pack(int b) const { return j + static_cast<std::ptrdiff_t>(lanes) * b; }
   const Elasticity& material_of(int i) const { return materials[material[i]]; }
-  /// x_i − x_j at the start of the step, m; exactly opposite for (j, i).
+  /// Returns x_i − x_j at the start of the step, in m, for neighbour pack `b` of i; exactly opposite for (j, i).
   [[gnu::always_inline]] Vec<Pack, Dim> apart(int i, int b) const {
     const RowsOfFour rows(motion[0].c, MotionRow<Dim>::width, pack(b));
     Vec<Pack, Dim> d;

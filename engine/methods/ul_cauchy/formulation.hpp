@@ -39,13 +39,13 @@ struct UlCauchyFormulation : Formulation, UlCauchySwitches {
 };
 
 struct UlCauchyConstants : Constants {
-  double alpha = 0;
+  double alpha = 0;           // of the artificial viscosity
   double riemann_factor = 0;  // factor of the dissipation
   double geometry = 0;        // evaluates ∇u at 0: start, 1: end of the step
   double xsph = 0;            // ε of XSPH
-  double delta = 0;
+  double delta = 0;           // of the density diffusion
   double epsilon = 0, exponent = 0;
-  double surface_colour = 0;             // upper limit at surfaces
+  double surface_colour = 0;             // a particle with a lower colour function is at the surface
   double vicinity = 0;                   // of a surface, in spacings
   double surface_artificial_stress = 0;  // share of artificial stress without TIC
   double step_speed = 0;                 // wave speed for steps, m/s

@@ -78,6 +78,7 @@ void set_stress(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, int i,
   if constexpr (M.tensile_control) row.put(Row::surface_at, g.colour < c.surface_colour);
 }
 
+/// Computes ∇u, ∇ρ, the colour function and L_i of every particle, w(q) of its pairs if needed, and the stress rows.
 template <const UlCauchyFormulation& M, int Dim>
 void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Threads& threads) {
   using K = Kernel<M.kernel>;
@@ -138,7 +139,7 @@ class Repulsion {
   double per_w_dp_, exponent_;
 };
 
-/// Advances v and computes density diffusion, kg/(m³ s). Returns the maximum v², m²/s².
+/// Advances v over the whole step and computes density diffusion, kg/(m³ s). Returns the maximum v², m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Kick<Dim>& kick,
                    const Threads& threads) {
@@ -199,8 +200,10 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Computes û, [Khayyer2024] Eq. 14, and positions `ahead`, s, after the start. Returns the maximum squared velocity
-/// relative to rigid motion, m²/s².
+/// Computes the transport velocity û from the new velocities, [Khayyer2024] Eq. 14, and sets the positions in
+/// `transported` to the time `ahead`, in s, after the start of the step. Clamped particles do not move; guided and
+/// driven ones keep their prescribed velocity. Returns the maximum squared velocity relative to the rigid motion of
+/// the body, in m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
                       double ahead, const Threads& threads) {
@@ -233,7 +236,8 @@ double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, 
   });
 }
 
-/// Advances densities, stresses and positions with ∇û. [Khayyer2024] Eq. 8, 13, 27, 29
+/// Advances densities, stresses and positions with ∇û, in the geometry of `transported`.
+/// [Khayyer2024] Eq. 8, 13, 27, 29
 template <const UlCauchyFormulation& M, int Dim>
 void rate_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, double dt, const Threads& threads) {
   using K = Kernel<M.kernel>;

@@ -85,8 +85,8 @@ void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const
   });
 }
 
-/// Differs from [Zhang2024] §5, which caches these pairs, too: bodies then separate on steeper gradients than they
-/// met on, and stick.
+/// Recomputes the geometry of pairs of two bodies. Differs from [Zhang2024] §5, which caches these pairs, too: bodies
+/// then separate on steeper gradients than they met on, and stick.
 template <const UlSplitFormulation& M, int Dim>
 void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c) {
   const PairKernel<M, Dim> kernel(c);
@@ -118,8 +118,8 @@ Vec<Pack, Dim> gradient_inside(const UlSplitFields<Dim>& s, int i, int b) {
   return g;
 }
 
-/// Advances v (Eq. 24), then x (Eq. 25). Terms receive `one` and ∇_i W for ∂W/∂r and e_ij. Returns the maximum v²,
-/// m²/s².
+/// Advances v over the whole step (Eq. 24), then x to its end (Eq. 25), by pressure from the Riemann problem of each
+/// pair and by shear. Terms receive `one` and ∇_i W for ∂W/∂r and e_ij. Returns the maximum v², m²/s².
 template <const UlSplitFormulation& M, int Dim>
 double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Kick<Dim>& kick,
                      const Threads& threads) {
@@ -257,7 +257,7 @@ void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, cons
   });
 }
 
-/// First half step, Eq. 23.
+/// Advances positions, densities and shear by `dt`, the first half step, Eq. 23.
 template <const UlSplitFormulation& M, int Dim>
 void half_drift(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double dt, const Threads& threads) {
   parallel_pass(s.size, threads, [&](int i) {

@@ -25,7 +25,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Vector vector(const Point& p) { return {p[0], p[1]}; }
 
-/// The operator N = A Ω Aᵀ.
+/// The operator N = A Ω Aᵀ, not stored as a matrix, because it couples particles up to four bonds apart.
 class NormalMatrix {
  public:
   NormalMatrix(const Rows& A, const Eigen::VectorXd& omega, int threads)

@@ -7,7 +7,8 @@
 
 namespace taut {
 
-/// See THEORY.md, Balance.
+/// Balances the bonds inside 2D bodies: changes a_ij, then w_ij as little as possible so that a homogeneous strain
+/// causes no force (THEORY.md, Balance). Lattices remain unchanged. `irregular`: [body].
 void balance(const InitialParticles& initial, const Constraints& constraints,
              const std::vector<bool>& irregular, Bonds& bonds, int threads);
 

@@ -21,7 +21,7 @@ double lacking_along_free_face(const Material& material) {
   return 1.1 * 5 / 16 * (1.5 - thinner - 1.5 * thinner * thinner);
 }
 
-/// Returns −1 if none.
+/// Returns the neighbour of i in the direction d, or −1.
 int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
   constexpr double nearly = 0.99;  // cosine
   int found = -1;
@@ -85,7 +85,8 @@ class BondFinisher {
   }
 
  private:
-  /// Divisors of dp².
+  /// Divisors of dp², for particles in the middle of cells and for particles on faces (THEORY.md, Volumes and
+  /// masses).
   struct EndCorrection {
     double cells, on_faces;
   };

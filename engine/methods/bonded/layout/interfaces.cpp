@@ -95,7 +95,8 @@ class InterfaceMaker {
     const Place N{axis[0], axis[1], initial_.dim == 2 ? 0 : axis[2]};
     return N.dot(towards) < 0 ? -N : N;
   }
-  /// Returns nothing if the gradient is poorly determined, because the energy would lack a minimum.
+  /// Returns the gradient at i from bonds within its material. Returns nothing where they hardly determine it: with
+  /// steep gradients the energy would have no minimum.
   std::vector<SideGradient> own_gradient(int i) const {
     constexpr double least = 0.5;  // det A over isotropic A; flat sides have 0.84
     Square A = Square::Zero();

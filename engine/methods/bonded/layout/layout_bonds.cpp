@@ -43,7 +43,7 @@ class LayoutBonds {
   }
 
  private:
-  /// Minimum (V_i w_ij + V_j w_ji)/V_i; lattices have 2.
+  /// Minimum strength (V_i w_ij + V_j w_ji)/V_i of a pair, about 2 on lattices; at a clamp minimum of w_ij.
   static constexpr double least_strength = 0.4;
   static constexpr double not_selected = -1;
   static constexpr double greatest_at_surface = 1;  // lattice weight
@@ -138,7 +138,8 @@ class LayoutBonds {
       }
     });
   }
-  /// Irregular bodies are exempt, because no balance would be worse.
+  /// Returns the bodies in which the balance left a pair below the minimum strength. Irregular bodies are exempt: a
+  /// few pairs of negative strength do less harm there than no balance.
   std::vector<int> bodies_with_pair_below(double least) const {
     std::vector<unsigned char> below(initial_.size());
     parallel_for(initial_.size(), threads_, [&](int i) {

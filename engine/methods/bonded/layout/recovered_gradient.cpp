@@ -85,7 +85,8 @@ std::vector<int> motions(const InitialParticles& initial, const Constraints& con
   return motion;
 }
 
-/// Neighbours with the material and motion of i. X is rounded to 2^-40 dp, for equal bits.
+/// Returns the neighbours with the material and motion of i. X is rounded to 2^-40 dp: on a lattice the bits are
+/// equal.
 template <int Dim>
 Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>& motion, int i,
                         std::span<const int> near, double spacing) {
@@ -182,7 +183,7 @@ class Rows {
     std::vector<double> g;
     bool between = false;
   };
-  /// Thread-safe.
+  /// Called on several threads at once.
   Row make(int k) const {
     Row row;
     const int i = id_[k];

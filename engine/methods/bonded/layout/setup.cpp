@@ -7,7 +7,7 @@
 namespace taut {
 namespace {
 
-/// Returns −1 if `from` has no such bond.
+/// Returns the bond of `from` to `to`, or −1: rigid particles have no bonds to the particles bonded to them.
 int find_bond(const Bonds& bonds, int from, int to) {
   const int* const last = bonds.j.data() + bonds.begin[from + 1];
   const int* const found = std::find(bonds.j.data() + bonds.begin[from], last, to);

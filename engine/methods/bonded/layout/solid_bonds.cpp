@@ -136,7 +136,7 @@ class SolidBonds {
   }
   /// Uses all bonds where the nearest hardly determine the gradient.
   void choose_gradients(int threads) {
-    // det A over isotropic A
+    // least det A over the determinant of the isotropic A of the same trace
     constexpr double least = 0.5, least_of_irregular = 0.7;
     using enum SolidGeometry::Gradient;
     geometry_.gradient.assign(initial_.size(), of_axes);
@@ -164,7 +164,7 @@ class SolidBonds {
 
 }  // namespace
 
-/// X is rounded to 2^-40 spacings, for equal bits.
+/// Rounds X to 2^-40 spacings, so that equal bonds of a lattice have equal bits everywhere.
 ReferenceBond SolidGeometry::bond(int i, int j, std::size_t k) const {
   const Point &from = x[i], &to = x[j];
   ReferenceBond one{};
