@@ -19,7 +19,7 @@ struct Conservation {
   std::optional<double> energy_gained, energy_lost;
 };
 
-/// The scene changes momentum without record: by clamps, guides, drives, loads, gravity or damping.
+/// Whether the scene changes momentum in ways that are not recorded: by clamps, guides, drives, loads, gravity or damping.
 bool exchanges_momentum(const Scene& scene, const Snapshot& start);
 
 class ConservationWatch {
