@@ -275,8 +275,8 @@ bool has_guides(const Scene& scene);
 bool has_gravity(const Scene& scene);
 bool has_loads(const Scene& scene);
 
-/// Returns the spacing nearest to `spacing` that divides the thinnest extent of the first body's first shape into whole
-/// particles, or rows of a hexagonal lattice. Returns `spacing` if the shape has no such extent.
+/// Returns the spacing nearest to `spacing` that divides the thinnest extent of the first body's first shape into
+/// whole particles, or rows of a hexagonal lattice. Returns `spacing` if the shape has no such extent.
 double fitted_spacing(const Body& first, int dim, double spacing);
 
 }  // namespace taut

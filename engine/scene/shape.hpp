@@ -85,8 +85,8 @@ struct ShapeBase {
   virtual std::vector<Chain> outline_of_part(int dim, double dp, double finest) const;
   /// Faces in 3D, if the shape places its particles.
   virtual FacePatches patches(double dp) const;
-  /// For shapes that rotate the lattice: from lattice to space, from space to lattice, and the bounds of the shape along
-  /// the lattice axes.
+  /// For shapes that rotate the lattice: from lattice to space, from space to lattice, and the bounds of the shape
+  /// along the lattice axes.
   virtual Point from_lattice(const Point& x) const;
   virtual Point to_lattice(const Point& x) const;
   virtual Bounds lattice_bounds() const;

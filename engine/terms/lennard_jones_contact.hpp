@@ -16,8 +16,8 @@ inline double lennard_jones_scale(double dp, double K, int dim) {
 }
 
 /// Repulsive force along a pair of particles of two bodies, p̄ (l⁶ − l⁴)/r with l = dp/r ≥ 1, N (2D: N/m).
-/// [Zhang2020] Eq. 12 with n1 = 6, n2 = 4. Departure: the paper leaves p̄ open and has k h_i + k h_j for dp; here bodies
-/// touch at one spacing, as under other laws.
+/// [Zhang2020] Eq. 12 with n1 = 6, n2 = 4. Departure: the paper leaves p̄ open and has k h_i + k h_j for dp; here
+/// bodies touch at one spacing, as under other laws.
 inline double lennard_jones_force(double r, double dp, double K, int dim) {
   const double near = std::max(r, lennard_jones_core * dp), l2 = dp * dp / (near * near);
   return l2 > 1 ? lennard_jones_scale(dp, K, dim) * l2 * l2 * (l2 - 1) / near : 0;

@@ -17,8 +17,8 @@ T reconstructed_closing_speed(const T& closing_speed, const Sym<T, Dim>& D_i, co
   return closing_speed + 0.5 * r * dot(e_ij, (D_i + D_j) * e_ij);
 }
 
-/// p** = C_ij (u_i − u_j), Pa, C_ij = (c_i ρ_i √ρ_i + c_j ρ_j √ρ_j)/(√ρ_i + √ρ_j); `impedance` is c ρ √ρ. [Khayyer2024]
-/// Eq. 40, 41. Departure:
+/// p** = C_ij (u_i − u_j), Pa, C_ij = (c_i ρ_i √ρ_i + c_j ρ_j √ρ_j)/(√ρ_i + √ρ_j); `impedance` is c ρ √ρ.
+/// [Khayyer2024] Eq. 40, 41. Departure:
 /// the force is −p** V_j ∇_i W, as Eq. 39 implies; with the factor 2 of Eq. 43 the highest lattice mode grows at the
 /// paper's CFL number.
 template <class T>
