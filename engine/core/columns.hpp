@@ -52,6 +52,7 @@ inline void interleave(const Pack (&columns)[3], Pack (&rows)[3]) {
   rows[1] = __builtin_shufflevector(x2y2y1, z, 2, 5, 0, 1);
   rows[2] = __builtin_shufflevector(x3y3, z, 6, 0, 1, 7);
 }
+/// Inverse of `interleave`.
 inline void separate(const Pack (&rows)[2], Pack (&columns)[2]) {
   const auto& [a, b] = rows;
   columns[0] = __builtin_shufflevector(a, b, 0, 2, 4, 6);
@@ -83,7 +84,7 @@ void put(const Mat<Pack, Dim>& A, const ColumnsView<Dim * Dim>& columns, int fir
     for (int b = 0; b < Dim; ++b) store(A(a, b), columns[a * Dim + b] + first);
 }
 
-/// Loads four vectors; lanes from `count` on are 0.
+/// Loads four consecutive vectors, or the first `count` of them; the other lanes are 0.
 template <int Dim>
 Vec<Pack, Dim> load_four(const Vec<double, Dim>* rows, int count) {
   Vec<Pack, Dim> v{};

@@ -21,7 +21,7 @@ inline double inverse_cube_root(double x) {
   }
   return std::copysign(y, x);
 }
-/// For four numbers; the last bit may differ.
+/// Cube roots of four numbers; their last bits may differ from the scalar function's.
 inline Pack inverse_cube_root(const Pack& x) {
   constexpr long long guess = 0x553ef0ff289dd796, third = 0x55555556;
   constexpr long long sign = std::numeric_limits<long long>::min();

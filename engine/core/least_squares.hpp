@@ -4,7 +4,8 @@
 
 namespace taut {
 
-/// Minimum-norm solution A⁺ B and rank of A. Compiled once, since Eigen's decomposition compiles slowly.
+/// Minimum-norm least-squares solution A⁺ B and rank of A, for small dense systems. Compiled once, since Eigen's
+/// decomposition compiles slowly.
 struct LeastSquares {
   Eigen::MatrixXd x;
   Eigen::Index rank;

@@ -155,7 +155,7 @@ struct RowsOfFour {
   }
 };
 
-/// Transposes rows j[0…3]: out[k] is column k.
+/// Transposes the first `Columns` of rows j[0…3] of a table with `Stride` doubles per row: out[k] is column k.
 template <int Columns, int Stride = Columns>
 [[gnu::always_inline]] inline void gather(const double* table, const int* j, Pack* out) {
   static_assert(Stride % 2 == 0);

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// In SI units; components beyond the scene's dimension are 0.
+/// A point or vector, in SI units; components beyond the scene's dimension are 0.
 using Point = std::array<double, 3>;
 
 inline double distance_between(const Point& a, const Point& b, int dim) {

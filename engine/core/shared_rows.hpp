@@ -18,7 +18,7 @@ class SharedRows {
   /// `rows`: expected number of rows.
   explicit SharedRows(int rows) : rows_(static_cast<std::size_t>(rows)) {}
 
-  /// Hash for `add`; may run in parallel.
+  /// Returns the hash of a row for `add`; may be called in parallel.
   static std::size_t hash_of(const std::vector<T>& row) {
     return std::hash<std::string_view>()(bytes_of(row));
   }
@@ -39,7 +39,7 @@ class SharedRows {
     return begin;
   }
   const T& operator[](int k) const { return all_[k]; }
-  /// An empty row may begin at the end.
+  /// Returns the row that begins at k; an empty row may begin at the end of all rows.
   const T* from(int k) const { return all_.data() + k; }
   /// Frees the search table; no `add` may follow.
   void close() { table_ = std::vector<Known>(); }  // {} would keep the capacity

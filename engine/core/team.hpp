@@ -13,7 +13,9 @@
 namespace taut {
 
 /// Helper threads that share their owner's loops. The owner works too and waits only for chunks already begun, so
-/// that a descheduled helper delays nothing. Each thread begins with the same chunks in every loop, for its cache.
+/// that a helper that is asleep or not scheduled delays nothing. (An OpenMP region waits for all its threads, on a
+/// busy machine for milliseconds per loop.) Each thread begins with the same chunks in every loop, so that its data
+/// stay in its cache, and then takes chunks of others.
 class Team {
  public:
   static constexpr int most_threads = 1000, most_chunks = Threads::most_chunks;

@@ -5,9 +5,11 @@
 
 namespace taut {
 
-/// Chooses the number of threads of the next step: all, or one where more do not help. Results do not depend on it.
+/// Chooses the number of threads of the next step: all, or one if more do not help, as on a busy machine. Results do
+/// not depend on it.
 /// After a block of steps on one thread, tries the team and keeps it while it is no slower. Then one thread continues
-/// until the trial has cost 1/`worth` of the time, twice as long after each repeated failure.
+/// until the trial has cost 1/`worth` of the time, twice as long after each repeated failure. A trial block ends as
+/// soon as it takes longer than the block on one thread.
 class TeamSize {
  public:
   explicit TeamSize(int most) : most_(most) {}

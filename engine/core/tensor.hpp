@@ -4,10 +4,12 @@
 
 #include "engine/core/pack.hpp"
 
-/// Tensors over T = double or Pack. Eigen's types change alignment with the instruction set.
+/// Small vectors and tensors over T = double or Pack. The solver is compiled for several instruction sets and does
+/// not use Eigen, whose fixed-size types change alignment with the instruction set.
 namespace taut {
 
-/// Alignment that is equal in all builds; without AVX a bare Pack is aligned less.
+/// Alignment of members of type T, equal in all builds, so that structs have one layout. Without AVX a bare Pack is
+/// aligned less.
 template <class T>
 inline constexpr std::size_t alignment_of = sizeof(T) == sizeof(Pack) ? sizeof(Pack) : alignof(T);
 
@@ -260,7 +262,8 @@ T determinant(const Mat<T, 3>& A) {
          A(0, 2) * (A(1, 0) * A(2, 1) - A(1, 1) * A(2, 0));
 }
 
-/// Tensor cross product [A ⨯ B]_iI = ε_ijk ε_IJK A_jJ B_kK: cof F = ½ F ⨯ F. [Lee2016] below Eq. 1
+/// Tensor cross product [A ⨯ B]_iI = ε_ijk ε_IJK A_jJ B_kK, symmetric in A and B: cof F = ½ F ⨯ F. [Lee2016] below
+/// Eq. 1
 template <class T>
 Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
   Mat<T, 3> C;

@@ -11,7 +11,8 @@ namespace taut {
 ///   w_i = κ (I − P) e_i / |(I − P) e_i|,
 /// with e_i the unit vector of i and P the projection on quadratic polynomials. Quadratic fields give 0, smooth ones
 /// O(dp⁴), O(dp³) at surfaces, and noise of variance 1 gives κ². κ maps the checkerboard (−1)^(a+b+c) to itself. A
-/// mode across a surface appears in the second row only. Clamped particles and corners have no row.
+/// mode that alternates across a surface appears in the second row only, since a parabola fits the three rows within
+/// range of the first. Clamped particles, corners and others with too few neighbours have no row.
 struct AlternatingPart {
   std::vector<int> begin;         // [row + 1] first entry
   std::vector<int> j;             // [entry] particle

@@ -6,6 +6,7 @@
 
 namespace taut {
 
+/// Sums over all particles, of the state in a Snapshot.
 struct Balance {
   double kinetic = 0, strain = 0;  // J (per metre depth in 2D); strain with contact
   Point linear_momentum{};         // kg m/s
@@ -14,7 +15,7 @@ struct Balance {
   double angular_scale = 0;        // Σ m |x| |v|
   double work = 0;                 // work of drives, loads and gravity, J (per metre depth in 2D)
   double damped = 0;               // energy removed by damping, J (per metre depth in 2D)
-  Impulse of_walls;
+  Impulse of_walls;                // so far; momenta minus these impulses are conserved
 };
 
 Balance balance(const Snapshot& now, const Scene& scene);

@@ -53,8 +53,8 @@ std::span<const std::size_t> Cells::neighbors(std::size_t i) const {
   return std::span(neighbor_).subspan(first_[i], first_[i + 1] - first_[i]);
 }
 
-/// 3D: towards the nearest and the most perpendicular neighbour. 2D: best fit to adjacent neighbours, since ring
-/// layers are staggered.
+/// In 3D the axes point to the nearest neighbour, towards the most perpendicular one, and at right angles to both.
+/// In 2D they are the best fit to the adjacent neighbours, since the layers of a ring are staggered.
 void Cells::find_axes(std::size_t i) {
   std::array<Vector, 3> axes{Vector::UnitX(), Vector::UnitY(), Vector::UnitZ()};
   Vector across = Vector::Zero();
@@ -123,7 +123,7 @@ void Cells::find_inverse(std::size_t i) {
   cells_[i].inverse = inverse_moment(symmetric, static_cast<int>(dim_));
 }
 
-/// Inner cells need adjacent neighbours only.
+/// Keeps only the adjacent neighbours of inner cells: these decide whether a cell is hidden, and its shape if not.
 void Cells::forget_distant() {
   std::vector<std::size_t> first{0}, kept;
   for (std::size_t i = 0; i < cells_.size(); ++i) {

@@ -19,7 +19,7 @@ struct Conservation {
   std::optional<double> energy_gained, energy_lost;
 };
 
-/// The scene changes momentum without record: by clamps, guides, drives, loads, gravity or damping.
+/// Whether clamps, guides, drives, loads, gravity or damping change the momentum of the scene, which is not recorded.
 bool exchanges_momentum(const Scene& scene, const Snapshot& start);
 
 class ConservationWatch {

@@ -26,7 +26,8 @@ struct CriticalStep {
 /// Bisects over fixed steps. Trials cover `search.steps` default steps or the scene, whichever is shorter, but at
 /// least 300 steps. Particles get random velocities up to 1e-6 c0, the same in all trials. A trial is unstable if a
 /// velocity or energy is not finite, or a particle is faster than 10 c0. It is also unstable if kinetic and strain
-/// energy exceed 100 times the given energy (start and work) plus the energy of speeds of 1e-3 c0. Tearing is
+/// energy exceed 100 times the given energy (start and work) plus the energy of speeds of 1e-3 c0: near the limit the
+/// energy of a stable leap-frog oscillates, so that a factor of 2 would stop some per cent short of it. Tearing is
 /// allowed, as in [Zhang2020] Fig. 18.
 /// The search ends when `goes_on` returns false. Throws as make_simulation.
 CriticalStep find_critical_step(

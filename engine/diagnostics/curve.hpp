@@ -34,13 +34,13 @@ struct HalfCycle {
 /// are noise or tangency.
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level = 0);
 
-/// Mean over whole periods between crossings of this mean, or none.
+/// Mean over whole periods, between two crossings of this mean in the same direction; none without a whole period.
 std::optional<double> mean_of_periods(const Curve& curve);
 
 /// ∫ y dt, exact; begin < end within the curve.
 double integral(const Curve& curve, double begin, double end);
 
-/// Begin, end and all samples between.
+/// Returns `begin`, `end` and the sample times of all curves between them.
 std::vector<double> joint_times(std::span<const Curve> curves, double begin, double end);
 
 /// RMS of a − b, exact; begin < end within both curves.

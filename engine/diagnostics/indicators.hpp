@@ -40,15 +40,16 @@ struct IndicatorRecord {
 };
 
 /// Alternating parts r(q)_i = Σ_j w_ij q_j of fields (AlternatingPart); rms over particles with a row.
-/// - hourglass_error: rms |r(x)| / dp of the worst body, or 0.2 times that of the worst patch, a particle and those of
-///   its row. Bodies and parts without zigzags thus do not dilute it. |r(x)| = |Σ_j w_ij E_ij| with the error vectors
-///   E_ij = F_i X_ij − x_ij of [Ganzenmueller2015], for any F_i. A zigzag of amplitude a gives a/dp. Particles count at
-///   most one spacing, since displacements at cracks mean nothing. The paper's mean |½ (E_ij − E_ji)| / |X_ij| includes
-///   smooth fields if F is one-sided.
+/// - hourglass_error: rms |r(x)| / dp of the worst body, or 0.2 times that of the worst patch, a particle and
+///   those of its row. Bodies and parts without zigzags thus do not dilute it. |r(x)| = |Σ_j w_ij E_ij| with the error vectors
+///   E_ij = F_i X_ij − x_ij of [Ganzenmueller2015], for any F_i. A zigzag of amplitude a gives a/dp. Particles count
+///   at most one spacing, since displacements at cracks mean nothing. Departure: the mean |½ (E_ij − E_ji)| / |X_ij|
+///   of the paper includes smooth fields where F is one-sided.
 /// - pressure_checkerboard = rms r(p) / rms p.
 /// - von_mises_checkerboard = rms √(3/2 r(s):r(s)) / rms √(3/2 s:s), by components, because von Mises stress has
 ///   kinks.
-/// Pure checkerboards give 1, noise 0.59 (3D: 0.73). Stresses below 1e-8 E are round-off.
+/// For the last two a pure checkerboard gives 1, noise 0.59 (3D: 0.73). Their denominators are at least 1e-8 E, E
+/// being Young's modulus, so that round-off is no checkerboard.
 /// [Ganzenmueller2015] G. C. Ganzenmüller: An hourglass control algorithm for Lagrangian smooth particle
 /// hydrodynamics. Computer Methods in Applied Mechanics and Engineering 286 (2015) 87–106.
 class IndicatorGauge {

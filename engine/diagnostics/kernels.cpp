@@ -34,7 +34,7 @@ Fields<Dim> fields_of(const SnapshotView& now, int particle) {
     return {Pack{x[0], x[1], now.p[i]}, load(s)};
 }
 
-/// Σ_j w_ij q_j.
+/// Returns Σ_j w_ij q_j of a row, for all fields.
 template <int Dim>
 Fields<Dim> filtered(const AlternatingView& part, int row, const SnapshotView& now) {
   Fields<Dim> sum{};

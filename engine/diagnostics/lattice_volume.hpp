@@ -6,8 +6,9 @@
 
 namespace taut {
 
-/// Volume between the particles of an axis-aligned lattice at `x` (n × dim, m), m^dim, by bi- or trilinear cells; 0
-/// for other bodies.
+/// Volume in m^dim between the particles of a body, at positions `x` (n × dim, m), by bi- or trilinear cells with the
+/// particles as corners. It is the whole volume only if particles are on the faces. 0 unless the initial positions
+/// form an axis-aligned lattice.
 double lattice_volume(const Snapshot& now, int body, std::span<const double> x);
 
 }  // namespace taut

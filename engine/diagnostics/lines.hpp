@@ -9,10 +9,11 @@
 
 namespace taut {
 
+/// The field of a line at one time.
 struct LineSample {
   double time = 0;            // s
   long step = 0;              // ends at or just after the requested time
-  std::vector<double> value;  // [point]; NaN outside the body
+  std::vector<double> value;  // [point], in the field's unit; NaN outside the body
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -169,7 +169,7 @@ Value given_then(const Source& source) {
   return source.reference.exact ? source.reference.at(0, source.measure->time) : source.reference_value;
 }
 
-/// None if the extreme is at the end and may grow. Errors (`turns` false) always count.
+/// Returns none if the extreme is at the end and may still grow (`end_extreme_may_grow`).
 Measured extreme(const Source& source, double value) {
   const auto &t = source.curve[0].t, &y = source.curve[0].y;
   if (!source.end_extreme_may_grow || y.back() != value) return value;

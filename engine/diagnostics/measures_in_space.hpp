@@ -15,7 +15,8 @@ struct FieldError {
   double greatest = 0;
 };
 
-/// Error of vector fields at unclamped particles of a body. `exact`: functions of initial position and time.
+/// Error of the measure's fields, components of one vector, at unclamped particles of its body. `exact`: functions
+/// of initial position and time.
 /// Subtracts the best small rigid motion t + ω × X if rigid motion is free. None if `exact` is 0. Throws SceneError
 /// for an unknown field.
 std::optional<FieldError> field_error(const Measure& measure, const Snapshot& now,

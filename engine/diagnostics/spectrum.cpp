@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t padding = 4;
 
-/// `n` even samples minus a linear fit, windowed.
+/// Returns `n` evenly spaced samples minus their windowed linear fit, multiplied by the window.
 std::vector<double> windowed(const Curve& curve, double begin, double end, std::size_t n) {
   std::vector<double> window(n), y(n);
   double weights = 0, sum = 0, moment = 0, square = 0;  // sums: window, y, s y, s²; s: −1 to 1
@@ -43,7 +43,7 @@ double vertex(double left, double middle, double right) {
   return bend < 0 ? 0.5 * (left - right) / bend : 0;
 }
 
-/// Greatest height within 1/(end − begin), to remove the window's zeros.
+/// Greatest height within 1/(end − begin) to both sides, since the zeros of the window lie that close.
 template <class Height>
 std::vector<double> without_zeros(std::size_t n, const Height& height) {
   std::vector<double> hull(n);

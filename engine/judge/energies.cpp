@@ -108,8 +108,8 @@ double EnergyTest::work(const Snapshot& now, std::size_t body) const {
   return now.body_work[body];
 }
 
-/// In the frame of body a the boxes that both have swept since the last observation, widened by the way that a particle
-/// may have gone beyond them, come into reach of each other.
+/// Whether, in the frame of body a, the boxes that both bodies swept since the last observation come within range.
+/// The boxes are widened by the distance that particles may have moved beyond them.
 bool EnergyTest::may_meet(std::size_t a, std::size_t b, const std::vector<Sums>& now, double time) const {
   const double beyond =
       reach_ + 0.5 * (time - last_time_) *

@@ -45,7 +45,7 @@ struct Around<2> {
   bool leaves_gap() { return widest_gap(directions) > widest_inside; }
 };
 
-/// Surface points of a 5 × 5 × 5 lattice, within 18° of any direction.
+/// Unit vectors to the surface points of a 5 × 5 × 5 lattice; one is within 18° of any direction.
 std::array<Vec<double, 3>, 98> spread_directions() {
   std::array<Vec<double, 3>, 98> all;
   std::size_t n = 0;
@@ -59,7 +59,7 @@ std::array<Vec<double, 3>, 98> spread_directions() {
 
 template <>
 struct Around<3> {
-  std::bitset<98> has_one;  // [direction] near a particle
+  std::bitset<98> has_one;  // [direction] a particle lies within half of `widest_inside`
 
   void clear() { has_one.reset(); }
   void add(const Vec<double, 3>& d) {
@@ -73,7 +73,7 @@ struct Around<3> {
   bool leaves_gap() const { return !has_one.all(); }
 };
 
-/// From i to j; antisymmetric to the sign of zeros.
+/// Initial vector from i to j, m; exactly antisymmetric, including the sign of zeros.
 template <int Dim>
 Vec<double, Dim> way(const Snapshot& start, int i, int j) {
   return i < j ? place<Dim>(start.x0, j) - place<Dim>(start.x0, i) : -1.0 * way<Dim>(start, j, i);

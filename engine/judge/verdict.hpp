@@ -24,7 +24,7 @@ namespace taut {
 enum class Verdict { stable, hourglass, penetrated, fractured, diverged };
 std::string_view name(Verdict);
 std::optional<Verdict> find_verdict(std::string_view name);
-/// Verdicts in order; and without `stable`.
+/// Names of all verdicts, from `stable` to the worst; and without `stable`.
 std::vector<std::string> names_of_verdicts();
 std::vector<std::string> names_of_failures();
 
@@ -34,8 +34,9 @@ std::vector<std::string> names_of_failures();
 /// are not judged: low stress raises them too.
 inline constexpr double hourglass_threshold = 0.03;
 
+/// Bonds stretched further than the method follows its law of elasticity.
 struct BeyondLaw {
-  double share = 0;  // greatest share of bonds stretched beyond the law of elasticity
+  double share = 0;  // greatest share of the bonds so far
   double since = 0;  // s
 };
 
@@ -44,8 +45,8 @@ struct BeyondLaw {
 /// - penetrated: a particle lies inside another body or a far part of its own; see Penetration.
 /// - fractured: the graph of unbroken bonds has more pieces than initially, or the ends of a broken bond are more
 ///   than 8 unbroken bonds apart. Bonds join particles of a body initially within 1.5 dp. A bond is broken while
-///   longer than max(support, 2 dp). With initial neighbours its stretch must also exceed 1.5 times that of its
-///   continuations, so cracks one row apart are missed.
+///   longer than max(support, 2 dp). With initial neighbours its stretch must also exceed 1.5 times the
+///   stretch of the bonds that continue it in a straight line, so that cracks one row apart are missed.
 /// - diverged: a value is not finite, or the energy of a body departs from its received energy; see EnergyTest.
 class Judge {
  public:

@@ -10,12 +10,12 @@
 
 namespace taut {
 
-/// W(r) = α/h^Dim w(q), ∂W/∂r = α/h^(Dim+1) w′(q), q = r/h; 0 for q ≥ `support`. ∇_i W = α/h^(Dim+2) w′/q (x_i −
-/// x_j).
+/// W(r) = α/h^Dim w(q), ∂W/∂r = α/h^(Dim+1) w′(q), q = r/h; both are 0 for q ≥ `support`. `dw_per_q` is w′/q, finite
+/// at 0: ∇_i W = α/h^(Dim+2) w′/q (x_i − x_j) needs no division and no unit vector. `ddw` is w″.
 template <KernelName Name>
 struct Kernel;
 
-/// "5th-order Wendland" of [Zhang2024] §6.
+/// Wendland's C2 function, "5th-order Wendland" of [Zhang2024] §6.
 template <>
 struct Kernel<KernelName::wendland_c2> {
   static constexpr std::string_view name = "Wendland C2";

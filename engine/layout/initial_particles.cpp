@@ -214,7 +214,8 @@ void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
   if (!by_component && is_idle(body.clamped)) refuse("held");
 }
 
-/// Weights of n + 1 particles, in cells. An end that is not `free` may be a plane of symmetry.
+/// Weights of n + 1 particles along an axis of n cells, in cells. An end that is not `free` may be a plane of
+/// symmetry.
 std::vector<double> shares_along(long n, const bool (&free)[2]) {
   std::vector<double> share(static_cast<std::size_t>(n) + 1, 1.0);
   share.front() = share.back() = 0.5;

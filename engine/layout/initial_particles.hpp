@@ -24,7 +24,7 @@ struct InitialParticles {
   std::vector<int> first;  // first particle of each body, then the total
 
   int size() const { return static_cast<int>(x.size()); }
-  /// 1: in a driven region.
+  /// [particle] 1: in a driven region.
   std::vector<unsigned char> driven() const {
     std::vector<unsigned char> all;
     for (const int of : drive) all.push_back(of >= 0);

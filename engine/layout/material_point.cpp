@@ -36,7 +36,8 @@ Point pitch_on_boundary(const Box& box, double dp, int dim) {
   return pitch;
 }
 
-/// Multilinear weights; empty if the particles around the point are no lattice.
+/// Multilinear weights along the axes of the lattice before reflection and rotation. Empty if the particles around
+/// the point are not on a lattice of this pitch.
 std::vector<PointWeight> point_in_cell(const std::vector<Point>& x, int begin, int end, const Point& at,
                                        const Body& body, double dp, int dim) {
   constexpr double round_off = 1e-9;
@@ -76,7 +77,7 @@ int nearest_of(const std::vector<Point>& x, const std::vector<int>& some, const 
   return *std::ranges::min_element(some, {}, [&](int i) { return squared_distance(x[i], at); });
 }
 
-/// Particles linked to `first`, ascending.
+/// Particles of `some` that steps of at most `link`, m, connect to `first`; ascending.
 std::vector<int> linked(const std::vector<Point>& x, const std::vector<int>& some, int first, double link) {
   std::vector<int> found = {first}, left = some;
   std::erase(left, first);

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Linear map, row by row.
+/// Linear map in space, 3 × 3, row by row.
 using LinearMap = std::array<double, 9>;
 
 struct InitialPositions {
@@ -39,7 +39,8 @@ FirstNeighbors first_neighbors(const InitialPositions& start);
 LinearMap inverse_moment(const LinearMap& moment, int dim);
 
 /// Least-squares affine map of each particle's first neighbours, F = 1 + Σ (x_ij − X_ij) ⊗ X_ij (Σ X_ij ⊗ X_ij)⁻¹.
-/// Exact for affine motions with any method; meaningless where a body has torn. In 2D F_zz = 1.
+/// Exact for affine motions with any method; meaningless where a body has torn. In 2D F_zz = 1
+/// (plane strain).
 std::vector<LinearMap> affine_maps(const Snapshot& now);
 LinearMap affine_map(const Snapshot& now, std::size_t i);
 

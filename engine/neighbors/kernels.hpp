@@ -46,7 +46,7 @@ struct SearchKernels {
   /// packs, and their numbers to `count`. Returns the first particle for which `room` is too small.
   int (*find)(const SearchFields<Dim>& f, int first, int last, int* count, int* found, std::size_t room,
               std::size_t& size);
-  /// Upper bound of the room for particle i.
+  /// `room`, counted from `size`, that is enough for particle i.
   std::size_t (*room_for)(const SearchFields<Dim>& f, int i);
 };
 

@@ -107,7 +107,7 @@ struct Neighbors {
 template <int Dim>
 class NeighborSearch {
  public:
-  /// `body`: only pairs within a body.
+  /// `body`: [particle], restricts the search to pairs within a body; null = all pairs.
   void operator()(const CellGrid<Dim>& grid, const std::vector<Vec<double, Dim>>& x, double support,
                   int threads, Neighbors& out, const int* body = nullptr);
 

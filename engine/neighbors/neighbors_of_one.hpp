@@ -9,7 +9,8 @@
 
 namespace taut {
 
-/// initial_neighbors for one particle: lists of all with a wide reach would dominate the memory.
+/// Computes initial_neighbors (initial_neighbors.hpp) for one particle at a time. With a wide reach, lists of all
+/// particles would dominate the memory.
 template <int Dim>
 class NeighborsOfOne {
  public:

@@ -42,7 +42,7 @@ class RoundCube {
   explicit RoundCube(long n) : n_(n) {}
 
   long n() const { return n_; }
-  /// Calls f(p, q, axis of the face's normal, its side).
+  /// Calls f(p, q, axis, side) for each cell (p, q) of each face; `axis` is the face's normal, `side` its sign.
   template <class F>
   void for_each_cell(const F& f) const {
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -22,7 +22,8 @@ struct PlaceGrid {
   }
 };
 
-/// Closed chains, solid on the left, through face(in, out) between neighbours, by marching squares. Parts that touch
+/// Contours of the grid points for which inside(column, row): closed chains with the solid on the left, by marching
+/// squares. They pass through face(in, out) between neighbours of which only the first is inside. Parts that touch
 /// at a corner are separate. Points beyond the grid are outside.
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(long, long)>& inside,
                             const std::function<Point(const Point&, const Point&)>& face);

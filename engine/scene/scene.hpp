@@ -147,7 +147,7 @@ struct Probe {
     static const Kind mirror_asymmetry;
     // angle of material point `at` about `turns_about` since the start, including whole turns, rad
     static const Kind turn;
-    static const Kind stress;  // `part` at material point `at`, Pa
+    static const Kind stress;  // `part` at material point `at`, as the method reports it, Pa
     // constraint force on clamped, guided or driven particles, N
     static const Kind reaction;
     static const Kind contact_force;  // on `bodies[0]`, from `bodies[1]` or else `wall`, N
@@ -253,7 +253,7 @@ struct Scene {
   std::vector<Probe> probes;
   std::vector<SampleLine> lines;
   std::vector<Measure> measures;
-  /// References by law ("2d_deviator", "neo_hookean").
+  /// References by deviator law ("2d_deviator", "neo_hookean"); empty if these parameters have none.
   std::map<std::string, Reference> references;
 };
 
@@ -275,8 +275,8 @@ bool has_guides(const Scene& scene);
 bool has_gravity(const Scene& scene);
 bool has_loads(const Scene& scene);
 
-/// Returns the nearest spacing that divides the thinnest extent of the first shape into whole particles (hexagonal:
-/// rows); unchanged without such an extent.
+/// Returns the spacing nearest to `spacing` that divides the thinnest extent of the first body's first shape into
+/// whole particles, or rows of a hexagonal lattice. Returns `spacing` if the shape has no such extent.
 double fitted_spacing(const Body& first, int dim, double spacing);
 
 }  // namespace taut

@@ -37,7 +37,7 @@ Bounds bounds_of_placed(const Bounds& box, const Place& place) {
 /// Closed chain of points on a face, m.
 using Chain = std::vector<Point>;
 
-/// Faces in 3D: quadrilaterals with corners exactly on the body's.
+/// Faces of a body in 3D: quadrilaterals whose corners lie exactly on the faces.
 struct FacePatches {
   struct Patch {
     std::array<int, 4> node{};  // anticlockwise, seen from outside
@@ -77,14 +77,16 @@ struct ShapeBase {
   virtual Point anchor() const;
   /// Particles of a body of this shape alone; empty if the lattice fills it.
   virtual std::vector<InitialSite> sites(int dim, double dp) const;
-  /// Faces in 2D: points about dp apart and at corners, solid on the left.
+  /// Faces in 2D: closed chains of points exactly on the faces, about dp apart and at each corner, with the solid on
+  /// the left. Empty in 3D.
   virtual std::vector<Chain> outline(int dim, double dp) const;
   /// Outline of a part of a combined shape. Combined parts give their own parts a finer dp, down to `finest`, since
   /// otherwise each level would multiply the points.
   virtual std::vector<Chain> outline_of_part(int dim, double dp, double finest) const;
   /// Faces in 3D, if the shape places its particles.
   virtual FacePatches patches(double dp) const;
-  /// Transformations of a rotated lattice, and bounds along its axes.
+  /// For shapes that rotate the lattice: from lattice to space, from space to lattice, and the bounds of the shape
+  /// along the lattice axes.
   virtual Point from_lattice(const Point& x) const;
   virtual Point to_lattice(const Point& x) const;
   virtual Bounds lattice_bounds() const;

@@ -22,7 +22,7 @@ inline constexpr TermInfo stress_recovery_info{
 template <int Dim>
 inline constexpr double least_moment = Dim == 2 ? 1e-2 : 1e-3;
 
-/// L = M⁻¹ or 0. Departure from [Khayyer2024]: without the bound a bent row of particles diverges.
+/// L = M⁻¹; 0 below `least_moment`. Departure from [Khayyer2024]: without the bound a bent row of particles diverges.
 template <int Dim>
 Sym<double, Dim> gradient_correction(const Sym<double, Dim>& M) {
   double scale = trace(M);

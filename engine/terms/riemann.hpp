@@ -13,9 +13,9 @@ struct Dissipation {
   double least;    // least β
 };
 
-/// P* = ½ (p_i + p_j) + ½ β ρ0 c0 (U_L − U_R), Pa. β = 1 is the linearised solver; β = min(3 max(U_L − U_R, 0)/c0, 1)
-/// is the limiter of its reference. [Zhang2024] prints no β: its results follow from the limiter for `og` and from β
-/// = 1 for `enog` and `oas`, which diverge otherwise.
+/// P* = ½ (p_i + p_j) + ½ β ρ0 c0 (U_L − U_R), Pa. [Zhang2024] Eq. 12. β = 1 is the linearised solver; β = min(3
+/// max(U_L − U_R, 0)/c0, 1) is the limiter of its reference. [Zhang2024] prints no β: its results follow from the
+/// limiter for `og` and from β = 1 for `enog` and `oas`, which diverge otherwise.
 template <class T>
 T riemann_pressure(const T& p_i, const T& p_j, const T& closing_speed, const Dissipation& d) {
   T impedance = filled<T>(d.rho0_c0);
@@ -26,7 +26,8 @@ inline constexpr TermInfo riemann_pressure_info{"pressure force", "dv/dt = −2 
                                                 "[Zhang2024] Eq. 12", "terms/riemann.hpp:riemann_pressure",
                                                 "riemann: P* is symmetric in the two states"};
 
-/// Term j of dρ_i/dt over ρ_i, 1/s. Departure: the pressures in U* are in `pressure_diffusion_term`.
+/// Term j of (dρ_i/dt)/ρ_i, V_j · 2 (U* + v_i·e_ij) ∂W/∂r with U* = ½ (U_L + U_R), 1/s. [Zhang2024] Eq. 11.
+/// Departure: the pressure part of U* is separate, see `pressure_diffusion_term`.
 template <class T>
 T compression_term(const T& V_j, const T& dW, const T& closing_speed) {
   return -V_j * dW * closing_speed;
@@ -35,8 +36,8 @@ inline constexpr TermInfo compression_info{"continuity", "dρ/dt = ρ_i Σ V_j v
                                            "terms/riemann.hpp:compression_term",
                                            "riemann: approaching pairs grow denser, whatever their order"};
 
-/// Pressure part of U*, 1/s. [Zhang2024] Eq. 11. By default share = 0, as in the authors' program, since it diffuses
-/// pressure gradients and softens bending.
+/// Part of the continuity equation from the pressures in U*, share · (p_i − p_j)/(2 ρ0 c0), 1/s. [Zhang2024] Eq. 11.
+/// By default share = 0, as in the authors' program, since it diffuses pressure gradients and softens bending.
 template <class T>
 T pressure_diffusion_term(const T& V_j, const T& dW, const T& p_i, const T& p_j, double share, double rho0,
                           double c0) {

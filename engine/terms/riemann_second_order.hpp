@@ -9,14 +9,16 @@
 /// Riemann problem with velocities reconstructed half way, so that linear velocity is not damped.
 namespace taut {
 
-/// Closing speed of the reconstructed velocities, m/s; D: symmetric part of ∇u. [Khayyer2024] Eq. 37, 44
+/// Closing speed of the two velocities, each reconstructed half way to the other particle, m/s; D: symmetric part of
+/// ∇u. [Khayyer2024] Eq. 37, 44
 template <class T, int Dim>
 T reconstructed_closing_speed(const T& closing_speed, const Sym<T, Dim>& D_i, const Sym<T, Dim>& D_j,
                               const T& r, const Vec<T, Dim>& e_ij) {
   return closing_speed + 0.5 * r * dot(e_ij, (D_i + D_j) * e_ij);
 }
 
-/// p** = C_ij (u_i − u_j), Pa, C_ij = (c_i ρ_i √ρ_i + c_j ρ_j √ρ_j)/(√ρ_i + √ρ_j); `impedance` is c ρ √ρ. Departure:
+/// p** = C_ij (u_i − u_j), Pa, C_ij = (c_i ρ_i √ρ_i + c_j ρ_j √ρ_j)/(√ρ_i + √ρ_j); `impedance` is c ρ √ρ.
+/// [Khayyer2024] Eq. 40, 41. Departure:
 /// the force is −p** V_j ∇_i W, as Eq. 39 implies; with the factor 2 of Eq. 43 the highest lattice mode grows at the
 /// paper's CFL number.
 template <class T>

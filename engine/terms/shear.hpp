@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Term j of a sum that over ρ_i is the shear acceleration; N/m³.
+/// Term j of a sum that divided by ρ_i is the shear acceleration, N/m³. [Zhang2024] Eq. 13
 template <class T, int Dim>
 Vec<T, Dim> nested_shear_term(const Sym<T, Dim>& s_i, const Sym<T, Dim>& s_j, const T& V_j, const T& dW,
                               const Vec<T, Dim>& e_ij) {
@@ -28,7 +28,7 @@ inline constexpr TermInfo laplacian_info{
     "terms/shear.hpp:laplacian_term",
     "laplacian: in the continuum it is (∇²v + 2 ∇∇·v)/(d + 2), the plain one ∇²v"};
 
-/// Term j of ∇²v, 1/(m s). Rigid rotation does not give 0.
+/// Term j of ∇²v, 1/(m s). [Zhang2024] Eq. 18. A rigid rotation does not give 0.
 template <class T, int Dim>
 Vec<T, Dim> laplacian_term_nonconservative(const Vec<T, Dim>& v_ij, const T& V_j, const T& dW,
                                            const T& inv_r) {

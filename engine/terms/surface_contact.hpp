@@ -9,9 +9,9 @@
 
 namespace taut {
 
-/// Stiffness k, Pa/m, of two materials with M = K + 4G/3. With s = 2 faces overlap by the compression of two spacings
-/// of material. A greater s overlaps less but needs shorter steps: `oenog` in 2D is stable up to s = 6. Symmetric to
-/// the last bit.
+/// Contact pressure per depth k = ½ s M1 M2/(M1 + M2)/dp, Pa/m, of two materials with M = K + 4G/3. With s = 2 faces
+/// overlap by the compression of two spacings of material. A greater s overlaps less but needs shorter steps:
+/// `oenog` in 2D is stable up to s = 6. Symmetric to the last bit.
 inline double surface_stiffness(double M1, double M2, double stiffness, double dp) {
   const double softer = std::min(M1, M2), harder = std::max(M1, M2);
   return 0.5 * stiffness * (softer * (harder / (softer + harder))) / dp;
@@ -32,7 +32,7 @@ inline double surface_energy(double depth, double area, double k) {
   return depth > 0 ? 0.25 * k * area * depth * depth : 0;
 }
 
-/// Force that separates the faces, N (2D: N/m).
+/// Force that separates the faces, ½ k δ A, N (2D: N/m): the slope of surface_energy. Ours
 inline double surface_force(double depth, double area, double k) {
   return depth > 0 ? 0.5 * k * area * depth : 0;
 }
@@ -61,7 +61,8 @@ inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.
 // momenta and energy. A nearest point would jump from facet to facet.
 // Σ_g W, the cover of f, is 1 amid the face and ½ over its rim; `covered_share` of the energy counts.
 
-/// R, m. A smaller one lets edges and corners through; a greater one includes rims of steps.
+/// R at height p, both in m: 1.5 dp above the plane, 1.05 dp from a depth of dp on. A smaller radius lets edges and
+/// corners through; a greater one includes rims of steps.
 inline double lateral_radius(double p, double dp) {
   const double t = std::clamp(-p / dp, 0.0, 1.0);
   return (1.5 - 0.45 * t * t * (3 - 2 * t)) * dp;
@@ -98,7 +99,7 @@ inline double hard_force(double depth, double area, double k, double dp) {
 inline double projected_share(double cosine) { return -cosine * facing_share(cosine); }
 inline double projected_slope(double cosine) { return -facing_share(cosine) - cosine * facing_slope(cosine); }
 
-/// c, the share of height p.
+/// c, the share of a facet at height p, m: 1 up to 0.7 `reach`, 0 from `reach` on, m.
 inline double near_share(double p, double reach) {
   const double t = std::clamp((1 - std::abs(p) / reach) / 0.3, 0.0, 1.0);
   return t * t * (3 - 2 * t);

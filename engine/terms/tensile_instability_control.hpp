@@ -3,11 +3,14 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// In the inner region, particles in tension take stress differences: σ_i·L_i becomes (σ_i + 2 R_i)·L_i.
-/// [Khayyer2024] §3.4. Pair forces differ, so momentum is not conserved.
+/// In the inner region, the stress divergence of particles in tension takes differences instead of sums: σ_i·L_i
+/// becomes (σ_i + 2 R_i)·L_i, where R = −σ⁺ and σ⁺ is the tensile part.
+/// [Khayyer2024] §3.4. The forces of a pair are not opposite there, so linear momentum
+/// is not conserved.
 namespace taut {
 
-/// Term j of C, including i itself.
+/// Term j of the colour function C = Σ W V_j, whose sum includes i itself; surface particles have C < 0.9.
+/// Dimensionless. [Khayyer2024] Eq. 52
 template <class T>
 T colour_term(const T& W, const T& V_j) {
   return W * V_j;
@@ -17,7 +20,7 @@ inline constexpr TermInfo surface_info{
     "terms/tensile_instability_control.hpp:colour_term",
     "colour function: the value is 1 inside a lattice, below 0.9 on its face, above one row deeper"};
 
-/// Force per volume, N/m³.
+/// 2 R_i·L_i·Σ V_j ∇_i W, the force per volume on an inner particle, N/m³. [Khayyer2024] Eq. 50, 51
 inline Vec<double, 2> tensile_control(const Mat<double, 2>& R_L, const Vec<double, 2>& sum_V_gradient) {
   return 2.0 * (R_L * sum_V_gradient);
 }

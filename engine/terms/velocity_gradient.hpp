@@ -5,7 +5,8 @@
 
 namespace taut {
 
-/// Adds one neighbour, 1/s. Departure: [Zhang2024] prints v_ij = v_i − v_j without the minus.
+/// Adds one neighbour to L = ∇v = −Σ V_j v_ij ⊗ ∇_i W, 1/s. [Zhang2024] Eq. 14. Departure: the paper prints
+/// v_ij = v_i − v_j without the minus.
 template <class T, int Dim>
 void add_velocity_gradient(Mat<T, Dim>& L, const T& V_j, const T& dW, const Vec<T, Dim>& v_ij,
                            const Vec<T, Dim>& e_ij) {

@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// Particles listed one by one; each fills a square (cube). At faces their indicator, smoothed by a cubic spline, is
-/// ½: half a spacing outside.
+/// Particles listed one by one; each fills a square (cube) of its volume. Faces are where the indicator of the
+/// particles, smoothed by a cubic spline of radius 2 dp, is ½: half a spacing outside the outermost particles.
 class GivenParticles final : public ShapeBase {
  public:
   GivenParticles(std::vector<Point> places, std::vector<double> volumes, int dim)

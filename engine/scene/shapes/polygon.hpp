@@ -9,8 +9,8 @@ namespace taut {
 /// Region inside an odd number of closed contours, 2D; no sides may cross.
 class Polygon final : public ShapeBase {
  public:
-  /// Points are relative to a centre, if given; rotation, reflection and lattice are about it. Otherwise the box
-  /// determines them.
+  /// With a `centre`, points are relative to it, the polygon is rotated and reflected about it, and the lattice is
+  /// symmetric about it. Otherwise the middle of the box is the centre, and the lattice begins at the lower corner.
   Polygon(std::vector<Chain> contours, const std::optional<Point>& centre = {});
 
   Bounds bounds() const override;

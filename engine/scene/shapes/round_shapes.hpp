@@ -31,7 +31,7 @@ struct Disc final : ShapeBase {
   Disc(const Point& centre, double radius, RoundLayout layout = RoundLayout::lattice)
       : centre(centre), radius(radius), layout(layout) {}
 
-  /// 2D default, for initial or searched neighbours.
+  /// Default in 2D, for methods with initial or with searched neighbours.
   static RoundLayout default_layout(bool keeps_neighbors);
 
   Bounds bounds() const override;
@@ -65,8 +65,9 @@ struct Ring final : ShapeBase {
   double extent_to_divide(int) const override { return outer - inner; }
   Point middle() const override { return centre; }
   Point anchor() const override { return bounds().middle(); }
-  /// Layers at r = inner + (k + ½) dp begin on the positive x axis. Aligned layers form a polar grid, dp apart at
-  /// mean radius; in 3D, a cube's six faces made round, with n × n particles each of mean volume dp³.
+  /// Layers at r = inner + (k + ½) dp begin on the positive x axis. Aligned layers form a polar grid with
+  /// particles dp apart at the mean radius; spaced layers have a whole number of particles about dp apart. In 3D all
+  /// layers are aligned: a cube's six faces made round, with n × n particles each of mean volume dp³.
   std::vector<InitialSite> sites(int dim, double dp) const override;
   /// Puts points at the angles of the innermost and outermost particles.
   std::vector<Chain> outline(int dim, double dp) const override;
