@@ -11,8 +11,8 @@ namespace taut {
 /// if the band has no peak, as where the spectrum only rises towards an end of the band. Trends, impacts, round-off,
 /// side lobes and amplitudes below 3e-5 of the highest are not peaks.
 /// Samples the curve evenly, subtracts a linear fit, applies a Hann window and pads with zeros to four times its
-/// length. The top of a peak is that of a parabola through the logarithms of three points. Lines closer than 2/(end − begin)
-/// merge; the error of a lasting line is far below 1/(end − begin).
+/// length. The top of a peak is that of a parabola through the logarithms of three points. Lines closer than
+/// 2/(end − begin) merge; the error of a lasting line is far below 1/(end − begin).
 std::optional<double> peak_frequency(const Curve& curve, double begin, double end,
                                      const std::array<double, 2>& band);
 

@@ -12,8 +12,8 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/measures.hpp"
-#include "engine/judge/verdict.hpp"
 #include "engine/error.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
 
