@@ -43,8 +43,8 @@ struct IndicatorRecord {
 /// - hourglass_error: rms |r(x)| / dp of the worst body, or 0.2 times that of the worst patch, a particle and
 ///   those of its row. Bodies and parts without zigzags thus do not dilute it. |r(x)| = |Σ_j w_ij E_ij| with the error
 ///   vectors E_ij = F_i X_ij − x_ij of [Ganzenmueller2015], for any F_i. A zigzag of amplitude a gives a/dp.
-///   Particles count at most one spacing, since displacements at cracks mean nothing. Departure: the mean |½ (E_ij − E_ji)| / |X_ij|
-///   of the paper includes smooth fields where F is one-sided.
+///   Particles count at most one spacing, since displacements at cracks mean nothing. Departure: the mean
+///   |½ (E_ij − E_ji)| / |X_ij| of the paper includes smooth fields where F is one-sided.
 /// - pressure_checkerboard = rms r(p) / rms p.
 /// - von_mises_checkerboard = rms √(3/2 r(s):r(s)) / rms √(3/2 s:s), by components, because von Mises stress has
 ///   kinks.
