@@ -29,7 +29,7 @@ struct Excess {
 /// successive observations: a law without a minimum of its energy.
 class EnergyTest {
  public:
-  /// `support`: range of the interaction between particles, m.
+  /// `support`: range of the interaction between particles, m. The scene must outlive the test.
   EnergyTest(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors);
 
   /// Returns whether a group diverges. Observations are in the order of their times.
@@ -58,7 +58,7 @@ class EnergyTest {
   }
 
  private:
-  /// Sums over the particles of a body; with the contact energy they make a Balance.
+  /// Sums over the particles of a body.
   struct Sums {
     double mass = 0, kinetic = 0, strain = 0;
     Point momentum{}, spin{};  // kg m/s; kg m²/s about the origin

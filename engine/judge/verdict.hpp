@@ -50,6 +50,7 @@ struct BeyondLaw {
 /// - diverged: a value is not finite, or the energy of a body departs from its received energy; see EnergyTest.
 class Judge {
  public:
+  /// The scene must outlive the judge.
   Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors, int threads = 1);
   Judge(const Scene& scene, const Simulation& simulation);
   /// Records when each failure began. Without readings, hourglass is not judged.
