@@ -36,8 +36,7 @@ SceneFile read(const fs::path& scene, const std::string& spacing = {}) {
 
 /// Values of the probes of a scene at `until`, s.
 std::vector<double> values_at(double until, const char* name, const char* method) {
-  SceneFile file = read(gallery / name);
-  file.settings.method = method;
+  const SceneFile file = read_scene(gallery / name, {{"method", method}});
   const auto simulation = make_simulation(file.scene, file.settings);
   simulation->advance_to(until);
   std::vector<double> last;

@@ -83,9 +83,10 @@ TEST_SUITE("cli") {
     int commands = 0;
     Reader(fs::path(TAUT_SOURCE_DIR) / "README.md").follow(folder, [&](const PageCommand& command) {
       static const std::regex scene(R"(^taut (run|sweep) (colliding-rings|oscillating-plate)\b)"),
-          balls("--spacing 0.005");
+          balls("--spacing 0.005"), folder_of_run("out/colliding-rings-oenog\\b");
       std::string line = std::regex_replace(command.line, scene, "$& --set spacing=0.005");
       line = std::regex_replace(line, balls, "--spacing 0.01");
+      line = std::regex_replace(line, folder_of_run, "$&-spacing=0.005");
       CAPTURE(line);
       CHECK(shell(folder, line) == command.code);
       ++commands;
