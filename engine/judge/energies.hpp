@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "engine/core/point.hpp"
@@ -68,7 +67,7 @@ class EnergyTest {
     double fastest = 0;        // greatest speed relative to the first particle, m/s
   };
   struct Group {
-    double mass = 0, kinetic = 0, strain = 0, start = 0, start_strain = 0, start_kinetic = 0, work = 0;
+    double mass = 0, kinetic = 0, strain = 0, start_strain = 0, start_kinetic = 0, work = 0;
     Point momentum{}, start_momentum{};
     bool closed = true, meets = false;
   };
