@@ -32,6 +32,9 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
+/// A few kilobytes of filters can keep rsvg-convert busy for hours.
+constexpr std::chrono::seconds longest{10};
+
 /// Paints the whole canvas, `rows` pixels high, or less if too large.
 Mask paint(const std::filesystem::path& svg, int rows) {
   const Scratch scratch;
@@ -41,10 +44,15 @@ Mask paint(const std::filesystem::path& svg, int rows) {
       run_process({"rsvg-convert", "--format=png", "--keep-aspect-ratio", "--width=" + side,
                    "--height=" + std::to_string(std::min(rows, greatest_mask_side)), "--output=svg.png",
                    std::filesystem::absolute(svg).string()},
-                  scratch.folder(), interrupts);
+                  scratch.folder(), interrupts, longest);
   if (!result.found)
     throw UsageError(
         "an SVG file needs rsvg-convert, which is not installed: sudo apt-get install librsvg2-bin");
+  if (result.late)
+    throw UsageError(
+        fmt::format("{} takes rsvg-convert more than {} s; simplify it, for instance by removing "
+                    "its filters",
+                    svg.string(), longest.count()));
   if (result.code != 0) {
     const std::string why = result.errors.substr(0, result.errors.find('\n'));
     throw UsageError(svg.string() + " is not an SVG file that rsvg-convert can paint" +

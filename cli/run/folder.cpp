@@ -43,6 +43,15 @@ void remove_files_if(const fs::path& folder, const Ours& ours) {
     throw OutputError(folder.string(), "cannot be listed: " + error.message());
 }
 
+template <class Name>
+void refuse_missing(int number, const Name& name) {
+  std::error_code error;
+  for (int k = 0; k < number; ++k)
+    if (!fs::exists(name(k), error))
+      throw UsageError("'" + name(k).string() + "' is missing, and --resume does not write it again; " +
+                       "put it back, or start again without --resume");
+}
+
 /// Throws before the older run is touched: a run that ends without its frames is lost.
 void check_writable(const fs::path& folder) {
   if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0 && errno != ENOENT)
@@ -109,6 +118,14 @@ void RunFolder::clear() const {
   fs::remove(particles(), not_empty);
   remove_file(history());
   remove_file(lines());
+}
+
+void RunFolder::check_frames(int number) const {
+  refuse_missing(number, [this](int k) { return frame(k); });
+}
+
+void RunFolder::check_particle_files(int number) const {
+  refuse_missing(number, [this](int k) { return particle_file(k); });
 }
 
 void RunFolder::keep_frames(int number) const {

@@ -28,6 +28,9 @@ class RunFolder {
   void claim(std::string_view record) const;
   /// Removes an earlier run's results. Throws OutputError.
   void clear() const;
+  /// Throw UsageError if one of the first `number` files is missing: a continued run would be called complete.
+  void check_frames(int number) const;
+  void check_particle_files(int number) const;
   /// Remove all but the first `number` files. Throw OutputError.
   void keep_frames(int number) const;
   void keep_particle_files(int number) const;

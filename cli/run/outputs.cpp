@@ -232,6 +232,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
     archive(agenda_, frames_);
     archive.check("the number of frames",
                   [&] { return std::cmp_equal(agenda_.done() - frames_.kept(), frames_.written()); });
+    if (Archive::loads) folder_.check_frames(frames_.written());
   }
 
  private:
@@ -270,6 +271,7 @@ class ParticlesOutput final : public OutputOf<ParticlesOutput> {
     archive(agenda_, series_);
     archive.check("the number of particle files",
                   [&] { return std::cmp_equal(agenda_.done(), series_.written()); });
+    if (Archive::loads) folder_.check_particle_files(series_.written());
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -9,6 +10,7 @@
 #include <string>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
 
 #include "engine/error.hpp"
@@ -19,7 +21,10 @@ namespace taut::cli {
 namespace {
 
 [[noreturn]] void fail(const fs::path& path, int error) {
-  throw OutputError(path.string(), std::string("cannot be written: ") + std::strerror(error));
+  const bool taken = error == EWOULDBLOCK;
+  throw OutputError(path.string(),
+                    std::string("cannot be written: ") +
+                        (taken ? "another process has locked it for a minute" : std::strerror(error)));
 }
 
 /// Returns 0 or an errno. Repeats write(2), which may write less than requested.
@@ -57,10 +62,17 @@ int sync(const fs::path& path) {
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
 
-/// Locks the file until it is closed; does nothing if the file system has no locks.
-void wait_for_lock(int descriptor) {
-  while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
+/// Locks the file until it is closed; does nothing if the file system has no locks. Returns false if another process
+/// keeps its lock for too long: anybody who may read the file can lock it.
+bool wait_for_lock(int descriptor) {
+  using namespace std::chrono_literals;
+  constexpr auto longest = 60000ms, pause = 1ms;
+  for (auto waited = 0ms; ::flock(descriptor, LOCK_EX | LOCK_NB) != 0; waited += pause) {
+    if (errno != EWOULDBLOCK) return true;
+    if (waited >= longest) return false;
+    std::this_thread::sleep_for(pause);
   }
+  return true;
 }
 
 bool still_named(int descriptor, const std::string& path) {
@@ -70,29 +82,30 @@ bool still_named(int descriptor, const std::string& path) {
          own.st_ino == named.st_ino;
 }
 
+int give_up(int descriptor, int error) {
+  if (descriptor >= 0) ::close(descriptor);
+  errno = error;
+  return -1;
+}
+
 /// Creates and locks a new file. Removes what a killed program left, and links, which it never follows. Waits while
-/// another process writes the file. Returns −1 with errno on failure.
+/// another process writes the file. Returns −1 with errno on failure: EWOULDBLOCK if another process does not end.
 int open_new(const std::string& path) {
   constexpr int most = 1000;  // attempts, if other writers come in between
   for (int k = 0; k < most; ++k) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno != EEXIST) return descriptor;
     if (descriptor >= 0) {
-      wait_for_lock(descriptor);
+      if (!wait_for_lock(descriptor)) return give_up(descriptor, EWOULDBLOCK);
       if (still_named(descriptor, path)) return descriptor;  // else another writer removed it before the lock
       ::close(descriptor);
       continue;
     }
     const int other = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (other < 0 && errno == ENOENT) continue;  // the other writer has renamed it
-    if (other >= 0) wait_for_lock(other);
+    if (other >= 0 && !wait_for_lock(other)) return give_up(other, EWOULDBLOCK);
     const bool left_behind = other < 0 || still_named(other, path);
-    if (left_behind && ::unlink(path.c_str()) != 0 && errno != ENOENT) {
-      const int error = errno;
-      if (other >= 0) ::close(other);
-      errno = error;
-      return -1;
-    }
+    if (left_behind && ::unlink(path.c_str()) != 0 && errno != ENOENT) return give_up(other, errno);
     if (other >= 0) ::close(other);
   }
   errno = EEXIST;

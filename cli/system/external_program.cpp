@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -81,13 +82,20 @@ int spawn(const std::vector<std::string>& arguments, const fs::path& folder, int
   return error;
 }
 
-/// Reads stderr to its end. An interrupt stops the program.
-void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResult& result) {
+/// Reads stderr to its end. An interrupt or the time limit stops the program.
+void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResult& result,
+            std::optional<std::chrono::seconds> limit) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
   std::array<char, 1024> buffer{};
   while (true) {
     if (interrupts.interrupted() && !result.stopped) {
       result.stopped = true;
       ::kill(process, SIGTERM);
+    }
+    if (limit && !result.late && Clock::now() - start > *limit) {
+      result.late = true;
+      ::kill(process, SIGKILL);
     }
     pollfd ready{errors, POLLIN, 0};
     if (::poll(&ready, 1, patience) <= 0) continue;
@@ -145,7 +153,7 @@ std::string last_lines(const std::string& text) {
 }  // namespace
 
 ProcessResult run_process(std::vector<std::string> arguments, const fs::path& folder,
-                          const Interrupts& interrupts) {
+                          const Interrupts& interrupts, std::optional<std::chrono::seconds> limit) {
   ProcessResult result;
   const fs::path program = found_in_path(arguments.front());
   result.found = !program.empty();
@@ -156,7 +164,7 @@ ProcessResult run_process(std::vector<std::string> arguments, const fs::path& fo
   const int error = spawn(arguments, folder, pipe.entry(), process);
   if (error != 0) throw UsageError(arguments[0] + " cannot be started: " + std::strerror(error));
   pipe.close_entry();
-  follow(process, pipe.exit(), interrupts, result);
+  follow(process, pipe.exit(), interrupts, result, limit);
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }

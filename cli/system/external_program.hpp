@@ -1,7 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,14 +14,16 @@ namespace taut::cli {
 struct ProcessResult {
   bool found = true;     // the program is installed
   bool stopped = false;  // by an interrupt
+  bool late = false;     // stopped by the time limit
   int code = 0;          // exit code, or 128 + signal
   std::string errors;    // end of stderr
 };
 
 /// Runs a program from the absolute folders of PATH in `folder`, without a shell: no argument has a special meaning. Its
-/// stdin and stdout are empty. An interrupt stops it.
+/// stdin and stdout are empty. An interrupt stops it, and so does the end of `limit`.
 ProcessResult run_process(std::vector<std::string> arguments, const std::filesystem::path& folder,
-                          const Interrupts& interrupts);
+                          const Interrupts& interrupts,
+                          std::optional<std::chrono::seconds> limit = std::nullopt);
 
 /// An external program that writes a file.
 struct Maker {

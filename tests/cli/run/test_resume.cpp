@@ -143,6 +143,10 @@ TEST_SUITE("restart") {
     REQUIRE(child.exit_code() == 130);
     REQUIRE(json_of(folder / "out/run.json")["status"] == "interrupted");
     REQUIRE(fs::exists(folder / "out/checkpoint.bin"));
+    const fs::path first = folder / "out/particles/particles_00000.vtp";
+    fs::rename(first, folder / "elsewhere");
+    check_refused(folder, "particles_00000.vtp' is missing");
+    fs::rename(folder / "elsewhere", first);
     REQUIRE(call(resume(folder, "out")).code == 0);
     check_same_run(folder / "straight", folder / "out");
   }

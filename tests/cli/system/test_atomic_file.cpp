@@ -1,4 +1,6 @@
 #include <atomic>
+#include <chrono>
+#include <csignal>
 #include <string>
 #include <sys/wait.h>
 #include <thread>
@@ -54,6 +56,18 @@ TEST_SUITE("unit") {
     fs::create_directory(path.string() + ".tmp");
     CHECK_THROWS_AS(cli::write_atomically(path, "newer"), OutputError);
     CHECK(text_of(path) == "new");
+  }
+
+  TEST_CASE("a program that is slower than its time limit is stopped") {
+    const TemporaryFolder folder;
+    const cli::Interrupts interrupts;
+    const auto sleep = [&](const char* time, auto... limit) {
+      return cli::run_process({"sleep", time}, folder.path(), interrupts, limit...);
+    };
+    const cli::ProcessResult slow = sleep("600", std::chrono::seconds{0});
+    CHECK(slow.late);
+    CHECK(slow.code == 128 + SIGKILL);
+    CHECK_FALSE(sleep("0.01", std::chrono::seconds{60}).late);
   }
 
   TEST_CASE("many callers of a program that makes one file wait for each other") {
