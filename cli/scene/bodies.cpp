@@ -2,7 +2,10 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <string_view>
 #include <utility>
+
+#include <fmt/core.h>
 
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
@@ -20,13 +23,12 @@ TomlValue array_of(std::vector<TomlValue> items) {
   return array;
 }
 
-const std::vector<TomlValue>& components(TomlCursor& cursor, const std::string& key, int dim) {
+const std::vector<TomlValue>& components(TomlCursor& cursor, std::string_view key, int dim) {
   const std::size_t number = static_cast<std::size_t>(dim);
   const TomlValue& value = cursor.need(key);
   if (value.kind != Kind::array || value.items.size() != number)
-    cursor.fail(
-        value, key,
-        key + " must be an array of " + std::to_string(number) + " numbers or expressions, one per axis");
+    cursor.fail(value, key,
+                fmt::format("{} must be an array of {} numbers or expressions, one per axis", key, number));
   return value.items;
 }
 
