@@ -145,7 +145,7 @@ TEST_SUITE("cli") {
       CHECK(std::stod(row[0]) == record["spacing"].get<double>());
       CHECK(std::stod(row[1]) == record["measures"]["least_diameter"]["error"].get<double>());
       CHECK(std::stod(row[2]) == record["seconds"]["solve"].get<double>());
-      CHECK(row[5] == record["verdict"]);
+      CHECK(row[5] == record["verdict"].get<std::string>());
     }
     fs::remove(folder / "one/a.png");
     REQUIRE(std::system(("cd '" + folder.str("one") + "' && gnuplot a.gp").c_str()) == 0);
