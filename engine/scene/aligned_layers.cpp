@@ -78,7 +78,8 @@ class RoundCube {
   double solid_angle(long p, long q) const {
     p = std::max(p, n_ - 1 - p), q = std::max(q, n_ - 1 - q);
     if (p < q) std::swap(p, q);
-    const auto below = [&](long a, long b) {  // solid angle of the rectangle from a face's centre to corner (a, b)
+    // solid angle of the rectangle from the centre of a face to corner (a, b)
+    const auto below = [&](long a, long b) {
       const double x = tangent(2 * a - n_), y = tangent(2 * b - n_);
       return std::atan2(x * y, std::sqrt(1 + x * x + y * y));
     };
@@ -95,8 +96,8 @@ class RoundCube {
 };
 
 RoundCube cube_of(const Ring& shell, double dp) {
-  const double side =
-      std::sqrt(4 * pi / 6) * 0.5 * (shell.inner + shell.outer);  // square with a sixth of the middle sphere's area
+  // of a square with a sixth of the middle sphere's area
+  const double side = std::sqrt(4 * pi / 6) * 0.5 * (shell.inner + shell.outer);
   return RoundCube(std::max(1L, std::lround(side / dp)));
 }
 

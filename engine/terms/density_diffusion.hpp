@@ -24,6 +24,6 @@ T density_diffusion_term(const T& rho_i, const T& rho_j, const Vec<T, Dim>& grad
 inline constexpr TermInfo density_diffusion_info{
     "density diffusion", "dρ/dt = δ h c0 Σ ψ_ij (r·∇W)/r² V_j", "[Khayyer2024] Eq. 32–35",
     "terms/density_diffusion.hpp:density_diffusion_term",
-    "density diffusion: a linear density has none, others flow from dense to thin"};
+    "density diffusion: a linear density does not diffuse, others flow from dense to thin"};
 
 }  // namespace taut
