@@ -96,7 +96,7 @@ class RoundCube {
 };
 
 RoundCube cube_of(const Ring& shell, double dp) {
-  // of a square with a sixth of the middle sphere's area
+  // side of a square with a sixth of the middle sphere's area
   const double side = std::sqrt(4 * pi / 6) * 0.5 * (shell.inner + shell.outer);
   return RoundCube(std::max(1L, std::lround(side / dp)));
 }
