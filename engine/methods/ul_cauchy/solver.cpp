@@ -77,7 +77,7 @@ void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
                        "the probe '" + probe.name +
                            "' has no force to measure: with contact = \"sph\" the method '" +
                            std::string(method_.name) +
-                           "' takes two bodies that touch for one; take another law, such as \"penalty\"");
+                           "' treats touching bodies as one; choose another law, such as \"penalty\"");
 }
 
 /// Time step, s, [Khayyer2024] Eq. 26, but shorter for materials stiffer in shear.
@@ -164,7 +164,7 @@ void UlCauchy<Dim>::bind_fields() {
         .spin = spin_.data()};
 }
 
-/// Lists contain pairs of two bodies only under `sph`.
+/// Gives the probes the neighbours of all particles under `sph`, else only the pairs in contact.
 template <int Dim>
 void UlCauchy<Dim>::show_neighbors_to_probes() {
   if (!sph_contact_) return common_.show_contacts_to_probes();
