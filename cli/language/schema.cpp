@@ -140,8 +140,8 @@ Json schema_of(const KeyInfo& key, int dim) {
   return schema;
 }
 
-/// Sets of keys, such as {bodies} and {body, wall}, of which a table must have exactly one. The keys of a set have the
-/// same text as their default, and this text names a key of each other set.
+/// Sets of keys, such as {bodies} and {body, wall}. A table must have exactly one of these sets. The keys of a set have
+/// the same text as their default, and this text names a key of each other set.
 std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo> keys) {
   const std::string named = std::string(first.by_default) + " ";
   const auto is_named = [&](const KeyInfo& key) {
