@@ -16,7 +16,7 @@
 namespace taut {
 namespace {
 
-/// Terms of the family with the method's citations, then those of walls and self-contact.
+/// Terms of the family with the method's citations, then the terms of walls and self-contact.
 std::vector<TermInfo> terms(const Formulation& m) {
   std::vector<TermInfo> all = row_of(m.family).terms(m);
   for (TermInfo& term : all) {

@@ -37,7 +37,7 @@ Bonded<Dim>::Bonded(Common<Dim>& common, const SolverInput& input, const Kernels
   common_.go_to_start();
   f_.lead = setup.damping_lead;
   make_columns(setup);
-  // 3D: a lattice three particles across, or four if nearly incompressible, has modes faster than those of the solid
+  // 3D: a lattice three particles across, or four if nearly incompressible, has faster modes than the solid
   if (setup.bonds.off_lattice || Dim == 3) find_layout_frequency();
   // by column: at a corner, a uniform stress leaves a force with any choice of bonds
   if (has_loads(input.scene))

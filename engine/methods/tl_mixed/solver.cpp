@@ -60,8 +60,8 @@ TlMixed<Dim>::TlMixed(Common<Dim>& common, const SolverInput& input, const Kerne
   if (!common_.initial.start.empty()) set_start_gradients();
   if (c_.boundary_projection != 0 && common_.external.reactions.active())
     throw SceneError("probe",
-                     "with boundary_projection = 1 what is held acts on all around it, and no probe of "
-                     "kind 'reaction' can tell how much; run with method.boundary_projection=0");
+                     "with boundary_projection = 1 clamps also change the velocities of their neighbours, "
+                     "which a probe of kind 'reaction' cannot measure; set method.boundary_projection=0");
 }
 
 template <int Dim>
