@@ -32,7 +32,7 @@ void check_constants(const MethodInfo& method, const Settings& settings, int dim
   }
 }
 
-/// `parameters`: those of the elastic law; the material overrides their defaults.
+/// `parameters`: parameters of the elastic law; the material overrides their defaults.
 Elasticity elasticity(const Material& material, std::span<const LawParameter> parameters) {
   Elasticity e{material.density, material.sound_speed(), material.bulk_modulus(), material.shear_modulus()};
   for (std::size_t k = 0; k < parameters.size(); ++k) {

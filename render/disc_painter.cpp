@@ -26,7 +26,7 @@ Vector loaded(const void* from) {
   return vector;
 }
 
-/// Blends with weight alpha / 255 of `over`.
+/// Blends `over`, with weight alpha / 255, and `under`.
 Colors blended(const Colors& over, const Colors& under, const Ints& alpha) {
   const Ints of256 = alpha + (alpha >> 7);
   const Words a = reinterpret_cast<Words>(of256 | of256 << 16), b = 256 - a;
@@ -36,7 +36,7 @@ Colors blended(const Colors& over, const Colors& under, const Ints& alpha) {
   return reinterpret_cast<Colors>(even | (odd & 0xff00));
 }
 
-/// Row of samples; lengths in samples.
+/// A disc as seen from one row of samples; lengths in samples.
 struct DiscRow {
   float dy2;    // squared distance from the centre
   float reach;  // outer radius of the rim
@@ -117,7 +117,7 @@ DiscPainter::Bands DiscPainter::bands_of(const Dot& disc) const {
 }
 
 void DiscPainter::sort_into_bands(std::span<const Dot> discs) {
-  // shifted by one: starts become ends during filling
+  // `end_` first contains each band's start, one place later; filling moves it to the band's end
   end_.assign(static_cast<std::size_t>(bands_) + 2, 0);
   for (const Dot& disc : discs)
     for (auto [band, last] = bands_of(disc); band <= last; ++band) ++end_[static_cast<std::size_t>(band) + 2];

@@ -17,11 +17,13 @@ struct Dot {
 
 /// Draws antialiased discs. The same discs give the same pixels on every machine.
 ///
-/// A pixel belongs to the nearest centre, in radii: overlapping neighbours meet in a straight line, and order matters
-/// only where rims meet. Bands of samples fit into the cache; empty tiles are skipped.
+/// Each sample shows the disc with the nearest centre, measured in radii of the disc. Overlapping discs of one size
+/// therefore meet in a straight line, and their order matters only where rims meet. Discs are drawn in bands that fit
+/// into the cache; empty tiles are skipped.
 class DiscPainter {
  public:
-  /// For one plot of one image, which must have this background at first. Nothing else may draw into the plot.
+  /// Draws into one plot of one image. At first the plot must be filled with `background`. Nothing else may draw into
+  /// it.
   explicit DiscPainter(const Rect& plot, Rgb background = white);
 
   /// Draws `discs` into the plot, in place of the previous ones.
@@ -43,7 +45,7 @@ class DiscPainter {
   std::uint32_t background_;             // bytes B, G, R, 255
   int bands_, tiles_;                    // numbers in the plot, downwards and to the right
   std::size_t stride_;                   // samples from one row to the next
-  std::vector<std::uint32_t> end_;       // of each band's discs in `sorted_`, after a 0
+  std::vector<std::uint32_t> end_;       // 0, then the end of each band's discs in `sorted_`
   std::vector<std::uint32_t> sorted_;    // disc numbers by band
   std::vector<std::uint32_t> color_;     // samples of a band; bytes B, G, R, 255
   std::vector<float> depth_;             // distance from the nearest centre, 0 to 1

@@ -13,7 +13,7 @@ struct OffScale;
 /// Draws frames into its image.
 class Renderer {
  public:
-  /// The look must have no open members. `until` (last time, s) sets the unit of all times; 0: each has its own.
+  /// The look must have no open members. `until` (last time, s) sets the unit of all times; 0: each has its own unit.
   /// Throws UsageError for values out of bounds, OutputError without the font.
   explicit Renderer(const Look& look, double until = 0);
   ~Renderer();

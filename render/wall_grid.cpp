@@ -6,7 +6,7 @@
 namespace taut::render {
 namespace {
 
-/// Orthonormal directions, the first close to an axis.
+/// Orthonormal directions in the plane of the wall, the first close to a coordinate axis.
 std::pair<Vector, Vector> axes_on(const Vector& normal) {
   const auto least = std::ranges::min_element(normal, {}, [](double n) { return std::abs(n); });
   Vector axis{};

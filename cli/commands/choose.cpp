@@ -73,7 +73,7 @@ bool is_same(const std::string& a, const std::string& b) {
   return x && y ? std::abs(*x - *y) <= 1e-9 * std::abs(*y) : a == b;
 }
 
-/// Removes runs with other scene settings; returns the settings that removed some.
+/// Removes runs with other scene settings; returns the settings of `file` that these runs do not match.
 std::string keep_matching_runs(const SceneFile& file, StoredResults& results) {
   std::vector<std::string> others;
   for (const std::string& name : names_of_scene(results.runs)) {

@@ -12,7 +12,7 @@
 namespace taut::cli {
 namespace {
 
-/// The script calls the program for the choices.
+/// Completion script of a shell; it calls taut to list the completions.
 struct Script {
   std::string_view shell;
   std::string_view text;

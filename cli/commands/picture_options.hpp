@@ -26,8 +26,8 @@ struct PictureOptions {
 
 inline void declare_measure(Options& command, std::string& measure) {
   command.add("--measure", "MEASURE", measure,
-              "measure whose error is used; default: the measure with errors of the most runs, "
-              "where names that end in _time and errors with a unit come last");
+              "measure whose error is used; default: the measure that has an error in most runs, "
+              "but names that end in _time and errors with a unit only if there is no other");
 }
 
 }  // namespace taut::cli

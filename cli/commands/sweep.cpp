@@ -66,7 +66,7 @@ std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o, std::
   int outdated = 0;
   for (SweepRun& run : plan.runs) {
     if (o.index && run.index != *o.index) continue;
-    run.read_folder();  // may have changed before the lock
+    run.read_folder();  // another process may have changed it before this one held the lock
     if (run.state == SweepRunState::damaged)
       err << "taut: run " << run.index << " (" << text_of(run.settings)
           << "): " << RunFolder(*run.options.out).record().string() << " is damaged; the run is repeated\n";

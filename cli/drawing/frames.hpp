@@ -37,7 +37,7 @@ render::Image draw_picture(const Drawing& drawing, const Captions& captions, con
 
 /// Draws the frames of a run: at once if range and view are known, else all at the end with a common range and view;
 /// frames are kept in memory until then. Threads draw beside the caller, which waits if too many frames are pending.
-/// A frame's file exists only after those of all earlier frames.
+/// Files appear in the order of the frames.
 class Frames {
  public:
   static constexpr double memory_of_pictures = 1e9;  // bytes, with OpenGL; limits the number of threads

@@ -21,12 +21,13 @@ struct Mask {
 
 inline constexpr int greatest_mask_side = 4096;  // pixels
 
-/// Reads the darkness over white, or the opacity, of a PNG. Throws UsageError if it is unreadable or too large.
+/// Solid share of a pixel: darkness in front of white, or opacity.
 enum class MaskOf : std::uint8_t { darkness, alpha };
+/// Throws UsageError if the file is unreadable or too large.
 Mask read_mask(const std::filesystem::path& png, MaskOf of);
 
-/// Area of the paths of an SVG file in any colour (librsvg), `rows` pixels high, or less if too large. Throws
-/// UsageError if the file is unreadable or empty.
+/// Painted area of an SVG file, whatever its colours (librsvg), `rows` pixels high, or fewer if it would be too large.
+/// Throws UsageError if the file is unreadable or paints nothing.
 Mask paint_svg(const std::filesystem::path& svg, int rows);
 
 /// Removes empty margins.

@@ -15,7 +15,7 @@
 namespace taut::cli {
 namespace {
 
-// arrays that are no fields, whose keys are lower case with '_'
+// names of arrays other than fields
 constexpr std::string_view points_name = "Points";
 constexpr std::string_view diameter_name = "diameter";
 constexpr std::string_view velocity_name = "velocity";
@@ -141,7 +141,7 @@ ParticleFile::ParticleFile(std::filesystem::path path) : path_(std::move(path)) 
 void ParticleFile::read_header() {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path_, error))
-    fail("is not a regular file");  // a pipe is not waited for
+    fail("is not a regular file");  // opening a pipe would wait
   std::ifstream file(path_, std::ios::binary);
   if (!file) fail("cannot be read");
   const std::string header = header_of(file);

@@ -140,8 +140,8 @@ Json schema_of(const KeyInfo& key, int dim) {
   return schema;
 }
 
-/// A table must have one of these sets of keys: {bodies} or {body, wall}. Keys of a set share a default, which names
-/// a key of each other set.
+/// Sets of keys, such as {bodies} and {body, wall}. A table must have exactly one of these sets. The keys of a set have
+/// the same text as their default, and this text names a key of each other set.
 std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo> keys) {
   const std::string named = std::string(first.by_default) + " ";
   const auto is_named = [&](const KeyInfo& key) {
@@ -230,7 +230,7 @@ Json section_schema(std::string_view name) {
   return kinds.empty() ? table_schema(keys_of(name), 0) : Json{{"oneOf", array_of(std::move(kinds))}};
 }
 
-/// The bounds hold in 2D and 3D.
+/// The bounds include all values that are allowed in 2D or in 3D.
 Json constant_schema(const MethodConstant& constant, const std::vector<MethodConstant>& in_3d) {
   NumberRange bounds{constant.low, constant.high};
   const auto other = std::ranges::find(in_3d, constant.name, &MethodConstant::name);

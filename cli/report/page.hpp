@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// The data of a page as scripts: assignments, since a page that was opened from a file cannot read other files.
+/// The data of a page, written as scripts with assignments: a page opened from a file cannot read other files.
 struct PageData {
   Json report;                  // kind of the page, and everything but the runs
   std::vector<Json> runs;       // null: this run has no data

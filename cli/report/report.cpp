@@ -64,7 +64,7 @@ fs::path place_of(const ReportRequest& request) {
   return folder / (request.embed ? "report.html" : "report");
 }
 
-/// A folder for pictures that are embedded; it goes with the object.
+/// Temporary folder for pictures to embed; the destructor removes it.
 class TemporaryPictures {
  public:
   TemporaryPictures() {
@@ -120,7 +120,7 @@ void add_sweep(PageData& data, const ReportRequest& request, const Links& links)
     data.runs.push_back(has_run_folder(run) ? run_data(run.folder(), links, most_rows_in_sweep) : Json());
 }
 
-/// Null for a run without such data, and where the page contains it.
+/// Names of the scripts with the data of each run; null for a run without data, or if the page embeds them.
 Json scripts_of(const std::vector<Json>& runs, std::string (*name)(std::size_t), const Links& links) {
   Json scripts = Json::array();
   for (std::size_t k = 0; k < runs.size(); ++k)

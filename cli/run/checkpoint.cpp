@@ -22,10 +22,10 @@ std::uint32_t checksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-/// A large file of something else is refused before it is read.
+/// Whether a file is certainly no checkpoint, so that a large file is refused before it is read.
 bool begins_otherwise(const std::filesystem::path& path) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return false;  // said elsewhere
+  if (!std::filesystem::is_regular_file(path, error)) return false;  // read_whole refuses it
   std::ifstream file(path, std::ios::binary);
   std::string beginning(kind.size(), '\0');
   return file.read(beginning.data(), static_cast<std::streamsize>(beginning.size())) && beginning != kind;

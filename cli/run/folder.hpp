@@ -20,8 +20,8 @@ class RunFolder {
 
   /// Throws UsageError for files that are not from a run. Changes nothing.
   void check() const;
-  /// Whether run.json is unreadable. A run is identified by scene and history, else by the beginning of run.json and
-  /// all file names.
+  /// Whether the folder contains a run whose run.json is unreadable: it contains scene and history, or its run.json
+  /// begins as a record does and all its files are files of runs.
   bool is_damaged() const;
   /// Creates the folder, and `record` as run.json before any other file: it marks the folder as a run. Throws
   /// OutputError.

@@ -24,8 +24,8 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// A run is judged at its start and after each of these parts, independent of the rows, since a judgement costs more
-/// than a row.
+/// A run is judged at its start and after each of this many equal parts of `until`. Rows of the history have their own
+/// times, since a judgement costs more than a row.
 constexpr int judged_parts = 200;
 
 /// history.csv, drift, verdict and indicators. Rows between judgements repeat the indicators.
@@ -190,7 +190,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
         frames_(*plan.drawing, origins_of(simulation.snapshot()), plan.folder.frames(),
                 {plan.file.scene.title, result.record.method, result.record.until}, simulation.threads(),
                 result.record.seconds) {
-    // for a continued run, the view of its earlier frames is unknown
+    // a continued run cannot know whether its earlier frames showed particles
     if (!plan.drawing->followed && !plan.state) unseen_ = plan.drawing->look.view;
   }
 

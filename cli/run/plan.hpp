@@ -34,7 +34,7 @@ void declare_output_options(Options& command, RunOptions& options);
 
 void declare_particle_options(Options& command, RunOptions& options);
 
-/// Throws UsageError for far more threads than cores, or of what else `option` counts.
+/// Throws UsageError if `threads`, the value of `option`, is far above the number of cores.
 void check_threads(int threads, std::string_view option = "--threads");
 /// Reads the scene with the settings of the options. Throws UsageError and SceneError.
 SceneFile scene_to_run(const RunOptions& options);

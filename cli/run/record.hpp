@@ -47,7 +47,7 @@ struct RunRecord {
   Excess energy_gain, turn;
   int pieces = 0;
   std::array<IndicatorRecord, indicators.size()> indicator;
-  std::string patch_body;  // with the patch of the greatest hourglass error; empty: no patch, but a body
+  std::string patch_body;  // body of the patch with the greatest hourglass error; empty: a body is worse
   std::vector<double> patch_place;  // its middle in the initial configuration, m
   Conservation conservation;
   std::vector<MeasureResult> measures;

@@ -103,7 +103,7 @@ RunResult Run::execute() {
   return std::move(result_);
 }
 
-/// Writes first what a restart needs: the run may be killed.
+/// Writes the files that a restart needs before all others, since the run may be killed.
 void Run::begin() {
   write_atomically(plan_.folder.scene(), plan_.scene_text(), Durability::on_disk);
   plan_.checkpoint_every ? write_checkpoint("") : plan_.folder.clear_checkpoint();

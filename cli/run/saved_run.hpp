@@ -30,8 +30,8 @@ struct ColoredParticles {
   FrameView view() const;
 };
 
-/// Colours particles as `drawing` requires; `origins` are those of the run. Throws UsageError for a field that was
-/// not saved.
+/// Colours particles as `drawing` requires. `origins`: initial particles of the run. Throws UsageError for a field that
+/// was not saved.
 ColoredParticles read_colored(const ParticleFile& file, const Drawing& drawing, const Origins& origins);
 
 }  // namespace taut::cli

@@ -206,7 +206,7 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
 struct Part {
   std::string law;
   bool of_method;
-  int specificity;  // 2: for these values, 1: for those of `when`, 0: for any
+  int specificity;  // 2: for these values, 1: for the values in `when`, 0: for any
   const TomlValue* from;
   Reference what;
 };

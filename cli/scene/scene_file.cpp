@@ -140,7 +140,7 @@ void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const
                 "the parameter '" + entry.key + "' is unused; remove it or use it in an expression");
 }
 
-/// Reads the file with spacing dp: first what `fitted` needs, the rest in `finish`.
+/// Reads the file with spacing dp: first the part that `fitted` uses, and the rest in `finish`.
 class SceneReading {
  public:
   SceneReading(double dp, const std::filesystem::path& path, const TomlValue& original,

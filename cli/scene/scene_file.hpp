@@ -49,8 +49,8 @@ struct SceneFile {
   std::map<std::string, FilePlace> places;              // by dotted path: "body.left.velocity"
 };
 
-/// Reads a scene file with settings, of which the last one of a name counts. Throws SceneError with file, line and
-/// column, UsageError for settings.
+/// Reads a scene file with settings; if a name is set repeatedly, its last setting counts. Throws SceneError with file,
+/// line and column, UsageError for settings.
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
 /// Reads the stored text again, because a pipe can be read only once.
 SceneFile read_again(const SceneFile& scene, const std::vector<Setting>& settings = {});

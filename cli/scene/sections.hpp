@@ -98,7 +98,7 @@ struct ShapeKind {
   std::string_view name;
   int dim;  // 0: 2D and 3D
   std::string_view help;
-  std::span<const KeyInfo> keys;  // beside those of every shape
+  std::span<const KeyInfo> keys;  // besides the keys of every shape
   std::string_view otherwise;     // nearest type in the other dimension
   Shape (*read)(TomlCursor&, const ShapeSetting&);
 };

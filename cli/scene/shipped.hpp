@@ -6,8 +6,8 @@
 
 namespace taut::cli {
 
-/// Scene folders in search order: those of the environment variable TAUT_SCENES (separated by ':'), then `scenes`
-/// beside the program, or share/taut/scenes if it is installed. The first folder with a name counts. Throws
+/// Scene folders in search order: the folders in the variable TAUT_SCENES (separated by ':'), then `scenes`
+/// beside the program, or share/taut/scenes if it is installed. The first folder that contains a name is used. Throws
 /// UsageError for a missing folder of TAUT_SCENES.
 std::vector<std::filesystem::path> scene_folders();
 /// Sorted names of scenes; names in gallery/ come last, as "gallery/NAME". Throws UsageError without scene folders.

@@ -153,7 +153,7 @@ void load(Session& session, const Words& words, const Dialogue& to) {
   say_time(session, to);
 }
 
-/// Written as commands.
+/// Prints the drawing options in the form of commands.
 void say_look(const Drawing& drawing, const Dialogue& to) {
   for (const DrawingKey& key : drawing_keys()) {
     if (key.session_help.empty()) continue;

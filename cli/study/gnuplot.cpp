@@ -25,7 +25,8 @@ std::string one_line(std::string_view text) {
 /// False for continuation bytes of UTF-8.
 bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
-/// A byte in a string in single quotes, as an octal escape: gnuplot 5.4 reads '' as one quote only behind a letter.
+/// A byte inside a single-quoted string of gnuplot: ends the string, appends the byte as an octal escape and begins a
+/// new string. A doubled quote is no alternative: gnuplot 5.4 reads '' as a quote only after a letter.
 std::string plot_byte(char c) { return fmt::format("'.\"\\{:03o}\".'", static_cast<unsigned char>(c)); }
 
 /// Path from the script's folder, as a string of gnuplot. "./" is added because a leading '|' or '<' would start a
@@ -136,7 +137,7 @@ std::string plot_note(std::string_view note, double height) {
 int draw_plot(const PlotFiles& files, const std::string& script, const std::string& data) {
   const fs::path picture = fs::absolute(files.picture);
   make_folder_of(files.picture);
-  const bool vector = picture.extension() == ".svg";  // the viewer has the fonts
+  const bool vector = picture.extension() == ".svg";  // the viewer's fonts draw its letters
   write_atomically(files.data(), vector ? data : with_letters_of_fonts(data));
   write_atomically(files.script(), vector ? script : with_letters_of_fonts(script));
   const fs::path folder = picture.parent_path();

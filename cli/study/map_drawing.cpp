@@ -53,7 +53,7 @@ void each_cell(const StabilityMap& map, const Use& use) {
       if (map.cells[r][v]) use(r, v, *map.cells[r][v]);
 }
 
-/// Non-empty kinds: gnuplot does not count empty blocks.
+/// Kinds with at least one cell: gnuplot does not number empty blocks of data.
 std::vector<std::size_t> kinds_in(const StabilityMap& map, const std::vector<Kind>& all) {
   std::vector<bool> there(all.size());
   each_cell(map, [&](std::size_t, std::size_t, const MapCell& cell) { there[kind_of(cell, all)] = true; });

@@ -101,7 +101,7 @@ void SweepRunner::finish(Job& job) {
   job.process.reset();
   SweepRun& run = *job.run;
   run.read_folder();
-  // an interrupted run ended properly or has not begun
+  // after an interrupt, the run has ended properly, or it had not begun
   const bool stopped = passed_on_ && (end.code == exit_by_signal(SIGTERM) || end.signal == SIGTERM);
   if (run.state != SweepRunState::done && !stopped) {
     const bool by_signal = end.signal != 0;

@@ -34,7 +34,7 @@ class SweepRunner {
   struct Job {
     SweepRun* run;
     std::unique_ptr<ChildProcess> process;
-    double share = 0;  // done, 0 to 1
+    double share = 0;  // completed part of the run, 0 to 1
   };
   bool may_start() const;
   void wait_for_something();

@@ -88,7 +88,7 @@ int give_up(int descriptor, int error) {
   return -1;
 }
 
-/// Creates and locks a new file. Removes what a killed program left, and links, which it never follows. Waits while
+/// Creates and locks a new file. Removes a file that a killed program left, or a link; never follows links. Waits while
 /// another process writes the file. Returns −1 with errno on failure: EWOULDBLOCK if another process does not end.
 int open_new(const std::string& path) {
   constexpr int most = 1000;  // attempts, if other writers come in between
@@ -205,7 +205,7 @@ std::optional<std::string> read_whole(const fs::path& path, std::uint64_t most_b
       if (number >= 0) ::close(number);
     }
   };
-  // a device has no end, and a pipe is not waited for
+  // a device has no end, and opening a pipe must not wait
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
   struct stat found {};
   if (file.number < 0 || ::fstat(file.number, &found) != 0 || !S_ISREG(found.st_mode)) return std::nullopt;
@@ -237,7 +237,7 @@ AppendFile::AppendFile(fs::path path, Start start) : path_(std::move(path)) {
   if (descriptor_ < 0) fail(path_, errno);
   struct stat found {};
   const bool known = ::fstat(descriptor_, &found) == 0, regular = known && S_ISREG(found.st_mode);
-  // a pipe would be waited for, and the other name of a file be written to as well
+  // opening a pipe would wait, and a file with a second name would change under both names
   const bool allowed = regular ? found.st_nlink == 1 : known && S_ISCHR(found.st_mode);
   if (allowed && (!regular || start == Start::as_it_is || ::ftruncate(descriptor_, 0) == 0)) {
     length_ = std::max<std::int64_t>(0, ::lseek(descriptor_, 0, SEEK_END));

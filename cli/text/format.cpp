@@ -108,7 +108,7 @@ std::string table_line(const std::vector<std::string>& cells, const std::vector<
 
 std::string in_columns(std::vector<std::vector<std::string>> rows, int indent,
                        std::optional<std::size_t> columns) {
-  for (auto& row : rows)  // cells of foreign files
+  for (auto& row : rows)  // cells may contain text of foreign files
     for (std::string& cell : row) cell = printable(cell);
   std::vector<std::size_t> padded, full;  // without and with the last cell of each row
   for (const auto& row : rows) {

@@ -69,7 +69,7 @@ class FaceContacts final : public ContactMechanism<2> {
   MovingFaces faces_;
   std::vector<double> M_;  // [node] K + 4G/3, Pa
   FaceCandidates candidates_;
-  // [node] N, summed by node, as in mirrored bodies
+  // [node] N; two sums, so that the order of additions is the same in mirrored bodies
   std::vector<V> own_force_;  // from nodes of the same body
   std::vector<V> reaction_;   // from nodes of other bodies
 };

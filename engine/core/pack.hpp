@@ -5,13 +5,13 @@
 
 namespace taut {
 
-/// Four doubles: four neighbours of one particle, or one neighbour of each of four. As a compiler vector, Pack shares
-/// terms, written for T, with double. Results are bit-identical without AVX.
+/// Four doubles: for four neighbours of one particle, or for one neighbour of each of four particles. Pack is a vector
+/// type of the compiler, so a term written for a type T accepts Pack and double. Results are bit-identical without AVX.
 inline constexpr int lanes = 4;
 typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
 
-/// Replaces a factor that the calling pass includes elsewhere.
+/// Argument for a factor that the calling pass includes elsewhere.
 inline constexpr Pack one = {1, 1, 1, 1};
 
 typedef double UnalignedPack __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double))));
@@ -24,7 +24,7 @@ inline Pack load(const double* from, int count) {
 }
 inline void store(const Pack& a, double* to) { *reinterpret_cast<UnalignedPack*>(to) = a; }
 
-/// Pack in an array: without AVX, GCC aligns a bare one less.
+/// Pack as an array element, aligned to 32 bytes: without AVX, GCC aligns a bare Pack to fewer.
 struct AlignedPack {
   alignas(lanes * sizeof(double)) Pack value;
 };
@@ -132,7 +132,7 @@ inline Pack halves(const double* a, const double* b) {
   typedef double Half __attribute__((vector_size(2 * sizeof(double))));
   const Half &low = *reinterpret_cast<const Half*>(a), &high = *reinterpret_cast<const Half*>(b);
 #if defined(__AVX__) && !defined(__clang__)
-  // merges with its load; GCC 12 turns a shuffle into moves
+  // one instruction that loads the upper half; GCC 12 turns a shuffle into several moves
   return __builtin_ia32_vinsertf128_pd256(__builtin_ia32_pd256_pd(low), high, 1);
 #else
   return __builtin_shufflevector(low, high, 0, 1, 2, 3);

@@ -18,7 +18,7 @@ struct CriticalStep {
   std::optional<double> stable;    // s; none: unstable down to 1/16 default step
   std::optional<double> unstable;  // s; none: stable up to 256 default steps
   double default_step = 0;         // s, by the method's rule
-  double covered = 0;              // s, by each trial at least
+  double covered = 0;              // s, shortest trial
   int trials = 0;
   bool interrupted = false;  // before reaching `tolerance`
 };
@@ -27,9 +27,9 @@ struct CriticalStep {
 /// least 300 steps. Particles get random velocities up to 1e-6 c0, the same in all trials. A trial is unstable if a
 /// velocity or energy is not finite, or a particle is faster than 10 c0. It is also unstable if kinetic and strain
 /// energy exceed 100 times the given energy (start and work) plus the energy of speeds of 1e-3 c0: near the limit the
-/// energy of a stable leap-frog oscillates, so that a factor of 2 would stop some per cent short of it. Tearing is
+/// energy of a stable leap-frog oscillates, so that a factor of 2 would give a limit some per cent too low. Tearing is
 /// allowed, as in [Zhang2020] Fig. 18.
-/// The search ends when `goes_on` returns false. Throws as make_simulation.
+/// The search ends when `goes_on` returns false. Throws the same errors as make_simulation.
 CriticalStep find_critical_step(
     const Scene& scene, const Settings& settings, const CriticalStepSearch& search = {},
     const std::function<bool(const CriticalStep&)>& goes_on = [](const CriticalStep&) { return true; });

@@ -40,9 +40,10 @@ struct IndicatorRecord {
 };
 
 /// Alternating parts r(q)_i = Σ_j w_ij q_j of fields (AlternatingPart); rms over particles with a row.
-/// - hourglass_error: rms |r(x)| / dp of the worst body, or 0.2 times that of the worst patch, a particle and
-///   those of its row. Bodies and parts without zigzags thus do not dilute it. |r(x)| = |Σ_j w_ij E_ij| with the error
-///   vectors E_ij = F_i X_ij − x_ij of [Ganzenmueller2015], for any F_i. A zigzag of amplitude a gives a/dp.
+/// - hourglass_error: rms |r(x)| / dp of the worst body, or 0.2 times the value of the worst patch, if that is greater.
+///   A patch is a particle and the particles of its row. Bodies and parts without zigzags thus do not dilute the error.
+///   |r(x)| = |Σ_j w_ij E_ij| with the error vectors E_ij = F_i X_ij − x_ij of [Ganzenmueller2015], for any F_i. A
+///   zigzag of amplitude a gives a/dp.
 ///   Particles count at most one spacing, since displacements at cracks mean nothing. Departure: the mean
 ///   |½ (E_ij − E_ji)| / |X_ij| of the paper includes smooth fields where F is one-sided.
 /// - pressure_checkerboard = rms r(p) / rms p.

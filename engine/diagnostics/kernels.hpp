@@ -35,8 +35,8 @@ struct StrainDivisors {
 
 /// Sums for a row of history.csv, bit-identical for all instruction sets.
 struct HistoryKernels {
-  /// Three sums of AlternatingSums::part, x at most `spacing`² each, then those of `whole`. `squared`: [row]
-  /// AlternatingSums::x.
+  /// Writes to `out` the three sums of AlternatingSums::part, with x at most `spacing`² each, then the three sums of
+  /// `whole`. `squared`: [row] AlternatingSums::x.
   void (*alternating_sums)(const AlternatingView& part, const SnapshotView& now, double spacing, double* out,
                            double* squared);
   /// 4 + 3 + 3 numbers: kinetic and strain energy, scales of linear and angular momentum; linear; angular momentum.

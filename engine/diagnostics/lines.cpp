@@ -63,7 +63,7 @@ LineRecorder::Points LineRecorder::points_of(const SampleLine& line, const Snaps
                                   : material_point(x, begin, end, at, reach_, now.dim));
     if (!of_stress || point.empty()) continue;
     std::vector<PointWeight> of_free = point_of_stress(point, all, at);
-    if (!of_free.empty()) point = std::move(of_free);  // none deep inside a clamp
+    if (!of_free.empty()) point = std::move(of_free);  // empty deep inside a clamp
   }
   return points;
 }

@@ -71,8 +71,9 @@ class Lines {
     for (std::size_t k = hull_.size(); k-- > 0;) above_[k] = least = std::min(least, hull_[k]);
   }
 
-  /// Beyond its width a line falls to half on both sides, a trend on one, an impact on none. With few periods, no
-  /// lower frequency may be higher, and the upper side must fall at once.
+  /// Whether a peak is a line: beyond its width it falls to half its height on both sides. The remainder of a trend
+  /// falls on one side only, the remainder of an impact on neither. With only a few periods, no lower frequency may
+  /// have a greater height, and the upper side must fall at once.
   bool have(std::size_t k, double height) const {
     if (height <= floor_ || height <= of_highest(k) || k + width >= hull_.size()) return false;
     if (k <= slowest + width)

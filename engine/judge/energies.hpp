@@ -21,7 +21,7 @@ struct Excess {
 /// - Energy: kinetic + strain, of closed groups in the frame of their initial momentum (with gravity: of their momentum).
 ///   Contact energy counts if only one group has contacts.
 /// - Received energy: initial energy, unless closed plus the greatest work of drives, loads and gravity. If it is
-///   round-off, that of a speed of 1e-4 sound speeds replaces it.
+///   round-off, the energy of a speed of 1e-4 sound speeds replaces it.
 /// A group diverges when kinetic, or kinetic + strain energy exceeds twice its received energy. For searched neighbours
 /// strain energy counts only while a tenth of the received energy is kinetic: their forces do not derive from it. With
 /// initial neighbours it also diverges when its strain energy lies a tenth of the received energy below its start in two

@@ -19,7 +19,7 @@ namespace {
 constexpr double edge_tolerance = 1e-6;        // of dp; closer to an edge is inside
 constexpr double greatest_place_number = 1e9;  ///< lattice sites per body
 
-/// Estimate; counts overlaps of shapes repeatedly.
+/// Estimated number of particles; counts overlaps of shapes repeatedly.
 double expected_number(const Body& body, int dim, double dp) {
   double volume = 0;
   for (const Shape& shape : body.shapes) volume += shape->measure(dim);
@@ -154,7 +154,8 @@ std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
   return body.shapes.front()->sites(dim, dp);
 }
 
-/// Jitters along the lattice axes, not off faces; equal numbers with every compiler.
+/// Jitters along the axes of the lattice; particles on faces stay on them. Random numbers are the same with every
+/// compiler.
 void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, const Shape& first, int dim,
                   double dp) {
   if (jitter.share == 0) return;

@@ -106,7 +106,7 @@ void refuse_close_particles(const InitialParticles& layout, const Scene& scene) 
   }
 }
 
-/// Maps starting positions of a displaced body to its layout, by the nearest particle and the displacement gradient.
+/// Maps starting positions in a displaced body to reference positions, linearly about the nearest particle.
 class LaidPlaces {
  public:
   LaidPlaces(const InitialParticles& layout, const Scene& scene, std::size_t b)
@@ -133,7 +133,7 @@ class LaidPlaces {
   }
 
  private:
-  static constexpr double reach = 1.5;  // spacings: enough for 70 % stretch
+  static constexpr double reach = 1.5;  // spacings; suffices up to 70 % stretch
 
   Mat<double, 3> gradient(const Point& X) const {
     const double way = 1e-3 * spacing_;

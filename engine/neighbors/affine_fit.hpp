@@ -26,7 +26,7 @@ struct InitialPositions {
 
 /// Neighbours in the same body, up to 1.6 times as far as the nearest.
 struct FirstNeighbors {
-  std::vector<std::size_t> first, neighbor;  // those of i: first[i] … first[i + 1] − 1
+  std::vector<std::size_t> first, neighbor;  // neighbours of i: first[i] … first[i + 1] − 1
   std::vector<double> spacing;               // to the nearest, m
 
   std::span<const std::size_t> operator[](std::size_t i) const {

@@ -64,7 +64,7 @@ class RoundCube {
     return on_face(axis, side, 2 * p, 2 * q);
   }
 
-  /// Returns a unit vector. Adds squares in order of size, for exact symmetry.
+  /// Unit vector from the centre to `place`. Adds squares in order of size: symmetric places give the same bits.
   Point direction(const Place& place) const {
     Point way{};
     std::array<double, 3> square{};
@@ -78,7 +78,8 @@ class RoundCube {
   double solid_angle(long p, long q) const {
     p = std::max(p, n_ - 1 - p), q = std::max(q, n_ - 1 - q);
     if (p < q) std::swap(p, q);
-    const auto below = [&](long a, long b) {  // of a rectangle from a face's centre to corner (a, b)
+    // solid angle of the rectangle from the centre of a face to corner (a, b)
+    const auto below = [&](long a, long b) {
       const double x = tangent(2 * a - n_), y = tangent(2 * b - n_);
       return std::atan2(x * y, std::sqrt(1 + x * x + y * y));
     };
@@ -95,8 +96,8 @@ class RoundCube {
 };
 
 RoundCube cube_of(const Ring& shell, double dp) {
-  const double side =
-      std::sqrt(4 * pi / 6) * 0.5 * (shell.inner + shell.outer);  // of a square with a face's area
+  // side of a square with a sixth of the middle sphere's area
+  const double side = std::sqrt(4 * pi / 6) * 0.5 * (shell.inner + shell.outer);
   return RoundCube(std::max(1L, std::lround(side / dp)));
 }
 
@@ -131,14 +132,14 @@ struct Slices {
          along[0] * u[1] - along[1] * u[0]};
   }
 
-  /// Maps x of a slice to space.
+  /// Maps x, in the plane of a slice, to space, `pitches` above the end `from`.
   Point place(const Point& x, double pitches) const {
     Point at{};
     for (std::size_t k = 0; k < 3; ++k)
       at[k] = from[k] + pitches * pitch * along[k] + x[0] * u[k] + x[1] * v[k];
     return at;
   }
-  /// Cell corner at the inside of `layer`, before particle `turn`.
+  /// Corner of a cell in the plane of a slice: at the inner radius of `layer`, half a particle before particle `turn`.
   Point corner(long layer, long turn) const {
     const double r =
         ring.inner + static_cast<double>(layer) * (ring.outer - ring.inner) / static_cast<double>(layers);

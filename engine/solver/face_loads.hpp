@@ -38,7 +38,7 @@ using FaceShare = std::pair<int, Point>;
 ///   normal to a plane face. Corners are not in equilibrium. If Σ n · S is below half of the area, the whole force
 ///   stays on the layer.
 /// In thin bodies, S_j includes the opposite face. Both rules then use the half of the column nearer to the face
-/// and apply the missing area at the middle. The opposite face has the same there with the other sign.
+/// and apply the missing area at the middle. The opposite face applies the same area there with the opposite sign.
 enum class FaceRule : std::uint8_t { uniform, by_column };
 /// Force on each particle, in N. `surface`: S by id, m^(dim − 1); `reach`: range of the gradient, m.
 std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const InitialParticles& initial,

@@ -22,7 +22,7 @@ class ProbeSource {
   virtual ContactsOfFaces<Dim>* faces() = 0;                   // for gaps; may be null
   virtual V reaction(int i) = 0;                               // constraint force over the last step, N
   virtual V contact_force(const Probe& probe, double dt) = 0;  // over the last step, N
-  /// Current stresses of these stored particles.
+  /// Snapshot with the current stresses of the particles with these storage indices.
   virtual const Snapshot& shown(const std::vector<int>& stored) = 0;
 };
 
@@ -36,7 +36,7 @@ struct ProbeFollower {
   const ProbeRow<Dim>* row = nullptr;
   std::vector<PointWeight> at, to;         // material points or a body's particles
   Vec<double, Dim> beside{}, to_beside{};  // offset from a single particle, m
-  std::vector<std::pair<int, int>> pairs;  // stored particles within `support`
+  std::vector<std::pair<int, int>> pairs;  // storage indices of particles within `support` of each other
   std::vector<int> image;                  // [particle] id of its mirror image
   double last = 0;                         // m or rad
 };
@@ -67,7 +67,7 @@ struct ProbeStep : ProbeView<Dim> {
   ProbeSource<Dim>& source;
   const Snapshot* shown;              // stresses for rows with `takes_stress`
   double time, dt;                    // s; initially dt = 0
-  const std::vector<double>& before;  // of earlier probes
+  const std::vector<double>& before;  // values of the earlier probes of the scene
   bool evaluates_expensive;           // true every few steps, for expensive values
 };
 

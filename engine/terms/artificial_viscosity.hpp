@@ -6,7 +6,7 @@
 namespace taut {
 
 /// Π, m⁵/(kg s²); Σ m_j Π ∇_i W is an acceleration, repulsive since Π ≤ 0. `approach` = −u·r, m²/s. Departure from
-/// [TranDuc2023] §2.2: it lacks 1/ρ̄, so that units are wrong, and the value 0.01.
+/// [TranDuc2023] §2.2, which prints Π without 1/ρ̄, so that its units are wrong, and does not state the value 0.01.
 template <class T>
 T artificial_viscosity(const T& approach, const T& r2, const T& c_mean, const T& rho_mean, double alpha,
                        double h) {

@@ -74,7 +74,7 @@ template <int Dim>
 double cancelled_slope_rate(double s) {
   return s == limited_stretch<Dim>(s) ? (1 + 0.5 / (s * s * s)) / 3 : 0;
 }
-/// Products of cancelled_slope of s and t with three times their thirds; one division, which would dominate the cost.
+/// Returns 3 third_of_s cancelled_slope(s), and the same for t. Both share one division, which dominates the cost.
 template <int Dim, class T>
 [[gnu::always_inline]] inline std::array<T, 2> cancelled_pulls(const T& s, const T& t, const T& third_of_s,
                                                                const T& third_of_t) {
@@ -125,7 +125,7 @@ struct ClosedNeoHookean {
   struct Closed {
     T c, slope;  // dc/dJ
   };
-  /// c(J): J from ½ on, above ¼ below.
+  /// c(J): equal to J from ½ on; below ½ a smooth continuation that stays above ¼.
   static Closed limited_volume_ratio(const T& J) {
     const T one = filled<T>(1);
     if (!any(J < 0.5)) return {J, one};

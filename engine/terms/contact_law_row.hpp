@@ -20,7 +20,7 @@ struct ContactLawRow {
   std::string_view help;
   TermInfo term{};
   ContactBetween between;
-  // initial gap of touching faces, spacings: particles of oblique faces touch first
+  // gap below which faces count as touching, spacings; above 0, since particles of oblique faces touch earlier
   double touching = 0.1;
 
   // Force along a pair, N, and its energy, J, both per metre depth in 2D, for r < dp, m; K: contact modulus, Pa. For

@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Term j of a sum that times L_i is ∇ρ, kg/m⁴. [Khayyer2024] Eq. 35
+/// Term j of L_i⁻¹ ∇ρ, kg/m⁴. [Khayyer2024] Eq. 35
 template <class T, int Dim>
 Vec<T, Dim> density_gradient_term(const T& rho_i, const T& rho_j, const T& V_j, const T& dW,
                                   const Vec<T, Dim>& e_ij) {
@@ -24,6 +24,6 @@ T density_diffusion_term(const T& rho_i, const T& rho_j, const Vec<T, Dim>& grad
 inline constexpr TermInfo density_diffusion_info{
     "density diffusion", "dρ/dt = δ h c0 Σ ψ_ij (r·∇W)/r² V_j", "[Khayyer2024] Eq. 32–35",
     "terms/density_diffusion.hpp:density_diffusion_term",
-    "density diffusion: a linear density has none, others flow from dense to thin"};
+    "density diffusion: a linear density does not diffuse, others flow from dense to thin"};
 
 }  // namespace taut

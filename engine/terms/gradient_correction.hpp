@@ -32,6 +32,6 @@ Sym<double, Dim> gradient_correction(const Sym<double, Dim>& M) {
 inline constexpr TermInfo gradient_correction_info{
     "gradient correction", "L = (−Σ V_j r_ij ⊗ ∇W)⁻¹", "[Khayyer2024] §3.1",
     "terms/gradient_correction.hpp:gradient_correction",
-    "gradient correction: a linear field is exact at a surface, and far off without correction"};
+    "gradient correction: gradients of linear fields are exact at a surface, and wrong without it"};
 
 }  // namespace taut

@@ -4,18 +4,18 @@
 #include "engine/term_info.hpp"
 
 /// Riemann problem along e_ij (from j to i), left state i: U_L = −v_i·e_ij, U_R = −v_j·e_ij, closing speed U_L − U_R.
-/// [Zhang2024] prints neither U* nor P*; these are of a linearised solver.
+/// [Zhang2024] prints neither U* nor P*; the formulas below follow from a linearised solver.
 namespace taut {
 
 struct Dissipation {
   double rho0_c0;  // impedance, kg/(m² s)
   double slope;    // limiter/c0, s/m
-  double least;    // least β
+  double least;    // lower bound of β
 };
 
 /// P* = ½ (p_i + p_j) + ½ β ρ0 c0 (U_L − U_R), Pa. [Zhang2024] Eq. 12. β = 1 is the linearised solver; β = min(3
-/// max(U_L − U_R, 0)/c0, 1) is the limiter of its reference. [Zhang2024] prints no β: its results follow from the
-/// limiter for `og` and from β = 1 for `enog` and `oas`, which diverge otherwise.
+/// max(U_L − U_R, 0)/c0, 1) is the limiter of the solver that [Zhang2024] cites. The paper prints no β: the limiter
+/// reproduces its results for `og`, and β = 1 those for `enog` and `oas`, which diverge otherwise.
 template <class T>
 T riemann_pressure(const T& p_i, const T& p_j, const T& closing_speed, const Dissipation& d) {
   T impedance = filled<T>(d.rho0_c0);

@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Term j of a sum that divided by ρ_i is the shear acceleration, N/m³. [Zhang2024] Eq. 13
+/// Term j of ρ_i times the shear acceleration, N/m³. [Zhang2024] Eq. 13
 template <class T, int Dim>
 Vec<T, Dim> nested_shear_term(const Sym<T, Dim>& s_i, const Sym<T, Dim>& s_j, const T& V_j, const T& dW,
                               const Vec<T, Dim>& e_ij) {
@@ -15,8 +15,8 @@ inline constexpr TermInfo nested_shear_info{"shear force", "dv/dt = Σ m_j (s_i 
                                             "[Zhang2024] Eq. 13", "terms/shear.hpp:nested_shear_term",
                                             "force: the forces of j on i and of i on j are opposite"};
 
-/// Term j of a sum that times ζ is ∇²v, 1/(m s). [Zhang2024] Eq. 19. Rigid rotation gives 0. In the continuum it is
-/// (∇²v + 2 ∇∇·v)/(d + 2): ζ = d + 2 would be consistent, the published 0.7 d + 2.1 is calibrated, and ∇∇·v adds bulk
+/// Term j of ∇²v/ζ, 1/(m s). [Zhang2024] Eq. 19. Rigid rotation gives 0. In the continuum the sum is (∇²v +
+/// 2 ∇∇·v)/(d + 2): ζ = d + 2 would be consistent, the published 0.7 d + 2.1 is calibrated, and ∇∇·v adds bulk
 /// stiffness.
 template <class T, int Dim>
 Vec<T, Dim> laplacian_term(const Vec<T, Dim>& v_ij, const T& V_j, const T& dW, const T& inv_r,

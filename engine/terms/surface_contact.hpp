@@ -124,9 +124,9 @@ inline double covered_second_derivative(double cover) {
   return t > 0 && t < 1 ? 6 / 0.49 * (1 - 2 * t) : 0;
 }
 
-/// Greatest stiffness relative to first touch, ½ k A: from the depth, and from the cover as edges and corners slide
-/// past each other, without which tilted boxes gain energy. Per spacing the cover changes by at most 1.2, its slope
-/// by 4; doubled, as facets share nodes.
+/// Greatest stiffness relative to that at first touch, ½ k A. It grows with the depth, and with changes of the cover
+/// as edges and corners slide past each other; without the latter, tilted boxes gain energy. Per spacing the cover
+/// changes by at most 1.2, its slope by 4. Terms with these changes are doubled, since facets share nodes.
 inline double hardening(double depth, double cover, double dp) {
   constexpr double soon = 0.1, first = 0.2, steepest = 1.2, bend = 4;
   if (cover < soon) return 1;

@@ -15,8 +15,8 @@ class GlContext {
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// Makes the context current in this thread as long as the object exists. What is drawn into `framebuffer()`
-  /// appears in `target`, which must have the context's size. OpenGL's row 0 is the bottom row of the image.
+  /// Makes the context current in this thread as long as the object exists. `target` receives the picture drawn into
+  /// `framebuffer()`; it must have the context's size. OpenGL's row 0 is the bottom row of the image.
   class Current {
    public:
     /// Throws UsageError if there is not enough memory for the picture.

@@ -85,8 +85,8 @@ void main() { color = vec4(triangle_color.rgb, 1.0); })";
 constexpr const char* resolve_vertex_shader = R"(#version 330 core
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); })";
 
-// Opposite points: their mean depth equals the pixel's on a plane, and is nearer in a hollow; half their difference
-// is the slope. Much farther points are other objects.
+// Compares opposite points around a pixel. Their mean depth equals the pixel's on a plane and is nearer in a hollow.
+// Half their difference is the slope. Points that are much farther away belong to other objects.
 constexpr const char* resolve_fragment_shader = "#version 330 core\n" TAUT_LIGHT R"(
 uniform sampler2D colors, depths;
 uniform ivec2 corner;    // of the picture's part, pixels
@@ -251,7 +251,7 @@ void SolidPainter::draw_band(int top, int height, int ball_corners, int corners,
   }
 }
 
-/// Draws rows from `top`; the band has `below` more below them.
+/// Draws `height` rows from `top`; the band contains `below` further rows under them.
 void SolidPainter::resolve(std::uint32_t picture, int top, int height, int below, const Extent& extent) {
   const int bottom = image_height_ - (plot_.y + top + height);  // OpenGL's row 0 is the bottom
   glBindFramebuffer(GL_FRAMEBUFFER, picture);

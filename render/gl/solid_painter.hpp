@@ -16,7 +16,7 @@ struct Ball {
   std::uint32_t color;  // bytes R, G, B, 255
 };
 
-/// Corner of a triangle, as a Ball.
+/// Corner of a triangle, in the coordinates of a Ball.
 struct Corner {
   float x, y, z;
   std::uint32_t color;  // shaded
@@ -24,9 +24,9 @@ struct Corner {
 
 /// Draws spheres and triangles with OpenGL. Requires a current context throughout its lifetime.
 ///
-/// Light from behind the camera, upper left, dims colours and keeps hues. It shades spheres, and the visible surface
-/// by the depths around a pixel; hollows are darker [Luft, Colditz, Deussen: Image enhancement by unsharp masking the
-/// depth buffer, 2006].
+/// The light comes from the upper left, behind the camera. Shading darkens colours and keeps their hues. Spheres are
+/// shaded by their normals. All visible surfaces are also shaded by the depths around each pixel, so that hollows are
+/// darker [Luft, Colditz, Deussen: Image enhancement by unsharp masking the depth buffer, 2006].
 class SolidPainter {
  public:
   /// Throws UsageError if there is not enough memory for such a picture.

@@ -19,7 +19,7 @@ struct ImageDifference {
   int width = 0, height = 0;  // of that window; smaller in small pictures
 };
 
-/// Limits for equal pictures. Rounding may move edges across pixel centres, but rarely side by side.
+/// Limits for equal pictures. Rounding may move edges across pixel centres, but rarely at many adjacent pixels.
 struct DifferenceLimit {
   double share = 0.002;
   double densest = 0.05;

@@ -1,6 +1,6 @@
 # Functions shared by the kinds of faults; sourced by run. A kind is a file in kinds/ with the functions
 #
-#   prepare   makes, once, what all trials compare with or copy, in the folder $ground
+#   prepare   makes, once, the files that all trials compare with or copy, in the folder $ground
 #   trial     injects one fault in the empty folder $here (the current one), and checks the result
 #
 # and a line `harm="..."`, its description for --list. Trials report findings with lost, torn, crashed, hung and

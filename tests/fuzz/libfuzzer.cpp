@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  // processor time; libFuzzer limits waits
+  // processor time; libFuzzer itself limits the wall-clock time
   constexpr double most = 10;  // s
   const std::clock_t begin = std::clock();
   taut::fuzz::feed(*target, {reinterpret_cast<const char*>(bytes), size});

@@ -417,8 +417,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "3D particles need a camera, 2D particles must not have one, and a camera is checked against its "
-      "bounds") {
+      "3D particles need a camera, 2D particles must not have one, and a camera must be within bounds") {
     Look with = look(64, 64, unit_view);
     FrameView frame;
     frame.dim = 3;

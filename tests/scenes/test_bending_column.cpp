@@ -25,8 +25,7 @@ double pressure_checkerboard(const TemporaryFolder& folder, const std::vector<st
 
 TEST_SUITE("failure") {
   TEST_CASE(
-      "bending column: near incompressibility the pressure of pf-jst alternates three times as much as with "
-      "pfj-jst") {
+      "bending column: near incompressibility pf-jst has three times the pressure checkerboard of pfj-jst") {
     const TemporaryFolder folder;
     for (const std::string spacing : {"0.3333", "0.2"}) {  // [Lee2016] Fig. 23, and finer
       CAPTURE(spacing);

@@ -205,8 +205,7 @@ TEST_SUITE("failure") {
 
   // §8.5, Fig. 13, 14. Particles separate at the punch's edge. {p, F, H, J} equals {p, F, J} for neo-Hookean.
   TEST_CASE(
-      "coining: at 46 % of its height pf has a pressure checkerboard, and methods with dissipation have "
-      "none") {
+      "coining: at 46 % of its height pf has a pressure checkerboard, methods with dissipation have none") {
     const double beyond = 0.015;             // half a punch from its edge, m
     const double least_volume = 1 - 0.0285;  // finite elements, at 0.12 ms
     const Run rough = run("coining", "pf", {}, beyond), other = run("coining", "oenog");

@@ -48,7 +48,7 @@ class Beam {
   explicit Beam(const std::string& load) {
     std::ofstream(folder_ / "beam.toml") << (load == weight ? load + beam : beam + load);
   }
-  /// Verdict until `until`, s, from every `each`-th step.
+  /// Verdict of a run up to time `until`, s, that is judged after every `each` steps.
   Verdict verdict(const std::vector<Setting>& settings, double until = 2e-4, int each = 1) const {
     SceneFile file = read_scene(folder_ / "beam.toml", settings);
     file.settings.threads = 1;

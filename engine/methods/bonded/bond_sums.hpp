@@ -17,8 +17,8 @@ struct BondSums {
   Pack stiffest{};         // maximum s + 1/(4s²)
 };
 
-/// Returns the sums, with damping. `places` contains x and x + 3 τ v. With d the difference x_j − x_i and `ahead`
-/// that difference of x + 3 τ v, d·ahead/r0² = s + 3 τ q̇ replaces s in 3 φ′/λ = s − ¾ − 1/(4s²). r² is at least
+/// Returns the sums, with damping. `places` contains x and x + 3 τ v. With d = x_j − x_i, and `ahead` the same
+/// difference of x + 3 τ v, the value d·ahead/r0² = s + 3 τ q̇ replaces s in 3 φ′/λ = s − ¾ − 1/(4s²). r² is at least
 /// `least_r2`, in m².
 template <bool WithEnergy, int Dim, class Storage>
 [[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBondsView<Dim, Storage>& bonds,

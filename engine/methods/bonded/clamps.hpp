@@ -11,7 +11,8 @@
 
 namespace taut {
 
-/// Clamp places, stored in columns after the particles. Places on a driven region follow it.
+/// Clamp places: points on the faces of rigid regions at which bonds of free particles end (THEORY.md, Clamps). They
+/// are stored in columns after the particles. Places on a driven region follow it.
 template <int Dim>
 class Clamps {
  public:

@@ -15,6 +15,7 @@ struct alignas(sizeof(Pack)) GroupLaw {
   Pack V;  // m^Dim, weight of the energy; 0 in padding and for particles without F
   ClosedNeoHookean<Pack> law;
 };
+/// Indices of a group's constants, which groups share.
 struct GroupRows {
   int law, B;
 };
@@ -32,7 +33,7 @@ struct BondedFields {
   int size;
   V* x;                         // m
   const V* v;                   // m/s
-  ColumnsView<2 * Dim> places;  // x, x + 3 τ v; clamp places after the particles
+  ColumnsView<2 * Dim> places;  // x, x + 3 τ v of the particles, then of the clamp places (clamps.hpp)
   ColumnsView<Dim * Dim> Q;     // T B, row by row
   const double* mobility;       // 1/kg; 0 if constrained
   Vec<Pack, Dim>* bond_force;   // [group] N

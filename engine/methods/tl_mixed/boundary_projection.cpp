@@ -106,7 +106,7 @@ void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z)
     S -= C.transpose() * solved[k].rightCols<6>();
     right -= C.transpose() * solved[k].col(0);
   }
-  // minimum-norm, as S may be singular
+  // minimum norm: S is singular where all that could move is prescribed
   const Eigen::Matrix<double, 6, 1> delta = least_squares(S, right).x;
   for (std::size_t a = 0; a < v.size(); ++a) {
     const Eigen::Vector3d rigid = delta.head<3>() + cross_matrix(vector(Z[a])) * delta.tail<3>();

@@ -17,7 +17,8 @@ struct BoundaryPoint {
   Point velocity{};                       // m/s
 };
 
-/// Changes v least, weighted by mass, to prescribed interpolated velocities and unchanged momenta:
+/// Changes v as little as possible, weighted by mass, so that the interpolated velocities are the prescribed ones and
+/// the momenta stay the same:
 ///   v̂_a = v_a + Σ_B V_a/m_a W̃_a(X_B) β_B + β_lin + β_ang × Z_a,
 ///   (i) v̂(X_B) = v_B,   (ii) Σ m_a v̂_a = Σ m_a v_a,   (iii) Σ m_a Z_a × v̂_a = Σ m_a Z_a × v_a.
 /// [Lee2016] Appendix B with the missing B.6; V_B β_B is β_B/ρ0 here. Both momenta are kept, so boundary particles

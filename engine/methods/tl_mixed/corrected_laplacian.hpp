@@ -10,7 +10,8 @@ namespace taut {
 
 /// Weights of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale`, m²:
 ///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²),   r_ij = X_i − X_j,            [Lee2016] Eq. A.1, A.2
-/// ΔW = W″ + (Dim − 1) W′/r. α and β make L of a linear field 0 and L of |X − X_i|² 2 Dim (A.3–A.5, printed for 3D).
+/// ΔW = W″ + (Dim − 1) W′/r. With α and β, L of a linear field is 0 and L of |X − X_i|² is 2 Dim (A.3–A.5, printed for
+/// 3D).
 /// Where neighbours hardly distinguish the two fields, as at corners, β is 0 and the second condition is dropped:
 /// large w_ij would require tiny time steps. L is not symmetric: Σ V_i L[f]_i ≠ 0.
 template <class K, int Dim>

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Unknowns other than positions and velocities, or their rates, in groups of four particles.
+/// The unknowns F, J and H, or their rates, in groups of four particles.
 template <int Dim>
 struct Strains {
   Mat<Pack, Dim>* F;
@@ -47,11 +47,11 @@ struct TlMixedFields {
   double wave_speed;                              // c_p, m/s
   PairLanesView<Dim> pairs;                       // k_ij
   PairLanesView<Dim, Dim + 2> dissipating_pairs;  // k_ij, w_ij dp², adjoint weight
-  Strains<Dim> now, start, rate;                  // at the stage, at the start of the step; rates
+  Strains<Dim> now, start, rate;                  // at the stage; at the start of the step; rates, 1/s
   ColumnsView<Dim + 1> flow;                      // v, m/s, and J
   ColumnsView<Dim * Dim> stress;                  // V P B, row by row
-  ColumnsView<Dim + 1> once;                      // dp² L of (v, J)
-  ColumnsView<Dim> a, a_start;                    // internal; total at the start, m/s²
+  ColumnsView<Dim + 1> once;                      // Laplacian of (v, J), once applied, times dp²
+  ColumnsView<Dim> a, a_start;                    // internal; total at the start of the step, m/s²
   ColumnsView<1> dissipation_J;                   // 1/s
 
   int groups() const { return (size + lanes - 1) / lanes; }

@@ -72,7 +72,7 @@ class PrescribedBoundary {
     }
   }
 
-  /// Prescribes `v(i)` as `given(i)`, then projects.
+  /// Sets the prescribed components of `v(i)` to the components of `given(i)`, m/s, then projects all velocities.
   template <class Velocity, class Given, class Place>
   void project(const Velocity& v, const Given& given, const Place& x) {
     for (Body& body : bodies_) {

@@ -7,7 +7,7 @@ namespace taut::ul_cauchy {
 namespace {
 
 constexpr TermInfo time_info{
-    "time", "symplectic Euler, rates at the middle of the step or where `geometry` says",
+    "time", "symplectic Euler, rates at the point of the step that `geometry` sets, by default the middle",
     "[Khayyer2024] Eq. 22–26", "methods/ul_cauchy/solver.cpp:step",
     "naive: the ladder follows the transcription for a plate of two materials hit by a disc"};
 

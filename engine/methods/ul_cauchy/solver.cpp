@@ -68,7 +68,7 @@ UlCauchy<Dim>::UlCauchy(Common<Dim>& common, const SolverInput& input, const Ker
   rebuild();
 }
 
-/// Under `sph`, neighbour sums contain the contact forces.
+/// Throws SceneError for a probe of contact forces under `sph`: the sums over all neighbours contain these forces.
 template <int Dim>
 void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
   for (const Probe& probe : scene.probes)
@@ -77,7 +77,7 @@ void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
                        "the probe '" + probe.name +
                            "' has no force to measure: with contact = \"sph\" the method '" +
                            std::string(method_.name) +
-                           "' takes two bodies that touch for one; take another law, such as \"penalty\"");
+                           "' treats touching bodies as one; choose another law, such as \"penalty\"");
 }
 
 /// Time step, s, [Khayyer2024] Eq. 26, but shorter for materials stiffer in shear.
@@ -113,7 +113,7 @@ void UlCauchy<Dim>::transport(double dt) {
       kernels_.transport(f_, c_, common_.external.steering(), c_.geometry * dt, common_.threads_now());
   relative_distance_ += dt * std::sqrt(fastest2);
   for (std::size_t body = 0; body < drift_.size(); ++body) centre_[body] += dt * drift_[body];
-  // a rotation by ω dt stretches a pair by the square; a quarter per end
+  // motion along the tangents over ω dt stretches a pair by ½ (ω dt)², a quarter for each end
   const double turn = dt * *std::ranges::max_element(spin_, {}, [](double spin) { return std::abs(spin); });
   relative_distance_ += 0.25 * turn * turn * (common_.run.support + skin * c_.dp);
 }
@@ -164,7 +164,7 @@ void UlCauchy<Dim>::bind_fields() {
         .spin = spin_.data()};
 }
 
-/// Lists contain pairs of two bodies only under `sph`.
+/// Gives the probes the neighbours of all particles under `sph`, else only the pairs in contact.
 template <int Dim>
 void UlCauchy<Dim>::show_neighbors_to_probes() {
   if (!sph_contact_) return common_.show_contacts_to_probes();
@@ -187,7 +187,7 @@ void UlCauchy<Dim>::set_motion() {
   for (int i = 0; i < p_.size(); ++i) motion_[i].set(p_.v[i], rho_[i], p_.m[i] / rho_[i], p_.x[i]);
 }
 
-/// Sets rigid motions from momenta; other values would only cause more searches.
+/// Sets velocity and spin of each body from its momenta; other values would only cause more searches.
 template <int Dim>
 void UlCauchy<Dim>::set_rigid_motion() {
   static_assert(Dim == 2);

@@ -59,7 +59,7 @@ double UlSplit<Dim>::step_size() const {
 /// One acoustic step, [Zhang2024] Eq. 22–25.
 template <int Dim>
 void UlSplit<Dim>::step(double dt) {
-  // Eq. 21 as a distance at the maximum speed since the start, so that turning points do not delay it
+  // Eq. 21 as a distance, at the greatest speed so far: also in time if a body speeds up or turns back
   if (stepping_ == Stepping::single ? common_.run.steps > 0
                                     : distance_since_rebuild_ >= c_.cfl_advection * c_.h)
     rebuild();
@@ -73,7 +73,7 @@ void UlSplit<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Advances by Eq. 24 and 25.
+/// Advances velocities (Eq. 24) and positions (Eq. 25) to the end of the step.
 template <int Dim>
 void UlSplit<Dim>::accelerate(double dt) {
   const Kick<Dim> kick = common_.kick(dt, common_.run.time + dt);
@@ -167,7 +167,7 @@ void UlSplit<Dim>::bind_fields() {
         .mixed_count = static_cast<int>(mixed_.size())};
 }
 
-/// Since the last recovery, with its volumes.
+/// Displacements since the stress was last recovered, with the volumes of that time.
 template <int Dim>
 std::vector<FlowRow<Dim>> UlSplit<Dim>::displacements() const {
   std::vector<FlowRow<Dim>> rows(p_.x.size());

@@ -106,9 +106,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE(
-      "an option that takes several words reports the words it took from the argument, a list with commas is "
-      "one word") {
+  TEST_CASE("an option of several words reports the words that it took, and a list with commas is one word") {
     const TemporaryFolder folder;
     const std::string run = write_record(folder, "run", 0.255);
     const Outcome taken = call({"check", "--measure", "period<1", run, "--verdict", "stable"});

@@ -18,8 +18,7 @@ Outcome search(const TemporaryFolder& folder, const std::vector<std::string>& mo
 
 TEST_SUITE("cli") {
   TEST_CASE(
-      "critical-step: the answer has the step with its unit, its ratio to the default step, and theoretical "
-      "limits") {
+      "critical-step: the answer has the step in s, its ratio to the default step, and theoretical limits") {
     const TemporaryFolder folder;
     const std::vector<std::string> quick{"--method", "tl-small-strain", "--steps",
                                          "50",       "--tolerance",     "0.01"};

@@ -283,8 +283,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "after an error during a run run.json contains status failed and the reason, and an earlier error "
-      "leaves nothing") {
+      "an error during a run leaves run.json with status and reason, and an earlier error leaves nothing") {
     const TemporaryFolder folder;
     const std::string text = text_of(write_tiny_scene(folder));
     std::ofstream(folder / "nan.toml") << "gravity = [0, \"-sqrt(0.001 - t)\"]\n" << text;

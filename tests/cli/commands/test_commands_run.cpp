@@ -71,8 +71,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "a probe named like a column of history.csv is refused, and a line sampled after the end gives a "
-      "warning") {
+      "a probe named like a history column is refused, and a line sampled after the end gives a warning") {
     const TemporaryFolder folder;
     const auto run = [&](const std::string& more) {
       const std::string scene = write_tiny_scene(folder);

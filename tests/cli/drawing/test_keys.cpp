@@ -128,9 +128,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE(
-      "in 3D the view is perpendicular to the camera's direction and contains all particles with their "
-      "size") {
+  TEST_CASE("in 3D the view is perpendicular to the camera's direction and contains all particles in full") {
     const std::vector<double> x{0, 0, 0, 1, 2, 3}, diameter{0.2, 0.2}, value{0, 1};
     FrameView particles;
     particles.dim = 3, particles.x = x, particles.diameter = diameter, particles.value = value;

@@ -169,7 +169,7 @@ TEST_SUITE("unit") {
     const auto claim = [&](const std::string& count) {
       std::string forged = text_of(path);
       forged.replace(forged.find("\"50\""), 4, "\"" + count + "\"");
-      // zeros behind it: bytes enough for what was once allowed, 1024 particles for each
+      // appended zeros: with the former limit, 1024 particles per byte, the file was long enough
       std::ofstream(folder / "forged.vtp", std::ios::binary) << forged << std::string(56000, '\0');
       return folder / "forged.vtp";
     };

@@ -42,8 +42,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "a run warns about a body that starts above its sound speed relative to bodies and walls that it can "
-      "meet") {
+      "a run warns about a body that starts above its sound speed relative to bodies or walls in its way") {
     const TemporaryFolder folder;
     const auto warns = [&](const std::string& modulus, const std::string& more) {
       std::ofstream(folder / "scene.toml")

@@ -150,8 +150,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "scene: the bulk modulus follows from E and nu unless it is given, and c0 follows from the bulk "
-      "modulus") {
+      "scene: the bulk modulus follows from E and nu unless given, and c0 follows from the bulk modulus") {
     const SceneFile usual = read_text(small_scene);
     CHECK(usual.scene.materials[0].bulk_modulus() == 1e7 / (3 * (1 - 2 * 0.4)));
     const SceneFile given = read_text(

@@ -212,9 +212,7 @@ TEST_SUITE("cli") {
     CHECK(contains(outcome.err, "the chart would have 25 lines"));
   }
 
-  TEST_CASE(
-      "error is the vertical axis and cost the horizontal one, and unstable runs are open with a cross "
-      "beside them") {
+  TEST_CASE("error is the vertical axis, cost the horizontal one, and unstable runs are open with a cross") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", converging);
     REQUIRE(call({"chart", file, "--out", folder.str("c.svg")}).code == 0);

@@ -76,8 +76,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "without an error choose lists the cost of each accuracy, and a request for one of them returns its "
-      "run") {
+      "without an error choose lists the cost of each accuracy, and a request for one returns its run") {
     const TemporaryFolder folder;
     const taut::cli::Chart chart = chart_of(folder);
     const auto all = taut::cli::pareto_front(chart, std::nullopt);

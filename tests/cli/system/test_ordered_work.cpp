@@ -57,7 +57,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("a slow piece delays the second halves behind it, but not the first ones") {
+  TEST_CASE("a slow piece delays the second halves of later pieces, but not their first halves") {
     OrderedWork work(2);
     Gate gate;
     std::vector<int> order;

@@ -387,7 +387,7 @@ TEST_SUITE("failure") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("contact of faces: a body that is pressed or bent but not folded costs no contact") {
+  TEST_CASE("contact of faces: a body that is pressed or bent, but not folded, has no self-contact") {
     constexpr double inside = 0.008;  // m; excludes the corners
     CHECK(touching_after<2>([](const V& x) { return V{x[0], 0.5 * x[1]}; }, dp, inside) == 0);
     CHECK(touching_after<2>([](const V& x) { return bent(x, 0.012); }, dp, inside) == 0);

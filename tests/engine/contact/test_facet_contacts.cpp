@@ -413,8 +413,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "contact of faces: in 3D a body too thin for faces is refused, and listed particles are refused with a "
-      "reason") {
+      "contact of faces: in 3D bodies too thin for faces, and listed particles, are refused with a reason") {
     const Box block{{0, 0, 0.002}, {0.01, 0.01, 0.006}};
     const std::vector<Point> places = {{0, 0, 0},  {dp, 0, 0},  {0, dp, 0},  {dp, dp, 0},
                                        {0, 0, dp}, {dp, 0, dp}, {0, dp, dp}, {dp, dp, dp}};

@@ -20,8 +20,7 @@ Snapshot particle(bool clamped) {
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "conservation: drift is relative to the greatest scale so far, and absent for momenta if particles are "
-      "clamped") {
+      "conservation: drift is relative to the greatest scale so far, and absent for momenta with clamps") {
     Balance start;
     start.kinetic = 4;
     start.linear_momentum = {1, 0, 0};

@@ -48,7 +48,7 @@ void move(Snapshot& now) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("field_error: the error is relative to the greatest solution at the present time") {
+  TEST_CASE("field_error: the error is relative to the greatest value of the solution at that time") {
     Snapshot now = sheared({0.03, -0.04});
     now.time = 0.1;
     const auto error = field_error(displacement(), now, shear());
@@ -77,7 +77,7 @@ TEST_SUITE("unit") {
     CHECK(field_error(displacement(), now, shear())->rms == Approx(0).scale(1).epsilon(1e-12));
   }
 
-  TEST_CASE("field_error: only an unconstrained rigid motion is subtracted") {
+  TEST_CASE("field_error: a rigid motion is subtracted only if the measure is free of it") {
     Measure free = displacement();
     free.rigid_motion_free = true;
     Snapshot now = sheared();
@@ -94,7 +94,7 @@ TEST_SUITE("unit") {
     CHECK(field_error(free, moved, shear())->rms == Approx(left).epsilon(1e-9));
   }
 
-  TEST_CASE("field_error: in 3D the free motion may be about any axis") {
+  TEST_CASE("field_error: in 3D a rotation about any axis is subtracted") {
     // displaced by (0.1 y, 0, 0) plus the small motion (0.3, −0.2, 0.1) + (0.2, 0.5, −0.4) × X, one particle by
     // `extra`
     const auto displaced = [](double moved, Point extra) {
@@ -123,7 +123,7 @@ TEST_SUITE("unit") {
     CHECK(field_error(free, displaced(1, {0.03, -0.04, 0.05}), exact)->rms == Approx(left).epsilon(1e-9));
   }
 
-  TEST_CASE("field_rmse, field_error: the result is taken at the end of the run against 0") {
+  TEST_CASE("field_rmse, field_error: the result is taken at the end of the run, and its reference is 0") {
     Scene scene = made_scene(2, 1, {unit_bulk()});
     scene.until = 0.1;
     scene.measures = {displacement(), displacement()};

@@ -64,7 +64,7 @@ TEST_SUITE("unit") {
     CHECK(find_field("") == nullptr);
   }
 
-  TEST_CASE("fields: stresses in 2D are the particle's, including s_zz") {
+  TEST_CASE("fields: stresses in 2D equal the particle's stress, including s_zz") {
     Snapshot now = made_snapshot(2, {{0, 0, 0}, {1, 0, 0}});
     now.p = {0, 10};
     now.s = {0, 0, 0, 0, 3, 5, 1, -4};  // xx, xy, yy, zz
@@ -138,7 +138,7 @@ TEST_SUITE("unit") {
     CHECK(find_field("principal_3", 2) == find_field("principal_3", 3));
   }
 
-  TEST_CASE("fields: displacement, velocity and density are the particle's") {
+  TEST_CASE("fields: displacement, velocity and density equal the values of the particle") {
     Snapshot now = made_snapshot(3, {{9, 9, 9}, {1, 2, 3}});
     now.x = {9, 9, 9, 3, -1, 9};
     now.v = {0, 0, 0, 1, -2, 2};

@@ -101,13 +101,13 @@ TEST_SUITE("unit") {
     CHECK(low == Approx(0).scale(1).epsilon(1e-9));
     CHECK(high == Approx(0.0057).epsilon(1e-5));
     CHECK(area_of(mesh) == Approx(2 * (4 * 5.3 + 5.3 * 5.7 + 5.7 * 4) * 1e-6).epsilon(1e-9));
-    const auto& [cornered, rims] = std::pair(Point{0.004, 0.0053, 0.0057}, mesh.x);
-    CHECK(std::ranges::any_of(rims,
-                              [&](const Point& x) { return distance_between(x, cornered, 3) < 1e-9 * dp; }));
+    const Point corner{0.004, 0.0053, 0.0057};
+    CHECK(std::ranges::any_of(mesh.x,
+                              [&](const Point& x) { return distance_between(x, corner, 3) < 1e-9 * dp; }));
   }
 
-  TEST_CASE("surface mesh: adjacent shapes have the faces of the whole, and adjacent cut-outs those of one") {
-    // the spacing fits neither, so corners on seams start off the faces
+  TEST_CASE("surface mesh: adjacent shapes, and adjacent cut-outs, have the same faces as their union") {
+    // the spacing divides neither side, so that corners on seams are not on the faces at first
     const double width = 0.0083, height = 0.0066;
     const auto box = [&](double from, double to, double bottom, double top) {
       return Box{{from, 0, bottom}, {to, width, top}};
@@ -131,7 +131,7 @@ TEST_SUITE("unit") {
     check_alike();
   }
 
-  TEST_CASE("surface mesh: particles on the faces of a box lie in it") {
+  TEST_CASE("surface mesh: if particles lie on the faces of a box, the mesh lies on these faces, too") {
     Scene scene = of(Box{{0, 0, 0}, {0.004, 0.005, 0.006}});
     scene.bodies[0].on_boundary = true;
     const InitialParticles initial = make_initial_particles(scene);

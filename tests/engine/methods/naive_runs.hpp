@@ -10,8 +10,8 @@
 #include "tests/engine/methods/naive_total_lagrangian.hpp"
 #include "tests/engine/methods/naive_zhang2024.hpp"
 
-/// Runs of transcriptions, not yet started, with the particles and constants of the engine. Transcriptions and engine
-/// share only this file.
+/// Makes runs of transcriptions: independent programs of the papers' equations, pair by pair. They start from the
+/// particles and constants of the engine, and share only this file with it.
 namespace taut::test {
 
 template <class Vector>

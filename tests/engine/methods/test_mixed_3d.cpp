@@ -60,14 +60,14 @@ struct Cube {
     return best;
   }
 
-  /// dp² L̂(k): L applied to the wave cos(k·X) at particle i, over the wave.
+  /// dp² L̂(k): ratio of the Laplacian of the wave cos(k·X) to the wave, at particle i.
   double symbol(int i, const V3& k) const {
     double sum = 0;
     for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p)
       sum += laplacian[p] * (std::cos(dot(k, X[pairs.j[p]] - X[i])) - 1);
     return sum;
   }
-  /// dp |∇̂(k)|, likewise with sin.
+  /// dp |∇̂(k)|: the same ratio for the gradient of the wave sin(k·X).
   double gradient_symbol(int i, const V3& k) const {
     V3 sum{};
     for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p)
@@ -284,7 +284,7 @@ TEST_SUITE("stability") {
 }
 
 TEST_SUITE("stability") {
-  TEST_CASE("mixed: a body that is softer everywhere keeps the step at rest for any number of particles") {
+  TEST_CASE("mixed: a body that strain softens keeps its step at rest, for any number of particles") {
     for (const double side : {4, 5}) {
       CAPTURE(side);
       Scene scene = pressed_block(1);

@@ -99,8 +99,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "aligned layers: only hollow shapes with this layout have them, and solid ones are cut from a "
-      "lattice") {
+      "aligned layers: only hollow shapes with this layout have them, solid ones are cut from a lattice") {
     Ring cut = shell();
     cut.layout = RoundLayout::lattice;
     CHECK(cut.sites(3, dp).empty());

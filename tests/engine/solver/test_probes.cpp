@@ -212,8 +212,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "probes: a stress beside an interface belongs to its own side, and particles beyond a slot do not "
-      "count") {
+      "probes: stress beside an interface belongs to its own side, and particles beyond a slot are ignored") {
     constexpr double dp = 0.001, strain = 1e-3;
     Scene scene;
     scene.spacing = dp;

@@ -71,7 +71,7 @@ void check_opposite(const Term& term) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("gradient correction: a linear field is exact at a surface, and far off without correction") {
+  TEST_CASE("gradient correction: gradients of linear fields are exact at a surface, and wrong without it") {
     const std::vector<Neighbor> all = neighbors();
     Mat2 raw{};
     for (const Neighbor& j : all) {
@@ -84,7 +84,7 @@ TEST_SUITE("term") {
     CHECK(std::abs(raw(0, 1) - some_L(0, 1)) > 0.1);
   }
 
-  TEST_CASE("gradient correction: collinear particles have none") {
+  TEST_CASE("gradient correction: collinear particles have no correction") {
     Sym2 moment{};
     add_gradient_moment(moment, 1.0, -0.5, 1.0, Vec2{0.6, 0.8});
     add_gradient_moment(moment, 1.0, -0.5, 2.0, Vec2{-0.6, -0.8});
@@ -152,7 +152,7 @@ TEST_SUITE("term") {
     CHECK(gradient[1] == Approx(slope[1]).epsilon(1e-12));
   }
 
-  TEST_CASE("density diffusion: a linear density has none, others flow from dense to thin") {
+  TEST_CASE("density diffusion: a linear density does not diffuse, others flow from dense to thin") {
     const Vec2 slope = {3, -2};
     for (const Neighbor& j : neighbors()) {
       const double rho_j = 10 + dot(slope, j.x());
@@ -165,7 +165,7 @@ TEST_SUITE("term") {
     CHECK(to_i == Approx(-(2 * 2 + 0.5 * (4 * 0.6 - 1 * 0.8)) * dW / 0.5));
   }
 
-  TEST_CASE("Riemann term: a linear velocity has none, and forces are opposite") {
+  TEST_CASE("Riemann term: a linear velocity has no dissipation, and forces are opposite") {
     const Sym2 D = symmetric_part(some_L);
     for (const Neighbor& j : neighbors()) {
       const double closing = dot(some_L * j.x(), j.e);  // −v_ij·e with v_ij = −L x_j

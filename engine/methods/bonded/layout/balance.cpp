@@ -61,7 +61,9 @@ class NormalMatrix {
   Eigen::VectorXd between_;
 };
 
-/// Solves A Ω Aᵀ α = r by preconditioned conjugate gradients. Inconsistent rows let r grow; returns the best α.
+/// Solves A Ω Aᵀ α = r by conjugate gradients. The preconditioner is a Cholesky factor of the slightly shifted matrix,
+/// or, for a large matrix, whose factor would cost minutes, its diagonal. Rows may contradict each other by round-off,
+/// as near a re-entrant corner: r then grows after some steps. Returns the best α.
 Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen::VectorXd r, int threads) {
   constexpr Eigen::Index largest_factor = 12000;
   NormalMatrix N(A, omega, threads);
@@ -124,7 +126,7 @@ class Sector {
     find_inside();
   }
 
-  /// Changes a_ij to (1 + ξ) α X + η α X⊥.
+  /// Changes a_ij to (1 + ξ) α X + η α X⊥, with the same ξ and η at both ends.
   void balance_areas() {
     find_faces();
     std::vector<int> owner(2 * classes_, first_);
@@ -297,7 +299,8 @@ class Sector {
     if (inside) target.insert(target.end(), {-left_over[0], -left_over[1]});
     if (near_face) target.push_back(-along_face.dot(left_over));
   }
-  /// Adds rows for zero force of bonds and cancellation on i.
+  /// Adds rows that make the force of bonds and cancellation on i, over G dp, zero: inside, or in an irregular body
+  /// wherever i is not at the surface.
   void add_force_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     if (irregular_ ? at_surface_[i - first_] : !inside_[i - first_]) return;
     const double spacing = std::sqrt(initial_.V0[i]);
@@ -384,7 +387,7 @@ class Sector {
   int classes_ = 0;
   // [particle − first_]
   std::vector<unsigned char> at_surface_, inside_;
-  std::vector<Vector> along_face_;  // unit tangent near flat faces, else 0
+  std::vector<Vector> along_face_;  // unit tangent near flat faces of irregular bodies, else 0
   std::vector<int> chosen_;         // one particle per orbit of the rotation
 };
 

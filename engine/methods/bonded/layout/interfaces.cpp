@@ -49,7 +49,7 @@ class InterfaceMaker {
 
  private:
   bool is_across(int i, int j) const { return taut::is_across(bonds_, initial_, materials_, i, j); }
-  /// Returns nothing near clamps or two other materials.
+  /// Returns nothing if i is bonded to no other material, to several, or to a clamp.
   std::optional<int> other_material(int i) const {
     std::optional<int> other;
     if (bonds_.is_rigid(i) || !(bonds_.B[i][0][0] > 0)) return {};
@@ -62,9 +62,9 @@ class InterfaceMaker {
     }
     return other;
   }
-  /// Normal of the plane through midpoints of bonds across, if planar.
+  /// Normal of the plane through the midpoints of bonds across, of i and its neighbours; nothing if they lie on none.
   std::optional<Place> normal(int i, int other) const {
-    // maximum ratio of variances; discs fail at 0.15
+    // maximum ratio of the variances across and along the plane; with 0.15 some discs fly apart
     constexpr double flat = 0.08;
     std::vector<Place> middles;
     Place mean = Place::Zero(), towards = Place::Zero();
@@ -150,7 +150,8 @@ class InterfaceMaker {
     for (const auto& [j, weight] : beta) out_.j.push_back(j), out_.weight.push_back(weight);
     out_.begin.push_back(static_cast<int>(out_.j.size()));
   }
-  /// Estimates the speed from row sums of stiffness over mass, (speed · dimension/spacing)² on lattices.
+  /// Estimates the wave speed, m/s, from row sums of stiffness over mass. On a lattice of one material such a sum is
+  /// (wave speed · dimension/spacing)².
   double wave_speed() const {
     std::vector<double> stiffness(bonds_.begin.size() - 1);  // N/m
     for (std::size_t s = 0; s < out_.sites.size(); ++s) {

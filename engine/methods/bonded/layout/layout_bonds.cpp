@@ -46,7 +46,7 @@ class LayoutBonds {
   /// Minimum strength (V_i w_ij + V_j w_ji)/V_i of a pair, about 2 on lattices; at a clamp minimum of w_ij.
   static constexpr double least_strength = 0.4;
   static constexpr double not_selected = -1;
-  static constexpr double greatest_at_surface = 1;  // lattice weight
+  static constexpr double greatest_at_surface = 1;  // w in irregular bodies; the weight on a lattice
 
   void make_balanced() {
     select();
@@ -70,7 +70,7 @@ class LayoutBonds {
       for (int i = first; i < last; ++i) select(i, moments, own);
     });
   }
-  /// Irregular bodies have equal surface weights.
+  /// At the surface of an irregular body all bonds get one weight, with which they are nowhere stiffer than the solid.
   void select(int i, const Moments<2>& moments, Selection& own) {
     std::vector<Eigen::Vector2d>& X = own.X;
     std::vector<double>& w = own.w;
@@ -171,8 +171,8 @@ class LayoutBonds {
   int threads_;
   NeighborLists near_;
   std::vector<bool> irregular_;      // [body]
-  std::vector<double> least_reach_;  // [body] in h
-  std::vector<double> selected_;     // [pair] w_ij
+  std::vector<double> least_reach_;  // [body] of the bonds, in h
+  std::vector<double> selected_;     // [pair of near_] w_ij or not_selected
   std::vector<double> unbalanced_;
   bool changed_by_balance_ = false;
   Bonds out_;

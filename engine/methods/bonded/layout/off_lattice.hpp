@@ -10,13 +10,13 @@
 
 namespace taut {
 
-/// Returns [body] whether the layout is irregular: hardly any free particle has two equidistant neighbours, as in a
-/// jittered body or a lattice written with six digits. `near`: neighbours within at least 1.5 spacings, by id.
+/// Returns for each body whether its layout is irregular: hardly any free particle has two equidistant neighbours, as in
+/// a jittered body or a lattice written with six digits. `near`: neighbours within at least 1.5 spacings, by id.
 std::vector<bool> irregular_bodies(const InitialParticles& initial, const Constraints& constraints,
                                    const NeighborLists& near, double spacing, int threads);
 
-/// Return a_ij over X_ij as a function of dp/r (THEORY.md, Gradient). The steep share is for particles whose nearest
-/// neighbours lie as on a lattice, the even share, which counts the first ring about equally, for irregular layouts.
+/// Return a_ij over X_ij as a function of dp/r (THEORY.md, Gradient). `steep_share` is for particles whose nearest
+/// neighbours lie as on a lattice. `even_share` is for irregular layouts; it weights the first ring almost evenly.
 double steep_share(double per_r);
 double even_share(double per_r);
 

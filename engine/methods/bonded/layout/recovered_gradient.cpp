@@ -53,8 +53,8 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
 }
 
 constexpr int rigid = 1;
-/// Returns 0 for free particles, 1 for rigid ones, else a number per drive and guide. The outermost particles move as
-/// their freest neighbour.
+/// Returns how each particle moves: 0 freely, 1 as part of a rigid region, else a number per drive and guide. The
+/// gradient jumps where a driven or guided region begins: its outermost particles count as their freest neighbours.
 template <int Dim>
 std::vector<int> motions(const InitialParticles& initial, const Constraints& constraints,
                          const std::vector<int>& drive, double spacing, int threads) {
@@ -102,7 +102,7 @@ Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>&
   return some;
 }
 
-/// Returns whether a neighbour has another material or motion.
+/// Returns whether a neighbour has another material or motion: the gradient of i then averages two sides.
 template <int Dim>
 bool has_other_side(const InitialParticles& initial, const std::vector<int>& motion, int i,
                     std::span<const int> near, double reach) {
@@ -121,7 +121,7 @@ bool is_symmetric(const Neighborhood<Dim>& near) {
   const auto is_opposite = [](const Neighbor<Dim>& one, const Neighbor<Dim>& other) {
     return (one.X + other.X).squaredNorm() < alike * alike;
   };
-  // in lattice order
+  // in the order of a lattice the first neighbour is opposite to the last
   if (std::equal(near.begin(), near.end(), near.rbegin(), is_opposite)) return true;
   return std::ranges::all_of(near, [&](const Neighbor<Dim>& one) {
     return std::ranges::any_of(near, [&](const Neighbor<Dim>& other) { return is_opposite(one, other); });

@@ -105,8 +105,8 @@ class SolidBonds {
     }
     near_ = std::move(chosen);
   }
-  /// Returns nothing for lattice weights. Off-lattice surfaces are made no stiffer than the solid; otherwise the
-  /// energy has no minimum.
+  /// Returns w of each neighbour; empty for the weights of a lattice. At an off-lattice surface the weights are
+  /// reduced where bonds would be stiffer than the solid: the energy would have no minimum.
   std::vector<double> own_weights(int i) const {
     static const Moments<3> moments;
     Selection own = selection(i);
@@ -158,7 +158,7 @@ class SolidBonds {
   double spacing_;
   NeighborLists near_;
   std::vector<bool> irregular_bodies_;
-  std::vector<double> reach_;  // [n] m; empty means all
+  std::vector<double> reach_;  // [n] m, of the bonds that each selects; empty: all neighbours
   SolidGeometry geometry_;
 };
 

@@ -17,7 +17,7 @@ struct SolidGeometry {
   std::vector<int> irregular;  // [n] first of its weights in `weights`; −1: lattice weights
   std::vector<double> weights;
   std::vector<Gradient> gradient;  // [n]
-  bool off_lattice = false;        // some bonds are not those of a (nearly) cubic lattice
+  bool off_lattice = false;        // some bonds differ from the bonds of a (nearly) cubic lattice
 
   /// Returns the bond from i to j, the k-th neighbour of i.
   ReferenceBond bond(int i, int j, std::size_t k) const;

@@ -198,8 +198,7 @@ TEST_SUITE("analytic") {
 
   // A region to be released later belongs to the body, so its outermost particles are strained.
   TEST_CASE(
-      "oenog: the stress in front of a driven end is the free part's up to its face, or inside if it is "
-      "released") {
+      "oenog: the stress of the free part reaches to the face of a driven end, or inside once released") {
     const double dp = H / 5, rate = 1e3, step = 1e-9;  // m, 1/s, s
     for (const int variant : {0, 1, 2, 3, 4, 5, 6, 7}) {
       const int dim = variant % 2 == 0 ? 2 : 3;
