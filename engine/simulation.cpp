@@ -55,23 +55,11 @@ bool same(const Material& a, const Material& b) {
          a.law_parameters == b.law_parameters;
 }
 
-/// Throws SceneError if the method does not support the dimension of the scene.
-void check_dimension(const Scene& scene, const MethodInfo& method) {
-  if (scene.dim <= method.formulation.greatest_dim) return;
-  std::string others;
-  for (const MethodInfo& other : methods())
-    if (other.formulation.greatest_dim >= scene.dim)
-      others += (others.empty() ? "" : ", ") + std::string(other.name);
-  throw SceneError("dim", fmt::format("method '{}' runs scenes of 2 dimensions only; methods for 3: {}",
-                                      method.name, others));
-}
-
-/// Names of the methods that support several materials in `dim` dimensions.
-std::string of_several(int dim) {
+/// Names of the methods that support several materials.
+std::string of_several() {
   std::string names;
   for (const MethodInfo& method : methods())
-    if (method.several_materials && method.formulation.greatest_dim >= dim)
-      names += (names.empty() ? "" : ", ") + std::string(method.name);
+    if (method.several_materials) names += (names.empty() ? "" : ", ") + std::string(method.name);
   return names;
 }
 
@@ -86,7 +74,7 @@ void check_materials(const Scene& scene, const InitialParticles& initial, const 
                                          "' allows only one material; body '" + body + "' has '" +
                                          scene.materials[initial.material[i]].name + "', but body '" +
                                          scene.bodies.front().name + "' has '" + scene.materials[first].name +
-                                         "'; methods for several materials: " + of_several(scene.dim));
+                                         "'; methods for several materials: " + of_several());
   }
 }
 
@@ -159,7 +147,6 @@ int useful_threads(int particles) {
 std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& settings) {
   const MethodInfo* method = find_method(settings.method);
   if (!method) throw UsageError("there is no method '" + settings.method + "'");
-  check_dimension(scene, *method);
   if (scene.bodies.empty()) throw SceneError("body", "the scene has no particles; add a [[body]]");
   const InitialParticles initial = make_initial_particles(scene);
   check_materials(scene, initial, *method);

@@ -188,8 +188,7 @@ void describe_method(const MethodInfo& method, std::ostream& out) {
     terms.push_back({std::string(t.what), std::string(t.formula), std::string(t.source)});
     equations.push_back({std::string(t.source), std::string(t.function), std::string(t.test)});
   }
-  std::vector<MethodConstant> in_3d;
-  if (method.formulation.greatest_dim == 3) in_3d = method_constants(method.formulation, 3);
+  const std::vector<MethodConstant> in_3d = method_constants(method.formulation, 3);
   for (const MethodConstant& c : method.constants) constants.push_back(constant_row(c, in_3d));
   out << method.name << ": " << method.summary << '\n'
       << in_columns({{"paper", std::string(method.paper)},

@@ -242,8 +242,7 @@ Json constant_schema(const MethodConstant& constant, const std::vector<MethodCon
 }
 
 Json constants_schema(const MethodInfo& method) {
-  std::vector<MethodConstant> in_3d;
-  if (method.formulation.greatest_dim == 3) in_3d = method_constants(method.formulation, 3);
+  const std::vector<MethodConstant> in_3d = method_constants(method.formulation, 3);
   Json constants = Json::object();
   for (const MethodConstant& constant : method.constants)
     constants[constant.name] = constant_schema(constant, in_3d);

@@ -33,7 +33,6 @@ struct Formulation {
   std::string_view summary;
   std::string_view conserves;
   Family family = Family::ul_split;
-  int greatest_dim = 3;                      // greatest dimension of the scenes that the method can run
   std::span<const Citation> citations = {};  // override the family's citations
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;

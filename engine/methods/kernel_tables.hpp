@@ -14,8 +14,7 @@ const void* table_among(int dim, std::string_view method, MethodList<M...>) {
   const auto look = [&]<const auto & Each>() {
     if (Each.name != method) return;
     if (dim == 2) found = &Tables::template of<Each, 2>;
-    if constexpr (Each.greatest_dim == 3)
-      if (dim == 3) found = &Tables::template of<Each, 3>;
+    if (dim == 3) found = &Tables::template of<Each, 3>;
   };
   (look.template operator()<M>(), ...);
   return found;

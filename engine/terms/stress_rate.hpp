@@ -51,6 +51,18 @@ Sym<double, 2> turned_stress(const Mat<double, 2>& L, const Sym<double, 2>& s, d
   Sym<double, 2> result{mean + turned, cos2 * s(0, 1) - sin2 * difference, mean - turned};
   return result += dt * jaumann_rate<deviator>(L, Sym<double, 2>{}, G);
 }
+/// 3D version, ours: the paper treats the plane only. R = I + 2 (A + A²)/(1 + |a|²), A = ½ dt ω = a × ….
+template <Deviator deviator>
+Sym<double, 3> turned_stress(const Mat<double, 3>& L, const Sym<double, 3>& s, double G, double dt) {
+  Mat<double, 3> A;
+  for (int k = 0; k < 3; ++k)
+    for (int l = 0; l < 3; ++l) A(k, l) = 0.25 * dt * (L(k, l) - L(l, k));
+  const double a2 = A(0, 1) * A(0, 1) + A(0, 2) * A(0, 2) + A(1, 2) * A(1, 2);
+  Mat<double, 3> R = (2 / (1 + a2)) * (A + product(A, A));
+  for (int k = 0; k < 3; ++k) R(k, k) += 1;
+  return symmetric_part(product_transposed(product(R, s), R)) +
+         dt * jaumann_rate<deviator>(L, Sym<double, 3>{}, G);
+}
 inline constexpr TermInfo turned_stress_info{
     "stress rate", "ds/dt = 2G (D − tr D/3 I) + ω s − s ω", "[Khayyer2024] Eq. 6, 7",
     "terms/stress_rate.hpp:turned_stress",

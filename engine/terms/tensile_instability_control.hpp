@@ -21,7 +21,8 @@ inline constexpr TermInfo surface_info{
     "colour function: the value is 1 inside a lattice, below 0.9 on its face, above one row deeper"};
 
 /// 2 R_i·L_i·Σ V_j ∇_i W, the force per volume on an inner particle, N/m³. [Khayyer2024] Eq. 50, 51
-inline Vec<double, 2> tensile_control(const Mat<double, 2>& R_L, const Vec<double, 2>& sum_V_gradient) {
+template <int Dim>
+Vec<double, Dim> tensile_control(const Mat<double, Dim>& R_L, const Vec<double, Dim>& sum_V_gradient) {
   return 2.0 * (R_L * sum_V_gradient);
 }
 inline constexpr TermInfo tensile_control_info{

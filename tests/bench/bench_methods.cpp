@@ -169,7 +169,6 @@ void compare_with_transcription(benchmark::State& state, const Subject& subject)
 void register_methods() {
   for (const int dim : {2, 3}) {
     for (const MethodInfo& method : methods()) {
-      if (dim > method.formulation.greatest_dim) continue;
       const Subject subject{std::string(method.name), dim};
       const std::string name = subject.method + "/" + std::to_string(dim) + "d";
       benchmark::RegisterBenchmark(name.c_str(), run_method, subject)

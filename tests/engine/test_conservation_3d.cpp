@@ -63,7 +63,6 @@ TEST_SUITE("conservation") {
   TEST_CASE("in 3D every method that claims it conserves momenta to round-off in a collision") {
     const Scene scene = solid_collision();
     for (const MethodInfo& method : methods()) {
-      if (method.formulation.greatest_dim < 3) continue;
       CAPTURE(std::string(method.name));
       const auto simulation = make_simulation(scene, with_method(std::string(method.name)));
       const Snapshot start = simulation->snapshot();
@@ -76,14 +75,19 @@ TEST_SUITE("conservation") {
       make_steps(*simulation, steps);
       const Balance after = balance(simulation->snapshot(), scene);
       CHECK(std::abs(along_x(simulation->snapshot()) / along_x(start) - 1) > 0.1);
-      CHECK(change(before.linear_momentum, after.linear_momentum) < round_off * before.momentum_scale);
+      const double push = change(before.linear_momentum, after.linear_momentum) / before.momentum_scale;
+      if (claims(method, "linear momentum"))
+        CHECK(push < round_off);
+      else
+        CHECK(push > 1e-6);
       const double turn = change(before.angular_momentum, after.angular_momentum) / before.angular_scale;
       if (claims(method, "angular momentum"))
         CHECK(turn < round_off);
       else
         CHECK(turn > 1e-4);
-      // enog gains energy as its shear forces do not rotate, and pf in undamped zigzags; 0.001: penalty and its step
-      if (method.name != "enog" && method.name != "pf")
+      // enog gains energy as its shear forces do not rotate, ccb in tension and pf in zigzags, both undamped; 0.001:
+      // penalty and its step
+      if (method.name != "enog" && method.name != "ccb" && method.name != "pf")
         CHECK(after.kinetic + after.strain < 1.001 * before.kinetic);
     }
   }
@@ -94,7 +98,6 @@ TEST_SUITE("conservation") {
     const double speed = 0.1 * scene.materials[0].sound_speed();
     scene.bodies[0].velocity = {constant(speed), constant(-0.5 * speed), constant(0.3 * speed)};
     for (const MethodInfo& method : methods()) {
-      if (method.formulation.greatest_dim < 3) continue;
       CAPTURE(std::string(method.name));
       const Snapshot now = state_after(steps, scene, with_method(std::string(method.name)));
       double change_of_v = 0, stress = 0;

@@ -97,7 +97,6 @@ TEST_SUITE("determinism") {
         }
       }
       for (const MethodInfo& method : methods()) {
-        if (method.formulation.greatest_dim < scene.dim) continue;
         CAPTURE(method.name);
         Settings settings = with_method(std::string(method.name));
         settings.threads = 4;

@@ -223,14 +223,6 @@ TEST_SUITE("unit") {
     CHECK(contains(message<UsageError>(scene, settings), "it must be from 0.87 to 0.99"));
   }
 
-  TEST_CASE("scene: a method without a 3D form refuses three dimensions") {
-    Scene scene = small_collision();
-    scene.dim = 3;
-    const std::string error = message<SceneError>(scene, with_method("ccb"));
-    CHECK(contains(error, "method 'ccb' runs scenes of 2 dimensions only"));
-    CHECK(contains(error, "oenog"));
-  }
-
   TEST_CASE("divergence: a far too large step gives an error with step, time and particle") {
     const Scene scene = small_collision();
     for (const MethodInfo& method : methods()) {

@@ -1,10 +1,22 @@
 #pragma once
 
+#include <type_traits>
+
 #include "engine/core/rows.hpp"
 #include "engine/kernels/kernel.hpp"
 #include "engine/methods/ul_cauchy/formulation.hpp"
 
 namespace taut {
+
+/// Angular velocity of a rigid motion, 1/s.
+template <int Dim>
+using Spin = std::conditional_t<Dim == 2, double, Vec<double, 3>>;
+inline Vec<double, 2> times_arm(double spin, const Vec<double, 2>& arm) {
+  return {-spin * arm[1], spin * arm[0]};
+}
+inline Vec<double, 3> times_arm(const Vec<double, 3>& spin, const Vec<double, 3>& arm) {
+  return cross(spin, arm);
+}
 
 /// Velocity (u or û), density, volume, position.
 template <int Dim>
@@ -192,7 +204,7 @@ struct UlCauchyFields {
   const AlignedPack* of_one_material;  // 1 if both particles of a pair have one material, else 0; null: all 1
   // [body] rigid motion since the last neighbour search
   const V *drift, *centre;  // m/s, m
-  const double* spin;       // 1/s
+  const Spin<Dim>* spin;    // 1/s
 
   template <const UlCauchyFormulation& M>
   StressRow<M, Dim>* stress_rows() const {

@@ -11,7 +11,6 @@ inline constexpr Citation khayyer2024_citations[] = {{"pressure", "[Khayyer2024]
 /// [Khayyer2024] §2.
 constexpr UlCauchyFormulation ladder(Formulation step, UlCauchySwitches switches) {
   step.family = Family::ul_cauchy;
-  step.greatest_dim = 2;
   step.citations = khayyer2024_citations;
   switches.artificial_stress = true;
   switches.epsilon = 0.15;
@@ -98,7 +97,6 @@ inline constexpr Citation tranduc2023_citations[] = {
 /// [TranDuc2023] §2.2, kernel of §2.1. Its "artificial stresses" include viscosity (§3.1).
 constexpr UlCauchyFormulation current_configuration(Formulation m, UlCauchySwitches switches = {}) {
   m.family = Family::ul_cauchy;
-  m.greatest_dim = 2;
   m.citations = tranduc2023_citations;
   switches.pair_stress = PairStress::squares;
   switches.continuity = Continuity::masses;

@@ -207,7 +207,6 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
 template <const UlCauchyFormulation& M, int Dim>
 double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
                       double ahead, const Threads& threads) {
-  static_assert(Dim == 2);
   const double of_W = KernelScale<M, Dim>(c.h).of_W;
   return parallel_max(f.size, threads, [&](int i) {
     Vec<double, Dim> u_minus_v{};
@@ -229,9 +228,8 @@ double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, 
     x += ahead * u;
     f.transported[i].set(u, f.rho[i], f.m[i] / f.rho[i], x);
     const int body = f.body[i];
-    Vec<double, Dim> relative_velocity = u - f.drift[body];
-    const Vec<double, Dim> arm = f.x[i] - f.centre[body];
-    relative_velocity[0] += f.spin[body] * arm[1], relative_velocity[1] -= f.spin[body] * arm[0];
+    const Vec<double, Dim> rigid = f.drift[body] + times_arm(f.spin[body], f.x[i] - f.centre[body]);
+    const Vec<double, Dim> relative_velocity = u - rigid;
     return dot(relative_velocity, relative_velocity);
   });
 }

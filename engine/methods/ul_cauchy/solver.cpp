@@ -44,6 +44,35 @@ UlCauchyConstants cauchy_constants(const SolverInput& input) {
   return c;
 }
 
+double magnitude(double spin) { return std::abs(spin); }
+double magnitude(const Vec<double, 3>& spin) { return std::sqrt(dot(spin, spin)); }
+
+/// Angular momentum and moment of inertia of a body about its centre, summed over its particles.
+template <int Dim>
+struct BodyRotation;
+template <>
+struct BodyRotation<2> {
+  double momentum = 0, inertia = 0;
+
+  void add(double m, const Vec<double, 2>& arm, const Vec<double, 2>& v) {
+    momentum += m * (arm[0] * v[1] - arm[1] * v[0]);
+    inertia += m * dot(arm, arm);
+  }
+  double spin() const { return inertia > 0 ? momentum / inertia : 0; }
+};
+template <>
+struct BodyRotation<3> {
+  Vec<double, 3> momentum{};
+  Sym<double, 3> inertia{};
+
+  void add(double m, const Vec<double, 3>& arm, const Vec<double, 3>& v) {
+    momentum += m * cross(arm, v);
+    add_outer(inertia, -m, arm);
+    for (int k = 0; k < 3; ++k) inertia(k, k) += m * dot(arm, arm);
+  }
+  Vec<double, 3> spin() const { return inverse(inertia) * momentum; }  // 0 for particles in a line
+};
+
 }  // namespace
 
 template <int Dim>
@@ -114,7 +143,9 @@ void UlCauchy<Dim>::transport(double dt) {
   relative_distance_ += dt * std::sqrt(fastest2);
   for (std::size_t body = 0; body < drift_.size(); ++body) centre_[body] += dt * drift_[body];
   // motion along the tangents over ω dt stretches a pair by ½ (ω dt)², a quarter for each end
-  const double turn = dt * *std::ranges::max_element(spin_, {}, [](double spin) { return std::abs(spin); });
+  double spin = 0;  // greatest
+  for (const Spin<Dim>& each : spin_) spin = std::max(spin, magnitude(each));
+  const double turn = dt * spin;
   relative_distance_ += 0.25 * turn * turn * (common_.run.support + skin * c_.dp);
 }
 
@@ -190,11 +221,10 @@ void UlCauchy<Dim>::set_motion() {
 /// Sets velocity and spin of each body from its momenta; other values would only cause more searches.
 template <int Dim>
 void UlCauchy<Dim>::set_rigid_motion() {
-  static_assert(Dim == 2);
   const std::size_t bodies = common_.initial.first.size() - 1;
-  std::vector<double> mass(bodies), inertia(bodies);
-  drift_.assign(bodies, V{}), centre_.assign(bodies, V{}), spin_.assign(bodies, 0);
+  drift_.assign(bodies, V{}), centre_.assign(bodies, V{}), spin_.assign(bodies, Spin<Dim>{});
   if (sph_contact_) return;
+  std::vector<double> mass(bodies);
   for (int i = 0; i < p_.size(); ++i) {
     const int body = p_.body[i];
     mass[body] += p_.m[i];
@@ -202,14 +232,12 @@ void UlCauchy<Dim>::set_rigid_motion() {
   }
   for (std::size_t body = 0; body < bodies; ++body)
     drift_[body] = (1 / mass[body]) * drift_[body], centre_[body] = (1 / mass[body]) * centre_[body];
+  std::vector<BodyRotation<Dim>> rotation(bodies);
   for (int i = 0; i < p_.size(); ++i) {
     const int body = p_.body[i];
-    const V arm = p_.x[i] - centre_[body], v = p_.v[i] - drift_[body];
-    inertia[body] += p_.m[i] * dot(arm, arm);
-    spin_[body] += p_.m[i] * (arm[0] * v[1] - arm[1] * v[0]);
+    rotation[body].add(p_.m[i], p_.x[i] - centre_[body], p_.v[i] - drift_[body]);
   }
-  for (std::size_t body = 0; body < bodies; ++body)
-    spin_[body] = inertia[body] > 0 ? spin_[body] / inertia[body] : 0;
+  for (std::size_t body = 0; body < bodies; ++body) spin_[body] = rotation[body].spin();
 }
 
 template <int Dim>
@@ -237,8 +265,11 @@ void UlCauchy<Dim>::serialize(Archive& archive) {
 }
 
 std::unique_ptr<Simulation> ul_cauchy::make(const SolverInput& input) {
-  const auto& kernels = kernels_for<Family::ul_cauchy, UlCauchyKernels<2>, true>(input);
-  return simulation_by<UlCauchy<2>, 2>(input, kernels.support * input.constants.h, kernels);
+  const auto made = [&]<int Dim>() {
+    const auto& kernels = kernels_for<Family::ul_cauchy, UlCauchyKernels<Dim>, true>(input);
+    return simulation_by<UlCauchy<Dim>, Dim>(input, kernels.support * input.constants.h, kernels);
+  };
+  return input.scene.dim == 3 ? made.template operator()<3>() : made.template operator()<2>();
 }
 
 }  // namespace taut

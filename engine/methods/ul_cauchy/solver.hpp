@@ -68,7 +68,7 @@ class UlCauchy final : public Scheme<Dim> {
   std::vector<AlignedPack> w_, of_one_material_;
   // rigid motion at the last search; 0 under sph_contact_
   std::vector<V> drift_;          // m/s
-  std::vector<double> spin_;      // 1/s
+  std::vector<Spin<Dim>> spin_;   // 1/s
   std::vector<V> centre_;         // drifted position, m
   double relative_distance_ = 0;  // maximum distance moved relative to it, m
   UlCauchyFields<Dim> f_{};

@@ -1,16 +1,17 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include <Eigen/LU>
+
+#include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
-/// Transcription of the methods of [Khayyer2024] and [TranDuc2023] §2.2 in 2D: pair by pair, without code of the
-/// engine. As in [Khayyer2024], r_ij = r_j − r_i, u_ij = u_j − u_i, and ∇ is ∇_i w.
+/// Transcription of the methods of [Khayyer2024] and [TranDuc2023] §2.2 in 2D and, ours, in 3D: pair by pair, without
+/// code of the engine. As in [Khayyer2024], r_ij = r_j − r_i, u_ij = u_j − u_i, and ∇ is ∇_i w.
 ///
 /// Where the papers are silent or contradictory it follows the engine:
 ///   - velocity first, then ρ, S, r from û at the positions at `geometry` of the step; S is rotated by
@@ -22,29 +23,10 @@
 ///     particles; [TranDuc2023] Eq. 2.13 with K1 K2/(K1 + K2).
 namespace taut::test::naive_cauchy {
 
-using Vector = std::array<double, 2>;
-using Matrix = std::array<std::array<double, 2>, 2>;
-
-inline Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1]}; }
-inline Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1]}; }
-inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1]}; }
-inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; }
-inline Vector operator*(const Matrix& A, const Vector& b) { return {dot(A[0], b), dot(A[1], b)}; }
-inline Matrix operator*(const Matrix& A, const Matrix& B) {
-  Matrix C{};
-  for (int k = 0; k < 2; ++k)
-    for (int l = 0; l < 2; ++l) C[k][l] = A[k][0] * B[0][l] + A[k][1] * B[1][l];
-  return C;
-}
-inline Matrix operator+(const Matrix& A, const Matrix& B) { return {{A[0] + B[0], A[1] + B[1]}}; }
-inline Matrix operator*(double s, const Matrix& A) { return {{s * A[0], s * A[1]}}; }
-inline Matrix outer(const Vector& a, const Vector& b) { return {{a[0] * b, a[1] * b}}; }
-inline Matrix transposed(const Matrix& A) { return {{{A[0][0], A[1][0]}, {A[0][1], A[1][1]}}}; }
-inline Matrix inverse(const Matrix& A) {
-  const double det = A[0][0] * A[1][1] - A[0][1] * A[1][0];
-  return (1 / det) * Matrix{{{A[1][1], -A[0][1]}, {-A[1][0], A[0][0]}}};
-}
-constexpr Matrix identity = {{{1, 0}, {0, 1}}};
+template <int Dim>
+using Vector = Eigen::Vector<double, Dim>;
+template <int Dim>
+using Matrix = Eigen::Matrix<double, Dim, Dim>;
 
 struct Method {
   bool tranduc = false;  // [TranDuc2023]
@@ -75,25 +57,31 @@ struct Material {
   double c() const { return std::sqrt(K / rho0); }
 };
 
+template <int Dim>
 struct Particle {
-  Vector r{}, u{};
+  Vector<Dim> r = Vector<Dim>::Zero(), u = Vector<Dim>::Zero();
   double m = 0, rho = 0;
-  Matrix S{};
+  Matrix<Dim> S = Matrix<Dim>::Zero();
   Material material{};
   int body = 0, of_material = 0;
   bool clamped = false;
 
   double V() const { return m / rho; }
   double p() const { return material.c() * material.c() * (rho - material.rho0); }  // Eq. 5
-  Matrix sigma() const { return S + -p() * identity; }                              // Eq. 3
+  Matrix<Dim> sigma() const { return S - p() * Matrix<Dim>::Identity(); }           // Eq. 3
 };
 
 struct Counts {
   long tension = 0, compression = 0, viscous = 0, inner = 0, outer = 0, diffused = 0, contacts = 0;
 };
 
+template <int Dim>
 class Run {
  public:
+  using Particle = naive_cauchy::Particle<Dim>;
+  using Vector = naive_cauchy::Vector<Dim>;
+  using Matrix = naive_cauchy::Matrix<Dim>;
+
   Run(const Method& method, double d0, double c0)
       : is_(method), d0_(d0), h_(method.h_over_d0() * d0), c0_(c0) {}
 
@@ -136,22 +124,26 @@ class Run {
     others_ = neighbors_within(2.5 * h_, r);
   }
 
+  double of_wendland() const {
+    return (Dim == 2 ? 7 / (4 * std::numbers::pi) : 21 / (16 * std::numbers::pi)) / std::pow(h_, Dim);
+  }
+  double of_sinc() const { return (Dim == 2 ? 0.710379463738679 : 0.617012654222634) / std::pow(h_, Dim); }
   /// Eq. 11, 12, or the fifth power of a sinc, [TranDuc2023] §2.1.
   double w(double r) const {
     const double q = r / h_, half = std::numbers::pi * q / 2;
     if (q >= 2) return 0;
-    if (is_.tranduc) return 0.710379463738679 / (h_ * h_) * (q == 0 ? 1 : std::pow(std::sin(half) / half, 5));
-    return 7 / (4 * std::numbers::pi * h_ * h_) * std::pow(1 - q / 2, 4) * (2 * q + 1);
+    if (is_.tranduc) return of_sinc() * (q == 0 ? 1 : std::pow(std::sin(half) / half, 5));
+    return of_wendland() * std::pow(1 - q / 2, 4) * (2 * q + 1);
   }
   /// ∇_i w of a pair, which points to j.
   Vector gradient(const Vector& r_ij) const {
-    const double r = std::hypot(r_ij[0], r_ij[1]), q = r / h_, half = std::numbers::pi * q / 2;
+    const double r = r_ij.norm(), q = r / h_, half = std::numbers::pi * q / 2;
     double slope = 0;
     if (q < 2 && is_.tranduc)
-      slope = 0.710379463738679 / (h_ * h_ * h_) * 5 * std::pow(std::sin(half) / half, 4) *
+      slope = of_sinc() / h_ * 5 * std::pow(std::sin(half) / half, 4) *
               (std::cos(half) * half - std::sin(half)) / (half * half) * std::numbers::pi / 2;
     else if (q < 2)
-      slope = -35 / (4 * std::numbers::pi * h_ * h_ * h_) * q * std::pow(1 - q / 2, 3);
+      slope = -5 * of_wendland() / h_ * q * std::pow(1 - q / 2, 3);
     return (-slope / r) * r_ij;
   }
   Vector r_ij(std::size_t i, std::size_t j) const { return particles[j].r - particles[i].r; }
@@ -164,11 +156,11 @@ class Run {
 
   /// L_i = (Σ r_ij ⊗ ∇w V_j)⁻¹ at positions `r`; I for uncorrected methods.
   Matrix correction(std::size_t i, const std::vector<Vector>& r) const {
-    if (!is_.corrected) return identity;
-    Matrix M{};
+    if (!is_.corrected) return Matrix::Identity();
+    Matrix M = Matrix::Zero();
     for (const std::size_t j : others_[i])
-      if (near(i, j)) M = M + particles[j].V() * outer(r[j] - r[i], gradient(r[j] - r[i]));
-    return inverse(M);
+      if (near(i, j)) M += particles[j].V() * (r[j] - r[i]) * gradient(r[j] - r[i]).transpose();
+    return M.inverse();
   }
   std::vector<Matrix> corrections() const {
     std::vector<Vector> r;
@@ -181,14 +173,22 @@ class Run {
   /// R of Eq. 18–21.
   Matrix tensile(const Particle& a) {
     const Matrix s = a.sigma();
-    const double theta = 0.5 * std::atan2(2 * s[0][1], s[0][0] - s[1][1]), co = std::cos(theta),
-                 si = std::sin(theta);
-    const double xx = s[0][0] * co * co + s[1][1] * si * si + 2 * s[0][1] * si * co;
-    const double yy = s[0][0] * si * si + s[1][1] * co * co - 2 * s[0][1] * si * co;
-    const double R_xx = xx > 0 ? -xx : 0, R_yy = yy > 0 ? -yy : 0;
-    ++(R_xx < 0 || R_yy < 0 ? counts.tension : counts.compression);
-    return {{{R_xx * co * co + R_yy * si * si, si * co * (R_xx - R_yy)},
-             {si * co * (R_xx - R_yy), R_xx * si * si + R_yy * co * co}}};
+    Matrix R = Matrix::Zero();
+    if constexpr (Dim == 2) {
+      const double theta = 0.5 * std::atan2(2 * s(0, 1), s(0, 0) - s(1, 1)), co = std::cos(theta),
+                   si = std::sin(theta);
+      const double xx = s(0, 0) * co * co + s(1, 1) * si * si + 2 * s(0, 1) * si * co;
+      const double yy = s(0, 0) * si * si + s(1, 1) * co * co - 2 * s(0, 1) * si * co;
+      const double R_xx = xx > 0 ? -xx : 0, R_yy = yy > 0 ? -yy : 0;
+      R << R_xx * co * co + R_yy * si * si, si * co * (R_xx - R_yy),  //
+          si * co * (R_xx - R_yy), R_xx * si * si + R_yy * co * co;
+    } else {
+      const auto [values, vectors] = axes_of(s);
+      for (int k = 0; k < Dim; ++k)
+        if (values[k] > 0) R -= values[k] * vectors.col(k) * vectors.col(k).transpose();
+    }
+    ++(R.trace() < 0 ? counts.tension : counts.compression);
+    return R;
   }
 
   /// Eq. 52: true if neither the particle nor a neighbour is at the surface.
@@ -197,13 +197,13 @@ class Run {
     for (std::size_t i = 0; i < n(); ++i) {
       double C = w(0) * particles[i].V();
       for (const std::size_t j : others_[i])
-        if (near(i, j)) C += w(std::hypot(r_ij(i, j)[0], r_ij(i, j)[1])) * particles[j].V();
+        if (near(i, j)) C += w(r_ij(i, j).norm()) * particles[j].V();
       surface.push_back(C < 0.9);
     }
     for (std::size_t i = 0; i < n(); ++i) {
       bool in = !surface[i];
       for (const std::size_t j : others_[i])
-        if (near(i, j) && surface[j] && std::hypot(r_ij(i, j)[0], r_ij(i, j)[1]) < 1.2 * d0_) in = false;
+        if (near(i, j) && surface[j] && r_ij(i, j).norm() < 1.2 * d0_) in = false;
       inner.push_back(in);
       ++(in ? counts.inner : counts.outer);
     }
@@ -213,28 +213,28 @@ class Run {
   /// Π^AV_ij of Eq. 16.
   double artificial_viscosity(const Particle& a, const Particle& b) {
     const Vector r = b.r - a.r;
-    const double approach = dot(b.u - a.u, r);
+    const double approach = (b.u - a.u).dot(r);
     if (approach >= 0) return 0;
     ++counts.viscous;
     return h_ * 0.5 * (a.material.c() + b.material.c()) / (0.5 * (a.rho + b.rho)) * approach /
-           (dot(r, r) + 0.01 * h_ * h_);
+           (r.dot(r) + 0.01 * h_ * h_);
   }
 
   /// Eq. 28, 31, 51 (9, 17 uncorrected), or [TranDuc2023] Eq. 2.3 with its additional stresses.
   std::vector<Vector> accelerations() {
     const std::vector<Matrix> L = corrections();
-    const std::vector<Matrix> grad_u = is_.riemann ? plain_velocity_gradients(L) : std::vector<Matrix>(n());
+    const std::vector<Matrix> grad_u =
+        is_.riemann ? plain_velocity_gradients(L) : std::vector<Matrix>(n(), Matrix::Zero());
     const std::vector<bool> inner = is_.tic ? inner_particles() : std::vector<bool>(n(), false);
     std::vector<Matrix> R;
     for (const Particle& a : particles) R.push_back(tensile(a));
-    std::vector<Vector> acceleration(n(), Vector{});
+    std::vector<Vector> acceleration(n(), Vector::Zero());
     for (std::size_t i = 0; i < n(); ++i) {
       for (const std::size_t j : others_[i]) {
         if (!near(i, j)) continue;
         const Particle &a = particles[i], &b = particles[j];
         const Vector dw = gradient(r_ij(i, j));
-        const double f =
-            is_.epsilon() * std::pow(w(std::hypot(r_ij(i, j)[0], r_ij(i, j)[1])) / w(d0_), is_.n());
+        const double f = is_.epsilon() * std::pow(w(r_ij(i, j).norm()) / w(d0_), is_.n());
         const double aa = is_.tranduc ? a.rho * a.rho : a.rho * b.rho;
         const double bb = is_.tranduc ? b.rho * b.rho : a.rho * b.rho;
         Vector sum = (1 / bb * (b.sigma() * L[j]) + 1 / aa * (a.sigma() * L[i])) * dw;
@@ -252,19 +252,19 @@ class Run {
 
   /// Eq. 45, with u itself.
   std::vector<Matrix> plain_velocity_gradients(const std::vector<Matrix>& L) const {
-    std::vector<Matrix> grad(n(), Matrix{});
+    std::vector<Matrix> grad(n(), Matrix::Zero());
     for (std::size_t i = 0; i < n(); ++i)
       for (const std::size_t j : others_[i])
         if (near(i, j))
-          grad[i] = grad[i] +
-                    particles[j].V() * outer(particles[j].u - particles[i].u, L[i] * gradient(r_ij(i, j)));
+          grad[i] += particles[j].V() * (particles[j].u - particles[i].u) *
+                     (L[i] * gradient(r_ij(i, j))).transpose();
     return grad;
   }
 
   /// Eq. 37, 40, 41, 43, 44: the factor of m_j ∇w.
   double riemann(const Particle& a, const Particle& b, const Matrix& grad_a, const Matrix& grad_b) {
-    const Vector r = b.r - a.r, e = 1 / std::hypot(r[0], r[1]) * r;
-    const double u_i = dot(a.u + 0.5 * (grad_a * r), e), u_j = dot(b.u - 0.5 * (grad_b * r), e);
+    const Vector r = b.r - a.r, e = r / r.norm();
+    const double u_i = (a.u + 0.5 * (grad_a * r)).dot(e), u_j = (b.u - 0.5 * (grad_b * r)).dot(e);
     const double C = (a.material.c() * a.rho * std::sqrt(a.rho) + b.material.c() * b.rho * std::sqrt(b.rho)) /
                      (std::sqrt(a.rho) + std::sqrt(b.rho));
     ++counts.viscous;
@@ -276,7 +276,7 @@ class Run {
     std::vector<double> D(n(), 0.0);
     if (!is_.delta) return D;
     const std::vector<Matrix> L = corrections();
-    std::vector<Vector> grad_rho(n(), Vector{});
+    std::vector<Vector> grad_rho(n(), Vector::Zero());
     const auto same = [&](std::size_t i, std::size_t j) {
       return near(i, j) && particles[i].of_material == particles[j].of_material;
     };
@@ -289,8 +289,8 @@ class Run {
       for (const std::size_t j : others_[i]) {
         if (!same(i, j)) continue;
         const Vector r = r_ij(i, j);
-        const double psi = 2 * (particles[j].rho - particles[i].rho) - dot(grad_rho[i] + grad_rho[j], r);
-        D[i] += 0.002 * h_ * c0_ * psi * dot(r, gradient(r)) / dot(r, r) * particles[j].V();
+        const double psi = 2 * (particles[j].rho - particles[i].rho) - (grad_rho[i] + grad_rho[j]).dot(r);
+        D[i] += 0.002 * h_ * c0_ * psi * r.dot(gradient(r)) / r.dot(r) * particles[j].V();
       }
       if (D[i] != 0) ++counts.diffused;
     }
@@ -306,8 +306,7 @@ class Run {
       for (const std::size_t j : others_[i]) {
         if (!near(i, j) || a.clamped) continue;
         const Particle& b = particles[j];
-        u[i] = u[i] + is_.xsph() * 2 * b.m / (b.rho + a.rho) * w(std::hypot(r_ij(i, j)[0], r_ij(i, j)[1])) *
-                          (b.u - a.u);
+        u[i] = u[i] + is_.xsph() * 2 * b.m / (b.rho + a.rho) * w(r_ij(i, j).norm()) * (b.u - a.u);
       }
     }
     return u;
@@ -315,11 +314,11 @@ class Run {
 
   /// Eq. 29 (13 uncorrected).
   std::vector<Matrix> velocity_gradients(const std::vector<Vector>& u, const std::vector<Vector>& r) const {
-    std::vector<Matrix> grad(n(), Matrix{});
+    std::vector<Matrix> grad(n(), Matrix::Zero());
     for (std::size_t i = 0; i < n(); ++i) {
       const Matrix L = correction(i, r);
       for (const std::size_t j : others_[i])
-        if (near(i, j)) grad[i] = grad[i] + particles[j].V() * outer(u[j] - u[i], L * gradient(r[j] - r[i]));
+        if (near(i, j)) grad[i] += particles[j].V() * (u[j] - u[i]) * (L * gradient(r[j] - r[i])).transpose();
     }
     return grad;
   }
@@ -329,11 +328,11 @@ class Run {
                                     const std::vector<Matrix>& grad_u) const {
     std::vector<double> rate;
     for (std::size_t i = 0; i < n(); ++i) {
-      double sum = -particles[i].rho * (grad_u[i][0][0] + grad_u[i][1][1]);
+      double sum = -particles[i].rho * grad_u[i].trace();
       if (is_.tranduc) {
         sum = 0;
         for (const std::size_t j : others_[i])
-          if (near(i, j)) sum += particles[j].m * dot(u[i] - u[j], gradient(r[j] - r[i]));
+          if (near(i, j)) sum += particles[j].m * (u[i] - u[j]).dot(gradient(r[j] - r[i]));
       }
       rate.push_back(sum);
     }
@@ -342,11 +341,10 @@ class Run {
 
   /// Eq. 6, 7, 24.
   static Matrix next_stress(const Particle& a, const Matrix& grad_u, double dt) {
-    const Matrix strain = 0.5 * (grad_u + transposed(grad_u));
-    const Matrix spin = 0.5 * (grad_u + -1.0 * transposed(grad_u));
-    const double trace = strain[0][0] + strain[1][1];
-    const Matrix Q = inverse(identity + -0.5 * dt * spin) * (identity + 0.5 * dt * spin);
-    return Q * a.S * transposed(Q) + 2 * a.material.G * dt * (strain + -trace / 3 * identity);
+    const Matrix I = Matrix::Identity();
+    const Matrix strain = 0.5 * (grad_u + grad_u.transpose()), spin = 0.5 * (grad_u - grad_u.transpose());
+    const Matrix Q = (I - 0.5 * dt * spin).inverse() * (I + 0.5 * dt * spin);
+    return Q * a.S * Q.transpose() + 2 * a.material.G * dt * (strain - strain.trace() / 3 * I);
   }
 
   /// Calls f(b, b.r − a.r, distance) for particles of other bodies within one spacing.
@@ -355,19 +353,19 @@ class Run {
     for (const std::size_t j : others_[static_cast<std::size_t>(&a - particles.data())]) {
       const Particle& b = particles[j];
       const Vector r = b.r - a.r;
-      const double distance = std::hypot(r[0], r[1]);
+      const double distance = r.norm();
       if (a.body == b.body || distance >= d0_) continue;
       ++counts.contacts;
       f(b, r, distance);
     }
   }
 
-  /// [TranDuc2023] Eq. 2.13.
+  /// [TranDuc2023] Eq. 2.13; 2D: per metre of depth.
   Vector penalty(const Particle& a) {
-    Vector force{};
+    Vector force = Vector::Zero();
     for_each_touch(a, [&](const Particle& b, const Vector& r, double distance) {
       const double K = a.material.K * b.material.K / (a.material.K + b.material.K);
-      force = force - K * (d0_ - distance) / distance * r;
+      force = force - std::pow(d0_, Dim - 2) * K * (d0_ - distance) / distance * r;
     });
     return force;
   }
@@ -376,13 +374,13 @@ class Run {
   void stop_approach() {
     std::vector<Vector> change;
     for (const Particle& a : particles) {
-      Vector impulse{};
+      Vector impulse = Vector::Zero();
       for_each_touch(a, [&](const Particle& b, const Vector& r, double) {
-        if (dot(b.u - a.u, r) >= 0 || (a.clamped && b.clamped)) return;
+        if ((b.u - a.u).dot(r) >= 0 || (a.clamped && b.clamped)) return;
         const double mass = a.clamped ? b.m : b.clamped ? a.m : a.m * b.m / (a.m + b.m);
-        impulse = impulse + mass * dot(b.u - a.u, r) / dot(r, r) * r;
+        impulse = impulse + mass * (b.u - a.u).dot(r) / r.dot(r) * r;
       });
-      change.push_back(a.clamped ? Vector{} : 1 / a.m * impulse);
+      change.push_back(a.clamped ? Vector(Vector::Zero()) : Vector(1 / a.m * impulse));
     }
     for (std::size_t i = 0; i < n(); ++i) particles[i].u = particles[i].u + change[i];
   }

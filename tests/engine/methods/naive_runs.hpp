@@ -58,16 +58,17 @@ naive::Run<Dim> naive_split(const Scene& scene, const Settings& settings) {
 }
 
 /// [Khayyer2024], [TranDuc2023] §2.2
-inline naive_cauchy::Run naive_current(const Scene& scene, const Settings& settings) {
+template <int Dim>
+naive_cauchy::Run<Dim> naive_current(const Scene& scene, const Settings& settings) {
   double c0 = 0;
   for (const Material& material : scene.materials) c0 = std::max(c0, material.sound_speed());
-  naive_cauchy::Run run(naive_cauchy::method_named(settings.method), scene.spacing, c0);
-  run.riemann_factor = constant_of(settings, 2, "riemann_factor");
-  run.geometry = constant_of(settings, 2, "geometry");
+  naive_cauchy::Run<Dim> run(naive_cauchy::method_named(settings.method), scene.spacing, c0);
+  run.riemann_factor = constant_of(settings, Dim, "riemann_factor");
+  run.geometry = constant_of(settings, Dim, "geometry");
   lay_particles(run, scene, [&](auto& a, int i, const InitialParticles& initial) {
     const Material& material = scene.materials[initial.material[i]];
-    a.r = vector_of<naive_cauchy::Vector>(initial.x[i]);
-    a.u = vector_of<naive_cauchy::Vector>(initial.v[i]);
+    a.r = vector_of<naive_cauchy::Vector<Dim>>(initial.x[i]);
+    a.u = vector_of<naive_cauchy::Vector<Dim>>(initial.v[i]);
     a.material = {material.density, material.bulk_modulus(), material.shear_modulus()};
     a.m = material.density * initial.V0[i];
     a.rho = material.density;

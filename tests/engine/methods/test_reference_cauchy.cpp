@@ -42,14 +42,18 @@ Scene two_materials() {
   return scene;
 }
 
-void check_agreement(const Snapshot& engine, const naive_cauchy::Run& run) {
+template <int Dim>
+void check_agreement(const Snapshot& engine, const naive_cauchy::Run<Dim>& run) {
   std::vector<double> x, v, rho, p, s;
-  for (const naive_cauchy::Particle& a : run.particles) {
+  for (const naive_cauchy::Particle<Dim>& a : run.particles) {
     x.insert(x.end(), a.r.begin(), a.r.end());
     v.insert(v.end(), a.u.begin(), a.u.end());
     rho.push_back(a.rho);
     p.push_back(a.p());
-    s.insert(s.end(), {a.S[0][0], a.S[0][1], a.S[1][1], -a.S[0][0] - a.S[1][1]});
+    if constexpr (Dim == 2)
+      s.insert(s.end(), {a.S(0, 0), a.S(0, 1), a.S(1, 1), -a.S.trace()});
+    else
+      s.insert(s.end(), {a.S(0, 0), a.S(0, 1), a.S(0, 2), a.S(1, 1), a.S(1, 2), a.S(2, 2)});
   }
   CHECK(engine.time == relative(run.time, 1e-12));
   check_field("x", engine.x, x);
@@ -70,10 +74,11 @@ void check_active(const naive_cauchy::Counts& counts, const std::string& name) {
   CHECK((counts.outer > 100) == is.tic);
 }
 
+template <int Dim>
 void check_method(const Scene& scene, const std::string& method, int steps) {
   CAPTURE(method);
   const Settings settings = with_method(method);
-  const naive_cauchy::Run run = after_steps(naive_current(scene, settings), steps);
+  const naive_cauchy::Run<Dim> run = after_steps(naive_current<Dim>(scene, settings), steps);
   check_active(run.counts, method);
   check_agreement(state_after(steps, scene, settings), run);
 }
@@ -82,19 +87,30 @@ void check_method(const Scene& scene, const std::string& method, int steps) {
 
 TEST_SUITE("reference") {
   TEST_CASE("naive: the ladder follows the transcription for a plate of two materials hit by a disc") {
-    for (const char* method : ladder) check_method(two_materials(), method, 20);
+    for (const char* method : ladder) check_method<2>(two_materials(), method, 20);
   }
   TEST_CASE("naive: the ladder follows the transcription for a colliding ring and disc") {
-    for (const char* method : ladder) check_method(small_collision(), method, 16);
+    for (const char* method : ladder) check_method<2>(small_collision(), method, 16);
   }
   TEST_CASE("naive: updated-Lagrangian methods follow the transcription for a plate hit by a disc") {
-    for (const char* method : current_configuration) check_method(two_materials(), method, 25);
+    for (const char* method : current_configuration) check_method<2>(two_materials(), method, 25);
+  }
+  TEST_CASE("naive: in 3D updated-Lagrangian methods follow the transcription in collisions and at a clamp") {
+    Scene clamped = small_clamped_block();  // five particles across, so that some are away from the surface
+    const double dp = clamped.spacing;
+    clamped.bodies[0].shapes = {Box{{-3 * dp, -2.5 * dp, -2.5 * dp}, {6 * dp, 2.5 * dp, 2.5 * dp}}};
+    clamped.bodies[1].shapes = {Disc{{0.0003, 0.0052, 0.0002}, 0.0021}};
+    for (const Scene& scene : {small_solid_collision(), clamped}) {
+      CAPTURE(scene.name);
+      for (const char* method : ladder) check_method<3>(scene, method, 40);
+      for (const char* method : current_configuration) check_method<3>(scene, method, 40);
+    }
   }
   TEST_CASE("naive: the Riemann term as printed follows the transcription with twice the dissipation") {
     const Scene scene = two_materials();
     Settings settings = with_method("d-ulsph-r-tic");
     settings.constants["riemann_factor"] = 2;
-    const naive_cauchy::Run run = after_steps(naive_current(scene, settings), 16);
+    const naive_cauchy::Run<2> run = after_steps(naive_current<2>(scene, settings), 16);
     settings.step = run.time / 16;  // the engine's own step is shorter, see riemann_step_speed()
     const Snapshot engine = state_after(16, scene, settings);
     check_agreement(engine, run);
@@ -105,7 +121,7 @@ TEST_SUITE("reference") {
     Settings settings = with_method("d-ulsph-r-tic");
     settings.constants["geometry"] = 0;
     const Snapshot engine = state_after(16, scene, settings);
-    check_agreement(engine, after_steps(naive_current(scene, settings), 16));
+    check_agreement(engine, after_steps(naive_current<2>(scene, settings), 16));
     CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);
   }
 }

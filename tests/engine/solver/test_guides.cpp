@@ -101,7 +101,6 @@ TEST_SUITE("unit") {
     bar.guided[2] = [](const Point& x) { return x[0] > length - dp ? 1.0 : 0.0; };
     bar.velocity[2] = bar.velocity[1];
     for (const MethodInfo& method : methods()) {
-      if (method.formulation.greatest_dim < 3) continue;
       CAPTURE(std::string(method.name));
       const Snapshot now = state_after(15, scene, with_method(std::string(method.name)));
       long held = 0;

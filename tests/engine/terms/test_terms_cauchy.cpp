@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -208,9 +209,19 @@ TEST_SUITE("term") {
           C += colour_term(K::alpha(2) / (length * length) * K::w(std::hypot(a, b) / length), 1.0);
       return C;
     };
-    CHECK(colour(3) == Approx(1).epsilon(0.02));
-    CHECK(colour(0) < 0.9);
-    CHECK(colour(1) > 0.9);
+    const auto colour_in_3d = [&](int rows_above) {
+      double C = 0;
+      for (int a = -3; a <= 3; ++a)
+        for (int b = -3; b <= rows_above; ++b)
+          for (int c = -3; c <= 3; ++c)
+            C += colour_term(K::alpha(3) / std::pow(length, 3) * K::w(std::hypot(a, b, c) / length), 1.0);
+      return C;
+    };
+    for (const std::function<double(int)>& C : {std::function(colour), std::function(colour_in_3d)}) {
+      CHECK(C(3) == Approx(1).epsilon(0.02));
+      CHECK(C(0) < 0.9);
+      CHECK(C(1) > 0.9);
+    }
   }
 
   TEST_CASE("rotated stress: a rigid rotation in one step rotates it and keeps its magnitude") {
@@ -228,6 +239,28 @@ TEST_SUITE("term") {
     const Sym2 rate = jaumann_rate<Deviator::plane_strain>(some_L, s, G);
     const Sym2 next = turned_stress<Deviator::plane_strain>(some_L, s, G, dt);
     for (int k = 0; k < 3; ++k) CHECK((next.c[k] - s.c[k]) / dt == Approx(rate.c[k]).epsilon(1e-5));
+  }
+
+  TEST_CASE(
+      "rotated stress: in 3D a rigid rotation about any axis rotates it, and small steps have Jaumann's "
+      "rate") {
+    using Mat3 = Mat<double, 3>;
+    const Sym<double, 3> s = {1.5, -0.6, 0.3, -0.7, 0.9, -0.8};
+    const Vec<double, 3> axis = {2.0 / 7, 3.0 / 7, 6.0 / 7};
+    const Mat3 cross_axis = {{{0, -axis[2], axis[1]}, {axis[2], 0, -axis[0]}, {-axis[1], axis[0], 0}}};
+    const double angle = 0.9, G = 3.7;
+    const auto turned =
+        turned_stress<Deviator::plane_strain>(2 * std::tan(0.5 * angle) * cross_axis, s, G, 1.0);
+    Mat3 R = std::sin(angle) * cross_axis + (1 - std::cos(angle)) * product(cross_axis, cross_axis);
+    for (int k = 0; k < 3; ++k) R(k, k) += 1;  // Rodrigues
+    const Mat3 expected = product_transposed(product(R, s), R);
+    for (int k = 0; k < 3; ++k)
+      for (int l = 0; l < 3; ++l) CHECK(turned(k, l) == Approx(expected(k, l)));
+    const Mat3 L = {{{0.4, -1.2, 0.3}, {0.5, 0.9, -0.7}, {0.8, 0.2, -0.6}}};
+    const double dt = 1e-7;
+    const auto rate = jaumann_rate<Deviator::plane_strain>(L, s, G);
+    const auto next = turned_stress<Deviator::plane_strain>(L, s, G, dt);
+    for (int k = 0; k < 6; ++k) CHECK((next.c[k] - s.c[k]) / dt == Approx(rate.c[k]).epsilon(1e-5));
   }
 }
 
