@@ -83,6 +83,7 @@ class Lattice {
 
 template <const TlDisplacementFormulation& M, int Dim>
 std::vector<StepLimit> limits_of(const Scene& scene, const Settings& settings) {
+  if (M.pair_force != PairForce::none) return {};
   const Material& material = scene.materials.at(static_cast<std::size_t>(scene.bodies.front().material));
   const double nu = material.poisson_ratio, dp = scene.spacing;
   Constants all;

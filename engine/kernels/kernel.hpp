@@ -144,4 +144,17 @@ struct Kernel<KernelName::gauss> {
   }
 };
 
+/// Calls f(Kernel<…>{}) with the kernel of this name.
+template <class F>
+auto with_kernel(KernelName name, const F& f) {
+  switch (name) {
+    case KernelName::sinc:
+      return f(Kernel<KernelName::sinc>{});
+    case KernelName::gauss:
+      return f(Kernel<KernelName::gauss>{});
+    default:
+      return f(Kernel<KernelName::wendland_c2>{});
+  }
+}
+
 }  // namespace taut

@@ -11,10 +11,11 @@
 namespace taut {
 
 /// All methods, in listing order.
-inline constexpr std::array<const Formulation*, 21> all_methods{&og,
+inline constexpr std::array<const Formulation*, 24> all_methods{&og,
                                                                 &oas,
                                                                 &enog,
                                                                 &enog_nonconservative,
+                                                                &gnog,
                                                                 &oenog,
                                                                 &ulsph_av_as_uncorrected,
                                                                 &ulsph_av_as,
@@ -27,6 +28,8 @@ inline constexpr std::array<const Formulation*, 21> all_methods{&og,
                                                                 &ccbwat,
                                                                 &icb,
                                                                 &tl,
+                                                                &tl_hg,
+                                                                &tl_enog,
                                                                 &pf,
                                                                 &pf_jst,
                                                                 &pfj_jst,

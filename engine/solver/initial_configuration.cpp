@@ -7,22 +7,6 @@
 #include "engine/kernels/kernel.hpp"
 
 namespace taut {
-namespace {
-
-/// Calls f(Kernel<…>{}) with the kernel of this name.
-template <class F>
-auto with_kernel(KernelName name, const F& f) {
-  switch (name) {
-    case KernelName::sinc:
-      return f(Kernel<KernelName::sinc>{});
-    case KernelName::gauss:
-      return f(Kernel<KernelName::gauss>{});
-    default:
-      return f(Kernel<KernelName::wendland_c2>{});
-  }
-}
-
-}  // namespace
 
 double initial_support(const SolverInput& input) {
   return with_kernel(input.method.kernel, [](auto kernel) { return kernel.support; }) * input.constants.h;
@@ -30,7 +14,8 @@ double initial_support(const SolverInput& input) {
 
 template <int Dim>
 InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const SolverInput& input,
-                                                GradientCorrection gradient, double normalised)
+                                                GradientCorrection gradient, double normalised,
+                                                bool corrected_forces)
     : materials(input.law, input.materials), common_(common) {
   // particles stay in creation order: along the rows of a lattice or the layers of a round body
   const Particles<Dim>& p = common.particles;
@@ -58,7 +43,7 @@ InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const Solve
   }
   // normalised gradients underestimate uniform fields; loads then stay on the layer, as in their paper
   if (gradient == GradientCorrection::corrected)
-    common.external.loads.act_on_faces(input.scene, initial, FaceRule::uniform, surface(),
+    common.external.loads.act_on_faces(input.scene, initial, FaceRule::uniform, surface(corrected_forces),
                                        common.run.support);
   common.run.pairs = static_cast<long>(pairs.j.size());
   for (const int used : initial.material)
@@ -83,12 +68,15 @@ void InitialConfiguration<Dim>::check_pairs(const Scene& scene, const Formulatio
 /// Surface S_i = −Σ_j (V_i B_i + V_j B_j) k_ij by id, m^(Dim − 1), on which a uniform stress acts; 0 inside a
 /// lattice.
 template <int Dim>
-std::vector<Point> InitialConfiguration<Dim>::surface() const {
+std::vector<Point> InitialConfiguration<Dim>::surface(bool corrected_forces) const {
   const auto& [begin, j, k, B] = pairs;
+  const std::vector<double>& inside = common_.initial.inside;
   std::vector<Point> S(X.size());
   for (std::size_t i = 0; i < X.size(); ++i) {
     V sum{};
-    for (int p = begin[i]; p < begin[i + 1]; ++p) sum += (V0[i] * B[i] + V0[j[p]] * B[j[p]]) * k[p];
+    for (int p = begin[i]; p < begin[i + 1]; ++p)
+      sum += corrected_forces ? (V0[i] * B[i] + V0[j[p]] * B[j[p]]) * k[p]
+                              : (2 * inside[i] * inside[j[p]]) * k[p];
     for (int a = 0; a < Dim; ++a) S[i][a] = -sum[a];
   }
   return S;

@@ -18,9 +18,11 @@ class InitialConfiguration {
   using V = Vec<double, Dim>;
 
   /// Moves particles to their start positions and lets loads act on faces. Throws SceneError if a body is too thin.
-  /// `normalised`: see TlDisplacementConstants.
+  /// `normalised`: see TlDisplacementConstants. `corrected_forces`: see internal_force_info; else
+  /// pair_shear_force.
   InitialConfiguration(Common<Dim>& common, const SolverInput& input,
-                       GradientCorrection gradient = GradientCorrection::corrected, double normalised = 0);
+                       GradientCorrection gradient = GradientCorrection::corrected, double normalised = 0,
+                       bool corrected_forces = true);
 
   std::vector<V> X;        // m
   std::vector<double> V0;  // m^Dim
@@ -45,7 +47,7 @@ class InitialConfiguration {
 
  private:
   void check_pairs(const Scene& scene, const Formulation& method) const;
-  std::vector<Point> surface() const;
+  std::vector<Point> surface(bool corrected_forces) const;
 
   Common<Dim>& common_;
 };

@@ -55,6 +55,7 @@ const std::map<std::string, double> least_angular_change = {
     {"oas", 0.01},
     {"enog", 0.2},
     {"enog-nonconservative", 0.8},
+    {"gnog", 0.005},
     {"ulsph-av-as-uncorrected", 0.05},
     {"ulsph-av-as", 8e-5},
     {"d-ulsph-av-as", 8e-5},
@@ -64,6 +65,7 @@ const std::map<std::string, double> least_angular_change = {
     {"d-ulsph-r-tic", 1e-3},
     {"ccb", 0.09},
     {"ccbwat", 0.07},
+    {"tl-enog", 8e-6},
     {"tl-small-strain", 0.002},
 };
 

@@ -113,7 +113,7 @@ TEST_SUITE("failure") {
     }
     CHECK(greatest_turn("enog-nonconservative") < 0.02);
     for (const std::string method :
-         {"enog", "ulsph-av-as", "d-ulsph-r-tic", "tl", "icb", "pf-jst", "oenog"}) {
+         {"enog", "ulsph-av-as", "d-ulsph-r-tic", "tl", "tl-hg", "tl-enog", "icb", "pf-jst", "oenog"}) {
       CAPTURE(method);
       CHECK(greatest_turn(method) == relative(1, 0.01));
     }

@@ -163,6 +163,22 @@ TEST_SUITE("failure") {
     for (const char* scene : {"oscillating-plate-3d", "colliding-balls", "ball-plate-3d"}) check(scene);
   }
   TEST_CASE("published statements about the rotating plate hold as recorded") { check("rotating-plate"); }
+
+  TEST_CASE("impacts: tl zigzags and fractures where tl-hg and tl-enog are stable") {
+    const auto verdict = [](const char* scene, const char* method, const char* v0, double until) {
+      CAPTURE(std::string(scene));
+      CAPTURE(std::string(method));
+      return std::string(name(verdict_of({"", scene, method, {{"v0", v0}}, until, stable})));
+    };
+    CHECK(verdict("ball-plate", "tl", "0.06", 0.006) == name(hourglass));
+    CHECK(verdict("ball-plate", "tl", "0.06", 0.02) == name(fractured));
+    CHECK(verdict("colliding-rings", "tl", "0.12", 0.006) == name(fractured));
+    for (const char* method : {"tl-hg", "tl-enog"}) {
+      CHECK(verdict("ball-plate", method, "0.06", 0.04) == name(stable));
+      CHECK(verdict("colliding-rings", method, "0.06", 0.012) == name(stable));
+      CHECK(verdict("colliding-rings", method, "0.12", 0.012) == name(stable));
+    }
+  }
 }
 
 }  // namespace of_this_file

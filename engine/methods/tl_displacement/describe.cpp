@@ -4,6 +4,8 @@
 #include "engine/solver/initial_configuration.hpp"
 #include "engine/solver/initial_pairs.hpp"
 #include "engine/terms/contact_laws.hpp"
+#include "engine/terms/hourglass/hourglass_force.hpp"
+#include "engine/terms/hourglass/pair_shear.hpp"
 
 namespace taut::tl_displacement {
 namespace {
@@ -15,16 +17,35 @@ constexpr TermInfo time_info{"time", "position Verlet, one step", "[Zhang2020] E
 }  // namespace
 
 std::vector<TermInfo> terms(const TlDisplacementFormulation& m) {
-  return {deformation_info, law_row(m.law).term, internal_force_info, contact_info(m.contact), time_info};
+  std::vector<TermInfo> t{deformation_info, law_row(m.law).term};
+  if (m.pair_force == PairForce::shear)
+    t.insert(t.end(), {isotropic_stress_info, pair_shear_info});
+  else
+    t.push_back(internal_force_info);
+  if (m.pair_force == PairForce::hourglass) t.push_back(hourglass_force_info);
+  t.insert(t.end(), {contact_info(m.contact), time_info});
+  return t;
 }
 
 std::vector<ConstantRow<TlDisplacementConstants>> constants(const TlDisplacementFormulation& m, int dim) {
   using C = TlDisplacementConstants;
-  if (m.gradient == GradientCorrection::corrected) return {{&C::h, smoothing_length(m, dim, 0.8)}};
-  return {
-      {&C::h, smoothing_length(m, dim, 0.36)},  // selects the four nearest
-      {&C::normalised,
-       {"normalised", 1.0, 0.0, 1.0, "1: gradients divided by the sum of the kernel; 0: not", false, true}}};
+  const bool corrected = m.gradient == GradientCorrection::corrected;
+  std::vector<ConstantRow<C>> c{
+      {&C::h, smoothing_length(m, dim, corrected ? 0.8 : 0.36)}};  // the four nearest
+  if (!corrected)
+    c.push_back({&C::normalised,
+                 {"normalised", 1.0, 0.0, 1.0, "1: gradients divided by the sum of the kernel; 0: not", false,
+                  true}});
+  if (m.pair_force == PairForce::hourglass)
+    c.push_back({&C::alpha, {"alpha", 10.0, 0.0, 20.0, "amplitude α of the hourglass force", false, true}});
+  if (m.pair_force == PairForce::shear) {
+    c.push_back(
+        {&C::shear_factor,
+         {"shear_factor", 1.07, 0.5, 2.0, "factor of the shear modulus (1: consistent)", false, true}});
+    c.push_back({&C::damping,
+                 {"damping", 1.0, 0.0, 10.0, "damping relative to χ = ½ ρ0 c0 h of the paper", false, true}});
+  }
+  return c;
 }
 
 }  // namespace taut::tl_displacement

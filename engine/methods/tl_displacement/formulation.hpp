@@ -7,8 +7,16 @@
 
 namespace taut {
 
+/// Force along each pair of initial neighbours.
+enum class PairForce : std::uint8_t {
+  none,
+  hourglass,  // resists motions that F misses; terms/hourglass/hourglass_force.hpp
+  shear,      // carries the shear stress; terms/hourglass/pair_shear.hpp
+};
+
 struct TlDisplacementSwitches {
   GradientCorrection gradient = GradientCorrection::corrected;
+  PairForce pair_force = PairForce::none;
 };
 
 struct TlDisplacementFormulation : Formulation, ElasticSwitches, TlDisplacementSwitches {
@@ -16,7 +24,9 @@ struct TlDisplacementFormulation : Formulation, ElasticSwitches, TlDisplacementS
 };
 
 struct TlDisplacementConstants : Constants {
-  double normalised = 0;  // 1: divides uncorrected gradients by the kernel sum
+  double normalised = 0;                 // 1: divides uncorrected gradients by the kernel sum
+  double alpha = 0;                      // amplitude of the hourglass force
+  double shear_factor = 0, damping = 0;  // of pair shear
 };
 
 }  // namespace taut

@@ -34,6 +34,35 @@ inline constexpr TlDisplacementFormulation tl{
     {.law = Law::neo_hookean, .others = OtherLaws::all},
     {}};
 
+/// `tl` with the hourglass force. [Ganzenmueller2015] has other kernels and a linear law.
+inline constexpr TlDisplacementFormulation tl_hg{
+    lee2016({
+        .name = "tl-hg",
+        .paper = "Ganzenmueller2015",
+        .summary = "tl with a stiffness of pairs against motions that the deformation gradient misses",
+        .conserves = "linear momentum, angular momentum",
+        .family = Family::tl_displacement,
+    }),
+    {.law = Law::neo_hookean, .others = OtherLaws::all},
+    {.pair_force = PairForce::hourglass}};
+
+/// [Wu2023] has no contact: penalty as the methods of [Lee2016].
+inline constexpr TlDisplacementFormulation tl_enog{
+    {
+        .name = "tl-enog",
+        .paper = "Wu2023",
+        .summary = "shear of pairs instead of a divergence of stress, damped: no zigzag modes",
+        .conserves = "linear momentum",
+        .family = Family::tl_displacement,
+        .deviator = Deviator::plane_strain,
+        .contact = ContactLaw::penalty,
+        .contact_stiffness = 2,
+        .several_materials = true,
+        .h_over_dp = 1.3,
+    },
+    {.law = Law::neo_hookean},
+    {.pair_force = PairForce::shear}};
+
 /// [Zhang2020] states neither h, the cut-off nor contact constants. h = dp is the least with lattice sums accurate to
 /// 1e-3.
 inline constexpr TlDisplacementFormulation tl_small_strain{
@@ -54,7 +83,7 @@ inline constexpr TlDisplacementFormulation tl_small_strain{
     {.gradient = GradientCorrection::normalised}};
 
 namespace tl_displacement {
-using Methods = MethodList<icb, tl, tl_small_strain>;
+using Methods = MethodList<icb, tl, tl_hg, tl_enog, tl_small_strain>;
 }
 
 }  // namespace taut

@@ -1,21 +1,32 @@
 #include "engine/methods/tl_displacement/solver.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
 
 #include "engine/core/parallel.hpp"
+#include "engine/kernels/kernel.hpp"
 #include "engine/methods/tl_displacement/describe.hpp"
 #include "engine/solver/particle_simulation.hpp"
+#include "engine/terms/hourglass/hourglass_force.hpp"
 
 namespace taut {
 namespace {
 
+TlDisplacementConstants all_constants(const SolverInput& input) {
+  const auto& method = *as<TlDisplacementFormulation>(input.method);
+  return constants_of(tl_displacement::constants(method, input.scene.dim), input.constants, input.values);
+}
+
 template <int Dim>
 InitialConfiguration<Dim> initial_configuration(Common<Dim>& common, const SolverInput& input) {
   const auto& method = *as<TlDisplacementFormulation>(input.method);
-  const auto c = constants_of(tl_displacement::constants(method, Dim), input.constants, input.values);
-  return {common, input, method.gradient, c.normalised};
+  return {common, input, method.gradient, all_constants(input).normalised,
+          method.pair_force != PairForce::shear};
 }
+
+double youngs_modulus(const Elasticity& m) { return 9 * m.K * m.G / (3 * m.K + m.G); }
 
 }  // namespace
 
@@ -26,6 +37,17 @@ TlDisplacement<Dim>::TlDisplacement(Common<Dim>& common, const SolverInput& inpu
       p_(common.particles),
       body_(initial_configuration(common, input)),
       pair_lanes_(body_.pairs, input.threads, [&](int p) { return body_.pairs.k[p]; }) {
+  const PairForce force = as<TlDisplacementFormulation>(input.method)->pair_force;
+  const TlDisplacementConstants c = all_constants(input);
+  if (force != PairForce::none) bonds_ = make_bonds(input, force, c.alpha);
+  if (force == PairForce::hourglass) F_.resize(p_.size());
+  if (force == PairForce::shear) {
+    velocity_.resize(p_.size()), viscosity_.resize(p_.size()), shear_.resize(p_.size());
+    for (int i = 0; i < p_.size(); ++i) {
+      const Elasticity& m = input.materials[body_.material[i]];
+      viscosity_[0][i] = c.damping * 0.5 * m.rho0 * m.c0 * c.h;
+    }
+  }
   body_.pairs = {};
   displacement_.resize(p_.size());
   stress_.resize(p_.size());
@@ -38,7 +60,40 @@ TlDisplacement<Dim>::TlDisplacement(Common<Dim>& common, const SolverInput& inpu
         .laws = body_.laws(),
         .pairs = pair_lanes_.view(),
         .displacement = displacement_,
-        .stress = stress_};
+        .stress = stress_,
+        .bonds = bonds_.view(),
+        .F = F_,
+        .velocity = velocity_,
+        .viscosity = viscosity_,
+        .shear = shear_,
+        .shear_factor = c.shear_factor};
+}
+
+/// Hourglass force: w_i, w_j of hourglass_force. Pair shear: s of pair_shear_force.
+template <int Dim>
+auto TlDisplacement<Dim>::make_bonds(const SolverInput& input, PairForce force, double alpha) const -> Bonds {
+  const std::vector<int>& begin = body_.pairs.begin;
+  const double h = common_.constants.h;
+  return with_kernel(input.method.kernel, [&]<class K>(K) {
+    return Bonds(body_.pairs, input.threads, [&, scale = K::alpha(Dim) / power<Dim>(h)](int pair) {
+      const int i = static_cast<int>(std::ranges::upper_bound(begin, pair) - begin.begin()) - 1;
+      const int j = body_.pairs.j[pair];
+      const double V_i = body_.V0[i], V_j = body_.V0[j];
+      const V X = difference_on_grid(body_.X[i], body_.X[j], h);
+      const double r = std::sqrt(dot(X, X));
+      std::array<double, Dim + 2> bond{};
+      for (int k = 0; k < Dim; ++k) bond[k] = X[k];
+      const auto weight = [&](int of) {
+        const double E = youngs_modulus(input.materials[body_.material[of]]);
+        return hourglass_weight(alpha, E, V_i, V_j, scale * K::w(r / h), r);
+      };
+      if (force == PairForce::hourglass)
+        bond[Dim] = weight(i), bond[Dim + 1] = weight(j);
+      else
+        bond[Dim] = V_i * V_j * scale / h * K::dw(r / h) / r;
+      return bond;
+    });
+  });
 }
 
 template <int Dim>

@@ -25,6 +25,8 @@ class TlDisplacement final : public Scheme<Dim> {
   void load(Loader&) override {}
 
  private:
+  using Bonds = PairLanes<Dim, Dim + 2>;
+  Bonds make_bonds(const SolverInput& input, PairForce force, double alpha) const;
   template <class Take>
   void with_strains(std::span<const int> groups, const Take& take) const;
 
@@ -35,6 +37,10 @@ class TlDisplacement final : public Scheme<Dim> {
   PairLanes<Dim> pair_lanes_;
   Columns<Dim> displacement_;
   Columns<Dim * Dim> stress_;
+  Bonds bonds_;
+  Columns<Dim * Dim> F_;
+  Columns<Dim> velocity_;
+  Columns<1> viscosity_, shear_;
   TlDisplacementFields<Dim> f_;
 };
 

@@ -13,7 +13,9 @@ constexpr TermInfo time_info{"time", "position Verlet, dual-criteria steps", "[Z
 
 std::vector<TermInfo> terms(const UlSplitFormulation& m) {
   std::vector<TermInfo> t{equation_of_state_info, compression_info, riemann_pressure_info};
-  if (m.shear == Shear::nested_stress)
+  if (has_penalty(m))
+    t.insert(t.end(), {penalized_gradient_info, jaumann_rate_info, nested_shear_info, velocity_penalty_info});
+  else if (carries_stress(m))
     t.insert(t.end(), {velocity_gradient_info, jaumann_rate_info, nested_shear_info});
   if (m.shear == Shear::laplacian_velocity) t.push_back(laplacian_info);
   if (m.shear == Shear::laplacian_velocity_nonconservative) t.push_back(laplacian_nonconservative_info);
@@ -41,6 +43,8 @@ std::vector<ConstantRow<UlSplitConstants>> constants(const UlSplitFormulation& m
     c.push_back({&C::zeta,
                  {"zeta", 0.7 * dim + 2.1, 0.0, 100.0,
                   "ζ of the Laplacian: 0.7 d + 2.1 calibrated, d + 2 consistent"}});
+  if (has_penalty(m))
+    c.push_back({&C::xi, {"xi", 4.0, 0.0, 20.0, "factor ξ of the penalty on unexplained velocities"}});
   if (m.artificial_stress) {
     c.push_back({&C::epsilon, {"epsilon", m.epsilon, 0.0, 10.0, "ε of the artificial stress"}});
     c.push_back({&C::exponent, {"exponent", m.exponent, 0.0, 20.0, "n of the artificial stress"}});

@@ -40,6 +40,28 @@ struct TensorRow : Row<Sym<double, Dim>::size + 1> {
 };
 
 template <int Dim>
+struct GradientRow : Row<Dim * Dim> {
+  using Row<Dim * Dim>::c;
+  void set(const Mat<double, Dim>& L) {
+    for (int k = 0; k < Dim * Dim; ++k) c[k] = L(k / Dim, k % Dim);
+  }
+};
+template <int Dim>
+Mat<Pack, Dim> gather_gradient(const GradientRow<Dim>* rows, const int* j) {
+  Pack column[GradientRow<Dim>::width];
+  gather<GradientRow<Dim>::width>(rows[0].c, j, column);
+  Mat<Pack, Dim> L;
+  for (int k = 0; k < Dim * Dim; ++k) L(k / Dim, k % Dim) = column[k];
+  return L;
+}
+template <int Dim>
+Mat<Pack, Dim> spread_gradient(const GradientRow<Dim>& row) {
+  Mat<Pack, Dim> L;
+  for (int k = 0; k < Dim * Dim; ++k) L(k / Dim, k % Dim) = filled<Pack>(row.c[k]);
+  return L;
+}
+
+template <int Dim>
 Flow<Dim, Pack> gather_flow(const FlowRow<Dim>* rows, const int* j) {
   Pack column[Dim + 2];
   gather<Dim + 2, FlowRow<Dim>::width>(rows[0].c, j, column);
@@ -154,6 +176,7 @@ struct UlSplitFields {
   TensorRow<Dim>* repulsion;  // artificial stress and mass
   // gradient correction and volume at the last rebuild
   TensorRow<Dim>* recovery;
+  GradientRow<Dim>* velocity_gradient;  // with a penalty: L, 1/s
 
   const int *begin, *j;        // neighbours, see Neighbors
   int* has_foreign_neighbors;  // 1: has neighbours in other bodies

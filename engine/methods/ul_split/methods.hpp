@@ -45,8 +45,20 @@ inline constexpr UlSplitFormulation enog_nonconservative{
     },
     {.shear = Shear::laplacian_velocity_nonconservative}};
 
+/// [Zhang2024b], with the pressure of `enog`.
+inline constexpr UlSplitFormulation gnog{
+    {
+        .name = "gnog",
+        .paper = "Zhang2024b",
+        .summary =
+            "og with corrected velocity gradients and a penalty on velocities that they do not explain",
+        .conserves = "linear momentum",
+        .family = Family::ul_split,
+    },
+    {.shear = Shear::nested_with_penalty}};
+
 namespace ul_split {
-using Methods = MethodList<og, oas, enog, enog_nonconservative>;
+using Methods = MethodList<og, oas, enog, enog_nonconservative, gnog>;
 }
 
 }  // namespace taut

@@ -9,6 +9,7 @@
 #include "engine/terms/artificial_stress.hpp"
 #include "engine/terms/equation_of_state.hpp"
 #include "engine/terms/gradient_correction.hpp"
+#include "engine/terms/hourglass/velocity_penalty.hpp"
 #include "engine/terms/riemann.hpp"
 #include "engine/terms/shear.hpp"
 #include "engine/terms/stress_rate.hpp"
@@ -70,7 +71,7 @@ void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const
       const Vec<Pack, Dim> d = here.v - there.v;
       Pack slope_per_distance;
       PairGeometry<Dim> pair = kernel.geometry(d, slope_per_distance);
-      if constexpr (!carries_stress(M))
+      if constexpr (integrates_shear(M))
         add_gradient_moment(moment, inside ? there.V : Pack{}, slope_per_distance, one, d);
       pair.inverse_distance = inside ? pair.inverse_distance : Pack{};
       if (!s.sph_contact) {
@@ -81,7 +82,7 @@ void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const
       if constexpr (M.artificial_stress) s.pairs.set_closeness(b, kernel.closeness(d));
     }
     s.has_foreign_neighbors[i] = any(outside);
-    if constexpr (!carries_stress(M)) s.recovery[i].set(gradient_correction(sum(moment)), here.V[0]);
+    if constexpr (integrates_shear(M)) s.recovery[i].set(gradient_correction(sum(moment)), here.V[0]);
   });
 }
 
@@ -148,7 +149,7 @@ double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, con
     const double inv_rho = s.flow[i].c[Dim + 1] / s.m[i];
     Vec<double, Dim> a = inv_rho * sum(force);
     if constexpr (M.artificial_stress) a += sum(repulsion);
-    if constexpr (!carries_stress(M)) a += s.a_shear[i];
+    if constexpr (integrates_shear(M)) a += s.a_shear[i];
     const Vec<double, Dim> v = kick.by_acceleration(i, a);
     s.x[i] += (0.5 * kick.dt) * v;
     const FlowRow<Dim>& old = s.flow[i];
@@ -182,6 +183,26 @@ Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const UlSplitConstan
   return total;
 }
 
+/// Advances the penalty acceleration; after all velocity gradients.
+template <int Dim>
+void penalty_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double dt, const Threads& threads) {
+  parallel_pass(s.size, threads, [&](int i) {
+    const Flow<Dim, Pack> f_i = spread_flow(s.flow_new[i]);
+    const Mat<Pack, Dim> L_i = spread_gradient(s.velocity_gradient[i]);
+    Vec<Pack, Dim> penalty{};
+    for (int b = s.begin[i]; b < s.begin[i + 1]; ++b) {
+      const Vec<Pack, Dim> grad_W = gradient_inside(s, i, b);
+      const Flow<Dim, Pack> f_j = gather_flow(s.flow_new, s.pack(b));
+      const Mat<Pack, Dim> L_sum = L_i + gather_gradient(s.velocity_gradient, s.pack(b));
+      const Pack slope_over_r = dot(grad_W, grad_W) * s.pairs.inverse_distance(b);
+      penalty += velocity_penalty_term(f_i.v - f_j.v, L_sum, f_j.V, slope_over_r, grad_W);
+    }
+    const double inv_rho = s.flow_new[i].c[Dim + 1] / s.m[i];
+    s.da_shear[i] = (c.xi * c.G * inv_rho) * sum(penalty);
+    s.a_shear[i] += dt * s.da_shear[i];
+  });
+}
+
 /// Advances by the second half step, Eq. 25, with rates of the new velocities.
 template <const UlSplitFormulation& M, int Dim, bool pressure_diffusion>
 void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Steering<Dim>& steering,
@@ -201,8 +222,7 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
         compression +=
             pressure_diffusion_term(f_j.V, slope, f_i.p, f_j.p, c.pressure_diffusion, c.rho0, c.c0);
       }
-      if constexpr (M.shear == Shear::nested_stress)
-        add_velocity_gradient(L, f_j.V, one, v_ij, gradient_inside(s, i, b));
+      if constexpr (carries_stress(M)) add_velocity_gradient(L, f_j.V, one, v_ij, gradient_inside(s, i, b));
       if constexpr (M.shear == Shear::laplacian_velocity)
         laplacian += laplacian_term(v_ij, f_j.V, one, s.pairs.inverse_distance(b), grad_W);
       if constexpr (M.shear == Shear::laplacian_velocity_nonconservative)
@@ -211,7 +231,14 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
     }
     s.drho[i] = s.rho[i] * sum(compression);
     if constexpr (!strains_clamped(M)) s.drho[i] *= s.mobile[i];
-    if constexpr (M.shear == Shear::nested_stress) s.ds[i] = jaumann_rate<M.deviator>(sum(L), s.s[i], c.G);
+    if constexpr (carries_stress(M)) {
+      Mat<double, Dim> gradient = sum(L);
+      if constexpr (has_penalty(M)) {
+        gradient = product(gradient, s.recovery[i].get());
+        s.velocity_gradient[i].set(gradient);
+      }
+      s.ds[i] = jaumann_rate<M.deviator>(gradient, s.s[i], c.G);
+    }
     // G/ρ is inside the time integral; outside, as in [Zhang2024] Eq. 20, linear momentum would drift
     const double inv_rho = s.flow_new[i].c[Dim + 1] / s.m[i];
     if constexpr (M.shear == Shear::laplacian_velocity)
@@ -226,6 +253,7 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
     else
       s.a_shear[i] += dt * s.da_shear[i];
   });
+  if constexpr (has_penalty(M)) penalty_pass(s, c, dt, threads);
 }
 template <const UlSplitFormulation& M, int Dim>
 void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Steering<Dim>& steering,
@@ -268,9 +296,8 @@ void half_drift(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double d
     if constexpr (carries_stress(M)) {
       s.s[i] += dt * s.ds[i];
       s.stress[i].set(s.s[i]);
-    } else {
-      s.a_shear[i] += dt * s.da_shear[i];
     }
+    if constexpr (integrates_shear(M)) s.a_shear[i] += dt * s.da_shear[i];
     if constexpr (M.artificial_stress) {
       Sym<double, Dim> sigma = s.s[i];
       for (int k = 0; k < Dim; ++k) sigma(k, k) -= p;

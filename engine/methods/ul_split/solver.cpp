@@ -18,6 +18,8 @@ UlSplitConstants split_constants(const SolverInput& input) {
       constants_of(ul_split::constants(method, input.scene.dim), input.constants, input.values);
   constexpr double known = 0.75;  // G/K for ν = 0.2; above it `enog` fails at c0
   c.step_speed = c.zeta > 0 ? step_speed(input, c.zeta, known) : step_speed(input);
+  // stable at c0 up to G/K = 1/4; above it the penalty is the stiffest
+  if (has_penalty(method)) c.step_speed = step_speed(input, 4.0 / 3 + c.xi, 0.25);
   return c;
 }
 
@@ -41,10 +43,13 @@ UlSplit<Dim>::UlSplit(Common<Dim>& common, const SolverInput& input, const Kerne
     ds_.assign(n, {});
     stress_.resize(n);
   } else {
-    a_shear_.assign(n, V{}), da_shear_.assign(n, V{});
     x_recovered_ = p_.x;
+  }
+  if (integrates_shear(method_)) {
+    a_shear_.assign(n, V{}), da_shear_.assign(n, V{});
     recovery_.resize(n);
   }
+  if (has_penalty(method_)) velocity_gradient_.resize(n);
   if (method_.artificial_stress) repulsion_.resize(n);
   rebuild();
   greatest_speed_ = common_.vmax;
@@ -158,6 +163,7 @@ void UlSplit<Dim>::bind_fields() {
         .stress = stress_.data(),
         .repulsion = repulsion_.data(),
         .recovery = recovery_.data(),
+        .velocity_gradient = velocity_gradient_.data(),
         .begin = near_.begin.data(),
         .j = near_.j.data(),
         .has_foreign_neighbors = has_foreign_neighbors_.data(),

@@ -56,6 +56,7 @@ class UlSplit final : public Scheme<Dim> {
   std::vector<V> x_recovered_;  // positions at the last stress recovery, m
   std::vector<FlowRow<Dim>> flow_, flow_new_;
   std::vector<TensorRow<Dim>> stress_, repulsion_, recovery_;
+  std::vector<GradientRow<Dim>> velocity_gradient_;
   std::vector<int> has_foreign_neighbors_;
   using Stored = typename PairCache<Dim>::Stored;
   std::vector<Stored> gradients_, inverse_slopes_, inverse_distances_, closeness_;

@@ -77,7 +77,7 @@ naive_cauchy::Run<Dim> naive_current(const Scene& scene, const Settings& setting
   return run;
 }
 
-/// tl with each law, icb, tl-small-strain
+/// tl with each law, icb, tl-hg, tl-enog, tl-small-strain
 template <int Dim>
 naive_reference::Run<Dim> naive_total_lagrangian(const Scene& scene, const Settings& settings) {
   const Material& material = scene.materials[0];
@@ -90,6 +90,9 @@ naive_reference::Run<Dim> naive_total_lagrangian(const Scene& scene, const Setti
                                 material.shear_modulus(),
                                 constant_of(settings, Dim, "contact_stiffness"),
                                 {}};
+  run.alpha = constant_of(settings, Dim, "alpha");
+  run.shear_factor = constant_of(settings, Dim, "shear_factor");
+  run.damping = constant_of(settings, Dim, "damping");
   lay_particles(run, scene, [&](auto& a, int i, const InitialParticles& initial) {
     a.X = a.x = vector_of<naive_reference::Vector<Dim>>(initial.x[i]);
     a.v = vector_of<naive_reference::Vector<Dim>>(initial.v[i]);

@@ -4,6 +4,8 @@
 //   tl               [Lee2016] Eq. 21 (corrected gradient), 29c (internal force), 34 (F), 8–12 (neo-Hookean, P by
 //                    Σ_F, Σ_J, H)
 //   icb              [TranDuc2023] §2.3: N, F, ε, σ⁰, iteration for R, acceleration
+//   tl-hg            tl and the hourglass force, with one amplitude for both errors of a pair: [Ganzenmueller2015]
+//   tl-enog          Kirchhoff stress in two parts and the damping stress: [Wu2023]
 //   tl-small-strain  [Zhang2020] Eq. 3, 4, 7–9, sums of Eq. 7 and 9 normalised consistently with an energy
 // In 3D R is the polar rotation by singular values. tl also has the St Venant–Kirchhoff and linear laws. Contact:
 // [TranDuc2023] Eq. 2.13, for tl-small-strain [Zhang2020] Eq. 12. Time: x to mid-step, v, x to the end.
@@ -22,11 +24,13 @@
 
 namespace taut::test::naive_reference {
 
-enum class Method { tl, icb, small_strain, tl_st_venant_kirchhoff, tl_linear };
+enum class Method { tl, icb, small_strain, tl_st_venant_kirchhoff, tl_linear, hourglass, enog };
 /// `law` selects the variants of tl.
 inline Method method_named(const std::string& name, const std::string& law) {
   if (name == "icb") return Method::icb;
   if (name == "tl-small-strain") return Method::small_strain;
+  if (name == "tl-hg") return Method::hourglass;
+  if (name == "tl-enog") return Method::enog;
   if (law == "st-venant-kirchhoff") return Method::tl_st_venant_kirchhoff;
   return law == "linear" ? Method::tl_linear : Method::tl;
 }
@@ -46,6 +50,7 @@ struct Particle {
   bool clamped = false;
   Square F = Square::Zero(), P = Square::Zero(), N = Square::Zero();  // N: renormalisation, dimensionless
   double s = 1;                                                       // Σ V W
+  Square T = Square::Zero();                                          // Kirchhoff stress on the particle
 };
 
 template <int Dim>
@@ -60,6 +65,7 @@ struct Run {
   double time = 0;
   long contacts = 0;                                               // pairs in contact, summed over all steps
   std::vector<std::vector<std::size_t>> near = {}, touching = {};  // neighbours at the start; contacts now
+  double alpha = 0, shear_factor = 0, damping = 0;
 
   // Wendland C2 (tl), sinc⁵ (icb), Gaussian truncated at 3 h (small strain)
   double support() const { return (1 - 1e-9) * (small() ? 3 * h : 2 * h); }
@@ -167,7 +173,7 @@ struct Run {
 
   Matrix stress(const Matrix& F) const {
     const Matrix one = Matrix::Identity();
-    if (method == Method::tl) {
+    if (method == Method::tl || method == Method::hourglass || method == Method::enog) {
       const double J = F.determinant(), FF = F.squaredNorm() + (3 - Dim);
       const double zeta = G / 2, Sigma_J = -2.0 / 3 * zeta * std::pow(J, -5.0 / 3) * FF + K * (J - 1);
       const Matrix H = J * F.inverse().transpose();
@@ -193,14 +199,50 @@ struct Run {
         }
       }
       i.P = stress(i.F);
+      if (method == Method::enog) i.T = kirchhoff_on_particle(i);
     }
+  }
+
+  /// Volumetric stress, isotropic part of the deviator −c G J^(−2/3) tr b/3 and damping stress χ/2 db/dt.
+  Matrix kirchhoff_on_particle(const Particle& i) const {
+    Matrix rate = Matrix::Zero();
+    for (const std::size_t n : of(near, i)) {
+      const Particle& j = particles[n];
+      if (Vector g; gradient(i, j, g)) rate += j.V * (j.v - i.v) * (i.N * g).transpose();
+    }
+    const double J = i.F.determinant(), trace_b = (i.F * i.F.transpose()).trace() + (3 - Dim);
+    const double chi = damping * rho0 * std::sqrt(K / rho0) * h / 2;
+    const Matrix db = rate * i.F.transpose() + i.F * rate.transpose();
+    return (K * J * (J - 1) - shear_factor * G * std::pow(J, -2.0 / 3) * trace_b / 3) * Matrix::Identity() +
+           chi / 2 * db;
+  }
+
+  Vector enog_force(const Particle& i, const Particle& j, const Vector& g) const {
+    const double slope = dW((i.X - j.X).norm()) / (i.X - j.X).norm();
+    const double shear =
+        shear_factor * G * (std::pow(i.F.determinant(), -2.0 / 3) + std::pow(j.F.determinant(), -2.0 / 3));
+    return i.V * j.V *
+           ((i.T * i.F.inverse().transpose() + j.T * j.F.inverse().transpose()) * g +
+            shear * slope * (i.x - j.x));
+  }
+
+  /// With x_ij = x_i − x_j.
+  Vector hourglass(const Particle& i, const Particle& j) const {
+    const Vector X = i.X - j.X, x = i.x - j.x, e = x.normalized();
+    const double E = 9 * K * G / (3 * K + G);
+    const double excess = (i.F * X - x).dot(e) + (j.F * X - x).dot(e);
+    return 0.5 * alpha * E * i.V * j.V * W(X.norm()) / X.squaredNorm() * excess * e;
   }
 
   Vector force(const Particle& i) {
     Vector f = Vector::Zero();
     for (const std::size_t n : of(near, i)) {
       const Particle& j = particles[n];
-      if (Vector g; gradient(i, j, g)) f += i.V * j.V * (i.P * (i.N * g) + j.P * (j.N * g));
+      Vector g;
+      if (!gradient(i, j, g)) continue;
+      f += method == Method::enog ? enog_force(i, j, g)
+                                  : Vector(i.V * j.V * (i.P * (i.N * g) + j.P * (j.N * g)));
+      if (method == Method::hourglass) f += hourglass(i, j);
     }
     for (const std::size_t n : of(touching, i)) {
       const Particle& j = particles[n];

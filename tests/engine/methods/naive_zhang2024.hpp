@@ -12,7 +12,7 @@
 #include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
-/// Transcription of the methods of [Zhang2024] in 2D and 3D: pair by pair, without code of the engine.
+/// Transcription of the methods of [Zhang2024] and [Zhang2024b] in 2D and 3D: pair by pair, without code of the engine.
 ///
 /// Where the paper is silent or contradictory it follows the engine:
 ///   - Eq. 7 with Jaumann's rotation terms; Eq. 14 and 27 with the sign that makes ∇v correct;
@@ -37,10 +37,11 @@ double dot(const Vector<Dim>& a, const Vector<Dim>& b) {
   return sum;
 }
 
-enum class Method { og, oas, enog, enog_nonconservative };
+enum class Method { og, oas, enog, enog_nonconservative, gnog };
 inline Method method_named(const std::string& name) {
   if (name == "og") return Method::og;
   if (name == "oas") return Method::oas;
+  if (name == "gnog") return Method::gnog;
   return name == "enog" ? Method::enog : Method::enog_nonconservative;
 }
 
@@ -55,6 +56,7 @@ struct Particle {
   bool clamped = false;
   Matrix<Dim> s{}, ds{};  // shear stress (integrated or output only) and its rate
   Vector<Dim> a_shear{}, da_shear{};
+  Matrix<Dim> L{};        // corrected velocity gradient of gnog
   Vector<Dim> x_shown{};  // x at the last update of an output-only stress
 };
 
@@ -133,7 +135,8 @@ class Run {
   static constexpr double zeta = 0.7 * Dim + 2.1;  // §6
   static double length(const Vector& a) { return std::sqrt(dot<Dim>(a, a)); }
 
-  bool nested() const { return method_ == Method::og || method_ == Method::oas; }
+  bool penalized() const { return method_ == Method::gnog; }
+  bool nested() const { return method_ == Method::og || method_ == Method::oas || penalized(); }
   bool same_body(std::size_t i, std::size_t j) const { return particles[i].body == particles[j].body; }
 
   double norm() const {
@@ -176,6 +179,7 @@ class Run {
       }
     }
     volumes_at_rebuild_ = volumes();
+    find_corrections();
     distance_since_rebuild_ = 0;
     ++rebuilds;
   }
@@ -268,9 +272,49 @@ class Run {
         }
       }
       a.drho = a.clamped && !nested() ? 0 : -a.rho * divergence;  // Eq. 1
+      if (penalized()) gradient = times(gradient, corrections_[i]);
+      a.L = gradient;
       if (nested()) a.ds = stress_rate(gradient, a.s);
       for (int k = 0; k < Dim && !nested(); ++k) a.da_shear[k] = G_ / a.rho * laplacian[k];  // Eq. 20
     }
+    if (penalized()) find_penalties(V);
+  }
+
+  /// Rate of the penalty acceleration of [Zhang2024b] with ξ = 4.
+  void find_penalties(const std::vector<double>& V) {
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      Particle& a = particles[i];
+      a.da_shear = {};
+      for (const PairGeometry& g : pairs_[i]) {
+        const Particle& b = particles[g.j];
+        if (!same_body(i, g.j)) continue;
+        for (int k = 0; k < Dim; ++k) {
+          double unexplained = a.v[k] - b.v[k];
+          for (int l = 0; l < Dim; ++l) unexplained -= 0.5 * (a.L[k][l] + b.L[k][l]) * g.r * g.e[l];
+          a.da_shear[k] += 4 * G_ / a.rho * V[g.j] * unexplained / g.r * g.dW;
+        }
+      }
+    }
+  }
+
+  /// Eq. 27 of [Zhang2024] with the geometry and volumes of the last rebuild.
+  void find_corrections() {
+    corrections_.clear();
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      Eigen::Matrix<double, Dim, Dim> moment = Eigen::Matrix<double, Dim, Dim>::Zero();
+      for (const PairGeometry& g : pairs_[i])
+        for (int k = 0; k < Dim && same_body(i, g.j); ++k)
+          for (int l = 0; l < Dim; ++l)
+            moment(k, l) -= g.r * g.e[k] * g.dW * g.e[l] * volumes_at_rebuild_[g.j];
+      corrections_.push_back(moment.inverse());
+    }
+  }
+  static Matrix times(const Matrix& A, const Eigen::Matrix<double, Dim, Dim>& B) {
+    Matrix product{};
+    for (int k = 0; k < Dim; ++k)
+      for (int l = 0; l < Dim; ++l)
+        for (int n = 0; n < Dim; ++n) product[k][l] += A[k][n] * B(n, l);
+    return product;
   }
 
   /// Eq. 7 and 8 with Jaumann's rotation terms.
@@ -299,22 +343,10 @@ class Run {
     }
     for (std::size_t i = 0; i < particles.size(); ++i) {
       Matrix gradient{};
-      Eigen::Matrix<double, Dim, Dim> moment = Eigen::Matrix<double, Dim, Dim>::Zero();
-      for (const PairGeometry& g : pairs_[i]) {
-        const std::size_t j = g.j;
-        if (!same_body(i, j)) continue;
-        for (int k = 0; k < Dim; ++k) {
-          for (int l = 0; l < Dim; ++l) {
-            gradient[k][l] -= (way[i][k] - way[j][k]) * g.dW * g.e[l] * V[j];
-            moment(k, l) -= g.r * g.e[k] * g.dW * g.e[l] * V[j];
-          }
-        }
-      }
-      const Eigen::Matrix<double, Dim, Dim> B = moment.inverse();
-      Matrix corrected{};
-      for (int k = 0; k < Dim; ++k)
-        for (int l = 0; l < Dim; ++l)
-          for (int n = 0; n < Dim; ++n) corrected[k][l] += gradient[k][n] * B(n, l);
+      for (const PairGeometry& g : pairs_[i])
+        for (int k = 0; k < Dim && same_body(i, g.j); ++k)
+          for (int l = 0; l < Dim; ++l) gradient[k][l] -= (way[i][k] - way[g.j][k]) * g.dW * g.e[l] * V[g.j];
+      const Matrix corrected = times(gradient, corrections_[i]);
       Particle& a = particles[i];
       const Matrix change = stress_rate(corrected, a.s);
       for (int k = 0; k < Dim; ++k)
@@ -327,6 +359,7 @@ class Run {
   bool dual_;
   double dp_, h_, rho0_, c0_, G_;
   std::vector<std::vector<PairGeometry>> pairs_;
+  std::vector<Eigen::Matrix<double, Dim, Dim>> corrections_;
   std::vector<double> volumes_at_rebuild_;
   double speed_ = 0, greatest_speed_ = 0, distance_since_rebuild_ = 0;
 };

@@ -49,7 +49,7 @@ void check_agreement(const Snapshot& engine, const naive::Run<2>& run, double c0
 }
 
 void check_all_methods(const Scene& scene, Stepping stepping) {
-  for (const std::string name : {"og", "oas", "enog", "enog-nonconservative"}) {
+  for (const std::string name : {"og", "oas", "enog", "enog-nonconservative", "gnog"}) {
     CAPTURE(name);
     const Settings settings = with_method(name, stepping);
     const naive::Run<2> run = naive_run(scene, settings);

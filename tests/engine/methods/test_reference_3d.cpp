@@ -57,7 +57,7 @@ void check_ulsph(const Scene& scene, const std::string& name, Stepping stepping)
 }
 
 void check_ulsph_methods(const Scene& scene, Stepping stepping) {
-  for (const std::string name : {"og", "oas", "enog", "enog-nonconservative"})
+  for (const std::string name : {"og", "oas", "enog", "enog-nonconservative", "gnog"})
     check_ulsph(scene, name, stepping);
 }
 
@@ -173,6 +173,8 @@ TEST_SUITE("reference") {
       check_total_lagrangian(scene, "tl");
       check_total_lagrangian(scene, "icb");
       check_total_lagrangian(scene, "tl-small-strain");
+      check_total_lagrangian(scene, "tl-hg");
+      check_total_lagrangian(scene, "tl-enog");
     }
   }
   TEST_CASE("mixed: in 3D collisions and a block hit on its clamp follow the transcription") {

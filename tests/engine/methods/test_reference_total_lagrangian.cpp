@@ -60,6 +60,8 @@ void check_methods(const Scene& scene) {
   check_method(scene, "tl", "");
   check_method(scene, "icb", "");
   check_method(scene, "tl-small-strain", "");
+  check_method(scene, "tl-hg", "");
+  check_method(scene, "tl-enog", "");
   for (const std::string law : {"neo-hookean", "st-venant-kirchhoff", "linear"})
     check_method(scene, "tl", law);
 }

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "engine/core/tensor.hpp"
+#include "engine/term_info.hpp"
+
+namespace taut {
+
+/// Weight w_i of a pair in `hourglass_force`, N/m^(4 − Dim): ½ α E_i V_i V_j W_ij/|X_ij|². `W` in 1/m^Dim.
+inline double hourglass_weight(double alpha, double E_i, double V_i, double V_j, double W, double r) {
+  return 0.5 * alpha * E_i * V_i * V_j * W / (r * r);
+}
+
+/// Force of j on i, N (per metre depth in 2D), against the distance that F does not explain:
+///   (w_i δ_i + w_j δ_j) x_ij/|x_ij|,   δ_i = (F_i X_ij − x_ij)·x_ij/|x_ij|.
+/// It acts along the pair, but derives from no energy, because the paper keeps F fixed. 0 for coincident particles.
+/// [Ganzenmueller2015] as in the documentation of TrixiParticles. MACHDYN limits δ and adds h to distances;
+/// its amplitude hg is 2α.
+template <class T, int Dim>
+Vec<T, Dim> hourglass_force(const Mat<T, Dim>& F_i, const Mat<T, Dim>& F_j, const Vec<T, Dim>& X_ij,
+                            const Vec<T, Dim>& x_ij, const T& w_i, const T& w_j) {
+  const T r2 = dot(x_ij, x_ij), none{};
+  const T excess_i = dot(F_i * X_ij, x_ij) - r2, excess_j = dot(F_j * X_ij, x_ij) - r2;
+  return (r2 > none ? T((w_i * excess_i + w_j * excess_j) / r2) : none) * x_ij;
+}
+inline constexpr TermInfo hourglass_force_info{
+    "hourglass force", "f_i += ½ α Σ V_i V_j W (E_i δ_i + E_j δ_j)/|X|² e, δ_i = (F_i X − x)·e, e = x/|x|",
+    "[Ganzenmueller2015]", "terms/hourglass/hourglass_force.hpp:hourglass_force",
+    "hourglass force: an affine motion has none, a zigzag is opposed along pairs"};
+
+}  // namespace taut
