@@ -146,7 +146,7 @@ TEST_SUITE("cli") {
       CHECK(contains(page, "\n| --- |"));
       ++tables;
     }
-    CHECK(tables == 12);
+    CHECK(tables == 13);
   }
 
   TEST_CASE("the study of a snapshot test makes a baseline, then passes, then finds a change") {
