@@ -48,6 +48,33 @@ struct Kernel<KernelName::wendland_c2> {
   }
 };
 
+/// Cubic B-spline of Monaghan and Lattanzio (1985) with its support of 2 h.
+template <>
+struct Kernel<KernelName::cubic_spline> {
+  static constexpr std::string_view name = "cubic B-spline";
+  static constexpr double support = 2;
+
+  static constexpr double alpha(int dim) {
+    return dim == 3 ? 1 / std::numbers::pi : 10 / (7 * std::numbers::pi);
+  }
+  /// w = ¼ (2 − q)³ − (1 − q)³, truncated powers
+  template <class T>
+  static T w(const T& q) {
+    const T u = max(T(2 - q), T{}), v = max(T(1 - q), T{});
+    return 0.25 * u * u * u - v * v * v;
+  }
+  template <class T>
+  static T dw(const T& q) {
+    const T u = max(T(2 - q), T{});
+    return q < 1 ? T(q * (2.25 * q - 3)) : T(-0.75 * u * u);
+  }
+  template <class T>
+  static T dw_per_q(const T& q) {
+    const T u = max(T(2 - q), T{});
+    return q < 1 ? T(2.25 * q - 3) : T(-0.75 * u * u / q);
+  }
+};
+
 /// (sin(πq/2)/(πq/2))⁵, [TranDuc2023] §2.1. Departure: the paper's α is 0.7103 (2D); these digits make the integral
 /// 1.
 template <>

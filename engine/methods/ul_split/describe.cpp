@@ -38,6 +38,8 @@ std::vector<ConstantRow<UlSplitConstants>> constants(const UlSplitFormulation& m
         "share of (p_i − p_j)/(2 ρ0 c0) in U*: 1 as in the Riemann solver of the paper, 0 without"}},
       {&C::cfl_advection,
        {"cfl_advection", m.cfl_advection, 1e-3, 1.0, "distance over h between rebuilds (Eq. 21)"}},
+      {&C::cubic_spline,
+       {"cubic_spline", 0.0, 0.0, 1.0, "kernel: 0 Wendland C2 as published, 1 cubic B-spline"}},
   };
   if (m.shear == Shear::laplacian_velocity)
     c.push_back({&C::zeta,

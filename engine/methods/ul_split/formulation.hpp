@@ -31,7 +31,8 @@ struct UlSplitConstants : Constants {
   double riemann_limiter = 0, beta_least = 1;  // β = min(max(limiter · (U_L − U_R)/c0, β_least), 1)
   double pressure_diffusion = 0;               // share of (p_i − p_j)/(2 ρ0 c0) in U*
   double cfl_advection = 0;
-  double step_speed = 0;  // wave speed for steps, m/s
+  double cubic_spline = 0;  // 1: replaces the kernel of the method by KernelName::cubic_spline
+  double step_speed = 0;    // wave speed for steps, m/s
 };
 
 /// Returns false if stress is only recovered for display.

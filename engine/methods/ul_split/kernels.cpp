@@ -11,8 +11,8 @@ namespace {
 struct Tables {
   template <const UlSplitFormulation& M, int Dim>
   static constexpr UlSplitKernels<Dim> of{
-      .support = Kernel<M.kernel>::support,
-      .steepness = PairKernel<M, Dim>::steepness,
+      .support = std::max(Kernel<M.kernel>::support, Kernel<KernelName::cubic_spline>::support),
+      .steepness = steepness<M, Dim>,
       .geometry = geometry_pass<M, Dim>,
       .contact_geometry = contact_geometry_pass<M, Dim>,
       .half_drift = half_drift<M, Dim>,

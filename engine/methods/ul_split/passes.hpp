@@ -18,7 +18,7 @@
 /// All loops gather over i, so results do not depend on the number of threads.
 namespace taut {
 
-template <const UlSplitFormulation& M, int Dim>
+template <KernelName Name, int Dim>
 class PairKernel {
  public:
   explicit PairKernel(const UlSplitConstants& c)
@@ -52,15 +52,27 @@ class PairKernel {
   }
 
  private:
-  using K = Kernel<M.kernel>;
+  using K = Kernel<Name>;
   double per_h_, alpha_, least_, per_w_dp_, exponent_;
 };
 
+/// Calls f.operator()<Name> for the kernel of a run.
+template <const UlSplitFormulation& M, class F>
+auto with_kernel(const UlSplitConstants& c, const F& f) {
+  return c.cubic_spline != 0 ? f.template operator()<KernelName::cubic_spline>()
+                             : f.template operator()<M.kernel>();
+}
+
 template <const UlSplitFormulation& M, int Dim>
+double steepness(const UlSplitConstants& c) {
+  return with_kernel<M>(c, [&]<KernelName Name>() { return PairKernel<Name, Dim>::steepness(c); });
+}
+
+template <const UlSplitFormulation& M, int Dim, KernelName Name>
 void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Threads& threads) {
   // position, body, volume
   parallel_for(s.size, threads, [&](int i) { s.flow[i].set(s.x[i], s.body[i], s.m[i] / s.rho[i]); });
-  parallel_pass(s.size, threads, [&, kernel = PairKernel<M, Dim>(c)](int i) {
+  parallel_pass(s.size, threads, [&, kernel = PairKernel<Name, Dim>(c)](int i) {
     const Flow<Dim, Pack> here = spread_flow(s.flow[i]);
     PackIndex outside{};
     [[maybe_unused]] Sym<Pack, Dim> moment{};
@@ -86,11 +98,16 @@ void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const
   });
 }
 
+template <const UlSplitFormulation& M, int Dim>
+void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Threads& threads) {
+  with_kernel<M>(c, [&]<KernelName Name>() { geometry_pass<M, Dim, Name>(s, c, threads); });
+}
+
 /// Recomputes the geometry of pairs of two bodies. Differs from [Zhang2024] §5, which caches these pairs, too: bodies
 /// then separate on steeper gradients than they met on, and stick.
-template <const UlSplitFormulation& M, int Dim>
+template <const UlSplitFormulation& M, int Dim, KernelName Name>
 void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c) {
-  const PairKernel<M, Dim> kernel(c);
+  const PairKernel<Name, Dim> kernel(c);
   for (int m = 0; m < s.mixed_count; ++m) {
     const auto [i, b] = s.mixed[m];
     const int* j = s.pack(b);
@@ -108,6 +125,11 @@ void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& 
     if constexpr (M.artificial_stress)
       s.pairs.set_closeness(b, inside ? s.pairs.closeness(b) : kernel.closeness(d));
   }
+}
+
+template <const UlSplitFormulation& M, int Dim>
+void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c) {
+  with_kernel<M>(c, [&]<KernelName Name>() { contact_geometry_pass<M, Dim, Name>(s, c); });
 }
 
 /// ∇_i W; 0 for pairs of two bodies.

@@ -15,8 +15,8 @@ using namespace taut::test;
 
 namespace {
 
-using Kernels =
-    std::tuple<Kernel<KernelName::wendland_c2>, Kernel<KernelName::sinc>, Kernel<KernelName::gauss>>;
+using Kernels = std::tuple<Kernel<KernelName::wendland_c2>, Kernel<KernelName::cubic_spline>,
+                           Kernel<KernelName::sinc>, Kernel<KernelName::gauss>>;
 
 template <class F>
 void for_each_kernel(const F& f) {

@@ -48,6 +48,7 @@ naive::Run<Dim> naive_split(const Scene& scene, const Settings& settings) {
   const Material& material = scene.materials[0];
   naive::Run<Dim> run(naive::method_named(settings.method), settings.stepping == Stepping::dual,
                       scene.spacing, material.density, material.sound_speed(), material.shear_modulus());
+  run.cubic_spline = constant_of(settings, Dim, "cubic_spline") != 0;
   run.pressure_diffusion = constant_of(settings, Dim, "pressure_diffusion");
   lay_particles(run, scene, [&](auto& a, int i, const InitialParticles& initial) {
     a.x = vector_of<naive::Vector<Dim>>(initial.x[i]);

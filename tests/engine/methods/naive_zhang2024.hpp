@@ -76,6 +76,7 @@ class Run {
       : method_(method), dual_(dual), dp_(dp), h_(h_over_dp * dp), rho0_(rho0), c0_(c0), G_(G) {}
 
   std::vector<Particle> particles;
+  bool cubic_spline = false;       // kernel of Monaghan and Lattanzio instead of Wendland's
   double pressure_diffusion = 0;   // factor of (p_i − p_j)/(2 ρ0 c0) in U*
   int rebuilds = 0, contacts = 0;  // contacts: pairs between bodies, summed over steps
   double time = 0;
@@ -140,14 +141,19 @@ class Run {
   bool same_body(std::size_t i, std::size_t j) const { return particles[i].body == particles[j].body; }
 
   double norm() const {
+    if (cubic_spline) return (Dim == 2 ? 10.0 / 7 : 1.0) / std::numbers::pi / std::pow(h_, Dim);
     return Dim == 2 ? 7 / (4 * std::numbers::pi * h_ * h_) : 21 / (16 * std::numbers::pi * h_ * h_ * h_);
   }
   double W(double r) const {
     const double q = r / h_;
+    if (cubic_spline && q < 1) return norm() * (1 - 1.5 * q * q + 0.75 * q * q * q);
+    if (cubic_spline) return q < 2 ? norm() / 4 * std::pow(2 - q, 3) : 0;
     return q < 2 ? norm() * std::pow(1 - q / 2, 4) * (1 + 2 * q) : 0;
   }
   double W_slope(double r) const {
     const double q = r / h_;
+    if (cubic_spline && q < 1) return norm() / h_ * (-3 * q + 2.25 * q * q);
+    if (cubic_spline) return q < 2 ? -0.75 * norm() / h_ * std::pow(2 - q, 2) : 0;
     return q < 2 ? -5 * norm() / h_ * q * std::pow(1 - q / 2, 3) : 0;
   }
 

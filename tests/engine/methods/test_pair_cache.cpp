@@ -30,7 +30,7 @@ struct Cached {
 template <int Dim>
 Cached<Dim> cached_at(double dp, const Pack& distance) {
   const UlSplitConstants c = constants_at(dp);
-  const PairKernel<enog, Dim> kernel(c);
+  const PairKernel<enog.kernel, Dim> kernel(c);
   using Stored = typename PairCache<Dim>::Stored;
   std::vector<Stored> gradients(2 * Dim), slopes(2), distances(2);
   const bool single_precision = PairCache<Dim>::single_precision;
@@ -38,7 +38,7 @@ Cached<Dim> cached_at(double dp, const Pack& distance) {
                              slopes.data(),
                              distances.data(),
                              nullptr,
-                             single_precision ? PairKernel<enog, Dim>::steepness(c) : 1,
+                             single_precision ? PairKernel<enog.kernel, Dim>::steepness(c) : 1,
                              single_precision ? c.h : 1};
   Vec<Pack, Dim> d{}, back{};
   d[0] = 0.6 * dp * distance, d[1] = -0.8 * dp * distance;

@@ -87,6 +87,16 @@ TEST_SUITE("reference") {
     CHECK(std::abs(run.particles[0].p - without.particles[0].p) > 1e-3 * std::abs(run.particles[0].p));
     check_agreement(state_after(steps, scene, settings), run, c0);
   }
+  TEST_CASE("naive: the cubic B-spline as kernel follows the transcription") {
+    const Scene scene = small_collision();
+    const double c0 = scene.materials[0].sound_speed();
+    for (const char* method : {"og", "oas", "enog", "enog-nonconservative"}) {
+      CAPTURE(method);
+      Settings settings = with_method(method);
+      settings.constants["cubic_spline"] = 1;
+      check_agreement(state_after(steps, scene, settings), naive_run(scene, settings), c0);
+    }
+  }
 }
 
 }  // namespace of_this_file
