@@ -128,7 +128,7 @@ TEST_SUITE("cli") {
     CAPTURE(both.err);
     REQUIRE(both.code == 0);
     const std::string script = text_of(folder / "p.gp"), data = text_of(folder / "p.dat");
-    CHECK(contains(script, "set ylabel 'total_energy, J per m'"));
+    CHECK(contains(script, "set ylabel 'total_energy, mJ per m'"));
     CHECK(contains(script, "set ylabel 'step'"));
     CHECK(contains(script, "speed=3'"));
     const Texts history = lines_of(folder / "b/history.csv");
@@ -136,7 +136,7 @@ TEST_SUITE("cli") {
     REQUIRE(
         call({"plot", a, "--columns", "kinetic_energy", "--x", "strain_energy", "--out", folder.str("x.svg")})
             .code == 0);
-    CHECK(contains(text_of(folder / "x.gp"), "set xlabel 'strain_energy, J per m'"));
+    CHECK(contains(text_of(folder / "x.gp"), "set xlabel 'strain_energy, mJ per m'"));
     CHECK(call({"plot", a, a, "--out", folder.str("twice.png")}).code == 0);
     const Outcome typo = call({"plot", a, "--columns", "total_enery", "--out", folder.str("t.png")});
     CHECK(typo.code == 2);
@@ -145,8 +145,14 @@ TEST_SUITE("cli") {
     const std::string table = folder.str("results.csv");  // as in DIR/* of a sweep
     std::ofstream(table) << "status,scene\nfinished,tiny\n";
     const Outcome other = call({"plot", a, table, "--out", folder.str("t.png")});
-    CHECK(other.code == 2);
-    CHECK(contains(other.err, "'" + table + "' is neither a run folder nor a run.json"));
+    CHECK(other.code == 0);
+    CHECK(contains(other.err, "taut: skips what is no run: results.csv"));
+    std::ofstream(folder / "notes.txt") << "notes\n";
+    const Outcome none =
+        call({"plot", folder.str("notes.txt"), folder.str("discs.toml"), "--out", folder.str("t.png")});
+    CHECK(none.code == 2);
+    CHECK(contains(none.err,
+                   "no run or sweep is among these; name folders that `taut run` or `taut sweep` has made"));
     CHECK(call({"plot", a, "--out", folder.str("t.jpg")}).code == 2);
   }
 }

@@ -179,7 +179,8 @@ TEST_SUITE("cli") {
     for (const std::size_t count : {24u, 25u}) {
       results.runs.assign(count, read_stored_run(folder.str("run.json")));
       std::ostringstream out, err;
-      CHECK(draw_history(results, {{"energy", "energy"}}, {"t", "t"}, {folder / "p.png"}, {out, err}) == 0);
+      const HistoryPlot plot = make_history_plot(results, {{"energy", "energy"}}, {"t", "t"});
+      CHECK(draw_history(plot, {folder / "p.png"}, {out, err}) == 0);
       CHECK((err.str() == "") == (count == 24));
       if (count == 25) CHECK(contains(err.str(), " has 25 lines; only 24 can be told apart"));
     }
