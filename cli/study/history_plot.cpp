@@ -200,11 +200,12 @@ PanelPlot::Panel panel_of(const HistoryPlot& plot, const std::vector<std::size_t
     if (belongs(curve))
       for (const double value : curve.values) all.add(value);
   const std::string& unit = plot.columns[columns.front()].unit;
-  const std::string label = join(labels);
+  // the legend names several columns
+  const std::string label = columns.size() > 1 && !unit.empty() ? "" : join(labels);
   const AxisScale y =
       unit.empty() ? AxisScale{1, label} : axis_scale(label, unit, all.greatest(), look.log_y);
   if (look.log_y && all.low > all.high)
-    throw UsageError("no value of " + label + " is positive; leave out --log y");
+    throw UsageError("no value of " + join(labels) + " is positive; leave out --log y");
   PanelPlot::Panel panel{
       .label = y.label, .low = y.factor * all.low, .high = y.factor * all.high, .lines = {}};
   const auto points = [&](std::size_t block, std::size_t column) {

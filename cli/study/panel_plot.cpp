@@ -191,7 +191,8 @@ std::string panel_script(const PanelPlot& plot, const PlotFiles& files, const Pl
 AxisScale axis_scale(const std::string& name, const std::string& unit, double greatest, bool is_log) {
   if (unit.empty() && is_log) return {1, name};
   const render::Scale scale = render::scale_for(greatest, unit);
-  return {scale.factor, scale.unit.empty() ? name : name + ", " + scale.unit};
+  const bool both = !name.empty() && !scale.unit.empty();
+  return {scale.factor, name + (both ? ", " : "") + scale.unit};
 }
 
 std::string log_ticks(double low, double high, std::string (*show)(double)) {

@@ -27,6 +27,13 @@ std::vector<std::string> split_at_plus(const std::string& text) {
   return parts;
 }
 
+/// Column of results.csv with the value of a setting: "set.v0".
+std::string column_with(const StoredRun& run, const std::string& name) {
+  for (const std::string prefix : {set_prefix.data(), "parameters."})
+    if (!run.text(prefix + name).empty()) return prefix + name;
+  return name;
+}
+
 /// Columns whose values name a line.
 struct LineNames {
   std::vector<ResultColumn> by;             // as requested, or
@@ -47,7 +54,7 @@ struct LineNames {
 [[noreturn]] void refuse_two(const StoredRun& a, const StoredRun& b, const std::string& line,
                              const ResultColumn& x, const ResponseRequest& request) {
   std::vector<std::string> differing;
-  for (const std::string& column : distinguishing_columns({a, b}, x.name)) {
+  for (const std::string& column : distinguishing_columns({a, b}, column_with(a, x.name))) {
     const std::size_t dot = column.starts_with(set_prefix) ? set_prefix.size() : 0;
     differing.push_back(column.substr(dot));
   }
@@ -157,11 +164,13 @@ ResponsePlot make_response_plot(const StoredResults& results, const ResponseRequ
   std::vector<StoredRun> ended;
   for (const StoredRun& run : results.runs)
     if (run.has_result()) runs.push_back(&run), ended.push_back(run);
+  if (runs.empty()) throw UsageError("no run has a result yet");
   if (std::ranges::none_of(runs, [&](const StoredRun* run) { return plot.x.number(*run).has_value(); }))
     throw UsageError("'" + plot.x.name + "' is a number in no run; --x needs a column with numbers");
   LineNames name_of;
   for (const std::string& name : request.by) name_of.by.push_back(find_result_column(results, name));
-  if (request.by.empty()) name_of.distinguishing = distinguishing_columns(ended, plot.x.name);
+  if (request.by.empty())
+    name_of.distinguishing = distinguishing_columns(ended, column_with(ended.front(), plot.x.name));
   std::set<const StoredRun*> missing;
   for (const std::string& names : request.y) {
     plot.panels.push_back(panel_of(results, plot, runs, names, name_of, request));
@@ -191,9 +200,10 @@ std::string response_data(const ResponsePlot& plot) {
 
 namespace {
 
-/// Label "a, b, mm" of some columns.
+/// Label of the columns of a panel, without the unit; empty if the legend names them and they have a unit.
 std::string names_in(const std::vector<ResultColumn>& columns) {
   std::vector<std::string> names;
+  if (columns.size() > 1 && !columns.front().unit.empty()) return "";
   for (const ResultColumn& column : columns) {
     names.push_back(column.name);
     std::ranges::replace(names.back(), '_', ' ');
@@ -220,7 +230,8 @@ PointRange interval(const ResponsePlot& plot, const ResponsePlot::Panel* only, b
 }
 
 AxisScale scale_of(const std::string& name, const std::string& unit, double greatest, bool is_log) {
-  return unit == "%" ? AxisScale{1, name + ", %"} : axis_scale(name, unit, greatest, is_log);
+  return unit == "%" ? AxisScale{1, name.empty() ? "%" : name + ", %"}
+                     : axis_scale(name, unit, greatest, is_log);
 }
 
 /// Style of each line but references: by method if lines differ in it, else by number.

@@ -140,7 +140,8 @@ TEST_SUITE("image") {
           if (image.at(column, row) != white) return false;
       return true;
     };
-    const Rect title{layout.plot.x, 0, 200, layout.plot.y}, time{440, 0, 200, layout.plot.y},
+    const int above = layout.plot.y - 8;  // the bar's first number reaches higher than the bar
+    const Rect title{layout.plot.x, 0, 200, above}, time{440, 0, 200, above},
         foot{0, layout.plot.y + layout.plot.height, 300, 360 - layout.plot.y - layout.plot.height};
     for (const auto& [place, parts] : {std::pair{title, TextParts{.title = false, .method = false}},
                                        {time, TextParts{.time = false}},

@@ -128,7 +128,7 @@ TEST_SUITE("cli") {
     CAPTURE(both.err);
     REQUIRE(both.code == 0);
     const std::string script = text_of(folder / "p.gp"), data = text_of(folder / "p.dat");
-    CHECK(contains(script, "set ylabel 'total_energy, mJ per m'"));
+    CHECK(contains(script, "set ylabel 'total_energy, J per m'"));
     CHECK(contains(script, "set ylabel 'step'"));
     CHECK(contains(script, "speed=3'"));
     const Texts history = lines_of(folder / "b/history.csv");
@@ -136,7 +136,7 @@ TEST_SUITE("cli") {
     REQUIRE(
         call({"plot", a, "--columns", "kinetic_energy", "--x", "strain_energy", "--out", folder.str("x.svg")})
             .code == 0);
-    CHECK(contains(text_of(folder / "x.gp"), "set xlabel 'strain_energy, mJ per m'"));
+    CHECK(contains(text_of(folder / "x.gp"), "set xlabel 'strain_energy, J per m'"));
     CHECK(call({"plot", a, a, "--out", folder.str("twice.png")}).code == 0);
     const Outcome typo = call({"plot", a, "--columns", "total_enery", "--out", folder.str("t.png")});
     CHECK(typo.code == 2);

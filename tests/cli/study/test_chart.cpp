@@ -1,14 +1,11 @@
 #include <cmath>
 #include <map>
-#include <set>
 
 #include <doctest/doctest.h>
 
 #include "cli/study/chart.hpp"
 #include "cli/study/csv.hpp"
-#include "cli/study/curve_style.hpp"
 #include "engine/error.hpp"
-#include "engine/methods/catalogue.hpp"
 #include "tests/support/path_variable.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/results_file.hpp"
@@ -252,25 +249,6 @@ TEST_SUITE("cli") {
     const Outcome none = call({"chart", torn, "--stable-only", "--out", folder.str("d.svg")});
     CHECK(none.code == 2);
     CHECK(contains(none.err, "none of the 1 runs is stable; leave out --stable-only"));
-  }
-
-  TEST_CASE("a method has the same colour, dash and markers in every picture") {
-    std::vector<std::string> all;
-    for (const taut::MethodInfo& method : taut::methods()) all.emplace_back(method.name);
-    std::set<std::string> looks;
-    const std::vector<taut::cli::CurveStyle> together = taut::cli::curve_styles(all);
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      const taut::cli::CurveStyle alone = taut::cli::curve_styles({all[k]})[0];
-      CAPTURE(all[k]);
-      CHECK(alone.line() == together[k].line());
-      CHECK(alone.marker() == together[k].marker());
-      looks.insert(alone.line());
-    }
-    CHECK(looks.size() == all.size());
-    // a second line of a method leaves the first lines of all others alone
-    const auto twice = taut::cli::curve_styles({all[0], all[0], all[8]});
-    CHECK(twice[2].line() == together[8].line());
-    CHECK(twice[1].line() != twice[0].line());
   }
 
   TEST_CASE("a zero and a single run are drawn, the zero on its axis") {
