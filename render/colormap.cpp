@@ -7,14 +7,20 @@
 namespace taut::render {
 namespace {
 
-// viridis, plasma: van der Walt & Smith 2015 (CC0); cividis: Nuñez, Anderton & Renslow 2018.
-// Interpolation between these stops is within 3 of 255 levels of the original.
+// viridis, plasma, inferno, magma: van der Walt & Smith 2015 (CC0); cividis: Nuñez, Anderton & Renslow 2018.
+// Interpolation between these stops is within 4 of 255 levels of the original.
 constexpr std::uint32_t viridis[] = {0x440154, 0x481668, 0x482878, 0x443a83, 0x3e4989, 0x375a8c, 0x31688e,
                                      0x2b758e, 0x26828e, 0x21908c, 0x1f9e89, 0x25ab82, 0x35b779, 0x4ec36b,
                                      0x6ece58, 0x90d741, 0xb5de2b, 0xdde31e, 0xfde725};
 constexpr std::uint32_t plasma[] = {0x0d0887, 0x2b0793, 0x46039f, 0x5d00a6, 0x7201a8, 0x880aa5, 0x9c179e,
                                     0xad2693, 0xbd3786, 0xcb4779, 0xd8576b, 0xe3685f, 0xed7953, 0xf58b46,
                                     0xfb9f3a, 0xfeb32f, 0xfdca26, 0xfae31f, 0xf0f921};
+constexpr std::uint32_t inferno[] = {0x000004, 0x09061f, 0x1b0c42, 0x330a5e, 0x4b0c6b, 0x62146e, 0x781c6d,
+                                     0x8f2469, 0xa52c60, 0xbb3654, 0xcf4446, 0xe05536, 0xed6925, 0xf68013,
+                                     0xfb9a06, 0xfcb519, 0xf7d03c, 0xf1ec6c, 0xfcffa4};
+constexpr std::uint32_t magma[] = {0x000004, 0x08071e, 0x180f3e, 0x2c1160, 0x451077, 0x5c167f, 0x721f81,
+                                   0x882781, 0x9f2f7f, 0xb6367a, 0xcd4071, 0xe24d66, 0xf1605d, 0xf9795d,
+                                   0xfd9567, 0xfeaf78, 0xfec98d, 0xfde3a5, 0xfcfdbf};
 constexpr std::uint32_t cividis[] = {0x00224e, 0x002c65, 0x123570, 0x2b406d, 0x3b496c, 0x4a536c, 0x575d6d,
                                      0x646770, 0x707173, 0x7c7b78, 0x8a8678, 0x979177, 0xa59c74, 0xb4a76f,
                                      0xc3b369, 0xd2bf60, 0xe1cc55, 0xf1d945, 0xfee838};
@@ -36,6 +42,8 @@ constexpr double darker = 0.6;  // in the second round
 constexpr Colormap maps[] = {
     {"viridis", "perceptually uniform, blue to yellow", false, viridis},
     {"plasma", "perceptually uniform, blue over red to yellow", false, plasma},
+    {"inferno", "perceptually uniform, black over red to light yellow", false, inferno},
+    {"magma", "perceptually uniform, black over purple to light yellow", false, magma},
     {"cividis", "perceptually uniform, suited to colour-blind readers", false, cividis},
     {"coolwarm", "diverging, blue over gray to red, for signed fields", true, coolwarm},
     {"rainbow", "blue over green to red, as in the papers; not perceptually uniform", false, rainbow},

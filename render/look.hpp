@@ -38,6 +38,7 @@ struct Look {
   std::string unit{};                  // of the values; determines the width of their numbers
   std::optional<Size> size = Size{};   // sides from least_size to greatest_size
   bool bare = false;                   // only particles, over the whole picture
+  PageTexts texts{};                   // unless bare
   double glyph = 1;                    // drawn / true diameter
   Rgb background = white;              // texts contrast with it
   /// Names of categories; values then count from 0, a legend replaces the bar, range and colour map may be open.

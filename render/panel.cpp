@@ -63,10 +63,11 @@ Grid empty_grid(const PanelOptions& options, double em) {
     return grid;
   }
   const bool notes = std::ranges::any_of(options.columns, [](const Heading& h) { return !h.note.empty(); });
-  const bool title = !options.title.empty() || !options.note.empty();
-  grid.left = pixels((margin + row_label) * em);
+  const TextParts& parts = options.look.texts.parts;
+  const bool title = (parts.title && !options.title.empty()) || (parts.method && !options.note.empty());
+  grid.left = pixels((margin + (parts.time ? row_label : 0)) * em);
   grid.top = pixels((0.4 + (title ? title_height : 0) + heading_height + (notes ? note_height : 0)) * em);
-  grid.bottom = pixels(footer * em);
+  grid.bottom = pixels((parts.scale ? footer : margin) * em);
   return grid;
 }
 
@@ -78,12 +79,39 @@ double key_width(const PanelOptions& options, const Grid& grid) {
 /// Requires the height of the pictures.
 void make_room_for_key(Grid& grid, const PanelOptions& options) {
   if (options.look.bare) return;
+  if (!options.look.texts.parts.bar) {
+    grid.right = pixels(margin * grid.em);
+    return;
+  }
   grid.right = pixels((margin + key_width(options, grid) + key_margin + 0.15) * grid.em);
+}
+
+double font_or(const PanelOptions& options, double by_default) {
+  return options.look.texts.font > 0 ? options.look.texts.font : by_default;
+}
+
+/// Keeps the view's aspect ratio on a page of a given width. The key's width depends on the height, a little.
+Grid grid_of_width(const PanelOptions& options) {
+  Grid grid = empty_grid(options, font_or(options, own_font));
+  const View view = options.look.view.value();
+  const double aspect = (view.y_max - view.y_min) / (view.x_max - view.x_min);
+  grid.cell_height = pixels(aspect * options.width / grid.columns);
+  for (int pass = 0; pass < 2; ++pass) {
+    make_room_for_key(grid, options);
+    grid.cell_width =
+        (options.width - grid.left - grid.right - (grid.columns - 1) * grid.gap_size) / grid.columns;
+    grid.cell_height = pixels(grid.cell_width * aspect);
+  }
+  if (grid.cell_width < least_size || grid.cell_height < least_size)
+    throw UsageError("a panel " + std::to_string(options.width) + " pixels wide has no room for " +
+                     std::to_string(grid.columns) + " columns of pictures; use a larger --width or --dpi");
+  return grid;
 }
 
 /// Keeps the view's aspect ratio, as large as a page allows.
 Grid own_grid(const PanelOptions& options) {
-  Grid grid = empty_grid(options, own_font);
+  if (options.width > 0) return grid_of_width(options);
+  Grid grid = empty_grid(options, font_or(options, own_font));
   const View view = options.look.view.value();
   const double aspect = (view.y_max - view.y_min) / (view.x_max - view.x_min);
   const double width = std::min(
@@ -97,8 +125,9 @@ Grid own_grid(const PanelOptions& options) {
 
 Grid fitted_grid(const PanelOptions& options) {
   const Size size = options.look.size.value();
-  Grid grid =
-      empty_grid(options, std::max(9.0, own_font * std::sqrt(size.width / 1280.0 * size.height / 720.0)));
+  Grid grid = empty_grid(
+      options,
+      font_or(options, std::max(9.0, own_font * std::sqrt(size.width / 1280.0 * size.height / 720.0))));
   grid.cell_height = (size.height - grid.top - grid.bottom - (grid.rows - 1) * grid.gap_size) / grid.rows;
   make_room_for_key(grid, options);
   grid.cell_width = (size.width - grid.left - grid.right - (grid.columns - 1) * grid.gap_size) / grid.columns;
@@ -111,7 +140,7 @@ Grid fitted_grid(const PanelOptions& options) {
 
 Image empty_image(const PanelOptions& options, const Grid& grid) {
   if (const auto& size = options.look.size) return {size->width, size->height};
-  const int width = grid.left + grid.grid_width() + grid.right,
+  const int width = options.width > 0 ? options.width : grid.left + grid.grid_width() + grid.right,
             height = grid.top + grid.grid_height() + grid.bottom;
   constexpr double most_pixels = 8192.0 * 8192.0;
   if (static_cast<double>(width) * height > most_pixels)
@@ -156,6 +185,7 @@ struct Panel::Parts {
   void draw_frames();
   void draw_headings();
   void draw_row_labels();
+  void draw_key();
 };
 
 /// Particles may lie beyond a picture's frame.
@@ -201,6 +231,13 @@ void Panel::Parts::draw_row_labels() {
   }
 }
 
+void Panel::Parts::draw_key() {
+  const Rect room{grid.left + grid.grid_width() + pixels(margin * grid.em), grid.top,
+                  pixels(key_width(options, grid) * grid.em), grid.grid_height()};
+  key.draw(canvas, room, grid.em, options.field, options.unit);
+  key.draw_off_scale(canvas, room, grid.em, off_scale);
+}
+
 Panel::Panel(const PanelOptions& options) : parts_(std::make_unique<Parts>(options)) {}
 Panel::~Panel() = default;
 
@@ -241,19 +278,17 @@ const Image& Panel::finish() {
     parts.canvas.end();
     return parts.image;
   }
-  draw_title(parts.canvas, parts.options.title, parts.options.note, grid.left, 2.1 * em,
-             parts.image.width - grid.left - margin * em, em);
+  const TextParts& shown = parts.options.look.texts.parts;
+  draw_title(parts.canvas, shown.title ? parts.options.title : "", shown.method ? parts.options.note : "",
+             grid.left, 2.1 * em, parts.image.width - grid.left - margin * em, em);
   parts.draw_headings();
-  parts.draw_row_labels();
-  const Rect key{grid.left + grid.grid_width() + pixels(margin * em), grid.top,
-                 pixels(key_width(parts.options, grid) * em), grid.grid_height()};
-  parts.key.draw(parts.canvas, key, em, parts.options.field, parts.options.unit);
-  parts.key.draw_off_scale(parts.canvas, key, em, parts.off_scale);
+  if (shown.time) parts.draw_row_labels();
+  if (shown.bar) parts.draw_key();
   const auto& camera = parts.options.look.camera;
   const PageLayout layout = make_layout(grid.cell_width, grid.cell_height, *parts.options.look.view, false);
-  if (!camera || camera->field_of_view == 0)
+  if (shown.scale && (!camera || camera->field_of_view == 0))
     draw_scale_bar(parts.canvas, grid.cell(0, grid.rows - 1), layout.pixels_per_metre, em);
-  if (camera)
+  if (camera && shown.axes)
     draw_axes_marker(parts.canvas, grid.cell(grid.columns - 1, grid.rows - 1), marker_of(*camera), em);
   parts.canvas.end();
   return parts.image;

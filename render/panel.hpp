@@ -22,6 +22,7 @@ struct PanelOptions {
   std::string field, unit;
   std::vector<Heading> columns;
   std::vector<std::string> rows;  // "t = 3 ms"
+  int width = 0;                  // of the page, pixels, if the size of the look is open; 0: legible at 1:1
 };
 
 class Panel {

@@ -63,6 +63,18 @@ void check_range(const Range& range) {
   }
 }
 
+/// A font that the user has set may leave no room for particles.
+void check_room(const Look& look) {
+  const Rect plot =
+      make_layout(look.size->width, look.size->height, *look.view, true, room_of_bar, look.texts).plot;
+  constexpr int least = 16;  // pixels
+  if (plot.width < least || plot.height < least)
+    throw UsageError(
+        fmt::format("texts of {:.0f} pixels leave no room in a picture of {}x{}; use a smaller font, a "
+                    "larger picture or fewer texts",
+                    look.texts.font, look.size->width, look.size->height));
+}
+
 Look checked(const Look& look) {
   const bool counts = !look.categories.empty();
   if (!look.size || !look.view || (!look.range && !counts))
@@ -74,11 +86,12 @@ Look checked(const Look& look) {
   if (look.camera) check_camera(*look.camera);
   if (!counts && !look.colormap)
     throw UsageError("no colour map is given; choose one from `taut list colormaps`");
+  if (!look.bare && look.texts.font > 0) check_room(look);
   return look;
 }
 
 double width_of(const ColorKey& key, const Look& look) {
-  const TextSize size = text_size(look.size->width, look.size->height);
+  const TextSize size = text_size(look.size->width, look.size->height, look.texts);
   return size.font > 0 ? key.width(size.key_height, size.font, look.unit) : 0;
 }
 
@@ -97,6 +110,7 @@ std::uint32_t line_color(Rgb background) {
 struct Renderer::Parts {
   Coloring coloring;
   double key_width;  // em
+  PageTexts texts;
   PageLayout layout;
   Image image;
   std::optional<Projection> projection;       // in 3D
@@ -122,13 +136,14 @@ struct Renderer::Parts {
 Renderer::Parts::Parts(const Look& look, double until)
     : coloring(look),
       key_width(width_of(coloring.key(), look)),
-      layout(make_layout(look.size->width, look.size->height, *look.view, !look.bare, key_width)),
+      texts(look.texts),
+      layout(make_layout(look.size->width, look.size->height, *look.view, !look.bare, key_width, look.texts)),
       image(look.size->width, look.size->height),
       background(look.background),
       glyph(look.glyph),
       solids(layout, glyph) {
   if (look.camera) projection.emplace(*look.camera, *look.view);
-  if (layout.font > 0) annotation.emplace(image, layout, coloring.key(), until, background);
+  if (layout.font > 0) annotation.emplace(image, layout, coloring.key(), until, background, texts.parts);
   if (annotation && look.camera) {
     annotation->show(marker_of(*look.camera));
     if (look.camera->field_of_view > 0) annotation->hide_scale_bar();
@@ -226,8 +241,8 @@ void Renderer::Parts::draw_solids(const FrameView& frame) {
 void Renderer::look_from(const Camera& camera, const View& view) {
   check_camera(camera);
   Parts& parts = *parts_;
-  parts.layout =
-      make_layout(parts.image.width, parts.image.height, view, parts.layout.font > 0, parts.key_width);
+  parts.layout = make_layout(parts.image.width, parts.image.height, view, parts.layout.font > 0,
+                             parts.key_width, parts.texts);
   parts.projection.emplace(camera, view);
   parts.solids = Solids(parts.layout, parts.glyph);
   if (parts.annotation) parts.annotation->show(marker_of(camera));

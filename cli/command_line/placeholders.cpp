@@ -92,7 +92,7 @@ const Placeholder* find_placeholder(std::string_view name) {
 Words drawing_names(std::string_view placeholder) {
   const auto keys = drawing_keys();
   const auto key = std::ranges::find_if(keys, [placeholder](const DrawingKey& each) {
-    return each.placeholder.substr(0, each.placeholder.find('|')) == placeholder;
+    return each.placeholder.substr(0, each.placeholder.find_first_of("|,")) == placeholder;
   });
   return key != keys.end() && key->takes_words() ? key->words.names() : Words();
 }

@@ -37,7 +37,7 @@ int chart(const ChartArguments& options, Streams streams) {
 
 std::function<int(Streams)> declare_chart(Options& command) {
   auto options = std::make_shared<ChartArguments>();
-  options->declare(command, "chart.png|chart.svg", /*needed=*/false);
+  options->declare(command, "chart.png|chart.svg|chart.pdf", /*needed=*/false);
   declare_measure(command, options->request.measure);
   command.add("--cost", join(cost_names(), "|"), options->cost,
               "x axis: seconds of solving, or steps (particles × time steps); default: seconds");
@@ -45,6 +45,7 @@ std::function<int(Streams)> declare_chart(Options& command) {
       .comma_separated();
   command.add("--against", "METHOD", options->request.against,
               "use the finest stable run of METHOD as the reference, for scenes without a reference");
+  command.add_flag("--stable-only", options->request.stable_only, "leave out runs that are not stable");
   command.add_flag("--json", options->json, "print all data as JSON; --out is then optional");
   command.add_flag("--markdown", options->markdown,
                    "print a table of errors by method and spacing; --out is then optional");

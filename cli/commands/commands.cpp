@@ -66,10 +66,12 @@ constexpr Command table[] = {
      "The command reads the results of sweeps, by default all below out/. It runs nothing.\n"
      "If no run is accurate enough, it prints the most accurate one and ends with exit code 1.\n",
      declare_choose},
-    {"plot", "draw columns of the histories of runs over time, or over another column",
+    {"plot", "draw histories of runs over time, or answers of a sweep over a parameter",
      "  taut plot out/plate-enog --out tip.png    one panel per probe\n"
      "  taut plot out/tl out/oenog --columns tip,total_energy --out runs.svg\n"
      "  taut plot out/disc --columns force --x gap --out force-displacement.png\n"
+     "  taut plot out/sweep --x thickness --y deflection --by method --log xy --out deflection.pdf\n"
+     "  taut plot out/tl --columns top+bottom --width 85mm --out figure.png\n"
      "The gnuplot script and its data, such as tip.gp and tip.dat, are written beside the picture.\n",
      declare_plot},
     {"report", "write a web page of runs, of a sweep, or of differing pictures, to open in a browser",

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 #include <span>
 
@@ -27,6 +28,7 @@ struct CompareArguments : DrawingOptions {
   std::vector<std::string> runs;
   std::string out;
   std::vector<double> times;  // s
+  std::vector<std::string> labels;
 };
 
 struct Column {
@@ -151,8 +153,10 @@ void draw(render::Panel& panel, const std::vector<Column>& columns) {
 
 render::PanelOptions panel_options(const Drawing& drawing, RunLabels labels) {
   render::PanelOptions panel;
-  panel.look = drawing.look;
-  panel.title = std::move(labels.title);
+  panel.look = sized(drawing).look;
+  if (const auto width = pixels_on_paper(drawing); width && !panel.look.size)
+    panel.width = static_cast<int>(std::lround(*width));
+  panel.title = drawing.title.value_or(std::move(labels.title));
   panel.note = std::move(labels.note);
   const ColorMeaning colors = meaning(drawing);
   panel.field = colors.name;
@@ -162,6 +166,9 @@ render::PanelOptions panel_options(const Drawing& drawing, RunLabels labels) {
 }
 
 int compare_runs(const CompareArguments& options, Streams streams) {
+  if (!options.labels.empty() && options.labels.size() != options.runs.size())
+    throw UsageError("--labels names " + std::to_string(options.labels.size()) + " columns, but there are " +
+                     std::to_string(options.runs.size()) + " runs; give one label for each run");
   const std::vector<SavedRun> runs = open_runs(options.runs);
   const Drawing wished = wish(runs, options);
   refuse_to_follow_nobody(wished, runs);
@@ -183,7 +190,9 @@ int compare_runs(const CompareArguments& options, Streams streams) {
   const bool bounded = is_bounded(wished, options);
   const Drawing fitted = fitted_to(wished, bounded, runs, columns);
   if (bounded) tell_what_is_outside(*fitted.look.view, runs, columns, streams.err);
-  render::PanelOptions about = panel_options(fitted, label_runs(runs));
+  RunLabels labels = label_runs(runs);
+  for (std::size_t k = 0; k < options.labels.size(); ++k) labels.columns[k] = {options.labels[k], ""};
+  render::PanelOptions about = panel_options(fitted, std::move(labels));
   about.rows = time_labels(times, until);
   render::Panel panel(about);
   draw(panel, columns);
@@ -208,6 +217,10 @@ std::function<int(Streams)> declare_compare(Options& command) {
            "times to draw, s, one row each; default: 1/4, 1/2, 3/4 and the end of the longest run")
       .comma_separated()
       .check(not_negative_number);
+  command
+      .add("--labels", "LABEL,...", options->labels,
+           "headings of the columns, one for each run; default: in what the runs differ")
+      .comma_separated();
   declare_drawing_options(command, *options);
   return [options](Streams streams) { return compare_runs(*options, streams); };
 }

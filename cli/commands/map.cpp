@@ -12,12 +12,12 @@ namespace taut::cli {
 namespace {
 
 struct MapArguments : PictureOptions, ReportOptions {
-  std::string parameter;
+  std::string parameter, measure;
   bool markdown = false;
 };
 
 int map(const MapArguments& options, Streams streams) {
-  const MapRequest request{options.parameter};
+  const MapRequest request{options.parameter, options.measure};
   if (options.json && options.markdown) throw UsageError("give --json or --markdown, not both");
   const bool table_only = options.json || options.markdown;
   if (options.out.empty() && !table_only) throw UsageError("give --out PICTURE, --json or --markdown");
@@ -33,9 +33,13 @@ int map(const MapArguments& options, Streams streams) {
 
 std::function<int(Streams)> declare_map(Options& command) {
   auto options = std::make_shared<MapArguments>();
-  options->declare(command, "map.png|map.svg", /*needed=*/false);
+  options->declare(command, "map.png|map.svg|map.pdf", /*needed=*/false);
   command.add("--parameter", "PARAMETER", options->parameter,
               "parameter on the x axis; default: the only one that was swept beside the method");
+  command.add(
+      "--measure", "MEASURE", options->measure,
+      "colour by a measure, such as deflection or deflection.error, or by a column of results.csv; default: "
+      "by the verdict");
   options->declare_json(command);
   command.add_flag("--markdown", options->markdown,
                    "print the map as a Markdown table; --out may be left out");

@@ -1,13 +1,17 @@
 #include <algorithm>
 #include <filesystem>
+#include <ostream>
 #include <set>
+#include <sstream>
 
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/run/folder.hpp"
 #include "cli/run/history.hpp"
+#include "cli/run/schedule.hpp"
 #include "cli/scene/scene_file.hpp"
 #include "cli/study/study.hpp"
+#include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
@@ -16,18 +20,80 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct PlotArguments {
-  std::vector<std::string> runs, columns;
-  std::string x = "t", out;
+struct PlotArguments : PlotLookOptions {
+  std::vector<std::string> paths, columns, y, by;
+  std::optional<std::string> x;
+  std::string out;
 };
 
-Scene scene_of(const StoredRun& run) {
-  const RunFolder folder(fs::path(run.file).parent_path());
+SceneFile scene_of(const StoredRun& run) {
+  const RunFolder folder(fs::path(run.file).filename() == "run.json" ? fs::path(run.file).parent_path()
+                                                                     : fs::path(run.folder()));
   std::error_code error;
   if (!fs::is_regular_file(folder.scene(), error))
     throw UsageError("'" + run.folder() +
                      "' contains no scene.toml, which is needed for the units; name a run folder");
-  return read_scene(folder.scene()).scene;
+  return read_scene(folder.scene());
+}
+
+/// The paths of the command line by kind.
+struct PlotPaths {
+  std::vector<std::string> runs, sweeps, others;
+};
+
+bool contains_file(const std::string& folder, const char* name) {
+  std::error_code error;
+  return fs::symlink_status(fs::path(folder) / name, error).type() > fs::file_type::not_found;
+}
+
+/// A sweep's table is left out where runs beside it are named, as with DIR/*.
+PlotPaths sorted_paths(const std::vector<std::string>& given) {
+  PlotPaths paths;
+  const auto is_beside = [](const fs::path& table) {
+    return [table](const std::string& run) {
+      return fs::path(run).lexically_normal().parent_path() == table.parent_path();
+    };
+  };
+  std::vector<std::string> tables;
+  for (const std::string& path : given) {
+    std::error_code error;
+    const fs::path named = fs::path(path).filename();
+    if (fs::is_directory(path, error) && contains_file(path, "results.csv"))
+      paths.sweeps.push_back(path);
+    else if (given.size() == 1 && named != "results.csv")
+      paths.runs.push_back(path);
+    else if (named == "results.csv")
+      tables.push_back(path);
+    else if (named == "run.json" || contains_file(path, "run.json") || !fs::exists(path, error))
+      paths.runs.push_back(path);  // a missing path is an error of the reader
+    else
+      paths.others.push_back(path);
+  }
+  for (const std::string& table : tables)
+    (std::ranges::any_of(paths.runs, is_beside(fs::path(table).lexically_normal())) ? paths.others
+                                                                                    : paths.sweeps)
+        .push_back(table);
+  if (paths.runs.empty() && paths.sweeps.empty())
+    throw UsageError(
+        join(paths.others) +
+        ": no run or sweep is among these; name folders that `taut run` or `taut sweep` has made");
+  return paths;
+}
+
+StoredResults read_all(const PlotPaths& paths, std::ostream& err) {
+  if (!paths.others.empty()) {
+    std::vector<std::string> names;
+    for (const std::string& path : paths.others) names.push_back(fs::path(path).filename().string());
+    constexpr std::size_t most = 5;
+    const std::size_t more = names.size() > most ? names.size() - most : 0;
+    names.resize(names.size() - more);
+    err << "taut: skips what is no run: " << join(names)
+        << (more > 0 ? " and " + std::to_string(more) + " more" : "") << '\n';
+  }
+  StoredResults results;
+  if (!paths.sweeps.empty()) results = read_results(paths.sweeps);
+  for (const std::string& path : paths.runs) results.runs.push_back(read_stored_run(path));
+  return results;
 }
 
 std::vector<std::string> default_columns(const Scene& scene) {
@@ -46,47 +112,166 @@ void refuse_two_units(const std::string& column, const StoredRun& run, const Sce
                    named(unit) + " in '" + run.folder() + "'; plot these runs separately");
 }
 
-HistoryColumn with_label(const std::string& name, const Scene& scene) {
-  const std::string unit = history_unit(name, scene);
-  return {name, unit.empty() ? name : name + ", " + unit};
+/// Adds the names and titles of the scenes.
+void add_titles(StoredResults& results, const std::vector<SceneFile>& scenes) {
+  std::set<std::string> named;
+  if (!results.title.empty()) return;
+  for (const SceneFile& file : scenes)
+    if (named.insert(file.scene.name).second) {
+      results.scene += (results.scene.empty() ? "" : "; ") + file.scene.name;
+      results.title += (results.title.empty() ? "" : "; ") + file.scene.title;
+    }
+}
+
+/// Panels "a+b": their columns, and the place of each column.
+struct JoinedColumns {
+  std::vector<std::string> names;
+  std::vector<std::vector<std::size_t>> panels;
+
+  explicit JoinedColumns(const std::vector<std::string>& typed) {
+    for (const std::string& panel : typed) {
+      panels.emplace_back();
+      std::istringstream words(panel);
+      for (std::string name; std::getline(words, name, '+');) {
+        panels.back().push_back(names.size());
+        names.push_back(name);
+      }
+      if (panels.back().empty()) throw UsageError("--columns has an empty name");
+    }
+  }
+
+  void refuse_two_units(const Scene& scene) const {
+    for (const auto& panel : panels)
+      for (const std::size_t column : panel)
+        if (const std::string& first = names[panel.front()];
+            history_unit(names[column], scene) != history_unit(first, scene))
+          throw UsageError("'" + first + "' and '" + names[column] + "' have different units ('" +
+                           history_unit(first, scene) + "', '" + history_unit(names[column], scene) +
+                           "'); give each its panel: " + first + "," + names[column]);
+  }
+};
+
+bool equal(const ReferenceCurve& a, const ReferenceCurve& b) {
+  return a.column == b.column && a.name == b.name && a.t == b.t && a.values == b.values;
+}
+
+/// References of the drawn columns, up to the last drawn time.
+std::vector<ReferenceCurve> references_of(const HistoryPlot& plot, const StoredResults& results,
+                                          const std::vector<SceneFile>& scenes) {
+  std::vector<ReferenceCurve> all;
+  double until = 0;
+  for (const HistoryPlot::Curve& curve : plot.curves) until = std::max(until, curve.rows.back().front());
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    const Scene& scene = scenes[k].scene;
+    for (ReferenceCurve& curve : reference_curves(scene, results.runs[k].text("material_law"),
+                                                  times_in_parts(scene.until, solution_samples))) {
+      const auto beyond = std::ranges::upper_bound(curve.t, until * (1 + 1e-9)) - curve.t.begin();
+      curve.t.resize(static_cast<std::size_t>(beyond));
+      curve.values.resize(curve.t.size());
+      const bool drawn =
+          std::ranges::find(plot.columns, curve.column, &HistoryColumn::name) != plot.columns.end();
+      const auto is_equal = [&](const ReferenceCurve& one) { return equal(one, curve); };
+      if (drawn && !curve.t.empty() && std::ranges::none_of(all, is_equal)) all.push_back(std::move(curve));
+    }
+  }
+  return all;
+}
+
+int plot_histories(const PlotArguments& options, StoredResults results, const PlotFiles& files,
+                   const PlotLook& look, Streams streams) {
+  std::erase_if(results.runs, [](const StoredRun& run) {
+    return fs::path(run.file).filename() == "results.csv" && !run.has_result();
+  });
+  std::vector<SceneFile> scenes;
+  for (const StoredRun& run : results.runs) scenes.push_back(scene_of(run));
+  add_titles(results, scenes);
+  const Scene& first = scenes.front().scene;
+  const std::string x = options.x.value_or("t");
+  const JoinedColumns joined(options.columns.empty() ? default_columns(first) : options.columns);
+  std::vector<std::string> names = joined.names;
+  names.push_back(x);
+  for (std::size_t k = 1; k < scenes.size(); ++k)
+    for (const std::string& name : names)
+      refuse_two_units(name, results.runs[k], scenes[k].scene, results.runs.front(), first);
+  const auto with_unit = [&](const std::string& name) {
+    return HistoryColumn{name, name, {}, history_unit(name, first)};
+  };
+  std::vector<HistoryColumn> columns;
+  for (const std::string& name : joined.names) columns.push_back(with_unit(name));
+  HistoryPlot plot = make_history_plot(results, columns, with_unit(x));
+  joined.refuse_two_units(first);
+  plot.panels = joined.panels;
+  if (x == "t") plot.references = references_of(plot, results, scenes);
+  return draw_history(plot, files, streams, look);
+}
+
+/// Parameters' units are in the scene files; results without them are drawn without units.
+void add_units(StoredResults& results) {
+  std::vector<SceneFile> scenes;
+  try {
+    for (const StoredRun& run : results.runs)
+      if (fs::path(run.file).filename() == "run.json" && scenes.empty()) scenes.push_back(scene_of(run));
+  } catch (const UsageError&) {
+    return;
+  }
+  for (const SceneFile& file : scenes)
+    for (const Parameter& parameter : file.parameters)
+      if (!parameter.unit.empty() && parameter.unit != "1")
+        results.units.try_emplace(parameter.name, parameter.unit);
+  add_titles(results, scenes);
 }
 
 int plot(const PlotArguments& options, Streams streams) {
   const PlotFiles files = plot_files(options.out);
-  StoredResults results;
-  std::vector<Scene> scenes;
-  std::set<std::string> named;
-  for (const std::string& path : options.runs) {
-    results.runs.push_back(read_stored_run(path));
-    const Scene& scene = scenes.emplace_back(scene_of(results.runs.back()));
-    if (named.insert(scene.name).second) {
-      results.scene += (results.scene.empty() ? "" : "; ") + scene.name;
-      results.title += (results.title.empty() ? "" : "; ") + scene.title;
-    }
-  }
-  const Scene& first = scenes.front();
-  std::vector<std::string> names = options.columns.empty() ? default_columns(first) : options.columns;
-  std::vector<HistoryColumn> columns;
-  for (const std::string& name : names) columns.push_back(with_label(name, first));
-  names.push_back(options.x);
-  for (std::size_t k = 1; k < scenes.size(); ++k)
-    for (const std::string& name : names)
-      refuse_two_units(name, results.runs[k], scenes[k], results.runs.front(), first);
-  return draw_history(results, columns, with_label(options.x, first), files, streams);
+  const PlotLook look = plot_look(options, files);
+  if (options.y.empty() && !options.by.empty())
+    throw UsageError("--by needs --y, the measures or columns of results.csv to draw over --x");
+  if (!options.y.empty() && !options.columns.empty())
+    throw UsageError("--columns draws histories and --y answers over a parameter; give one of them");
+  StoredResults results = read_all(sorted_paths(options.paths), streams.err);
+  if (options.y.empty()) return plot_histories(options, std::move(results), files, look, streams);
+  add_units(results);
+  return draw_response(make_response_plot(results, {options.x.value_or(""), options.y, options.by}), files,
+                       streams, look);
 }
 
 }  // namespace
 
 std::function<int(Streams)> declare_plot(Options& command) {
   auto options = std::make_shared<PlotArguments>();
-  command.add_argument("DIR", options->runs, "one or more run folders; each panel shows all runs").required();
+  command
+      .add_argument("DIR", options->paths,
+                    "run folders, or folders or results.csv of sweeps; other files are skipped")
+      .required();
   command
       .add("--columns", "COLUMN,...", options->columns,
-           "columns of history.csv, one panel each; default: all probes, else total_energy")
+           "histories: columns of history.csv, one panel each; a+b: both in one panel; default: all probes, "
+           "else "
+           "total_energy")
       .comma_separated();
-  command.add("--x", "COLUMN", options->x, "column of the x axis; default: t");
   command
-      .add("--out", "plot.png|plot.svg", options->out,
+      .add("--y", "MEASURE,...", options->y,
+           "answers: measures, such as deflection or deflection.error, or columns of results.csv, one panel "
+           "each; "
+           "a+b: both in one panel")
+      .comma_separated();
+  command.add(
+      "--x", "COLUMN", options->x,
+      "x axis; histories: a column, default: t; answers: a parameter or column, default: the only one swept");
+  command
+      .add("--by", "PARAMETER,...", options->by,
+           "answers: a line for each value, such as method; default: for all settings that differ")
+      .comma_separated();
+  command.add("--log", "x|y|xy", options->log, "axes with logarithmic scale");
+  command.add("--title", "TEXT|none", options->title, "title; default: of the sweep or scene");
+  command.add("--size", "WIDTHxHEIGHT", options->size, "size, pixels; with --width: its proportions");
+  command.add("--width", "LENGTH", options->width,
+              "width on paper, such as 85mm: sets --dpi 300 and --font-size 7");
+  command.add("--dpi", "N", options->dpi, "pixels per inch of a PNG; default: 96").check(positive_number);
+  command.add("--font-size", "POINTS", options->font_size, "size of texts, points; default: 11")
+      .check(positive_number);
+  command
+      .add("--out", "plot.png|plot.svg|plot.pdf", options->out,
            "picture to write; the gnuplot script (.gp) and its data (.dat) are written beside it")
       .required();
   return [options](Streams streams) { return plot(*options, streams); };

@@ -1,5 +1,8 @@
 #include "cli/drawing/drawing.hpp"
 
+#include <cmath>
+
+#include "cli/text/print_size.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
@@ -20,6 +23,25 @@ std::vector<double> ColorFormula::values(std::span<const std::vector<double>> of
     all[i] = function(arguments, time);
   }
   return all;
+}
+
+std::optional<double> pixels_on_paper(const Drawing& drawing) {
+  const auto width = parsed_print_width(drawing.print_width);
+  if (!width) return std::nullopt;
+  return *width / mm_per_inch * drawing.dpi.value_or(print_dpi);
+}
+
+Drawing sized(Drawing drawing) {
+  const auto width = pixels_on_paper(drawing);
+  auto& size = drawing.look.size;
+  if (width && size) {
+    const double height = *width * size->height / size->width;
+    size = {static_cast<int>(std::lround(*width)), static_cast<int>(std::lround(height))};
+  }
+  if (width || drawing.font_points)
+    drawing.look.texts.font = drawing.font_points.value_or(print_font) / points_per_inch *
+                              drawing.dpi.value_or(width ? print_dpi : screen_dpi);
+  return drawing;
 }
 
 /// A formula has no unit; a diverging map centres it at 0.

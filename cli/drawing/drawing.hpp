@@ -44,6 +44,11 @@ struct Drawing {
   std::string cut{};             // expression that hides particles where it is not 0 at the start
   std::string follow{};          // body whose centre of mass stays in the middle
 
+  std::optional<std::string> title{};   // default: of the scene; empty: none
+  std::optional<double> font_points{};  // default: by the size, on paper print_font
+  std::optional<double> dpi{};          // default: screen_dpi, on paper print_dpi
+  std::string print_width{};            // "85mm", or empty
+
   std::string formula{};  // expression that colours the particles, or empty
   bool orbit = false;     // 3D: the camera circles the scene once during the run
 
@@ -54,6 +59,11 @@ struct Drawing {
   double round_off = 0;  // of the values; minimum width of an open range, in the unit of the colours
   ColorFormula of_formula{};
 };
+
+/// Pixels of a drawing's width on paper; nullopt without such a width.
+std::optional<double> pixels_on_paper(const Drawing& drawing);
+/// Applies font size and width on paper: the picture keeps the proportions of its size. An open size stays open.
+Drawing sized(Drawing drawing);
 
 struct ColorMeaning {
   std::string_view name, unit;

@@ -24,7 +24,7 @@ FrameView with_texts(FrameView view, const Drawing& drawing, const Captions& cap
   const ColorMeaning colors = meaning(drawing);
   view.field = colors.name;
   view.unit = colors.unit;
-  view.title = captions.title;
+  view.title = drawing.title ? *drawing.title : captions.title;
   view.method = captions.method;
   return view;
 }
@@ -32,7 +32,7 @@ FrameView with_texts(FrameView view, const Drawing& drawing, const Captions& cap
 /// Limited by the memory of pictures: spheres need four samples of 8 bytes per pixel, and the same in OpenGL.
 int pictures_at_once(const Drawing& drawing, int threads) {
   constexpr double bytes_of_pixel = 70;
-  const render::Size size = drawing.look.size.value_or(render::Size{});
+  const render::Size size = sized(drawing).look.size.value_or(render::Size{});
   const double bytes = bytes_of_pixel * size.width * size.height;
   return std::clamp(static_cast<int>(Frames::memory_of_pictures / bytes), 1, std::max(threads, 1));
 }
@@ -59,7 +59,7 @@ render::Image draw_picture(const Drawing& drawing, const Captions& captions, con
   const std::vector<double> value = color_values(drawing, snapshot);
   const Staging staging(drawing, origins_of(snapshot));
   const StagedParticles drawn = staging.with_cells_and_walls(staging(view_of(snapshot, value)));
-  render::Renderer renderer(drawing.look, captions.until);
+  render::Renderer renderer(sized(drawing).look, captions.until);
   return renderer.draw(with_texts(drawn.view(), drawing, captions));
 }
 
@@ -78,7 +78,7 @@ Frames::Frames(const Drawing& drawing, Origins origins, std::filesystem::path fo
 }
 
 void Frames::begin_drawing(const SequenceBounds& shown) {
-  drawing_ = fitted(drawing_, shown);
+  drawing_ = sized(fitted(drawing_, shown));
   if (drawing_.orbit) {
     const auto [view, middle] = shown.orbit();
     drawing_.look.view = view;

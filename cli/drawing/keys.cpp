@@ -2,33 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include <fmt/core.h>
 
+#include "cli/drawing/page_keys.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/print_size.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
 namespace {
-
-using Numbers = std::vector<double>;
-
-bool is_word(const DrawingValue& value) { return std::holds_alternative<std::string>(value); }
-const std::string& word(const DrawingValue& value) { return std::get<std::string>(value); }
-const Numbers& numbers(const DrawingValue& value) { return std::get<Numbers>(value); }
-DrawingValue left_open() { return std::string(automatic); }
-
-std::string number_out_of_bounds(std::string_view key, double value, std::string_view bounds) {
-  return fmt::format("{} = {} must be {}", key, exact(value), bounds);
-}
-
-bool is_whole_within(double value, int low, int high) {
-  return value == std::floor(value) && value >= low && value <= high;
-}
 
 DrawingValue get_color(const Drawing& drawing) {
   return drawing.formula.empty() ? std::string(drawing.field->key) : "=" + drawing.formula;
@@ -96,16 +82,6 @@ DrawingValue get_view(const Drawing& drawing) {
   return view ? Numbers{view->x_min, view->x_max, view->y_min, view->y_max} : left_open();
 }
 
-std::string set_size(Drawing& drawing, const DrawingValue& value) {
-  using render::greatest_size, render::least_size;
-  const Numbers& sides = numbers(value);
-  for (const double side : sides)
-    if (!is_whole_within(side, least_size, greatest_size))
-      return fmt::format("size must be two whole numbers of pixels from {} to {}", least_size, greatest_size);
-  drawing.look.size = {static_cast<int>(sides[0]), static_cast<int>(sides[1])};
-  return "";
-}
-
 std::string set_glyph(Drawing& drawing, const DrawingValue& value) {
   using render::least_glyph, render::greatest_glyph;
   const double times = numbers(value)[0];
@@ -117,51 +93,6 @@ std::string set_glyph(Drawing& drawing, const DrawingValue& value) {
 }
 
 DrawingValue get_glyph(const Drawing& drawing) { return Numbers{drawing.look.glyph}; }
-
-struct NamedColor {
-  std::string_view name;
-  render::Rgb color;
-};
-constexpr std::array<NamedColor, 2> named_colors{{{"white", {255, 255, 255}}, {"black", {0, 0, 0}}}};
-constexpr std::string_view right_colors = "white, black or #rrggbb (six hexadecimal digits)";
-
-std::string set_background(Drawing& drawing, const DrawingValue& value) {
-  const std::string& text = word(value);
-  const auto* named = std::ranges::find(named_colors, text, &NamedColor::name);
-  if (named != named_colors.end()) return drawing.look.background = named->color, "";
-  unsigned code = 0;
-  const char* const end = text.data() + text.size();
-  if (text.size() != 7 || text[0] != '#' || std::from_chars(text.data() + 1, end, code, 16).ptr != end)
-    return fmt::format("background = \"{}\" must be {}", text, right_colors);
-  const auto part = [code](unsigned shift) { return static_cast<std::uint8_t>(code >> shift & 255); };
-  drawing.look.background = {part(16), part(8), part(0)};
-  return "";
-}
-
-DrawingValue get_background(const Drawing& drawing) {
-  const auto& [red, green, blue] = drawing.look.background;
-  const auto* named = std::ranges::find(named_colors, drawing.look.background, &NamedColor::color);
-  if (named != named_colors.end()) return std::string(named->name);
-  return fmt::format("#{:02x}{:02x}{:02x}", red, green, blue);
-}
-
-constexpr std::string_view all_texts = "all";
-
-std::vector<std::string> names_of_texts() { return {std::string(all_texts), std::string(nothing)}; }
-
-std::string set_texts(Drawing& drawing, const DrawingValue& value) {
-  drawing.look.bare = word(value) == nothing;
-  return "";
-}
-
-DrawingValue get_texts(const Drawing& drawing) {
-  return std::string(drawing.look.bare ? nothing : all_texts);
-}
-
-DrawingValue get_size(const Drawing& drawing) {
-  const render::Size size = drawing.look.size.value();
-  return Numbers{static_cast<double>(size.width), static_cast<double>(size.height)};
-}
 
 std::string set_frames(Drawing& drawing, const DrawingValue& value) {
   const double count = numbers(value)[0];
@@ -266,9 +197,8 @@ std::optional<DrawingValue> typed_value(const DrawingKey& key, const std::string
   if (text == automatic && key.placeholder.ends_with("|auto")) return left_open();
   if (key.is_free_text) return text;
   if (!key.takes_words()) return typed_numbers(key.numbers, text);
-  const std::vector<std::string> names = key.words.names();
-  if (std::ranges::find(names, text) == names.end() && !key.words.has_formula(text))
-    throw UsageError(unknown_name(key.words.kind, text, names));
+  if (const auto unknown = key.words.first_unknown(text))
+    throw UsageError(unknown_name(key.words.kind, *unknown, key.words.names()));
   return text;
 }
 
@@ -395,13 +325,37 @@ std::span<const DrawingKey> drawing_keys() {
                  .numbers = {.typed = std::string(right_colors)},
                  .set = set_background,
                  .get = get_background},
-      DrawingKey{.name = "text",
-                 .placeholder = "all|none",
-                 .help = "all; or none: only the particles, which fill the whole picture",
-                 .session_help = "all; or none: only the particles",
-                 .words = {"text", names_of_texts},
-                 .set = set_texts,
-                 .get = get_texts},
+      DrawingKey{
+          .name = "text",
+          .placeholder = "PART,...",
+          .help = "all; none: only the particles, which fill the whole picture; or some of title, method, "
+                  "time, bar, scale, axes",
+          .session_help = "all; none: only the particles; or some of title, method, time, bar, scale, axes",
+          .words = {.kind = "text", .names = names_of_texts, .is_list = true},
+          .pattern = "^(all|none|(title|method|time|bar|scale|axes)(,(title|method|time|bar|scale|axes))*)$",
+          .numbers = {.typed = "all, none, or some of title, method, time, bar, scale, axes"},
+          .set = set_texts,
+          .get = get_texts},
+      DrawingKey{.name = "title",
+                 .placeholder = "TEXT|none|auto",
+                 .help = "title of the picture; auto: of the scene",
+                 .session_help = "title of the picture; auto: of the scene",
+                 .allows_auto = true,
+                 .is_free_text = true,
+                 .set = set_title,
+                 .get = get_title},
+      DrawingKey{
+          .name = "font_size",
+          .placeholder = "POINTS|auto",
+          .help = "size of texts, points: pixels = POINTS / 72 × dpi; lines follow; auto: by the size, with "
+                  "--width 7",
+          .allows_auto = true,
+          .numbers = {.in_file = "points",
+                      .typed = fmt::format("POINTS from {} to {}, or 'auto'", least_font, greatest_font),
+                      .low = least_font,
+                      .high = greatest_font},
+          .set = set_font_size,
+          .get = get_font_size},
       DrawingKey{.name = "size",
                  .placeholder = "WIDTHxHEIGHT",
                  .help = "size of a frame, pixels",
@@ -415,6 +369,27 @@ std::span<const DrawingKey> drawing_keys() {
                              .high = render::greatest_size},
                  .set = set_size,
                  .get = get_size},
+      DrawingKey{
+          .name = "width",
+          .placeholder = "LENGTH|none",
+          .help =
+              "width on paper, such as 85mm: sets the pixels by --dpi, keeps the proportions of --size, and "
+              "sets texts of 7 points",
+          .is_free_text = true,
+          .pattern = R"(^(none|[0-9]+(\.[0-9]+)?(mm|cm|in))$)",
+          .numbers = {.typed = fmt::format("none or {}", right_print_widths)},
+          .set = set_width,
+          .get = get_width},
+      DrawingKey{.name = "dpi",
+                 .placeholder = "N|auto",
+                 .help = "pixels per inch, for --width and --font-size; auto: 96, with --width 300",
+                 .allows_auto = true,
+                 .numbers = {.in_file = "pixels per inch",
+                             .typed = fmt::format("N from {} to {}, or 'auto'", least_dpi, greatest_dpi),
+                             .low = least_dpi,
+                             .high = greatest_dpi},
+                 .set = set_dpi,
+                 .get = get_dpi},
       DrawingKey{.name = "frames",
                  .placeholder = "N",
                  .help = "number of frames after the frame at t = 0, evenly spaced in time",
@@ -426,6 +401,20 @@ std::span<const DrawingKey> drawing_keys() {
   return table;
 }
 
+std::optional<std::string> DrawingKey::Words::first_unknown(const std::string& text) const {
+  const std::vector<std::string> known = names();
+  if (has_formula(text)) return std::nullopt;
+  for (const std::string& part : is_list ? split_at_commas(text) : std::vector{text})
+    if (std::ranges::find(known, part) == known.end()) return part;
+  return std::nullopt;
+}
+
+std::string DrawingKey::option() const {
+  std::string text = "--" + std::string(name);
+  std::ranges::replace(text, '_', '-');
+  return text;
+}
+
 const DrawingKey& drawing_key(std::string_view name) {
   return *std::ranges::find(drawing_keys(), name, &DrawingKey::name);
 }
@@ -434,7 +423,7 @@ void set_typed(Drawing& drawing, const DrawingKey& key, const std::string& text)
   const std::optional<DrawingValue> value = typed_value(key, text);
   Drawing changed = drawing;
   if (!value || !key.set(changed, *value).empty())
-    throw UsageError(fmt::format("--{} is '{}'; it must be {}", key.name, text, key.numbers.typed));
+    throw UsageError(fmt::format("{} is '{}'; it must be {}", key.option(), text, key.numbers.typed));
   drawing = changed;
 }
 

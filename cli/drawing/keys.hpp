@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,8 +25,11 @@ struct DrawingKey {
     std::string_view kind;
     std::vector<std::string> (*names)() = nullptr;  // all but "auto"
     bool or_formula = false;                        // also "=EXPRESSION"
+    bool is_list = false;                           // several, with commas between
 
     bool has_formula(const std::string& word) const { return or_formula && word.starts_with('='); }
+    /// First part of `text` that is no name, or nullopt.
+    std::optional<std::string> first_unknown(const std::string& text) const;
   };
   struct Numbers {
     std::size_t count = 1;
@@ -36,7 +40,7 @@ struct DrawingKey {
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   };
 
-  std::string_view name;         // "range" for --range
+  std::string_view name;         // "font_size" for --font-size
   std::string_view placeholder;  // ends in "|auto" if allowed
   std::string_view help;
   std::string_view session_help = {};  // empty: no session command
@@ -51,6 +55,8 @@ struct DrawingKey {
   DrawingValue (*get)(const Drawing&);
 
   bool takes_words() const { return words.names != nullptr; }
+  /// "--font-size".
+  std::string option() const;
 };
 
 /// All keys, in the order of --help and scene.toml.

@@ -14,8 +14,7 @@ bool DrawingOptions::any() const {
 void declare_drawing_options(Options& command, DrawingOptions& options) {
   for (const DrawingKey& key : drawing_keys()) {
     if (key.counts_frames) continue;
-    const std::string name(key.name);
-    command.add("--" + name, key.placeholder, options.typed[name], key.help);
+    command.add(key.option(), key.placeholder, options.typed[std::string(key.name)], key.help);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "cli/run/schedule.hpp"
 #include "cli/scene/scene_file.hpp"
 #include "cli/study/csv.hpp"
+#include "cli/study/reference_curves.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
@@ -20,8 +21,6 @@ namespace fs = std::filesystem;
 
 namespace taut::cli {
 namespace {
-
-constexpr int solution_samples = 400;  // of an exact solution as a curve
 
 Json numbers(const std::vector<double>& values) {
   Json list = Json::array();
@@ -61,34 +60,13 @@ Json history_data(const CsvTable& table, const std::optional<SceneFile>& scene, 
   return {{"every", std::max<std::size_t>(every, 1)}, {"columns", columns}};
 }
 
-/// A curve for each probe that a measure compares with a table or an exact solution over time.
-Json reference_curves(const Scene& scene, const std::string& law) {
+Json to_json(const std::vector<ReferenceCurve>& references) {
   Json curves = Json::array();
-  const auto found = scene.references.find(law);
-  if (found == scene.references.end()) return curves;
-  const Reference& reference = found->second;
-  std::set<std::string> done;
-  const auto add = [&](const Measure& measure, const std::string& probe, const std::vector<double>& t,
-                       const std::vector<double>& values) {
-    if (done.insert(probe).second)
-      curves.add({{"column", probe},
-                  {"name", reference.name_for(measure.name)},
-                  {"t", numbers(t)},
-                  {"values", numbers(values)}});
-  };
-  const std::vector<double> times = times_in_parts(scene.until, solution_samples);
-  for (const Measure& measure : scene.measures) {
-    const auto table = reference.table.find(measure.name);
-    const auto solution = reference.solution.find(measure.name);
-    for (std::size_t k = 0; k < measure.probes.size(); ++k) {
-      if (table != reference.table.end() && k < table->second.value.size())
-        add(measure, measure.probes[k], table->second.t, table->second.value[k]);
-      if (solution == reference.solution.end() || k >= solution->second.size()) continue;
-      std::vector<double> values;
-      for (const double t : times) values.push_back(solution->second[k](Point{}, t));
-      add(measure, measure.probes[k], times, values);
-    }
-  }
+  for (const ReferenceCurve& curve : references)
+    curves.add({{"column", curve.column},
+                {"name", curve.name},
+                {"t", numbers(curve.t)},
+                {"values", numbers(curve.values)}});
   return curves;
 }
 
@@ -118,8 +96,10 @@ Json run_data(const fs::path& path, const Links& links, std::size_t most_rows) {
   if (fs::exists(folder.history(), error))
     data["history"] = history_data(read_csv(folder.history()), scene, most_rows);
   const Json* law = record->all.find("material_law");
-  data["references"] =
-      scene && law && law->is_text() ? reference_curves(scene->scene, law->text()) : Json::array();
+  data["references"] = scene && law && law->is_text()
+                           ? to_json(reference_curves(scene->scene, law->text(),
+                                                      times_in_parts(scene->scene.until, solution_samples)))
+                           : Json::array();
   data["problem"] = problem;
   return data;
 }

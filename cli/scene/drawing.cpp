@@ -6,6 +6,7 @@
 
 #include "cli/drawing/keys.hpp"
 #include "cli/scene/sections.hpp"
+#include "cli/text/print_size.hpp"
 #include "cli/text/suggest.hpp"
 
 namespace taut::cli {
@@ -38,10 +39,11 @@ DrawingValue given(TomlCursor& render, const DrawingKey& key) {
 }
 
 void check_name(TomlCursor& render, const DrawingKey& key, const std::string& name) {
+  if (key.allows_auto && name == automatic) return;
   std::vector<std::string> known = key.words.names();
   if (key.allows_auto) known.emplace(known.begin(), automatic);
-  if (std::ranges::find(known, name) == known.end() && !key.words.has_formula(name))
-    render.fail_unknown(render.need(key.name), key.name, key.words.kind, name, known);
+  if (const auto unknown = key.words.first_unknown(name))
+    render.fail_unknown(render.need(key.name), key.name, key.words.kind, *unknown, known);
 }
 
 void read_key(TomlCursor& render, const DrawingKey& key, Drawing& drawing) {
@@ -56,6 +58,32 @@ struct Mismatch {
   std::vector<std::string_view> keys;
   std::string what;
 };
+
+/// Problem of a width on paper or a font size, or nullopt.
+std::optional<Mismatch> misfit(const Drawing& drawing) {
+  const render::Look look = sized(drawing).look;
+  if (const auto wide = pixels_on_paper(drawing); wide && !(*wide <= render::greatest_size))
+    return Mismatch{
+        {"width", "dpi"},
+        fmt::format("a width of {} at {:g} dpi is {:.0f} pixels; at most {} are allowed; use a smaller "
+                    "width or dpi",
+                    drawing.print_width, drawing.dpi.value_or(print_dpi), *wide, render::greatest_size)};
+  if (!look.size) return std::nullopt;
+  const auto [width, height] = *look.size;
+  if (std::min(width, height) < render::least_size || std::max(width, height) > render::greatest_size)
+    return Mismatch{{"width", "dpi"},
+                    fmt::format("width, dpi and size give {}x{} pixels; each must be from {} to {}", width,
+                                height, render::least_size, render::greatest_size)};
+  constexpr double least_em = 10;  // of the shorter side
+  if (const double font = look.texts.font;
+      !look.bare && font > 0 && std::min(width, height) < least_em * font)
+    return Mismatch{
+        {"font_size", "width"},
+        fmt::format("texts of {:.0f} pixels are too large for a picture of {}x{} pixels; use a smaller "
+                    "font_size or a larger picture",
+                    font, width, height)};
+  return std::nullopt;
+}
 
 std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   const bool flat = scene.dim == 2;
@@ -84,6 +112,7 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
                     fmt::format("range and colormap need a field of numbers, but color = \"{0}\" has one "
                                 "colour for each {0}; remove them",
                                 drawing.field->key)};
+  if (auto wrong = misfit(drawing)) return wrong;
   const std::vector<std::string> bodies = names_of(scene.bodies);
   if (!drawing.follow.empty() && std::ranges::find(bodies, drawing.follow) == bodies.end())
     return Mismatch{{"follow"}, unknown_name("body", drawing.follow, bodies)};

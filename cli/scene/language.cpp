@@ -296,8 +296,9 @@ KeyType type_of(const DrawingKey& key) {
   if (numbers.count == 1)
     type = numbers.whole ? types::whole(bounds.low, bounds.high) : types::number("", bounds);
   if (key.is_free_text) type = types::text(key.placeholder.substr(0, key.placeholder.find('|')));
-  if (!key.pattern.empty()) type = {.shown = numbers.typed, .pattern = key.pattern};
-  if (key.takes_words())
+  if (!key.pattern.empty())
+    type = {.shown = numbers.typed, .pattern = key.pattern};
+  else if (key.takes_words())
     type = types::one_of(key.words.names().size() > most_shown ? key.words.kind : "", key.words.names);
   if (key.words.or_formula) return type.or_other("=EXPRESSION");
   return key.allows_auto ? type.or_other(automatic) : type;

@@ -106,6 +106,7 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
   const Terminal terminal(to.out);
   Drawing drawing = session.drawing();
   render::Look& look = drawing.look;
+  drawing.print_width.clear(), drawing.font_points.reset();
   terminal.adapt(look);
   to.out << terminal.text_of(session.picture(drawing));
   // texts would be illegible

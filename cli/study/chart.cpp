@@ -172,6 +172,11 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
   for (const StoredRun& run : results.runs) {
     if (!run.has_result()) ++chart.without_result;
     if (!run.has_result() || is_reference(run)) continue;
+    if (request.stable_only && !run.is_stable()) {
+      ++chart.left_out;
+      continue;
+    }
+    if (chart.kind.empty()) chart.kind = run.text(measure_column(chart.measure, "kind"));
     const std::string name = series_name(run, columns);
     auto series = std::ranges::find(chart.series, name, &ChartSeries::name);
     if (series == chart.series.end())
@@ -181,6 +186,9 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
     if (errors.of(run)) describe_errors(chart, errors, run);
     add_once(chart.machines, machine_of(run));
   }
+  if (chart.series.empty() && chart.left_out > 0)
+    throw UsageError("none of the " + std::to_string(chart.left_out) +
+                     " runs is stable; leave out --stable-only");
   if (chart.series.empty())
     throw UsageError("no run is left to compare with " + chart.against + "; name more methods");
   for (ChartSeries& series : chart.series) {

@@ -23,6 +23,7 @@ struct ChartRequest {
   Cost cost = Cost::seconds;
   std::vector<std::string> methods{};  // empty: all
   std::string against{};               // method whose finest run replaces references
+  bool stable_only = false;            // without the other runs
 };
 
 struct ChartPoint {
@@ -54,6 +55,8 @@ struct Chart {
   std::vector<std::string> references;  // "finite elements (oenog, tl)"
   std::vector<std::string> machines;    // "AMD EPYC, 1 thread"
   int without_result = 0;               // unfinished
+  int left_out = 0;                     // not stable, if only stable ones are requested
+  std::string kind{};                   // of the measure: "rmse"
 };
 
 /// Reason of a missing error: "no reference", "no value" or the verdict; empty if the point has an error.

@@ -1,13 +1,17 @@
 #include "cli/study/chart_drawing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "cli/study/chart_tables.hpp"
 #include "cli/study/curve_style.hpp"
+#include "cli/study/panel_plot.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
@@ -19,6 +23,15 @@ constexpr std::size_t most_series = 24;  // in the legend
 constexpr double least = 1e-290, greatest = 1e290;
 // heights in pixels: plot, row of the strip above it, title, axis, note
 constexpr double field = 520, row = 17, above = 52, below = 69, note = 21;
+
+// kinds of measures that are errors themselves
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> errors_in_words{
+    {{"rmse", "RMS error"},
+     {"line_rmse", "RMS error along the line"},
+     {"line_error", "relative RMS error along the line"},
+     {"field_rmse", "RMS error"},
+     {"field_error", "greatest error"},
+     {"path_error", "error of the path"}}};
 
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = 0;
@@ -78,19 +91,23 @@ Layout layout_of(const Chart& chart) {
   return layout;
 }
 
-/// Ticks at 1, 2, 5 of each decade; in long ranges at powers of ten.
-std::string ticks(const Range& range, std::string (*show)(double)) {
-  const bool many = range.decades() > 3.5;
-  const int step = static_cast<int>(range.decades() / 10) + 1;
-  const int last = static_cast<int>(std::floor(std::log10(range.high)));
-  std::vector<std::string> all;
-  for (int decade = static_cast<int>(std::floor(std::log10(range.low))); decade <= last; ++decade)
-    for (const double digit : {1, 2, 5}) {
-      const double tick = digit * std::pow(10, decade);
-      if (tick < range.low || tick > range.high || (many && digit > 1) || decade % step != 0) continue;
-      all.push_back(plot_text(show(tick)) + " " + brief(tick));
-    }
-  return std::string("(").append(join(all)).append(")");
+/// "diameter" of a measure "diameter_rmse" whose kind is "rmse".
+std::string in_words(const Chart& chart, std::string name) {
+  if (const std::string end = "_" + chart.kind; name.ends_with(end)) name.resize(name.size() - end.size());
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+/// Label of the error axis: "RMS error of the diameter, %".
+std::string words_of_error(const Chart& chart) {
+  const std::string unit = chart.unit.empty() ? "%" : chart.unit;
+  const std::string name = in_words(chart, chart.measure);
+  if (!chart.against.empty()) return "difference of the " + name + " from " + chart.against + ", " + unit;
+  const auto kind =
+      std::ranges::find(errors_in_words, chart.kind, &std::pair<std::string_view, std::string_view>::first);
+  if (kind != errors_in_words.end()) return std::string(kind->second) + " of the " + name + ", " + unit;
+  return "error of the " + name +
+         (chart.unit.empty() && chart.relative ? ", % of the reference" : ", " + unit);
 }
 
 std::string frame(const Chart& chart, const Layout& layout) {
@@ -106,10 +123,12 @@ std::string frame(const Chart& chart, const Layout& layout) {
   text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\n";
   text += "set xrange [" + exact(layout.cost.low) + ":" + exact(layout.cost.high) + "]\n";
   text += "set yrange [" + exact(layout.error.low) + ":" + exact(layout.end()) + "]\n";
-  text += "set xtics " + ticks(layout.cost, chart.cost == Cost::seconds ? brief : with_prefix) + "\n";
-  text += "set ytics " + ticks(layout.error, brief) + "\n";
+  text += "set xtics " +
+          log_ticks(layout.cost.low, layout.cost.high, chart.cost == Cost::seconds ? brief : with_prefix) +
+          "\n";
+  text += "set ytics " + log_ticks(layout.error.low, layout.error.high, brief) + "\n";
   text += "set xlabel " + plot_text(label(chart.cost)) + "\n";
-  text += "set ylabel " + plot_text(error_label(chart)) + "\n";
+  text += "set ylabel " + plot_text(words_of_error(chart)) + "\n";
   for (std::size_t k = 0; k < notes.size(); ++k)
     text += plot_note(notes[k], (16 + note * static_cast<double>(notes.size() - 1 - k)) / height);
   return text;

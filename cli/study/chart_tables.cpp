@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include <fmt/core.h>
+
 #include "cli/study/chart_errors.hpp"
 #include "cli/study/choose.hpp"
 #include "cli/text/format.hpp"
@@ -137,6 +139,7 @@ std::vector<std::string> footnotes(const Chart& chart) {
   what += all.size() > 1 ? " to " + shown_spacing(*all.rbegin()) + " apart, each line from coarse to fine"
                          : " apart";
   if (!chart.fixed.empty()) what += "; all with " + join(chart.fixed);
+  if (chart.left_out > 0) what += fmt::format("; without {} runs that are not stable", chart.left_out);
   if (has_zero(chart)) what += "; points on an axis: an error or a cost of 0";
   std::vector<std::string> notes{what};
   const std::string references = join(chart.references, "; ");

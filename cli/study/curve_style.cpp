@@ -54,17 +54,34 @@ std::string CurveStyle::marker() const {
 }
 
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& names) {
-  std::vector<CurveStyle> all;
-  std::map<std::string, std::size_t> of_method, of_color;  // number of uses so far
-  for (const std::string& method : names) {
-    const std::size_t k = number_of(method);
-    CurveStyle style{.color = colors[k % colors.size()]};
-    style.dash = dashes[of_color[style.color]++ % dashes.size()];
-    style.filled = markers[(k + of_method[method]++) % markers.size()];
-    style.open = style.filled - 1;
-    all.push_back(style);
+  std::vector<CurveStyle> all(names.size());
+  std::map<std::string, std::size_t> uses;           // of a method
+  std::map<std::string, std::set<int>> with_dashes;  // of a colour
+  // a method's first line looks the same in every picture; its further lines take what is left
+  for (const bool first : {true, false}) {
+    for (std::size_t line = 0; line < names.size(); ++line) {
+      const std::size_t k = number_of(names[line]);
+      if (first ? uses.contains(names[line]) : !all[line].color.empty()) continue;
+      const std::size_t use = uses[names[line]]++;
+      CurveStyle& style = all[line];
+      style.color = colors[k % colors.size()];
+      std::set<int>& taken = with_dashes[style.color];
+      std::size_t dash = k / colors.size() + use;
+      for (std::size_t tried = 0;
+           use > 0 && tried < dashes.size() && taken.contains(dashes[dash % dashes.size()]); ++tried)
+        ++dash;
+      style.dash = dashes[dash % dashes.size()];
+      taken.insert(style.dash);
+      style.filled = markers[(k + use) % markers.size()];
+      style.open = style.filled - 1;
+    }
   }
   return all;
+}
+
+CurveStyle numbered_style(std::size_t k) {
+  const int filled = markers[k % markers.size()];
+  return {colors[k % colors.size()], dashes[k / colors.size() % dashes.size()], filled, filled - 1};
 }
 
 std::vector<CurveStyle> line_styles(const std::vector<std::string>& names) {

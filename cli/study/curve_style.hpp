@@ -18,6 +18,10 @@ struct CurveStyle {
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& methods);
 /// Styles of lines without markers. Lines of one method, or that would look alike, get colours from dark to light.
 std::vector<CurveStyle> line_styles(const std::vector<std::string>& methods);
+/// Style of line number `k` where lines are no methods.
+CurveStyle numbered_style(std::size_t k);
+/// Gnuplot style of references: black dashes.
+inline constexpr const char* reference_line = "with lines linewidth 1.5 linecolor '#111111' dashtype '-'";
 inline constexpr std::size_t most_distinct_lines = 24;  // distinguishable lines
 
 }  // namespace taut::cli

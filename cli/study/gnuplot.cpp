@@ -49,8 +49,8 @@ std::string plot_file(const fs::path& file) { return plot_path(file.filename().s
 
 PlotFiles plot_files(const std::string& picture) {
   const std::string extension = fs::path(picture).extension().string();
-  if (extension != ".png" && extension != ".svg")
-    throw UsageError("the picture is '" + picture + "'; it must end in .png or .svg");
+  if (extension != ".png" && extension != ".svg" && extension != ".pdf")
+    throw UsageError("the picture is '" + picture + "'; it must end in .png, .svg or .pdf");
   return {picture};
 }
 
@@ -89,37 +89,57 @@ double text_width(const std::vector<std::string>& texts, double size) {
   return widest;
 }
 
-double right_margin(const std::vector<std::string>& names) {
+double legend_width(const std::vector<std::string>& names) {
   constexpr double letter = 8.0, sample = 78;  // pixels
-  std::size_t longest = 20;                    // "open, ×: not stable"
+  std::size_t longest = 0;
   for (const std::string& name : names)
     longest = std::max(longest, static_cast<std::size_t>(std::ranges::count_if(name, begins_letter)));
-  return 1 - (sample + letter * static_cast<double>(longest)) / plot_width;
+  return sample + letter * static_cast<double>(longest);
 }
 
-std::string plot_head(const PlotFiles& files, int width, int height) {
-  const bool vector = files.picture.extension() == ".svg";
-  // sizes in SVG are pixels, sizes in PNG are points at 96 dpi
+double right_margin(const std::vector<std::string>& names) {
+  const std::vector<std::string> least{"open, ×: not stable "};
+  return 1 - std::max(legend_width(names), legend_width(least)) / plot_width;
+}
+
+std::string plot_head(const PlotFiles& files, int width, int height, double scale) {
+  const std::string format = files.picture.extension().string();
+  const double w = width * scale, h = height * scale;
+  // sizes in SVG are pixels, sizes in PNG are points at 96 dpi, sizes in PDF are inches; lines in PDF are thinner
+  const std::string larger = scale == 1 ? "" : fmt::format(" linewidth {0:.4g} pointscale {0:.4g}", scale);
+  std::string terminal;
+  if (format == ".svg")
+    terminal = fmt::format(
+        "svg noenhanced size {:.0f},{:.0f} font 'DejaVu Sans,11' fontscale {:.5g}{} "
+        "background 'white'",
+        w, h, 1.3333 * scale, scale == 1 ? "" : fmt::format(" linewidth {:.4g}", scale));
+  else if (format == ".pdf")
+    terminal = fmt::format(
+        "pdfcairo noenhanced size {:.5g}in,{:.5g}in font 'DejaVu Sans,11' fontscale {:.4g} "
+        "linewidth {:.4g} pointscale {:.4g}",
+        w / 96, h / 96, scale, scale, scale);
+  else
+    terminal = fmt::format("pngcairo noenhanced size {:.0f},{:.0f} font 'DejaVu Sans,11'{}{}", w, h,
+                           scale == 1 ? "" : fmt::format(" fontscale {:.4g}", scale), larger);
   return fmt::format(
       "{}"
       "data = {}\n"
-      "points = {}\n"
+      "points = {:.4g}\n"
       "if (!exists('picture')) picture = {}\n"
-      "set terminal {} noenhanced size {},{} font 'DejaVu Sans,11'{}\n"
+      "set terminal {}\n"
       "set encoding utf8\n"
       "set output picture\n",
       plot_comment("gnuplot " + files.script().filename().string() + " draws this again, from " +
                    files.data().filename().string()),
-      plot_file(files.data()), vector ? 0.75 : 1.0, plot_file(files.picture), vector ? "svg" : "pngcairo",
-      width, height, vector ? " fontscale 1.3333 background 'white'" : "");
+      plot_file(files.data()), format == ".svg" ? 0.75 * scale : 1.0, plot_file(files.picture), terminal);
 }
 
 std::string point_size(std::string_view size) { return fmt::format(" pointsize {}*points", size); }
 
 std::string plot_title(std::string_view title) { return "set title " + titled(title) + "\n"; }
 
-std::string titled(std::string_view title) {
-  return plot_text(title) + fmt::format(" font ',{}'", font_that_fits(title, plot_width, 15));
+std::string titled(std::string_view title, double room) {
+  return plot_text(title) + fmt::format(" font ',{}'", font_that_fits(title, room, 15));
 }
 
 int font_that_fits(std::string_view text, double room, int size) {

@@ -71,7 +71,13 @@ void put_in_order(HistoryPlot& plot) {
 
 HistoryPlot make_history_plot(const StoredResults& results, const std::vector<HistoryColumn>& columns,
                               const HistoryColumn& x) {
-  HistoryPlot plot{.title = results.title, .scene = results.scene, .x = x, .columns = columns, .curves = {}};
+  HistoryPlot plot{.title = results.title,
+                   .scene = results.scene,
+                   .x = x,
+                   .columns = columns,
+                   .curves = {},
+                   .panels = {},
+                   .references = {}};
   std::vector<HistoryColumn> all{x};
   all.insert(all.end(), columns.begin(), columns.end());
   const std::vector<std::string> distinguishing = distinguishing_columns(results.runs, "");
@@ -90,16 +96,32 @@ HistoryPlot make_history_plot(const StoredResults& results, const std::vector<Hi
   return plot;
 }
 
+namespace {
+
+std::string heading(const HistoryColumn& column) {
+  return column.unit.empty() ? column.label : column.label + ", " + column.unit;
+}
+
+std::string numbers(const std::vector<double>& row) {
+  std::vector<std::string> texts;
+  for (const double value : row) texts.push_back(std::isfinite(value) ? exact(value) : "NaN");
+  return join(texts, " ") + "\n";
+}
+
+}  // namespace
+
 std::string history_data(const HistoryPlot& plot) {
   std::string text;
   for (const HistoryPlot::Curve& curve : plot.curves) {
-    std::string heading = plot.x.label;
-    for (const HistoryColumn& column : plot.columns) heading += "; " + column.label;
-    text += plot_comment(curve.name) + plot_comment(heading);
-    for (const auto& row : curve.rows) {
-      for (const double value : row) text += (std::isfinite(value) ? exact(value) : "NaN") + " ";
-      text.back() = '\n';
-    }
+    std::string headings = heading(plot.x);
+    for (const HistoryColumn& column : plot.columns) headings += "; " + heading(column);
+    text += plot_comment(curve.name) + plot_comment(headings);
+    for (const auto& row : curve.rows) text += numbers(row);
+    text += "\n\n";
+  }
+  for (const ReferenceCurve& curve : plot.references) {
+    text += plot_comment("reference of " + curve.column + ": " + curve.name);
+    for (std::size_t k = 0; k < curve.t.size(); ++k) text += numbers({curve.t[k], curve.values[k]});
     text += "\n\n";
   }
   return text;
@@ -107,22 +129,17 @@ std::string history_data(const HistoryPlot& plot) {
 
 namespace {
 
-constexpr int above = 45, below = 30;            // pixels
-constexpr int inside_top = 8, inside_foot = 34;  // pixels, per panel
-constexpr int name_height = 21, most_named = 100;
+constexpr std::size_t most_named = 100;
 
-/// An empty plot, whose legend can use the full height.
-std::string legend(const std::vector<std::string>& names, const std::vector<CurveStyle>& styles, int total) {
-  std::vector<std::string> entries{"NaN notitle"};
-  for (std::size_t k = 0; k < names.size(); ++k)
-    entries.push_back("keyentry with lines linewidth 1.5 " + styles[k].line() + " title " +
-                      plot_text(names[k]));
-  return fmt::format(
-             "set key at screen {}, screen {} left top Left reverse samplen 4 spacing 1.25 maxrows {}\n"
-             "set margins 0, 0, 0, 0\nunset border\nunset tics\n",
-             right_margin(names) + 0.008, 1 - static_cast<double>(above) / total, names.size()) +
-         "plot [0:1] [0:1] " + join(entries, ", \\\n     ") + "\nunset key\nset tics\n";
-}
+struct ValueRange {
+  bool is_log = false;  // only positive values
+  double low = INFINITY, high = -INFINITY;
+  void add(double value) {
+    if (std::isfinite(value) && (!is_log || value > 0))
+      low = std::min(low, value), high = std::max(high, value);
+  }
+  double greatest() const { return std::max(std::abs(low), std::abs(high)); }
+};
 
 bool is_of_one_method(const HistoryPlot& plot) {
   return plot.curves.size() > 1 && std::ranges::all_of(plot.curves, [&](const HistoryPlot::Curve& curve) {
@@ -130,72 +147,115 @@ bool is_of_one_method(const HistoryPlot& plot) {
          });
 }
 
-/// Approximate width of tick labels, pixels.
-double width_of_ticks(const HistoryPlot& plot, std::size_t column) {
-  double low = INFINITY, high = -INFINITY;
+/// Values of the rows that can be drawn.
+ValueRange values_of(const HistoryPlot& plot, std::size_t place, bool is_log) {
+  ValueRange all{.is_log = is_log};
   for (const HistoryPlot::Curve& curve : plot.curves)
     for (const auto& row : curve.rows)
-      if (std::isfinite(row[0]) && std::isfinite(row[column]))
-        low = std::min(low, row[column]), high = std::max(high, row[column]);
-  if (!(high > low)) return text_width(fmt::format("{:g}", low), axis_font);
-  const double power = std::pow(10, std::floor(std::log10(high - low)) - 1);
-  const double step = (high - low > 50 * power ? 5 : 2) * power;  // as wide as gnuplot's, or less
-  std::vector<std::string> numbers;
-  for (const double end : {low, high})
-    for (const double way : {-2, -1, 0, 1, 2})
-      numbers.push_back(fmt::format("{:g}", step * (std::round(end / step) + way)));
-  return text_width(numbers, axis_font);
+      if (std::isfinite(row[0])) all.add(row[place]);
+  return all;
 }
 
-double left_margin(const HistoryPlot& plot) {
-  constexpr double label = 44, least = 109;  // pixels
-  double widest = 0;
-  for (std::size_t k = 0; k < plot.columns.size(); ++k)
-    widest = std::max(widest, width_of_ticks(plot, k + 1));
-  return std::max(label + widest, least) / plot_width;
+/// Names and styles of the lines of a history.
+struct HistoryLegend {
+  std::vector<std::string> names;  // of the runs
+  std::vector<CurveStyle> styles;
+  std::vector<PanelPlot::Entry> entries{};
+
+  /// Returns the style of a line, and adds it to the legend. Columns of one panel differ in dashes, or, for a single
+  /// run, in colours.
+  std::string line(const HistoryPlot& plot, std::size_t run, const std::vector<std::size_t>& panel,
+                   std::size_t place) {
+    CurveStyle style = styles[run];
+    std::string name = names[run];
+    if (panel.size() > 1) {
+      const std::string& column = plot.columns[panel[place]].name;
+      const bool single = plot.curves.size() == 1;
+      name = single ? column : name + ", " + column;
+      style = single ? numbered_style(place) : style;
+      if (!single) style.dash = static_cast<int>(place) + 1;
+    }
+    return add(name, "with lines linewidth 1.5 " + style.line());
+  }
+  std::string add(const std::string& name, const std::string& style) {
+    const PanelPlot::Entry entry{name, style};
+    if (std::ranges::find(entries, entry) == entries.end()) entries.push_back(entry);
+    return style;
+  }
+};
+
+PanelPlot::Panel panel_of(const HistoryPlot& plot, const std::vector<std::size_t>& columns, double of_x,
+                          const PlotLook& look, HistoryLegend& legend) {
+  ValueRange all{.is_log = look.log_y};
+  std::vector<std::string> labels;
+  for (const std::size_t column : columns) {
+    const ValueRange values = values_of(plot, column + 1, look.log_y);
+    all.add(values.low), all.add(values.high);
+    labels.push_back(plot.columns[column].label);
+  }
+  const auto belongs = [&](const ReferenceCurve& curve) {
+    return std::ranges::any_of(columns, [&](std::size_t c) { return plot.columns[c].name == curve.column; });
+  };
+  for (const ReferenceCurve& curve : plot.references)
+    if (belongs(curve))
+      for (const double value : curve.values) all.add(value);
+  const std::string& unit = plot.columns[columns.front()].unit;
+  // the legend names several columns
+  const std::string label = columns.size() > 1 && !unit.empty() ? "" : join(labels);
+  const AxisScale y =
+      unit.empty() ? AxisScale{1, label} : axis_scale(label, unit, all.greatest(), look.log_y);
+  if (look.log_y && all.low > all.high)
+    throw UsageError("no value of " + join(labels) + " is positive; leave out --log y");
+  PanelPlot::Panel panel{
+      .label = y.label, .low = y.factor * all.low, .high = y.factor * all.high, .lines = {}};
+  const auto points = [&](std::size_t block, std::size_t column) {
+    return fmt::format("data index {} using ($1*{}):(${}*{}) ", block, exact(of_x), column, exact(y.factor));
+  };
+  for (std::size_t run = 0; run < plot.curves.size(); ++run)
+    for (std::size_t place = 0; place < columns.size(); ++place)
+      panel.lines.push_back(points(run, columns[place] + 2) + legend.line(plot, run, columns, place) +
+                            " notitle");
+  for (std::size_t k = 0; k < plot.references.size(); ++k)
+    if (belongs(plot.references[k]))
+      panel.lines.push_back(points(plot.curves.size() + k, 2) +
+                            legend.add("reference: " + shortened(plot.references[k].name), reference_line) +
+                            " notitle");
+  return panel;
 }
 
 }  // namespace
 
-std::string history_script(const HistoryPlot& plot, const PlotFiles& files) {
-  constexpr int greatest_height = 300, least_height = 140, most_together = 2400;  // pixels
-  const auto panels = static_cast<int>(plot.columns.size()), curves = static_cast<int>(plot.curves.size());
-  const bool named = curves <= most_named;
-  const int of_names = named ? name_height * (curves + 1) : 0;
-  const int height =
-      std::max(std::clamp(most_together / panels, least_height, greatest_height), of_names / panels);
-  const double total = above + height * panels + below;
-  std::vector<std::string> names, methods;
+std::string history_script(const HistoryPlot& plot, const PlotFiles& files, const PlotLook& look) {
   const bool of_one = is_of_one_method(plot);
+  HistoryLegend legend;
+  std::vector<std::string> methods;
   for (const HistoryPlot::Curve& curve : plot.curves) {
-    names.push_back(shortened(of_one ? curve.name.substr(curve.method.size() + 2) : curve.name));
+    legend.names.push_back(shortened(of_one ? curve.name.substr(curve.method.size() + 2) : curve.name));
     methods.push_back(curve.method);
   }
-  const std::vector<CurveStyle> styles = line_styles(methods);
-  std::string text = plot_head(files, plot_width, static_cast<int>(total));
-  if (!named)
-    text += plot_note(
-        std::to_string(curves) + " runs; their names are in " + files.data().filename().string(), 8 / total);
-  text += "set multiplot title " + titled(of_one ? plot.title + ", " + methods.front() : plot.title) + "\n";
-  text += named ? legend(names, styles, static_cast<int>(total)) : "unset key\n";
-  text += "set lmargin at screen " + exact(left_margin(plot)) + "\nset rmargin at screen " +
-          exact(named ? right_margin(names) : 0.97) + "\nset border 3 back linecolor '#444444'\n";
-  text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\nset autoscale xfix\n";
-  for (int column = 0; column < panels; ++column) {
-    const double top = above + height * column;
-    text += fmt::format("set tmargin at screen {}\nset bmargin at screen {}\n",
-                        1 - (top + inside_top) / total, 1 - (top + height - inside_foot) / total);
-    std::vector<std::string> lines;
-    for (std::size_t k = 0; k < plot.curves.size(); ++k)
-      lines.push_back("data index " + std::to_string(k) + " using 1:" + std::to_string(column + 2) +
-                      " with lines linewidth 1.5 " + styles[k].line() + " notitle");
-    if (column + 1 == panels) text += "set xlabel " + plot_text(plot.x.label) + "\n";
-    const std::string& label = plot.columns[static_cast<std::size_t>(column)].label;
-    text += "set ylabel " + plot_text(label) +
-            fmt::format(" font ',{}'\nplot ", font_that_fits(label, 0.8 * height, 11)) +
-            join(lines, ", \\\n     ") + "\nunset label\n";
-  }
-  return text + "unset multiplot\n";
+  legend.styles = line_styles(methods);
+  const ValueRange of_x = values_of(plot, 0, look.log_x);
+  if (look.log_x && of_x.low > of_x.high)
+    throw UsageError("no value of " + plot.x.name + " is positive; leave out --log x");
+  const AxisScale x = plot.x.unit.empty()
+                          ? AxisScale{1, plot.x.label}
+                          : axis_scale(plot.x.label, plot.x.unit, of_x.greatest(), look.log_x);
+  std::vector<std::vector<std::size_t>> panels = plot.panels;
+  for (std::size_t k = 0; panels.size() < plot.columns.size() && plot.panels.empty(); ++k)
+    panels.push_back({k});
+  PanelPlot drawn{.title = of_one ? plot.title + ", " + methods.front() : plot.title,
+                  .x_label = x.label,
+                  .x_low = x.factor * of_x.low,
+                  .x_high = x.factor * of_x.high,
+                  .panels = {},
+                  .legend = {}};
+  for (const auto& columns : panels) drawn.panels.push_back(panel_of(plot, columns, x.factor, look, legend));
+  if (legend.entries.size() <= most_named)
+    drawn.legend = legend.entries;
+  else
+    drawn.note =
+        fmt::format("{} runs; their names are in {}", plot.curves.size(), files.data().filename().string());
+  return panel_script(drawn, files, look);
 }
 
 }  // namespace taut::cli

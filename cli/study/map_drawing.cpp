@@ -7,8 +7,10 @@
 #include <fmt/core.h>
 
 #include "cli/study/curve_style.hpp"
+#include "cli/study/panel_plot.hpp"
 #include "cli/text/format.hpp"
 #include "engine/judge/verdict.hpp"
+#include "render/colormap.hpp"
 
 namespace taut::cli {
 namespace {
@@ -17,9 +19,9 @@ struct Kind {
   std::string name, color;
 };
 
-/// Colours darken with severity, for grey prints.
+/// Colours darken with severity: in grey prints, steps of lightness are at least 0.1.
 std::vector<Kind> kinds() {
-  constexpr std::array colors = {"#cfe8f3", "#fbdc7f", "#c9b0e6", "#ee8f4f", "#a3303f"};
+  constexpr std::array colors = {"#d6ecf7", "#f3cc63", "#b49bd8", "#d9712f", "#8c2236"};
   const std::vector<std::string> names = names_of_verdicts();
   std::vector<Kind> all;
   for (std::size_t k = 0; k < names.size(); ++k)
@@ -77,20 +79,18 @@ struct Page {
   int most_letters = 0;  // per cell
 };
 
-Page page_of(const StabilityMap& map) {
+/// `texts` of the cells determine the font.
+Page page_of(const StabilityMap& map, const std::vector<std::string>& texts) {
   constexpr double of_key = 178, of_marker = 46, most_left = 0.45 * plot_width, most_font = 10, gap = 6;
   Page page;
-  std::vector<std::string> rows, numbers;
+  std::vector<std::string> rows;
   for (const std::string& row : map.rows) rows.push_back(shortened(row));
   page.left = std::min(text_width(rows, axis_font) + of_marker, most_left);
   page.right = plot_width - of_key;
   page.cell = (page.right - page.left) / static_cast<double>(map.values.size());
   page.tick_step = static_cast<int>(std::ceil((text_width(map.values, axis_font) + gap) / page.cell));
-  each_cell(map, [&](std::size_t, std::size_t, const MapCell& cell) {
-    if (cell.since) numbers.push_back(shown(cell, time_unit(map)));
-  });
   for (int size = most_font; size >= smallest_font && page.font == 0; --size)
-    if (text_width(numbers, size) + gap <= page.cell) page.font = size;
+    if (text_width(texts, size) + gap <= page.cell) page.font = size;
   if (page.font > 0) page.most_letters = static_cast<int>((page.cell - gap) / text_width("0", page.font));
   return page;
 }
@@ -113,9 +113,7 @@ std::string ticks(const std::vector<std::string>& names, std::size_t step = 1) {
   return std::string("(").append(join(all)).append(")");
 }
 
-}  // namespace
-
-std::string map_data(const StabilityMap& map) {
+std::string verdict_data(const StabilityMap& map) {
   const TimeUnit unit = time_unit(map);
   const std::vector<Kind> all = kinds();
   std::string text = plot_comment(map.title);
@@ -133,17 +131,35 @@ std::string map_data(const StabilityMap& map) {
   return text;
 }
 
-std::string map_script(const StabilityMap& map, const PlotFiles& files) {
-  constexpr int around = 190, row_height = 36;  // pixels
+constexpr int around = 190, row_height = 36;  // pixels
+
+/// Everything but the cells, the key and the note.
+std::string frame(const StabilityMap& map, const PlotFiles& files, const Page& page) {
   const int rows = static_cast<int>(map.rows.size()), columns = static_cast<int>(map.values.size());
-  const Page page = page_of(map);
+  std::string text = plot_head(files, plot_width, around + row_height * rows) + plot_title(map.title);
+  text += "set border 0\nset tics scale 0\nset yrange [" + std::to_string(rows) + ".5:0.5]\n";
+  text += "set xrange [0.5:" + std::to_string(columns) + ".5]\n";
+  text += fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n", page.left / plot_width,
+                      page.right / plot_width);
+  text += "set xtics " + ticks(map.values, static_cast<std::size_t>(page.tick_step)) +
+          "\nset ytics offset -1.6,0 " + ticks(map.rows) + "\n" + row_markers(map);
+  return text + "set xlabel " + plot_text(map.label) + "\nset bmargin 5.5\n";
+}
+
+constexpr const char* box = "1:2:($1-0.5):($1+0.5):($2-0.5):($2+0.5)";
+
+std::string verdict_script(const StabilityMap& map, const PlotFiles& files) {
+  std::vector<std::string> numbers;
+  each_cell(map, [&](std::size_t, std::size_t, const MapCell& cell) {
+    if (cell.since) numbers.push_back(shown(cell, time_unit(map)));
+  });
+  const Page page = page_of(map, numbers);
   const std::vector<Kind> all = kinds();
   std::vector<std::string> plots;
   for (int index = 0; const std::size_t kind : kinds_in(map, all)) {
     const std::string block = "data index " + std::to_string(index++) + " using ";
-    plots.push_back(block +
-                    "1:2:($1-0.5):($1+0.5):($2-0.5):($2+0.5) with boxxyerror fillstyle solid 1 border "
-                    "linecolor '#ffffff' fillcolor '" +
+    plots.push_back(block + box +
+                    " with boxxyerror fillstyle solid 1 border linecolor '#ffffff' fillcolor '" +
                     all[kind].color + "' title " + plot_text(all[kind].name));
     if (page.font == 0) continue;
     plots.push_back(block +
@@ -151,21 +167,107 @@ std::string map_script(const StabilityMap& map, const PlotFiles& files) {
                                 page.most_letters, page.font) +
                     " textcolor '" + (kind + 2 == all.size() ? "#ffffff" : "#222222") + "' notitle");
   }
-  std::string text = plot_head(files, plot_width, around + row_height * rows);
-  text += plot_title(map.title) + "set key outside right top Left reverse spacing 1.4\n";
-  text += "set border 0\nset tics scale 0\nset yrange [" + std::to_string(rows) + ".5:0.5]\n";
-  text += "set xrange [0.5:" + std::to_string(columns) + ".5]\n";
-  text += fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n", page.left / plot_width,
-                      page.right / plot_width);
-  text += "set xtics " + ticks(map.values, static_cast<std::size_t>(page.tick_step)) +
-          "\nset ytics offset -1.6,0 " + ticks(map.rows) + "\n" + row_markers(map);
-  text += "set xlabel " + plot_text(map.label) + "\nset bmargin 5.5\n";
-  text += plot_note(
-      "Scene " + map.scene +
-          (page.font > 0 ? std::string("; numbers: since when the verdict holds, ") + time_unit(map).name
-                         : "; since when the verdicts hold is in " + files.data().filename().string()),
-      0.03);
-  return text + "plot " + join(plots, ", \\\n     ") + "\n";
+  return frame(map, files, page) + "set key outside right top Left reverse spacing 1.4\n" +
+         plot_note("Scene " + map.scene +
+                       (page.font > 0
+                            ? std::string("; numbers: since when the verdict holds, ") + time_unit(map).name
+                            : "; since when the verdicts hold is in " + files.data().filename().string()),
+                   0.03) +
+         "plot " + join(plots, ", \\\n     ") + "\n";
 }
+
+/// Values of a measure, with the scale of their numbers.
+struct MapValues {
+  double low = INFINITY, high = -INFINITY;
+  AxisScale scale{};
+  bool any_unstable = false, any_without = false;
+
+  explicit MapValues(const StabilityMap& map) {
+    each_cell(map, [&](std::size_t, std::size_t, const MapCell& cell) {
+      any_without |= !cell.value;
+      if (!cell.value) return;
+      low = std::min(low, *cell.value), high = std::max(high, *cell.value);
+      any_unstable |= cell.verdict != "stable";
+    });
+    const std::string& unit = map.measure->unit;
+    std::string name = map.measure->name;
+    std::ranges::replace(name, '_', ' ');
+    scale = unit == "%" ? AxisScale{1, name + ", %"}
+                        : axis_scale(name, unit, std::max(std::abs(low), std::abs(high)), /*is_log=*/false);
+  }
+  std::string shown(const MapCell& cell) const {
+    if (!cell.value) return cell.verdict.empty() ? cell.status : cell.verdict;
+    return fmt::format("{:.3g}{}", *cell.value * scale.factor, cell.verdict == "stable" ? "" : " ×");
+  }
+};
+
+/// Two blocks: cells with a value and the rest.
+std::string measure_data(const StabilityMap& map) {
+  const MapValues values(map);
+  std::string text = plot_comment(map.title);
+  for (const bool with_value : {true, false}) {
+    if (!with_value && !values.any_without) continue;
+    text += plot_comment("column; row; " + values.scale.label + "; " + map.label + "; method; shown");
+    each_cell(map, [&](std::size_t r, std::size_t v, const MapCell& cell) {
+      if (cell.value.has_value() != with_value) return;
+      text += fmt::format("{} {} {} {} {} {}\n", v + 1, r + 1,
+                          cell.value ? exact(*cell.value * values.scale.factor) : "NaN",
+                          data_text(map.values[v]), data_text(map.rows[r]), data_text(values.shown(cell)));
+    });
+    text += "\n\n";
+  }
+  return text;
+}
+
+std::string measure_script(const StabilityMap& map, const PlotFiles& files) {
+  const MapValues values(map);
+  std::vector<std::string> texts, stops;
+  each_cell(map, [&](std::size_t, std::size_t, const MapCell& cell) {
+    if (cell.value) texts.push_back(values.shown(cell));
+  });
+  const Page page = page_of(map, texts);
+  for (const std::uint32_t stop : render::find_colormap("viridis")->stops)
+    stops.push_back(fmt::format("{} '#{:06x}'", stops.size(), stop));
+  double low = values.low * values.scale.factor, high = values.high * values.scale.factor;
+  if (!(low < high)) high = low + std::max(1e-3 * std::abs(low), 1e-12), low -= high - low;
+  const double height = around + row_height * static_cast<double>(map.rows.size());
+  std::string text = frame(map, files, page) + "unset key\nset palette defined (" + join(stops) + ")\n";
+  text += fmt::format(
+      "set cbrange [{}:{}]\nset cblabel {}\nset colorbox user origin screen {}, screen {} size screen {}, "
+      "screen {}\n",
+      exact(low), exact(high), plot_text(values.scale.label), (page.right + 24) / plot_width, 110 / height,
+      20.0 / plot_width, std::max(0.2, 1 - 180 / height));
+  std::vector<std::string> plots{
+      std::string("data index 0 using ") + box +
+      ":3 with boxxyerror fillstyle solid 1 border linecolor '#ffffff' fillcolor palette"};
+  const auto labels = [&](int index, const std::string& condition, const char* color) {
+    if (page.font > 0)
+      plots.push_back(
+          fmt::format("data index {} using 1:2:({} && strlen(strcol(6)) <= {} ? strcol(6) : '') with labels "
+                      "font ',{}' textcolor '{}'",
+                      index, condition, page.most_letters + 1, page.font, color));
+  };
+  const std::string middle = exact(low + 0.55 * (high - low));
+  labels(0, "$3 < " + middle, "#ffffff");
+  labels(0, "$3 >= " + middle, "#222222");
+  if (values.any_without) {
+    plots.push_back(std::string("data index 1 using ") + box +
+                    " with boxxyerror fillstyle solid 1 border linecolor '#ffffff' fillcolor '#e8e8e8'");
+    labels(1, "1", "#555555");
+  }
+  return text +
+         plot_note("Scene " + map.scene + (values.any_unstable ? "; ×: not stable" : "") +
+                       (values.any_without ? "; gray: no value" : ""),
+                   0.03) +
+         "plot " + join(plots, ", \\\n     ") + "\n";
+}
+
+}  // namespace
+
+std::string map_script(const StabilityMap& map, const PlotFiles& files) {
+  return map.measure ? measure_script(map, files) : verdict_script(map, files);
+}
+
+std::string map_data(const StabilityMap& map) { return map.measure ? measure_data(map) : verdict_data(map); }
 
 }  // namespace taut::cli

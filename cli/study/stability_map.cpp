@@ -31,7 +31,10 @@ SettingNames names_of(const std::vector<StoredRun>& runs) {
   return names;
 }
 
-std::string chosen_parameter(const std::vector<StoredRun>& runs, const std::string& wanted) {
+}  // namespace
+
+std::string swept_parameter(const std::vector<StoredRun>& runs, const std::string& wanted,
+                            std::string_view option) {
   const auto [swept, all] = names_of(runs);
   if (!wanted.empty()) {
     if (std::ranges::find(all, wanted) == all.end())
@@ -42,8 +45,11 @@ std::string chosen_parameter(const std::vector<StoredRun>& runs, const std::stri
   if (swept.size() == 1) return swept.front();
   if (swept.empty() && all.size() == 1) return all.front();
   if (swept.empty()) throw UsageError("only the method was swept: there is no parameter to map");
-  throw UsageError("several parameters were swept (" + join(swept) + "); name one with --parameter");
+  throw UsageError("several parameters were swept (" + join(swept) + "); name one with " +
+                   std::string(option));
 }
+
+namespace {
 
 void sort_numbers(std::vector<std::string>& values) {
   const auto number = [](const std::string& text) { return parsed<double>(text); };
@@ -58,11 +64,21 @@ std::size_t place_of(std::vector<std::string>& names, const std::string& name) {
   return place;
 }
 
-MapCell cell_of(const StoredRun& run) {
+MapCell cell_of(const StoredRun& run, const std::optional<ResultColumn>& measure) {
   MapCell cell{.verdict = "", .status = run.text("status"), .since = {}};
   if (run.has_result()) cell.verdict = run.text("verdict");
   if (!cell.verdict.empty()) cell.since = run.number("since." + cell.verdict);
+  if (measure && run.has_result()) cell.value = measure->number(run);
   return cell;
+}
+
+/// "0.0124 m, hourglass" in a map of a measure.
+std::string cell_of_table(const MapCell& cell, const StabilityMap& map) {
+  const std::string word = cell.verdict.empty() ? cell.status : cell.verdict;
+  if (!map.measure) return word + (cell.since ? " " + brief(*cell.since) + " s" : "");
+  if (!cell.value) return "- (" + word + ")";
+  return brief(*cell.value) + (map.measure->unit.empty() ? "" : " " + map.measure->unit) +
+         (cell.verdict == "stable" ? "" : " (" + word + ")");
 }
 
 /// Cells such as "hourglass 0.0031 s".
@@ -71,11 +87,7 @@ std::vector<std::vector<std::string>> rows_of(const StabilityMap& map) {
   rows[0].insert(rows[0].end(), map.values.begin(), map.values.end());
   for (std::size_t r = 0; r < map.rows.size(); ++r) {
     rows.push_back({map.rows[r]});
-    for (const auto& cell : map.cells[r]) {
-      const std::string word = !cell ? "-" : cell->verdict.empty() ? cell->status : cell->verdict;
-      rows.back().push_back(word);
-      if (cell && cell->since) rows.back().back().append(" ").append(brief(*cell->since)).append(" s");
-    }
+    for (const auto& cell : map.cells[r]) rows.back().push_back(cell ? cell_of_table(*cell, map) : "-");
   }
   return rows;
 }
@@ -84,9 +96,10 @@ std::vector<std::vector<std::string>> rows_of(const StabilityMap& map) {
 
 StabilityMap make_map(const StoredResults& results, const MapRequest& request) {
   StabilityMap map;
-  const std::string parameter = chosen_parameter(results.runs, request.parameter);
+  const std::string parameter = swept_parameter(results.runs, request.parameter, "--parameter");
   const std::string x = std::string(set_prefix) + parameter;
   const std::vector<std::string> columns = distinguishing_columns(results.runs, x);
+  if (!request.measure.empty()) map.measure = find_result_column(results, request.measure);
   map.title = results.title;
   map.scene = results.scene;
   map.parameter = parameter;
@@ -99,8 +112,12 @@ StabilityMap make_map(const StoredResults& results, const MapRequest& request) {
     const std::size_t row = place_of(map.rows, series_name(run, columns));
     if (row == map.cells.size()) map.cells.emplace_back(map.values.size());
     std::optional<MapCell>& cell = map.cells[row][place_of(map.values, run.text(x))];
-    if (!cell || cell->verdict.empty()) cell = cell_of(run);
+    if (!cell || cell->verdict.empty()) cell = cell_of(run, map.measure);
   }
+  const auto has_value = [](const std::optional<MapCell>& cell) { return cell && cell->value; };
+  const auto has_values = [&](const auto& cells) { return std::ranges::any_of(cells, has_value); };
+  if (map.measure && std::ranges::none_of(map.cells, has_values))
+    throw UsageError("no run has a number in '" + request.measure + "'; choose another --measure");
   return map;
 }
 
@@ -110,21 +127,30 @@ std::string markdown(const StabilityMap& map) {
   std::vector<std::vector<std::string>> rows = rows_of(map);
   for (std::vector<std::string>& row : rows)
     if (&row != &rows.front()) row.front() = "`" + row.front() + "`";
-  return "**" + map.title + "**: verdict, and the time at which it first held\n\n" + markdown_table(rows);
+  const std::string content =
+      map.measure ? map.measure->name : "verdict, and the time at which it first held";
+  return "**" + map.title + "**: " + content + "\n\n" + markdown_table(rows);
 }
 
 Json to_json(const StabilityMap& map) {
   Json json{{"title", map.title}, {"scene", map.scene}, {"parameter", map.parameter}, {"label", map.label}};
+  if (map.measure) json["measure"] = map.measure->name, json["unit"] = map.measure->unit;
   json["values"] = Json::array();
   for (const std::string& value : map.values) json["values"].add(number_or_text(value));
   json["rows"] = Json::array();
   for (std::size_t r = 0; r < map.rows.size(); ++r) {
     Json cells = Json::array();
-    for (const auto& cell : map.cells[r])
-      cells.add(cell ? Json{{"status", cell->status},
-                            {"verdict", cell->verdict.empty() ? Json() : Json(cell->verdict)},
-                            {"since", cell->since}}
-                     : Json());
+    for (const auto& cell : map.cells[r]) {
+      if (!cell) {
+        cells.add(Json());
+        continue;
+      }
+      Json one{{"status", cell->status},
+               {"verdict", cell->verdict.empty() ? Json() : Json(cell->verdict)},
+               {"since", cell->since}};
+      if (map.measure) one["value"] = cell->value;
+      cells.add(std::move(one));
+    }
     json["rows"].add({{"name", map.rows[r]}, {"cells", cells}});
   }
   return json;

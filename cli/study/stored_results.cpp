@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <numeric>
 #include <set>
@@ -236,6 +237,80 @@ std::string value_of(const StoredRun& run, const std::string& name) {
   for (const std::string_view prefix : {parameter_prefix, std::string_view(), set_prefix, fixed_prefix})
     if (const std::string value = run.text(std::string(prefix) + name); !value.empty()) return value;
   return name == "jitter" ? "0" : "";  // omitted without jitter
+}
+
+std::string ResultColumn::text(const StoredRun& run) const {
+  return name == "method" ? run.method() : column.empty() ? value_of(run, name) : run.text(column);
+}
+
+std::optional<double> ResultColumn::number(const StoredRun& run) const {
+  const auto value = parsed<double>(text(run));
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  return is_share ? 100 * *value : *value;
+}
+
+namespace {
+
+std::string without_one(const std::string& unit) { return unit == "1" ? "" : unit; }
+
+std::string unit_in(const std::vector<StoredRun>& runs, const std::string& column) {
+  for (const StoredRun& run : runs)
+    if (const std::string unit = run.text(column); !unit.empty()) return without_one(unit);
+  return "";
+}
+
+/// A part of a measure: its "value", "reference" or "error".
+ResultColumn part_of_measure(const StoredResults& results, const std::string& name,
+                             const std::string& measure, const std::string& part) {
+  const std::string prefix = "measures." + measure + ".";
+  ResultColumn found{.name = name, .column = prefix + part, .unit = unit_in(results.runs, prefix + "unit")};
+  if (part == "value") found.reference = prefix + "reference";
+  // an error is a share of the reference, unless this is 0
+  const auto has_reference = [&](const StoredRun& run) {
+    return run.number(prefix + "reference").value_or(0) != 0;
+  };
+  found.is_share =
+      part == "error" && (found.unit.empty() || std::ranges::any_of(results.runs, has_reference));
+  if (found.is_share) found.unit = "%";
+  return found;
+}
+
+/// Names that find_result_column() accepts, the likeliest first.
+std::vector<std::string> column_names(const StoredResults& results) {
+  std::vector<std::string> names = results.measures();
+  std::set<std::string> seen(names.begin(), names.end());
+  for (const bool settings : {true, false})
+    for (const StoredRun& run : results.runs)
+      for (const auto& [column, value] : run.cells) {
+        const std::string name = without_prefix(column);
+        if (column.starts_with("measures.") || (name != column) != settings) continue;
+        if (seen.insert(name).second) names.push_back(name);
+      }
+  return names;
+}
+
+}  // namespace
+
+ResultColumn find_result_column(const StoredResults& results, const std::string& name) {
+  const std::vector<std::string> measures = results.measures();
+  for (const std::string& measure : measures) {
+    if (name == measure) return part_of_measure(results, name, measure, "value");
+    for (const char* part : {"value", "reference", "error"})
+      if (name == measure + "." + part || name == "measures." + measure + "." + part)
+        return part_of_measure(results, measure + " (" + part + ")", measure, part);
+  }
+  const auto has = [&](const auto& cell) {
+    return std::ranges::any_of(results.runs, [&](const StoredRun& run) { return !cell(run).empty(); });
+  };
+  if (name == "method" || has([&](const StoredRun& run) { return value_of(run, name); })) {
+    const std::string label = results.label(name);  // "v0, c0"
+    const std::size_t comma = label.rfind(", ");
+    const bool seconds = name.starts_with("seconds.") || name.starts_with("since.") || name == "reached";
+    return {.name = name,
+            .column = "",
+            .unit = comma == std::string::npos ? seconds ? "s" : "" : without_one(label.substr(comma + 2))};
+  }
+  throw UsageError(unknown_name("column or measure of the results", name, column_names(results)));
 }
 
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x) {

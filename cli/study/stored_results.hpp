@@ -64,6 +64,21 @@ std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& ru
 std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs);
 /// Value of a name, set or default; "" if unknown.
 std::string value_of(const StoredRun& run, const std::string& name);
+/// A quantity of results.csv: a measure's value, a setting, or any other column.
+struct ResultColumn {
+  std::string name;         // "deflection", "deflection.error", "v0"
+  std::string column;       // "measures.deflection.value"; empty: a setting, see value_of()
+  std::string unit{};       // SI, or "%"; empty: none
+  std::string reference{};  // column of the measure's reference; empty: none
+  bool is_share = false;    // drawn in %
+
+  /// Cell of a run, or "".
+  std::string text(const StoredRun& run) const;
+  /// Finite number of a run, in `unit`.
+  std::optional<double> number(const StoredRun& run) const;
+};
+/// Throws UsageError for an unknown name, with the nearest names.
+ResultColumn find_result_column(const StoredResults& results, const std::string& name);
 /// "enog, cfl=0.5": method and cells of these columns.
 std::string series_name(const StoredRun& run, const std::vector<std::string>& columns);
 

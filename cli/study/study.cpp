@@ -145,7 +145,7 @@ int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& fo
   if (!pictures.history.empty() && code == exit_fine) {
     StoredResults ended = read_results(results);
     std::erase_if(ended.runs, [](const StoredRun& run) { return !run.has_result(); });
-    code = draw_history(ended, pictures.history, HistoryPlot{}.x, {folder / "history.png"}, streams);
+    code = draw_history(make_history_plot(ended, pictures.history), {folder / "history.png"}, streams);
   }
   if (code == exit_fine && (!pictures.charts.empty() || pictures.map || !pictures.history.empty())) {
     const std::filesystem::path tables = folder / "tables.md";
@@ -174,15 +174,21 @@ int draw_chart(const std::vector<std::string>& results, const ChartRequest& requ
   return code;
 }
 
-int draw_history(const StoredResults& results, const std::vector<HistoryColumn>& columns,
-                 const HistoryColumn& x, const PlotFiles& files, Streams streams) {
-  const HistoryPlot plot = make_history_plot(results, columns, x);
+int draw_history(const HistoryPlot& plot, const PlotFiles& files, Streams streams, const PlotLook& look) {
   if (plot.curves.size() > most_distinct_lines)
     streams.err << "taut: " << files.picture.string() << " has " << plot.curves.size() << " lines; only "
                 << most_distinct_lines << " can be told apart; their numbers are in "
                 << files.data().filename().string() << '\n';
-  const int code = draw_plot(files, history_script(plot, files), history_data(plot));
+  const int code = draw_plot(files, history_script(plot, files, look), history_data(plot));
   print_files("history", files, "", streams);
+  return code;
+}
+
+int draw_response(const ResponsePlot& plot, const PlotFiles& files, Streams streams, const PlotLook& look) {
+  if (plot.without_value > 0)
+    streams.err << "taut: " << plot.without_value << " runs lack a number and are not on the plot\n";
+  const int code = draw_plot(files, response_script(plot, files, look), response_data(plot));
+  print_files("plot", files, "", streams);
   return code;
 }
 

@@ -11,6 +11,7 @@
 #include "cli/study/chart.hpp"
 #include "cli/study/gnuplot.hpp"
 #include "cli/study/history_plot.hpp"
+#include "cli/study/response_plot.hpp"
 #include "cli/study/stability_map.hpp"
 #include "cli/system/streams.hpp"
 
@@ -63,8 +64,9 @@ Chart read_chart(const std::vector<std::string>& results, const ChartRequest& re
 /// OutputError.
 int draw_chart(const std::vector<std::string>& results, const ChartRequest& request, const PlotFiles& files,
                Streams streams);
-int draw_history(const StoredResults& results, const std::vector<HistoryColumn>& columns,
-                 const HistoryColumn& x, const PlotFiles& files, Streams streams);
+int draw_history(const HistoryPlot& plot, const PlotFiles& files, Streams streams, const PlotLook& look = {});
+int draw_response(const ResponsePlot& plot, const PlotFiles& files, Streams streams,
+                  const PlotLook& look = {});
 int draw_map(const std::vector<std::string>& results, const MapRequest& request, const PlotFiles& files,
              Streams streams);
 

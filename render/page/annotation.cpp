@@ -34,16 +34,20 @@ double ColorKey::width(int height, double em, std::string_view unit) const {
   return std::max(std::get<ColorBar>(key_).width(height, em, unit), room_of_bar);
 }
 
-Annotation::Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background)
-    : layout_(layout), until_(until), canvas_(image, background), key_(std::move(key)) {}
+Annotation::Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background,
+                       const TextParts& parts)
+    : layout_(layout), until_(until), parts_(parts), canvas_(image, background), key_(std::move(key)) {}
 
 void Annotation::draw(const FrameView& frame, const OffScale& off_scale) {
   canvas_.begin();  // after OpenGL
   draw_header(frame);
-  key_.draw(canvas_, layout_.key, layout_.font, frame.field, frame.unit);
-  key_.draw_off_scale(canvas_, layout_.key, layout_.font, off_scale);
-  if (has_scale_bar_) draw_scale_bar(canvas_, layout_.plot, layout_.pixels_per_metre, layout_.font);
-  if (axes_) draw_axes_marker(canvas_, layout_.plot, *axes_, layout_.font);
+  if (parts_.bar) {
+    key_.draw(canvas_, layout_.key, layout_.font, frame.field, frame.unit);
+    key_.draw_off_scale(canvas_, layout_.key, layout_.font, off_scale);
+  }
+  if (has_scale_bar_ && parts_.scale)
+    draw_scale_bar(canvas_, layout_.plot, layout_.pixels_per_metre, layout_.font);
+  if (axes_ && parts_.axes) draw_axes_marker(canvas_, layout_.plot, *axes_, layout_.font);
   canvas_.end();
   field_ = frame.field, unit_ = frame.unit;
   off_scale_ = off_scale;
@@ -51,10 +55,13 @@ void Annotation::draw(const FrameView& frame, const OffScale& off_scale) {
 
 void Annotation::draw_again(const FrameView& frame, const OffScale& off_scale) {
   canvas_.begin();
-  canvas_.gray(1);
-  canvas_.fill(0, 0, layout_.right + layout_.font, std::floor(end_of_header * layout_.font));
+  if (parts_.header()) {
+    canvas_.gray(1);
+    canvas_.fill(0, 0, layout_.right + layout_.font, std::floor(end_of_header * layout_.font));
+  }
   draw_header(frame);
-  if (off_scale != off_scale_) key_.draw_off_scale(canvas_, layout_.key, layout_.font, off_scale);
+  if (off_scale != off_scale_ && parts_.bar)
+    key_.draw_off_scale(canvas_, layout_.key, layout_.font, off_scale);
   off_scale_ = off_scale;
   canvas_.end();
 }
@@ -64,11 +71,12 @@ void Annotation::draw_header(const FrameView& frame) {
   const double left = layout_.plot.x;
   const double y = baseline_of_header * em;
   canvas_.use(Weight::regular, em);
-  const std::string time = format_time(frame.time, until_);
+  const std::string time = parts_.time ? format_time(frame.time, until_) : "";
   canvas_.gray(ink);
   canvas_.text(time, layout_.right, y, Canvas::Align::right);
   const double room = layout_.right - left - canvas_.width_of(time) - em;
-  draw_title(canvas_, std::string(frame.title), std::string(frame.method), left, y, room, em);
+  draw_title(canvas_, std::string(parts_.title ? frame.title : ""),
+             std::string(parts_.method ? frame.method : ""), left, y, room, em);
 }
 
 void draw_title(Canvas& canvas, const std::string& title, const std::string& note, double left, double y,

@@ -33,7 +33,8 @@ class Annotation {
  public:
   /// The image must outlive the annotation and must not move its pixels. `until` (last time, s) sets the unit of all
   /// times; 0: each has its own unit.
-  Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background);
+  Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background,
+             const TextParts& parts = {});
 
   void show(const AxesMarker& axes) { axes_ = axes; }
   /// For perspective pictures, in which lengths differ.
@@ -50,6 +51,7 @@ class Annotation {
 
   PageLayout layout_;
   double until_;
+  TextParts parts_;
   Canvas canvas_;
   ColorKey key_;
   OffScale off_scale_;  // last drawn

@@ -20,33 +20,47 @@ constexpr double most_of_width = 0.36;  // for a legend
 
 int pixels(double length) { return static_cast<int>(std::lround(length)); }
 
-void place_all(PageLayout& layout, int width, int height, double room) {
+int top_of_plot(double em, const TextParts& parts) { return pixels((parts.header() ? header : margin) * em); }
+
+/// Without a footer, the arrows of the colour bar still need the margin.
+int below_plot(double em, const TextParts& parts) { return pixels((parts.scale ? footer : margin) * em); }
+
+void place_all(PageLayout& layout, int width, int height, double room, const TextParts& parts) {
   const double em = layout.font;
   const int left = pixels(margin * em);
-  const int top = pixels(header * em);
+  const int top = top_of_plot(em, parts), below = below_plot(em, parts);
   layout.right = width - margin * em;
+  if (!parts.bar) {
+    layout.plot = {left, top, pixels(layout.right) - left, height - below - top};
+    return;
+  }
   const double wide = std::max(std::min(room * em, most_of_width * width), room_of_bar * em);
   const int key_left = pixels(layout.right - wide);
-  layout.plot = {left, top, key_left - pixels(key_gap * em) - left, height - pixels(footer * em) - top};
+  layout.plot = {left, top, key_left - pixels(key_gap * em) - left, height - below - top};
   layout.key = {key_left, top, pixels(wide), layout.plot.height};
 }
 
 }  // namespace
 
-TextSize text_size(int width, int height) {
+TextSize text_size(int width, int height, const PageTexts& texts) {
+  const auto with_key = [&](double em) {
+    return TextSize{em, height - below_plot(em, texts.parts) - top_of_plot(em, texts.parts)};
+  };
+  if (texts.font > 0) return with_key(texts.font);
   if (width < least_text_width || height < least_text_height) return {};
   // 16 pixels at 1280 × 720
   const double scale = std::min(width / 1280.0, height / 720.0);
   const double area = std::sqrt((width / 1280.0) * (height / 720.0));
   const double em = std::max(16.0 * std::min(area, 1.3 * scale), least_font);
-  return {em, height - pixels(footer * em) - pixels(header * em)};
+  return with_key(em);
 }
 
-PageLayout make_layout(int width, int height, const View& view, bool texts, double room) {
+PageLayout make_layout(int width, int height, const View& view, bool with_texts, double room,
+                       const PageTexts& texts) {
   PageLayout layout;
-  if (texts) layout.font = text_size(width, height).font;
+  if (with_texts) layout.font = text_size(width, height, texts).font;
   if (layout.font > 0) {
-    place_all(layout, width, height, room);
+    place_all(layout, width, height, room, texts.parts);
   } else {
     layout.plot = {0, 0, width, height};
   }

@@ -27,18 +27,36 @@ struct PageLayout {
   double row(double y) const { return y_origin - y * pixels_per_metre; }  // downwards
 };
 
+/// Texts around the particles.
+struct TextParts {
+  bool title = true, method = true, time = true;  // in the header
+  bool bar = true;                                // or legend
+  bool scale = true, axes = true;
+  bool operator==(const TextParts&) const = default;
+
+  bool header() const { return title || method || time; }
+};
+
 /// Minimum width of bar, numbers and label, em.
 inline constexpr double room_of_bar = 5.75;
 
-/// Height of texts and of the colour key, pixels; both are 0 in a picture that is too small for texts.
+/// Size and choice of the texts in a picture.
+struct PageTexts {
+  double font = 0;  // pixels; 0: by the size of the picture
+  TextParts parts{};
+};
+
+/// Height of texts and of the colour key, pixels; both are 0 in a picture that is too small for texts, unless `texts`
+/// sets the font.
 struct TextSize {
   double font = 0;
   int key_height = 0;
 };
-TextSize text_size(int width, int height);
+TextSize text_size(int width, int height, const PageTexts& texts = {});
 
 /// Without texts, or in a small picture, the plot fills the picture. The key is `room` em wide, but at most 36 % of
 /// the width.
-PageLayout make_layout(int width, int height, const View& view, bool texts = true, double room = room_of_bar);
+PageLayout make_layout(int width, int height, const View& view, bool with_texts = true,
+                       double room = room_of_bar, const PageTexts& texts = {});
 
 }  // namespace taut::render

@@ -120,6 +120,24 @@ TEST_SUITE("image") {
     CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("at most 67 million are allowed"), UsageError);
   }
 
+  TEST_CASE("a panel of a given width has it exactly, and keeps the view's proportions") {
+    PanelOptions options = two_by_two();
+    options.look.size.reset();
+    options.look.texts.font = 20;
+    for (const int width : {500, 1004, 2008}) {
+      options.width = width;
+      Panel panel(options);
+      Particles one;
+      panel.draw(0, 0, one_disc(one, 0));
+      const Image& image = panel.finish();
+      CHECK(image.width == width);
+      CHECK(image.height > width / 2);
+      CHECK(image.height < width * 1.3);
+    }
+    options.width = 200;
+    CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("has no room for 2 columns"), UsageError);
+  }
+
   TEST_CASE("a bare panel contains only its pictures, on any background") {
     PanelOptions options = two_by_two();
     options.look.bare = true, options.look.background = {0, 0, 0};

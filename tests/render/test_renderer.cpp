@@ -126,6 +126,42 @@ TEST_SUITE("image") {
     }
   }
 
+  TEST_CASE("each part of the texts can be left out, and nothing else changes in its place") {
+    Particles particles;
+    particles.add(0.2, 0.4, 0.6, 0.5);
+    FrameView frame = particles.frame();
+    frame.title = "A title", frame.method = "tl", frame.field = "speed", frame.unit = "m/s";
+    const Look with = look(640, 360, unit_view);
+    const PageLayout layout = make_layout(640, 360, unit_view);
+    const Image all = Renderer(with).draw(frame);
+    const auto is_blank = [](const Image& image, const Rect& place) {
+      for (int row = place.y; row < place.y + place.height; ++row)
+        for (int column = place.x; column < place.x + place.width; ++column)
+          if (image.at(column, row) != white) return false;
+      return true;
+    };
+    const int above = layout.plot.y - 8;  // the bar's first number reaches higher than the bar
+    const Rect title{layout.plot.x, 0, 200, above}, time{440, 0, 200, above},
+        foot{0, layout.plot.y + layout.plot.height, 300, 360 - layout.plot.y - layout.plot.height};
+    for (const auto& [place, parts] : {std::pair{title, TextParts{.title = false, .method = false}},
+                                       {time, TextParts{.time = false}},
+                                       {foot, TextParts{.scale = false}},
+                                       {layout.key, TextParts{.bar = false}}}) {
+      Look less = with;
+      less.texts.parts = parts;
+      CHECK_FALSE(is_blank(all, place));
+      Renderer renderer(less);
+      Image image = renderer.draw(frame);
+      const bool same_plot = parts.bar && parts.scale;  // else the disc moves
+      if (same_plot) CHECK(is_blank(image, place));
+      CHECK(image == renderer.draw(frame));  // the second frame repaints only some texts
+    }
+    Look large = with;
+    large.texts.font = 200;
+    CHECK_THROWS_WITH_AS(Renderer{large}, doctest::Contains("leave no room in a picture of 640x360"),
+                         UsageError);
+  }
+
   TEST_CASE("a glyph with its own size is a disc, or a ball, of that diameter") {
     for (const bool solid : {false, true}) {
       CAPTURE(solid);

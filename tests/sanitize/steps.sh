@@ -141,7 +141,7 @@ command_numbers() {
   rings run
   rings other --method tl
   taut plot run other --out plot.svg
-  taut plot run --columns total_energy,gap --x t --out plot.png
+  taut plot run --columns total_energy+kinetic_energy,gap --x t --width 85mm --out plot.png
   taut check run --verdict diverged --measure 'conservation.energy<1'
   taut check run --baseline run --tolerance '1%' --json --junit run.xml
   expect 1 taut check run --measure 'conservation.energy<0'

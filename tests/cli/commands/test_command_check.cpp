@@ -143,8 +143,14 @@ TEST_SUITE("cli") {
     const std::string table = folder.str("results.csv");  // as in DIR/* of a sweep
     std::ofstream(table) << "status,scene\nfinished,tiny\n";
     const Outcome other = call({"plot", a, table, "--out", folder.str("t.png")});
-    CHECK(other.code == 2);
-    CHECK(contains(other.err, "'" + table + "' is neither a run folder nor a run.json"));
+    CHECK(other.code == 0);
+    CHECK(contains(other.err, "taut: skips what is no run: results.csv"));
+    std::ofstream(folder / "notes.txt") << "notes\n";
+    const Outcome none =
+        call({"plot", folder.str("notes.txt"), folder.str("discs.toml"), "--out", folder.str("t.png")});
+    CHECK(none.code == 2);
+    CHECK(contains(none.err,
+                   "no run or sweep is among these; name folders that `taut run` or `taut sweep` has made"));
     CHECK(call({"plot", a, "--out", folder.str("t.jpg")}).code == 2);
   }
 }

@@ -24,12 +24,17 @@ Drawing other_drawing() {
                    .colormap = render::find_colormap("plasma"),
                    .size = render::Size{70, 80},
                    .bare = true,
+                   .texts = {.parts = {.method = false}},
                    .glyph = 0.5,
                    .background = {1, 2, 3}},
           .frames = 9,
           .style = Style::cells,
           .cut = "x > 0",
-          .follow = "ball"};
+          .follow = "ball",
+          .title = "A ball",
+          .font_points = 8,
+          .dpi = 150,
+          .print_width = "85mm"};
 }
 
 DrawingOptions typed(const std::string& key, const std::string& text) {
@@ -62,6 +67,10 @@ TEST_SUITE("unit") {
     CHECK(copy.style == other.style);
     CHECK(copy.cut == other.cut);
     CHECK(copy.follow == other.follow);
+    CHECK(copy.title == other.title);
+    CHECK(copy.font_points == other.font_points);
+    CHECK(copy.dpi == other.dpi);
+    CHECK(copy.print_width == other.print_width);
     CHECK(copy.frames == other.frames);
   }
 
@@ -74,10 +83,15 @@ TEST_SUITE("unit") {
     CHECK_FALSE(drawing.look.colormap);
     CHECK_FALSE(drawing.style);
     CHECK(drawing.look.camera == render::Camera{});
-    for (const std::string_view name : {"cut", "follow"})
+    CHECK_FALSE(drawing.title);
+    CHECK_FALSE(drawing.font_points);
+    CHECK_FALSE(drawing.dpi);
+    for (const std::string_view name : {"cut", "follow", "width", "title"})
       CHECK(drawing_key(name).set(drawing, std::string(nothing)).empty());
     CHECK(drawing.cut.empty());
     CHECK(drawing.follow.empty());
+    CHECK(drawing.print_width.empty());
+    CHECK(drawing.title == "");
   }
 
   TEST_CASE("keys of drawing: a change of field resets range and colour map") {
@@ -104,7 +118,8 @@ TEST_SUITE("unit") {
           std::array{"range", "1:2:3", "must be LOW:HIGH"},
           std::array{"view", "0:1:2:2", "must be X_MIN:X_MAX:Y_MIN:Y_MAX"},
           std::array{"camera", "0:0:0", "must be X:Y:Z, a direction towards the camera"},
-          std::array{"camera", "1:2", "must be X:Y:Z"}, std::array{"up", "1:2:z", "must be X:Y:Z"},
+          std::array{"camera", "1:2", "must be X:Y:Z"},
+          std::array{"up", "1:2:z", "must be X:Y:Z"},
           std::array{"fov", "121", "must be DEGREES from 0 (parallel) to 120, or 'auto'"},
           std::array{"style", "cell", "unknown style 'cell' (did you mean 'cells'?)"},
           std::array{"size", "100x63.5", "must be WIDTHxHEIGHT"},
@@ -116,6 +131,12 @@ TEST_SUITE("unit") {
           std::array{"background", "#12345g", "must be white, black or #rrggbb"},
           std::array{"background", "wite", "must be white, black or #rrggbb"},
           std::array{"text", "non", "unknown text 'non' (did you mean 'none'?)"},
+          std::array{"text", "time,bra", "unknown text 'bra' (did you mean 'bar'?)"},
+          std::array{"text", "none,bar", "--text is 'none,bar'; it must be all, none, or some of title"},
+          std::array{"width", "85", "--width is '85'; it must be none or a length with mm, cm or in"},
+          std::array{"width", "3m", "must be none or a length"},
+          std::array{"dpi", "10", "--dpi is '10'; it must be N from 30 to 2400"},
+          std::array{"font_size", "0", "--font-size is '0'; it must be POINTS from 1 to 100, or 'auto'"},
           std::array{"color", "presure", "unknown field 'presure' (did you mean 'pressure'?)"},
           std::array{"colormap", "plasm", "unknown colour map 'plasm' (did you mean 'plasma'?)"}}) {
       const auto& name_now = name;
@@ -126,6 +147,45 @@ TEST_SUITE("unit") {
       CHECK_THROWS_WITH_AS(set_typed(drawing, drawing_key(name), text), doctest::Contains(right), UsageError);
       for (const DrawingKey& key : drawing_keys()) CHECK(key.get(drawing) == key.get(other_drawing()));
     }
+  }
+
+  TEST_CASE(
+      "a width on paper sets pixels by the resolution, keeps the proportions and sets texts of 7 points") {
+    Drawing drawing;
+    CHECK(sized(drawing).look.size == drawing.look.size);
+    CHECK(sized(drawing).look.texts.font == 0);
+    set_typed(drawing, drawing_key("width"), "85mm");
+    const render::Look paper = sized(drawing).look;
+    CHECK(paper.size == render::Size{1004, 565});  // 85 mm at 300 dpi; 16:9
+    CHECK(paper.texts.font == Approx(7 * 300 / 72.0));
+    CHECK(sized(sized(drawing)).look.size == paper.size);
+    for (const char* same : {"8.5cm", "3.3464567in"}) {
+      set_typed(drawing, drawing_key("width"), same);
+      CHECK(sized(drawing).look.size == paper.size);
+    }
+    set_typed(drawing, drawing_key("dpi"), "600");
+    set_typed(drawing, drawing_key("font_size"), "9");
+    CHECK(sized(drawing).look.size == render::Size{2008, 1129});
+    CHECK(sized(drawing).look.texts.font == Approx(75));
+    set_typed(drawing, drawing_key("width"), "none");
+    set_typed(drawing, drawing_key("dpi"), "auto");
+    CHECK(sized(drawing).look.texts.font == Approx(12));  // 9 points at 96 dpi
+    CHECK(sized(drawing).look.size == render::Size{});
+  }
+
+  TEST_CASE("parts of the texts are read and written as a list in the order of the page") {
+    Drawing drawing;
+    const DrawingKey& key = drawing_key("text");
+    set_typed(drawing, key, "bar,time");
+    CHECK(key.get(drawing) == DrawingValue("time,bar"));
+    CHECK_FALSE(drawing.look.bare);
+    CHECK(drawing.look.texts.parts ==
+          render::TextParts{.title = false, .method = false, .scale = false, .axes = false});
+    set_typed(drawing, key, "title,method,time,bar,scale,axes");
+    CHECK(key.get(drawing) == DrawingValue("all"));
+    set_typed(drawing, key, "none");
+    CHECK(drawing.look.bare);
+    CHECK(key.get(drawing) == DrawingValue("none"));
   }
 
   TEST_CASE("in 3D the view is perpendicular to the camera's direction and contains all particles in full") {
@@ -215,7 +275,7 @@ TEST_SUITE("cli") {
     for (const DrawingKey& key : drawing_keys()) {
       const std::string name(key.name);
       CAPTURE(name);
-      CHECK(contains(help, "--" + name + " " + std::string(key.placeholder)));
+      CHECK(contains(help, key.option() + " " + std::string(key.placeholder)));
       at = scene.find("\n" + name + " = ", at);
       CHECK(at != std::string::npos);
     }

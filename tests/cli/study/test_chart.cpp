@@ -218,7 +218,7 @@ TEST_SUITE("cli") {
     REQUIRE(call({"chart", file, "--out", folder.str("c.svg")}).code == 0);
     const std::string script = text_of(folder / "c.gp");
     CHECK(contains(script, "set xlabel 'time to solve, s'"));
-    CHECK(contains(script, "set ylabel 'error of bend, % of the reference'"));
+    CHECK(contains(script, "set ylabel 'error of the bend, % of the reference'"));
     CHECK(contains(script, "'×') with labels offset"));
     CHECK(contains(script, "set label 'og' at graph 1.01"));  // has runs without a value
     CHECK_FALSE(contains(script, "set label 'tl' at graph 1.01"));
@@ -233,6 +233,20 @@ TEST_SUITE("cli") {
     };
     CHECK(color(script, "og") == color(text_of(folder / "og.gp"), "og"));
     CHECK(color(script, "tl") != color(script, "og"));
+  }
+
+  TEST_CASE("--stable-only leaves out the other runs, and a note counts them") {
+    const TemporaryFolder folder;
+    const std::string file = write_results(folder / "a", converging);
+    REQUIRE(call({"chart", file, "--stable-only", "--out", folder.str("c.svg")}).code == 0);
+    const std::string script = text_of(folder / "c.gp");
+    CHECK_FALSE(contains(script, "'×'"));
+    CHECK(contains(script, "runs that are not stable"));
+    CHECK_FALSE(contains(text_of(folder / "c.dat"), "fractured"));
+    const std::string torn = write_results(folder / "b", "failed,og,og,0.4,10,fractured,,0.3,2,4,0.5\n");
+    const Outcome none = call({"chart", torn, "--stable-only", "--out", folder.str("d.svg")});
+    CHECK(none.code == 2);
+    CHECK(contains(none.err, "none of the 1 runs is stable; leave out --stable-only"));
   }
 
   TEST_CASE("a zero and a single run are drawn, the zero on its axis") {
@@ -432,7 +446,7 @@ TEST_SUITE("cli") {
         {{good, "--methods", "tl,oog", "--out", out},
          "unknown method in the results 'oog' (did you mean 'og'?)"},
         {{good, "--against", "tll", "--out", out}, "did you mean 'tl'"},
-        {{good, "--out", folder.str("chart.jpg")}, "must end in .png or .svg"},
+        {{good, "--out", folder.str("chart.jpg")}, "must end in .png, .svg or .pdf"},
         {{bare, "--out", out}, "no measure in the results of rod has an error"},
         {{waiting, "--out", out}, "has a result"},
         {{folder.str("foreign.csv"), "--out", out}, "it has no column status, scene"},

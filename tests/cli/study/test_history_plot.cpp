@@ -4,10 +4,12 @@
 
 #include <doctest/doctest.h>
 
+#include "cli/study/curve_style.hpp"
 #include "cli/study/gnuplot.hpp"
 #include "cli/study/history_plot.hpp"
 #include "cli/study/letters.hpp"
 #include "cli/study/study.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/sweep_folder.hpp"
 
@@ -72,6 +74,25 @@ TEST_SUITE("cli") {
     const std::string methods = script_of(falling({{"og", ""}, {"tl", ""}}));
     const std::string alone = script_of(falling({{"og", ""}}));
     CHECK(looks(methods).contains(*looks(alone).begin()));
+  }
+
+  TEST_CASE("a method has the same colour, dash and markers in every picture") {
+    std::vector<std::string> all;
+    for (const MethodInfo& method : methods()) all.emplace_back(method.name);
+    std::set<std::string> looks;
+    const std::vector<CurveStyle> together = curve_styles(all);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const CurveStyle alone = curve_styles({all[k]})[0];
+      CAPTURE(all[k]);
+      CHECK(alone.line() == together[k].line());
+      CHECK(alone.marker() == together[k].marker());
+      looks.insert(alone.line());
+    }
+    CHECK(looks.size() == all.size());
+    // a second line of a method leaves the first lines of all others alone
+    const auto twice = curve_styles({all[0], all[0], all[8]});
+    CHECK(twice[2].line() == together[8].line());
+    CHECK(twice[1].line() != twice[0].line());
   }
 
   TEST_CASE("a legend omits a method that all runs share, and the title names it") {
@@ -179,7 +200,8 @@ TEST_SUITE("cli") {
     for (const std::size_t count : {24u, 25u}) {
       results.runs.assign(count, read_stored_run(folder.str("run.json")));
       std::ostringstream out, err;
-      CHECK(draw_history(results, {{"energy", "energy"}}, {"t", "t"}, {folder / "p.png"}, {out, err}) == 0);
+      const HistoryPlot plot = make_history_plot(results, {{"energy", "energy"}}, {"t", "t"});
+      CHECK(draw_history(plot, {folder / "p.png"}, {out, err}) == 0);
       CHECK((err.str() == "") == (count == 24));
       if (count == 25) CHECK(contains(err.str(), " has 25 lines; only 24 can be told apart"));
     }

@@ -128,7 +128,7 @@ TEST_SUITE("cli") {
         {{file, "--parameter", "sped", "--out", out}, "did you mean 'speed'"},
         {{file, other, "--out", out}, "name one with --parameter"},
         {{none, "--out", out}, "there is no parameter to map"},
-        {{file, "--out", folder.str("map.pdf")}, "must end in .png or .svg"},
+        {{file, "--out", folder.str("map.jpg")}, "must end in .png, .svg or .pdf"},
     };
     for (const auto& [arguments, message] : wrong) {
       Texts words{"map"};

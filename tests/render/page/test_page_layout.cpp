@@ -37,6 +37,25 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("particles take the place of texts that are left out, and a chosen font is used at any size") {
+    const View view{0, 1, 0, 1};
+    const PageLayout all = make_layout(640, 360, view);
+    const auto with = [&](const TextParts& parts) {
+      return make_layout(640, 360, view, true, room_of_bar, {.parts = parts}).plot;
+    };
+    const Rect no_header = with({.title = false, .method = false, .time = false});
+    CHECK(no_header.y < all.plot.y);
+    CHECK(no_header.y + no_header.height == all.plot.y + all.plot.height);
+    CHECK(with({.title = false}).y == all.plot.y);  // time and method need the line
+    CHECK(with({.scale = false}).height > all.plot.height);
+    const Rect no_bar = with({.bar = false});
+    CHECK(no_bar.width > all.plot.width + 3 * all.font);
+    CHECK(no_bar.x + no_bar.width <= 640);
+    CHECK(make_layout(200, 150, view).font == 0);
+    CHECK(make_layout(200, 150, view, true, room_of_bar, {.font = 11}).font == 11);
+    CHECK(make_layout(640, 360, view, true, room_of_bar, {.font = all.font}).plot.width == all.plot.width);
+  }
+
   TEST_CASE("plot and colour bar lie in the picture, side by side, at any size") {
     for (int width = least_size; width <= greatest_size; width += width / 7) {
       for (int height = least_size; height <= greatest_size; height += height / 7) {

@@ -1,0 +1,35 @@
+#include "cli/study/reference_curves.hpp"
+
+#include <set>
+#include <utility>
+
+namespace taut::cli {
+
+std::vector<ReferenceCurve> reference_curves(const Scene& scene, const std::string& law,
+                                             std::span<const double> times) {
+  std::vector<ReferenceCurve> curves;
+  const auto found = scene.references.find(law);
+  if (found == scene.references.end()) return curves;
+  const Reference& reference = found->second;
+  std::set<std::string> done;
+  const auto add = [&](const Measure& measure, const std::string& probe, std::vector<double> t,
+                       std::vector<double> values) {
+    if (done.insert(probe).second)
+      curves.push_back({probe, reference.name_for(measure.name), std::move(t), std::move(values)});
+  };
+  for (const Measure& measure : scene.measures) {
+    const auto table = reference.table.find(measure.name);
+    const auto solution = reference.solution.find(measure.name);
+    for (std::size_t k = 0; k < measure.probes.size(); ++k) {
+      if (table != reference.table.end() && k < table->second.value.size())
+        add(measure, measure.probes[k], table->second.t, table->second.value[k]);
+      if (solution == reference.solution.end() || k >= solution->second.size()) continue;
+      std::vector<double> values;
+      for (const double t : times) values.push_back(solution->second[k](Point{}, t));
+      add(measure, measure.probes[k], {times.begin(), times.end()}, std::move(values));
+    }
+  }
+  return curves;
+}
+
+}  // namespace taut::cli
