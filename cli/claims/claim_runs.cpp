@@ -6,6 +6,7 @@
 
 #include "cli/claims/criterion.hpp"
 #include "cli/text/format.hpp"
+#include "engine/diagnostics/critical_step.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
@@ -28,6 +29,16 @@ SweepRequest request_of(const Claim& claim, const fs::path& file, const fs::path
 const SweepRun& run_named(const PlannedClaim& planned, const std::string& name) {
   const auto found = std::ranges::find(planned.claim->runs, name, &ClaimRun::name);
   return planned.plan.runs[static_cast<std::size_t>(found - planned.claim->runs.begin())];
+}
+
+/// Largest stable time step of the run's scene, as `taut critical-step` finds it.
+QuantityValue critical_step(const Claim& claim, const SweepRun& run) {
+  SceneFile file = read_scene(claim.scene, run.settings);
+  file.settings.threads = 1;
+  const CriticalStep found =
+      find_critical_step(file.scene, file.settings, {}, [](const CriticalStep&) { return true; });
+  if (!found.stable) throw UsageError("no time step is stable");
+  return {*found.stable, six_digits(*found.stable) + " s"};
 }
 
 }  // namespace
@@ -62,7 +73,9 @@ ClaimOutcome outcome_of(const PlannedClaim& planned) {
     try {
       if (run.state != SweepRunState::done)
         throw UsageError(run.problem.empty() ? "the run is not finished" : run.problem);
-      const QuantityValue value = value_of(*run.options.out, quantity.path);
+      const QuantityValue value = quantity.path == "critical_step"
+                                      ? critical_step(claim, run)
+                                      : value_of(*run.options.out, quantity.path);
       values[quantity.name()] = value.number;
       outcome.values.emplace_back(quantity.name(), value.shown);
     } catch (const UsageError& error) {

@@ -77,7 +77,7 @@ Claims claims_to_run(const ClaimsArguments& o, const Claims& claims) {
 
 void print_json(const Claims& claims, const std::vector<ClaimOutcome>& outcomes, std::ostream& out) {
   Json answer = json_answer("claims");
-  answer["passed"] = std::ranges::all_of(outcomes, &ClaimOutcome::agrees);
+  if (!outcomes.empty()) answer["passed"] = std::ranges::all_of(outcomes, &ClaimOutcome::agrees);
   answer["claims"] = Json::array();
   for (std::size_t k = 0; k < claims.size(); ++k)
     answer["claims"].add(claim_json(*claims[k], k < outcomes.size() ? &outcomes[k] : nullptr));
@@ -89,11 +89,13 @@ int run_claims(const ClaimsArguments& o, const Claims& claims, Streams streams) 
   const FolderLock lock(o.out, FolderLock::Of::sweep, "taut claims", streams.err);
   const Interrupts interrupts;
   std::vector<PlannedClaim> planned = plan_claims(claims, o.out);
+  SweepEnd end;
   if (const std::vector<SweepRun*> runs = unfinished_runs(planned); !runs.empty()) {
     Progress progress(streams.err, progress_style(streams.err, o.quiet));
     SweepRunner runner(runs, o.jobs.value_or(cores()), interrupts, progress, {[](const SweepRun&) {}, [] {}});
-    if (runner.execute("claims").interrupted) return Interrupts::exit_code();
+    end = runner.execute("claims");
   }
+  if (end.interrupted) return Interrupts::exit_code();
   std::vector<ClaimOutcome> outcomes;
   for (PlannedClaim& each : planned) {
     for (SweepRun& run : each.plan.runs)
@@ -105,6 +107,7 @@ int run_claims(const ClaimsArguments& o, const Claims& claims, Streams streams) 
   else
     streams.out << table_of_outcomes(outcomes, text_columns(streams.out));
   o.publish(claims_report(outcomes), streams.err);
+  if (end.code != exit_fine) return end.code;
   return std::ranges::all_of(outcomes, &ClaimOutcome::agrees) ? exit_fine : exit_different;
 }
 

@@ -289,7 +289,8 @@ constexpr KeyInfo claim_keys[] = {
     {"criterion", types::expression("condition of quantities"), "",
      "true if the claim holds here. A quantity is RUN.verdict, RUN.since.VERDICT, RUN.MEASURE, "
      "RUN.error.MEASURE, RUN.min.COLUMN, RUN.max.COLUMN, RUN.first.COLUMN or RUN.last.COLUMN of "
-     "history.csv, or RUN.PATH of a number in run.json"},
+     "history.csv, RUN.PATH of a number in run.json, or RUN.critical_step, the largest stable time step in "
+     "s"},
     {"part", types::expression("condition of quantities"), "none",
      "true if the claim holds in part; only if it does not hold"},
     {"looser", types::line(), "none", "difference between the criterion and the paper's statement"},
