@@ -284,7 +284,7 @@ constexpr KeyInfo claim_keys[] = {
     {"cost", types::word("quick", "slow"), "quick",
      "quick: the runs take seconds, and the tests repeat them"},
     {"set", types::table("set", "{ NAME = value }"), "none", "settings of every run, as with --set"},
-    {"run", types::table("set", "run.RUN = { NAME = value }").by_name("RUN"), "",
+    {"run", types::table("set", "{ NAME = value }").by_name("RUN"), "",
      "runs of the claim with their settings; the criteria refer to their names"},
     {"criterion", types::expression("condition of quantities"), "",
      "true if the claim holds here. A quantity is RUN.verdict, RUN.since.VERDICT, RUN.MEASURE, "
