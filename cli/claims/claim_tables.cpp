@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 
+#include "cli/scene/shipped.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/markdown.hpp"
 
@@ -89,7 +90,10 @@ std::string list_of_claims(const std::vector<const Claim*>& claims, std::optiona
 }
 
 std::string command_of(const Claim& claim, const ClaimRun& run) {
-  std::string command = "taut run " + quoted(std::filesystem::path(claim.scene).stem().string());
+  const std::vector<std::string> shipped = scene_names();
+  const std::string stem = std::filesystem::path(claim.scene).stem().string();
+  std::string command =
+      "taut run " + quoted(std::ranges::find(shipped, stem) != shipped.end() ? stem : claim.scene);
   for (const Setting& s : run.settings) {
     const bool own_option = s.name == "method" || s.name == "spacing" || s.name == "until";
     command +=

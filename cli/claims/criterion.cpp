@@ -95,7 +95,7 @@ void check_criterion(const std::string& criterion, const std::vector<std::string
   const std::vector<Quantity> quantities = quantities_in(criterion);
   for (const Quantity& quantity : quantities) {
     if (std::ranges::find(runs, quantity.run) == runs.end())
-      throw UsageError(unknown_name("run", quantity.run, runs) + " in " + quantity.name());
+      throw UsageError("'" + quantity.name() + "': " + unknown_name("run", quantity.run, runs));
     values[quantity.name()] = 1;
   }
   result_of(criterion, values);

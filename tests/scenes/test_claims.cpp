@@ -48,7 +48,7 @@ TEST_SUITE("failure") {
           CAPTURE(claim.name());
           CHECK_NOTHROW(plan_claims({&claim}, folder / claim.key));
         }
-    CHECK(slow > 20);
+    CHECK(slow > 10);
   }
 }
 
