@@ -295,7 +295,7 @@ constexpr KeyInfo claim_keys[] = {
      "true if the claim holds in part; only if it does not hold"},
     {"looser", types::line(), "none", "difference between the criterion and the paper's statement"},
     {"state", types::word("holds", "in part", "does not hold"), "holds", "recorded state"},
-    {"reason", types::text(), "or state", "reason of a state other than holds"},
+    {"reason", types::text(), "none", "reason of a state other than holds, which needs one"},
     {"evidence", types::expression("condition of quantities"), "none",
      "must be true if the reason is right: an experiment"},
     {"last_run", types::line(), "", "date of the runs that confirmed the state"},
