@@ -11,7 +11,7 @@ endforeach()
 install(TARGETS taut RUNTIME)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/taut/scenes USE_SOURCE_PERMISSIONS
   PATTERN pictures EXCLUDE PATTERN *.md EXCLUDE)
-foreach(room . engine render cli scenes scenes/gallery scenes/studies scenes/studies/results)
+foreach(room . engine render cli scenes scenes/gallery scenes/papers scenes/papers/scenes scenes/studies scenes/studies/results)
   file(GLOB texts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${room}/*.md)
   install(FILES ${texts} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${room})
 endforeach()
@@ -25,7 +25,7 @@ add_custom_command(OUTPUT ${words}/done
 add_custom_target(taut_words ALL DEPENDS ${words}/done)
 install(FILES ${words}/taut.bash RENAME taut DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES ${words}/taut.zsh RENAME _taut DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
-install(FILES ${words}/scene.schema.json ${words}/sweep.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/taut/scenes)
+install(FILES ${words}/scene.schema.json ${words}/sweep.schema.json ${words}/claim.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/taut/scenes)
 install(DIRECTORY ${words}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
 
 set(CPACK_GENERATOR DEB)

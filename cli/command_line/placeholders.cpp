@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/claims/claim_file.hpp"
 #include "cli/drawing/keys.hpp"
 #include "cli/language/reference.hpp"
 #include "cli/scene/shipped.hpp"
@@ -21,6 +22,15 @@ Words sweep_names(const SceneFile*) {
   for (const std::string& scene : scene_names()) names.push_back(scene);
   return names;
 }
+
+Words claim_names(const SceneFile*) {
+  Words names;
+  for (const Paper& paper : shipped_papers())
+    for (const Claim& claim : paper.claims) names.push_back(claim.name());
+  return names;
+}
+
+Words papers(const SceneFile*) { return paper_names(); }
 
 Words section_names(const SceneFile*) { return topic_names(); }
 
@@ -66,6 +76,8 @@ struct Placeholder {
 constexpr Placeholder table[] = {
     {"SCENE", shipped_scenes, "*.toml"},
     {"SWEEP", sweep_names, "*.toml"},
+    {"PAPER", papers, ""},
+    {"CLAIM", claim_names, ""},
     {"METHOD", method_names, ""},
     {"SECTION", section_names, ""},
     {"VERDICT", verdict_names, ""},

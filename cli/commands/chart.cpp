@@ -2,7 +2,7 @@
 
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
-#include "cli/commands/picture_options.hpp"
+#include "cli/command_line/picture_options.hpp"
 #include "cli/study/chart_tables.hpp"
 #include "cli/study/study.hpp"
 #include "cli/system/exit_code.hpp"

@@ -7,8 +7,8 @@
 
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
+#include "cli/command_line/picture_options.hpp"
 #include "cli/command_line/report_options.hpp"
-#include "cli/commands/picture_options.hpp"
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/system/exit_code.hpp"

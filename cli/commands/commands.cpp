@@ -16,6 +16,7 @@ std::function<int(Streams)> declare_movie(Options&);
 std::function<int(Streams)> declare_diff(Options&);
 std::function<int(Streams)> declare_snapshot(Options&);
 std::function<int(Streams)> declare_critical_step(Options&);
+std::function<int(Streams)> declare_claims(Options&);
 std::function<int(Streams)> declare_session(Options&);
 std::function<int(Streams)> declare_list(Options&);
 std::function<int(Streams)> declare_describe(Options&);
@@ -115,6 +116,19 @@ constexpr Command table[] = {
      "unstable modes. A trial is unstable if its energy exceeds 100 times the energy that the scene\n"
      "received, or if a value is not finite.\n",
      declare_critical_step},
+    {"claims",
+     "list statements of the papers and whether they hold here; run them; exit code 1 if a run differs",
+     "  taut claims                               all papers\n"
+     "  taut claims Zhang2024\n"
+     "  taut claims Zhang2024.fig-3a              one claim, with the commands that repeat its runs\n"
+     "  taut claims --run Zhang2024.fig-3a Zhang2024.fig-3b\n"
+     "  taut claims Lee2016 --quick               run the claims of a paper that take seconds\n"
+     "  taut claims --all --jobs 2 --json         run everything: hours\n"
+     "Runs are kept in --out, and finished runs are not repeated. A claim `holds` if its criterion is true,\n"
+     "holds `in part` if only the weaker criterion is, and else `does not hold`. A run agrees if this state "
+     "is\n"
+     "the recorded one, and if the evidence for the reason of a failure is true.\n",
+     declare_claims},
     {"session", "simulate interactively: read commands from stdin, print answers; `help` lists the commands",
      "  taut session colliding-rings\n"
      "  printf 'run until 0.003\\nprobe\\nframe now.png\\n' | taut session colliding-rings --strict\n"
@@ -123,10 +137,11 @@ constexpr Command table[] = {
     {"list", "list scenes, methods, laws, shapes, probes, measures, keys of scene files and more",
      "  taut list\n"
      "  taut list methods\n"
-     "  taut list keys                            all keys of scene and sweep files\n"
+     "  taut list keys                            all keys of scene, sweep and claim files\n"
      "  taut list scenes --json\n",
      declare_list},
-    {"describe", "explain a scene, a method, another listed name, or the format of scene and sweep files",
+    {"describe",
+     "explain a scene, a method, another listed name, or the format of scene, sweep and claim files",
      "  taut describe colliding-rings             its parameters with units and bounds, bodies, measures\n"
      "  taut describe enog                        its equations, constants with bounds, source\n"
      "  taut describe scene-file                  all sections and keys of a scene file\n"

@@ -76,7 +76,7 @@ constexpr Listing listings[] = {
     {"measures", of_language<measure_rows>, "numbers that are compared with references"},
     {"fields", of_language<field_rows>, "quantities that colour the particles"},
     {"colormaps", of_language<colormap_rows>, "colour maps"},
-    {"keys", of_language<key_rows>, "keys of scene and sweep files"}};
+    {"keys", of_language<key_rows>, "keys of scene, sweep and claim files"}};
 
 std::string as_text(const Json& rows, std::optional<std::size_t> columns) {
   std::vector<std::vector<std::string>> cells;

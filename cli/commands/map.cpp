@@ -2,8 +2,8 @@
 
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
+#include "cli/command_line/picture_options.hpp"
 #include "cli/command_line/report_options.hpp"
-#include "cli/commands/picture_options.hpp"
 #include "cli/study/study.hpp"
 #include "cli/system/exit_code.hpp"
 #include "engine/error.hpp"

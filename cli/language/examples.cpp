@@ -151,6 +151,19 @@ parameter = "v0"
     {"history", R"toml([history]
 gap = "gap, m"
 )toml"},
+    {"claims", R"toml(title = "J. J. Monaghan: SPH without a tensile instability"
+)toml"},
+    {"claim", R"toml([[claim]]
+key = "fig-6"
+place = "Fig. 6"
+text = "With the original method the rings tear, with artificial stress they do not."
+scene = "colliding-rings"
+set = { until = 0.005 }                 # of every run
+run.og = { method = "og" }
+run.oas = { method = "oas", "method.epsilon" = 0.3 }
+criterion = "og.verdict >= fractured && oas.verdict < fractured && og.since.fractured < 0.005"
+last_run = "never"
+)toml"},
     {"rectangle", "shape = { type = \"rectangle\", low = [-0.05, -0.01], high = [0.05, 0] }\n"},
     {"disc", "shape = { type = \"disc\", centre = [0, 0.02], radius = 0.01 }\n"},
     {"ring", "shape = { type = \"ring\", centre = [0, 0], inner = 0.03, outer = 0.04 }\n"},

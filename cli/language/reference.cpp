@@ -9,6 +9,7 @@
 #include "cli/text/markdown.hpp"
 #include "engine/diagnostics/fields.hpp"
 #include "engine/diagnostics/measure_kinds.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/methods/catalogue.hpp"
 #include "render/colormap.hpp"
 
@@ -126,7 +127,9 @@ void add_rows(std::vector<Topic>& topics, std::string_view what, const Rows& row
 std::vector<Topic> all_topics() {
   std::vector<Topic> all = scene_language().topics;
   const std::vector<Topic> sweep = sweep_language().topics;
+  const std::vector<Topic> claims = claim_language().topics;
   all.insert(all.end(), sweep.begin(), sweep.end());
+  all.insert(all.end(), claims.begin(), claims.end());
   for (const ShapeKind& kind : shape_kinds()) all.push_back(topic_of(kind));
   for (const ProbeKind& kind : probe_kinds()) all.push_back(topic_of(kind));
   for (const MeasureKind& kind : measure_kinds()) all.push_back(topic_of(kind));
@@ -141,7 +144,7 @@ std::vector<Topic> topics_of_key(std::string_view name) {
   Rows rows = key_rows();
   std::erase_if(rows, [&](const Texts& row) { return row != rows.front() && row.front() != name; });
   if (rows.size() == 1) return {};
-  return {{text(name), "", "a key of scene or sweep files", std::move(rows), ""}};
+  return {{text(name), "", "a key of scene, sweep or claim files", std::move(rows), ""}};
 }
 
 std::string indented(std::string_view lines) {
@@ -227,6 +230,19 @@ const Texts sweep_rules{
     "spacing, until, cfl, stepping, contact, law, jitter, jitter_seed.",
     "A study is a sweep with a [chart], a [map] or a [history], which draw its results."};
 
+const Texts claim_rules{
+    "A claim file is a TOML file with statements of a paper; its name is the key of the paper. `taut claims "
+    "PAPER` lists the claims, and `taut claims PAPER --all` runs them.",
+    "A criterion is an expression, as in scenes, of quantities of the runs. Verdicts are compared with their "
+    "names, "
+    "from best to worst: " +
+        join(names_of_verdicts()) +
+        ". `RUN.since.VERDICT` is the time in s at which a failure began; it is infinite if it never began. "
+        "A measure "
+        "without value is a disagreement.",
+    "A claim holds if its criterion is true, holds in part if only `part` is true, and else does not hold. "
+    "`taut claims --run` compares this with the recorded state."};
+
 }  // namespace
 
 Rows shape_rows() {
@@ -305,7 +321,7 @@ Rows key_rows() {
       rows.push_back(std::move(row));
     }
   };
-  for (const auto& sections : {scene_sections(), sweep_sections()})
+  for (const auto& sections : {scene_sections(), sweep_sections(), claim_sections()})
     for (const Section& section : sections) add(section.name, section.keys);
   for (const ShapeKind& kind : shape_kinds()) add("shape " + text(kind.name), kind.keys);
   for (const ProbeKind& kind : probe_kinds()) add("probe " + text(kind.name), kind.keys);
@@ -329,6 +345,12 @@ LanguageFile scene_language() {
 LanguageFile sweep_language() {
   LanguageFile file{"sweep-file", sweep_rules, {}};
   for (const Section& section : sweep_sections()) file.topics.push_back(topic_of(section));
+  return file;
+}
+
+LanguageFile claim_language() {
+  LanguageFile file{"claim-file", claim_rules, {}};
+  for (const Section& section : claim_sections()) file.topics.push_back(topic_of(section));
   return file;
 }
 
@@ -363,13 +385,14 @@ std::string as_text(const LanguageFile& file, std::optional<std::size_t> columns
 }
 
 std::string language_page() {
-  return "# The language of scene and sweep files\n\n"
-         "This page is the output of `taut describe scene-file` and `taut describe sweep-file`. "
+  return "# The language of scene, sweep and claim files\n\n"
+         "This page is the output of `taut describe scene-file`, `sweep-file` and `claim-file`. "
          "A test checks that it is up to\n"
          "date, and `TAUT_UPDATE_GOLDEN=1` rewrites it. Rules, choices and worked examples: "
          "[SCENE-FILES.md](SCENE-FILES.md).\n\n"
          "## Scene files\n\n" +
-         markdown(scene_language()) + "## Sweep files\n\n" + markdown(sweep_language());
+         markdown(scene_language()) + "## Sweep files\n\n" + markdown(sweep_language()) +
+         "## Claim files\n\n" + markdown(claim_language());
 }
 
 }  // namespace taut::cli

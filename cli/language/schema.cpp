@@ -296,4 +296,6 @@ Json scene_schema() {
 
 Json sweep_schema() { return file_schema("A sweep of scenes of taut", "sweep"); }
 
+Json claim_schema() { return file_schema("Statements of a paper, for taut claims", "claims"); }
+
 }  // namespace taut::cli

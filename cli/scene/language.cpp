@@ -13,7 +13,7 @@
 #include "engine/methods/catalogue.hpp"
 #include "engine/settings.hpp"
 
-/// The tables of scene and sweep files with their keys. The keys of a kind of shape, probe or measure are defined
+/// The tables of scene, sweep and claim files with their keys. The keys of a kind of shape, probe or measure are defined
 /// with the kind.
 namespace taut::cli {
 namespace {
@@ -269,6 +269,38 @@ constexpr KeyInfo history_keys[] = {
     {any_name, types::text(), "", "label of the axis of a column of history.csv: tip = \"tip, m\""},
 };
 
+constexpr KeyInfo paper_keys[] = {
+    {"title", types::line(), "", "the paper"},
+    {"claim", types::table("claim", "[[claim]]").list(1), "", "statements of the paper"},
+};
+
+constexpr KeyInfo claim_keys[] = {
+    {"key", types::label(), "", "name of the claim in this file, such as fig-3a"},
+    {"place", types::line(), "", "place in the paper, such as Fig. 3(a)"},
+    {"text", types::text(), "", "statement of the paper"},
+    {"published", types::line(), "none", "published value"},
+    {"scene", types::text("SCENE"), "",
+     "name of a scene (`taut list scenes`), or a path relative to this file"},
+    {"cost", types::word("quick", "slow"), "quick",
+     "quick: the runs take seconds, and the tests repeat them"},
+    {"set", types::table("set", "{ NAME = value }"), "none", "settings of every run, as with --set"},
+    {"run", types::table("set", "{ NAME = value }").by_name("RUN"), "",
+     "runs of the claim with their settings; the criteria refer to their names"},
+    {"criterion", types::expression("condition of quantities"), "",
+     "true if the claim holds here. A quantity is RUN.verdict, RUN.since.VERDICT, RUN.MEASURE, "
+     "RUN.error.MEASURE, RUN.min.COLUMN, RUN.max.COLUMN, RUN.first.COLUMN or RUN.last.COLUMN of "
+     "history.csv, RUN.PATH of a number in run.json, or RUN.critical_step, the largest stable time step in "
+     "s"},
+    {"part", types::expression("condition of quantities"), "none",
+     "true if the claim holds in part; only if it does not hold"},
+    {"looser", types::line(), "none", "difference between the criterion and the paper's statement"},
+    {"state", types::word("holds", "in part", "does not hold"), "holds", "recorded state"},
+    {"reason", types::text(), "none", "reason of a state other than holds, which needs one"},
+    {"evidence", types::expression("condition of quantities"), "none",
+     "must be true if the reason is right: an experiment"},
+    {"last_run", types::line(), "", "date of the runs that confirmed the state"},
+};
+
 std::vector<KeyInfo> all_material_keys() {
   std::vector<KeyInfo> keys(std::begin(material_keys), std::end(material_keys));
   static std::vector<std::string> texts;
@@ -359,11 +391,20 @@ std::span<const Section> sweep_sections() {
   return sections;
 }
 
+std::span<const Section> claim_sections() {
+  static constexpr Section sections[] = {
+      {"claims", "", "the file itself", paper_keys},
+      {"claim", "[[claim]]", "a statement of a paper, with the runs and the criterion that decide it",
+       claim_keys},
+  };
+  return sections;
+}
+
 const Section& find_section(std::string_view name) {
-  for (const auto& sections : {scene_sections(), sweep_sections()})
+  for (const auto& sections : {scene_sections(), sweep_sections(), claim_sections()})
     for (const Section& section : sections)
       if (section.name == name) return section;
-  throw std::logic_error("there is no section '" + std::string(name) + "' of scene and sweep files");
+  throw std::logic_error("there is no section '" + std::string(name) + "' of scene, sweep and claim files");
 }
 
 std::span<const KeyInfo> keys_of(std::string_view section) { return find_section(section).keys; }

@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* gallery = "gallery/";
 constexpr const char* studies = "studies/";
+constexpr const char* papers = "papers/";
 
 bool is_folder(const fs::path& path) {
   std::error_code error;
@@ -120,6 +121,21 @@ fs::path find_sweep(const std::string& sweep) {
   if (std::ranges::find(names, sweep) != names.end()) return file_of(studies + sweep);
   throw UsageError("there is no sweep file '" + sweep + "' and no study of that name" +
                    known_names(sweep, names) + "; to sweep a scene, add --grid NAME=VALUES");
+}
+
+std::vector<std::string> paper_names() {
+  refuse_no_folder();
+  const std::set<std::string> names = names_below(papers);
+  return {names.begin(), names.end()};
+}
+
+fs::path find_paper(const std::string& paper) {
+  std::error_code error;
+  if (fs::is_regular_file(paper, error)) return paper;
+  const std::vector<std::string> names = paper_names();
+  if (std::ranges::find(names, paper) != names.end()) return file_of(papers + paper);
+  throw UsageError("there is no claim file '" + paper + "' and no paper of that name" +
+                   known_names(paper, names));
 }
 
 }  // namespace taut::cli

@@ -20,4 +20,9 @@ std::vector<std::string> study_names();
 /// `sweep` is a path or a name. Throws UsageError with the nearest names.
 std::filesystem::path find_sweep(const std::string& sweep);
 
+/// Sorted names of the claim files in papers/ of the scene folders, such as "Zhang2024".
+std::vector<std::string> paper_names();
+/// `paper` is a path or a name. Throws UsageError with the nearest names.
+std::filesystem::path find_paper(const std::string& paper);
+
 }  // namespace taut::cli

@@ -82,19 +82,6 @@ class SettingsReader {
   TomlCursor& table_;
 };
 
-/// Path relative to the sweep file, or name.
-std::string find_scene_of(TomlCursor& root, const fs::path& file) {
-  const std::string scene = root.text("scene");
-  std::error_code error;
-  const fs::path beside = file.parent_path() / scene;
-  if (fs::is_regular_file(beside, error)) return beside.string();
-  try {
-    return find_scene(scene).string();
-  } catch (const UsageError& problem) {
-    root.fail(*root.find("scene"), "scene", problem.what());
-  }
-}
-
 std::vector<GridRow> read_rows(TomlCursor& root) {
   std::vector<GridRow> rows;
   TomlValue* grid = root.find("grid");
@@ -121,6 +108,20 @@ std::vector<GridRow> read_rows(TomlCursor& root) {
 }
 
 }  // namespace
+
+std::vector<Setting> read_settings(TomlCursor& table) { return SettingsReader(table).settings(); }
+
+std::string find_scene_of(TomlCursor& root, const fs::path& file) {
+  const std::string scene = root.text("scene");
+  std::error_code error;
+  const fs::path beside = file.parent_path() / scene;
+  if (fs::is_regular_file(beside, error)) return beside.string();
+  try {
+    return find_scene(scene).string();
+  } catch (const UsageError& problem) {
+    root.fail(*root.find("scene"), "scene", problem.what());
+  }
+}
 
 bool is_sweep_file(const fs::path& path) {
   const TomlValue tree = parse_toml(file_text(path), path.string());

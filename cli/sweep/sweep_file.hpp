@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/scene/toml_cursor.hpp"
 #include "cli/study/study.hpp"
 #include "cli/sweep/grid.hpp"
 
@@ -17,6 +18,12 @@ struct SweepFile {
   std::vector<GridRow> rows;
   StudyPictures pictures;
 };
+
+/// Reads a table NAME = VALUE of settings. Throws SceneError.
+std::vector<Setting> read_settings(TomlCursor& table);
+/// Path of the scene that the key `scene` names: relative to the folder of `file`, or a shipped scene. Throws
+/// SceneError.
+std::string find_scene_of(TomlCursor& table, const std::filesystem::path& file);
 
 /// Whether the file is a sweep, not a scene. Throws SceneError unless it is TOML.
 bool is_sweep_file(const std::filesystem::path& path);

@@ -62,6 +62,9 @@ command_words() {
     taut list $what --json
   done
   for shell in bash zsh; do taut completion $shell; done
+  taut claims
+  taut claims --run Zhang2024.fig-6a --jobs 1
+  taut --complete claims --run ''
   taut --complete run colliding-rings --set ''
   taut --complete run colliding-rings --set v0
   taut --complete run colliding-r
@@ -73,11 +76,11 @@ command_words() {
 
 command_describe() {
   local what
-  for what in $(taut list methods --json | sed -n 's/^ *"name": "\(.*\)".*/\1/p') scene-file sweep-file body measure; do
+  for what in $(taut list methods --json | sed -n 's/^ *"name": "\(.*\)".*/\1/p') scene-file sweep-file claim-file body measure; do
     taut describe "$what"
   done
-  for what in scene-file sweep-file body; do taut describe $what --json; done
-  for what in scene-file sweep-file; do taut describe $what --schema; done
+  for what in scene-file sweep-file claim-file body; do taut describe $what --json; done
+  for what in scene-file sweep-file claim-file; do taut describe $what --schema; done
   for what in $(taut list scenes --json | sed -n 's/^ *"name": "\(.*\)".*/\1/p'); do taut describe "$what"; done
 }
 

@@ -135,7 +135,7 @@ TEST_SUITE("structure") {
   }
 
   TEST_CASE("rooms and files stay small") {
-    constexpr std::size_t most_units = 20, most_rooms = 14, most_lines = 500;
+    constexpr std::size_t most_units = 20, most_rooms = 15, most_lines = 500;
     constexpr std::size_t most_columns = 122;            // clang-format: 110; raw strings need more
     std::map<std::string, std::set<std::string>> units;  // header and source are one unit
     std::set<std::string> rooms_of_cli;

@@ -73,6 +73,7 @@ TEST_SUITE("cli") {
         {{"describe", "oe"}, {"oenog"}},
         {{"describe", "bod"}, {"body"}},
         {{"describe", "sweep-"}, {"sweep-file"}},
+        {{"claims", "--run", "Zhang2024.fig-19"}, {"Zhang2024.fig-19a", "Zhang2024.fig-19b"}},
         {{"list", "e"}, {"equations"}},
         {{"plot", folder.str("run"), "--columns", "t,g"}, {"t,gap"}},
         {{"check", folder.str("run"), "--measure", ""}, {"touch_time"}},

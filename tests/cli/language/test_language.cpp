@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "cli/claims/claim_file.hpp"
 #include "cli/language/reference.hpp"
 #include "cli/scene/key_info.hpp"
 #include "cli/scene/sections.hpp"
@@ -83,8 +84,17 @@ TEST_SUITE("cli") {
     CHECK(read(set + whole_file(sweep_sections(), "grid")).rows.size() == 2);
   }
 
+  TEST_CASE("language: the section examples of a claim file form a claim file") {
+    const std::filesystem::path path = scratch_folder() / "Monaghan2000.toml";
+    std::ofstream(path, std::ios::binary) << whole_file(claim_sections());
+    const Paper paper = read_paper(path);
+    REQUIRE(paper.claims.size() == 1);
+    CHECK(paper.claims.front().name() == "Monaghan2000.fig-6");
+    CHECK(paper.claims.front().runs.size() == 2);
+  }
+
   TEST_CASE("language: every key has its values and a help text, and every section has a help text") {
-    for (const auto& sections : {scene_sections(), sweep_sections()})
+    for (const auto& sections : {scene_sections(), sweep_sections(), claim_sections()})
       for (const Section& section : sections) CHECK_FALSE(section.help.empty());
     const Rows keys = key_rows();
     CHECK(keys.size() > 100);

@@ -74,6 +74,7 @@ TEST_SUITE("cli") {
     files.push_back(folder / "run/scene.toml");
     check_valid("scene-file", files);
     check_valid("sweep-file", toml_files(scenes / "studies"));
+    check_valid("claim-file", toml_files(scenes / "papers"));
   }
 
   TEST_CASE("schema: taut and the schema refuse invalid scenes at the same key") {
@@ -123,7 +124,8 @@ TEST_SUITE("cli") {
     CHECK(keys["reference"]["items"]["required"] == nlohmann::ordered_json{"law", "name"});
     const Outcome other = call({"describe", "body", "--schema"});
     CHECK(other.code == 2);
-    CHECK(contains(other.err, "--schema cannot describe 'body'; it describes scene-file and sweep-file"));
+    CHECK(contains(other.err,
+                   "--schema cannot describe 'body'; it describes scene-file, sweep-file and claim-file"));
   }
 
   TEST_CASE("schema: a scene can name its schema in a comment") {

@@ -1,0 +1,142 @@
+#include "cli/claims/claim_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <set>
+
+#include "cli/claims/criterion.hpp"
+#include "cli/scene/sections.hpp"
+#include "cli/scene/shipped.hpp"
+#include "cli/scene/toml_cursor.hpp"
+#include "cli/sweep/sweep_file.hpp"
+#include "cli/text/suggest.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array state_names{"holds", "in part", "does not hold"};
+
+std::vector<Setting> settings_below(TomlCursor& above, TomlValue& table, const std::string& key,
+                                    const std::string& what) {
+  TomlCursor cursor = above.enter(table, key, what, keys_of("set"));
+  return read_settings(cursor);
+}
+
+/// Settings of a run have priority over those of its claim.
+std::vector<Setting> merged(const std::vector<Setting>& common, const std::vector<Setting>& own) {
+  std::vector<Setting> all = common;
+  std::erase_if(
+      all, [&](const Setting& s) { return std::ranges::find(own, s.name, &Setting::name) != own.end(); });
+  all.insert(all.end(), own.begin(), own.end());
+  return all;
+}
+
+std::vector<ClaimRun> read_runs(TomlCursor& cursor) {
+  std::vector<Setting> common;
+  if (TomlValue* set = cursor.find("set")) common = settings_below(cursor, *set, "set", "'set'");
+  TomlValue& runs = cursor.need("run");
+  if (runs.kind != TomlValue::Kind::table || runs.entries.empty())
+    cursor.fail(runs, "run", "run must contain a line NAME = { SETTINGS } for each run");
+  std::vector<ClaimRun> all;
+  for (TomlEntry& entry : runs.entries) {
+    if (!is_identifier(entry.key))
+      cursor.fail(entry.place, "run",
+                  "the name of a run must have letters, digits and _ only, not '" + entry.key + "'");
+    if (entry.value.kind != TomlValue::Kind::table)
+      cursor.fail(entry.value, "run", "the run " + entry.key + " must be a table { NAME = value }");
+    all.push_back({entry.key, merged(common, settings_below(cursor, entry.value, "run." + entry.key,
+                                                            "run '" + entry.key + "'"))});
+  }
+  return all;
+}
+
+std::string read_criterion(TomlCursor& cursor, std::string_view key, const std::vector<ClaimRun>& runs) {
+  const TomlValue* value = cursor.find(key);
+  if (!value) return "";
+  const std::string text = cursor.text_of(*value, key);
+  std::vector<std::string> names;
+  for (const ClaimRun& run : runs) names.push_back(run.name);
+  try {
+    check_criterion(text, names);
+  } catch (const UsageError& error) {
+    cursor.fail(*value, key, error.what());
+  }
+  return text;
+}
+
+ClaimState read_state(TomlCursor& cursor) {
+  const std::string text = cursor.text("state", state_names.front());
+  const auto* const found = std::ranges::find(state_names, text);
+  if (found == state_names.end()) cursor.choice("state", {state_names.begin(), state_names.end()});
+  return static_cast<ClaimState>(found - state_names.begin());
+}
+
+Claim read_claim(TomlCursor& cursor, const fs::path& file) {
+  Claim claim;
+  claim.file = file;
+  claim.paper = file.stem().string();
+  claim.key = cursor.line("key");
+  const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
+  if (claim.key.empty() || !std::ranges::all_of(claim.key, fits))
+    cursor.fail(cursor.need("key"), "key",
+                "'" + claim.key + "' is not a valid key; use letters, digits, '_' and '-'");
+  claim.place = cursor.line("place");
+  claim.text = cursor.text("text");
+  claim.published = cursor.line("published", "");
+  claim.looser = cursor.line("looser", "");
+  claim.scene = find_scene_of(cursor, file);
+  claim.quick = cursor.find("cost") == nullptr || cursor.choice("cost", {"quick", "slow"}) == "quick";
+  claim.runs = read_runs(cursor);
+  cursor.need("criterion");
+  claim.criterion = read_criterion(cursor, "criterion", claim.runs);
+  claim.part = read_criterion(cursor, "part", claim.runs);
+  claim.evidence = read_criterion(cursor, "evidence", claim.runs);
+  claim.state = read_state(cursor);
+  claim.reason = cursor.text("reason", "");
+  claim.last_run = cursor.line("last_run");
+  const auto refuse = [&](std::string_view key, const std::string& message) {
+    cursor.fail(cursor.table().place, key, "the claim " + claim.key + message);
+  };
+  if (claim.state != ClaimState::holds && claim.reason.empty())
+    refuse("reason", " does not hold or holds in part and needs a reason");
+  if (claim.state == ClaimState::holds && !claim.reason.empty())
+    refuse("reason", " holds; leave its reason out, or write it into 'looser'");
+  if (claim.state == ClaimState::in_part && claim.part.empty())
+    refuse("part", " holds in part and needs the criterion 'part'");
+  cursor.refuse_unknown_keys();
+  return claim;
+}
+
+}  // namespace
+
+std::string_view name(ClaimState state) { return state_names[static_cast<std::size_t>(state)]; }
+
+Paper read_paper(const fs::path& file) {
+  TomlSource source;
+  source.file = file.string();
+  TomlValue tree = parse_toml(file_text(file), source.file);
+  TomlCursor root(tree, "", "the claim file", keys_of("claims"), {}, source);
+  root.refuse_unknown_keys();
+  Paper paper{file, file.stem().string(), root.line("title"), {}};
+  root.need("claim");
+  std::set<std::string> keys;
+  for (TomlValue& value : root.list("claim")) {
+    TomlCursor cursor = root.enter(value, "claim", "[[claim]]", keys_of("claim"));
+    paper.claims.push_back(read_claim(cursor, file));
+    if (!keys.insert(paper.claims.back().key).second)
+      root.fail(value, "claim", "the claim " + paper.claims.back().key + " exists twice");
+  }
+  return paper;
+}
+
+std::vector<Paper> shipped_papers() {
+  std::vector<Paper> papers;
+  for (const std::string& name : paper_names()) papers.push_back(read_paper(find_paper(name)));
+  return papers;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,185 @@
+#include "cli/claims/claim_tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "cli/scene/shipped.hpp"
+#include "cli/text/format.hpp"
+#include "cli/text/markdown.hpp"
+
+namespace taut::cli {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+constexpr std::array all_states{ClaimState::holds, ClaimState::in_part, ClaimState::does_not_hold};
+
+std::string counts(const std::vector<const Claim*>& claims) {
+  std::string text = std::to_string(claims.size()) + (claims.size() == 1 ? " claim" : " claims");
+  for (const ClaimState state : all_states)
+    text += (state == all_states.front() ? ": " : ", ") +
+            std::to_string(std::ranges::count(claims, state, &Claim::state)) + " " +
+            (state == ClaimState::holds     ? "hold"
+             : state == ClaimState::in_part ? "in part"
+                                            : "do not hold");
+  return text + "\n";
+}
+
+std::string shown_values(const ClaimOutcome& outcome) {
+  std::string text;
+  for (const auto& [quantity, value] : outcome.values)
+    text += (text.empty() ? "" : "; ") + quantity + " " + value;
+  return text;
+}
+
+std::string found(const ClaimOutcome& outcome) {
+  if (!outcome.state) return "no result: " + outcome.problem;
+  return std::string(name(*outcome.state)) + (outcome.evidence ? "" : ", but the evidence is not true");
+}
+
+std::string quoted(const std::string& text) {
+  return text.find_first_of(" *()<>&|\"$") == std::string::npos ? text : "'" + text + "'";
+}
+
+Rows counts_by_paper(const std::vector<Paper>& papers) {
+  Rows rows{{"paper", "claims", "hold", "in part", "do not hold"}};
+  std::array<long, 4> sums{};
+  const auto add = [&](const std::string& title, const std::array<long, 4>& numbers) {
+    rows.push_back({title});
+    for (const long number : numbers) rows.back().push_back(std::to_string(number));
+  };
+  for (const Paper& paper : papers) {
+    std::array<long, 4> numbers{static_cast<long>(paper.claims.size())};
+    for (std::size_t s = 0; s < all_states.size(); ++s)
+      numbers[s + 1] = std::ranges::count(paper.claims, all_states[s], &Claim::state);
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += numbers[k];
+    add(paper.key, numbers);
+  }
+  add("all", sums);
+  return rows;
+}
+
+std::string code(const std::string& text) { return "`" + text + "`"; }
+
+Rows failures(const Paper& paper) {
+  Rows rows{{"claim", "statement", "state", "reason"}};
+  for (const Claim& claim : paper.claims)
+    if (claim.state != ClaimState::holds)
+      rows.push_back(
+          {code(claim.key) + ", " + claim.place, claim.text, std::string(name(claim.state)), claim.reason});
+  return rows;
+}
+
+Rows all_claims(const Paper& paper) {
+  Rows rows{{"claim", "statement", "published", "state", "looser than the paper", "last run"}};
+  for (const Claim& claim : paper.claims)
+    rows.push_back({code(claim.key) + ", " + claim.place, claim.text, claim.published,
+                    std::string(name(claim.state)), claim.looser, claim.last_run});
+  return rows;
+}
+
+}  // namespace
+
+std::string list_of_claims(const std::vector<const Claim*>& claims, std::optional<std::size_t> columns) {
+  Rows rows{{"claim", "place", "state", "cost", "statement"}};
+  for (const Claim* claim : claims)
+    rows.push_back({claim->name(), claim->place, std::string(name(claim->state)),
+                    claim->quick ? "quick" : "slow", claim->text});
+  return in_columns(rows, 0, columns) + "\n" + counts(claims);
+}
+
+std::string command_of(const Claim& claim, const ClaimRun& run) {
+  const std::vector<std::string> shipped = scene_names();
+  const std::string stem = std::filesystem::path(claim.scene).stem().string();
+  std::string command =
+      "taut run " + quoted(std::ranges::find(shipped, stem) != shipped.end() ? stem : claim.scene);
+  for (const Setting& s : run.settings) {
+    const bool own_option = s.name == "method" || s.name == "spacing" || s.name == "until";
+    command +=
+        own_option ? " --" + s.name + " " + quoted(s.value) : " --set " + quoted(s.name + "=" + s.value);
+  }
+  return command;
+}
+
+std::string claim_text(const Claim& claim, std::size_t columns) {
+  std::string text = claim.name() + ", " + claim.place + ": " + std::string(name(claim.state)) + "\n";
+  const auto add = [&](const std::string& title, const std::string& content) {
+    if (!content.empty()) text += wrapped(title + ": " + content, 2, columns) + "\n";
+  };
+  add("statement", claim.text);
+  add("published", claim.published);
+  for (const ClaimRun& run : claim.runs) add("run " + run.name, command_of(claim, run));
+  add("criterion", claim.criterion);
+  add("looser than the paper", claim.looser);
+  add("in part", claim.part);
+  add("reason", claim.reason);
+  add("evidence", claim.evidence);
+  add("last run", claim.last_run);
+  return text;
+}
+
+std::string table_of_outcomes(const std::vector<ClaimOutcome>& outcomes, std::optional<std::size_t> columns) {
+  Rows rows{{"claim", "recorded", "here", "", "values"}};
+  for (const ClaimOutcome& outcome : outcomes)
+    rows.push_back({outcome.claim->name(), std::string(name(outcome.claim->state)), found(outcome),
+                    outcome.agrees() ? "agrees" : "DIFFERS", shown_values(outcome)});
+  const auto differ = std::ranges::count(outcomes, false, &ClaimOutcome::agrees);
+  return in_columns(rows, 0, columns) + "\n" +
+         (differ == 0 ? "all " + std::to_string(outcomes.size()) + " agree"
+                      : std::to_string(differ) + " of " + std::to_string(outcomes.size()) + " differ") +
+         "\n";
+}
+
+std::string claims_markdown(const std::vector<Paper>& papers) {
+  std::string page = markdown_table(counts_by_paper(papers));
+  for (const Paper& paper : papers) {
+    page += "\n## " + paper.key + "\n\n" + paper.title + ".\n";
+    if (const Rows rows = failures(paper); rows.size() > 1)
+      page += "\nClaims that do not hold, or hold in part:\n\n" + markdown_table(rows);
+    page += "\nAll claims:\n\n" + markdown_table(all_claims(paper));
+  }
+  return page;
+}
+
+Json claim_json(const Claim& claim, const ClaimOutcome* outcome) {
+  Json runs = Json::object();
+  for (const ClaimRun& run : claim.runs) runs[run.name] = command_of(claim, run);
+  Json json = {{"name", claim.name()},
+               {"place", claim.place},
+               {"text", claim.text},
+               {"published", claim.published},
+               {"cost", claim.quick ? "quick" : "slow"},
+               {"runs", std::move(runs)},
+               {"criterion", claim.criterion},
+               {"part", claim.part},
+               {"looser", claim.looser},
+               {"state", name(claim.state)},
+               {"reason", claim.reason},
+               {"evidence", claim.evidence},
+               {"last_run", claim.last_run}};
+  if (!outcome) return json;
+  Json values = Json::object();
+  for (const auto& [quantity, value] : outcome->values) values[quantity] = value;
+  json["here"] = {{"state", outcome->state ? Json(name(*outcome->state)) : Json()},
+                  {"evidence", outcome->evidence},
+                  {"agrees", outcome->agrees()},
+                  {"problem", outcome->problem},
+                  {"values", std::move(values)}};
+  return json;
+}
+
+TestReport claims_report(const std::vector<ClaimOutcome>& outcomes) {
+  using Result = TestCase::Result;
+  TestReport report{"claims", "papers", {}};
+  for (const ClaimOutcome& outcome : outcomes) {
+    const Result result = outcome.agrees() ? Result::passed : outcome.state ? Result::failed : Result::error;
+    report.cases.push_back({outcome.claim->name(), result,
+                            outcome.claim->name() + ": recorded as '" +
+                                std::string(name(outcome.claim->state)) + "', here " + found(outcome) + " (" +
+                                shown_values(outcome) + ")"});
+  }
+  return report;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,135 @@
+#include <fstream>
+
+#include <doctest/doctest.h>
+
+#include "cli/claims/claim_file.hpp"
+#include "cli/claims/criterion.hpp"
+#include "engine/error.hpp"
+#include "tests/support/program_runner.hpp"
+
+using namespace taut;
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+/// Two runs of the tiny scene; `changed` replaces lines of the claim.
+std::string claim_file(const TemporaryFolder& folder, const std::string& lines) {
+  write_tiny_scene(folder);
+  std::ofstream(folder / "Nobody1999.toml") << R"(title = "Nobody"
+[[claim]]
+key = "fig-1"
+place = "Fig. 1"
+text = "Faster discs carry more energy."
+scene = "discs.toml"
+last_run = "2000-01-01"
+)" + lines;
+  return (folder / "Nobody1999.toml").string();
+}
+
+const std::string two_runs = "run.slow = { until = 0.0002 }\nrun.fast = { until = 0.0002, speed = 4 }\n";
+
+Outcome run_claim(const TemporaryFolder& folder, const std::string& lines) {
+  return call({"claims", claim_file(folder, lines), "--all", "--quiet", "--jobs", "1", "--out",
+               (folder / "out").string()});
+}
+
+std::string refusal(const std::string& lines) {
+  const TemporaryFolder folder;
+  return call({"claims", claim_file(folder, lines)}).err;
+}
+
+const std::string more_energy = "fast.first.kinetic_energy > 3.9*slow.first.kinetic_energy";
+const std::string less_energy = "fast.first.kinetic_energy < slow.first.kinetic_energy";
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("claims: a run agrees if its state is the recorded one") {
+    const TemporaryFolder folder;
+    const auto state = [&](const std::string& lines) { return run_claim(folder, two_runs + lines); };
+    const Outcome holds = state("criterion = '" + more_energy + "'");
+    CHECK(holds.code == 0);
+    CHECK(contains(holds.out, "all 1 agree"));
+    const Outcome fails = state("criterion = '" + less_energy + "'");
+    CHECK(fails.code == 1);
+    CHECK(contains(fails.out, "does not hold"));
+    CHECK(contains(fails.out, "1 of 1 differ"));
+    const std::string with_reason = "reason = 'none'\nstate = ";
+    CHECK(state("criterion = '" + less_energy + "'\n" + with_reason + "'does not hold'").code == 0);
+    CHECK(state("criterion = '" + more_energy + "'\n" + with_reason + "'does not hold'").code == 1);
+    const std::string part = "criterion = '" + less_energy + "'\npart = '" + more_energy + "'\n";
+    CHECK(state(part + with_reason + "'in part'").code == 0);
+    CHECK(state(part + with_reason + "'does not hold'").code == 1);
+    const std::string weak = part + with_reason + "'in part'\nevidence = '" + less_energy + "'";
+    const Outcome without_evidence = state(weak);
+    CHECK(without_evidence.code == 1);
+    CHECK(contains(without_evidence.out, "but the evidence is not true"));
+  }
+
+  TEST_CASE("claims: a measure without value is a disagreement, whatever the recorded state") {
+    const TemporaryFolder folder;
+    const std::string lines =
+        two_runs + "criterion = 'slow.touch_tim > 0'\nreason = 'none'\nstate = 'does not hold'";
+    const Outcome wrong = run_claim(folder, lines);
+    CHECK(wrong.code == 1);
+    CHECK(contains(wrong.out, "no result: slow: unknown measure or number of run.json 'touch_tim'"));
+  }
+
+  TEST_CASE("claims: the list, a single claim and JSON contain state and commands") {
+    const TemporaryFolder folder;
+    const std::string file = claim_file(folder, two_runs + "criterion = '" + more_energy + "'");
+    const Outcome one = call({"claims", file});
+    CHECK(contains(one.out, "Nobody1999.fig-1, Fig. 1: holds"));
+    CHECK(contains(one.out, "discs.toml --until 2e-04 --set speed=4"));
+    const auto json = nlohmann::ordered_json::parse(call({"claims", file, "--json"}).out);
+    CHECK(json["claims"][0]["name"] == "Nobody1999.fig-1");
+    CHECK(json["claims"][0]["state"] == "holds");
+    CHECK_FALSE(json["claims"][0].contains("here"));
+    CHECK(contains(call({"claims", file, "--markdown"}).out, "| Nobody1999 | 1 | 1 | 0 | 0 |"));
+  }
+
+  TEST_CASE("claims: unknown papers and claims are refused with the nearest names") {
+    CHECK(contains(call({"claims", "Zhang2025"}).err,
+                   "unknown paper 'Zhang2025' (did you mean 'Zhang2020' or 'Zhang2024'?)"));
+    const Outcome wrong = call({"claims", "Zhang2024", "--run", "fig-3x"});
+    CHECK(wrong.code == 2);
+    CHECK(contains(wrong.err, "unknown claim 'fig-3x'"));
+    CHECK(contains(call({"claims", "Zhang2024.fig-3aa"}).err, "did you mean 'Zhang2024.fig-3a'"));
+    CHECK(call({"claims", "--junit", "a.xml"}).code == 2);
+  }
+
+  TEST_CASE("claims: a mistake in a claim file is refused with its place") {
+    const std::string fine = two_runs + "criterion = '" + more_energy + "'\n";
+    CHECK(refusal(fine).empty());
+    CHECK(contains(refusal(two_runs + "criterion = 'fst.verdict == stable'"),
+                   "Nobody1999.toml:10:13: 'fst.verdict': unknown run 'fst' (did you mean 'fast'?)"));
+    CHECK(contains(refusal(two_runs + "criterion = 'fast.verdict == stabl'"), "did you mean 'stable'"));
+    CHECK(contains(refusal(two_runs + "criterion = '1 < 2'"), "contains no quantity of a run"));
+    CHECK(contains(refusal(two_runs), "criterion"));
+    CHECK(contains(refusal(fine + "state = 'hold'"), "'hold'"));
+    CHECK(contains(refusal(fine + "state = 'does not hold'"), "needs a reason"));
+    CHECK(contains(refusal(fine + "reason = 'none'"), "leave its reason out"));
+    CHECK(contains(refusal(fine + "state = 'in part'\nreason = 'none'"), "needs the criterion 'part'"));
+    CHECK(contains(refusal(fine + "stat = 'holds'"), "stat"));
+    CHECK(contains(refusal("criterion = 'a.verdict == stable'"), "run"));
+  }
+
+  TEST_CASE("claims: a setting that the scene lacks is refused with its place") {
+    const TemporaryFolder folder;
+    const Outcome wrong = run_claim(folder, "run.a = { speeed = 1 }\ncriterion = 'a.verdict == stable'");
+    CHECK(wrong.code == 2);
+    CHECK(contains(wrong.err, "Nobody1999.toml:8:"));
+    CHECK(contains(wrong.err, "speeed"));
+  }
+
+  TEST_CASE("claims: the quantities of a criterion are found, each once") {
+    const auto quantities = quantities_in("a.min.tip > -0.5*a.min.tip && sqrt(b.since.fractured) < 1.5e-3");
+    REQUIRE(quantities.size() == 2);
+    CHECK(quantities[0].name() == "a.min.tip");
+    CHECK(quantities[1].run == "b");
+    CHECK(quantities[1].path == "since.fractured");
+    CHECK(is_met("a.verdict >= fractured && a.x < -0.5", {{"a.verdict", 4}, {"a.x", -1}}));
+    CHECK_FALSE(is_met("a.verdict < fractured", {{"a.verdict", 3}}));
+  }
+}
