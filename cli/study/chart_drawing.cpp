@@ -106,7 +106,7 @@ std::string frame(const Chart& chart, const Layout& layout) {
   text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\n";
   text += "set xrange [" + exact(layout.cost.low) + ":" + exact(layout.cost.high) + "]\n";
   text += "set yrange [" + exact(layout.error.low) + ":" + exact(layout.end()) + "]\n";
-  text += "set xtics " + ticks(layout.cost, chart.cost == Cost::seconds ? brief : with_prefix) + "\n";
+  text += "set xtics " + ticks(layout.cost, is_time(chart.cost) ? brief : with_prefix) + "\n";
   text += "set ytics " + ticks(layout.error, brief) + "\n";
   text += "set xlabel " + plot_text(label(chart.cost)) + "\n";
   text += "set ylabel " + plot_text(error_label(chart)) + "\n";

@@ -59,9 +59,11 @@ std::size_t place_of(std::vector<std::string>& names, const std::string& name) {
 }
 
 MapCell cell_of(const StoredRun& run) {
-  MapCell cell{.verdict = "", .status = run.text("status"), .since = {}};
-  if (run.has_result()) cell.verdict = run.text("verdict");
-  if (!cell.verdict.empty()) cell.since = run.number("since." + cell.verdict);
+  MapCell cell{.verdict = "", .status = run.status, .since = {}};
+  if (!run.has_result() || !run.record.verdict) return cell;
+  cell.verdict = run.verdict();
+  const auto since = run.record.since.find(*run.record.verdict);
+  if (since != run.record.since.end()) cell.since = since->second;
   return cell;
 }
 

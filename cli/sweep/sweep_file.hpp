@@ -15,6 +15,7 @@ struct SweepFile {
   std::string title, scene;
   std::vector<Setting> set;
   std::vector<GridRow> rows;
+  int repeat = 1;
   StudyPictures pictures;
 };
 
