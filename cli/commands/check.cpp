@@ -29,11 +29,11 @@ std::vector<Finding> findings(const CheckArguments& o, const StoredRun& run) {
     if (!check_end(baseline).fine)
       throw UsageError("the baseline '" + o.baseline +
                        "' is a run that has not finished; give a finished one");
-    if (baseline.text("scene") != run.text("scene"))
-      throw UsageError("the baseline is a run of scene '" + baseline.text("scene") +
-                       "', the run is of scene '" + run.text("scene") + "'; both must be of one scene");
+    if (baseline.record.scene != run.record.scene)
+      throw UsageError("the baseline is a run of scene '" + baseline.record.scene +
+                       "', the run is of scene '" + run.record.scene + "'; both must be of one scene");
     for (const Expectation& e : expectations_of(baseline, *tolerance)) expected.push_back(e);
-    if (o.verdict.empty()) all.push_back(check_verdict(run, baseline.text("verdict")));
+    if (o.verdict.empty()) all.push_back(check_verdict(run, baseline.verdict()));
   }
   if (!o.verdict.empty()) all.push_back(check_verdict(run, o.verdict));
   for (const Expectation& e : expected) all.push_back(check_expectation(run, e));

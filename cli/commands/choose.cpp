@@ -61,11 +61,9 @@ std::vector<std::string> stored_results(const std::string& scene) {
 
 /// The scene's value of a swept name, or empty.
 std::string value_in(const SceneFile& file, const std::string& name) {
-  const auto parameter = std::ranges::find(file.parameters, name, &Parameter::name);
-  if (parameter != file.parameters.end()) return exact(parameter->value);
-  if (name == "until") return exact(file.scene.until);
-  if (name == "law") return file.settings.law.empty() ? "neo-hookean" : file.settings.law;
-  return "";
+  const ResolvedSetting* found = file.find_resolved(name);
+  if (!found) return "";
+  return name == "law" && found->value.empty() ? "neo-hookean" : found->value;
 }
 
 bool is_same(const std::string& a, const std::string& b) {
@@ -118,7 +116,7 @@ int choose(const ChooseArguments& options, Streams streams) {
                      "; choose other values with --set");
   if (!wanted.empty())
     streams.err << "taut: only runs with " << wanted << " are used; choose other values with --set\n";
-  const Chart chart = make_chart(results, {options.measure, Cost::seconds});
+  const Chart chart = make_chart(results, {options.measure, Cost::wall});
   if (error && !chart.unit.empty() && options.error->ends_with('%'))
     throw UsageError("the errors of " + chart.measure + " have the unit " + chart.unit +
                      " and cannot be given in %; give --error in " + chart.unit);

@@ -103,7 +103,7 @@ int run(const RunArguments& options, Streams streams) {
     streams.err << "taut: " << result.failure << "; " << advice(plan.file, result.record.steps) << '\n';
   const int code = exit_code(result, fail_on);
   if (code == exit_diverged && result.failure.empty())
-    streams.err << "taut: exit code " << code << ", since the verdict is " << name(result.record.verdict)
+    streams.err << "taut: exit code " << code << ", since the verdict is " << name(*result.record.verdict)
                 << " and --fail-on is " << name(*fail_on) << '\n';
   return code;
 }

@@ -12,6 +12,7 @@
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/system/folder_lock.hpp"
+#include "cli/system/machine.hpp"
 #include "cli/text/format.hpp"
 #include "engine/core/machine.hpp"
 #include "engine/error.hpp"
@@ -34,9 +35,12 @@ SweepPlan make_plan(const SweepOptions& o) {
 
 std::string listing(const SweepPlan& plan) {
   std::vector<std::vector<std::string>> rows{{"run", "sets", "folder", "state"}};
-  for (const SweepRun& run : plan.runs)
-    rows.push_back(
-        {std::to_string(run.index), text_of(run.settings), run.folder, std::string(name(run.state))});
+  for (const SweepRun& run : plan.runs) {
+    const auto again = std::ranges::count(run.repetitions, SweepRunState::done, &SweepRun::state);
+    rows.push_back({std::to_string(run.index), text_of(run.settings), run.folder,
+                    std::string(name(run.state)) +
+                        (run.repetitions.empty() ? "" : ", repetitions: " + std::to_string(again))});
+  }
   const auto done = std::ranges::count(plan.runs, SweepRunState::done, &SweepRun::state);
   return in_columns(rows, 0) + "\n" + std::to_string(done) + " of " + std::to_string(plan.runs.size()) +
          " runs are done in " + plan.folder.string() + "\n";
@@ -59,22 +63,33 @@ int emit(const SweepOptions& o, const Options& command, const SweepPlan& plan, s
   return exit_fine;
 }
 
-int default_jobs(int threads) { return std::max(1, cores() / threads); }
+/// Costs are measured by at most one job per physical core.
+int number_of_jobs(const SweepPlan& plan, const SweepOptions& o) {
+  const bool costs = !plan.runs.empty() && !plan.runs.front().repetitions.empty();
+  const int most = std::max(1, (costs ? physical_cores() : cores()) / o.run.threads);
+  if (costs && o.jobs > most)
+    throw UsageError("--jobs is " + std::to_string(*o.jobs) +
+                     "; a sweep with repetitions measures costs, so at most " + std::to_string(most) +
+                     " are allowed: one per physical core and thread");
+  return o.jobs.value_or(most);
+}
 
 std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o, std::ostream& err) {
   std::vector<SweepRun*> runs;
   int outdated = 0;
-  for (SweepRun& run : plan.runs) {
-    if (o.index && run.index != *o.index) continue;
-    run.read_folder();  // another process may have changed it before this one held the lock
-    if (run.state == SweepRunState::damaged)
-      err << "taut: run " << run.index << " (" << text_of(run.settings)
-          << "): " << RunFolder(*run.options.out).record().string() << " is damaged; the run is repeated\n";
-    outdated += run.state == SweepRunState::outdated;
-    run.forced = o.force;
-    if (run.forced) run.forget();
-    if (run.state != SweepRunState::done) runs.push_back(&run);
-  }
+  for (SweepRun& of_row : plan.runs)
+    for (SweepRun* run : of_row.all()) {
+      if (o.index && run->index != *o.index) continue;
+      run->read_folder();  // another process may have changed it before this one held the lock
+      if (run->state == SweepRunState::damaged)
+        err << "taut: run " << run->index << " (" << text_of(run->settings)
+            << "): " << RunFolder(*run->options.out).record().string()
+            << " is damaged; the run is repeated\n";
+      outdated += run->state == SweepRunState::outdated;
+      run->forced = o.force;
+      if (run->forced) run->forget();
+      if (run->state != SweepRunState::done) runs.push_back(run);
+    }
   if (outdated > 0)
     err << "taut: " << outdated << (outdated == 1 ? " finished run" : " finished runs") << " in '"
         << plan.folder.string() << "' " << (outdated == 1 ? "has" : "have")
@@ -173,6 +188,7 @@ int execute(SweepPlan& plan, const SweepArguments& o, Streams streams) {
   for (const std::string& remark : plan.remarks) streams.err << "taut: " << remark << '\n';
   const std::optional<Verdict> fail_on = parse_verdict(o.fail_on);
   if (o.jobs) check_threads(*o.jobs, "--jobs");
+  const int jobs = number_of_jobs(plan, o);
   using Of = FolderLock::Of;
   const FolderLock lock(plan.folder, o.index ? Of::part_of_sweep : Of::sweep, "taut sweep", streams.err);
   const Interrupts interrupts;
@@ -189,8 +205,7 @@ int execute(SweepPlan& plan, const SweepArguments& o, Streams streams) {
   results.write();
   SweepEnd end;
   if (!runs.empty()) {
-    SweepRunner runner(runs, o.jobs.value_or(default_jobs(o.run.threads)), interrupts, progress,
-                       {ended, [&] { results.write_when_due(); }});
+    SweepRunner runner(runs, jobs, interrupts, progress, {ended, [&] { results.write_when_due(); }});
     end = runner.execute(plan.title);
     results.write();
   }

@@ -143,7 +143,7 @@ method = "tl"
 )toml"},
     {"chart", R"toml([chart]
 measure = ["least_diameter", "rebound_ratio"]
-cost = "seconds"
+cost = "cpu"
 )toml"},
     {"map", R"toml([map]
 parameter = "v0"

@@ -223,11 +223,17 @@ const Texts scene_rules{
     "VS Code with Even Better TOML, completes and checks a scene whose first line is `#:schema "
     "./scene.schema.json`."};
 
+std::string general_settings() {
+  Texts names;
+  for (const SettingInfo& info : setting_infos()) names.emplace_back(info.name);
+  return join(names);
+}
+
 const Texts sweep_rules{
     "A sweep is a TOML file that runs a scene with every combination of some values: `taut sweep "
     "my-sweep.toml`.",
-    "Names that can be set: the parameters of the scene; method.NAME, a constant of the method; method, "
-    "spacing, until, cfl, stepping, contact, law, jitter, jitter_seed.",
+    "Names that can be set: the parameters of the scene; method.NAME, a constant of the method; " +
+        general_settings() + ".",
     "A study is a sweep with a [chart], a [map] or a [history], which draw its results."};
 
 const Texts claim_rules{

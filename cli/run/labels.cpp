@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "cli/text/format.hpp"
 #include "engine/methods/catalogue.hpp"
 #include "render/page/ticks.hpp"
@@ -21,20 +23,25 @@ std::string spacing_text(double spacing) {
   return "dp = " + brief(spacing * scale.factor) + " " + scale.unit;
 }
 
+std::string short_number(const std::string& value) {
+  const auto number = parsed<double>(value);
+  return number ? brief(*number) : value;
+}
+
+/// Constants and settings other than the method's.
 void add_settings(std::vector<Remark>& remarks, const SceneFile& file) {
-  const MethodInfo& method = *find_method(file.settings.method);
-  for (const MethodConstant& constant : method_constants(method.formulation, file.scene.dim)) {
-    const auto given = file.settings.constants.find(std::string(constant.name));
-    if (given != file.settings.constants.end() && given->second != constant.value)
-      remarks.push_back({given->first, given->first + " = " + brief(given->second)});
+  const auto changed = [](const ResolvedSetting& s) { return s.value != s.default_value; };
+  for (const ResolvedSetting& each : file.resolved)
+    if (each.name.starts_with(constant_prefix) && changed(each)) {
+      const std::string constant = each.name.substr(constant_prefix.size());
+      remarks.push_back({constant, constant + " = " + short_number(each.value)});
+    }
+  const std::string_view own_contact = name(find_method(file.settings.method)->contact);
+  for (const SettingInfo& info : setting_infos()) {
+    const ResolvedSetting& each = *file.find_resolved(info.name);
+    if (!info.label.empty() && changed(each) && !(info.name == "contact" && each.value == own_contact))
+      remarks.push_back({each.name, fmt::format(fmt::runtime(info.label), short_number(each.value))});
   }
-  if (file.settings.cfl > 0 && file.settings.cfl != method.cfl)
-    remarks.push_back({"cfl", "CFL " + brief(file.settings.cfl)});
-  if (!method.laws.empty() && file.settings.law != method.laws.front().name)
-    remarks.push_back({"law", "law " + file.settings.law});
-  if (file.settings.stepping == Stepping::single) remarks.push_back({"stepping", "single stepping"});
-  if (file.scene.contact != ContactLaw::published && file.scene.contact != method.contact)
-    remarks.push_back({"contact", "contact " + std::string(name(file.scene.contact))});
 }
 
 std::vector<Remark> remarks_on(const SceneFile& file) {

@@ -12,7 +12,7 @@ namespace {
 std::string ending(const SavedRun& run, double until) {
   const std::optional<StoredRecord> record = checked_record(run.folder.record());
   const bool failed = record && record->status == RunRecord::Status::failed;
-  const double last = failed && record->reached ? *record->reached : run.particles.back().time();
+  const double last = failed && record->reached > 0 ? record->reached : run.particles.back().time();
   return (failed ? "diverged at " : "ended at ") + render::format_time(last, until);
 }
 

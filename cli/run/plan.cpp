@@ -64,23 +64,6 @@ double history_interval(const RunOptions& options, const SceneFile& file) {
   return interval;
 }
 
-std::string value_in(const SceneFile& file, const Setting& setting) {
-  constexpr std::string_view prefix = "method.";
-  const auto parameter = std::ranges::find(file.parameters, setting.name, &Parameter::name);
-  if (parameter != file.parameters.end()) return exact(parameter->value);
-  if (setting.name.starts_with(prefix))
-    return exact(file.settings.constants.at(setting.name.substr(prefix.size())));
-  if (setting.name == "until") return exact(file.scene.until);
-  if (setting.name == "cfl") return exact(file.settings.cfl);
-  if (setting.name == "jitter") return exact(file.scene.jitter.share);
-  if (setting.name == "jitter_seed") return std::to_string(file.scene.jitter.seed);
-  if (setting.name == "law") return file.settings.law;
-  if (setting.name == "contact") return std::string(name(file.scene.contact));
-  if (setting.name == "stepping") return file.settings.stepping == Stepping::single ? "single" : "dual";
-  // as requested, not rounded
-  return parsed<double>(setting.value) ? setting.value : exact(file.requested_spacing);
-}
-
 /// The run folder of this scene.toml.
 std::optional<std::filesystem::path> run_folder_of(const SceneFile& file) {
   const RunFolder folder(std::filesystem::absolute(file.path).parent_path());
@@ -90,39 +73,30 @@ std::optional<std::filesystem::path> run_folder_of(const SceneFile& file) {
   return folder.path();
 }
 
-/// Differences from defaults and published constants, such as "-v0=0.08-spacing=0.002", to separate folders.
-std::string changes_text(const RunOptions& options, const SceneFile& file) {
+/// Changes such as "-v0=0.08-spacing=0.002", to separate folders: settings, and unless `again` changed parameters of a
+/// copied scene.toml.
+std::string changes_text(const SceneFile& file, bool again) {
   constexpr std::size_t longest = 120;
-  std::vector<Setting> method;
-  std::map<std::string, Setting> last;  // of equal names the last counts
-  for (const Setting& setting : options.settings)
-    if (setting.name == "method")
-      method = {setting};
-    else
-      last[setting.name] = setting;
-  for (const Parameter& parameter : file.parameters)  // changed in a copied scene.toml
-    if (!run_folder_of(file) && parameter.value != parameter.default_value)
-      last.try_emplace(parameter.name, Setting{parameter.name, ""});
-  if (last.empty()) return "";
-  const SceneFile as_it_is = read_again(file, method);
+  using enum ResolvedSetting::Source;
+  std::vector<ResolvedSetting> all = file.resolved;
+  std::ranges::sort(all, {}, &ResolvedSetting::name);
   std::string text;
-  for (const auto& [name, setting] : last) {
-    const std::string value = value_in(file, setting);
-    const auto parameter = std::ranges::find(file.parameters, name, &Parameter::name);
-    const std::string usual = parameter != file.parameters.end() ? exact(parameter->default_value)
-                              : name == "spacing"                ? exact(as_it_is.scene.spacing)
-                                                                 : value_in(as_it_is, setting);
-    if (value != usual) text += "-" + name + "=" + value;
+  for (const ResolvedSetting& each : all) {
+    const bool of_copy = !again && each.source == scene &&
+                         std::ranges::count(file.parameters, each.name, &Parameter::name) > 0;
+    if (each.name != "method" && (each.source == setting || of_copy))
+      text += "-" + each.name + "=" + each.value;
   }
   return text.size() <= longest ? text : text.substr(0, longest) + fmt::format("-{:x}", hash_of(text));
 }
 
-std::string default_folder(const RunOptions& options, const SceneFile& file) {
-  if (const auto left = run_folder_of(file))
-    return "out/" + left->filename().string() + "-again" +
-           (file.settings.method == read_again(file).settings.method ? "" : "-" + file.settings.method) +
-           changes_text(options, file);
-  return "out/" + file.scene.name + "-" + file.settings.method + changes_text(options, file);
+std::string default_folder(const SceneFile& file) {
+  const auto left = run_folder_of(file);
+  const std::string changes = changes_text(file, left.has_value());
+  if (!left) return "out/" + file.scene.name + "-" + file.settings.method + changes;
+  const bool changed = file.find_resolved("method")->source == ResolvedSetting::Source::setting;
+  return "out/" + left->filename().string() + "-again" + (changed ? "-" + file.settings.method : "") +
+         changes;
 }
 
 std::string no_use(const RunOptions& options) {
@@ -274,7 +248,7 @@ RunPlan make_plan(const RunOptions& options) {
   file.history = history_interval(options, file);
   if (options.out && options.out->empty()) throw UsageError("--out is empty; name a folder");
   plan.folder = options.out ? RunFolder(*options.out, options.out_named)
-                            : RunFolder(default_folder(options, file), /*named=*/false);
+                            : RunFolder(default_folder(file), /*named=*/false);
   refuse_second_columns(file);
   for (const std::string& remark : {no_use(options), lines_without_samples(file.scene),
                                     warning_about_reactions(file.scene, *find_method(file.settings.method))})

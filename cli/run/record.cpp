@@ -1,67 +1,157 @@
 #include "cli/run/record.hpp"
 
-#include <cmath>
-#include <fstream>
+#include <algorithm>
+#include <concepts>
+#include <type_traits>
 
 #include "cli/system/atomic_file.hpp"
-#include "cli/system/build_info.hpp"
 #include "cli/text/format.hpp"
-#include "cli/text/json_cursor.hpp"
 #include "engine/error.hpp"
 #include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {
 namespace {
 
-std::string_view name(RunRecord::Status status) {
-  switch (status) {
-    case RunRecord::Status::running:
-      return "running";
-    case RunRecord::Status::finished:
-      return "finished";
-    case RunRecord::Status::interrupted:
-      return "interrupted";
-    case RunRecord::Status::failed:
-      return "failed";
+using Status = RunRecord::Status;
+constexpr std::pair<std::string_view, Status> statuses[] = {{"running", Status::running},
+                                                            {"finished", Status::finished},
+                                                            {"interrupted", Status::interrupted},
+                                                            {"failed", Status::failed}};
+
+// `members` lists the keys of an object. `written` and `read` convert a type to and from JSON.
+
+template <class T, class Of>
+concept is_of = std::same_as<std::remove_const_t<T>, Of>;
+
+template <is_of<Seconds> T>
+void members(T& seconds, const auto& use) {
+  use("setup", seconds.setup);
+  use("solve", seconds.solve);
+  use("render", seconds.render);
+  use("write", seconds.write);
+  use("cpu", seconds.cpu);
+}
+
+template <is_of<Conservation> T>
+void members(T& drift, const auto& use) {
+  use("linear_momentum", drift.linear_momentum);
+  use("angular_momentum", drift.angular_momentum);
+  use("energy", drift.energy);
+  use("energy_gained", drift.energy_gained);
+  use("energy_lost", drift.energy_lost);
+}
+
+template <is_of<BeyondLaw> T>
+void members(T& beyond, const auto& use) {
+  use("since", beyond.since);
+  use("share", beyond.share);
+}
+
+template <is_of<MeasureResult> T>
+void members(T& measure, const auto& use) {
+  use("kind", measure.kind);
+  use("value", measure.value);
+  use("unit", measure.unit);
+  use("reference", measure.reference);
+  use("reference_name", measure.reference_name);
+  use("error", measure.error);
+  use("why", measure.why);
+}
+
+Json written(const auto& value) requires std::convertible_to<decltype(value), Json> { return value; }
+template <class T>
+requires std::is_arithmetic_v<T>
+void read(const JsonCursor& json, T& value) { value = json.number_as<T>(); }
+void read(const JsonCursor& json, std::string& value) { value = json.text(); }
+void read(const JsonCursor& json, std::optional<double>& value) { value = json.number(); }
+
+template <class T>
+requires requires(T& value) {
+  members(value, [](const char*, auto&) {});
+}
+Json written(const T& value) {
+  Json json = Json::object();
+  members(value, [&](const char* key, const auto& member) { json.append(key, written(member)); });
+  return json;
+}
+template <class T>
+requires requires(T& value) {
+  members(value, [](const char*, auto&) {});
+}
+void read(const JsonCursor& json, T& value) {
+  if (json.is_null()) return;
+  members(value, [&](const char* key, auto& member) {
+    if (const JsonCursor inner = json.at(key); !inner.is_missing()) read(inner, member);
+  });
+}
+
+Json written(const std::optional<std::string>& text) { return text ? Json(*text) : Json(); }
+void read(const JsonCursor& json, std::optional<std::string>& text) {
+  if (!json.is_null()) text = json.text();
+}
+
+Json written(const std::optional<Status>& status) {
+  for (const auto& [name, value] : statuses)
+    if (status == value) return name;
+  return {};
+}
+void read(const JsonCursor& json, std::optional<Status>& status) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : statuses) names.emplace_back(name);
+  const std::string chosen = json.choice(names);
+  for (const auto& [name, value] : statuses)
+    if (name == chosen) status = value;
+}
+
+Json written(const std::optional<Verdict>& verdict) { return verdict ? Json(name(*verdict)) : Json(); }
+void read(const JsonCursor& json, std::optional<Verdict>& verdict) {
+  verdict = find_verdict(json.choice(names_of_verdicts()));
+}
+
+Json written(const std::vector<std::pair<std::string, double>>& parameters) {
+  Json all = Json::object();
+  for (const auto& [name, value] : parameters) all.append(name, value);
+  return all;
+}
+void read(const JsonCursor& json, std::vector<std::pair<std::string, double>>& parameters) {
+  for (const auto& [name, value] : json.members()) parameters.emplace_back(name, value.number_as<double>());
+}
+
+Json written(const std::map<Verdict, double>& since) {
+  Json all = Json::object();
+  for (const auto& [verdict, time] : since) all.append(std::string(name(verdict)), time);
+  return all;
+}
+void read(const JsonCursor& json, std::map<Verdict, double>& since) {
+  for (const auto& [key, time] : json.members())
+    if (const auto verdict = find_verdict(key)) since[*verdict] = time.number_as<double>();
+}
+
+Json written(const std::vector<MeasureResult>& measures) {
+  Json all = Json::object();
+  for (const MeasureResult& measure : measures) {
+    Json one = Json::object();
+    members(measure, [&](const std::string& key, const auto& member) {
+      if (key != "why" || !measure.why.empty()) one.append(key, written(member));
+    });
+    if (measure.reference_name.empty()) one["reference_name"] = nullptr;
+    all.append(measure.name, std::move(one));
   }
-  return "";
-}
-
-std::optional<RunRecord::Status> find_status(std::string_view text) {
-  using enum RunRecord::Status;
-  for (const RunRecord::Status status : {running, finished, interrupted, failed})
-    if (name(status) == text) return status;
-  return std::nullopt;
-}
-
-std::string text_in(const Json& object, const char* key) {
-  const Json* found = object.find(key);
-  return found && found->is_text() ? found->text() : "";
-}
-
-std::optional<double> number_in(const Json& object, const char* key) {
-  const Json* found = object.find(key);
-  return found && found->is_number() ? std::optional(found->number()) : std::nullopt;
-}
-
-Json parameters(const RunRecord& record) {
-  Json all = Json::object();
-  for (const Parameter& p : record.parameters) all[p.name] = p.value;
   return all;
 }
-
-Json since(const RunRecord& record) {
-  Json all = Json::object();
-  for (const auto& [verdict, time] : record.since) all[std::string(name(verdict))] = time;
-  return all;
+void read(const JsonCursor& json, std::vector<MeasureResult>& measures) {
+  for (const auto& [name, one] : json.members()) {
+    MeasureResult& measure = measures.emplace_back();
+    measure.name = name;
+    read(one, measure);
+  }
 }
 
-Json all_indicators(const RunRecord& record) {
+Json written_indicators(const RunRecord& record) {
   Json all = {{"pieces", record.pieces}};
   for (std::size_t k = 0; k < indicators.size(); ++k) {
     const IndicatorRecord& each = record.indicator[k];
-    all[std::string(indicators[k].key)] = {
-        {"greatest", each.greatest()}, {"at", each.at}, {"last", each.last}};
+    all[indicators[k].key] = {{"greatest", each.greatest()}, {"at", each.at}, {"last", each.last}};
   }
   if (!record.patch_body.empty()) {
     all[indicators[0].key]["body"] = record.patch_body;
@@ -70,20 +160,110 @@ Json all_indicators(const RunRecord& record) {
   }
   return all;
 }
-
-Json measures(const RunRecord& record) {
-  Json all = Json::object();
-  for (const MeasureResult& m : record.measures) {
-    Json& one = all[m.name];
-    one["kind"] = m.kind;
-    one["value"] = m.value;
-    one["unit"] = m.unit;
-    one["reference"] = m.reference;
-    one["reference_name"] = m.reference_name.empty() ? Json(nullptr) : Json(m.reference_name);
-    one["error"] = m.error;
-    if (!m.why.empty()) one["why"] = m.why;
+void read_indicators(const JsonCursor& json, RunRecord& record) {
+  if (json.is_null()) return;
+  read(json.at("pieces"), record.pieces);
+  for (std::size_t k = 0; k < indicators.size(); ++k) {
+    const JsonCursor each = json.at(std::string(indicators[k].key));
+    if (each.is_null()) continue;
+    record.indicator[k].greatest_whole = 1;
+    read(each.at("greatest"), record.indicator[k].greatest_part);
+    read(each.at("at"), record.indicator[k].at);
+    read(each.at("last"), record.indicator[k].last);
+    if (k > 0) continue;
+    record.patch_body = each.at("body").text();
+    for (const JsonCursor& x : each.at("place").items()) record.patch_place.push_back(x.number_as<double>());
   }
+}
+
+Json written_warnings(const RunRecord& record) {
+  Json all;
+  for (const RunWarning& warning : warnings(record)) all[warning.key] = warning.figures;
   return all;
+}
+void read_warnings(const JsonCursor& json, RunRecord& record) {
+  for (const auto& [key, warning] : json.members())
+    for (const auto& [figure, value] : warning.members()) {
+      const double number = value.number_as<double>();
+      Excess* excess = key == "gains_energy"      ? &record.energy_gain
+                       : key == "turns_by_itself" ? &record.turn
+                                                  : nullptr;
+      if (excess) (figure == "since" ? excess->since : excess->greatest) = number;
+    }
+}
+
+using Place = RecordField::Place;
+
+template <auto member>
+constexpr RecordField field(std::string_view key, Place place = Place::everywhere) {
+  return {key, [](const RunRecord& record) { return written(record.*member); },
+          [](const JsonCursor& json, RunRecord& record) { read(json, record.*member); }, place};
+}
+
+/// The keys in reading order. A key needs its row here and its member of RunRecord.
+constexpr RecordField fields[] = {
+    field<&RunRecord::version>("taut", Place::run_json),
+    {"format", [](const RunRecord&) { return Json(format_of("run.json")); },
+     [](const JsonCursor& json, RunRecord&) { json.number(); }, Place::run_json},
+    field<&RunRecord::scene>("scene"),
+    field<&RunRecord::method>("method"),
+    field<&RunRecord::material_law>("material_law"),
+    field<&RunRecord::remark>("remark", Place::everywhere_if_known),
+    field<&RunRecord::contact>("contact", Place::everywhere_if_known),
+    field<&RunRecord::stepping>("stepping"),
+    field<&RunRecord::cfl>("cfl"),
+    field<&RunRecord::parameters>("parameters"),
+    field<&RunRecord::dim>("dim"),
+    field<&RunRecord::spacing>("spacing"),
+    field<&RunRecord::requested_spacing>("spacing_asked", Place::everywhere_if_known),
+    {"jitter",
+     [](const RunRecord& record) { return record.jitter.share > 0 ? Json(record.jitter.share) : Json(); },
+     [](const JsonCursor& json, RunRecord& record) { read(json, record.jitter.share); },
+     Place::everywhere_if_known},
+    {"jitter_seed",
+     [](const RunRecord& record) { return record.jitter.share > 0 ? Json(record.jitter.seed) : Json(); },
+     [](const JsonCursor& json, RunRecord& record) { read(json, record.jitter.seed); },
+     Place::everywhere_if_known},
+    field<&RunRecord::particles>("particles"),
+    field<&RunRecord::mass>("mass"),
+    field<&RunRecord::until>("until"),
+    field<&RunRecord::reached>("reached"),
+    field<&RunRecord::status>("status"),
+    field<&RunRecord::reason>("reason", Place::everywhere_if_known),
+    field<&RunRecord::steps>("steps"),
+    field<&RunRecord::threads>("threads", Place::last_in_results),
+    field<&RunRecord::machine>("machine", Place::last_in_results),
+    field<&RunRecord::seconds>("seconds", Place::last_in_results),
+    {"particle_steps_per_second",
+     [](const RunRecord& record) { return Json(record.particle_steps_per_second()); },
+     [](const JsonCursor& json, RunRecord&) { json.number(); }, Place::last_in_results},
+    field<&RunRecord::other_load>("other_load", Place::results),
+    field<&RunRecord::verdict>("verdict"),
+    field<&RunRecord::since>("since"),
+    {"beyond_law",
+     [](const RunRecord& record) {
+       return record.beyond_law.share > 0 ? written(record.beyond_law) : Json();
+     },
+     [](const JsonCursor& json, RunRecord& record) { read(json, record.beyond_law); },
+     Place::everywhere_if_known},
+    {"warnings", written_warnings, read_warnings, Place::everywhere_if_known},
+    {"indicators", written_indicators, read_indicators},
+    field<&RunRecord::conservation>("conservation"),
+    {"energy_note", [](const RunRecord& record) { return Json(energy_note(record)); },
+     [](const JsonCursor& json, RunRecord&) { json.text(); }, Place::everywhere_if_known},
+    field<&RunRecord::measures>("measures"),
+    {"provenance", [](const RunRecord& record) { return record.provenance.to_json(); },
+     [](const JsonCursor& json, RunRecord& record) {
+       if (!json.is_null()) read(json.at("other_load"), record.other_load);
+     },
+     Place::run_json},
+};
+
+void append(Json& json, const RecordField& field, const RunRecord& record) {
+  Json value = field.write(record);
+  const bool known = !value.is_null() && !(value.is_text() && value.text().empty());
+  if (known || (field.place != Place::everywhere_if_known && field.place != Place::results))
+    json.append(std::string(field.key), std::move(value));
 }
 
 }  // namespace
@@ -128,91 +308,70 @@ std::string energy_note(const RunRecord& record) {
   return {};
 }
 
+const MeasureResult* RunRecord::find_measure(std::string_view name) const {
+  const auto found = std::ranges::find(measures, name, &MeasureResult::name);
+  return found == measures.end() ? nullptr : &*found;
+}
+
+const MeasureResult& RunRecord::measure(std::string_view name) const {
+  static const MeasureResult none;
+  const MeasureResult* found = find_measure(name);
+  return found ? *found : none;
+}
+
 std::optional<double> RunRecord::particle_steps_per_second() const {
   if (steps == 0 || seconds.solve <= 0) return std::nullopt;
   return static_cast<double>(particles) * static_cast<double>(steps) / seconds.solve;
 }
 
+std::span<const RecordField> record_fields() { return fields; }
+
 Json to_json(const RunRecord& record) {
-  Json json;
-  json["taut"] = build_info.version;
-  json["format"] = format_of("run.json");
-  json["scene"] = record.scene;
-  json["method"] = record.method;
-  json["material_law"] = record.material_law;
-  if (!record.remark.empty()) json["remark"] = record.remark;
-  if (record.contact) json["contact"] = *record.contact;
-  json["stepping"] = record.stepping;
-  json["cfl"] = record.cfl;
-  json["parameters"] = parameters(record);
-  json["dim"] = record.dim;
-  json["spacing"] = record.spacing;
-  if (record.requested_spacing) json["spacing_asked"] = record.requested_spacing;
-  if (record.jitter.share > 0) {
-    json["jitter"] = record.jitter.share;
-    json["jitter_seed"] = record.jitter.seed;
-  }
-  json["particles"] = record.particles;
-  json["mass"] = record.mass;
-  json["until"] = record.until;
-  json["reached"] = record.reached;
-  json["status"] = name(record.status);
-  if (!record.reason.empty()) json["reason"] = record.reason;
-  json["steps"] = record.steps;
-  json["threads"] = record.threads;
-  json["machine"] = record.machine;
-  json["seconds"] = {{"setup", record.seconds.setup},
-                     {"solve", record.seconds.solve},
-                     {"render", record.seconds.render},
-                     {"write", record.seconds.write}};
-  json["particle_steps_per_second"] = record.particle_steps_per_second();
-  json["verdict"] = name(record.verdict);
-  json["since"] = since(record);
-  if (record.beyond_law.share > 0)
-    json["beyond_law"] = {{"since", record.beyond_law.since}, {"share", record.beyond_law.share}};
-  for (const RunWarning& warning : warnings(record)) json["warnings"][warning.key] = warning.figures;
-  json["indicators"] = all_indicators(record);
-  json["conservation"] = {{"linear_momentum", record.conservation.linear_momentum},
-                          {"angular_momentum", record.conservation.angular_momentum},
-                          {"energy", record.conservation.energy},
-                          {"energy_gained", record.conservation.energy_gained},
-                          {"energy_lost", record.conservation.energy_lost}};
-  if (const std::string note = energy_note(record); !note.empty()) json["energy_note"] = note;
-  json["measures"] = measures(record);
-  json["provenance"] = record.provenance.to_json();
+  Json json = Json::object();
+  for (const RecordField& field : fields)
+    if (field.place != Place::results) append(json, field, record);
   return json;
+}
+
+Json to_results(const RunRecord& record) {
+  Json json = Json::object();
+  for (const bool last : {false, true})
+    for (const RecordField& field : fields)
+      if (field.place != Place::run_json &&
+          last == (field.place == Place::last_in_results || field.place == Place::results))
+        append(json, field, record);
+  return json;
+}
+
+RunRecord record_from(const JsonCursor& json) {
+  RunRecord record;
+  record.version.clear();
+  record.status.reset();
+  record.verdict.reset();
+  for (const RecordField& field : fields)
+    if (const JsonCursor value = json.at(std::string(field.key)); !value.is_missing())
+      field.read(value, record);
+  return record;
+}
+
+StoredRecord parse_record(const std::string& text, const std::string& file) {
+  Json all = parse_json(text, file);
+  if (!all.find("taut"))
+    throw UsageError("'" + file +
+                     "' is not the run.json of a run of taut: the key 'taut' is missing; repeat the run");
+  RunRecord record = record_from(JsonCursor(all, file));
+  return {std::move(record), std::move(all)};
 }
 
 std::optional<StoredRecord> checked_record(const std::filesystem::path& file) {
   const std::optional<std::string> text = read_whole(file);
-  if (!text) return std::nullopt;
-  Json all = parse_run_json(*text, file.string(), names_of_verdicts());
-  StoredRecord record;
-  record.version = text_in(all, "taut");
-  record.status = find_status(text_in(all, "status"));
-  record.verdict = find_verdict(text_in(all, "verdict"));
-  record.reached = number_in(all, "reached");
-  record.until = number_in(all, "until");
-  record.requested_spacing = number_in(all, "spacing_asked");
-  record.all = std::move(all);
-  return record;
+  return text ? std::optional(parse_record(*text, file.string())) : std::nullopt;
 }
 
 std::optional<StoredRecord> read_record(const std::filesystem::path& file) try {
   return checked_record(file);
 } catch (const UsageError&) {
   return std::nullopt;
-}
-
-std::string machine_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (!line.starts_with("model name")) continue;
-    const std::size_t colon = line.find(':');
-    const std::size_t start = colon == std::string::npos ? colon : line.find_first_not_of(" \t", colon + 1);
-    if (start != std::string::npos) return line.substr(start);
-  }
-  return "unknown";
 }
 
 }  // namespace taut::cli

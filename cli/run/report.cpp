@@ -31,9 +31,9 @@ std::string verdict_line(const RunRecord& record) {
   const auto since = [](Verdict verdict, double time) {
     return std::string(name(verdict)) + " since t = " + brief(time) + " s";
   };
-  const auto own = record.since.find(record.verdict);
+  const auto own = record.since.find(*record.verdict);
   std::string text =
-      own == record.since.end() ? std::string(name(record.verdict)) : since(own->first, own->second);
+      own == record.since.end() ? std::string(name(*record.verdict)) : since(own->first, own->second);
   for (const auto& [verdict, time] : record.since)
     if (verdict != record.verdict) text += ", " + since(verdict, time);
   return text;

@@ -11,7 +11,9 @@
 #include "cli/run/schedule.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
+#include "cli/system/machine.hpp"
 #include "cli/text/format.hpp"
+#include "engine/core/team.hpp"
 #include "engine/error.hpp"
 #include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
@@ -248,7 +250,9 @@ void Run::advance(double target) {
 void Run::step_to(double target) {
   const auto advance = [&](double short_of) {
     const Timed timed(record_.seconds.solve);
+    const double cpu = Team::own().cpu_seconds();
     simulation_->advance(target, short_of);
+    record_.seconds.cpu += Team::own().cpu_seconds() - cpu;
   };
   advance(next_between_steps());
   if (simulation_->time() >= target) return;
@@ -320,9 +324,9 @@ RunRecord new_record(const RunPlan& plan, const Simulation& simulation) {
     record.remark += (record.remark.empty() ? "" : "; ") + warning;
   if (plan.file.scene.bodies.size() > 1 || !plan.file.scene.walls.empty())
     record.contact = std::string(name(contact_law(plan.file.scene, method)));
-  record.stepping = file.settings.stepping == Stepping::single ? "single" : "dual";
+  record.stepping = file.find_resolved("stepping")->value;
   record.cfl = file.settings.cfl;
-  record.parameters = file.parameters;
+  for (const Parameter& p : file.parameters) record.parameters.emplace_back(p.name, p.value);
   record.dim = file.scene.dim;
   record.spacing = file.scene.spacing;
   if (const auto asked = plan.requested_spacing;

@@ -236,6 +236,8 @@ constexpr KeyInfo sweep_keys[] = {
     {"set", types::table("set", "{ NAME = value }"), "none", "settings of every run, as with --set"},
     {"grid", types::table("grid", "[grid]"), "or row", "every combination of values"},
     {"row", types::table("row", "[[row]]").list(), "or grid", "settings of single runs"},
+    {"repeat", types::whole(1, 100), "1",
+     "number of repetitions of each run, whose median cost counts; above 1, jobs do not share cores"},
     {"chart", types::table("chart", "[chart]"), "none", "picture of error against cost"},
     {"map", types::table("map", "[map]"), "none", "picture of the verdicts"},
     {"history", types::table("history", "[history]"), "none", "picture of the histories"},
@@ -255,8 +257,8 @@ constexpr KeyInfo setting_keys[] = {
 constexpr KeyInfo chart_keys[] = {
     {"measure", types::text("MEASURE").or_list(1), "shared by most runs",
      "measure whose error is drawn into chart-MEASURE.png; without this key the picture is chart.png"},
-    {"cost", types::word("seconds", "steps"), "seconds",
-     "axis of the cost: seconds of solving, or particles × steps"},
+    {"cost", types::word("cpu", "wall", "steps", "seconds"), "cpu",
+     "axis of the cost: CPU or wall seconds of solving, or particles × steps; seconds is wall"},
     {"methods", method_name.or_list(1), "all", "methods to draw"},
     {"against", method_name, "the references", "method whose finest run replaces the references"},
 };

@@ -31,14 +31,16 @@ std::vector<std::string> names_of_contacts() {
 
 /// Returns the setting, else the value in the file, else the first name.
 std::string chosen(TomlCursor& root, const std::string& key, const std::vector<std::string>& names,
-                   const std::optional<std::string>& change) {
+                   const Changes& changes, SceneFile& file) {
   root.text(key, names.front());
-  const std::string in_file = root.choice(key, names);
-  if (!change) return in_file;
-  if (std::find(names.begin(), names.end(), *change) == names.end())
+  const std::string in_scene = root.choice(key, names);
+  const std::string* change = changes.find(key);
+  if (change && std::ranges::find(names, *change) == names.end())
     throw UsageError(unknown_name(key, *change, names));
-  root.table().set(key, TomlValue(*change));
-  return *change;
+  const std::string value = change ? *change : in_scene;
+  if (change) root.table().set(key, TomlValue(value));
+  resolve(file, key, value, in_scene, names.front());
+  return value;
 }
 
 std::string bounds_text(const MethodConstant& constant) {
@@ -80,13 +82,14 @@ void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
 
 /// Sets each constant to the setting, else the value in the file, else the method's default in this dimension.
 void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, int dim,
-                    const Changes& changes, Settings& settings) {
+                    const Changes& changes, SceneFile& file) {
   TomlCursor section = root.section("method_constants", "[method_constants]", named_by_user);
   check_constants(section, of_file, dim);
   if (&of_file != &method) section.table().entries.clear();
   for (const MethodConstant& constant : method_constants(method.formulation, dim)) {
     const std::string name(constant.name);
-    double value = section.number(name, constant.value);
+    const double in_scene = section.number(name, constant.value);
+    double value = in_scene;
     if (const auto change = changes.constants.find(name); change != changes.constants.end()) {
       value = changed_number("method." + name, change->second, root.names());
       if (!within_bounds(constant, value))
@@ -94,7 +97,8 @@ void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInf
                          bounds_text(constant));
     }
     section.table().set(name, TomlValue(value));
-    settings.constants[name] = value;
+    file.settings.constants[name] = value;
+    resolve(file, std::string(constant_prefix) + name, value, in_scene, constant.value);
   }
 }
 
@@ -115,29 +119,29 @@ std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   return law;
 }
 
-/// Sets the law to the setting, else the file's law, else the method's first. `remark` reports an unsupported law.
+/// Sets the law to the setting, else the file's law, else the method's first. The remark reports an unsupported law.
 void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, const Changes& changes,
-              Settings& settings, std::string& remark) {
-  settings.law = law_of_file(root, of_file);
-  if (changes.law) {
+              SceneFile& file) {
+  const std::string own = method.laws.empty() ? "" : std::string(method.laws.front().name);
+  const std::string given = law_of_file(root, of_file);
+  const bool fits = given.empty() || reason_against_law(method, given).empty();
+  const std::string in_scene = fits && !given.empty() ? given : own;
+  std::string& law = file.settings.law = in_scene;
+  if (const std::string* change = changes.find("law")) {
     const std::vector<std::string> known = names_of_elastic_laws();
-    if (std::ranges::find(known, *changes.law) == known.end())
-      throw UsageError(unknown_name("law", *changes.law, known));
-    settings.law = *changes.law;
-    if (const std::string reason = reason_against_law(method, settings.law); !reason.empty())
-      throw UsageError(reason);
+    if (std::ranges::find(known, *change) == known.end())
+      throw UsageError(unknown_name("law", *change, known));
+    law = *change;
+    if (const std::string reason = reason_against_law(method, law); !reason.empty()) throw UsageError(reason);
+  } else if (!fits) {
+    file.remark = "the method '" + std::string(method.name) + "' does not support the law of the scene, '" +
+                  given + "'; it runs with " + (own.empty() ? "its own law" : own);
   }
-  if (!settings.law.empty() && !reason_against_law(method, settings.law).empty()) {
-    const std::string own = method.laws.empty() ? "its own law" : std::string(method.laws.front().name);
-    remark = "the method '" + std::string(method.name) + "' does not support the law of the scene, '" +
-             settings.law + "'; it runs with " + own;
-    settings.law.clear();
-  }
-  if (settings.law.empty() && !method.laws.empty()) settings.law = method.laws.front().name;
-  if (settings.law.empty())
+  resolve(file, "law", law, in_scene, own);
+  if (law.empty())
     std::erase_if(root.table().entries, [](const TomlEntry& entry) { return entry.key == "law"; });
   else
-    root.table().set("law", TomlValue(settings.law));
+    root.table().set("law", TomlValue(law));
 }
 
 /// With smaller steps a run would take years, and rounding would remove the motion in a step.
@@ -190,26 +194,30 @@ void name_touching(TomlCursor& root, const SceneFile& file) {
 
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   const MethodInfo& of_file = file_method(root);
-  const MethodInfo& method = changes.method ? changed_method(*changes.method) : of_file;
+  const std::string* change = changes.find("method");
+  const MethodInfo& method = change ? changed_method(*change) : of_file;
   file.settings.method = std::string(method.name);
+  resolve(file, "method", file.settings.method, std::string(of_file.name), std::string(default_method));
   root.table().set("method", TomlValue(file.settings.method));
   check_names(changes, file);
 
-  const std::string stepping = chosen(root, "stepping", stepping_names, changes.stepping);
+  const std::string stepping = chosen(root, "stepping", stepping_names, changes, file);
   file.settings.stepping = stepping == stepping_names.front() ? Stepping::dual : Stepping::single;
-  const std::string contact = chosen(root, "contact", names_of_contacts(), changes.contact);
+  const std::string contact = chosen(root, "contact", names_of_contacts(), changes, file);
   file.scene.contact =
       std::ranges::find(contacts(), contact, [](const ContactChoice& c) { return name(c.law); })->law;
   name_touching(root, file);
 
-  read_law(root, of_file, method, changes, file.settings, file.remark);
+  read_law(root, of_file, method, changes, file);
   // the file's constants and CFL number are for its own method only
-  double cfl = root.find("cfl") ? file_cfl(root) : of_file.cfl;
-  if (&method != &of_file) cfl = method.cfl;
-  if (changes.cfl) cfl = changed_cfl(*changes.cfl, root.names());
+  const double cfl_of_file = root.find("cfl") ? file_cfl(root) : of_file.cfl;
+  const double in_scene = &method == &of_file ? cfl_of_file : method.cfl;
+  const std::string* cfl_change = changes.find("cfl");
+  const double cfl = cfl_change ? changed_cfl(*cfl_change, root.names()) : in_scene;
+  resolve(file, "cfl", cfl, in_scene, method.cfl);
   root.table().set("cfl", TomlValue(cfl));
   file.settings.cfl = cfl;
-  read_constants(root, of_file, method, file.scene.dim, changes, file.settings);
+  read_constants(root, of_file, method, file.scene.dim, changes, file);
 }
 
 }  // namespace taut::cli

@@ -10,22 +10,27 @@
 namespace taut::cli {
 namespace {
 
-constexpr std::string_view constant_prefix = "method.";
-
-struct Target {
-  const char* name;
-  std::optional<std::string> Changes::*change;
+constexpr std::string_view at_start = "it is fixed when the simulation starts",
+                           placed = "the particles are already placed";
+constexpr SettingInfo infos[] = {
+    {"method", "method", "", false, at_start},
+    {"spacing", "spacing", "", false, placed},
+    {"until", "until", "", true, "a session has no end time; use `run until T`"},
+    {"cfl", "cfl", "CFL {}", false, ""},
+    {"law", "material_law", "law {}", true, at_start},
+    {"stepping", "stepping", "{} stepping", false, at_start},
+    {"contact", "contact", "contact {}", false, at_start},
+    {"jitter", "jitter", "", false, placed},
+    {"jitter_seed", "jitter_seed", "", false, placed},
 };
-constexpr Target targets[] = {
-    {"method", &Changes::method}, {"spacing", &Changes::spacing},   {"until", &Changes::until},
-    {"cfl", &Changes::cfl},       {"stepping", &Changes::stepping}, {"contact", &Changes::contact},
-    {"law", &Changes::law},       {"jitter", &Changes::jitter},     {"jitter_seed", &Changes::jitter_seed}};
 
-// names with a meaning in expressions or --set
-const std::vector<std::string> reserved_names = {
-    "dp",       "pi",      "x",        "y",   "z",      "t",          "c0",    "E",
-    "nu",       "rho",     "K",        "G",   "method", "spacing",    "until", "cfl",
-    "stepping", "contact", "touching", "law", "jitter", "jitter_seed"};
+/// Names with a meaning in expressions or --set.
+std::vector<std::string> reserved_names() {
+  std::vector<std::string> names = {"dp", "pi", "x",   "y", "z", "t",       "c0",
+                                    "E",  "nu", "rho", "K", "G", "touching"};
+  for (const SettingInfo& info : infos) names.emplace_back(info.name);
+  return names;
+}
 
 std::string bounds_text(const Parameter& parameter) {
   const std::string low = parameter.low ? exact(*parameter.low) : "-inf",
@@ -102,10 +107,10 @@ void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string
     table.fail(entry.place, entry.key,
                "'" + entry.key + "' is not a valid name for a " + std::string(kind) +
                    "; use letters, digits and '_', with no digit first");
-  if (taken(reserved_names) || taken(function_names()))
+  if (taken(reserved_names()) || taken(function_names()))
     table.fail(entry.place, entry.key,
-               "the name '" + entry.key + "' is reserved; choose a name other than " + join(reserved_names) +
-                   " and the names of functions");
+               "the name '" + entry.key + "' is reserved; choose a name other than " +
+                   join(reserved_names()) + " and the names of functions");
 }
 
 Setting parse_setting(const std::string& assignment) {
@@ -118,9 +123,8 @@ std::string text_of(const Setting& setting) { return setting.name + "=" + settin
 Changes by_target(const std::vector<Setting>& settings) {
   Changes changes;
   for (const auto& [name, value, place] : settings) {
-    const auto* target = std::ranges::find(targets, name, &Target::name);
-    if (target != std::end(targets))
-      changes.*(target->change) = value;
+    if (std::ranges::find(infos, name, &SettingInfo::name) != std::end(infos))
+      changes.general[name] = value;
     else if (name.starts_with(constant_prefix))
       changes.constants[name.substr(constant_prefix.size())] = value;
     else
@@ -129,11 +133,34 @@ Changes by_target(const std::vector<Setting>& settings) {
   return changes;
 }
 
+std::span<const SettingInfo> setting_infos() { return infos; }
+
+const std::string* Changes::find(std::string_view name) const {
+  const auto found = general.find(name);
+  return found == general.end() ? nullptr : &found->second;
+}
+
+void resolve(SceneFile& file, std::string name, const std::string& value, const std::string& in_scene,
+             const std::string& usual) {
+  using enum ResolvedSetting::Source;
+  const ResolvedSetting::Source source = value != in_scene ? setting : in_scene != usual ? scene : by_default;
+  file.resolved.push_back({std::move(name), value, usual, source});
+}
+
+void resolve(SceneFile& file, std::string name, double value, double in_scene, double usual) {
+  resolve(file, std::move(name), exact(value), exact(in_scene), exact(usual));
+}
+
+const ResolvedSetting* SceneFile::find_resolved(std::string_view name) const {
+  const auto found = std::ranges::find(resolved, name, &ResolvedSetting::name);
+  return found == resolved.end() ? nullptr : &*found;
+}
+
 std::vector<std::string> names_to_set(const SceneFile& file) {
   std::vector<std::string> names = names_of(file.parameters);
   for (const MethodConstant& constant : find_method(file.settings.method)->constants)
     names.push_back(std::string(constant_prefix) + std::string(constant.name));
-  for (const Target& target : targets) names.emplace_back(target.name);
+  for (const SettingInfo& info : infos) names.emplace_back(info.name);
   return names;
 }
 
@@ -201,6 +228,9 @@ void read_parameters(TomlCursor& root, const Changes& changes, std::optional<dou
     const Parameter parameter = read_parameter(cursor, entry.key, changes, names, defaults);
     names[entry.key] = parameter.value;
     defaults[entry.key] = parameter.default_value;
+    const bool changed = changes.parameters.contains(entry.key);
+    resolve(file, entry.key, parameter.value, changed ? parameter.default_value : parameter.value,
+            parameter.default_value);
     file.parameters.push_back(parameter);
   }
   root.names() = names;

@@ -26,8 +26,12 @@ void collect_places(const TomlValue& value, const std::string& path,
   }
 }
 
-/// Requested spacing, m, not yet fitted to the first body.
-double asked_spacing(TomlValue tree, const Changes& changes, TomlSource& source) {
+/// Requested spacings, m, not yet fitted to the first body.
+struct RequestedSpacing {
+  double value, in_scene;  // with and without settings
+};
+
+RequestedSpacing requested_spacing(TomlValue tree, const Changes& changes, TomlSource& source) {
   SceneFile file;
   TomlCursor root(tree, "", "the scene", keys_of("scene"), {}, source);
   root.refuse_unknown_keys();  // else a misspelt table would be reported as missing
@@ -41,7 +45,8 @@ double asked_spacing(TomlValue tree, const Changes& changes, TomlSource& source)
           spacing, "spacing",
           "spacing = '" + spacing.text + "' depends on dp, which is the spacing itself; remove dp from it");
   const double asked = root.positive("spacing");
-  return changes.spacing ? changed_positive("spacing", *changes.spacing, root.names()) : asked;
+  const std::string* change = changes.find("spacing");
+  return {change ? changed_positive("spacing", *change, root.names()) : asked, asked};
 }
 
 void read_head(TomlCursor& root, SceneFile& file) {
@@ -62,8 +67,10 @@ void read_times(TomlCursor& root, const Changes& changes, double dp, SceneFile& 
   root.find("spacing");
   root.table().set("spacing", TomlValue(dp));
   file.scene.spacing = dp;
-  file.scene.until = root.positive("until");
-  if (changes.until) file.scene.until = changed_positive("until", *changes.until, root.names());
+  const double in_scene = file.scene.until = root.positive("until");
+  if (const std::string* change = changes.find("until"))
+    file.scene.until = changed_positive("until", *change, root.names());
+  resolve(file, "until", file.scene.until, in_scene, in_scene);
   constexpr double least_until = 1e-100;  // with smaller times, sums of time steps lose their digits
   if (file.scene.until < least_until)
     root.fail(root.need("until"), "until",
@@ -88,12 +95,14 @@ std::string check_seed(double seed) {
 }
 
 /// `check` returns an error message or "".
-double checked_number(TomlCursor& root, const char* key, double otherwise,
-                      const std::optional<std::string>& change, std::string (*check)(double)) {
-  double value = root.number(key, otherwise);
-  if (const std::string wrong = check(value); !wrong.empty()) root.fail(root.need(key), key, wrong);
+double checked_number(TomlCursor& root, const char* key, double otherwise, const Changes& changes,
+                      SceneFile& file, std::string (*check)(double)) {
+  const double in_scene = root.number(key, otherwise);
+  if (const std::string wrong = check(in_scene); !wrong.empty()) root.fail(root.need(key), key, wrong);
+  const std::string* change = changes.find(key);
+  const double value = change ? changed_number(key, *change, root.names()) : in_scene;
+  resolve(file, key, value, in_scene, otherwise);
   if (!change) return value;
-  value = changed_number(key, *change, root.names());
   if (const std::string wrong = check(value); !wrong.empty()) throw UsageError(wrong);
   TomlValue written(value);
   written.whole = root.need(key).whole;
@@ -116,7 +125,8 @@ std::string in_spacings_already(const std::string& given) {
          " must not contain dp, because jitter is in spacings; write jitter=0.1 for a tenth of dp";
 }
 
-void read_jitter(TomlCursor& root, const Changes& changes, Jitter& jitter) {
+void read_jitter(TomlCursor& root, const Changes& changes, SceneFile& file) {
+  Jitter& jitter = file.scene.jitter;
   if (!root.find("jitter_seed")) {
     TomlValue seed(static_cast<double>(jitter.seed));
     seed.whole = true;
@@ -124,10 +134,10 @@ void read_jitter(TomlCursor& root, const Changes& changes, Jitter& jitter) {
   }
   if (const TomlValue* given = root.find("jitter"); given && has_spacing(given->text))
     root.fail(*given, "jitter", in_spacings_already(given->text));
-  if (changes.jitter && has_spacing(*changes.jitter)) throw UsageError(in_spacings_already(*changes.jitter));
-  jitter.share = checked_number(root, "jitter", jitter.share, changes.jitter, check_jitter);
-  jitter.seed =
-      static_cast<int>(checked_number(root, "jitter_seed", jitter.seed, changes.jitter_seed, check_seed));
+  if (const std::string* change = changes.find("jitter"); change && has_spacing(*change))
+    throw UsageError(in_spacings_already(*change));
+  jitter.share = checked_number(root, "jitter", jitter.share, changes, file, check_jitter);
+  jitter.seed = static_cast<int>(checked_number(root, "jitter_seed", jitter.seed, changes, file, check_seed));
 }
 
 /// Ignores parameters with `default`: in a resolved scene, a setting may have replaced the expression that used them.
@@ -153,7 +163,7 @@ class SceneReading {
     read_parameters(root_, changes, dp, file_);
     read_settings(root_, changes, file_);
     read_times(root_, changes, dp, file_);
-    read_jitter(root_, changes, file_.scene.jitter);
+    read_jitter(root_, changes, file_);
     read_gravity_and_damping(root_, file_.scene);
     read_materials(root_, file_.scene);
     read_bodies(root_, find_method(file_.settings.method)->keeps_neighbors, file_);
@@ -196,25 +206,28 @@ void refuse_too_coarse(double asked, double fitted, const TomlValue& tree, const
   const std::string what = "spacing = " + brief(asked) +
                            " m is more than twice the thickness of the first body, " + brief(fitted) +
                            " m; choose a smaller spacing, because a body needs several rows of particles";
-  if (changes.spacing) throw UsageError(what);
+  if (changes.find("spacing")) throw UsageError(what);
   const FilePlace place = tree.find("spacing")->value.place;
   throw SceneError(source.file, place.line, place.column, "spacing", what);
 }
 
-SceneFile read_text(const std::string& text, const std::filesystem::path& path,
-                    const std::vector<Setting>& settings) {
+}  // namespace
+
+SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings) {
+  const std::string text = file_text(path);
   TomlSource source;
   source.file = path.string();
   const TomlValue tree = parse_toml(text, source.file);
   const Changes changes = by_target(settings);
   constexpr int most_rounds = 10;
-  const double asked = asked_spacing(tree, changes, source);
-  double dp = asked;
+  const RequestedSpacing requested = requested_spacing(tree, changes, source);
+  double dp = requested.value;
   for (int round = 0; round < most_rounds; ++round) {
     SceneReading reading(dp, path, tree, changes, source);
     if (reading.fitted() == dp) {
       SceneFile file = reading.finish();
-      file.requested_spacing = asked;
+      file.requested_spacing = requested.value;
+      resolve(file, "spacing", requested.value, requested.in_scene, requested.in_scene);
       file.text = text;
       return file;
     }
@@ -225,16 +238,6 @@ SceneFile read_text(const std::string& text, const std::filesystem::path& path,
   throw SceneError(source.file, place.line, place.column, "spacing",
                    "no spacing divides the first body into whole particles, because its size depends on dp; "
                    "remove dp from its size");
-}
-
-}  // namespace
-
-SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings) {
-  return read_text(file_text(path), path, settings);
-}
-
-SceneFile read_again(const SceneFile& scene, const std::vector<Setting>& settings) {
-  return read_text(scene.text, scene.path, settings);
 }
 
 SceneError locate(const SceneFile& scene, const SceneError& error) {

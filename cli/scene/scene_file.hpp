@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,15 +25,34 @@ struct Parameter {
   double default_value = 0;         // without settings
 };
 
-/// A change of a scene, as in `--set name=value`. The name is a parameter, "method.CONSTANT", method, spacing, until,
-/// cfl, stepping, contact, law, jitter or jitter_seed. The value is a number, a word, or an expression of earlier
-/// parameters.
+/// A change of a scene, as in `--set name=value`. The name is a parameter, "method.CONSTANT" or one of
+/// setting_infos(). The value is a number, a word, or an expression of earlier parameters.
 struct Setting {
   std::string name, value;
   FilePlace place = {};  // unknown for the command line
 };
 Setting parse_setting(const std::string& assignment);
 std::string text_of(const Setting& setting);
+
+/// A setting that every scene has, beside parameters and constants of the method.
+struct SettingInfo {
+  std::string_view name;
+  std::string_view column;       // in results.csv
+  std::string_view label;        // on panels: "CFL {}"; empty: none of this form
+  bool of_scene;                 // runs with different values simulate different scenes
+  std::string_view fixed_since;  // reason why a session cannot change it; empty: it can
+};
+std::span<const SettingInfo> setting_infos();
+inline constexpr std::string_view constant_prefix = "method.";
+
+/// A parameter, constant or other setting as the run uses it.
+struct ResolvedSetting {
+  /// First of these that gives the value.
+  enum class Source { by_default, scene, setting };
+  std::string name;
+  std::string value, default_value;  // a number is written exactly; without a default, the value in the scene
+  Source source = Source::by_default;
+};
 
 struct SceneFile {
   std::filesystem::path path;
@@ -44,16 +64,18 @@ struct SceneFile {
   std::string remark;             // warning, one line or empty
   std::optional<double> history;  // interval of history.csv, s; default: until / 1000
   std::vector<Parameter> parameters;
+  std::vector<ResolvedSetting> resolved;                // every setting
   std::map<std::string, std::string> unmet_references;  // failed conditions of references, by measure
   TomlValue tree;                                       // of the file, with all defaults and settings
   std::map<std::string, FilePlace> places;              // by dotted path: "body.left.velocity"
+
+  /// Returns nullptr for other names.
+  const ResolvedSetting* find_resolved(std::string_view name) const;
 };
 
 /// Reads a scene file with settings; if a name is set repeatedly, its last setting counts. Throws SceneError with file,
 /// line and column, UsageError for settings.
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
-/// Reads the stored text again, because a pipe can be read only once.
-SceneFile read_again(const SceneFile& scene, const std::vector<Setting>& settings = {});
 /// Names that --set and --grid accept for this scene and its method.
 std::vector<std::string> names_to_set(const SceneFile& scene);
 /// Words that the setting `name` allows; empty if it takes numbers.

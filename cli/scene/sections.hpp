@@ -21,14 +21,20 @@
 /// throw SceneError for wrong values in the file, UsageError for wrong settings.
 namespace taut::cli {
 
+/// Texts of settings by name.
 struct Changes {
-  std::optional<std::string> method, stepping, contact, law, cfl, spacing, until, jitter, jitter_seed;
-  std::map<std::string, std::string> parameters;
-  std::map<std::string, std::string> constants;  // of the method
+  std::map<std::string, std::string, std::less<>> general, parameters, constants;  // constants of the method
+
+  /// A general setting, or nullptr.
+  const std::string* find(std::string_view name) const;
 };
 Changes by_target(const std::vector<Setting>& settings);
 /// Throws UsageError for a name that is neither a parameter nor a constant of the method.
 void check_names(const Changes& changes, const SceneFile& file);
+/// Adds a resolved setting. `in_scene` is its value without changes by settings, `usual` its default.
+void resolve(SceneFile& file, std::string name, const std::string& value, const std::string& in_scene,
+             const std::string& usual);
+void resolve(SceneFile& file, std::string name, double value, double in_scene, double usual);
 /// Value of a setting. Throws UsageError unless it is finite.
 double changed_number(std::string_view name, const std::string& text, const Names& names);
 /// Value of a setting. Throws UsageError unless it is finite and greater than 0.

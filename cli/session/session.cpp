@@ -26,21 +26,15 @@ std::unique_ptr<Simulation> start_heedful(const SceneFile& file) {
 
 /// Reason why a name cannot be set, or "".
 std::string reason_against(const std::string& name, const SceneFile& file) {
-  const auto is = [&](const char* other) { return name == other; };
-  if (is("cfl")) return "";
-  if (name.starts_with("method.")) {
-    const Formulation& method = find_method(file.settings.method)->formulation;
-    for (const MethodConstant& constant : method_constants(method, file.scene.dim))
-      if (constant.at_set_up && name.substr(7) == constant.name)
-        return "the initial neighbours and their weights depend on it";
-    return "";
-  }
-  if (is("method") || is("stepping") || is("contact") || is("law"))
-    return "it is fixed when the simulation starts";
-  if (is("until")) return "a session has no end time; use `run until T`";
-  for (const Parameter& parameter : file.parameters)
-    if (name == parameter.name) return "the initial bodies depend on it";
-  return is("spacing") || is("jitter") || is("jitter_seed") ? "the particles are already placed" : "";
+  const auto infos = setting_infos();
+  if (const auto info = std::ranges::find(infos, name, &SettingInfo::name); info != infos.end())
+    return std::string(info->fixed_since);
+  if (!name.starts_with(constant_prefix)) return "the initial bodies depend on it";
+  const Formulation& method = find_method(file.settings.method)->formulation;
+  for (const MethodConstant& constant : method_constants(method, file.scene.dim))
+    if (constant.at_set_up && name.substr(constant_prefix.size()) == constant.name)
+      return "the initial neighbours and their weights depend on it";
+  return "";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "cli/study/chart_errors.hpp"
 #include "cli/text/format.hpp"
@@ -16,19 +17,24 @@ struct CostName {
   std::string_view name, label;
 };
 constexpr CostName costs[] = {
-    {Cost::seconds, "seconds", "time to solve, s"},
+    {Cost::cpu, "cpu", "CPU time to solve, s"},
+    {Cost::wall, "wall", "time to solve, s"},
     {Cost::particle_steps, "steps", "particles × steps"},
+    {Cost::wall, "seconds", "time to solve, s"},  // earlier name
 };
 
 ChartPoint point_of(const StoredRun& run, const ChartErrors& errors, Cost cost) {
   ChartPoint point;
-  point.spacing = run.number("spacing").value_or(0);
+  const RunRecord& record = run.record;
+  point.spacing = record.spacing;
   point.error = errors.of(run);
   point.measured = errors.measured(run);
-  const double steps = run.number("particles").value_or(0) * run.number("steps").value_or(0);
-  point.cost = cost == Cost::seconds ? run.number("seconds.solve").value_or(0) : steps;
+  point.cost = cost == Cost::cpu ? record.seconds.cpu
+               : cost == Cost::wall
+                   ? record.seconds.solve
+                   : static_cast<double>(record.particles) * static_cast<double>(record.steps);
   if (!std::isfinite(point.cost) || point.cost < 0) point.cost = 0;
-  point.verdict = run.text("verdict");
+  point.verdict = run.verdict();
   point.folder = run.folder();
   point.cfl = run.text("cfl");
   point.stepping = run.text("stepping");
@@ -49,16 +55,16 @@ void add_once(std::vector<std::string>& names, const std::string& name) {
 }
 
 std::string machine_of(const StoredRun& run) {
-  const std::string machine = run.text("machine"), threads = run.text("threads");
-  return (machine.empty() ? "unknown machine" : machine) + ", " + threads +
-         (threads == "1" ? " thread" : " threads");
+  const auto& [machine, threads] = std::tie(run.record.machine, run.record.threads);
+  return (machine.empty() ? "unknown machine" : machine) + ", " + std::to_string(threads) +
+         (threads == 1 ? " thread" : " threads");
 }
 
 /// Includes methods if there are several references and few methods.
 std::vector<std::string> references_of(const StoredResults& results, const std::string& measure) {
   std::vector<std::pair<std::string, std::vector<std::string>>> methods;
   for (const StoredRun& run : results.runs) {
-    const std::string name = run.text(measure_column(measure, "reference_name"));
+    const std::string& name = run.record.measure(measure).reference_name;
     if (name.empty()) continue;
     auto found = std::ranges::find(methods, name, [](const auto& m) { return m.first; });
     if (found == methods.end()) found = methods.insert(methods.end(), {name, {}});
@@ -76,7 +82,7 @@ std::vector<std::string> references_of(const StoredResults& results, const std::
 void describe_errors(Chart& chart, const ChartErrors& errors, const StoredRun& run) {
   chart.relative = errors.relative(run);
   chart.unit = errors.unit(run);
-  chart.dim = static_cast<int>(run.number("dim").value_or(2));
+  chart.dim = run.record.dim;
 }
 
 /// Empty if the runs differ.
@@ -156,12 +162,15 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
   chart.title = results.title;
   chart.scene = results.scene;
   chart.measure = errors.measure;
-  chart.cost = request.cost;
+  chart.lacks_cpu = request.cost == Cost::cpu && std::ranges::any_of(results.runs, [](const StoredRun& run) {
+                      return run.has_result() && !(run.record.seconds.cpu > 0);
+                    });
+  chart.cost = chart.lacks_cpu ? Cost::wall : request.cost;
   chart.fixed = fixed_in(results);
   const std::vector<std::string> columns = distinguishing_columns(results.runs, "spacing");
   if (errors.against.size() == 1)
-    chart.against = series_name(*errors.against[0], columns) + " at " +
-                    shown_spacing(errors.against[0]->number("spacing").value_or(0));
+    chart.against =
+        series_name(*errors.against[0], columns) + " at " + shown_spacing(errors.against[0]->record.spacing);
   else if (!errors.against.empty())
     chart.against = request.against + ", the finest run of each " + join(errors.swept);
   const auto is_reference = [&](const StoredRun& run) {
@@ -185,6 +194,7 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
     add_point(*series, point_of(run, errors, chart.cost));
     if (errors.of(run)) describe_errors(chart, errors, run);
     add_once(chart.machines, machine_of(run));
+    chart.other_load = std::max(chart.other_load, run.record.other_load.value_or(0));
   }
   if (chart.series.empty() && chart.left_out > 0)
     throw UsageError("none of the " + std::to_string(chart.left_out) +

@@ -10,17 +10,19 @@
 namespace taut::cli {
 
 enum class Cost {
-  seconds,         // solving time on the machine of the run
+  cpu,             // CPU seconds of the solver, which other processes hardly change
+  wall,            // seconds of solving
   particle_steps,  // particles × steps, equal on all machines
 };
+inline bool is_time(Cost cost) { return cost != Cost::particle_steps; }
 std::vector<std::string> cost_names();
 /// Throws UsageError with the nearest names.
 Cost find_cost(const std::string& name);
 std::string label(Cost cost);
 
 struct ChartRequest {
-  std::string measure;  // empty: default
-  Cost cost = Cost::seconds;
+  std::string measure;                 // empty: default
+  Cost cost = Cost::cpu;               // wall if a run has no CPU seconds
   std::vector<std::string> methods{};  // empty: all
   std::string against{};               // method whose finest run replaces references
   bool stable_only = false;            // without the other runs
@@ -47,7 +49,9 @@ struct Chart {
   std::string title, scene, measure;
   std::string unit;      // of the errors; empty: a share
   bool relative = true;  // errors relative to the reference
-  Cost cost = Cost::seconds;
+  Cost cost = Cost::cpu;
+  bool lacks_cpu = false;  // CPU seconds were requested, but a run has none
+  double other_load = 0;   // greatest number of cores that others used during a run
   int dim = 2;
   std::string against;             // "oenog at 0.5 mm"; empty: the references
   std::vector<std::string> fixed;  // "single stepping", "until = 0.3"
@@ -58,6 +62,9 @@ struct Chart {
   int left_out = 0;                     // not stable, if only stable ones are requested
   std::string kind{};                   // of the measure: "rmse"
 };
+
+/// From this number of cores used by others, costs are doubtful.
+inline constexpr double busy_load = 0.5;
 
 /// Reason of a missing error: "no reference", "no value" or the verdict; empty if the point has an error.
 std::string without_error(const ChartPoint& point);

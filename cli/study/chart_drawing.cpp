@@ -124,8 +124,7 @@ std::string frame(const Chart& chart, const Layout& layout) {
   text += "set xrange [" + exact(layout.cost.low) + ":" + exact(layout.cost.high) + "]\n";
   text += "set yrange [" + exact(layout.error.low) + ":" + exact(layout.end()) + "]\n";
   text += "set xtics " +
-          log_ticks(layout.cost.low, layout.cost.high, chart.cost == Cost::seconds ? brief : with_prefix) +
-          "\n";
+          log_ticks(layout.cost.low, layout.cost.high, is_time(chart.cost) ? brief : with_prefix) + "\n";
   text += "set ytics " + log_ticks(layout.error.low, layout.error.high, brief) + "\n";
   text += "set xlabel " + plot_text(label(chart.cost)) + "\n";
   text += "set ylabel " + plot_text(words_of_error(chart)) + "\n";

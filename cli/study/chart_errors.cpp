@@ -17,10 +17,6 @@ std::optional<double> finite(std::optional<double> value) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-std::optional<double> measured_of(const StoredRun& run, const std::string& measure) {
-  return finite(run.number(measure_column(measure, "value")));
-}
-
 NameList methods_in(const StoredResults& results) {
   NameList names;
   for (const StoredRun& run : results.runs)
@@ -33,11 +29,9 @@ NameList methods_in(const StoredResults& results) {
 ChartErrors against_finest(const StoredResults& results, const std::string& method,
                            const std::string& measure) {
   ChartErrors errors{measure, {}, names_of_scene(results.runs)};
-  const auto rank = [](const StoredRun& run) {
-    return std::pair(-run.number("spacing").value_or(0), run.number("steps").value_or(0));
-  };
+  const auto rank = [](const StoredRun& run) { return std::pair(-run.record.spacing, run.record.steps); };
   for (const StoredRun& run : results.runs) {
-    if (run.method() != method || !run.is_stable() || !measured_of(run, measure) || !run.number("spacing"))
+    if (run.method() != method || !run.is_stable() || !run.value_of(measure) || !(run.record.spacing > 0))
       continue;
     const StoredRun* const before = errors.reference_of(run);
     if (!before)
@@ -65,9 +59,8 @@ bool has_errors(const StoredResults& results, const std::string& measure, const 
 
 /// Such a measure is itself an error; --against cannot use it.
 bool is_error(const StoredResults& results, const std::string& measure) {
-  return std::ranges::any_of(results.runs, [&](const StoredRun& run) {
-    return is_difference(run.text(measure_column(measure, "kind")));
-  });
+  return std::ranges::any_of(
+      results.runs, [&](const StoredRun& run) { return is_difference(run.record.measure(measure).kind); });
 }
 
 std::string default_measure(const StoredResults& results, const NameList& charted,
@@ -113,7 +106,7 @@ std::string nothing_charted(const StoredResults& results, const ChartRequest& re
 
 std::string no_error_of(const StoredResults& results, const ChartRequest& request, const NameList& charted) {
   const bool referenced = std::ranges::any_of(results.runs, [&](const StoredRun& run) {
-    return run.has_result() && run.number(measure_column(request.measure, "reference")).has_value();
+    return run.has_result() && run.record.measure(request.measure).reference;
   });
   std::string why =
       "no stable run of " + request.against + " has a value of this measure, or no other run has one";
@@ -129,10 +122,6 @@ std::string no_error_of(const StoredResults& results, const ChartRequest& reques
 
 }  // namespace
 
-std::string measure_column(const std::string& measure, std::string_view what) {
-  return ("measures." + measure + ".").append(what);
-}
-
 std::string shown_spacing(double spacing) {
   return spacing < 0.1 ? brief(1e3 * spacing) + " mm" : brief(spacing) + " m";
 }
@@ -147,27 +136,25 @@ const StoredRun* ChartErrors::reference_of(const StoredRun& run) const {
 
 std::optional<double> ChartErrors::of(const StoredRun& run) const {
   if (!run.has_result()) return std::nullopt;
-  if (against.empty()) return finite(run.number(measure_column(measure, "error")));
+  if (against.empty()) return finite(run.record.measure(measure).error);
   const StoredRun* const judge = reference_of(run);
   if (!judge || judge == &run) return std::nullopt;
-  const auto value = measured_of(run, measure), reference = measured_of(*judge, measure);
+  const auto value = run.value_of(measure), reference = judge->value_of(measure);
   if (!value || !reference) return std::nullopt;
   return std::abs(*value - *reference) / (*reference != 0 ? std::abs(*reference) : 1);
 }
 
 bool ChartErrors::measured(const StoredRun& run) const {
-  return measured_of(run, measure) ||
-         run.text(measure_column(measure, "why")).find("reference") != std::string::npos;
+  return run.value_of(measure) || run.record.measure(measure).why.find("reference") != std::string::npos;
 }
 
 bool ChartErrors::relative(const StoredRun& run) const {
   const StoredRun* const judge = reference_of(run);
-  return judge ? measured_of(*judge, measure).value_or(0) != 0
-               : run.number(measure_column(measure, "reference")).value_or(0) != 0;
+  return (judge ? judge->value_of(measure) : run.record.measure(measure).reference).value_or(0) != 0;
 }
 
 std::string ChartErrors::unit(const StoredRun& run) const {
-  const std::string unit = run.text(measure_column(measure, "unit"));
+  const std::string& unit = run.record.measure(measure).unit;
   return relative(run) || unit == "1" ? "" : unit;
 }
 

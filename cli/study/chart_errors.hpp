@@ -27,8 +27,6 @@ struct ChartErrors {
 /// Chooses the measure as make_chart() does.
 ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& request);
 
-/// Column of a measure: "measures.period.error".
-std::string measure_column(const std::string& measure, std::string_view what);
 /// "0.5 mm".
 std::string shown_spacing(double spacing);
 

@@ -53,8 +53,7 @@ Json point_json(const ChartPoint& point) {
 
 std::string orders_table(const Chart& chart) {
   std::vector<std::vector<std::string>> rows{{"method", "order", "runs", "finest, m", "its error",
-                                              chart.cost == Cost::seconds ? "its s" : "its steps",
-                                              "not stable"}};
+                                              is_time(chart.cost) ? "its s" : "its steps", "not stable"}};
   for (const ChartSeries& series : chart.series) {
     const ChartPoint& finest = series.points.back();
     const auto unstable = std::ranges::count(series.points, false, &ChartPoint::stable);
@@ -70,8 +69,7 @@ std::string orders_table(const Chart& chart) {
 std::string markdown(const Chart& chart) {
   std::vector<std::vector<std::string>> rows{{"method"}};
   for (const double spacing : spacings(chart)) rows[0].push_back(shown_spacing(spacing));
-  rows[0].insert(rows[0].end(),
-                 {"order", chart.cost == Cost::seconds ? "finest, s" : "finest, particles × steps"});
+  rows[0].insert(rows[0].end(), {"order", is_time(chart.cost) ? "finest, s" : "finest, particles × steps"});
   for (const ChartSeries& series : chart.series) {
     rows.push_back({"`" + series.name + "`"});
     for (const double spacing : spacings(chart)) rows.back().push_back(error_cell(chart, series, spacing));
@@ -86,7 +84,7 @@ std::string markdown(const Chart& chart) {
 
 std::string markdown_of_prices(const Chart& chart) {
   constexpr std::array levels{0.05, 0.01, 0.005};
-  if (!chart.unit.empty() || chart.cost != Cost::seconds) return "";
+  if (!chart.unit.empty() || !is_time(chart.cost)) return "";
   std::vector<std::vector<std::string>> rows{{"method"}};
   for (const double level : levels) rows[0].push_back("within " + shown_error(chart, level));
   for (const ChartSeries& series : chart.series) {
@@ -163,7 +161,11 @@ std::vector<std::string> footnotes(const Chart& chart) {
   if (!without.empty())
     notes.push_back("Some or all runs have no error: " + join(without) +
                     (more == 0 ? "" : " and " + std::to_string(more) + " more"));
-  if (chart.cost == Cost::seconds) notes.push_back("Time: " + join(chart.machines, "; "));
+  if (is_time(chart.cost))
+    notes.push_back("Time: " + join(chart.machines, "; ") +
+                    (chart.other_load < busy_load ? ""
+                                                  : "; the machine was busy: others used up to " +
+                                                        brief(chart.other_load) + " cores"));
   return notes;
 }
 

@@ -12,10 +12,6 @@
 namespace taut::cli {
 namespace {
 
-std::string measure_column(const std::string& name, std::string_view what) {
-  return ("measures." + name + ".").append(what);
-}
-
 std::string without_blanks(std::string text) {
   std::erase(text, ' ');
   return text;
@@ -35,20 +31,22 @@ std::optional<std::pair<std::size_t, std::size_t>> find_tolerance(const std::str
   return std::nullopt;
 }
 
-bool is_measure(const StoredRun& run, const std::string& name) {
-  const std::string prefix = measure_column(name, "");
-  return std::ranges::any_of(run.cells, [&](const auto& cell) { return cell.first.starts_with(prefix); });
+/// Numbers of run.json by path: "conservation.energy".
+std::vector<std::pair<std::string, double>> numbers_in(const Json& record) {
+  std::vector<std::pair<std::string, double>> all;
+  for (const auto& [pointer, value] : record.leaves()) {
+    std::string path = pointer.substr(1);
+    std::ranges::replace(path, '/', '.');
+    if (value.is_number()) all.emplace_back(path, value.number());
+  }
+  return all;
 }
 
 std::vector<std::string> names_in(const StoredRun& run) {
   std::vector<std::string> names;
-  for (const auto& [column, value] : run.cells) {
-    const bool measure = column.starts_with("measures.");
-    const std::string name =
-        measure ? column.substr(column.find('.') + 1, column.rfind('.') - column.find('.') - 1) : column;
-    if ((measure || parsed<double>(value)) && std::ranges::find(names, name) == names.end())
-      names.push_back(name);
-  }
+  for (const MeasureResult& measure : run.record.measures) names.push_back(measure.name);
+  for (const auto& [path, value] : numbers_in(run.all))
+    if (!path.starts_with("measures.")) names.push_back(path);
   return names;
 }
 
@@ -114,45 +112,44 @@ Expectation parse_expectation(const std::string& given, const std::optional<Tole
 }
 
 std::vector<Expectation> expectations_of(const StoredRun& baseline, const Tolerance& tolerance) {
-  constexpr std::string_view suffix = ".value", prefix = "measures.";
   std::vector<Expectation> all;
-  for (const auto& [column, text] : baseline.cells) {
-    const auto value = parsed<double>(text);
-    if (!value || !column.starts_with(prefix) || !column.ends_with(suffix)) continue;
-    all.push_back({.name = column.substr(prefix.size(), column.size() - prefix.size() - suffix.size()),
-                   .value = *value,
-                   .tolerance = tolerance});
-  }
+  for (const MeasureResult& measure : baseline.record.measures)
+    if (measure.value) all.push_back({.name = measure.name, .value = *measure.value, .tolerance = tolerance});
   return all;
 }
 
 Finding check_expectation(const StoredRun& run, const Expectation& e) {
-  const bool measure = is_measure(run, e.name);
-  const auto is = run.number(measure ? measure_column(e.name, "value") : e.name);
-  if (!measure && !is) throw UsageError(unknown_name("measure or number of run.json", e.name, names_in(run)));
-  std::string unit = run.text(measure_column(e.name, "unit"));
-  if (unit == "1") unit.clear();
+  const MeasureResult* measure = run.record.find_measure(e.name);
+  std::optional<double> is = measure ? measure->value : std::nullopt;
+  if (!measure) {
+    const auto numbers = numbers_in(run.all);
+    const auto found = std::ranges::find(numbers, e.name, &std::pair<std::string, double>::first);
+    if (found == numbers.end())
+      throw UsageError(unknown_name("measure or number of run.json", e.name, names_in(run)));
+    is = found->second;
+  }
+  const std::string unit = measure && measure->unit != "1" ? measure->unit : "";
   const bool bound = e.kind != Expectation::Kind::equal;
   if (!is || !std::isfinite(*is))
-    return {e.name, shown(e, unit), "no value", run.text(measure_column(e.name, "why")), false, bound};
+    return {e.name, shown(e, unit), "no value", measure ? measure->why : "", false, bound};
   return {e.name, shown(e, unit), with_unit(*is, unit), shown_difference(e, *is, unit), holds(e, *is), bound,
           *is};
 }
 
 Finding check_verdict(const StoredRun& run, const std::string& worst) {
-  const auto is = find_verdict(run.text("verdict")), allowed = find_verdict(worst);
+  const auto is = run.record.verdict, allowed = find_verdict(worst);
   if (!allowed) throw UsageError(unknown_name("verdict", worst, names_of_verdicts()));
   return {"verdict",
           *allowed == Verdict::stable ? worst : worst + " or better",
-          is ? run.text("verdict") : "no value",
+          is ? run.verdict() : "no value",
           "",
           is && *is <= *allowed,
           true};
 }
 
 Finding check_end(const StoredRun& run) {
-  const std::string status = run.text("status");
-  return {"status", "finished", status.empty() ? "no value" : status, "", status == "finished", true};
+  return {"status", "finished", run.status.empty() ? "no value" : run.status, "", run.status == "finished",
+          true};
 }
 
 std::string findings_table(const std::vector<Finding>& findings) {

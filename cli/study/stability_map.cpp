@@ -65,10 +65,13 @@ std::size_t place_of(std::vector<std::string>& names, const std::string& name) {
 }
 
 MapCell cell_of(const StoredRun& run, const std::optional<ResultColumn>& measure) {
-  MapCell cell{.verdict = "", .status = run.text("status"), .since = {}};
-  if (run.has_result()) cell.verdict = run.text("verdict");
-  if (!cell.verdict.empty()) cell.since = run.number("since." + cell.verdict);
-  if (measure && run.has_result()) cell.value = measure->number(run);
+  MapCell cell{.verdict = "", .status = run.status, .since = {}};
+  if (!run.has_result()) return cell;
+  if (measure) cell.value = measure->number(run);
+  if (!run.record.verdict) return cell;
+  cell.verdict = run.verdict();
+  const auto since = run.record.since.find(*run.record.verdict);
+  if (since != run.record.since.end()) cell.since = since->second;
   return cell;
 }
 

@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <numeric>
 #include <set>
+#include <sstream>
 
+#include "cli/scene/scene_file.hpp"
 #include "cli/study/csv.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
@@ -14,7 +16,6 @@
 #include "cli/text/shown.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
-#include "engine/judge/verdict.hpp"
 
 namespace taut::cli {
 namespace {
@@ -46,15 +47,51 @@ void check_columns(const fs::path& file, const CsvTable& table) {
                    join(missing));
 }
 
-std::vector<StoredRun> read_runs(const fs::path& file) {
-  const CsvTable table = read_csv(file);
-  check_columns(file, table);
+/// The tree of keys that the columns describe, with the number of each column.
+Json tree_of(const std::vector<std::string>& columns) {
+  Json tree = Json::object();
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (columns[k] == "status" || columns[k].starts_with(set_prefix)) continue;
+    Json* node = &tree;
+    std::istringstream path(columns[k]);
+    for (std::string key; node->is_object() && std::getline(path, key, '.');) {
+      node = &(*node)[key];
+      if (node->is_null() && !path.eof()) *node = Json::object();
+    }
+    if (node->is_null()) *node = k;
+  }
+  return tree;
+}
+
+/// The texts of a row in the form of `tree`, without empty cells.
+Json with_cells(const Json& tree, const std::vector<std::string>& row) {
+  if (!tree.is_object()) {
+    const std::string& cell = row[static_cast<std::size_t>(tree.number())];
+    return cell.empty() ? Json() : Json(cell);
+  }
+  Json json;
+  for (const auto& [key, inner] : tree.members())
+    if (Json value = with_cells(inner, row); !value.is_null()) {
+      if (json.is_null()) json = Json::object();
+      json.append(key, std::move(value));
+    }
+  return json;
+}
+
+std::vector<StoredRun> read_runs(const fs::path& path) {
+  const CsvTable table = read_csv(path);
+  check_columns(path, table);
+  const std::string file = path.string();
+  const Json tree = tree_of(table.columns);
   std::vector<StoredRun> runs;
   for (const auto& row : table.rows) {
     StoredRun& run = runs.emplace_back();
-    run.file = file.string();
+    run.file = file;
+    const Json json = with_cells(tree, row);
+    if (json.is_object()) run.record = record_from(JsonCursor(json, file, "", /*texts_are_numbers=*/true));
     for (std::size_t k = 0; k < row.size(); ++k)
       if (!row[k].empty()) run.cells.emplace_back(table.columns[k], row[k]);
+    run.status = run.text("status");
   }
   return runs;
 }
@@ -80,7 +117,7 @@ StoredSettings add_names(const fs::path& table, StoredResults& results) {
 }
 
 void add_scene(StoredResults& results, const StoredRun& run) {
-  const std::string scene = run.text("scene");
+  const std::string& scene = run.record.scene;
   if (scene.empty()) return;
   if (results.scene.empty()) results.scene = scene;
   if (scene != results.scene)
@@ -103,7 +140,8 @@ std::vector<std::string> candidates(const std::vector<StoredRun>& runs) {
       for (auto [prefix, columns] :
            {std::pair{set_prefix, &set}, {fixed_prefix, &set}, {parameter_prefix, &parameters}})
         if (cell.first.starts_with(prefix) && seen.insert(cell.first).second) columns->push_back(cell.first);
-  set.insert(set.end(), {"spacing", "stepping", "cfl", "contact", "until", "material_law", "jitter"});
+  for (const SettingInfo& info : setting_infos())
+    if (info.name != "method" && info.name != "jitter_seed") set.emplace_back(info.column);
   set.insert(set.end(), parameters.begin(), parameters.end());
   return set;
 }
@@ -121,18 +159,11 @@ std::string StoredRun::text(std::string_view column) const {
   return found == by_column.end() || name(*found) != column ? "" : cells[*found].second;
 }
 
-std::optional<double> StoredRun::number(std::string_view column) const {
-  return parsed<double>(text(column));
-}
+std::string StoredRun::method() const { return record.method.empty() ? text("set.method") : record.method; }
 
-bool StoredRun::has_result() const {
-  const std::string status = text("status");
-  return status == "finished" || status == "failed";
-}
-
-std::string StoredRun::method() const {
-  const std::string name = text("method");
-  return name.empty() ? text("set.method") : name;
+std::optional<double> StoredRun::value_of(std::string_view measure) const {
+  const std::optional<double> value = record.measure(measure).value;
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::string StoredRun::folder() const {
@@ -140,16 +171,11 @@ std::string StoredRun::folder() const {
 }
 
 std::vector<std::string> StoredResults::measures() const {
-  constexpr std::string_view prefix = "measures.";
   std::vector<std::string> names;
   std::set<std::string> seen;
   for (const StoredRun& run : runs)
-    for (const auto& [column, value] : run.cells) {
-      if (!column.starts_with(prefix)) continue;
-      const std::size_t end = column.find('.', prefix.size());
-      const std::string name = column.substr(prefix.size(), end - prefix.size());
-      if (seen.insert(name).second) names.push_back(name);
-    }
+    for (const MeasureResult& measure : run.record.measures)
+      if (seen.insert(measure.name).second) names.push_back(measure.name);
   return names;
 }
 
@@ -189,9 +215,9 @@ StoredRun read_stored_run(const std::string& path) {
   // e.g. results.csv
   const bool is_other = text && file.filename() != "run.json" && !text->starts_with('{');
   if (!text || is_other) throw UsageError("'" + path + "' is neither a run folder nor a run.json");
-  const auto json = parse_run_json(*text, file.string(), names_of_verdicts());
+  StoredRecord stored = parse_record(*text, file.string());
   StoredRun run{.file = file.string(), .cells = {{"folder", "."}}};
-  for (const auto& [pointer, value] : json.leaves()) {
+  for (const auto& [pointer, value] : stored.all.leaves()) {
     std::string column = pointer.substr(1);
     std::ranges::replace(column, '/', '.');
     if (value.is_text())
@@ -201,6 +227,9 @@ StoredRun read_stored_run(const std::string& path) {
     else if (value.is_null())
       run.cells.emplace_back(column, "");
   }
+  run.status = run.text("status");
+  run.all = std::move(stored.all);
+  run.record = std::move(stored);
   return run;
 }
 
@@ -221,14 +250,16 @@ void keep_methods(StoredResults& results, const std::vector<std::string>& method
 }
 
 std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs) {
-  const std::set<std::string> of_the_way{"method",  "spacing", "stepping",   "cfl",
-                                         "contact", "jitter",  "jitter_seed"};
+  const auto is_of_scene = [](const std::string& name) {
+    const auto infos = setting_infos();
+    const auto info = std::ranges::find(infos, name, &SettingInfo::name);
+    return info == infos.end() ? !name.starts_with(constant_prefix) : info->of_scene;
+  };
   std::vector<std::string> names;
   for (const std::string& column : candidates(runs)) {
     const std::string name = without_prefix(column);
     if (column.starts_with(parameter_prefix) || name == column) continue;  // not set
-    if (of_the_way.contains(name) || name.starts_with("method.")) continue;
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    if (is_of_scene(name) && std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
   return names;
 }

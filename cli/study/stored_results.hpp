@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "cli/run/record.hpp"
+
 namespace taut::cli {
 
 /// Prefix of swept names in the columns of results.csv: "set.v0".
@@ -15,19 +17,24 @@ inline constexpr std::string_view set_prefix = "set.";
 
 using StoredSettings = std::vector<std::pair<std::string, std::string>>;
 
-/// A row of results.csv.
+/// A row of results.csv, or a run.json.
 struct StoredRun {
-  std::string file;      // results.csv
-  StoredSettings cells;  // by column: "set.v0", "fixed.until" (set for all runs); no empty cells
+  std::string file;
+  std::string status = {};    // of the record, or "to do", "error"
+  RunRecord record = {};      // unknown members are empty
+  StoredSettings cells = {};  // by column: "set.v0", "fixed.until" (set for all runs); no empty cells
+  Json all = {};              // of a run.json
 
-  /// Empty if the cell is missing.
+  /// A cell; empty if it is missing. Members of the record have a type.
   std::string text(std::string_view column) const;
-  std::optional<double> number(std::string_view column) const;
   /// Whether it finished or diverged.
-  bool has_result() const;
+  bool has_result() const { return status == "finished" || status == "failed"; }
   std::string method() const;  // known before a result if swept
   std::string folder() const;  // of the run, beside results.csv
-  bool is_stable() const { return has_result() && text("verdict") == "stable"; }
+  std::string verdict() const { return record.verdict ? std::string(name(*record.verdict)) : ""; }
+  bool is_stable() const { return has_result() && record.verdict == Verdict::stable; }
+  /// Value of a measure, if it is finite.
+  std::optional<double> value_of(std::string_view measure) const;
 
   mutable std::vector<std::uint32_t> by_column =
       {};  // places of cells, made by `text`: there may be 10 000 columns

@@ -159,7 +159,11 @@ Chart read_chart(const std::vector<std::string>& results, const ChartRequest& re
   Chart chart = make_chart(read_results(results), request);
   if (chart.without_result > 0)
     err << "taut: " << chart.without_result << " runs have no result and are not on the chart\n";
-  if (chart.cost == Cost::seconds && chart.machines.size() > 1)
+  if (chart.lacks_cpu)
+    err << "taut: some runs were stored without CPU seconds, so the cost is the wall time; repeat the sweep "
+           "for "
+           "--cost cpu\n";
+  if (is_time(chart.cost) && chart.machines.size() > 1)
     err << "taut: the runs come from several machines or numbers of threads, so their seconds are not "
            "comparable; use --cost steps\n";
   return chart;

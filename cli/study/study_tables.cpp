@@ -1,6 +1,5 @@
 #include "cli/study/study_tables.hpp"
 
-#include "cli/study/chart_errors.hpp"
 #include "cli/study/chart_tables.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/markdown.hpp"
@@ -10,13 +9,10 @@ namespace {
 
 /// "0.2543 s (0.07 %)": value, error.
 std::string measure_cell(const StoredRun& run, const std::string& measure) {
-  const auto value = run.number(measure_column(measure, "value"));
-  if (!value) return "-";
-  const std::string unit = run.text(measure_column(measure, "unit"));
-  std::string text = brief(*value) + (unit.empty() || unit == "1" ? "" : " " + unit);
-  const auto error = run.number(measure_column(measure, "error")),
-             reference = run.number(measure_column(measure, "reference"));
-  if (error && reference && *reference != 0) text += " (" + percent(*error) + ")";
+  const MeasureResult& m = run.record.measure(measure);
+  if (!m.value) return "-";
+  std::string text = brief(*m.value) + (m.unit.empty() || m.unit == "1" ? "" : " " + m.unit);
+  if (m.error && m.reference && *m.reference != 0) text += " (" + percent(*m.error) + ")";
   return text;
 }
 
@@ -27,7 +23,7 @@ std::string measures_of_runs(const StoredResults& results) {
   rows[0].insert(rows[0].end(), measures.begin(), measures.end());
   for (const StoredRun& run : results.runs) {
     if (!run.has_result()) continue;
-    rows.push_back({"`" + series_name(run, columns) + "`", run.text("verdict")});
+    rows.push_back({"`" + series_name(run, columns) + "`", run.verdict()});
     for (const std::string& measure : measures) rows.back().push_back(measure_cell(run, measure));
   }
   return "**" + results.title + "**: measures, and in brackets their errors against the references\n\n" +

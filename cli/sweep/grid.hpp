@@ -10,6 +10,8 @@ namespace taut::cli {
 /// Settings of one run of a sweep.
 using GridRow = std::vector<Setting>;
 
+inline constexpr int most_repetitions = 100;
+
 struct Axis {
   std::string name;
   std::vector<Setting> values;

@@ -58,6 +58,7 @@ SweepRequest request_of_file(const SweepOptions& o) {
   });
   request.set = std::move(file.set);
   request.rows = std::move(file.rows);
+  request.repeat = file.repeat;
   request.pictures = std::move(file.pictures);
   request.folder = o.run.out.value_or("out/" + file.path.stem().string());
   return request;
@@ -78,6 +79,12 @@ void declare_sweep_options(Options& command, SweepOptions& o) {
   command.add_flag("--list", o.list, "list the runs and their states; run nothing");
   command.add("--jobs", "N", o.jobs, "number of runs at a time; default: cores over --threads")
       .check(positive_whole_number);
+  command
+      .add("--repeat", "N", o.repeat,
+           "number of repetitions of each run, whose median cost counts; above 1, at most one job per "
+           "physical core; "
+           "default: the sweep file's, else 1")
+      .check(positive_whole_number);
   command.add("--index", "N", o.index, "do only run N; the first run is 0").check(whole_number);
   command.add_flag("--force", o.force, "repeat finished runs");
   command.add("--emit", join(emit_names(), "|"), o.emit,
@@ -97,6 +104,10 @@ void declare_sweep_options(Options& command, SweepOptions& o) {
 SweepRequest make_request(const SweepOptions& o) {
   SweepRequest request = o.grid.empty() ? request_of_file(o) : request_of_scene(o);
   request.base.no_render = !draws(o);
+  request.repeat = o.repeat.value_or(request.repeat);
+  if (request.repeat > most_repetitions)
+    throw UsageError("--repeat is " + std::to_string(request.repeat) + "; at most " +
+                     std::to_string(most_repetitions) + " are allowed");
   return request;
 }
 

@@ -14,7 +14,7 @@ struct SweepOptions {
   std::vector<std::string> grid;
   RunOptions run;  // for every run
   std::optional<std::string> emit, fail_on;
-  std::optional<int> jobs, index;
+  std::optional<int> jobs, index, repeat;
   bool list = false, force = false, render = false, quiet = false;
 };
 

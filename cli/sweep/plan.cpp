@@ -172,17 +172,36 @@ std::string_view name(SweepRunState state) {
   return "";
 }
 
+std::vector<SweepRun*> SweepRun::all() {
+  std::vector<SweepRun*> runs{this};
+  for (SweepRun& repetition : repetitions) runs.push_back(&repetition);
+  return runs;
+}
+
+std::optional<RepeatedCost> SweepRun::cost() const {
+  const auto cpu = [](const RunRecord* of) { return of->seconds.cpu; };
+  std::vector<const RunRecord*> records;
+  if (record) records.push_back(&*record);
+  for (const SweepRun& repetition : repetitions)
+    if (repetition.state == SweepRunState::done) records.push_back(&*repetition.record);
+  if (records.empty()) return std::nullopt;
+  std::ranges::sort(records, {}, cpu);
+  const RunRecord* median = records[(records.size() - 1) / 2];
+  const double range = cpu(records.back()) - cpu(records.front());
+  return RepeatedCost{static_cast<int>(records.size()), median, cpu(median) > 0 ? range / cpu(median) : 0};
+}
+
 void SweepRun::forget() {
   state = SweepRunState::to_do;
   problem.clear();
-  record = nullptr;
+  record.reset();
 }
 
 void SweepRun::read_folder() {
   using Status = RunRecord::Status;
   forget();
   const RunFolder files(*options.out);
-  const std::optional<StoredRecord> found = read_record(files.record());
+  const std::optional<RunRecord> found = read_record(files.record());
   if (!found && files.is_damaged()) state = SweepRunState::damaged;
   if (!found) return;
   const bool same = found->version == build_info.version &&
@@ -201,7 +220,7 @@ void SweepRun::read_folder() {
   } else {
     state = SweepRunState::interrupted;
   }
-  if (state == SweepRunState::done || (same && found->status == Status::interrupted)) record = found->all;
+  if (state == SweepRunState::done || (same && found->status == Status::interrupted)) record = found;
 }
 
 SweepPlan plan_sweep(const SweepRequest& request) {
@@ -249,7 +268,12 @@ SweepPlan plan_sweep(const SweepRequest& request) {
     } catch (const UsageError& error) {
       report(request, row, error.what());
     }
-    run.read_folder();
+    for (int k = 2; k <= request.repeat; ++k) {
+      SweepRun& repetition = run.repetitions.emplace_back(run);
+      repetition.repetitions.clear();
+      repetition.options.out = (request.folder / ("repeat-" + std::to_string(k)) / run.folder).string();
+    }
+    for (SweepRun* each : run.all()) each->read_folder();
     plan.runs.push_back(std::move(run));
   }
   if (plan.title.empty()) plan.title = plan.scene;

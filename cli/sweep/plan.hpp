@@ -8,7 +8,6 @@
 #include "cli/run/plan.hpp"
 #include "cli/study/study.hpp"
 #include "cli/sweep/grid.hpp"
-#include "cli/text/json.hpp"
 
 namespace taut::cli {
 
@@ -22,6 +21,13 @@ enum class SweepRunState {
 };
 std::string_view name(SweepRunState);
 
+/// CPU cost of equal runs.
+struct RepeatedCost {
+  int runs = 0;
+  const RunRecord* median;  // of the run with the median CPU time
+  double spread = 0;        // greatest less least CPU time, over the median
+};
+
 /// A validated run.
 struct SweepRun {
   int index = 0;
@@ -33,9 +39,14 @@ struct SweepRun {
   double work = 0;      // relative duration, estimated
   bool forced = false;  // repeat even if done
   SweepRunState state = SweepRunState::to_do;
-  std::string problem;  // of a broken run
-  Json record;          // run.json if done or interrupted, else null
+  std::string problem;                // of a broken run
+  std::optional<RunRecord> record;    // if done or interrupted
+  std::vector<SweepRun> repetitions;  // further runs, for the cost
 
+  /// This run and its repetitions.
+  std::vector<SweepRun*> all();
+  /// Cost of this run and its repetitions, as far as they have results.
+  std::optional<RepeatedCost> cost() const;
   /// Reads state and record from the run folder.
   void read_folder();
   /// Resets state and record, as for an empty folder.
@@ -67,6 +78,7 @@ struct SweepRequest {
   std::vector<Setting> set;    // from the file; no name of `base`
   std::filesystem::path folder;
   std::vector<GridRow> rows;
+  int repeat = 1;  // runs of each row
   StudyPictures pictures;
 };
 

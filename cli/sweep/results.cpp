@@ -1,7 +1,6 @@
 #include "cli/sweep/results.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "cli/study/csv.hpp"
 #include "cli/system/atomic_file.hpp"
@@ -12,12 +11,14 @@
 namespace taut::cli {
 namespace {
 
-constexpr std::array left_out = {"taut", "format", "provenance"};  // from run.json
-constexpr std::array times = {"threads", "machine", "seconds", "particle_steps_per_second"};
-
-std::string status(const SweepRun& run) {
-  if (run.record.is_object()) return run.record.find("status")->text();
-  return run.state == SweepRunState::broken ? "error" : "to do";
+/// The record with the median cost of the repetitions.
+RunRecord median(const SweepRun& run) {
+  RunRecord record = *run.record;
+  if (run.repetitions.empty()) return record;
+  const RunRecord& median = *run.cost()->median;
+  record.seconds = median.seconds;
+  record.other_load = median.other_load;
+  return record;
 }
 
 Json run_json(const SweepRun& run) {
@@ -25,20 +26,14 @@ Json run_json(const SweepRun& run) {
   json["index"] = run.index;
   json["set"] = Json::object();
   for (const Setting& s : run.settings) json["set"][s.name] = number_or_text(s.value);
-  json["status"] = status(run);
+  Json results = run.record ? to_results(median(run)) : Json::object();
+  if (const auto cost = run.cost(); cost && !run.repetitions.empty())
+    results["repeated"] = {{"runs", cost->runs}, {"cpu_spread", cost->spread}};
+  const Json* status = results.find("status");
+  json["status"] = status ? *status : Json(run.state == SweepRunState::broken ? "error" : "to do");
   json["message"] = run.problem.empty() ? Json() : Json(run.problem);
   json["folder"] = run.folder;
-  if (!run.record.is_object()) return json;
-  const auto is_of = [](const auto& keys, const std::string& key) {
-    return std::ranges::count(keys, key) > 0;
-  };
-  for (const auto& [key, value] : run.record.members())
-    if (!is_of(left_out, key) && !is_of(times, key) && !json.find(key)) json[key] = value;
-  for (const char* key : times) {
-    const Json* time = run.record.find(key);
-    json[key] = time ? *time : Json();
-  }
-  return json;
+  return json.with(results);
 }
 
 /// Leaves of a tree with their paths.
@@ -72,32 +67,14 @@ std::string cell_of(const Json& value) {
   return value.is_float() ? exact(value.number()) : csv_cell(value.dump());
 }
 
-const Json* find(const Json& run, std::initializer_list<const char*> path) {
-  const Json* value = &run;
-  for (const char* key : path)
-    if (value) value = value->find(key);
-  return !value || value->is_null() ? nullptr : value;
+/// The measures of a run that has them; all runs have one scene.
+std::vector<MeasureResult> measures_of(const SweepPlan& plan) {
+  const auto run = std::ranges::find_if(plan.runs, [](const SweepRun& r) { return r.record.has_value(); });
+  return run == plan.runs.end() ? std::vector<MeasureResult>() : run->record->measures;
 }
 
-std::string measure_cell(const SweepRun& run, const std::string& measure) {
-  const Json* value = find(run.record, {"measures", measure.c_str(), "value"});
-  return value && run.state == SweepRunState::done ? brief(value->number()) : "-";
-}
-
-/// Names without and with units.
-std::vector<std::pair<std::string, std::string>> measures_of(const SweepPlan& plan) {
-  std::vector<std::pair<std::string, std::string>> all;
-  for (const SweepRun& run : plan.runs) {
-    const Json* measures = find(run.record, {"measures"});
-    if (!measures) continue;
-    for (const auto& [name, measure] : measures->members()) {
-      const Json* found = find(measure, {"unit"});
-      const std::string unit = found ? found->text() : "";
-      all.emplace_back(name, unit.empty() || unit == "1" ? name : name + ", " + unit);
-    }
-    break;  // all runs have one scene
-  }
-  return all;
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() || unit == "1" ? name : name + ", " + unit;
 }
 
 }  // namespace
@@ -147,32 +124,28 @@ TestCase test_case(const SweepRun& run, const std::optional<Verdict>& fail_on) {
   using Result = TestCase::Result;
   TestCase test{text_of(run.settings), Result::error, run.problem.empty() ? outcome(run) : run.problem};
   if (run.state != SweepRunState::done) return test;
-  const Json* verdict = find(run.record, {"verdict"});
-  test.result =
-      fail_on && verdict && find_verdict(verdict->text()) >= fail_on ? Result::failed : Result::passed;
-  if (const Json* seconds = find(run.record, {"seconds"})) {
-    test.seconds = 0;
-    for (const auto& [part, value] : seconds->members())
-      if (value.is_number()) *test.seconds += value.number();
-  }
+  test.result = fail_on && run.record->verdict >= fail_on ? Result::failed : Result::passed;
+  const Seconds& s = run.record->seconds;
+  test.seconds = s.setup + s.solve + s.render + s.write;
   return test;
 }
 
 std::string outcome(const SweepRun& run) {
-  const Json* verdict = find(run.record, {"verdict"});
-  if (!verdict || run.state != SweepRunState::done) return status(run);
-  const std::string& name = verdict->text();
-  const Json* since = find(run.record, {"since", name.c_str()});
-  return name + (since ? " since " + brief(since->number()) + " s" : "");
+  if (!run.record || !run.record->verdict || run.state != SweepRunState::done)
+    return run_json(run).find("status")->text();
+  const auto since = run.record->since.find(*run.record->verdict);
+  return std::string(name(*run.record->verdict)) +
+         (since == run.record->since.end() ? "" : " since " + brief(since->second) + " s");
 }
 
 std::string results_table(const SweepPlan& plan) {
-  const auto measures = measures_of(plan);
+  const std::vector<MeasureResult> measures = measures_of(plan);
   std::vector<std::vector<std::string>> rows{{"run"}};
-  for (const Swept& s : plan.swept)
-    rows[0].push_back(s.unit.empty() || s.unit == "1" ? s.name : s.name + ", " + s.unit);
+  for (const Swept& s : plan.swept) rows[0].push_back(with_unit(s.name, s.unit));
   rows[0].emplace_back("verdict");
-  for (const auto& measure : measures) rows[0].push_back(measure.second);
+  for (const MeasureResult& measure : measures) rows[0].push_back(with_unit(measure.name, measure.unit));
+  const bool repeated = !plan.runs.empty() && !plan.runs.front().repetitions.empty();
+  if (repeated) rows[0].insert(rows[0].end(), {"median CPU, s", "spread", "runs"});
   for (const SweepRun& run : plan.runs) {
     std::vector<std::string>& row = rows.emplace_back();
     row.push_back(std::to_string(run.index));
@@ -181,7 +154,15 @@ std::string results_table(const SweepPlan& plan) {
       row.push_back(setting == run.settings.end() ? "-" : setting->value);
     }
     row.push_back(outcome(run));
-    for (const auto& measure : measures) row.push_back(measure_cell(run, measure.first));
+    for (const MeasureResult& measure : measures) {
+      const auto value =
+          run.state == SweepRunState::done ? run.record->measure(measure.name).value : std::nullopt;
+      row.push_back(value ? brief(*value) : "-");
+    }
+    if (!repeated) continue;
+    const auto cost = run.cost();
+    row.insert(row.end(), {cost ? brief(cost->median->seconds.cpu) : "-", cost ? percent(cost->spread) : "-",
+                           std::to_string(cost ? cost->runs : 0)});
   }
   return in_columns(rows);
 }

@@ -40,8 +40,8 @@ std::string last_line(std::string text) {
 /// Progress, from run.json.
 double share_done(const SweepRun& run) {
   const std::optional<StoredRecord> record = read_record(RunFolder(*run.options.out).record());
-  if (!record || record->status != RunRecord::Status::running || !record->reached || !record->until) return 0;
-  return std::clamp(*record->reached / *record->until, 0.0, 1.0);
+  if (!record || record->status != RunRecord::Status::running || !(record->until > 0)) return 0;
+  return std::clamp(record->reached / record->until, 0.0, 1.0);
 }
 
 /// Returns the graver exit code: a bug, then an output error, then an input error.
@@ -106,7 +106,7 @@ void SweepRunner::finish(Job& job) {
   if (run.state != SweepRunState::done && !stopped) {
     const bool by_signal = end.signal != 0;
     run.state = SweepRunState::broken;
-    run.record = nullptr;
+    run.record.reset();
     run.problem = by_signal ? std::string("killed: ") + ::strsignal(end.signal) : last_line(end.output);
     if (run.problem.empty()) run.problem = "ended with exit code " + std::to_string(end.code);
     const bool known = end.code == exit_wrong_input || end.code == exit_not_written;

@@ -16,6 +16,7 @@ struct SweepFile {
   std::string title, scene;
   std::vector<Setting> set;
   std::vector<GridRow> rows;
+  int repeat = 1;
   StudyPictures pictures;
 };
 

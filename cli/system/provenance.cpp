@@ -72,7 +72,8 @@ Json Provenance::to_json() const {
           {"host", host_name()},
           {"start", fmt::format("{:%FT%TZ}", fmt::gmtime(start_))},
           {"wall_seconds", wall_.seconds()},
-          {"cpu_seconds", cpu_.seconds()}};
+          {"cpu_seconds", cpu_.seconds()},
+          {"other_load", load_.of_others()}};
 }
 
 }  // namespace taut::cli

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/system/machine.hpp"
 #include "cli/system/stopwatch.hpp"
 #include "cli/text/json.hpp"
 
@@ -23,7 +24,7 @@ inline constexpr std::array<FileFormat, 7> file_formats{{{"run.json", 1},
                                                          {"history.csv", 1},
                                                          {"lines.csv", 1},
                                                          {"particles", 1},
-                                                         {"checkpoint.bin", 14}}};
+                                                         {"checkpoint.bin", 15}}};
 
 consteval int format_of(std::string_view file) {
   for (const FileFormat& format : file_formats)
@@ -46,6 +47,7 @@ class Provenance {
   std::time_t start_ = std::time(nullptr);
   Stopwatch wall_;
   CpuStopwatch cpu_;
+  MachineLoad load_;
 };
 
 }  // namespace taut::cli

@@ -45,6 +45,7 @@ class Timed {
 /// Wall clock of a run, s. `render` and `write` are sums over threads; `write` includes history rows and verdicts.
 struct Seconds {
   double setup = 0, solve = 0, render = 0, write = 0;
+  double cpu = 0;  // CPU time of `solve`, summed over the threads of the solver
 };
 
 }  // namespace taut::cli

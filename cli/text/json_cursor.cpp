@@ -12,102 +12,19 @@ namespace {
 
 const Json nothing;  // null
 
-enum class Kind { text, number, object, choice_of_status, choice_of_verdict };
-
-/// "*" stands for every key.
-struct KeyOfRun {
-  std::vector<std::string> path;
-  Kind kind;
-};
-
-const std::vector<KeyOfRun>& keys_of_run() {
-  using enum Kind;
-  static const std::vector<KeyOfRun> keys = {
-      {{"taut"}, text},
-      {{"format"}, number},
-      {{"scene"}, text},
-      {{"method"}, text},
-      {{"material_law"}, text},
-      {{"remark"}, text},
-      {{"contact"}, text},
-      {{"stepping"}, text},
-      {{"cfl"}, number},
-      {{"parameters", "*"}, number},
-      {{"dim"}, number},
-      {{"spacing"}, number},
-      {{"spacing_asked"}, number},
-      {{"jitter"}, number},
-      {{"jitter_seed"}, number},
-      {{"particles"}, number},
-      {{"mass"}, number},
-      {{"until"}, number},
-      {{"reached"}, number},
-      {{"status"}, choice_of_status},
-      {{"reason"}, text},
-      {{"steps"}, number},
-      {{"threads"}, number},
-      {{"machine"}, text},
-      {{"seconds", "*"}, number},
-      {{"particle_steps_per_second"}, number},
-      {{"verdict"}, choice_of_verdict},
-      {{"since", "*"}, number},
-      {{"beyond_law", "*"}, number},
-      {{"warnings", "*", "*"}, number},
-      {{"indicators"}, object},
-      {{"conservation", "*"}, number},
-      {{"energy_note"}, text},
-      {{"measures", "*", "value"}, number},
-      {{"measures", "*", "unit"}, text},
-      {{"measures", "*", "reference"}, number},
-      {{"measures", "*", "kind"}, text},
-      {{"measures", "*", "reference_name"}, text},
-      {{"measures", "*", "error"}, number},
-      {{"measures", "*", "why"}, text},
-      {{"provenance"}, object},
-  };
-  return keys;
-}
-
-const std::vector<std::string> states = {"running", "finished", "interrupted", "failed"};
-
-void check(const JsonCursor& value, Kind kind, const std::vector<std::string>& verdicts) {
-  if (kind == Kind::text) value.text();
-  if (kind == Kind::number) value.check_number_or_null();
-  if (kind == Kind::object && !value.is_null()) value.check_object();
-  if (kind == Kind::choice_of_status) value.choice(states);
-  if (kind == Kind::choice_of_verdict) value.choice(verdicts);
-}
-
-void check_below(const JsonCursor& value, const KeyOfRun& key, std::size_t part,
-                 const std::vector<std::string>& verdicts) {
-  if (part == key.path.size()) return check(value, key.kind, verdicts);
-  if (value.is_null()) return;
-  if (key.path[part] != "*") return check_below(value.at(key.path[part]), key, part + 1, verdicts);
-  for (const auto& member : value.members()) check_below(member.second, key, part + 1, verdicts);
-}
-
 }  // namespace
 
-Json parse_run_json(const std::string& text, const std::string& file,
-                    const std::vector<std::string>& verdicts) {
-  Json json = parse_json(text, file);
-  if (!json.find("taut"))
-    throw UsageError("'" + file +
-                     "' is not the run.json of a run of taut: the key 'taut' is missing; repeat the run");
-  const JsonCursor record(json, file);
-  for (const KeyOfRun& key : keys_of_run()) check_below(record, key, 0, verdicts);
-  return json;
-}
-
-JsonCursor::JsonCursor(const Json& value, const std::string& file, std::string path)
-    : value_(&value), file_(&file), path_(std::move(path)) {}
+JsonCursor::JsonCursor(const Json& value, const std::string& file, std::string path, bool texts_are_numbers)
+    : value_(&value), file_(&file), path_(std::move(path)), texts_are_numbers_(texts_are_numbers) {}
 
 bool JsonCursor::is_null() const { return value_->is_null(); }
+
+bool JsonCursor::is_missing() const { return value_ == &nothing; }
 
 JsonCursor JsonCursor::at(const std::string& key) const {
   check_object();
   const Json* found = value_->find(key);
-  return {found ? *found : nothing, *file_, path_.empty() ? key : path_ + "." + key};
+  return {found ? *found : nothing, *file_, path_.empty() ? key : path_ + "." + key, texts_are_numbers_};
 }
 
 std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
@@ -120,7 +37,7 @@ std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
 
 std::vector<JsonCursor> JsonCursor::items() const {
   std::vector<JsonCursor> all;
-  if (is_null()) return all;
+  if (is_null() || (texts_are_numbers_ && value_->is_text())) return all;
   if (!value_->is_array()) fail("an array");
   for (const Json& item : value_->items())
     all.emplace_back(item, *file_, path_ + "." + std::to_string(all.size()));
@@ -142,8 +59,11 @@ void JsonCursor::check_object() const {
   if (!value_->is_object()) fail("an object");
 }
 
-void JsonCursor::check_number_or_null() const {
-  if (!is_null() && !value_->is_number()) fail("a number");
+std::optional<double> JsonCursor::number() const {
+  if (is_null()) return std::nullopt;
+  if (texts_are_numbers_ && value_->is_text()) return parsed<double>(value_->text());
+  if (!value_->is_number()) fail("a number");
+  return value_->number();
 }
 
 std::string JsonCursor::choice(const std::vector<std::string>& allowed) const {

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <cstddef>
+#include <cmath>
+#include <optional>
 #include <string>
-#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,11 +15,15 @@ namespace taut::cli {
 /// ("measures.period.value"), the actual value and the allowed values.
 class JsonCursor {
  public:
-  /// The arguments must outlive the cursor.
-  JsonCursor(const Json& value, const std::string& file, std::string path = "");
+  /// The arguments must outlive the cursor. With `texts_are_numbers`, as in CSV, a text can be a number; any other
+  /// text counts as null where a number or an array is read.
+  JsonCursor(const Json& value, const std::string& file, std::string path = "",
+             bool texts_are_numbers = false);
 
   const std::string& path() const { return path_; }
   bool is_null() const;
+  /// Whether `at` found no such key.
+  bool is_missing() const;
   /// Member of an object; a missing key gives null.
   JsonCursor at(const std::string& key) const;
   /// Members of an object, items of an array; none for null.
@@ -30,7 +35,16 @@ class JsonCursor {
   std::string number_or_text() const;
 
   void check_object() const;
-  void check_number_or_null() const;
+  std::optional<double> number() const;
+  /// NaN or 0 for null; 0 for a number that a whole T cannot hold.
+  template <class T>
+  T number_as() const {
+    const double value = number().value_or(NAN);
+    if constexpr (std::is_integral_v<T>)
+      return std::abs(value) <= 1e9 || (sizeof(T) > 4 && std::abs(value) <= 1e18) ? static_cast<T>(value) : 0;
+    else
+      return value;
+  }
   /// "" for null.
   std::string choice(const std::vector<std::string>& allowed) const;
   [[noreturn]] void fail(const std::string& allowed) const;
@@ -39,11 +53,7 @@ class JsonCursor {
   const Json* value_;
   const std::string* file_;
   std::string path_;
+  bool texts_are_numbers_;
 };
-
-/// Parses a run.json and checks the type of every key that taut writes; each may be null, and other keys are ignored.
-/// `verdicts` lists the allowed verdicts. Throws UsageError.
-Json parse_run_json(const std::string& text, const std::string& file,
-                    const std::vector<std::string>& verdicts);
 
 }  // namespace taut::cli

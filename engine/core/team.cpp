@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
+#include <pthread.h>
 #include <sched.h>
 
 namespace taut {
@@ -12,6 +14,12 @@ using Clock = std::chrono::steady_clock;
 // work between two loops of a step, such as contact, mostly takes less.
 constexpr std::chrono::microseconds patience{100};
 constexpr int spins = 50;  // between clock reads, or before the owner yields
+
+double time_on(clockid_t clock) {
+  std::timespec time{};
+  ::clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 void pause() {
 #if defined(__x86_64__)
@@ -43,6 +51,14 @@ Threads::Threads(int threads)
 Team& Team::own() {
   thread_local Team team;
   return team;
+}
+
+double Team::cpu_seconds() {
+  double total = time_on(CLOCK_THREAD_CPUTIME_ID);
+  for (std::thread& helper : helpers_)
+    if (clockid_t clock = 0; ::pthread_getcpuclockid(helper.native_handle(), &clock) == 0)
+      total += time_on(clock);
+  return total;
 }
 
 void Team::run(int threads, int chunks, Work work, const void* of) {

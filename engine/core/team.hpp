@@ -31,6 +31,8 @@ class Team {
   /// Calls work(of, chunk) once per chunk, in any order, on at most `threads` threads. Nested loops run on the
   /// calling thread.
   void run(int threads, int chunks, Work work, const void* of);
+  /// CPU time of the calling thread and its helpers since their start, s.
+  double cpu_seconds();
 
  private:
   /// A job packed into one word; `number` counts jobs.
