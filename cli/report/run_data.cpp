@@ -14,6 +14,7 @@
 #include "cli/study/csv.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
+#include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/error.hpp"
 
 namespace fs = std::filesystem;
@@ -79,7 +80,8 @@ Json reference_curves(const Scene& scene, const std::string& law) {
   const std::vector<double> times = times_in_parts(scene.until, solution_samples);
   for (const Measure& measure : scene.measures) {
     const auto table = reference.table.find(measure.name);
-    const auto solution = reference.solution.find(measure.name);
+    const bool is_curve = find_measure_kind(measure.kind)->solution;
+    const auto solution = is_curve ? reference.solution.find(measure.name) : reference.solution.end();
     for (std::size_t k = 0; k < measure.probes.size(); ++k) {
       if (table != reference.table.end() && k < table->second.value.size())
         add(measure, measure.probes[k], table->second.t, table->second.value[k]);

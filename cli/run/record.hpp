@@ -82,6 +82,9 @@ struct StoredRecord {
   Json all;
 };
 
+/// Time that a stored run took, s; 0 if unknown. Of a continued run, the time of the last part or of all steps.
+double seconds_taken(const StoredRecord& record);
+
 /// Returns nullopt without a file. Throws UsageError, with file and key, for a record that taut cannot have written.
 std::optional<StoredRecord> checked_record(const std::filesystem::path& file);
 /// Same as checked_record, but returns nullopt for invalid records.

@@ -23,6 +23,9 @@ struct ChartRequest {
   Cost cost = Cost::seconds;
   std::vector<std::string> methods{};  // empty: all
   std::string against{};               // method whose finest run replaces references
+  std::optional<StoredRun> run{};      // run that replaces references, instead of a method
+
+  bool replaces_references() const { return run || !against.empty(); }
 };
 
 struct ChartPoint {
