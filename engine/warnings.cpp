@@ -192,7 +192,7 @@ void warn_about_thin_parts(std::vector<std::string>& warnings, const Scene& scen
     const double share = static_cast<double>(std::ranges::count_if(body->places, is_thin)) /
                          static_cast<double>(body->places.size());
     warnings.push_back(fmt::format(
-        "{:.2g} % of the particles of body '{}' are in parts one or two particles thick, such as at [{:.4g}, "
+        "{:.3g} % of the particles of body '{}' are in parts one or two particles thick, such as at [{:.4g}, "
         "{:.4g}{}] m; such parts can zigzag and lose energy, so use a smaller spacing",
         100 * share, scene.bodies[b].name, at[0], at[1], dim == 3 ? fmt::format(", {:.4g}", at[2]) : ""));
   }

@@ -100,15 +100,15 @@ ChartRequest request(const ChooseArguments& options, const SceneFile& file) {
   one.runs.push_back(read_stored_run(options.against));
   if (const std::string scene = one.runs.front().text("scene"); scene != file.scene.name)
     throw UsageError("'" + options.against + "' is a run of " + scene + "; it must be of " + file.scene.name);
-  if (!one.runs.front().is_stable())
-    throw UsageError("the run in '" + options.against + "' has the verdict " +
-                     one.runs.front().text("verdict") + "; a reference must be stable");
   request.run = one.runs.front();
   for (const Parameter& parameter : file.parameters)
     if (const std::string value = value_of(*request.run, parameter.name);
         !value.empty() && !is_same(value, exact(parameter.value)))
       throw UsageError("the run in '" + options.against + "' has " + parameter.name + " = " + value +
                        ", not " + exact(parameter.value) + "; choose this value with --set");
+  if (!one.runs.front().is_stable())
+    throw UsageError("the run in '" + options.against + "' has the verdict " +
+                     one.runs.front().text("verdict") + "; a reference must be stable");
   return request;
 }
 

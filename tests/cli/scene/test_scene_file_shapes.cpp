@@ -340,7 +340,7 @@ unit = "s"
       return "{ type = \"mesh\", file = \"" + file + "\", scale = 0.001" + more + " }";
     };
     const InitialParticles layout = laid(scene_text(shape("tetrahedron.obj"), "", 3));
-    CHECK(volume(layout) == doctest::Approx(1.0 / 6).epsilon(0.1));
+    CHECK(volume(layout) == relative(1.0 / 6, 0.1));
     for (const Point& x : layout.x) CHECK(x[0] + x[1] + x[2] < 1 + 1e-6);
     const InitialParticles moved = laid(scene_text(shape("tetrahedron.obj", ", centre = [5, 0, 0]"), "", 3));
     for (const Point& x : moved.x) CHECK(std::abs(x[0] - 5) < 0.5);

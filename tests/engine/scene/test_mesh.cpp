@@ -3,10 +3,12 @@
 #include <doctest/doctest.h>
 
 #include "engine/scene/shapes/mesh.hpp"
+#include "tests/support/relative.hpp"
 
 namespace of_this_file {
 
 using namespace taut;
+using namespace taut::test;
 
 namespace {
 
@@ -45,7 +47,7 @@ TEST_SUITE("unit") {
     add_cube(triangles, 0);
     CHECK(faults_of(triangles).open == 0);
     const Mesh cube(triangles);
-    CHECK(cube.measure(3) == doctest::Approx(1));
+    CHECK(cube.measure(3) == relative(1));
     int wrong = 0;
     at_lattice([&](const Point& x) {
       for (const double tolerance : {1e-9, -1e-9, 0.2, -0.2}) {
@@ -87,7 +89,7 @@ TEST_SUITE("unit") {
     mesh.shift(1, 3);
     look(3);
     CHECK(wrong == 0);
-    CHECK(mesh.bounds().high[1] == doctest::Approx(4.5));
+    CHECK(mesh.bounds().high[1] == relative(4.5));
   }
 
   TEST_CASE("open edges and triangles that face opposite sides are counted") {
