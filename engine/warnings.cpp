@@ -1,9 +1,11 @@
 #include "engine/warnings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -101,6 +103,101 @@ void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& s
       body(first->first), body(first->second), nearest / scene.spacing, support / scene.spacing));
 }
 
+/// Particles of one body on its lattice.
+struct LatticeCells {
+  std::array<int, 3> sides{1, 1, 1};
+  std::vector<char> filled;
+
+  std::size_t at(const std::array<int, 3>& cell) const {
+    return (static_cast<std::size_t>(cell[2]) * static_cast<std::size_t>(sides[1]) +
+            static_cast<std::size_t>(cell[1])) *
+               static_cast<std::size_t>(sides[0]) +
+           static_cast<std::size_t>(cell[0]);
+  }
+};
+
+/// Fills the cells that have all (`all`) or any of their neighbours up to `reach` along an axis filled. Outside, no
+/// cell is filled.
+LatticeCells along_axis(const LatticeCells& cells, std::size_t axis, int reach, bool all) {
+  LatticeCells result = cells;
+  std::array<int, 3> cell{};
+  for (cell[2] = 0; cell[2] < cells.sides[2]; ++cell[2])
+    for (cell[1] = 0; cell[1] < cells.sides[1]; ++cell[1])
+      for (cell[0] = 0; cell[0] < cells.sides[0]; ++cell[0]) {
+        int number = 0;
+        for (int by = -reach; by <= reach; ++by) {
+          std::array<int, 3> beside = cell;
+          beside[axis] += by;
+          const bool within = beside[axis] >= 0 && beside[axis] < cells.sides[axis];
+          number += within && cells.filled[cells.at(beside)];
+        }
+        result.filled[cells.at(cell)] = all ? number == 2 * reach + 1 : number > 0;
+      }
+  return result;
+}
+
+struct LatticeBody {
+  LatticeCells cells;
+  std::vector<std::array<int, 3>> places;  // [particle of the body]
+};
+
+/// Returns nullopt if a particle of `own` is not on a lattice along the axes, or for very sparse bodies.
+std::optional<LatticeBody> on_lattice(const Snapshot& start, std::span<const std::size_t> own, double dp) {
+  constexpr double off_lattice = 1e-6;  // dp
+  constexpr double most_cells = 5e7;
+  const auto dim = static_cast<std::size_t>(start.dim);
+  LatticeBody body;
+  Point low{};
+  double room = 1;
+  for (std::size_t k = 0; k < dim; ++k) {
+    const auto along = [&](std::size_t i) { return start.x0[dim * i + k]; };
+    const auto [least, greatest] = std::ranges::minmax(own, {}, along);
+    low[k] = along(least);
+    const double side = std::round((along(greatest) - low[k]) / dp) + 1;
+    if (!((room *= side) <= most_cells)) return std::nullopt;
+    body.cells.sides[k] = static_cast<int>(side);
+  }
+  body.cells.filled.resize(static_cast<std::size_t>(room));
+  for (const std::size_t i : own) {
+    std::array<int, 3>& place = body.places.emplace_back();
+    for (std::size_t k = 0; k < dim; ++k) {
+      const double exact = (start.x0[dim * i + k] - low[k]) / dp;
+      place[k] = static_cast<int>(std::lround(exact));
+      if (std::abs(exact - place[k]) > off_lattice) return std::nullopt;
+    }
+    body.cells.filled[body.cells.at(place)] = 1;
+  }
+  return body;
+}
+
+/// Warns of parts one or two particles thick: they are far from any block of 3 × 3 (× 3) particles.
+void warn_about_thin_parts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
+  constexpr int steps_of_lattice = 2;  // the faces of a round body have steps of this height
+  const auto dim = static_cast<std::size_t>(start.dim);
+  std::vector<std::vector<std::size_t>> particles(scene.bodies.size());
+  for (std::size_t i = 0; i < start.size(); ++i)
+    particles[static_cast<std::size_t>(start.body[i])].push_back(i);
+  for (std::size_t b = 0; b < particles.size(); ++b) {
+    if (particles[b].empty()) continue;
+    std::optional<LatticeBody> body = on_lattice(start, particles[b], scene.spacing);
+    if (!body) continue;
+    for (std::size_t k = 0; k < dim; ++k) body->cells = along_axis(body->cells, k, 1, true);
+    for (std::size_t k = 0; k < dim; ++k) body->cells = along_axis(body->cells, k, steps_of_lattice, false);
+    const auto is_thin = [&](const std::array<int, 3>& place) {
+      return !body->cells.filled[body->cells.at(place)];
+    };
+    const auto first = std::ranges::find_if(body->places, is_thin);
+    if (first == body->places.end()) continue;
+    const Point at = start.position(particles[b][static_cast<std::size_t>(first - body->places.begin())]);
+    const double share = static_cast<double>(std::ranges::count_if(body->places, is_thin)) /
+                         static_cast<double>(body->places.size());
+    warnings.push_back(fmt::format(
+        "{:.3g} % of the particles of body '{}' are in parts one or two particles thick, such as at [{:.4g}, "
+        "{:.4g}{}] m; such parts can zigzag and lose energy, so use a smaller spacing",
+        100 * share, scene.bodies[b].name, at[0], at[1], dim == 3 ? fmt::format(", {:.4g}", at[2]) : ""));
+  }
+}
+
 }  // namespace
 
 std::string warning_about_reactions(const Scene& scene, const MethodInfo& method) {
@@ -122,6 +219,7 @@ std::vector<std::string> warnings_at_start(const Scene& scene, const MethodInfo&
   std::vector<std::string> warnings;
   warn_about_masses(warnings, scene, start);
   warn_about_speeds(warnings, scene, start);
+  warn_about_thin_parts(warnings, scene, start);
   warn_about_contacts(warnings, scene, start);
   if (scene.bodies.size() > 1 && contact_law(scene, method) == ContactLaw::sph)
     warn_about_joined_bodies(warnings, scene, start, simulation.support());

@@ -15,7 +15,7 @@ namespace taut {
 std::string warning_about_reactions(const Scene& scene, const MethodInfo& method);
 
 /// Warns of an unsuitable initial state: masses that differ from the shapes by 2 % or more, speeds above the sound
-/// speed, contacts that store energy, and bodies that contact by `sph` may join.
+/// speed, parts one or two particles thick, contacts that store energy, and bodies that contact by `sph` may join.
 std::vector<std::string> warnings_at_start(const Scene& scene, const MethodInfo& method,
                                            const Simulation& simulation);
 

@@ -15,6 +15,7 @@
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
+#include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {
 namespace {
@@ -22,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ChooseArguments : ReportOptions {
-  std::string scene, measure;
+  std::string scene, measure, against;
   std::vector<Setting> settings;
   std::optional<std::string> error;
   std::optional<double> seconds;
@@ -86,6 +87,29 @@ std::string keep_matching_runs(const SceneFile& file, StoredResults& results) {
   return join(others);
 }
 
+/// Throws UsageError for a run of another scene or of other parameters.
+ChartRequest request(const ChooseArguments& options, const SceneFile& file) {
+  ChartRequest request{options.measure, Cost::wall};
+  if (options.against.empty() || find_method(options.against)) {
+    request.against = options.against;
+    return request;
+  }
+  StoredResults one;
+  one.runs.push_back(read_stored_run(options.against));
+  if (const std::string scene = one.runs.front().record.scene; scene != file.scene.name)
+    throw UsageError("'" + options.against + "' is a run of " + scene + "; it must be of " + file.scene.name);
+  request.run = one.runs.front();
+  for (const Parameter& parameter : file.parameters)
+    if (const std::string value = value_of(*request.run, parameter.name);
+        !value.empty() && !is_same(value, exact(parameter.value)))
+      throw UsageError("the run in '" + options.against + "' has " + parameter.name + " = " + value +
+                       ", not " + exact(parameter.value) + "; choose this value with --set");
+  if (!one.runs.front().is_stable())
+    throw UsageError("the run in '" + options.against + "' has the verdict " + one.runs.front().verdict() +
+                     "; a reference must be stable");
+  return request;
+}
+
 Json json(const Chart& chart, const ChoiceLimits* limits, std::optional<double> seconds,
           const std::vector<Offer>& offers) {
   Json answer = json_answer("choose");
@@ -116,7 +140,7 @@ int choose(const ChooseArguments& options, Streams streams) {
                      "; choose other values with --set");
   if (!wanted.empty())
     streams.err << "taut: only runs with " << wanted << " are used; choose other values with --set\n";
-  const Chart chart = make_chart(results, {options.measure, Cost::wall});
+  const Chart chart = make_chart(results, request(options, file));
   if (error && !chart.unit.empty() && options.error->ends_with('%'))
     throw UsageError("the errors of " + chart.measure + " have the unit " + chart.unit +
                      " and cannot be given in %; give --error in " + chart.unit);
@@ -154,6 +178,9 @@ std::function<int(Streams)> declare_choose(Options& command) {
   command.add("--seconds", "T", options->seconds, "largest acceptable time of solving, s; default: no limit")
       .check(positive_number);
   declare_measure(command, options->measure);
+  command.add(
+      "--against", "METHOD|DIR", options->against,
+      "method whose finest stable run, or run folder whose values, replace the references of the scene");
   command.add("--from", "FILE ...", options->from,
               "results.csv files of sweeps, or the folders of sweeps; default: all below out/");
   options->declare_json(command);

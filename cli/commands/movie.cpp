@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <filesystem>
+#include <numeric>
 #include <optional>
 #include <ostream>
 
@@ -67,6 +68,7 @@ class ScratchFolder {
 bool draw_orbit(const fs::path& folder, const fs::path& frames, std::ostream& err) {
   SavedRun run = open_saved_run(folder);
   run.file.drawing.orbit = true;
+  std::iota(run.numbers.begin(), run.numbers.end(), 0);  // ffmpeg stops at a gap
   check_redrawing(run);
   Progress progress(err, progress_style(err, false));
   return redraw(run, frames, 0, progress).all;

@@ -1,6 +1,8 @@
 #include <filesystem>
 #include <ostream>
 
+#include <fmt/core.h>
+
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/drawing/frames.hpp"
@@ -13,6 +15,7 @@
 #include "cli/system/interrupts.hpp"
 #include "cli/system/progress.hpp"
 #include "cli/text/checks.hpp"
+#include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
 namespace fs = std::filesystem;
@@ -57,9 +60,10 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
   const std::string scene = resolved_text(run.file, run.folder.path());
   // a continued run would draw its next frames differently
   if (fs::exists(run.folder.checkpoint()) && read_whole(run.folder.scene()) != scene)
-    throw UsageError("the run in '" + run.folder.path().string() +
-                     "' is not finished, so its frames cannot change; "
-                     "name another folder with --out, or finish the run with `taut run --resume`");
+    throw UsageError(
+        "the run in '" + run.folder.path().string() +
+        "' has a checkpoint, so its frames cannot change; name another folder with --out, finish the run "
+        "with `taut run --resume`, or remove checkpoint.bin of a finished run");
   run.folder.clear_frames();
   write_atomically(run.folder.scene(), scene, Durability::on_disk);
   return run.folder.frames();
@@ -70,6 +74,16 @@ fs::path folder_to_lock(const RenderArguments& options) {
   if (!options.out) return options.run;
   check_for_frames(*options.out);
   return run_around(*options.out).value_or(*options.out);
+}
+
+void tell_what_is_missing(const SavedRun& run, std::ostream& err) {
+  constexpr std::size_t shown = 3;
+  std::vector<std::string> names = missing_files(run);
+  if (names.empty()) return;
+  const std::string more = names.size() > shown ? fmt::format(" and {} more", names.size() - shown) : "";
+  names.resize(std::min(names.size(), shown));
+  err << "taut: " << join(names) << more << " in '" << run.folder.particles().string()
+      << "' are missing, and so are their frames; the other frames keep their numbers\n";
 }
 
 int render(const RenderArguments& options, Streams streams) {
@@ -85,6 +99,7 @@ int render(const RenderArguments& options, Streams streams) {
   const fs::path folder = prepare(options, run);
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const auto [frames, all] = redraw(run, folder, options.threads, progress);
+  tell_what_is_missing(run, streams.err);
   streams.out << "frames  " << folder.string() << " (" << frames << ")\n";
   return all ? exit_fine : Interrupts::exit_code();
 }

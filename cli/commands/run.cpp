@@ -4,6 +4,7 @@
 
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
+#include "cli/run/dry_run.hpp"
 #include "cli/run/record.hpp"
 #include "cli/run/report.hpp"
 #include "cli/run/resume.hpp"
@@ -20,6 +21,7 @@ namespace {
 struct RunArguments : RunOptions {
   std::optional<std::string> fail_on;
   std::optional<std::string> resume;
+  bool force = false, dry_run = false;
   bool quiet = false;
 };
 
@@ -32,13 +34,20 @@ void declare_options(Options& command, RunArguments& o) {
   declare_output_options(command, o);
   declare_particle_options(command, o);
   command
-      .add("--checkpoint-every", "T", o.checkpoint_every,
-           "write a checkpoint for --resume after each T of simulated time, s, and when interrupted; "
-           "default: never")
+      .add(
+          "--checkpoint-every", "T", o.checkpoint_every,
+          "write a checkpoint for --resume after each T of simulated time, s; default: only when interrupted")
       .check(positive_number);
+  command.add_flag("--keep-checkpoint", o.keep_checkpoint,
+                   "keep a checkpoint of the end, to continue the run with --resume and a later --until");
   command.add("--resume", "DIR", o.resume,
               "continue the run in this folder from its last checkpoint, or from the start if there is none; "
-              "the results are the same as without the interruption; other options must agree with the run");
+              "the results are the same as without the interruption; other options must agree with the run, "
+              "but --until may be later");
+  command.add_flag("--force", o.force, "replace an older run that took more than a minute");
+  command.add_flag(
+      "--dry-run", o.dry_run,
+      "print size, time step, number of steps and estimated time, and draw the first picture; run nothing");
   command.add("--threads", "N", o.threads, "number of threads; default: all cores, fewer for small scenes")
       .check(positive_whole_number);
   command.add_flag("--no-render", o.no_render, "draw no frames");
@@ -52,6 +61,17 @@ struct LockedPlan {
   RunPlan plan;
 };
 
+/// Throws UsageError for an older run that took more than a minute.
+void refuse_to_lose(const RunFolder& folder) {
+  constexpr double minute = 60;  // s
+  const auto record = read_record(folder.record());
+  if (!record) return;
+  const double seconds = seconds_taken(*record);
+  if (seconds > minute)
+    throw UsageError("the older run in '" + folder.path().string() + "' took " + brief(seconds / minute) +
+                     " minutes; replace it with --force, or name another folder with --out");
+}
+
 LockedPlan planned(const RunArguments& options, std::ostream& err) {
   const auto lock = [&err](const std::filesystem::path& folder) {
     return std::make_unique<const FolderLock>(folder, FolderLock::Of::run, "taut run", err);
@@ -62,9 +82,11 @@ LockedPlan planned(const RunArguments& options, std::ostream& err) {
     all.plan = make_plan(options);
     all.lock = lock(all.plan.folder.path());
     all.plan.folder.check();  // another process may have changed it before the lock
+    if (!options.force) refuse_to_lose(all.plan.folder);
     return all;
   }
-  check_resumable(*options.resume);  // before locking: no lock file is written to a folder that is no run
+  check_resumable(*options.resume,
+                  options);  // before locking: no lock file is written to a folder that is no run
   all.lock = lock(*options.resume);
   all.plan = resume_plan(*options.resume, options);
   if (!all.plan.state)
@@ -89,6 +111,13 @@ void tell_what_is_replaced(const RunArguments& options, const RunPlan& plan, std
 int run(const RunArguments& options, Streams streams) {
   const Stopwatch setup;
   const std::optional<Verdict> fail_on = parse_verdict(options.fail_on);
+  if (options.dry_run) {
+    if (options.resume) throw UsageError("--dry-run and --resume exclude each other");
+    const RunPlan plan = make_plan(options);
+    print_remark(plan.file, streams.err);
+    streams.out << dry_run(plan, streams.err);
+    return exit_fine;
+  }
   const auto [lock, plan] = planned(options, streams.err);
   print_remark(plan.file, streams.err);
   const Interrupts interrupts;
@@ -99,6 +128,9 @@ int run(const RunArguments& options, Streams streams) {
   streams.out << run_report(plan, result);
   if (const std::string& all = result.record.remark; all.size() > plan.file.remark.size())
     streams.err << "taut: " << all.substr(plan.file.remark.empty() ? 0 : plan.file.remark.size() + 2) << '\n';
+  if (result.record.status == RunRecord::Status::interrupted)
+    streams.err << "taut: interrupted; `taut run --resume " << plan.folder.path().string()
+                << "` continues the run\n";
   if (!result.failure.empty())
     streams.err << "taut: " << result.failure << "; " << advice(plan.file, result.record.steps) << '\n';
   const int code = exit_code(result, fail_on);

@@ -189,7 +189,8 @@ std::vector<std::uint8_t> Frames::draw_picture(int worker, const StagedParticles
 
 void Frames::write(const std::vector<std::uint8_t>& picture, int number) {
   const Stopwatch watch;
-  render::write_png(picture, folder_ / frame_name(number));
+  const int of_file = file_numbers_.empty() ? number : file_numbers_.at(static_cast<std::size_t>(number));
+  render::write_png(picture, folder_ / frame_name(of_file));
   writing_time_ += watch.seconds();
   ++written_;
 }

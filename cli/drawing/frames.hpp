@@ -50,6 +50,8 @@ class Frames {
   void add(const Snapshot& snapshot);
   /// `particles` are all of the run, with values and without texts.
   void add(const FrameView& particles);
+  /// Number of the k-th frame's file, in ascending order; without a call, k.
+  void number_files(std::vector<int> numbers) { file_numbers_ = std::move(numbers); }
   /// Draws the frames in memory. Calls `go_on` before each frame; returns false if it stopped the drawing.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
   /// Waits for pending frames. Throws their errors, as all functions that add frames do.
@@ -112,6 +114,7 @@ class Frames {
   std::vector<double> diameter_;  // m
   std::vector<Kept> kept_;
   std::optional<render::Vector> orbited_;  // centre of the orbit, m
+  std::vector<int> file_numbers_;          // empty: 0, 1, …
   int drawn_ = 0;                          // including frames being drawn
   std::atomic<int> written_ = 0;
   std::atomic<double> drawing_time_ = 0, writing_time_ = 0;  // s, not yet in `seconds_`

@@ -169,6 +169,7 @@ last_run = "never"
     {"ring", "shape = { type = \"ring\", centre = [0, 0], inner = 0.03, outer = 0.04 }\n"},
     {"ellipse", "shape = { type = \"ellipse\", centre = [0, 0], semi_axes = [0.03, 0.01], rotate = 30 }\n"},
     {"polygon", "shape = { type = \"polygon\", points = [[0, 0], [0.04, 0], [0.02, 0.03]] }\n"},
+    {"mesh", "shape = { type = \"mesh\", file = \"pawn.stl\", scale = 0.001, centre = [0, 0, 0.02] }\n"},
     {"svg", "shape = { type = \"svg\", file = \"letter.svg\", height = 0.06, centre = [0, 0] }\n"},
     {"mask", "shape = { type = \"mask\", file = \"picture.png\", width = 0.1, low = [0, 0] }\n"},
     {"expression",

@@ -43,7 +43,7 @@ std::string compared_with(const MeasureKind& kind) {
   Texts compared;
   if (kind.number) compared.emplace_back("number");
   if (kind.table) compared.emplace_back("table");
-  if (kind.solution) compared.emplace_back("solution");
+  if (kind.solution || kind.number) compared.emplace_back("solution");
   return join_with_or(compared);
 }
 

@@ -17,7 +17,7 @@ struct Checkpoint {
   std::string scene;                        // text of scene.toml
   std::vector<std::string> fields;          // none: particles are not saved
   std::optional<double> requested_spacing;  // m
-  double every = 0;                         // simulated time between checkpoints, s
+  double every = 0;                         // simulated time between checkpoints, s; 0: only when interrupted
   bool draws = true;
   std::string state;  // bytes that the caller saved; empty: at the start
 

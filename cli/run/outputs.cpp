@@ -63,6 +63,8 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   void put_on_disk() override { history_->put_on_disk(); }
   void update_result() override { result_.record.conservation = conservation_.so_far(); }
   void discard_newer() override { history_->discard_newer(); }
+  /// Parts of the longer run are other times.
+  void run_on() override { judge_times_.skip_to(simulation_.time()); }
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -210,6 +212,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   void update_result() override { result_.frames = frames_.written(); }
   void discard_newer() override { folder_.keep_frames(on_disk_ = frames_.written()); }
 
+  bool has_deferred_work() const override { return frames_.kept() > 0; }
   bool complete(const Interrupts& interrupts, Progress& progress) override {
     if (unseen_)
       result_.record.remark += std::string(result_.record.remark.empty() ? "" : "; ") + nothing_seen;

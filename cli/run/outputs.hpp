@@ -50,12 +50,16 @@ class RunOutput {
   virtual void put_on_disk() {}
   /// Updates the result before run.json is written.
   virtual void update_result() {}
+  /// Whether `complete` has work to do.
+  virtual bool has_deferred_work() const { return false; }
   /// Does deferred work; false if interrupted.
   virtual bool complete(const Interrupts&, Progress&) { return true; }
 
   /// State for checkpoints. Call `wait` before saving; loading changes no file.
   virtual void save(Saver& saver) = 0;
   virtual void load(Loader& loader) = 0;
+  /// Called after `load` if `until` is later than in the loaded state.
+  virtual void run_on() {}
   /// Removes output newer than the loaded state.
   virtual void discard_newer() {}
 };

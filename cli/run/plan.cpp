@@ -255,6 +255,7 @@ RunPlan make_plan(const RunOptions& options) {
     if (!remark.empty()) file.remark += (file.remark.empty() ? "" : "; ") + remark;
   plan.requested_spacing = file.requested_spacing;
   plan.checkpoint_every = options.checkpoint_every;
+  plan.keep_checkpoint = options.keep_checkpoint;
   if (!options.no_render) plan.drawing = file.drawing;
   plan.particle_fields = particle_fields(options, file.scene.dim);
   if (plan.drawing || !plan.particle_fields.empty())

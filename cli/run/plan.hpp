@@ -24,6 +24,7 @@ struct RunOptions {
   DrawingOptions drawing;
   int threads = 0;                         // 0: all cores, fewer in small scenes
   std::optional<double> checkpoint_every;  // s
+  bool keep_checkpoint = false;
   bool no_render = false;
   bool save_particles = false;
   std::vector<std::string> fields;  // to save; none: all

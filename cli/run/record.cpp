@@ -368,6 +368,14 @@ std::optional<StoredRecord> checked_record(const std::filesystem::path& file) {
   return text ? std::optional(parse_record(*text, file.string())) : std::nullopt;
 }
 
+double seconds_taken(const StoredRecord& record) {
+  const auto figure = [&](const char* part, const char* key) {
+    const Json* const found = record.all.find(part);
+    return found ? number_in(*found, key).value_or(0) : 0;
+  };
+  return std::max(figure("provenance", "wall_seconds"), figure("seconds", "solve"));
+}
+
 std::optional<StoredRecord> read_record(const std::filesystem::path& file) try {
   return checked_record(file);
 } catch (const UsageError&) {

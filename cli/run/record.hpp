@@ -109,6 +109,10 @@ RunRecord record_from(const JsonCursor& json);
 struct StoredRecord : RunRecord {
   Json all;
 };
+
+/// Time that a stored run took, s; 0 if unknown. Of a continued run, the time of the last part or of all steps.
+double seconds_taken(const StoredRecord& record);
+
 /// Returns nullopt without a file. Throws like record_from.
 std::optional<StoredRecord> checked_record(const std::filesystem::path& file);
 /// Same as checked_record, but returns nullopt for invalid records.

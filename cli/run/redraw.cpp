@@ -23,6 +23,7 @@ Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int thr
   const Origins origins = origins_of(scene);
   Frames frames(run.file.drawing, origins, folder, {scene.title, run.file.settings.method, scene.until},
                 threads, seconds);
+  frames.number_files(run.numbers);
   const Interrupts interrupts;
   const double count = static_cast<double>(run.particles.size());
   const auto go_on = [&](int drawn) {

@@ -17,7 +17,8 @@ struct Redrawn {
   bool all = true;
 };
 
-/// Draws all frames of a run from its saved particles. `threads` of 0 uses all cores.
+/// Draws all frames of a run from its saved particles; a frame has the number of its particle file. `threads` of 0
+/// uses all cores.
 Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int threads, Progress& progress);
 
 }  // namespace taut::cli

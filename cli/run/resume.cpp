@@ -1,5 +1,8 @@
 #include "cli/run/resume.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "cli/run/checkpoint.hpp"
 #include "cli/run/record.hpp"
 #include "cli/system/atomic_file.hpp"
@@ -11,16 +14,31 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-void check_something_is_left(const RunFolder& folder, const std::optional<StoredRecord>& record) {
+/// The later end of a run, if the options give one.
+std::optional<double> later_end(const RunOptions& given, const std::optional<StoredRecord>& record) {
+  const auto until = std::ranges::find(given.settings, "until", &Setting::name);
+  if (until == given.settings.end() || !record || !record->until) return std::nullopt;
+  const auto time = parsed<double>(until->value);
+  return time && std::isfinite(*time) && *time > *record->until ? time : std::nullopt;
+}
+
+void check_something_is_left(const RunFolder& folder, const std::optional<StoredRecord>& record,
+                             const RunOptions& given) {
   std::error_code error;
   const std::string name = '\'' + folder.path().string() + '\'';
   if (!fs::is_regular_file(folder.scene(), error) || !record)
     throw UsageError(name + " is not a run folder; name a folder that `taut run` has written");
-  if (fs::exists(folder.checkpoint(), error)) return;
-  const bool failed = record->status == RunRecord::Status::failed;
-  if (failed || record->status == RunRecord::Status::finished)
-    throw UsageError("the run in " + name + (failed ? " has failed" : " is finished") +
-                     ": nothing is left to do");
+  const bool has_checkpoint = fs::exists(folder.checkpoint(), error);
+  if (record->status == RunRecord::Status::finished && !(has_checkpoint && later_end(given, record)))
+    throw UsageError(
+        "the run in " + name + " is finished: " +
+        (has_checkpoint ? "give a later --until to continue it"
+         : later_end(given, record)
+             ? "it has no checkpoint for a later --until; run it again, with --keep-checkpoint to "
+               "continue it afterwards"
+             : "nothing is left to do"));
+  if (!has_checkpoint && record->status == RunRecord::Status::failed)
+    throw UsageError("the run in " + name + " has failed: nothing is left to do");
 }
 
 void check_same_scene(const Checkpoint& checkpoint, const RunFolder& folder, const RunPlan& plan) {
@@ -39,8 +57,10 @@ RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoin
   options.scene = folder.scene().string();
   options.out = folder.path().string();
   options.threads = given.threads;
+  options.keep_checkpoint = given.keep_checkpoint;
   if (checkpoint) {
-    options.checkpoint_every = checkpoint->every;
+    options.checkpoint_every =
+        checkpoint->every > 0 ? std::optional(checkpoint->every) : given.checkpoint_every;
     options.no_render = !checkpoint->draws;
     options.save_particles = !checkpoint->fields.empty();
     options.fields = checkpoint->fields;
@@ -81,26 +101,48 @@ std::string first_conflict(const RunOptions& given, const RunOptions& stored, co
                                                     : "";
 }
 
-}  // namespace
-
-void check_resumable(const fs::path& path) {
-  const RunFolder folder(path);
-  check_something_is_left(folder, checked_record(folder.record()));
+/// `plan` with a later end. The intervals of frames and rows stay.
+RunPlan run_on(const RunPlan& plan, RunOptions stored, double until) {
+  stored.settings = {{"until", exact(until)}};
+  if (!plan.frame_times.empty()) {
+    const double interval = plan.file.scene.until / plan.file.drawing.frames, count = until / interval;
+    const double whole = std::round(count);
+    if (std::abs(count - whole) > 1e-9 * count)
+      throw UsageError("--until must be a multiple of the time between frames, " + brief(interval) +
+                       " s, such as " +
+                       exact(whole > plan.file.drawing.frames ? whole * interval : (whole + 1) * interval));
+    stored.frames = static_cast<int>(std::fmin(whole, 1e9));
+  }
+  stored.keep_checkpoint = true;
+  RunPlan longer = make_plan(stored);
+  longer.runs_on = true;
+  return longer;
 }
 
-RunPlan resume_plan(const fs::path& path, const RunOptions& given) {
+}  // namespace
+
+void check_resumable(const fs::path& path, const RunOptions& given) {
+  const RunFolder folder(path);
+  check_something_is_left(folder, checked_record(folder.record()), given);
+}
+
+RunPlan resume_plan(const fs::path& path, const RunOptions& options) {
+  RunOptions given = options;
   const RunFolder folder(path);
   const std::optional<StoredRecord> record = checked_record(folder.record());
-  check_something_is_left(folder, record);
+  check_something_is_left(folder, record, given);
+  const std::optional<double> later = later_end(given, record);
+  if (later) std::erase_if(given.settings, [](const Setting& setting) { return setting.name == "until"; });
   std::optional<Checkpoint> checkpoint;
   if (std::error_code error; fs::exists(folder.checkpoint(), error))
     checkpoint = read_checkpoint(folder.checkpoint());
-  const RunOptions stored = stored_options(folder, checkpoint, given);
+  RunOptions stored = stored_options(folder, checkpoint, given);
   RunPlan plan = make_plan(stored);
   if (checkpoint) check_same_scene(*checkpoint, folder, plan);
   if (const std::string other = first_conflict(given, stored, plan); !other.empty())
     throw UsageError("--resume continues the run in '" + path.string() + "' unchanged; " + other +
                      " would change it; leave it out");
+  if (later) plan = run_on(plan, stored, *later);
   plan.requested_spacing = checkpoint ? checkpoint->requested_spacing : record->requested_spacing;
   if (checkpoint && !checkpoint->state.empty()) plan.state = std::move(checkpoint->state);
   return plan;

@@ -38,12 +38,14 @@ class Run {
   void resume_from(const std::string& state);
   void load(const std::string& state);
   void open_files(AppendFile::Start start);
+  std::string state();
   void save_checkpoint();
   void put_on_disk();
   void write_checkpoint(std::string state) const;
   void plan_next_checkpoint();
   void simulate();
   void step_through();
+  bool has_deferred_work() const;
   double next_output() const;
   double next_between_steps() const;
   void show_what_is_due(bool at_end);
@@ -68,6 +70,8 @@ class Run {
   Pace pace_;
   Stopwatch since_saved_;
   double next_checkpoint_ = std::numeric_limits<double>::infinity();  // s
+  std::optional<std::string>
+      final_state_;  // before the final row of history.csv, if a checkpoint may need it
 };
 
 Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Interrupts& interrupts,
@@ -95,9 +99,11 @@ RunResult Run::execute() {
     save(status == finished ? running : status);  // deferred frames are not drawn yet
     const bool all_done = complete();
     put_on_disk();  // before run.json reports it
+    const bool keeps = final_state_ && (plan_.keep_checkpoint || !all_done);
+    if (keeps) write_checkpoint(*final_state_);
     save(status == finished && !all_done ? interrupted : status);
     // also after divergence
-    if (all_done && record_.status != interrupted) plan_.folder.clear_checkpoint();
+    if (all_done && record_.status != interrupted && !keeps) plan_.folder.clear_checkpoint();
   } catch (...) {
     save_failure(current_failure().message);
     throw;
@@ -123,12 +129,17 @@ void Run::resume_from(const std::string& state) {
   } catch (const UsageError& e) {
     throw UsageError("'" + plan_.folder.checkpoint().string() + "' cannot be used: " + e.what());
   }
+  if (plan_.runs_on)
+    for (const auto& output : outputs_) output->run_on();
   for (const auto& output : outputs_) output->discard_newer();
   record_.seconds.setup += setup;
   record_.reached = simulation_->time();
   record_.steps = simulation_->steps();
   plan_next_checkpoint();
   save(RunRecord::Status::running);
+  if (!plan_.runs_on) return;
+  save_checkpoint();
+  write_atomically(plan_.folder.scene(), plan_.scene_text(), Durability::on_disk);
 }
 
 void Run::load(const std::string& state) {
@@ -138,7 +149,8 @@ void Run::load(const std::string& state) {
   for (const auto& output : outputs_) output->load(loader);
   loader.finish();
   simulation_->load(simulation);
-  loader.check("the time of the next output", [&] { return next_output() > simulation_->time(); });
+  if (!plan_.runs_on)
+    loader.check("the time of the next output", [&] { return next_output() > simulation_->time(); });
 }
 
 void Run::open_files(AppendFile::Start start) {
@@ -146,15 +158,18 @@ void Run::open_files(AppendFile::Start start) {
 }
 
 /// A checkpoint refers to the contents of other files, so these are put on disk first.
-void Run::save_checkpoint() {
-  if (!plan_.checkpoint_every) return;
+std::string Run::state() {
   put_on_disk();
   const Timed timed(record_.seconds.write);
   Saver saver;
   std::string simulation = simulation_->save();
   saver(simulation, record_.seconds);
   for (const auto& output : outputs_) output->save(saver);
-  write_checkpoint(saver.take());
+  return saver.take();
+}
+
+void Run::save_checkpoint() {
+  write_checkpoint(state());
   plan_next_checkpoint();
 }
 
@@ -165,8 +180,12 @@ void Run::put_on_disk() {
 }
 
 void Run::write_checkpoint(std::string state) const {
-  Checkpoint checkpoint{record_.method,          plan_.scene_text(),      {},
-                        plan_.requested_spacing, *plan_.checkpoint_every, plan_.drawing.has_value(),
+  Checkpoint checkpoint{record_.method,
+                        plan_.scene_text(),
+                        {},
+                        plan_.requested_spacing,
+                        plan_.checkpoint_every.value_or(0),
+                        plan_.drawing.has_value(),
                         std::move(state)};
   for (const Field* field : plan_.particle_fields) checkpoint.fields.emplace_back(field->key);
   cli::write_checkpoint(plan_.folder.checkpoint(), std::move(checkpoint));
@@ -206,9 +225,15 @@ void Run::step_through() {
     const bool well = result_.failure.empty();
     if (well && (stopped || record_.reached >= next_checkpoint_)) save_checkpoint();
     going = well && !stopped && record_.reached < record_.until;
+    if (well && record_.reached >= record_.until && (plan_.keep_checkpoint || has_deferred_work()))
+      final_state_ = state();
   }
   show_what_is_due(true);
   progress_.end(state_line());
+}
+
+bool Run::has_deferred_work() const {
+  return std::ranges::any_of(outputs_, [](const auto& output) { return output->has_deferred_work(); });
 }
 
 double Run::next_output() const {

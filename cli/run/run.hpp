@@ -25,7 +25,9 @@ struct RunPlan {
       history_times;  // s, sorted; particles are saved at frame times
   RunFolder folder{"."};
   std::optional<double> checkpoint_every;  // simulated time, s; none: no checkpoints
+  bool keep_checkpoint = false;            // when the run has finished, to continue it to a later `until`
   std::optional<std::string> state;        // of the run in the folder, to continue it; none: from the start
+  bool runs_on = false;                    // `state` is of a run with an earlier `until`
 
   std::string scene_text() const { return resolved_text(file, folder.path()); }
 };

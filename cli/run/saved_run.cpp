@@ -2,12 +2,25 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <optional>
 
+#include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
 namespace fs = std::filesystem;
 
 namespace taut::cli {
+namespace {
+
+/// Number in a name made by RunFolder::particle_file.
+std::optional<int> number_of(const RunFolder& folder, const fs::path& file) {
+  const std::string name = file.stem().string();
+  const auto number = parsed<int>(name.substr(std::min(name.size(), name.find_first_of("0123456789"))));
+  return number && file == folder.particle_file(*number) ? number : std::nullopt;
+}
+
+}  // namespace
 
 SavedRun open_saved_run(const fs::path& path) {
   const RunFolder folder(path);
@@ -15,18 +28,26 @@ SavedRun open_saved_run(const fs::path& path) {
   if (!fs::is_regular_file(folder.scene(), error))  // a pipe is not waited for
     throw UsageError("'" + path.string() +
                      "' is not a run folder; name a folder that `taut run` has written");
-  std::vector<fs::path> files;
+  std::map<int, fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder.particles(), error))
-    if (entry.path().extension() == ".vtp") files.push_back(entry.path());
+    if (const auto number = number_of(folder, entry.path())) files[*number] = entry.path();
   if (files.empty())
     throw UsageError("'" + path.string() + "' contains no saved particles; save them with\n  taut run " +
                      folder.scene().string() + " --save-particles --out " + path.string());
-  // five or more digits: shorter is earlier
-  std::ranges::sort(files, {},
-                    [](const fs::path& file) { return std::pair(file.string().size(), file.string()); });
-  SavedRun run{folder, read_scene(folder.scene()), {}};
-  for (const fs::path& file : files) run.particles.emplace_back(file);
+  SavedRun run{folder, read_scene(folder.scene()), {}, {}};
+  for (const auto& [number, file] : files) {
+    run.particles.emplace_back(file);
+    run.numbers.push_back(number);
+  }
   return run;
+}
+
+std::vector<std::string> missing_files(const SavedRun& run) {
+  std::vector<std::string> names;
+  for (int k = 0; k < run.numbers.back(); ++k)
+    if (!std::ranges::binary_search(run.numbers, k))
+      names.push_back(run.folder.particle_file(k).filename().string());
+  return names;
 }
 
 FrameView ColoredParticles::view() const {

@@ -17,10 +17,14 @@ struct SavedRun {
   RunFolder folder;
   SceneFile file;
   std::vector<ParticleFile> particles;  // in order of time
+  std::vector<int> numbers;             // of these files, as in their names
 };
 
 /// Throws UsageError if the folder is no run or has no particles.
 SavedRun open_saved_run(const std::filesystem::path& folder);
+
+/// Names of the files between the first and the last one that are missing, also from 0: "particles_00003.vtp".
+std::vector<std::string> missing_files(const SavedRun& run);
 
 struct ColoredParticles {
   int dim = 2;

@@ -25,6 +25,11 @@ double Agenda::next() const {
   return done_ < times_.size() ? times_[done_] : std::numeric_limits<double>::infinity();
 }
 
+void Agenda::skip_to(double now) {
+  done_ = 0;
+  reached(now);
+}
+
 std::span<const double> Agenda::reached(double now) {
   const std::size_t first = done_;
   while (done_ < times_.size() && times_[done_] <= now) ++done_;

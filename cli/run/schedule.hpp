@@ -21,6 +21,8 @@ class Agenda {
   /// Times up to `now` that no earlier call returned.
   std::span<const double> reached(double now);
   std::size_t done() const { return done_; }
+  /// Passes exactly the times up to `now`.
+  void skip_to(double now);
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -213,11 +213,14 @@ constexpr KeyInfo reference_keys[] = {
     {"tables", types::table("tables", "{ file, column }").by_name("MEASURE"), "none",
      "reference series of measures, from CSV files"},
     {"solutions", types::expression("expression of t").or_list(1).by_name("MEASURE"), "none",
-     "exact solutions of measures. Solutions of lines and fields may also use the place. Measures of several "
+     "exact solutions of measures; of a number such as a period, its value. Solutions of lines and fields "
+     "may also use the place. Measures of several "
      "probes or fields take an array. A solution is valid for all values of the parameters that `when` does "
      "not name"},
     {"let", types::number().by_name("NAME"), "none",
-     "names for use in the solutions; each may use the names above it"},
+     "names for use in values and solutions; each may use the names above it. If the scene has one material, "
+     "also its "
+     "c0, E, nu, rho, K, G"},
 };
 
 constexpr KeyInfo table_keys[] = {

@@ -97,16 +97,14 @@ std::map<std::string, double> read_values(TomlCursor& reference, const Scene& sc
   return values;
 }
 
-const Measure& measure_taking(bool MeasureKind::*what, std::string_view named, TomlCursor& cursor,
-                              const TomlEntry& entry, const Scene& scene) {
+const Measure& measure_with_table(TomlCursor& cursor, const TomlEntry& entry, const Scene& scene) {
   const Measure& measure = known_measure(cursor, entry, scene);
-  if (find_measure_kind(measure.kind)->*what) return measure;
+  if (find_measure_kind(measure.kind)->table) return measure;
   std::vector<std::string> kinds;
   for (const MeasureKind& kind : measure_kinds())
-    if (kind.*what) kinds.emplace_back(kind.name);
+    if (kind.table) kinds.emplace_back(kind.name);
   cursor.fail(entry.place, entry.key,
-              "the measure '" + entry.key + "' cannot have a " + std::string(named) + "; only " +
-                  join_with_or(kinds) + " can");
+              "the measure '" + entry.key + "' cannot have a table; only " + join_with_or(kinds) + " can");
 }
 
 std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure) {
@@ -151,7 +149,7 @@ std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const S
   if (!table) return tables;
   TomlCursor cursor = reference.enter(*table, "tables", "'tables' of " + reference.what(), named_by_user);
   for (TomlEntry& entry : cursor.table().entries) {
-    const Measure& measure = measure_taking(&MeasureKind::table, "table", cursor, entry, file.scene);
+    const Measure& measure = measure_with_table(cursor, entry, file.scene);
     TomlCursor one = cursor.enter(entry.value, entry.key, "table '" + entry.key + "'", keys_of("tables"));
     tables[entry.key] = read_one_table(std::move(one), measure, file);
   }
@@ -166,7 +164,7 @@ std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& referenc
   TomlCursor cursor =
       reference.enter(*table, "solutions", "'solutions' of " + reference.what(), named_by_user);
   for (const TomlEntry& entry : cursor.table().entries) {
-    const Measure& measure = measure_taking(&MeasureKind::solution, "solution", cursor, entry, scene);
+    const Measure& measure = known_measure(cursor, entry, scene);
     const std::size_t number = std::max({std::size_t{1}, measure.probes.size(), measure.fields.size()});
     const bool several = entry.value.kind == TomlValue::Kind::array;
     if (number != (several ? entry.value.items.size() : 1))
@@ -265,6 +263,7 @@ void read_references(TomlCursor& root, SceneFile& file) {
   for (TomlValue& value : root.list("reference")) {
     TomlCursor cursor = root.enter(value, "reference", "a reference", keys_of("reference"));
     const std::string law = read_law(cursor);
+    if (file.scene.materials.size() == 1) add_names(cursor.names(), file.scene.materials.front());
     read_names(cursor);
     const Reference all{.name = cursor.line("name"),
                         .value = read_values(cursor, file.scene),

@@ -5,12 +5,14 @@
 #include <fmt/core.h>
 
 #include "cli/formats/mask.hpp"
+#include "cli/formats/mesh_file.hpp"
 #include "cli/formats/particle_file.hpp"
 #include "cli/scene/shape_readers.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 #include "engine/layout/initial_particles.hpp"
 #include "engine/scene/shapes/given_particles.hpp"
+#include "engine/scene/shapes/mesh.hpp"
 #include "engine/scene/shapes/polygon.hpp"
 
 namespace taut::cli {
@@ -262,6 +264,19 @@ Shape read_mask_file(TomlCursor& shape, const ShapeSetting& setting) {
     for (float& solid : mask.solid) solid = 1 - solid;
   frame.pixel = read_size(shape, mask.rows, mask.columns);
   return polygon_of(shape, mask, light ? 1 - threshold : threshold, frame);
+}
+
+Shape read_mesh_file(TomlCursor& shape, const ShapeSetting& setting) {
+  const std::filesystem::path file = named_file(shape, setting.folder, "file");
+  const double scale = shape.find("scale") ? shape.positive("scale") : 1;
+  Triangles mesh = with_place(shape, [&] { return read_mesh(file); });
+  for (Point& x : mesh.points)
+    for (double& component : x) component *= scale;
+  Mesh body(std::move(mesh));
+  if (!shape.find("centre")) return body;
+  const Point centre = shape.point("centre", 3), middle = body.middle();
+  for (std::size_t k = 0; k < 3; ++k) body.shift(k, centre[k] - middle[k]);
+  return body;
 }
 
 Shape read_particles(TomlCursor& shape, const ShapeSetting& setting) {

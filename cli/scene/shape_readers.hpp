@@ -14,6 +14,7 @@ Shape read_ellipse(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_expression(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_particles(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_svg(TomlCursor& shape, const ShapeSetting& setting);
+Shape read_mesh_file(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_mask_file(TomlCursor& shape, const ShapeSetting& setting);
 
 /// Throws SceneError unless all components are greater than 0.

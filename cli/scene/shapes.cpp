@@ -185,6 +185,11 @@ constexpr KeyInfo mask_keys[] = {
     {"inside", types::word("dark", "light"), "dark",
      "solid part of the picture; transparent pixels count as white"},
 };
+constexpr KeyInfo mesh_keys[] = {
+    file_key,
+    {"scale", types::number("m", above(0)), "1", "length of the file's unit: 0.001 for a file in mm"},
+    {"centre", types::vector("[x, y, z]", "m"), "as in the file", "centre of the box around the mesh"},
+};
 constexpr KeyInfo expression_keys[] = {
     {"inside", types::expression("expression of the place"), "",
      "expression that is not 0 inside the shape: \"x^2 + y^2 < r^2\""},
@@ -234,6 +239,8 @@ constexpr std::array kinds = {
         cylinder_keys, "disc or rectangle", read_cylinder},
     ShapeKind{"ellipsoid", 3, "an ellipsoid along the axes, cut from a cubic lattice", ellipse_keys,
               "ellipse", read_ellipse},
+    ShapeKind{"mesh", 3, "a closed mesh of an STL or OBJ file, cut from a cubic lattice", mesh_keys,
+              "polygon or svg", read_mesh_file},
     ShapeKind{"expression", 0, "the region where an expression is not 0, cut from a lattice", expression_keys,
               "", read_expression},
     ShapeKind{"particles", 0, "particles from a file, as the only shape of a body", particles_keys, "",

@@ -75,6 +75,17 @@ void Session::run_until(double t, const Interrupts& interrupts, Progress& progre
   progress.clear();
 }
 
+void Session::reset() {
+  simulation_ = start_heedful(file_);
+  between_.reset();
+}
+
+std::vector<MeasureResult> Session::measures() const {
+  const std::string_view law =
+      material_law(*find_method(file_.settings.method), file_.settings, file_.scene.dim);
+  return measure(file_.scene, simulation_->series(), law, {}, &simulation_->snapshot());
+}
+
 void Session::set(const Setting& setting) {
   RunOptions options = options_;
   options.settings.push_back(setting);

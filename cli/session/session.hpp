@@ -11,6 +11,7 @@
 #include "cli/scene/scene_file.hpp"
 #include "cli/system/interrupts.hpp"
 #include "cli/system/progress.hpp"
+#include "engine/diagnostics/measures.hpp"
 #include "render/image/image.hpp"
 
 namespace taut::cli {
@@ -29,7 +30,13 @@ class Session {
   /// Runs to the first step at or past `t`; then shows `t` exactly.
   void run_until(double t, const Interrupts& interrupts, Progress& progress);
 
+  /// Measures of the series so far.
+  std::vector<MeasureResult> measures() const;
+
   const Snapshot& shown() const { return between_ ? *between_ : simulation_->snapshot(); }
+
+  /// Starts again at t = 0, with the settings and the drawing of now.
+  void reset();
 
   /// Changes cfl, or constants without effect on the initial configuration.
   void set(const Setting& setting);

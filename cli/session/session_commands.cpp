@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <ostream>
 #include <sstream>
 
@@ -17,7 +18,14 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-const SessionCommand& find_command(const std::string& name) {
+constexpr std::string_view method_prefix = "method.";
+
+/// Other names of commands.
+const std::map<std::string, std::string, std::less<>> synonyms{{"?", "help"}, {"exit", "quit"}};
+
+const SessionCommand& find_command(const std::string& given) {
+  const auto synonym = synonyms.find(given);
+  const std::string& name = synonym == synonyms.end() ? given : synonym->second;
   const auto all = session_commands();
   const auto found = std::ranges::find(all, name, &SessionCommand::name);
   if (found != all.end()) return *found;
@@ -41,6 +49,7 @@ double number(const std::string& word) {
 }
 
 void say_time(const Session& session, const Dialogue& to) {
+  if (to.interrupts.interrupted()) to.out << "# interrupted\n";
   to.out << "t=" << exact(session.simulation().time()) << " step=" << session.simulation().steps() << '\n';
 }
 
@@ -57,7 +66,10 @@ void step(Session& session, const Words& words, const Dialogue& to) {
 
 void run(Session& session, const Words& words, const Dialogue& to) {
   if (words.size() != 2 || words[0] != "until") wrong_words("run");
-  session.run_until(number(words[1]), to.interrupts, to.progress);
+  const double until = number(words[1]);
+  if (session.simulation().time() > until)
+    to.out << "# the session is past " << brief(until) << " s; `reset` returns to the start\n";
+  session.run_until(until, to.interrupts, to.progress);
   say_time(session, to);
 }
 
@@ -69,8 +81,24 @@ std::string arguments_of(const DrawingKey& key) {
   return arguments;
 }
 
+/// Written as a command's arguments.
+std::string text_of(const DrawingKey& key, const Drawing& drawing) {
+  const DrawingValue value = key.get(drawing);
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  Words words;
+  for (const double number : std::get<std::vector<double>>(value)) words.push_back(exact(number));
+  return join(words, " ");
+}
+
+/// "range is '2 1'; it must be LOW HIGH …" from the option's "--range is '2:1'; it must be LOW:HIGH …".
+std::string in_session_words(std::string message, const DrawingKey& key) {
+  if (!message.starts_with("--")) return message;
+  if (key.numbers.count > 1) std::ranges::replace(message, ':', ' ');
+  return message.substr(2);
+}
+
 /// Accepts a word or the key's numbers.
-void set_look(Session& session, const DrawingKey& key, const Words& words) {
+void take_look(Session& session, const DrawingKey& key, const Words& words) {
   if (!words.empty() && (key.is_free_text || key.words.has_formula(words[0])))
     return session.set_look(key, join(words, " "));
   const bool one_word = words.size() == 1 && (key.takes_words() || words[0] == automatic);
@@ -79,7 +107,16 @@ void set_look(Session& session, const DrawingKey& key, const Words& words) {
   session.set_look(key, join(words, std::string_view(&key.numbers.between, 1)));
 }
 
-void view(Session& session, const Words& words, const Dialogue&) {
+void set_look(Session& session, const DrawingKey& key, const Words& words, const Dialogue& to) {
+  try {
+    take_look(session, key, words);
+  } catch (const UsageError& e) {
+    throw UsageError(in_session_words(e.what(), key));
+  }
+  to.out << key.name << '=' << text_of(key, session.drawing()) << '\n';
+}
+
+void view(Session& session, const Words& words, const Dialogue& to) {
   const DrawingKey& key = drawing_key("view");
   const std::string what = words.empty() ? "" : words[0];
   if (what == "pan" && words.size() == 3)
@@ -87,16 +124,18 @@ void view(Session& session, const Words& words, const Dialogue&) {
   else if (what == "zoom" && words.size() == 2)
     session.zoom(number(words[1]));
   else if (what == "fit" && words.size() == 1)
-    set_look(session, key, {std::string(automatic)});
+    return set_look(session, key, {std::string(automatic)}, to);
   else if (words.size() == key.numbers.count)
-    set_look(session, key, words);
+    return set_look(session, key, words, to);
   else
     wrong_words("view");
+  to.out << key.name << '=' << text_of(key, session.drawing()) << '\n';
 }
 
-void orbit(Session& session, const Words& words, const Dialogue&) {
+void orbit(Session& session, const Words& words, const Dialogue& to) {
   if (words.empty() || words.size() > 2) wrong_words("orbit");
   session.orbit(number(words[0]), words.size() == 2 ? number(words[1]) : 0);
+  to.out << "camera=" << text_of(drawing_key("camera"), session.drawing()) << '\n';
 }
 
 std::string ends(double low, double high) { return brief(low) + " to " + brief(high); }
@@ -137,9 +176,37 @@ void probe(Session& session, const Words& words, const Dialogue& to) {
       to.out << names[k] << '=' << exact(session.simulation().series().value[k].back()) << '\n';
 }
 
-void set(Session& session, const Words& words, const Dialogue&) {
+void set(Session& session, const Words& words, const Dialogue& to) {
   if (words.size() != 1 || words[0].find('=') == std::string::npos) wrong_words("set");
-  session.set(parse_setting(words[0]));
+  const Setting setting = parse_setting(words[0]);
+  session.set(setting);
+  const Settings& now = session.file().settings;
+  const double value =
+      setting.name == "cfl" ? now.cfl : now.constants.at(setting.name.substr(method_prefix.size()));
+  to.out << setting.name << '=' << exact(value) << '\n';
+}
+
+void reset(Session& session, const Words& words, const Dialogue& to) {
+  if (!words.empty()) wrong_words("reset");
+  session.reset();
+  say_time(session, to);
+}
+
+/// "period=0.25", then reference and error if there are any, or "period=none" and the reason.
+void measures(Session& session, const Words& words, const Dialogue& to) {
+  const std::vector<MeasureResult> all = session.measures();
+  std::vector<std::string> names;
+  for (const MeasureResult& one : all) names.push_back(one.name);
+  for (const std::string& word : words)
+    if (std::ranges::find(names, word) == names.end()) throw UsageError(unknown_name("measure", word, names));
+  for (const MeasureResult& one : all) {
+    if (!words.empty() && std::ranges::find(words, one.name) == words.end()) continue;
+    to.out << one.name << '=' << (one.value ? exact(*one.value) : "none");
+    if (one.reference) to.out << " reference=" << exact(*one.reference);
+    if (one.error) to.out << " error=" << exact(*one.error);
+    if (!one.value) to.out << " # " << one.why;
+    to.out << '\n';
+  }
 }
 
 void save(Session& session, const Words& words, const Dialogue& to) {
@@ -158,13 +225,7 @@ void load(Session& session, const Words& words, const Dialogue& to) {
 void say_look(const Drawing& drawing, const Dialogue& to) {
   for (const DrawingKey& key : drawing_keys()) {
     if (key.session_help.empty()) continue;
-    const DrawingValue value = key.get(drawing);
-    Words words;
-    if (const auto* numbers = std::get_if<std::vector<double>>(&value))
-      for (const double number : *numbers) words.push_back(exact(number));
-    else
-      words.push_back(std::get<std::string>(value));
-    to.out << key.name << '=' << join(words, " ") << '\n';
+    to.out << key.name << '=' << text_of(key, drawing) << '\n';
   }
 }
 
@@ -194,8 +255,8 @@ void quit(Session&, const Words& words, const Dialogue&) {
 }
 
 SessionCommand command_of(const DrawingKey& key) {
-  const auto run = [&key](Session& session, const Words& words, const Dialogue&) {
-    set_look(session, key, words);
+  const auto run = [&key](Session& session, const Words& words, const Dialogue& to) {
+    set_look(session, key, words, to);
   };
   return {std::string(key.name), arguments_of(key), std::string(key.session_help), run};
 }
@@ -216,12 +277,14 @@ std::vector<SessionCommand> make_commands() {
               {"preview", "", "show the picture in the terminal", preview},
               {"frame", "FILE.png", "write the picture to a file, as a frame of `taut run`", frame},
               {"probe", "[PROBE ...]", "print the current values of probes; default: all", probe},
+              {"measures", "[MEASURE ...]", "print measures of the time so far; default: all", measures},
+              {"reset", "", "return to t = 0; settings and drawing options stay", reset},
               {"set", "CONSTANT=VALUE", "change cfl or method.NAME from the next step on", set},
               {"save", "FILE", "save the state, for `load`", save},
               {"load", "FILE", "continue from a saved state", load},
               {"info", "", "print scene, method, time, energies and drawing options", info},
-              {"help", "[COMMAND]", "list the commands", help},
-              {"quit", "", "end the session; the end of the input does the same", quit}});
+              {"help", "[COMMAND]", "list the commands; ? does the same", help},
+              {"quit", "", "end the session; exit and the end of the input do the same", quit}});
   return all;
 }
 

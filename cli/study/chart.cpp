@@ -168,15 +168,15 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
   chart.cost = chart.lacks_cpu ? Cost::wall : request.cost;
   chart.fixed = fixed_in(results);
   const std::vector<std::string> columns = distinguishing_columns(results.runs, "spacing");
-  if (errors.against.size() == 1)
+  if (request.run)
+    chart.against = "the run in '" + request.run->folder() + "'";
+  else if (errors.against.size() == 1)
     chart.against =
         series_name(*errors.against[0], columns) + " at " + shown_spacing(errors.against[0]->record.spacing);
   else if (!errors.against.empty())
     chart.against = request.against + ", the finest run of each " + join(errors.swept);
   const auto is_reference = [&](const StoredRun& run) {
-    return std::ranges::any_of(errors.against, [&](const StoredRun* one) {
-      return run.file == one->file && run.cells == one->cells;
-    });
+    return std::ranges::any_of(errors.against, [&](const StoredRun* one) { return is_same_run(run, *one); });
   };
   for (const StoredRun& run : results.runs) {
     if (!run.has_result()) ++chart.without_result;

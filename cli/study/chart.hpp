@@ -26,6 +26,9 @@ struct ChartRequest {
   std::vector<std::string> methods{};  // empty: all
   std::string against{};               // method whose finest run replaces references
   bool stable_only = false;            // without the other runs
+  std::optional<StoredRun> run{};      // run that replaces references, instead of a method
+
+  bool replaces_references() const { return run || !against.empty(); }
 };
 
 struct ChartPoint {

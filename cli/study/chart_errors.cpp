@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
@@ -48,12 +49,13 @@ ChartErrors against_finest(const StoredResults& results, const std::string& meth
 }
 
 ChartErrors errors_of(const StoredResults& results, const std::string& measure, const ChartRequest& request) {
+  if (request.run) return {measure, {&*request.run}};
   return request.against.empty() ? ChartErrors{measure} : against_finest(results, request.against, measure);
 }
 
 bool has_errors(const StoredResults& results, const std::string& measure, const ChartRequest& request) {
   const ChartErrors errors = errors_of(results, measure, request);
-  if (!request.against.empty() && errors.against.empty()) return false;
+  if (request.replaces_references() && errors.against.empty()) return false;
   return std::ranges::any_of(results.runs, [&](const StoredRun& run) { return errors.of(run).has_value(); });
 }
 
@@ -96,6 +98,7 @@ std::string not_ended(const StoredResults& results) {
 }
 
 std::string nothing_charted(const StoredResults& results, const ChartRequest& request) {
+  if (request.run) return "the runs and '" + request.run->file + "' have no measure in common with a value";
   if (!request.against.empty())
     return "no stable run of " + request.against + " in the results of " + results.scene +
            " has a value to compare other runs with";
@@ -112,18 +115,26 @@ std::string no_error_of(const StoredResults& results, const ChartRequest& reques
       "no stable run of " + request.against + " has a value of this measure, or no other run has one";
   if (methods_in(results).empty())
     why = "no run has a result yet";
+  else if (request.run)
+    why = "'" + request.run->file + "' has no value of this measure, or no other run has one";
   else if (request.against.empty())
     why = referenced ? "the runs with a reference ended before it could be measured"
                      : "the scene has no reference for it with these parameters";
   return "no run has an error of " + request.measure + ": " + why +
          (charted.empty() ? "" : "; measures with an error: " + join(charted)) + not_ended(results) +
-         (request.against.empty() ? hint(results) : "");
+         (request.replaces_references() ? "" : hint(results));
 }
 
 }  // namespace
 
 std::string shown_spacing(double spacing) {
   return spacing < 0.1 ? brief(1e3 * spacing) + " mm" : brief(spacing) + " m";
+}
+
+bool is_same_run(const StoredRun& a, const StoredRun& b) {
+  if (a.file == b.file && a.cells == b.cells) return true;
+  std::error_code error;
+  return std::filesystem::equivalent(a.folder(), b.folder(), error);
 }
 
 const StoredRun* ChartErrors::reference_of(const StoredRun& run) const {
@@ -138,7 +149,7 @@ std::optional<double> ChartErrors::of(const StoredRun& run) const {
   if (!run.has_result()) return std::nullopt;
   if (against.empty()) return finite(run.record.measure(measure).error);
   const StoredRun* const judge = reference_of(run);
-  if (!judge || judge == &run) return std::nullopt;
+  if (!judge || judge == &run || is_same_run(*judge, run)) return std::nullopt;
   const auto value = run.value_of(measure), reference = judge->value_of(measure);
   if (!value || !reference) return std::nullopt;
   return std::abs(*value - *reference) / (*reference != 0 ? std::abs(*reference) : 1);
@@ -166,7 +177,7 @@ ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& requ
     throw UsageError(unknown_name("method in the results", request.against, methods));
   NameList charted = all;
   std::erase_if(charted, [&](const std::string& m) { return !has_errors(results, m, request); });
-  if (!request.against.empty()) {
+  if (request.replaces_references()) {
     std::erase_if(charted, [&](const std::string& m) { return is_error(results, m); });
     if (!request.measure.empty() && is_error(results, request.measure))
       throw UsageError(request.measure +

@@ -24,6 +24,9 @@ struct ChartErrors {
   std::string unit(const StoredRun& run) const;
 };
 
+/// Whether both are the same row, or of the same folder.
+bool is_same_run(const StoredRun& a, const StoredRun& b);
+
 /// Chooses the measure as make_chart() does.
 ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& request);
 

@@ -54,7 +54,8 @@ std::vector<std::string> choice_row(const Chart& chart, const ChartSeries& serie
 }
 
 std::string sources(const Chart& chart) {
-  return "\nReference: " + join(chart.references, "; ") + "\nTime: " + join(chart.machines, "; ") + "\n";
+  const std::string reference = chart.against.empty() ? join(chart.references, "; ") : chart.against;
+  return "\nReference: " + reference + "\nTime: " + join(chart.machines, "; ") + "\n";
 }
 
 std::string evidence(const Chart& chart, const std::vector<Offer>& all) {

@@ -3,6 +3,8 @@
 #include <set>
 #include <utility>
 
+#include "engine/diagnostics/measure_kinds.hpp"
+
 namespace taut::cli {
 
 std::vector<ReferenceCurve> reference_curves(const Scene& scene, const std::string& law,
@@ -19,7 +21,8 @@ std::vector<ReferenceCurve> reference_curves(const Scene& scene, const std::stri
   };
   for (const Measure& measure : scene.measures) {
     const auto table = reference.table.find(measure.name);
-    const auto solution = reference.solution.find(measure.name);
+    const bool is_curve = find_measure_kind(measure.kind)->solution;
+    const auto solution = is_curve ? reference.solution.find(measure.name) : reference.solution.end();
     for (std::size_t k = 0; k < measure.probes.size(); ++k) {
       if (table != reference.table.end() && k < table->second.value.size())
         add(measure, measure.probes[k], table->second.t, table->second.value[k]);

@@ -195,7 +195,15 @@ std::vector<fs::path> make_folders(const fs::path& folder) {
   return made;
 }
 
-void make_folder_of(const fs::path& file) { make_folders(fs::absolute(file).parent_path()); }
+void make_folder_of(const fs::path& file) {
+  const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
+  const fs::path first =
+      folder == folder.root_path() ? folder : folder.root_path() / *folder.relative_path().begin();
+  if (std::error_code error; !fs::exists(first, error))
+    throw OutputError(file.string(),
+                      "the folder " + first.string() + " does not exist; create it, or name another");
+  make_folders(folder);
+}
 
 std::optional<std::string> read_whole(const fs::path& path, std::uint64_t most_bytes) {
   constexpr std::size_t at_once = 1 << 20;

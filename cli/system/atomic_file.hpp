@@ -37,7 +37,8 @@ void put_on_disk(const std::filesystem::path& path);
 /// Creates a folder and its missing parents on disk. Returns the new folders, innermost first. Throws OutputError.
 std::vector<std::filesystem::path> make_folders(const std::filesystem::path& folder);
 
-/// Creates the folder that will contain `file`. Throws OutputError.
+/// Creates the folder that will contain `file`. Throws OutputError, also if a folder of the root directory is missing:
+/// a path such as /ou/picture.png is mostly a slip.
 void make_folder_of(const std::filesystem::path& file);
 
 /// Returns nullopt for files that cannot be opened, folders, devices and pipes. Throws UsageError for more than

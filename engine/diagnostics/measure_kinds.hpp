@@ -69,7 +69,9 @@ struct MeasureKind {
   std::string_view name, help;
   /// Keys beside `name`, `of` and `unit`, the source first. `probes`: one per axis.
   std::vector<std::string_view> keys;
-  bool number = false, table = false, solution = false;  // possible references
+  /// Possible references: a number, a table over time, a solution over time or place. A solution can also give the
+  /// number: its value at the end of the run, or for `value` at its time.
+  bool number = false, table = false, solution = false;
   Value value;
   Reference reference;  // called if the scene has one
 };

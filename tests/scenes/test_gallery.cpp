@@ -66,7 +66,7 @@ TEST_SUITE("cli") {
       make_steps(*simulation, 5);
       CHECK(simulation->time() > 0);
     }
-    CHECK(scenes == 11);
+    CHECK(scenes == 12);
   }
 }
 

@@ -105,6 +105,15 @@ TEST_SUITE("cli") {
     CHECK(std::filesystem::exists(folder / "differences/d.png"));
   }
 
+  TEST_CASE("a panel below a missing folder of the root directory is an error, and makes no folder") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "out", {"--save-particles"})).code == 0);
+    const Outcome panel = call({"compare", folder.str("out"), "--out", "/no-such-folder/deep/panel.png"});
+    CHECK(panel.code == 4);
+    CHECK(contains(panel.err, "the folder /no-such-folder does not exist"));
+    CHECK_FALSE(fs::exists("/no-such-folder"));
+  }
+
   TEST_CASE("a panel shows every run at every time and reports pictures that it cannot show") {
     const TemporaryFolder folder;
     make_run(folder, "slow");

@@ -101,6 +101,25 @@ TEST_SUITE("cli") {
     CHECK(files_in(folder / "pictures") == 6);
   }
 
+  TEST_CASE("render keeps the numbers of frames beside a missing particle file and reports it") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "out", {"--save-particles"})).code == 0);
+    fs::remove(folder / "out/particles/particles_00002.vtp");
+    for (const std::string range : {"0:4", "auto"}) {
+      CAPTURE(range);
+      const Outcome render =
+          call({"render", folder.str("out"), "--range", range, "--out", folder.str("again"), "--quiet"});
+      CHECK(render.code == 0);
+      CHECK(contains(render.err, "taut: particles_00002.vtp in '"));
+      CHECK(contains(render.err, "the other frames keep their numbers"));
+      CHECK(contains(render.out, "(4)"));
+      CHECK_FALSE(fs::exists(folder / "again/frame_00002.png"));
+      CHECK(fs::exists(folder / "again/frame_00004.png"));
+    }
+    REQUIRE(call({"render", folder.str("out"), "--out", folder.str("same"), "--quiet"}).code == 0);
+    CHECK(text_of(folder / "same/frame_00003.png") == text_of(folder / "out/frames/frame_00003.png"));
+  }
+
   TEST_CASE("a view set by an option is the view of the frames") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "whole")).code == 0);

@@ -41,6 +41,37 @@ TEST_SUITE("cli") {
     CHECK_FALSE(is_told("method = \"oenog\"\n", "1.05"));
   }
 
+  TEST_CASE("a run warns about parts one or two particles thick, and not about round faces") {
+    const TemporaryFolder folder;
+    const auto warning = [&](const std::string& shape, int dim = 2) {
+      std::ofstream(folder / "scene.toml")
+          << "title = \"Thin\"\nuntil = 1e-7\nspacing = 0.1\ndim = " + std::to_string(dim) +
+                 "\n[material.rubber]\ndensity = 1000\nyoungs_modulus = 1e7\npoisson_ratio = 0.4\n[[body]]\n"
+                 "name = \"a\"\nmaterial = \"rubber\"\nshape = " +
+                 shape + "\n";
+      const Outcome outcome =
+          call({"run", folder.str("scene.toml"), "--no-render", "--quiet", "--out", folder.str("out")});
+      CHECK(outcome.code == 0);
+      const auto at = outcome.err.find("particles thick");
+      return at == std::string::npos ? "" : outcome.err;
+    };
+    const auto box = [](const std::string& high) {
+      return "{ type = \"rectangle\", low = [0, 0], high = [" + high + "] }";
+    };
+    CHECK(contains(warning(box("1, 0.2")),
+                   "100 % of the particles of body 'a' are in parts one or two particles thick"));
+    CHECK(warning(box("1, 0.3")).empty());
+    CHECK(contains(warning("{ type = \"union\", shapes = [" + box("1, 1") + ", " + box("2, 0.2") + "] }"),
+                   "thick"));
+    for (const std::string radius : {"0.5", "0.73", "0.95", "1.31"}) {
+      CAPTURE(radius);
+      CHECK(warning("{ type = \"disc\", centre = [0, 0], layout = \"lattice\", radius = " + radius + " }")
+                .empty());
+      CHECK(warning("{ type = \"ball\", centre = [0, 0, 0], radius = " + radius + " }", 3).empty());
+    }
+    CHECK(contains(warning("{ type = \"box\", low = [0, 0, 0], high = [1, 1, 0.2] }", 3), "100 %"));
+  }
+
   TEST_CASE(
       "a run warns about a body that starts above its sound speed relative to bodies or walls in its way") {
     const TemporaryFolder folder;

@@ -259,9 +259,6 @@ TEST_SUITE("cli") {
     check_error("[[measure]]\nname = \"peak\"\nof = \"maximum\"\nprobe",
                 "[[measure]]\nname = \"peak\"\nof = \"turn\"\n@probe",
                 {"'probes' is missing", "'probe' may be meant"});
-    check_error("values = { peak = 3 }", "solutions = { @peak = \"t\" }",
-                {"cannot have a solution; only rmse, value, path_error, turn, line_rmse, line_error, "
-                 "at_rest, field_rmse or field_error can"});
     check_error("values = { peak = 3 }", "let = { @t = 1 }", {"the name 't' is reserved"});
     check_error("values = { peak = 3 }", "let = { @v0 = 1 }", {"'v0' is already a parameter"});
     check_error("values = { peak = 3 }", "let = { a = \"@q + 1\" }", {"unknown name 'q'"});

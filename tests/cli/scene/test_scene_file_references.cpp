@@ -4,6 +4,7 @@
 
 #include "cli/scene/scene_file.hpp"
 #include "engine/error.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/scene_text.hpp"
 
 using namespace taut;
@@ -72,6 +73,12 @@ TEST_SUITE("cli") {
     CHECK(both.name_for("least") == "other");
     CHECK(both.solution.contains("peak"));
     CHECK(both.value.at("least") == 1);
+    // a solution may be the value of a measure, with names of the only material
+    const std::string modulus =
+        reference("modulus", "let = { m = \"E/(1 - nu^2)\" }\nsolutions = { peak = \"m/E\" }");
+    const Reference named = read_text(with_references(modulus)).scene.references.at("neo_hookean");
+    const double nu = read_text(with_references(any)).scene.materials.at(0).poisson_ratio;
+    CHECK(named.solution.at("peak").at(0)({}, 2) == relative(1 / (1 - nu * nu)));
     const Reference found = read_text(with_references(any)).scene.references.at("neo_hookean");
     CHECK(found.solution.at("peak").at(0)({}, 2) == 0.06);
   }

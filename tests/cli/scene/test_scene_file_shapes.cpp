@@ -9,6 +9,7 @@
 #include "cli/formats/mask.hpp"
 #include "cli/formats/particle_file.hpp"
 #include "cli/scene/scene_file.hpp"
+#include "engine/error.hpp"
 #include "engine/layout/initial_particles.hpp"
 #include "render/image/png.hpp"
 #include "tests/support/relative.hpp"
@@ -323,5 +324,30 @@ unit = "s"
     write_file("huge.svg", std::string((4 << 20) + 1, ' '));
     check_shape_error(R"({ type = "svg", file = @"huge.svg", height = 1, low = [0, 0] })",
                       {"larger than 4 MiB"});
+  }
+
+  TEST_CASE("shapes: a mesh of an OBJ or STL file is filled, scaled and placed, and an open one is refused") {
+    const std::string points = "v 0 0 0\nv 1000 0 0\nv 0 1000 0\nv 0 0 1000\n";
+    const std::string three = "f 1 3 2\nf 1 2 4\nf 2 3 4\n";
+    write_file("tetrahedron.obj", points + three + "f 1 4 3\n");
+    write_file("open.obj", points + three);
+    write_file("turned.obj", points + three + "f 1 3 4\n");
+    write_file("facet.stl",
+               "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+               "endfacet\nendsolid a\n");
+    write_file("part.ply", "ply\n");
+    const auto shape = [](const std::string& file, const std::string& more = "") {
+      return "{ type = \"mesh\", file = \"" + file + "\", scale = 0.001" + more + " }";
+    };
+    const InitialParticles layout = laid(scene_text(shape("tetrahedron.obj"), "", 3));
+    CHECK(volume(layout) == relative(1.0 / 6, 0.1));
+    for (const Point& x : layout.x) CHECK(x[0] + x[1] + x[2] < 1 + 1e-6);
+    const InitialParticles moved = laid(scene_text(shape("tetrahedron.obj", ", centre = [5, 0, 0]"), "", 3));
+    for (const Point& x : moved.x) CHECK(std::abs(x[0] - 5) < 0.5);
+    for (const auto& [file, message] : {std::pair{"open.obj", "is not closed: it has 3 open edges"},
+                                        {"facet.stl", "is not closed: it has 3 open edges"},
+                                        {"turned.obj", "has 3 edges whose triangles face opposite sides"},
+                                        {"part.ply", "must be an STL or OBJ file"}})
+      CHECK_THROWS_WITH_AS(read_text(scene_text(shape(file), "", 3)), doctest::Contains(message), SceneError);
   }
 }

@@ -1,9 +1,11 @@
 #include <iostream>
+#include <map>
 #include <sstream>
 
 #include <doctest/doctest.h>
 
 #include "cli/run/checkpoint.hpp"
+#include "cli/text/format.hpp"
 #include "tests/support/program_runner.hpp"
 
 using namespace taut::cli;
@@ -108,10 +110,12 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     const std::vector<std::string> half =
         lines(session(folder, "step\nset cfl=0.1\nstep\nset method.zeta=5\n").out);
-    REQUIRE(half.size() == 6);
-    CHECK(half[5] == "ok");
+    REQUIRE(half.size() == 8);
+    CHECK(half[2] == "cfl=0.1");
+    CHECK(half[6] == "method.zeta=5");
+    CHECK(half[7] == "ok");
     const auto time = [](const std::string& line) { return std::stod(line.substr(line.find('=') + 1)); };
-    CHECK(time(half[3]) - time(half[0]) < 0.5 * time(half[0]));
+    CHECK(time(half[4]) - time(half[0]) < 0.5 * time(half[0]));
     for (const char* name : {"speed=3", "spacing=0.001", "method=og", "method.h=1.4", "until=1"}) {
       CAPTURE(name);
       CHECK(contains(session(folder, std::string("set ") + name).out, "cannot change during a session"));
@@ -144,6 +148,56 @@ TEST_SUITE("cli") {
     CHECK(contains(session(folder, "range 0 1MPa").out, "error: '1MPa' is not a number"));
   }
 
+  TEST_CASE("errors of a session have its own syntax, without colons and dashes") {
+    const TemporaryFolder folder;
+    for (const auto& [wrong, message] : std::map<std::string, std::string>{
+             {"range 2 1",
+              "error: range is '2 1'; it must be LOW HIGH with LOW < HIGH, such as 0 2e6, or 'auto'"},
+             {"view 1 0 0 1", "error: view is '1 0 0 1'; it must be X_MIN X_MAX Y_MIN Y_MAX in metres"},
+             {"glyph -1", "error: glyph is '-1'; it must be"}}) {
+      CAPTURE(wrong);
+      const std::string out = session(folder, wrong + "\n").out;
+      CHECK(out.starts_with(message));
+      CHECK_FALSE(contains(out, "--"));
+    }
+  }
+
+  TEST_CASE("exit and ? are other names of quit and help") {
+    const TemporaryFolder folder;
+    CHECK(session(folder, "exit\nstep\n").out == "ok\n");
+    CHECK(session(folder, "?\n").out == session(folder, "help\n").out);
+    CHECK(session(folder, "help exit\n").out == session(folder, "help quit\n").out);
+  }
+
+  TEST_CASE("reset returns a session to the start with its settings") {
+    const TemporaryFolder folder;
+    const std::string once = session(folder, "set cfl=0.1\nstep 5\nprobe\n").out;
+    CHECK(session(folder, "set cfl=0.1\nstep 9\nreset\nstep 5\nprobe\n")
+              .out.ends_with(once.substr(once.find("ok\n"))));
+    CHECK(contains(session(folder, "step 9\nreset\n").out, "t=0 step=0\nok\n"));
+  }
+
+  TEST_CASE("measures of a session are those of the run once it has their time, and name the reason before") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "out")).code == 0);
+    const auto measure = json_of(folder / "out/run.json")["measures"]["touch_time"];
+    const std::string out = session(folder, "measures\nrun until 0.002\nmeasures touch_time\n").out;
+    CAPTURE(out);
+    CHECK(out.starts_with("touch_time=none # "));
+    REQUIRE(measure["value"].is_number());
+    CHECK(contains(out, "\ntouch_time=" + taut::cli::exact(measure["value"].get<double>()) + "\n"));
+    CHECK(contains(session(folder, "measures foo\n").out, "error: unknown measure 'foo'"));
+  }
+
+  TEST_CASE("a session confirms what it sets, and remarks that a time is past") {
+    const TemporaryFolder folder;
+    CHECK(session(folder, "range 0 2\n").out == "range=0 2\nok\n");
+    CHECK(session(folder, "color pressure\n").out == "color=pressure\nok\n");
+    CHECK(contains(session(folder, "view zoom 2\n").out, "view=-0.015 0.015 -0.01 0.01\nok\n"));
+    CHECK(contains(session(folder, "run until 0.001\nrun until 0.0005\n").out,
+                   "# the session is past 0.0005 s; `reset` returns to the start\n"));
+  }
+
   TEST_CASE("info, probe, help and quit answer as documented") {
     const TemporaryFolder folder;
     const Outcome outcome = session(folder, "# a remark\n\ninfo\nprobe gap\nhelp\nquit\nstep\n");
@@ -165,9 +219,9 @@ TEST_SUITE("cli") {
     for (const std::string& more : {std::string("step 50"), "save " + file, std::string("set cfl=0.1")}) {
       CAPTURE(more);
       const auto answers = lines(session(folder, "set cfl=20\nrun until 1\n" + more + "\n").out);
-      REQUIRE(answers.size() == 3);
-      CHECK(answers[1].starts_with("error: the simulation diverged at t = "));
-      CHECK(answers[2] == answers[1]);
+      REQUIRE(answers.size() == 4);
+      CHECK(answers[2].starts_with("error: the simulation diverged at t = "));
+      CHECK(answers[3] == answers[2]);
     }
     CHECK_FALSE(fs::exists(file));
   }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "cli/study/choose.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/results_file.hpp"
 #include "tests/support/sweep_folder.hpp"
 
@@ -139,6 +140,42 @@ TEST_SUITE("cli") {
       CHECK(outcome.code == 2);
       CHECK(contains(outcome.err, message));
     }
+  }
+
+  TEST_CASE("choose compares with the finest run of a method or with a run folder instead of references") {
+    const TemporaryFolder folder;
+    const auto run = [&](const std::string& out, std::vector<std::string> more) {
+      more.emplace_back("--no-render");
+      REQUIRE(call(tiny_run(folder, out, more)).code == 0);
+    };
+    const std::string scene = write_tiny_scene(folder);
+    REQUIRE(call({"sweep", scene, "--grid", "method=oenog,tl", "--grid", "spacing=0.002,0.001", "--jobs", "1",
+                  "--out", folder.str("sweep"), "--quiet"})
+                .code == 0);
+    const auto choose = [&](Texts more) {
+      more.insert(more.begin(), {"choose", scene, "--from", folder.str("sweep")});
+      return call(more);
+    };
+    CHECK(contains(choose({}).err, "has an error"));
+    const Outcome by_method = choose({"--against", "tl"});
+    CAPTURE(by_method.err);
+    CHECK(by_method.code == 0);
+    CHECK(contains(by_method.out, "oenog"));
+    run("fine", {"--spacing", "0.0005", "--method", "tl"});
+    const Outcome by_run = choose({"--against", folder.str("fine"), "--json"});
+    CAPTURE(by_run.err);
+    REQUIRE(by_run.code == 0);
+    const double reference = json_of(folder / "fine/run.json")["measures"]["touch_time"]["value"];
+    const auto answer = nlohmann::json::parse(by_run.out);
+    REQUIRE(answer["runs"].size() > 0);
+    for (const auto& offer : answer["runs"]) {
+      const double value = json_of(fs::path(offer["folder"].get<std::string>()) /
+                                   "run.json")["measures"]["touch_time"]["value"];
+      CHECK(offer["error"].get<double>() == relative(std::abs(value - reference) / reference));
+    }
+    run("fast", {"--set", "speed=3", "--method", "tl"});
+    CHECK(contains(choose({"--against", folder.str("fast")}).err, "has speed = 3, not 2"));
+    CHECK(choose({"--against", folder.str("nothing")}).code == 2);
   }
 
   TEST_CASE("choose finds the results below out/") {

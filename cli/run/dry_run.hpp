@@ -1,0 +1,14 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "cli/run/run.hpp"
+
+namespace taut::cli {
+
+/// Reports size, step, estimated time and memory of a run after its first steps. Writes the first picture beside the
+/// run folder, which is not touched; warnings go to `err`. Throws NumericalError if these steps diverge.
+std::string dry_run(const RunPlan& plan, std::ostream& err);
+
+}  // namespace taut::cli

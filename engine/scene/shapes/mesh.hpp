@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "engine/scene/shape.hpp"
+
+namespace taut {
+
+/// Points and triangles; the corners of a triangle are anticlockwise, seen from outside.
+struct Triangles {
+  std::vector<Point> points;  // m
+  std::vector<std::array<int, 3>> corners;
+};
+
+/// Number of edges that are not shared by triangles in pairs, and of those whose triangles face opposite sides.
+struct MeshFaults {
+  int open = 0, turned = 0;
+};
+MeshFaults faults_of(const Triangles& mesh);
+
+/// Region that a closed mesh surrounds, 3D: where its winding number is not 0. Parts of the mesh may overlap. Points
+/// exactly on a face belong to the side that a fixed infinitesimal shift selects.
+class Mesh final : public ShapeBase {
+ public:
+  /// The mesh must have no faults.
+  explicit Mesh(Triangles mesh);
+
+  Bounds bounds() const override;
+  bool holds(const Point& x, int dim, double tolerance) const override;
+  double measure(int) const override { return volume_; }
+  void shift(std::size_t axis, double by) override { from_[axis] += by; }
+
+ private:
+  using Range = std::array<int, 2>;  // first and last cell
+
+  Range cells(std::size_t axis, double low, double high) const;
+  template <class Visit>
+  void visit_near(const Point& x, double distance, const Visit& visit) const;
+  int winding_number(const Point& x) const;
+  bool is_within(double distance, const Point& x) const;
+
+  Triangles mesh_;
+  Point from_{};  // origin of the mesh
+  Bounds box_{};
+  double volume_ = 0;                        // m³
+  std::array<int, 2> sides_{1, 1};           // number of cells along x and y
+  std::vector<std::vector<int>> triangles_;  // [cell of x and y], ascending
+};
+
+}  // namespace taut
