@@ -17,9 +17,9 @@ constexpr SettingInfo infos[] = {
     {"spacing", "spacing", "", false, placed},
     {"until", "until", "", true, "a session has no end time; use `run until T`"},
     {"cfl", "cfl", "CFL {}", false, ""},
-    {"law", "material_law", "law {}", true, at_start},
     {"stepping", "stepping", "{} stepping", false, at_start},
     {"contact", "contact", "contact {}", false, at_start},
+    {"law", "material_law", "law {}", true, at_start},
     {"jitter", "jitter", "", false, placed},
     {"jitter_seed", "jitter_seed", "", false, placed},
 };

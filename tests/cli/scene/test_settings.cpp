@@ -77,7 +77,7 @@ TEST_SUITE("cli") {
     CHECK(labels.columns[0].title == "a");
     CHECK(labels.columns[1].title == "damping = 0");
     CHECK(labels.columns[1].note == "CFL 0.2, single stepping");
-    CHECK(labels.columns[2].title == "law mooney-rivlin");
-    CHECK(labels.columns[2].note == "contact impulse");
+    CHECK(labels.columns[2].title == "contact impulse");
+    CHECK(labels.columns[2].note == "law mooney-rivlin");
   }
 }

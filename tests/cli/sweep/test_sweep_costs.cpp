@@ -63,7 +63,7 @@ TEST_SUITE("cli") {
       CHECK(json_of(folder / "out" / name / "run.json")["seconds"]["cpu"].get<double>() > 0);
     const auto row = json_of(folder / "out/results.json")["runs"][1];
     CHECK(row["repeated"]["runs"] == 3);
-    fs::remove(folder / "out/repeat-2/speed=1/run.json");
+    fs::remove_all(folder / "out/repeat-2/speed=1");
     const auto before = fs::last_write_time(folder / "out/repeat-3/speed=1/run.json");
     REQUIRE(program(words).code == 0);  // only what is missing
     CHECK(fs::exists(folder / "out/repeat-2/speed=1/run.json"));
