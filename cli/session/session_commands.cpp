@@ -243,10 +243,10 @@ void info(Session& session, const Words& words, const Dialogue& to) {
 }
 
 void help(Session&, const Words& words, const Dialogue& to) {
+  const std::string name = words.empty() ? "" : find_command(words[0]).name;
   std::vector<std::vector<std::string>> rows;
   for (const SessionCommand& command : session_commands())
-    if (words.empty() || command.name == words[0]) rows.push_back({usage(command), command.help});
-  if (rows.empty()) find_command(words[0]);  // throws with known names
+    if (words.empty() || command.name == name) rows.push_back({usage(command), command.help});
   to.out << in_columns(rows);
 }
 

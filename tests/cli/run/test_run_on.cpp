@@ -103,7 +103,7 @@ TEST_SUITE("restart") {
     };
     check({}, "give a later --until to continue it");
     check({"--until", "0.001"}, "give a later --until");
-    check({"--until", "0.0041"}, "multiple of the time between frames, 0.0005 s, such as 0.0045");
+    check({"--until", "0.0041"}, "multiple of the time between frames, 0.0005 s, such as 0.004");
     check({"--until", "0.004", "--set", "speed=3"}, "speed=3 would change it");
     fs::remove(folder / "out/checkpoint.bin");
     check({"--until", "0.004"}, "it has no checkpoint");
