@@ -114,18 +114,18 @@ QuantityValue value_of(const std::string& folder, const std::string& path) {
       return value_of_history(folder, kind, column);
   const StoredRun run = read_stored_run(folder);
   if (path == "verdict") {
-    const auto verdict = find_verdict(run.text("verdict"));
-    if (!verdict) throw UsageError("the run has no verdict");
-    return {static_cast<double>(*verdict), run.text("verdict")};
+    if (!run.record.verdict) throw UsageError("the run has no verdict");
+    return {static_cast<double>(*run.record.verdict), run.verdict()};
   }
   if (const std::string verdict = behind(path, "since"); !verdict.empty()) {
-    if (!find_verdict(verdict)) throw UsageError(unknown_name("verdict", verdict, names_of_failures()));
-    const auto since = run.number(path);
-    if (!since) return {std::numeric_limits<double>::infinity(), "never"};
-    return {*since, six_digits(*since) + " s"};
+    const auto failure = find_verdict(verdict);
+    if (!failure) throw UsageError(unknown_name("verdict", verdict, names_of_failures()));
+    const auto since = run.record.since.find(*failure);
+    if (since == run.record.since.end()) return {std::numeric_limits<double>::infinity(), "never"};
+    return {since->second, six_digits(since->second) + " s"};
   }
   if (const std::string measure = behind(path, "error"); !measure.empty()) {
-    const auto error = run.number("measures." + measure + ".error");
+    const auto error = run.record.measure(measure).error;
     if (error) return {*error, six_digits(*error)};
     if (check_expectation(run, {.name = measure}).value)
       throw UsageError("the measure " + measure + " has no reference");

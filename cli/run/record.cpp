@@ -369,11 +369,9 @@ std::optional<StoredRecord> checked_record(const std::filesystem::path& file) {
 }
 
 double seconds_taken(const StoredRecord& record) {
-  const auto figure = [&](const char* part, const char* key) {
-    const Json* const found = record.all.find(part);
-    return found ? number_in(*found, key).value_or(0) : 0;
-  };
-  return std::max(figure("provenance", "wall_seconds"), figure("seconds", "solve"));
+  const Json* const provenance = record.all.find("provenance");
+  const Json* const wall = provenance ? provenance->find("wall_seconds") : nullptr;
+  return std::max(wall && wall->is_number() ? wall->number() : 0, record.seconds.solve);
 }
 
 std::optional<StoredRecord> read_record(const std::filesystem::path& file) try {

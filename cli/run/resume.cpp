@@ -17,9 +17,9 @@ namespace {
 /// The later end of a run, if the options give one.
 std::optional<double> later_end(const RunOptions& given, const std::optional<StoredRecord>& record) {
   const auto until = std::ranges::find(given.settings, "until", &Setting::name);
-  if (until == given.settings.end() || !record || !record->until) return std::nullopt;
+  if (until == given.settings.end() || !record) return std::nullopt;
   const auto time = parsed<double>(until->value);
-  return time && std::isfinite(*time) && *time > *record->until ? time : std::nullopt;
+  return time && std::isfinite(*time) && *time > record->until ? time : std::nullopt;
 }
 
 void check_something_is_left(const RunFolder& folder, const std::optional<StoredRecord>& record,

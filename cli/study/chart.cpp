@@ -185,7 +185,7 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
       ++chart.left_out;
       continue;
     }
-    if (chart.kind.empty()) chart.kind = run.text(measure_column(chart.measure, "kind"));
+    if (chart.kind.empty()) chart.kind = run.record.measure(chart.measure).kind;
     const std::string name = series_name(run, columns);
     auto series = std::ranges::find(chart.series, name, &ChartSeries::name);
     if (series == chart.series.end())

@@ -87,13 +87,13 @@ using Runs = std::vector<const StoredRun*>;
 /// Reference curves of a measure: one per reference, or one per line where lines have different references.
 std::vector<Line> references_of(const Runs& runs, const ResultColumn& x, const ResultColumn& y,
                                 const LineNames& name_of) {
-  const std::string name_column = y.reference.empty() ? "" : y.reference + "_name";
   std::map<std::string, std::map<double, double>> shared, own;
   std::map<std::string, bool> agrees;
   for (const StoredRun* run : runs) {
-    const auto value = run->number(y.reference), at = x.number(*run);
-    if (y.reference.empty() || !value || !at) continue;
-    const std::string name = run->text(name_column);
+    const MeasureResult& measure = run->record.measure(y.measure);
+    const auto value = measure.reference, at = x.number(*run);
+    if (!value || !at) continue;
+    const std::string& name = measure.reference_name;
     const auto [found, fresh] = shared[name].try_emplace(*at, *value);
     agrees.try_emplace(name, true);
     if (!fresh && found->second != *value) agrees[name] = false;

@@ -295,10 +295,10 @@ ResultColumn part_of_measure(const StoredResults& results, const std::string& na
                              const std::string& measure, const std::string& part) {
   const std::string prefix = "measures." + measure + ".";
   ResultColumn found{.name = name, .column = prefix + part, .unit = unit_in(results.runs, prefix + "unit")};
-  if (part == "value") found.reference = prefix + "reference";
+  if (part == "value") found.measure = measure;
   // an error is a share of the reference, unless this is 0
   const auto has_reference = [&](const StoredRun& run) {
-    return run.number(prefix + "reference").value_or(0) != 0;
+    return run.record.measure(measure).reference.value_or(0) != 0;
   };
   found.is_share =
       part == "error" && (found.unit.empty() || std::ranges::any_of(results.runs, has_reference));

@@ -76,7 +76,7 @@ struct ResultColumn {
   std::string name;         // "deflection", "deflection.error", "v0"
   std::string column;       // "measures.deflection.value"; empty: a setting, see value_of()
   std::string unit{};       // SI, or "%"; empty: none
-  std::string reference{};  // column of the measure's reference; empty: none
+  std::string measure{};    // whose value it is; empty: another quantity
   bool is_share = false;    // drawn in %
 
   /// Cell of a run, or "".
