@@ -133,6 +133,7 @@ std::string shown_spacing(double spacing) {
 
 bool is_same_run(const StoredRun& a, const StoredRun& b) {
   if (a.file == b.file && a.cells == b.cells) return true;
+  if (a.text("folder").empty() || b.text("folder").empty()) return false;
   std::error_code error;
   return std::filesystem::equivalent(a.folder(), b.folder(), error);
 }

@@ -10,12 +10,11 @@
 
 namespace taut {
 
-/// All methods, in listing order.
+/// All methods, in listing order. Colours in charts follow from the place, so a new method is the last.
 inline constexpr std::array<const Formulation*, 24> all_methods{&og,
                                                                 &oas,
                                                                 &enog,
                                                                 &enog_nonconservative,
-                                                                &gnog,
                                                                 &oenog,
                                                                 &ulsph_av_as_uncorrected,
                                                                 &ulsph_av_as,
@@ -28,13 +27,14 @@ inline constexpr std::array<const Formulation*, 24> all_methods{&og,
                                                                 &ccbwat,
                                                                 &icb,
                                                                 &tl,
-                                                                &tl_hg,
-                                                                &tl_enog,
                                                                 &pf,
                                                                 &pf_jst,
                                                                 &pfj_jst,
                                                                 &pfhj_jst,
-                                                                &tl_small_strain};
+                                                                &tl_small_strain,
+                                                                &gnog,
+                                                                &tl_hg,
+                                                                &tl_enog};
 static_assert(all_methods.size() == ul_split::Methods::size + ul_cauchy::Methods::size +
                                         bonded::Methods::size + tl_displacement::Methods::size +
                                         tl_mixed::Methods::size);

@@ -125,7 +125,7 @@ read_only() { [[ $TAUT_FAULTS_MOUNTS == yes ]] && mount --bind "$1" "$1" && moun
 # ---- comparisons
 
 # record FOLDER: prints run.json without entries that vary between repetitions: times, speed, threads, provenance
-record() { sed -E '/^  "provenance": \{/,/^  \}/d; /"(setup|solve|render|write|particle_steps_per_second|threads|machine)":/d' "$1/run.json"; }
+record() { sed -E '/^  "provenance": \{/,/^  \}/d; /"(setup|solve|cpu|render|write|particle_steps_per_second|threads|machine)":/d' "$1/run.json"; }
 
 # same_run GOOD FOLDER: the folder equals the folder GOOD of an undisturbed run
 same_run() {

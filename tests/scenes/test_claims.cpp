@@ -22,13 +22,7 @@ void check_quick_claims(const std::string& paper) {
 }  // namespace
 
 TEST_SUITE("failure") {
-  TEST_CASE("the quick claims of Zhang2024 have their recorded state") { check_quick_claims("Zhang2024"); }
-  TEST_CASE("the quick claims of Khayyer2024 have their recorded state") {
-    check_quick_claims("Khayyer2024");
-  }
-  TEST_CASE("the quick claims of TranDuc2023 have their recorded state") {
-    check_quick_claims("TranDuc2023");
-  }
+  // those of the other papers take minutes; test_statements.cpp checks their verdicts on coarser scenes
   TEST_CASE("the quick claims of Lee2016 have their recorded state") { check_quick_claims("Lee2016"); }
   TEST_CASE("the quick claims of Zhang2020 have their recorded state") { check_quick_claims("Zhang2020"); }
 

@@ -146,7 +146,7 @@ TEST_SUITE("cli") {
       CHECK(contains(page, "\n| --- |"));
       ++tables;
     }
-    CHECK(tables == 13);
+    CHECK(tables == 14);
   }
 
   TEST_CASE("the study of a snapshot test makes a baseline, then passes, then finds a change") {

@@ -321,7 +321,7 @@ normal = [0, 1]
     }
     const Outcome refused = call({"render", folder.str("out"), "--color", "pressure", "--quiet"});
     CHECK(refused.code == 2);
-    CHECK(contains(refused.err, "is not finished, so its frames cannot change"));
+    CHECK(contains(refused.err, "has a checkpoint, so its frames cannot change"));
     CHECK(call({"render", folder.str("out"), "--color", "pressure", "--quiet", "--out", folder.str("other")})
               .code == 0);
     CHECK(call({"render", folder.str("out"), "--quiet"}).code == 0);
@@ -365,7 +365,7 @@ normal = [0, 1]
     const auto some = fs::file_size(folder / "straight/history.csv") / 3;
     REQUIRE(run_and_kill(tiny_run(folder, "out", all + with_checkpoints), folder / "out/history.csv", some));
     const std::map<Arguments, std::string> others{{{"--method", "og"}, "method=og"},
-                                                  {{"--until", "1"}, "until=1"},
+                                                  {{"--until", "0.05"}, "until=0.05"},
                                                   {{"--set", "speed=3"}, "speed=3"},
                                                   {{"--out", "x"}, "--out x"},
                                                   {{"--no-render"}, "--no-render"},

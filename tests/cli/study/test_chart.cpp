@@ -291,7 +291,7 @@ TEST_SUITE("cli") {
     REQUIRE(call({"chart", file, "--against", "oenog", "--out", folder.str("a.svg")}).code == 0);
     CHECK(contains(text_of(folder / "a.gp"),
                    "Compared with oenog at 0.5 mm, which is not an independent reference"));
-    CHECK(contains(text_of(folder / "a.gp"), "bend, difference from oenog at 0.5 mm, %"));
+    CHECK(contains(text_of(folder / "a.gp"), "difference of the bend from oenog at 0.5 mm, %"));
   }
 
   TEST_CASE("runs are compared only with a run of the same parameters") {
