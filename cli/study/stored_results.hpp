@@ -73,11 +73,11 @@ std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs);
 std::string value_of(const StoredRun& run, const std::string& name);
 /// A quantity of results.csv: a measure's value, a setting, or any other column.
 struct ResultColumn {
-  std::string name;         // "deflection", "deflection.error", "v0"
-  std::string column;       // "measures.deflection.value"; empty: a setting, see value_of()
-  std::string unit{};       // SI, or "%"; empty: none
-  std::string measure{};    // whose value it is; empty: another quantity
-  bool is_share = false;    // drawn in %
+  std::string name;       // "deflection", "deflection.error", "v0"
+  std::string column;     // "measures.deflection.value"; empty: a setting, see value_of()
+  std::string unit{};     // SI, or "%"; empty: none
+  std::string measure{};  // whose value it is; empty: another quantity
+  bool is_share = false;  // drawn in %
 
   /// Cell of a run, or "".
   std::string text(const StoredRun& run) const;

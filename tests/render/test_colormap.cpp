@@ -30,13 +30,11 @@ TEST_SUITE("unit") {
       const char* key;
       Rgb low, high;
     };
-    const Ends expected[] = {{"viridis", {68, 1, 84}, {253, 231, 37}},
-                             {"plasma", {13, 8, 135}, {240, 249, 33}},
-                             {"inferno", {0, 0, 4}, {252, 255, 164}},
-                             {"magma", {0, 0, 4}, {252, 253, 191}},
-                             {"cividis", {0, 34, 78}, {254, 232, 56}},
-                             {"coolwarm", {59, 76, 192}, {180, 4, 38}},
-                             {"rainbow", {0, 0, 255}, {255, 0, 0}}};
+    const Ends expected[] = {
+        {"viridis", {68, 1, 84}, {253, 231, 37}}, {"plasma", {13, 8, 135}, {240, 249, 33}},
+        {"inferno", {0, 0, 4}, {252, 255, 164}},  {"magma", {0, 0, 4}, {252, 253, 191}},
+        {"cividis", {0, 34, 78}, {254, 232, 56}}, {"coolwarm", {59, 76, 192}, {180, 4, 38}},
+        {"rainbow", {0, 0, 255}, {255, 0, 0}}};
     for (const Ends& ends : expected) {
       CAPTURE(ends.key);
       const Colormap* map = find_colormap(ends.key);

@@ -27,7 +27,8 @@ TEST_SUITE("failure") {
   TEST_CASE("the quick claims of Zhang2020 have their recorded state") { check_quick_claims("Zhang2020"); }
 
   TEST_CASE("the table of the claims is that of the claim files") {
-    const std::string page = text_of(std::filesystem::path(TAUT_SOURCE_DIR) / "scenes/studies/results/claims.md");
+    const std::string page =
+        text_of(std::filesystem::path(TAUT_SOURCE_DIR) / "scenes/studies/results/claims.md");
     const Outcome tables = call({"claims", "--markdown"});
     CHECK(tables.code == 0);
     CHECK_MESSAGE(page.ends_with("\n\n" + tables.out), "scenes/studies/update-claims.sh writes it");

@@ -43,8 +43,9 @@ inline constexpr TermInfo isotropic_stress_info{
     "isotropic stress", "P = (K J (J − 1) I − ⅓ g F:F I + ¼ ρ0 c0 h (Ḟ Fᵀ + F Ḟᵀ)) F⁻ᵀ, g = 1.07 G J^(−2/3)",
     "[Wu2023]", "terms/hourglass/pair_shear.hpp:isotropic_piola",
     "pair shear: with the shear of pairs the stress is neo-Hookean"};
-inline constexpr TermInfo pair_shear_info{
-    "internal force", "f_i = Σ V_i V_j ((P_i + P_j) X + (g_i + g_j) x)/|X| ∂W/∂r", "[Wu2023]",
-    "terms/hourglass/pair_shear.hpp:pair_shear_force", "pair shear: with the shear of pairs the stress is neo-Hookean"};
+inline constexpr TermInfo pair_shear_info{"internal force",
+                                          "f_i = Σ V_i V_j ((P_i + P_j) X + (g_i + g_j) x)/|X| ∂W/∂r",
+                                          "[Wu2023]", "terms/hourglass/pair_shear.hpp:pair_shear_force",
+                                          "pair shear: with the shear of pairs the stress is neo-Hookean"};
 
 }  // namespace taut

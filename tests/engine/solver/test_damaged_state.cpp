@@ -141,8 +141,7 @@ TEST_SUITE("restart") {
       for (const int dim : {2, 3}) {
         for (const Scene& laid : {touching_blocks(dim), folded_block(dim)}) {
           const MethodInfo& info = *find_method(method);
-          if (!info.keeps_neighbors && laid.bodies.size() == 1)
-            continue;
+          if (!info.keeps_neighbors && laid.bodies.size() == 1) continue;
           for (const ContactLaw law : info.contact_laws) {
             Scene scene = laid;
             scene.contact = law;
