@@ -66,7 +66,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("labels of runs name each setting that differs from the method's") {
     const auto run_with = [](const std::vector<Setting>& settings) {
-      return SavedRun{RunFolder("out/a"), read_text(small_scene, settings), {}};
+      return SavedRun{RunFolder("out/a"), read_text(small_scene, settings), {}, {}};
     };
     const RunLabels labels =
         label_runs({run_with({}), run_with({{"cfl", "0.2"}, {"method.damping", "0"}, {"stepping", "single"}}),
