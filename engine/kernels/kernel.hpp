@@ -175,6 +175,8 @@ struct Kernel<KernelName::gauss> {
 template <class F>
 auto with_kernel(KernelName name, const F& f) {
   switch (name) {
+    case KernelName::cubic_spline:
+      return f(Kernel<KernelName::cubic_spline>{});
     case KernelName::sinc:
       return f(Kernel<KernelName::sinc>{});
     case KernelName::gauss:
