@@ -7,7 +7,7 @@
 
 namespace {
 
-/// Opened files must not replace a closed stream and receive its output. Using such a stream remains an error.
+/// Opened files must not replace a closed stream, whose use remains an error.
 void occupy_closed_streams() {
   for (const int stream : {0, 1, 2})
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);

@@ -56,11 +56,10 @@ class Options {
   explicit Options(const Texts& texts);
   ~Options();
 
-  /// Declares an option that sets `target`: text, int, double, an optional of these, or a vector of texts or doubles.
-  /// `placeholder` is for --help. Only vectors may be repeated.
+  /// Declares an option that sets `target`. Only vectors may be repeated.
   template <class Target>
   Option add(std::string_view name, std::string_view placeholder, Target& target, std::string_view help);
-  /// Declares an option whose text is passed to `take` after all words were read.
+  /// Passes the option's text to `take` after all words were read.
   Option add(std::string_view name, std::string_view placeholder,
              const std::function<void(const std::string&)>& take, std::string_view help);
   Option add(std::string_view name, std::string_view placeholder,

@@ -26,7 +26,7 @@ std::vector<Setting> settings_below(TomlCursor& above, TomlValue& table, const s
   return read_settings(cursor);
 }
 
-/// Settings of a run have priority over those of its claim.
+/// The run's `own` settings have priority.
 std::vector<Setting> merged(const std::vector<Setting>& common, const std::vector<Setting>& own) {
   std::vector<Setting> all = common;
   std::erase_if(

@@ -15,36 +15,36 @@ std::string_view name(ClaimState);
 
 struct ClaimRun {
   std::string name;
-  std::vector<Setting> settings;  // with those of the claim
+  std::vector<Setting> settings;  // including those of the claim
 };
 
-/// A statement of a paper, with the runs and criteria that decide whether it holds here.
+/// A statement of a paper, with the runs and the criterion that test it.
 struct Claim {
   std::filesystem::path file;
-  std::string paper, key;                // "Zhang2024", "fig-3a"
-  std::string place, text;               // "Fig. 3(a)", the statement
-  std::string published, looser;         // published value; difference of the criterion; may be empty
-  std::string scene;                     // path
-  bool quick = true;                     // the tests repeat it
-  std::vector<ClaimRun> runs;            // at least one
-  std::string criterion;                 // expression of quantities; see criterion.hpp
-  std::string part, evidence;            // may be empty
-  ClaimState state = ClaimState::holds;  // recorded
-  std::string reason;                    // of a state other than holds
-  std::string last_run;                  // date of the runs that confirmed the state
+  std::string paper, key;         // "Zhang2024", "fig-3a"
+  std::string place, text;        // "Fig. 3(a)", the statement
+  std::string published, looser;  // may be empty; `looser`: difference of the criterion
+  std::string scene;              // path
+  bool quick = true;              // repeated by the tests
+  std::vector<ClaimRun> runs;
+  std::string criterion;       // see criterion.hpp
+  std::string part, evidence;  // may be empty
+  ClaimState state = ClaimState::holds;
+  std::string reason;    // of states other than `holds`
+  std::string last_run;  // date
 
   /// "Zhang2024.fig-3a".
   std::string name() const { return paper + "." + key; }
 };
 
-/// A file of scenes/papers/, named after the paper's key.
+/// A file of scenes/papers/.
 struct Paper {
   std::filesystem::path file;
   std::string key, title;
-  std::vector<Claim> claims;  // at least one
+  std::vector<Claim> claims;
 };
 
-/// Reads a claim file. Throws SceneError with file, line and column; does not check the settings and quantities.
+/// Throws SceneError with the place in the file. Does not check settings and quantities.
 Paper read_paper(const std::filesystem::path& file);
 /// Reads all claim files of the scene folders.
 std::vector<Paper> shipped_papers();

@@ -10,16 +10,15 @@
 
 namespace taut::cli {
 
-/// Claims with statement and state. `columns`: width of the text.
+/// `columns`: width of the text.
 std::string list_of_claims(const std::vector<const Claim*>& claims, std::optional<std::size_t> columns);
-/// All about one claim, with the commands that repeat its runs.
+/// Includes the commands that repeat the runs.
 std::string claim_text(const Claim& claim, std::size_t columns);
-/// Recorded and found states with the values of the quantities.
 std::string table_of_outcomes(const std::vector<ClaimOutcome>& outcomes, std::optional<std::size_t> columns);
-/// Number of claims by paper and state; claims that do not hold with their reasons; all claims.
+/// Counts by paper and state, reasons of claims that do not hold, and all claims.
 std::string claims_markdown(const std::vector<Paper>& papers);
 
-/// `outcome`: of the runs, or nullptr.
+/// `outcome` may be nullptr.
 Json claim_json(const Claim& claim, const ClaimOutcome* outcome);
 TestReport claims_report(const std::vector<ClaimOutcome>& outcomes);
 

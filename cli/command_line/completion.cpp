@@ -48,7 +48,7 @@ class CommandLine {
         next.push_back(option);
     return next;
   }
-  /// The typed scene with the typed method, or the scene of a typed run folder; nullopt if it cannot be read.
+  /// Scene with the typed method, also of a run folder; nullopt if unreadable.
   std::optional<SceneFile> scene() const try {
     if (arguments_.empty()) return std::nullopt;
     std::vector<Setting> settings;
@@ -129,8 +129,7 @@ Completion complete_name(std::span<const Command> commands) {
   return completion;
 }
 
-/// Whether a word is safe to offer: shells could split or execute other words, since bash does not quote all
-/// completions. Names may come from files of other people.
+/// Whether a word is safe to offer: bash does not quote all completions and could execute others.
 bool is_plain(const std::string& word) {
   return std::ranges::none_of(word, [](unsigned char c) {
     return c <= ' ' ||

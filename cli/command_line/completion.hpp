@@ -17,11 +17,10 @@ struct Completion {
   std::string files;  // see Choices
 };
 
-/// Completes the last word of `typed`, which may be empty; `typed` excludes `taut`. Wrong words have no completions.
+/// Completes the last word of `typed`, which excludes `taut`.
 Completion complete(std::span<const Command> commands, const std::vector<std::string>& typed);
 
-/// Output of `taut --complete WORDS`, for the script of a shell: a line with the pattern of files, then a line per
-/// word with text, tab and help.
+/// Output of `taut --complete WORDS`: pattern of files, then a line per word with text, tab and help.
 std::string answer_to_shell(std::span<const Command> commands, const std::vector<std::string>& typed);
 
 }  // namespace taut::cli

@@ -34,7 +34,7 @@ Words papers(const SceneFile*) { return paper_names(); }
 
 Words section_names(const SceneFile*) { return topic_names(); }
 
-Words color_names(const SceneFile*) { return {"white", "black"}; }  // examples; #rrggbb is also allowed
+Words color_names(const SceneFile*) { return {"white", "black"}; }  // examples
 
 Words verdict_names(const SceneFile*) { return names_of_failures(); }
 
@@ -91,7 +91,7 @@ constexpr Placeholder table[] = {
     {"NAME=VALUES", settable_names, ""},
     {"DIR", nullptr, "*/"},
     {"FILE", nullptr, "*"},
-    {"A", nullptr, "*.png"},  // an image or a folder of images; folders always fit
+    {"A", nullptr, "*.png"},  // folders always fit
     {"B", nullptr, "*.png"},
 };
 
@@ -100,7 +100,7 @@ const Placeholder* find_placeholder(std::string_view name) {
   return found == std::end(table) ? nullptr : found;
 }
 
-/// Choices of a drawing key; empty if `placeholder` belongs to none.
+/// Empty for other placeholders.
 Words drawing_names(std::string_view placeholder) {
   const auto keys = drawing_keys();
   const auto key = std::ranges::find_if(keys, [placeholder](const DrawingKey& each) {
@@ -114,7 +114,7 @@ bool is_literal(std::string_view word) {
          std::ranges::all_of(word, [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
 }
 
-/// File extension with its dot: ".png" of "panel.png"; empty if there is none.
+/// ".png" of "panel.png", or empty.
 std::string_view extension(std::string_view word) {
   const std::size_t dot = word.rfind('.');
   return dot == std::string_view::npos || dot + 1 == word.size() ? "" : word.substr(dot);
@@ -136,7 +136,7 @@ bool drop_end(std::string_view& text, std::string_view end) {
   return true;
 }
 
-/// Part of a list before its last item: "a,b," of "a,b,c".
+/// "a,b," of "a,b,c".
 std::string items_before(const std::string& typed) {
   const std::size_t comma = typed.rfind(',');
   return comma == std::string::npos ? "" : typed.substr(0, comma + 1);
@@ -146,7 +146,6 @@ void add(Choices& choices, const Words& words, const std::string& before, std::s
   for (const std::string& word : words) choices.words.push_back((before + word).append(behind));
 }
 
-/// Completes a name, or the value after "=".
 void add_assignments(Choices& choices, const Words& names, bool several, const std::string& typed) {
   const std::size_t equals = typed.find('=');
   if (equals == std::string::npos) return add(choices, names, "", "=");

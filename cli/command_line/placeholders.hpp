@@ -14,8 +14,7 @@ struct Choices {
   std::string files;
 };
 
-/// Completions for a placeholder such as FIELD, "FIELD,...", "LOW:HIGH|auto" or "panel.png", after the partial word
-/// `typed`. `scene` adds its names; nullptr if it is unknown.
+/// Completes `typed` for a placeholder such as "FIELD,..." or "LOW:HIGH|auto". `scene` may be nullptr.
 Choices choices(std::string_view placeholder, const std::string& typed, const SceneFile* scene);
 
 }  // namespace taut::cli

@@ -8,8 +8,7 @@
 
 namespace taut::cli {
 
-/// Runs `taut` with `arguments`, without the program's name. Returns the exit code. Reports all errors on
-/// `streams.err`.
+/// Runs `taut`; `arguments` exclude its name. Returns the exit code and reports all errors on `streams.err`.
 int run_program(std::span<const Command> commands, const std::vector<std::string>& arguments,
                 Streams streams);
 

@@ -38,7 +38,7 @@ double share(const std::string& text) {
   return percents ? *value / 100 : *value;
 }
 
-/// Folders below out/ with results of the scene.
+/// Folders below out/.
 std::vector<std::string> stored_results(const std::string& scene) {
   constexpr int deepest = 3;
   std::vector<std::string> files;
@@ -60,7 +60,7 @@ std::vector<std::string> stored_results(const std::string& scene) {
   return files;
 }
 
-/// The scene's value of a swept name, or empty.
+/// Empty for an unknown name.
 std::string value_in(const SceneFile& file, const std::string& name) {
   const ResolvedSetting* found = file.find_resolved(name);
   if (!found) return "";
@@ -72,7 +72,7 @@ bool is_same(const std::string& a, const std::string& b) {
   return x && y ? std::abs(*x - *y) <= 1e-9 * std::abs(*y) : a == b;
 }
 
-/// Removes runs with other scene settings; returns the settings of `file` that these runs do not match.
+/// Removes runs with other scene settings and returns these settings.
 std::string keep_matching_runs(const SceneFile& file, StoredResults& results) {
   std::vector<std::string> others;
   for (const std::string& name : names_of_scene(results.runs)) {
@@ -87,7 +87,7 @@ std::string keep_matching_runs(const SceneFile& file, StoredResults& results) {
   return join(others);
 }
 
-/// Throws UsageError for a run of another scene or of other parameters.
+/// Throws UsageError for another scene or other parameters.
 ChartRequest request(const ChooseArguments& options, const SceneFile& file) {
   ChartRequest request{options.measure, Cost::wall};
   if (options.against.empty() || find_method(options.against)) {

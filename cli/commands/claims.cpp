@@ -20,7 +20,7 @@ namespace taut::cli {
 namespace {
 
 struct ClaimsArguments : ReportOptions {
-  std::string what;  // paper, claim, or empty: all
+  std::string what;  // paper, claim or empty
   std::vector<std::string> run;
   bool quick = false, all = false, markdown = false, quiet = false;
   std::string out = "out/claims";
@@ -43,7 +43,7 @@ Claims all_of(const std::vector<Paper>& papers) {
   return all;
 }
 
-/// `given` with or without the paper's key.
+/// `given` may lack the paper's key.
 const Claim* find_claim(const Claims& among, const std::string& given, const std::string& paper) {
   const auto found = std::ranges::find_if(among, [&](const Claim* claim) {
     return claim->name() == given || (!paper.empty() && claim->key == given);
@@ -54,7 +54,6 @@ const Claim* find_claim(const Claims& among, const std::string& given, const std
   throw UsageError(unknown_name("claim", given, names) + "; `taut claims` lists all");
 }
 
-/// Claims of `what`: all, those of a paper, or one.
 Claims select(const std::vector<Paper>& papers, const std::string& what) {
   Claims claims = all_of(papers);
   if (what.empty() || what.ends_with(".toml")) return claims;
@@ -99,7 +98,7 @@ int run_claims(const ClaimsArguments& o, const Claims& claims, Streams streams) 
   std::vector<ClaimOutcome> outcomes;
   for (PlannedClaim& each : planned) {
     for (SweepRun& run : each.plan.runs)
-      if (run.state != SweepRunState::broken) run.read_folder();  // another claim may have the same run
+      if (run.state != SweepRunState::broken) run.read_folder();  // shared with another claim
     outcomes.push_back(outcome_of(each));
   }
   if (o.json)

@@ -70,14 +70,14 @@ std::optional<render::View> common_view(const std::vector<SavedRun>& runs) {
   return view;
 }
 
-/// Limits the view: particles that fly away do not shrink the picture.
+/// Particles that fly away must not shrink the picture.
 render::View within(const render::View& all, const std::optional<render::View>& window) {
   if (!window) return all;
   return {std::max(all.x_min, window->x_min), std::min(all.x_max, window->x_max),
           std::max(all.y_min, window->y_min), std::min(all.y_max, window->y_max)};
 }
 
-/// The options, else the first run's drawing without size and view.
+/// Options, else the first run's drawing without size and view.
 Drawing wish(const std::vector<SavedRun>& runs, const CompareArguments& options) {
   Drawing drawing = runs.front().file.drawing;
   drawing.look.size.reset();
@@ -98,7 +98,7 @@ void refuse_to_follow_nobody(const Drawing& wish, const std::vector<SavedRun>& r
   }
 }
 
-/// Whether the scenes' view applies: no option, not even `--view auto`, sets one.
+/// Whether the scenes' view applies; `--view auto` also overrides it.
 bool is_bounded(const Drawing& wish, const CompareArguments& options) {
   const auto typed = options.typed.find("view");
   const bool chosen = typed != options.typed.end() && typed->second;
@@ -116,10 +116,9 @@ Drawing fitted_to(const Drawing& wish, bool bounded, const std::vector<SavedRun>
   return drawing;
 }
 
-/// Warns of particles outside the view.
 void tell_what_is_outside(const render::View& view, const std::vector<SavedRun>& runs,
                           const std::vector<Column>& columns, std::ostream& err) {
-  constexpr double worth_telling = 0.02;  // share of the particles; single ones may fly away
+  constexpr double worth_telling = 0.02;  // share of the particles
   for (std::size_t k = 0; k < columns.size(); ++k) {
     double most = 0;
     for (const PanelCell& cell : columns[k].cells) {

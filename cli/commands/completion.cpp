@@ -12,7 +12,6 @@
 namespace taut::cli {
 namespace {
 
-/// Completion script of a shell; it calls taut to list the completions.
 struct Script {
   std::string_view shell;
   std::string_view text;

@@ -27,7 +27,7 @@ std::string bracket(const CriticalStep& found) {
   return brief(*found.stable) + " s" + (found.unstable ? " to " + brief(*found.unstable) + " s" : " or more");
 }
 
-/// Runs the trials. An error about the scene gets its place in the file.
+/// Adds the place in the file to errors about the scene.
 CriticalStep search(const SceneFile& file, const CriticalStepArguments& options, Progress& progress) {
   constexpr double usual_trials = 12;
   const Interrupts interrupts;

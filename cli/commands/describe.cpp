@@ -101,7 +101,7 @@ Rows body_rows(const Scene& scene) {
   return rows;
 }
 
-/// Gravity at the end of the run.
+/// At the end of the run.
 std::string gravity_text(const Scene& scene) {
   std::string text;
   for (std::size_t k = 0; k < static_cast<std::size_t>(scene.dim); ++k)

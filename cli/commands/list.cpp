@@ -38,7 +38,6 @@ Json scene_rows() {
   return rows;
 }
 
-/// Converts rows below a heading.
 Json as_objects(const Rows& rows) {
   Json objects = Json::array();
   for (std::size_t r = 1; r < rows.size(); ++r) {

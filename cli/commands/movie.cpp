@@ -28,7 +28,7 @@ struct MovieArguments {
   bool orbit = false;
 };
 
-/// Requires frames without a gap; ffmpeg would stop there silently.
+/// ffmpeg stops silently at a gap.
 int count_frames(const fs::path& folder) {
   const int count = static_cast<int>(picture_names(folder).size());
   if (!fs::exists(folder / frame_name(0)))
@@ -43,7 +43,7 @@ int count_frames(const fs::path& folder) {
   return whole;
 }
 
-/// A temporary folder for frames, removed by the destructor.
+/// The destructor removes the folder.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -64,7 +64,7 @@ class ScratchFolder {
   fs::path path_;
 };
 
-/// Draws the run with an orbiting camera. Returns false if interrupted.
+/// Returns false if interrupted.
 bool draw_orbit(const fs::path& folder, const fs::path& frames, std::ostream& err) {
   SavedRun run = open_saved_run(folder);
   run.file.drawing.orbit = true;
@@ -74,7 +74,7 @@ bool draw_orbit(const fs::path& folder, const fs::path& frames, std::ostream& er
   return redraw(run, frames, 0, progress).all;
 }
 
-/// ffmpeg options by file format. Videos need even sides, so a white edge is added; GIFs need few colours.
+/// Videos need even sides, hence a white edge; GIFs need few colours.
 std::vector<std::string> encoding(const std::string& extension) {
   if (extension == ".gif")
     return {"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none"};
@@ -91,7 +91,7 @@ std::vector<std::string> arguments_of(const MovieArguments& options, const fs::p
                                      "-framerate", exact(options.fps), "-i",        "frame_%05d.png"};
   const std::vector<std::string> rest = encoding(movie.extension().string());
   arguments.insert(arguments.end(), rest.begin(), rest.end());
-  arguments.push_back("file:" + movie.string());  // so that ':' in the name does not end a protocol
+  arguments.push_back("file:" + movie.string());  // ':' must not end a protocol
   return arguments;
 }
 

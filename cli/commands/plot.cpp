@@ -36,7 +36,6 @@ SceneFile scene_of(const StoredRun& run) {
   return read_scene(folder.scene());
 }
 
-/// The paths of the command line by kind.
 struct PlotPaths {
   std::vector<std::string> runs, sweeps, others;
 };
@@ -46,7 +45,7 @@ bool contains_file(const std::string& folder, const char* name) {
   return fs::symlink_status(fs::path(folder) / name, error).type() > fs::file_type::not_found;
 }
 
-/// A sweep's table is left out where runs beside it are named, as with DIR/*.
+/// Omits a sweep's table if runs beside it are named, as with DIR/*.
 PlotPaths sorted_paths(const std::vector<std::string>& given) {
   PlotPaths paths;
   const auto is_beside = [](const fs::path& table) {
@@ -65,7 +64,7 @@ PlotPaths sorted_paths(const std::vector<std::string>& given) {
     else if (named == "results.csv")
       tables.push_back(path);
     else if (named == "run.json" || contains_file(path, "run.json") || !fs::exists(path, error))
-      paths.runs.push_back(path);  // a missing path is an error of the reader
+      paths.runs.push_back(path);  // the reader reports missing paths
     else
       paths.others.push_back(path);
   }
@@ -112,7 +111,6 @@ void refuse_two_units(const std::string& column, const StoredRun& run, const Sce
                    named(unit) + " in '" + run.folder() + "'; plot these runs separately");
 }
 
-/// Adds the names and titles of the scenes.
 void add_titles(StoredResults& results, const std::vector<SceneFile>& scenes) {
   std::set<std::string> named;
   if (!results.title.empty()) return;
@@ -123,7 +121,7 @@ void add_titles(StoredResults& results, const std::vector<SceneFile>& scenes) {
     }
 }
 
-/// Panels "a+b": their columns, and the place of each column.
+/// Panels "a+b": columns and their places.
 struct JoinedColumns {
   std::vector<std::string> names;
   std::vector<std::vector<std::size_t>> panels;
@@ -155,7 +153,7 @@ bool equal(const ReferenceCurve& a, const ReferenceCurve& b) {
   return a.column == b.column && a.name == b.name && a.t == b.t && a.values == b.values;
 }
 
-/// References of the drawn columns, up to the last drawn time.
+/// References up to the last drawn time.
 std::vector<ReferenceCurve> references_of(const HistoryPlot& plot, const StoredResults& results,
                                           const std::vector<SceneFile>& scenes) {
   std::vector<ReferenceCurve> all;
@@ -205,7 +203,7 @@ int plot_histories(const PlotArguments& options, StoredResults results, const Pl
   return draw_history(plot, files, streams, look);
 }
 
-/// Parameters' units are in the scene files; results without them are drawn without units.
+/// Units come from the scene files.
 void add_units(StoredResults& results) {
   std::vector<SceneFile> scenes;
   try {

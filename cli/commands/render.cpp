@@ -45,12 +45,12 @@ void check_for_frames(const fs::path& folder) {
 
 void clear_for_frames(const fs::path& folder) {
   make_folders(folder);
-  check_for_frames(folder);  // another process may have changed it
+  check_for_frames(folder);  // may have changed
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (!is_lock(entry.path())) fs::remove(entry.path());
 }
 
-/// Removes old frames; updates scene.toml in the run's folder.
+/// Removes old frames and updates scene.toml.
 fs::path prepare(const RenderArguments& options, SavedRun& run) {
   if (options.out) {
     clear_for_frames(*options.out);
@@ -69,7 +69,7 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
   return run.folder.frames();
 }
 
-/// The run's own folder, or with --out the folder of the frames or the run that contains it.
+/// With --out, the run around it, or the folder of the frames.
 fs::path folder_to_lock(const RenderArguments& options) {
   if (!options.out) return options.run;
   check_for_frames(*options.out);
@@ -88,14 +88,13 @@ void tell_what_is_missing(const SavedRun& run, std::ostream& err) {
 
 int render(const RenderArguments& options, Streams streams) {
   check_threads(options.threads);
-  SavedRun run =
-      open_saved_run(options.run);  // before locking: no lock file is written to a folder that is no run
+  SavedRun run = open_saved_run(options.run);  // before the lock creates a file
   const FolderLock lock(folder_to_lock(options), FolderLock::Of::run, "taut render", streams.err);
-  run = open_saved_run(options.run);  // another process may have changed it before the lock
+  run = open_saved_run(options.run);  // may have changed
   run.file.drawing = with_options(run.file.drawing, options);
   apply_scene(run.file.drawing, run.file);
   run.file.drawing.orbit = options.orbit;
-  check_redrawing(run);  // before anything is removed
+  check_redrawing(run);  // before frames are removed
   const fs::path folder = prepare(options, run);
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const auto [frames, all] = redraw(run, folder, options.threads, progress);

@@ -33,7 +33,7 @@ int report(const PageArguments& options, Streams streams) {
   json["page"] = page.file.string();
   json["runs"] = page.runs;
   streams.out << (options.json ? json.dump(2) : "page  " + page.file.string())
-              << std::endl;  // flushed before the watch begins
+              << std::endl;  // flush before the watch
   const Interrupts interrupts;
   while (options.watch && page.running) {
     for (int k = 0; k < 20; ++k) {  // two seconds

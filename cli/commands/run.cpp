@@ -55,13 +55,13 @@ void declare_options(Options& command, RunArguments& o) {
   command.add_flag("--quiet", o.quiet, "print no progress on stderr");
 }
 
-/// The plan and the lock of its folder. With --resume, the folder is locked before anything is read.
+/// With --resume, the folder is locked before anything is read.
 struct LockedPlan {
   std::unique_ptr<const FolderLock> lock;
   RunPlan plan;
 };
 
-/// Throws UsageError for an older run that took more than a minute.
+/// Throws UsageError for an older run of more than a minute.
 void refuse_to_lose(const RunFolder& folder) {
   constexpr double minute = 60;  // s
   const auto record = read_record(folder.record());
@@ -81,12 +81,12 @@ LockedPlan planned(const RunArguments& options, std::ostream& err) {
     if (options.scene.empty()) throw UsageError("SCENE is required; see `taut run --help`");
     all.plan = make_plan(options);
     all.lock = lock(all.plan.folder.path());
-    all.plan.folder.check();  // another process may have changed it before the lock
+    all.plan.folder.check();  // may have changed
     if (!options.force) refuse_to_lose(all.plan.folder);
     return all;
   }
   check_resumable(*options.resume,
-                  options);  // before locking: no lock file is written to a folder that is no run
+                  options);  // before the lock creates a file
   all.lock = lock(*options.resume);
   all.plan = resume_plan(*options.resume, options);
   if (!all.plan.state)

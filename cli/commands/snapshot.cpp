@@ -42,7 +42,7 @@ void declare_options(Options& command, SnapshotArguments& o) {
   command.add_flag("--quiet", o.quiet, "print no progress on stderr");
 }
 
-/// Resolves links, removes a final slash.
+/// Resolves links.
 fs::path plain_path(const fs::path& path) { return (fs::weakly_canonical(path) / "").parent_path(); }
 
 void check_baseline(const SnapshotArguments& options, const fs::path& run_folder) {

@@ -63,7 +63,7 @@ int emit(const SweepOptions& o, const Options& command, const SweepPlan& plan, s
   return exit_fine;
 }
 
-/// Costs are measured by at most one job per physical core.
+/// Cost measurements use at most one job per physical core.
 int number_of_jobs(const SweepPlan& plan, const SweepOptions& o) {
   const bool costs = !plan.runs.empty() && !plan.runs.front().repetitions.empty();
   const int most = std::max(1, (costs ? physical_cores() : cores()) / o.run.threads);
@@ -80,7 +80,7 @@ std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o, std::
   for (SweepRun& of_row : plan.runs)
     for (SweepRun* run : of_row.all()) {
       if (o.index && run->index != *o.index) continue;
-      run->read_folder();  // another process may have changed it before this one held the lock
+      run->read_folder();  // may have changed before the lock
       if (run->state == SweepRunState::damaged)
         err << "taut: run " << run->index << " (" << text_of(run->settings)
             << "): " << RunFolder(*run->options.out).record().string()
@@ -113,7 +113,6 @@ std::string text(const SweepPlan& plan, const SweepOptions& o) {
   return results_table(plan) + "\nresults  " + (plan.folder / "results.csv").string() + ", results.json\n";
 }
 
-/// Reports runs of other grids.
 void report_other_runs(const SweepPlan& plan, std::ostream& err) {
   std::vector<std::string> others;
   std::error_code error;
@@ -158,7 +157,7 @@ bool answer(const SweepPlan& plan, const SweepArguments& o, const std::optional<
   return std::ranges::find(report.cases, Result::failed, &TestCase::result) == report.cases.end();
 }
 
-/// Updates the results of whole sweeps only.
+/// Updates results of whole sweeps only.
 class ResultsWriter {
  public:
   ResultsWriter(const SweepPlan& plan, bool whole_sweep) : plan_(plan), active_(whole_sweep) {}
@@ -172,7 +171,7 @@ class ResultsWriter {
     since_written_ = {};
   }
   void changed() { pending_ = true; }
-  /// Writes rarely if writing is slow: there may be thousands of short runs.
+  /// Writes rarely if writing is slow.
   void write_when_due() {
     if (pending_ && since_written_.seconds() > 20 * took_) write();
   }

@@ -7,17 +7,16 @@
 namespace taut::cli {
 namespace {
 
-constexpr double outside = 0.01;  // greatest share of values clipped at each end
-constexpr double not_far = 0.25;  // greatest widening by clipped values, as a share of the width without them
-constexpr std::size_t most = 1 << 22;  // sampled values; of more, every second, fourth, … is used
+constexpr double outside = 0.01;       // share of values clipped at each end
+constexpr double not_far = 0.25;       // greatest widening by clipped values
+constexpr std::size_t most = 1 << 22;  // sampled values
 
-/// Greater values would overflow when squared; they count as not finite.
+/// Greater values overflow when squared.
 bool counts(double value) {
   constexpr double greatest = 1e100;
   return std::abs(value) < greatest;
 }
 
-/// Ends that clip the share `outside`.
 render::Range ends_of(std::vector<double> values) {
   const auto place = static_cast<std::ptrdiff_t>(outside * static_cast<double>(values.size()));
   std::nth_element(values.begin(), values.begin() + place, values.end());
@@ -89,7 +88,7 @@ render::Range SequenceBounds::range(std::optional<double> middle, double round_o
     low = *middle - half, high = *middle + half;
   }
   if (high > low) return {low, high};
-  // a uniform field gets the middle colour; 0 without a `middle` gets the lowest one
+  // a uniform field gets the middle colour, 0 the lowest one
   if (low == 0 && !middle) return {0, 1};
   const double half = low != 0 ? 0.5 * std::abs(low) : 1;
   return {low - half, low + half};

@@ -10,32 +10,31 @@
 
 namespace taut::cli {
 
-/// Range and view of a sequence of frames, without non-finite values.
+/// Range and view of a sequence of frames; ignores non-finite values.
 class SequenceBounds {
  public:
   /// The camera sets the plane of the view.
   explicit SequenceBounds(const std::optional<render::Camera>& camera = {});
 
   void add_values(std::span<const double> values);
-  /// `x` has `dim` coordinates per particle, m; `diameter` is the largest one, m.
+  /// `x`: `dim` coordinates per particle, m; `diameter`: the largest, m.
   void add_positions(std::span<const double> x, int dim, double diameter);
   void add(const FrameView& particles);
 
-  /// Range of the values. At each end, it omits at most 1 % of the values whose size exceeds `round_off`, unless
-  /// including them widens the range by less than a quarter. Never empty; symmetric about `middle`, if given.
+  /// Range without at most 1 % of the values beyond `round_off` at each end, unless including them widens it
+  /// by less than a quarter. Never empty; symmetric about `middle`.
   render::Range range(std::optional<double> middle, double round_off = 0) const;
-  /// With a margin of 5 % of the longer side.
+  /// Includes a margin of 5 % of the longer side.
   render::View view() const;
-  /// Same view, but centred at the origin, which is the centre of mass of the followed body, and 1.5 times as large,
-  /// so that its surroundings are visible.
+  /// View centred at the origin, the centre of mass of the followed body, and 1.5 times as large.
   render::View view_about_origin() const;
-  /// A view that contains everything from all directions.
+  /// Contains everything from all directions.
   struct Orbit {
     render::View view;  // centred at the origin
     render::Vector middle;
   };
   Orbit orbit() const;
-  /// Coordinate of the nearest particle along the camera's direction, m.
+  /// Nearest particle along the camera's direction, m.
   double front() const;
 
  private:
@@ -43,13 +42,13 @@ class SequenceBounds {
     double low = 1e300, high = -1e300;
     void add(double value, double margin = 0);
   };
-  Interval values_, x_, y_, z_;  // the last three along the camera's axes
+  Interval values_, x_, y_, z_;  // x, y, z: along the camera's axes
   std::vector<double> sample_;   // every `stride_`-th value
   std::size_t stride_ = 1, seen_ = 0;
   std::optional<render::CameraAxes> axes_;
 };
 
-/// Returns `drawing` with its open members set: colour map by the field, range and view by `shown`.
+/// Sets open members: colour map by the field, range and view by `shown`.
 Drawing fitted(Drawing drawing, const SequenceBounds& shown);
 
 }  // namespace taut::cli

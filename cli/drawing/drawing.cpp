@@ -44,7 +44,7 @@ Drawing sized(Drawing drawing) {
   return drawing;
 }
 
-/// A formula has no unit; a diverging map centres it at 0.
+/// Formulas have no unit; a diverging map centres them at 0.
 ColorMeaning meaning(const Drawing& drawing) {
   const Field& field = *drawing.field;
   const render::Colormap* map = drawing.look.colormap;

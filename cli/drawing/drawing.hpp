@@ -20,7 +20,6 @@ inline constexpr int most_frames = 1000000;
 
 enum class Style : std::uint8_t { discs, spheres, cells };
 
-/// Expression that colours particles.
 struct ColorFormula {
   /// Current and initial position.
   static constexpr std::array<const char*, 6> places{"x", "y", "z", "X", "Y", "Z"};
@@ -29,40 +28,40 @@ struct ColorFormula {
   std::vector<const Field*> fields;
   Function function;  // of the fields, `places` and the time
 
-  /// One value per particle. `of_fields` has the values of each field; x and x0 have `dim` coordinates each, m.
+  /// One value per particle. `of_fields`: values of each field; x, x0: `dim` coordinates each, m.
   std::vector<double> values(std::span<const std::vector<double>> of_fields, int dim,
                              std::span<const double> x, std::span<const double> x0, double time) const;
 };
 
-/// Content and look of pictures. Open members have defaults: viridis, or a diverging map for signed fields; range and
-/// view of everything shown. A 3D scene has a camera instead of a view.
+/// Content and look of pictures. Open members default to viridis, or a diverging map for signed fields, and
+/// the range and view of everything shown. A 3D scene has a camera instead of a view.
 struct Drawing {
-  const Field* field = find_field("von_mises");  // colours the particles if `formula` is empty
+  const Field* field = find_field("von_mises");  // without a `formula`
   render::Look look{};
   int frames = 60;               // after t = 0, evenly spaced
   std::optional<Style> style{};  // default: discs in 2D, spheres in 3D
-  std::string cut{};             // expression that hides particles where it is not 0 at the start
-  std::string follow{};          // body whose centre of mass stays in the middle
+  std::string cut{};             // expression; nonzero at the start hides a particle
+  std::string follow{};          // body that stays in the middle
 
   std::optional<std::string> title{};   // default: of the scene; empty: none
-  std::optional<double> font_points{};  // default: by the size, on paper print_font
-  std::optional<double> dpi{};          // default: screen_dpi, on paper print_dpi
+  std::optional<double> font_points{};  // default: by the size, or print_font
+  std::optional<double> dpi{};          // default: screen_dpi or print_dpi
   std::string print_width{};            // "85mm", or empty
 
-  std::string formula{};  // expression that colours the particles, or empty
-  bool orbit = false;     // 3D: the camera circles the scene once during the run
+  std::string formula{};  // expression of the colours
+  bool orbit = false;     // 3D: one circle of the camera
 
   // set by `apply_scene` (cli/scene)
   Expression is_cut{};
   std::optional<int> followed{};  // index into Scene::bodies
   std::vector<WallFace> walls{};
-  double round_off = 0;  // of the values; minimum width of an open range, in the unit of the colours
+  double round_off = 0;  // minimum width of an open range, in the unit of the colours
   ColorFormula of_formula{};
 };
 
-/// Pixels of a drawing's width on paper; nullopt without such a width.
+/// Width on paper in pixels, if given.
 std::optional<double> pixels_on_paper(const Drawing& drawing);
-/// Applies font size and width on paper: the picture keeps the proportions of its size. An open size stays open.
+/// Applies font size and width on paper, keeping the proportions. An open size stays open.
 Drawing sized(Drawing drawing);
 
 struct ColorMeaning {
@@ -70,12 +69,12 @@ struct ColorMeaning {
   std::optional<double> middle;  // neutral value of a signed field
 };
 ColorMeaning meaning(const Drawing& drawing);
-/// Values of the run's particles, in the field's unit.
+/// Values in the field's unit.
 std::vector<double> color_values(const Drawing& drawing, const Snapshot& snapshot);
 
 std::vector<std::string> names_of_fields();
 std::vector<std::string> names_of_fields(int dim);
-/// Throws UsageError, with the nearest name, for a field that scenes of `dim` dimensions lack.
+/// Throws UsageError for a field that scenes of `dim` dimensions lack.
 const Field& known_field(const std::string& key, int dim = 3);
 
 }  // namespace taut::cli

@@ -22,39 +22,38 @@
 namespace taut::cli {
 
 std::string frame_name(int number);
-/// Whether `path` has a name made by frame_name, complete or temporary.
+/// Includes temporary files.
 bool is_frame(const std::filesystem::path& path);
 
 struct Captions {
   std::string title, method;
-  double until = 0;  // last time, s; determines the unit of all times
+  double until = 0;  // s; determines the unit of all times
 };
 
 /// Sets the open members for this snapshot.
 Drawing fitted(const Drawing& drawing, const Snapshot& snapshot);
-/// The drawing must have no open members.
+/// Requires a drawing without open members.
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot);
 
-/// Draws the frames of a run: at once if range and view are known, else all at the end with a common range and view;
-/// frames are kept in memory until then. Threads draw beside the caller, which waits if too many frames are pending.
-/// Files appear in the order of the frames.
+/// Draws the frames of a run at once if range and view are known, else at the end from memory. Threads draw
+/// beside the caller, which waits if too many frames are pending. Files appear in order.
 class Frames {
  public:
-  static constexpr double memory_of_pictures = 1e9;  // bytes, with OpenGL; limits the number of threads
+  static constexpr double memory_of_pictures = 1e9;  // bytes, with OpenGL
 
-  /// Throws if no picture can be drawn. `origins` belong to the particles that `add` will get. `finish` adds the time
-  /// of all threads to `seconds`.
+  /// Throws if no picture can be drawn. `origins` belong to the particles to add. `finish` adds all threads'
+  /// time to `seconds`.
   Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
          int threads, Seconds& seconds);
 
   void add(const Snapshot& snapshot);
-  /// `particles` are all of the run, with values and without texts.
+  /// Requires all particles of the run, with values.
   void add(const FrameView& particles);
-  /// Number of the k-th frame's file, in ascending order; without a call, k.
+  /// Ascending file numbers; default: 0, 1, …
   void number_files(std::vector<int> numbers) { file_numbers_ = std::move(numbers); }
-  /// Draws the frames in memory. Calls `go_on` before each frame; returns false if it stopped the drawing.
+  /// Draws the frames in memory; returns false if `go_on` stopped it.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
-  /// Waits for pending frames. Throws their errors, as all functions that add frames do.
+  /// Waits for pending frames. Like all functions that add frames, throws their errors.
   void finish();
 
   int kept() const { return static_cast<int>(kept_.size()); }
@@ -80,7 +79,7 @@ class Frames {
   }
 
  private:
-  /// Content of a frame. Single precision could not separate particles far from the origin.
+  /// Double precision separates particles far from the origin.
   struct Kept {
     double time;   // s
     Point origin;  // m
@@ -114,11 +113,11 @@ class Frames {
   std::vector<double> diameter_;  // m
   std::vector<Kept> kept_;
   std::optional<render::Vector> orbited_;  // centre of the orbit, m
-  std::vector<int> file_numbers_;          // empty: 0, 1, …
-  int drawn_ = 0;                          // including frames being drawn
+  std::vector<int> file_numbers_;
+  int drawn_ = 0;  // including frames being drawn
   std::atomic<int> written_ = 0;
   std::atomic<double> drawing_time_ = 0, writing_time_ = 0;  // s, not yet in `seconds_`
-  /// One per thread, made when it draws.
+  /// One per thread.
   std::vector<std::optional<render::Renderer>> renderers_;
   OrderedWork work_;  // last, because its threads use the others
 };

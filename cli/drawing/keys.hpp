@@ -14,18 +14,16 @@ namespace taut::cli {
 
 using DrawingValue = std::variant<std::string, std::vector<double>>;
 
-/// Word for no text.
 inline constexpr std::string_view nothing = "none";
-/// Word for an open value.
 inline constexpr std::string_view automatic = "auto";
 
-/// A key of [render], an option of drawing commands and a session command. Its value is a word, numbers, or a text.
+/// A key of [render], drawing option and session command.
 struct DrawingKey {
   struct Words {
     std::string_view kind;
     std::vector<std::string> (*names)() = nullptr;  // all but "auto"
     bool or_formula = false;                        // also "=EXPRESSION"
-    bool is_list = false;                           // several, with commas between
+    bool is_list = false;                           // separated by commas
 
     bool has_formula(const std::string& word) const { return or_formula && word.starts_with('='); }
     /// First part of `text` that is no name, or nullopt.
@@ -36,21 +34,21 @@ struct DrawingKey {
     bool whole = false;
     char between = ':';             // separator of typed numbers
     std::string_view in_file = {};  // "[low, high]": allowed beside "auto"
-    std::string typed = {};         // expected form, for messages
+    std::string typed = {};         // form in messages
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   };
 
-  std::string_view name;         // "font_size" for --font-size
+  std::string_view name;         // "font_size"
   std::string_view placeholder;  // ends in "|auto" if allowed
   std::string_view help;
-  std::string_view session_help = {};  // empty: no session command
-  bool allows_auto = false;            // "auto" allowed in scene files
+  std::string_view session_help = {};  // empty: no command
+  bool allows_auto = false;            // in scene files
   bool counts_frames = false;          // number of pictures, not style
   Words words = {};
-  bool is_free_text = false;      // free text; "none" if empty
-  std::string_view pattern = {};  // of other texts; `typed` explains it
+  bool is_free_text = false;      // "none" if empty
+  std::string_view pattern = {};  // of other texts
   Numbers numbers = {};
-  /// Sets the value, or returns an error for scene files. `apply_scene` (cli/scene) checks if it fits the scene.
+  /// Sets the value, or returns an error. `apply_scene` (cli/scene) checks if it fits the scene.
   std::string (*set)(Drawing&, const DrawingValue&);
   DrawingValue (*get)(const Drawing&);
 
@@ -59,11 +57,11 @@ struct DrawingKey {
   std::string option() const;
 };
 
-/// All keys, in the order of --help and scene.toml.
+/// In the order of --help and scene.toml.
 std::span<const DrawingKey> drawing_keys();
 const DrawingKey& drawing_key(std::string_view name);
 
-/// Sets a key as typed on the command line or in a session. Throws UsageError and then changes nothing.
+/// Sets a typed value. Throws UsageError and then changes nothing.
 void set_typed(Drawing& drawing, const DrawingKey& key, const std::string& text);
 
 }  // namespace taut::cli

@@ -11,7 +11,7 @@ namespace taut::cli {
 
 class Options;
 
-/// Drawing options as typed. Omitted values come from the scene.
+/// Omitted values come from the scene.
 struct DrawingOptions {
   std::map<std::string, std::optional<std::string>, std::less<>> typed;  // by key
 
@@ -20,7 +20,7 @@ struct DrawingOptions {
 
 void declare_drawing_options(Options& command, DrawingOptions& options);
 
-/// Returns `drawing` changed by the options. Throws UsageError.
+/// Throws UsageError.
 Drawing with_options(Drawing drawing, const DrawingOptions& options);
 
 }  // namespace taut::cli

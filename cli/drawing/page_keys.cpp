@@ -34,7 +34,6 @@ constexpr std::array<NamedText, 6> named_texts{{{"title", &Parts::title},
                                                 {"scale", &Parts::scale},
                                                 {"axes", &Parts::axes}}};
 
-/// An optional number within bounds.
 template <std::optional<double> Drawing::*Member>
 std::string set_optional(Drawing& drawing, const DrawingValue& value, std::string_view key, double low,
                          double high) {

@@ -11,11 +11,11 @@
 
 namespace taut::cli {
 
-/// Initial particles of a run, in the order of creation.
+/// Initial particles, in the order of creation.
 struct Origins {
   int dim = 2;
   std::vector<double> x0;        // n × dim, m
-  std::vector<double> m;         // kg (per metre of depth in 2D)
+  std::vector<double> m;         // kg, in 2D per metre of depth
   std::vector<double> diameter;  // m
   std::vector<int> body;         // index into Scene::bodies
 
@@ -23,22 +23,22 @@ struct Origins {
 };
 
 Origins origins_of(const Snapshot& snapshot);
-/// Origins of the initial particles of a scene. Throws SceneError.
+/// Throws SceneError.
 Origins origins_of(const Scene& scene);
 
-/// Particles of one picture. `view` refers to the arrays of this object.
+/// Particles of one picture; `view` refers to them.
 struct StagedParticles {
   int dim = 2;
   double time = 0;  // s
   std::vector<double> x{}, diameter{}, value{}, cell{};
-  Point origin{};                 // of the coordinates, in the scene, m
+  Point origin{};                 // m, in the scene
   std::vector<WallFace> walls{};  // relative to `origin`
 
   FrameView view() const;
 };
 
-/// Selects and places the particles of a picture: removes those in the cut, and centres the followed body. A cut uses
-/// initial positions, so that it deforms with the body.
+/// Selects and places the particles of a picture. The cut uses initial positions, so it deforms with the
+/// body.
 class Staging {
  public:
   /// Throws UsageError if the cut leaves no particle.
@@ -47,11 +47,11 @@ class Staging {
   int dim() const { return origins_.dim; }
   std::size_t size() const { return shown_.size(); }  // particles drawn
 
-  /// `particles` are all particles of the run.
+  /// Requires all particles of the run.
   StagedParticles operator()(const FrameView& particles) const;
-  /// Adds walls and, in style `cells`, replaces particles by visible cells.
+  /// Adds walls; style `cells` replaces particles by visible cells.
   StagedParticles with_cells_and_walls(StagedParticles staged) const;
-  /// Adds the values, and the positions that an open view must contain.
+  /// Adds values and positions.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 
  private:
@@ -62,7 +62,7 @@ class Staging {
   std::vector<WallFace> walls_;
   std::optional<int> followed_;
   std::vector<std::size_t> shown_;  // particle numbers
-  std::optional<Cells> cells_;      // of `shown_`, in style `cells`
+  std::optional<Cells> cells_;
 };
 
 }  // namespace taut::cli

@@ -14,12 +14,12 @@
 namespace taut::cli {
 namespace {
 
-/// Reads only the header [PNG §11.2.2], before the picture takes memory.
+/// Reads the header [PNG §11.2.2] before memory is allocated.
 void check_size(const std::filesystem::path& png) {
   std::array<unsigned char, 24> head{};
   std::ifstream file(png, std::ios::binary);
   file.read(reinterpret_cast<char*>(head.data()), head.size());
-  if (!file) return;  // read_png reports the error
+  if (!file) return;  // reported by read_png
   const auto side = [&](std::size_t from) {
     return (head[from] * 256L + head[from + 1]) * 65536L + head[from + 2] * 256L + head[from + 3];
   };

@@ -21,20 +21,18 @@ struct Mask {
 
 inline constexpr int greatest_mask_side = 4096;  // pixels
 
-/// Solid share of a pixel: darkness in front of white, or opacity.
+/// Solid share: darkness in front of white, or opacity.
 enum class MaskOf : std::uint8_t { darkness, alpha };
 /// Throws UsageError if the file is unreadable or too large.
 Mask read_mask(const std::filesystem::path& png, MaskOf of);
 
-/// Painted area of an SVG file, whatever its colours (librsvg), `rows` pixels high, or fewer if it would be too large.
-/// Throws UsageError if the file is unreadable or paints nothing.
+/// Painted area of an SVG file (librsvg), at most `rows` pixels high. Throws UsageError if it is unreadable
+/// or empty.
 Mask paint_svg(const std::filesystem::path& svg, int rows);
 
-/// Removes empty margins.
 Mask cropped(const Mask& mask);
 
-/// Closed contours at `threshold`, interpolated linearly, in pixels from the lower left corner, y up, the solid to
-/// the left.
+/// Closed contours in pixels from the lower left corner, y up, solid to the left.
 std::vector<Chain> faces_of(const Mask& mask, double threshold);
 
 }  // namespace taut::cli

@@ -33,7 +33,7 @@ Triangles read_mesh(const std::filesystem::path& file) {
   const auto bytes = read_whole(file, most_bytes);
   if (!bytes) throw UsageError(name + " cannot be read");
   Assimp::Importer importer;
-  // materials of an OBJ file are other files, which reading from memory ignores
+  // reading from memory ignores material files
   const aiScene* const scene =
       importer.ReadFileFromMemory(bytes->data(), bytes->size(), aiProcess_Triangulate, format.c_str());
   if (!scene) throw UsageError(name + " cannot be read as a mesh: " + importer.GetErrorString());

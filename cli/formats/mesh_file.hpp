@@ -6,8 +6,8 @@
 
 namespace taut::cli {
 
-/// Reads a closed mesh from an STL or OBJ file (libassimp), in the units of the file. Equal points are merged,
-/// triangles without area are dropped. Throws UsageError if the file is unreadable, or the mesh is not closed.
+/// Reads a closed STL or OBJ mesh in file units. Merges equal points, drops triangles without area. Throws
+/// UsageError.
 Triangles read_mesh(const std::filesystem::path& file);
 
 }  // namespace taut::cli

@@ -20,7 +20,7 @@ constexpr std::string_view points_name = "Points";
 constexpr std::string_view diameter_name = "diameter";
 constexpr std::string_view velocity_name = "velocity";
 constexpr std::string_view held_name = "held";
-constexpr std::string_view time_name = "TimeValue";  // name used by ParaView
+constexpr std::string_view time_name = "TimeValue";  // for ParaView
 constexpr std::size_t most_particles = 20'000'000;   // as in a scene
 constexpr std::string_view data_begin = "<AppendedData encoding=\"raw\">\n_";
 
@@ -29,7 +29,7 @@ std::string attribute(std::string_view key, std::string_view value) {
   return text.append(key).append("=\"").append(value).append("\"");
 }
 
-/// XML of the arrays, followed by their bytes.
+/// XML, followed by the bytes.
 class Writer {
  public:
   void line(std::string_view text) { (xml_ += text) += '\n'; }
@@ -51,7 +51,6 @@ class Writer {
   std::string xml_, data_;
 };
 
-/// `vectors` have `dim` components.
 std::vector<double> with_three_components(const std::vector<double>& vectors, int dim) {
   const auto d = static_cast<std::size_t>(dim);
   std::vector<double> three(3 * (vectors.size() / d));
@@ -74,7 +73,7 @@ void write_point_data(Writer& file, const Snapshot& now, std::span<const Field* 
   file.line("</PointData>");
 }
 
-/// ParaView shows, picks and cuts cells, so each particle is one.
+/// ParaView picks and cuts cells, so each particle is one.
 void write_vertices(Writer& file, std::size_t count) {
   std::vector<std::int32_t> number(count);
   std::iota(number.begin(), number.end(), 0);
@@ -98,7 +97,7 @@ std::optional<Number> number(std::optional<std::string_view> text) {
   return text ? parsed<Number>(*text) : std::nullopt;
 }
 
-/// Each tag, with the text after it.
+/// Tags with the text after them.
 std::vector<std::string_view> tags_of(std::string_view xml) {
   std::vector<std::string_view> tags;
   for (std::size_t at = xml.find('<'); at != std::string_view::npos; at = xml.find('<', at + 1))
@@ -106,7 +105,7 @@ std::vector<std::string_view> tags_of(std::string_view xml) {
   return tags;
 }
 
-/// Content of the file up to the arrays; empty if longer than 64 KiB.
+/// Text before the arrays; empty if longer than 64 KiB.
 std::string header_of(std::ifstream& file) {
   std::string text(1 << 16, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -140,8 +139,7 @@ ParticleFile::ParticleFile(std::filesystem::path path) : path_(std::move(path)) 
 
 void ParticleFile::read_header() {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path_, error))
-    fail("is not a regular file");  // opening a pipe would wait
+  if (!std::filesystem::is_regular_file(path_, error)) fail("is not a regular file");  // a pipe would wait
   std::ifstream file(path_, std::ios::binary);
   if (!file) fail("cannot be read");
   const std::string header = header_of(file);
@@ -190,7 +188,7 @@ std::vector<double> ParticleFile::read_as(const Array& array) const {
   std::ifstream file(path_, std::ios::binary | std::ios::ate);
   const auto length =
       static_cast<std::uint64_t>(std::max<std::streamoff>(file ? std::streamoff(file.tellg()) : 0, 0));
-  // zlib compresses at most about 1000-fold: a greater size is damaged, and must not allocate memory
+  // zlib compresses at most about 1000-fold; damaged sizes must not allocate memory
   constexpr std::uint64_t most_packed = 1024;
   if (array.offset >= length || array.components > 9 ||
       array.components * size_ * sizeof(Number) > most_packed * (length - array.offset))

@@ -10,11 +10,11 @@
 
 namespace taut::cli {
 
-/// Compressed VTK PolyData (.vtp) for ParaView: positions (z = 0 in 2D), a vertex each, time, `fields`, diameter,
-/// velocity, body, material (numbers from 0), held (1: clamped). Measured values have double precision.
+/// Compressed VTK PolyData (.vtp) for ParaView: positions (z = 0 in 2D), time, `fields`, diameter, velocity,
+/// body, material, held (1: clamped). Measured values have double precision.
 std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields);
 
-/// Reader of these files; loads arrays on demand.
+/// Loads arrays on demand.
 class ParticleFile {
  public:
   /// Throws UsageError for a missing or invalid file.
@@ -22,11 +22,11 @@ class ParticleFile {
 
   double time() const { return time_; }  // s
   std::size_t size() const { return size_; }
-  std::vector<std::string> fields() const;  // keys of the scalar arrays, in the order of the file
+  std::vector<std::string> fields() const;  // keys of scalar arrays, in file order
   bool has(const std::string& field) const;
   std::vector<double> positions(int dim) const;  // n × dim, m
   std::vector<double> diameter() const;          // m
-  /// Throws UsageError if the file lacks the field.
+  /// Throws UsageError for a missing field.
   std::vector<double> field(const std::string& key) const;
 
  private:

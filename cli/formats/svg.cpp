@@ -32,10 +32,10 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
-/// A few kilobytes of filters can keep rsvg-convert busy for hours.
+/// Filters of a few kilobytes can take hours.
 constexpr std::chrono::seconds longest{10};
 
-/// Paints the whole canvas, `rows` pixels high, or less if too large.
+/// At most `rows` pixels high.
 Mask paint(const std::filesystem::path& svg, int rows) {
   const Scratch scratch;
   const std::string side = std::to_string(greatest_mask_side);

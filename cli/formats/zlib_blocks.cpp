@@ -14,7 +14,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the file header declares little-endian data");
 
 constexpr std::size_t block_size = 1 << 16;
-// Doubles of a simulation hardly compress: higher levels take five times as long and save a few per cent.
+// Higher levels take five times as long and save a few per cent.
 constexpr int level = 1;
 
 const Bytef* input(const void* data) { return static_cast<const Bytef*>(data); }
@@ -63,7 +63,7 @@ bool from_zlib_blocks(std::string_view text, std::span<std::byte> bytes) {
   Numbers header(text);
   std::uint64_t count = 0, size = 0, last = 0;
   if (!header.take(count) || !header.take(size) || !header.take(last)) return false;
-  // written without overflow for damaged numbers
+  // no overflow for damaged numbers
   if (count > text.size() / 8 || (count > 0 && (size == 0 || last >= size))) return false;
   std::vector<std::uint64_t> packed(count);
   for (std::uint64_t& length : packed)

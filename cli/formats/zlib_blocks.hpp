@@ -7,11 +7,11 @@
 
 namespace taut::cli {
 
-/// Compresses an array for VTK's XML files: number of blocks, block size, size of a partial last block, compressed
-/// size of each block (8 bytes each), then the blocks (zlib).
+/// VTK's format: number of blocks, block size, size of a partial last block, compressed sizes (8 bytes each),
+/// then the blocks (zlib).
 std::string to_zlib_blocks(std::span<const std::byte> bytes);
 
-/// Decompresses the start of `text` into `bytes`. Returns false for damaged data or another length.
+/// Returns false for damaged data or another length.
 bool from_zlib_blocks(std::string_view text, std::span<std::byte> bytes);
 
 }  // namespace taut::cli

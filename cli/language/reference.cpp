@@ -169,7 +169,6 @@ std::string plain(const std::string& text) {
 
 std::string code(const std::string& text) { return "`" + text + "`"; }
 
-/// Formats names as code.
 Rows marked_up(Rows rows) {
   for (std::size_t r = 1; r < rows.size(); ++r) {
     const std::string name = rows[r].front();

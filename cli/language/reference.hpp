@@ -7,15 +7,15 @@
 #include <string_view>
 #include <vector>
 
-/// Reference of the language of scene, sweep and claim files, generated from the tables that the readers use.
+/// Language reference, generated from the tables of the readers.
 namespace taut::cli {
 
-/// A section, a list such as the shapes, or one shape, ...
+/// A section, list, shape or the like.
 struct Topic {
   std::string name;
   std::string header;  // "[[body]]"
   std::string help;
-  std::vector<std::vector<std::string>> rows;  // the first row is the header
+  std::vector<std::vector<std::string>> rows;  // header first
   std::string example;                         // TOML, or empty
 };
 
@@ -28,19 +28,18 @@ LanguageFile scene_language();
 LanguageFile sweep_language();
 LanguageFile claim_language();
 
-/// Topics called `name`: sections, lists, shapes, probes, measures, laws, fields or colour maps, and keys only if
-/// nothing else has this name. Several if a probe and a measure share a name; empty if there is none.
+/// Topics called `name`; keys only if nothing else has this name. Several if a probe and a measure share it.
 std::vector<Topic> find_topics(std::string_view name);
-/// Names of all topics except keys.
+/// Excludes keys.
 std::vector<std::string> topic_names();
 
-/// Text for a terminal, wrapped to `columns` if given.
+/// `columns` wraps the text.
 std::string as_text(const Topic& topic, std::optional<std::size_t> columns = {});
 std::string as_text(const LanguageFile& file, std::optional<std::size_t> columns = {});
 /// Content of scenes/LANGUAGE.md.
 std::string language_page();
 
-// the first row is the header
+// header first
 using Rows = std::vector<std::vector<std::string>>;
 Rows shape_rows();
 Rows probe_rows();
@@ -50,7 +49,6 @@ Rows contact_rows();
 Rows field_rows();
 Rows colormap_rows();
 Rows method_rows();
-/// Keys of all sections and kinds.
 Rows key_rows();
 
 /// Example of a section or shape, or empty.

@@ -10,8 +10,8 @@
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/methods/catalogue.hpp"
 
-/// Taplo, which completes TOML in editors, follows oneOf and anyOf. It ignores if/then, and skips tables with allOf.
-/// So the keys of kinds are under oneOf, and if/then only adds checks.
+/// Taplo completes TOML in editors. It ignores if/then, and skips tables with allOf. So the keys of kinds are
+/// under oneOf, and if/then only adds checks.
 namespace taut::cli {
 namespace {
 
@@ -140,8 +140,8 @@ Json schema_of(const KeyInfo& key, int dim) {
   return schema;
 }
 
-/// Sets of keys, such as {bodies} and {body, wall}. A table must have exactly one of these sets. The keys of a set have
-/// the same text as their default, and this text names a key of each other set.
+/// Sets of keys, such as {bodies} and {body, wall}; a table must have exactly one. Keys of a set share their
+/// default text, which names a key of each other set.
 std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo> keys) {
   const std::string named = std::string(first.by_default) + " ";
   const auto is_named = [&](const KeyInfo& key) {
@@ -160,7 +160,7 @@ std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo>
   return sets;
 }
 
-/// All combinations of one set from each group.
+/// One set from each group.
 std::vector<Keys> choices(std::span<const KeyInfo> keys) {
   std::vector<Keys> all;
   Keys known;
@@ -200,7 +200,6 @@ Json table_schema(std::span<const KeyInfo> keys, int dim) {
   return schema;
 }
 
-/// The key `tag` names the kind.
 Json kind_schema(std::string_view section, std::string_view tag, std::string_view name, std::string_view help,
                  std::span<const KeyInfo> of_kind, int dim) {
   const std::span<const KeyInfo> common = keys_of(section);
@@ -230,7 +229,7 @@ Json section_schema(std::string_view name) {
   return kinds.empty() ? table_schema(keys_of(name), 0) : Json{{"oneOf", array_of(std::move(kinds))}};
 }
 
-/// The bounds include all values that are allowed in 2D or in 3D.
+/// Bounds include all values allowed in 2D or in 3D.
 Json constant_schema(const MethodConstant& constant, const std::vector<MethodConstant>& in_3d) {
   NumberRange bounds{constant.low, constant.high};
   const auto other = std::ranges::find(in_3d, constant.name, &MethodConstant::name);
@@ -249,7 +248,6 @@ Json constants_schema(const MethodInfo& method) {
   return {{"properties", constants}, {"additionalProperties", false}};
 }
 
-/// A chain of if/then/else over the methods.
 Json checks_of_methods() {
   Json checks;
   for (const MethodInfo& method : methods()) {

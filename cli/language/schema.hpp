@@ -4,7 +4,7 @@
 
 namespace taut::cli {
 
-/// JSON Schema (draft-07) of scene, sweep and claim files for TOML editors.
+/// JSON Schema (draft-07) for TOML editors.
 Json scene_schema();
 Json sweep_schema();
 Json claim_schema();

@@ -8,14 +8,14 @@
 
 namespace taut::cli {
 
-/// Folders of pictures to compare, run folders or not.
+/// Folders of pictures.
 struct Compared {
   std::filesystem::path expected, got;
   render::DifferenceLimit limit;
 };
 
-/// The data of a comparison that a page shows, most different picture first. Writes a picture of the differences into
-/// `folder` for each pair that differs. Throws UsageError for folders without pictures, OutputError.
+/// Differences for a page, greatest first, with pictures in `folder`. Throws UsageError for folders without
+/// pictures, OutputError.
 Json difference_data(const Compared& compared, const std::filesystem::path& folder, const Links& links);
 
 }  // namespace taut::cli

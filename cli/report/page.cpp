@@ -20,7 +20,7 @@ bool is_page(const fs::path& file) {
   return text && text->substr(0, 500).find(generator) != std::string::npos;
 }
 
-/// JSON as a part of a script: no text in it can end the script element of an HTML file.
+/// Escapes ends of the script element.
 std::string script_text(const Json& json) {
   std::string text;
   for (const char c : json.dump())
@@ -38,7 +38,7 @@ std::string report_script(const PageData& data) {
          "globalThis.taut_particles = globalThis.taut_particles || {};\n";
 }
 
-/// The scripts that assign the data of the runs, with their names.
+/// Names and texts of the scripts with run data.
 std::vector<std::pair<std::string, std::string>> run_scripts(const PageData& data) {
   std::vector<std::pair<std::string, std::string>> scripts;
   const auto add = [&](std::string name, const std::string& target, std::size_t run, const Json& value) {
@@ -82,7 +82,7 @@ void write_page(const fs::path& folder, const PageData& data) {
   const auto scripts = run_scripts(data);
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "runs", error)) {
-    const std::string name = "runs/" + entry.path().filename().string();  // of an older page with more runs
+    const std::string name = "runs/" + entry.path().filename().string();  // from an older page
     const bool used = std::ranges::any_of(scripts, [&](const auto& script) { return script.first == name; });
     if (!used && entry.path().extension() == ".js") fs::remove(entry.path(), error);
   }

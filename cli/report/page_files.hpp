@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// The files of a page, from the folder page/ of this room; page_files.cmake writes their source.
+/// Files of page/, embedded by page_files.cmake.
 namespace taut::cli::page {
 
 extern const std::string_view index_html, taut_css, taut_js;

@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t most_particles = 2000000;  // of all times: 24 MB of base64
 constexpr int colors_of_key = 32;
 
-/// Each coordinate of a particle lies between these.
+/// Bounds of all coordinates.
 struct Box {
   std::array<double, 3> low, high;
 
@@ -45,7 +45,7 @@ struct Box {
   }
 };
 
-/// As a frame of the run shows it; a diverging map has its middle where the look has it.
+/// As in the frames of the run.
 render::Rgb color_of(double value, const render::Look& look) {
   if (!look.categories.empty()) return render::category_color(static_cast<std::size_t>(value));
   if (!std::isfinite(value)) return render::not_a_number_color;
@@ -73,7 +73,6 @@ std::string hex(render::Rgb color) {
   return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
 }
 
-/// A bar from low to high, or a colour for each name.
 Json key_of(const Drawing& drawing) {
   const render::Look& look = drawing.look;
   const bool named = drawing.formula.empty();

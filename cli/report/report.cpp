@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-// histories of many runs make a large page; the plots are a few hundred pixels wide
+// rows limit the size of the page
 constexpr std::size_t most_rows = 5000, most_rows_in_sweep = 250;
 
 bool is_sweep(const fs::path& path) {
@@ -64,7 +64,7 @@ fs::path place_of(const ReportRequest& request) {
   return folder / (request.embed ? "report.html" : "report");
 }
 
-/// Temporary folder for pictures to embed; the destructor removes it.
+/// The destructor removes the pictures.
 class TemporaryPictures {
  public:
   TemporaryPictures() {
@@ -120,7 +120,7 @@ void add_sweep(PageData& data, const ReportRequest& request, const Links& links)
     data.runs.push_back(has_run_folder(run) ? run_data(run.folder(), links, most_rows_in_sweep) : Json());
 }
 
-/// Names of the scripts with the data of each run; null for a run without data, or if the page embeds them.
+/// Null without data, or if the page embeds the scripts.
 Json scripts_of(const std::vector<Json>& runs, std::string (*name)(std::size_t), const Links& links) {
   Json scripts = Json::array();
   for (std::size_t k = 0; k < runs.size(); ++k)

@@ -10,16 +10,15 @@
 
 namespace taut::cli {
 
-/// Content of a page.
 enum class PageKind { run, runs, sweep, difference };
 std::string_view name(PageKind kind);
 
 struct ReportRequest {
-  std::vector<std::string> paths;       // run folders, or sweeps; with a baseline one folder with pictures
-  std::optional<std::string> out;       // folder, or with `embed` file
-  std::optional<std::string> baseline;  // folder with the expected pictures
-  render::DifferenceLimit limit{};      // with a baseline
-  bool embed = false;                   // one file with everything in it
+  std::vector<std::string> paths;       // runs or sweeps; with a baseline, one folder of pictures
+  std::optional<std::string> out;       // folder; file with `embed`
+  std::optional<std::string> baseline;  // expected pictures
+  render::DifferenceLimit limit{};
+  bool embed = false;  // one file
 };
 
 struct WrittenPage {
@@ -29,8 +28,8 @@ struct WrittenPage {
   bool running = false;  // a run has not ended
 };
 
-/// Writes a page. Throws UsageError for paths that are not results of taut or of different kinds, and for an existing
-/// `out` that is not a page; OutputError.
+/// Throws UsageError for paths that are not results of one kind and for an `out` that is not a page;
+/// OutputError.
 WrittenPage write_report(const ReportRequest& request);
 
 }  // namespace taut::cli

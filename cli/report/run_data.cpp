@@ -28,7 +28,7 @@ Json numbers(const std::vector<double>& values) {
   return list;
 }
 
-/// Frames with their times, s. An older scene may have had another number of frames: then no time is known.
+/// Times in s; unknown if the scene had another number of frames.
 Json frames_data(const RunFolder& folder, const std::optional<SceneFile>& scene, const Links& links) {
   const std::vector<double> times =
       scene ? times_in_parts(scene->scene.until, scene->drawing.frames) : std::vector<double>();
@@ -85,7 +85,7 @@ Json run_data(const fs::path& path, const Links& links, std::size_t most_rows) {
   std::string problem;
   try {
     scene = read_scene(folder.scene());
-  } catch (const std::exception& error) {  // such as a scene of another version: the rest can still be shown
+  } catch (const std::exception& error) {  // the rest can still be shown
     problem = "scene.toml: " + std::string(error.what());
   }
   data["title"] = scene ? scene->scene.title : "";

@@ -9,11 +9,9 @@
 
 namespace taut::cli {
 
-/// The data of sweeps that a page shows: a table with a row per run, the swept names, the styles of the methods, and the
-/// pictures that a study has drawn.
+/// Table of runs, swept names, styles of methods and pictures of a study.
 Json sweep_data(const StoredResults& results, const Links& links);
 
-/// Whether the folder of the run contains a run.
 bool has_run_folder(const StoredRun& run);
 
 }  // namespace taut::cli

@@ -7,7 +7,7 @@
 namespace taut::cli {
 
 std::string webp(const render::Image& image) {
-  constexpr float quality = 80;  // of 100; fewer blur the numbers of the colour bar
+  constexpr float quality = 80;  // lower values blur the colour bar's numbers
   std::uint8_t* bytes = nullptr;
   const std::size_t size =
       WebPEncodeBGRA(image.pixels.data(), image.width, image.height, 4 * image.width, quality, &bytes);

@@ -22,7 +22,7 @@ std::uint32_t checksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-/// Whether a file is certainly no checkpoint, so that a large file is refused before it is read.
+/// Rejects large files before they are read.
 bool begins_otherwise(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;  // read_whole refuses it
@@ -31,7 +31,7 @@ bool begins_otherwise(const std::filesystem::path& path) {
   return file.read(beginning.data(), static_cast<std::streamsize>(beginning.size())) && beginning != kind;
 }
 
-/// The bytes of the file and the state that is made of them must fit into the memory of the machine.
+/// The file and the state made of it must fit into memory.
 std::uint64_t most_bytes() {
   return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
          static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) / 2;

@@ -11,15 +11,14 @@
 
 namespace taut::cli {
 
-/// Everything needed to continue a run.
 struct Checkpoint {
   std::string method;
   std::string scene;                        // text of scene.toml
-  std::vector<std::string> fields;          // none: particles are not saved
+  std::vector<std::string> fields;          // none: not saved
   std::optional<double> requested_spacing;  // m
-  double every = 0;                         // simulated time between checkpoints, s; 0: only when interrupted
+  double every = 0;                         // simulated time, s; 0: only when interrupted
   bool draws = true;
-  std::string state;  // bytes that the caller saved; empty: at the start
+  std::string state;  // empty: at the start
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -31,17 +30,17 @@ struct Checkpoint {
   }
 };
 
-/// First bytes of a checkpoint. The version is only for messages.
+/// The version is only for messages.
 struct CheckpointHeader {
   std::string version{build_info.version};
   int format = format_of("checkpoint.bin");
 };
 
-/// Replaces the file atomically. It begins with its kind, the version and the format number, and ends with a checksum
-/// of everything. Throws OutputError.
+/// Replaces the file atomically. Kind, version and format number precede the contents; a checksum ends the
+/// file. Throws OutputError.
 void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, CheckpointHeader header = {});
 
-/// Throws UsageError, with the reason, for a damaged file or another format.
+/// Throws UsageError for a damaged file or another format.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace taut::cli

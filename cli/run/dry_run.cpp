@@ -19,9 +19,9 @@
 namespace taut::cli {
 namespace {
 
-/// Trial steps: the first one also sets up contact, so it does not count.
+/// The first step sets up contact, so it does not count.
 struct Trial {
-  double step = 0;     // mean time step, s
+  double step = 0;     // mean, s
   double seconds = 0;  // per step
 };
 
@@ -39,14 +39,14 @@ Trial make_steps(Simulation& simulation) {
   return {(simulation.time() - start) / steps, watch.seconds() / steps};
 }
 
-/// Greatest memory of this process so far, bytes.
+/// Greatest memory so far, bytes.
 double memory_in_use() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);  // kB on Linux
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);  // from kB
 }
 
-/// Frames with an automatic range or view stay in memory until the end (COMMANDS.md, "Pictures").
+/// Automatic ranges and views keep frames in memory until the end (COMMANDS.md, "Pictures").
 double memory_of_frames(const RunPlan& plan, std::size_t particles) {
   if (!plan.drawing) return 0;
   const render::Look& look = plan.drawing->look;

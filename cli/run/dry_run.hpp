@@ -7,8 +7,8 @@
 
 namespace taut::cli {
 
-/// Reports size, step, estimated time and memory of a run after its first steps. Writes the first picture beside the
-/// run folder, which is not touched; warnings go to `err`. Throws NumericalError if these steps diverge.
+/// Reports size, step, estimated time and memory after a few steps. Writes the first picture beside the run
+/// folder; warnings go to `err`. Throws NumericalError if these steps diverge.
 std::string dry_run(const RunPlan& plan, std::ostream& err);
 
 }  // namespace taut::cli

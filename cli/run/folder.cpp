@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view head_of_record = "{\n  \"taut\": \"";  // as in `to_json`
 
-/// Whether `path` has a name made by RunFolder::particle_file or particle_index, complete or temporary.
+/// Includes temporary files.
 bool is_particle_file(const fs::path& path) {
   const std::string name = path.filename().string();
   return name.starts_with("particles") &&
@@ -52,7 +52,7 @@ void refuse_missing(int number, const Name& name) {
                        "put it back, or start again without --resume");
 }
 
-/// Throws before the older run is touched: a run that ends without its frames is lost.
+/// Throws before the older run is touched.
 void check_writable(const fs::path& folder) {
   if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0 && errno != ENOENT)
     throw OutputError(folder.string(), std::string("cannot be written: ") + std::strerror(errno));
@@ -75,7 +75,7 @@ void RunFolder::check() const {
       throw UsageError("'" + inner.string() +
                        "' is a link; files would be written and removed in its target; " +
                        "remove it or name another folder with --out");
-  // a run that was killed at its start leaves only these files
+  // left by a run that was killed at its start
   const bool begun = holds_only({run_lock_name, record().filename().string() + ".tmp"});
   if (!read_record(record()) && !begun && !is_damaged())
     throw UsageError("'" + path_.string() +

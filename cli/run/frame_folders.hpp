@@ -13,10 +13,10 @@ class Options;
 class Json;
 struct TestCase;
 
-/// Sorted names of the PNG files in a folder; none if the folder is missing.
+/// Sorted names of PNG files; none if the folder is missing.
 std::vector<std::string> picture_names(const std::filesystem::path& folder);
 
-/// The frames of a run folder, else `folder`.
+/// Frames of a run folder, else `folder`.
 std::filesystem::path frames_of(const std::filesystem::path& folder);
 
 struct PictureDifference {
@@ -28,10 +28,10 @@ struct PictureDifference {
 struct FolderDifference {
   std::vector<std::string> only_in_a, only_in_b;
   std::vector<PictureDifference> pictures;  // in both folders
-  std::string worst;                        // name of the most different picture; empty without pictures
+  std::string worst;                        // most different picture
   render::ImageDifference at_worst;
 
-  int different() const;  // number of `pictures` beyond the limit
+  int different() const;  // beyond the limit
   bool alike() const { return only_in_a.empty() && only_in_b.empty() && different() == 0; }
 };
 
@@ -48,7 +48,6 @@ render::DifferenceLimit limit_of(const DifferenceOptions& options);
 
 std::string difference_report(const render::ImageDifference& difference,
                               const render::DifferenceLimit& limit);
-/// `a`, `b`: names of the folders.
 std::string difference_report(const FolderDifference& difference, const std::string& a, const std::string& b);
 
 Json pictures_json(const FolderDifference& difference);

@@ -14,10 +14,9 @@
 namespace taut::cli {
 
 std::vector<std::string> history_columns(const Scene& scene);
-/// Unit of a column; empty for a plain number.
+/// Empty for a plain number.
 std::string history_unit(const std::string& column, const Scene& scene);
 
-/// Length of a file when the checkpoint was saved.
 struct SavedLength {
   std::int64_t length = 0;  // bytes
 
@@ -31,16 +30,15 @@ struct SavedLength {
   }
 };
 
-/// history.csv: a row per history time, in SI units. Each row is complete in the file at once.
+/// history.csv: a row per history time, SI units. Each row is written at once.
 class History {
  public:
-  /// `start` selects a new file, or the existing file of a run that continues.
   History(const std::filesystem::path& path, const Scene& scene,
           AppendFile::Start start = AppendFile::Start::empty);
 
-  /// Step of the last row; −1: none.
+  /// Step of the last row, or −1.
   long last_step() const { return last_step_; }
-  /// Adds a row, unless the step has one.
+  /// Ignores a step that has a row.
   void add(const Simulation& simulation, const Balance& balance, int pieces, const Readings& readings);
 
   template <class Archive>
@@ -56,18 +54,17 @@ class History {
   AppendFile file_;
   SavedLength saved_;
   int dim_;
-  bool works_, damps_;  // external forces do work; the scene is damped
+  bool works_, damps_;  // external forces do work; damping
   long last_step_ = -1;
 };
 
-/// lines.csv: a row per point of each sample, in SI units, complete in the file at once. The column `reference` is
-/// the exact solution of the method's law, or empty.
+/// lines.csv: a row per point of each sample, SI units, written at once. `reference` is the exact solution,
+/// or empty.
 class LineSamplesFile {
  public:
   LineSamplesFile(const std::filesystem::path& path, const Scene& scene, const std::string& law,
                   AppendFile::Start start = AppendFile::Start::empty);
 
-  /// Writes new samples.
   void add(const std::vector<std::vector<LineSample>>& samples);
 
   template <class Archive>

@@ -12,7 +12,6 @@
 namespace taut::cli {
 namespace {
 
-/// Property of a run, comparable by `name`.
 struct Remark {
   std::string name, text;
   bool operator==(const Remark&) const = default;
@@ -28,7 +27,7 @@ std::string short_number(const std::string& value) {
   return number ? brief(*number) : value;
 }
 
-/// Constants and settings other than the method's.
+/// Excludes the method's settings.
 void add_settings(std::vector<Remark>& remarks, const SceneFile& file) {
   const auto changed = [](const ResolvedSetting& s) { return s.value != s.default_value; };
   for (const ResolvedSetting& each : file.resolved)

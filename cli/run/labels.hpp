@@ -8,10 +8,10 @@
 
 namespace taut::cli {
 
-/// Labels of runs that are shown side by side.
+/// Labels of runs side by side.
 struct RunLabels {
-  std::string title, note;               // common to all runs: scene, method
-  std::vector<render::Heading> columns;  // differences: scene, method, parameters, spacing, constants
+  std::string title, note;               // common to all runs
+  std::vector<render::Heading> columns;  // differences of the runs
 };
 
 RunLabels label_runs(const std::vector<SavedRun>& runs);

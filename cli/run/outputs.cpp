@@ -24,11 +24,10 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// A run is judged at its start and after each of this many equal parts of `until`. Rows of the history have their own
-/// times, since a judgement costs more than a row.
+/// Judgements cost more than history rows, which have their own times.
 constexpr int judged_parts = 200;
 
-/// history.csv, drift, verdict and indicators. Rows between judgements repeat the indicators.
+/// history.csv, drift, verdict and indicators, which rows between judgements repeat.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
@@ -63,7 +62,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   void put_on_disk() override { history_->put_on_disk(); }
   void update_result() override { result_.record.conservation = conservation_.so_far(); }
   void discard_newer() override { history_->discard_newer(); }
-  /// Parts of the longer run are other times.
+  /// The longer run has other parts.
   void run_on() override { judge_times_.skip_to(simulation_.time()); }
 
   template <class Archive>
@@ -112,7 +111,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   Judge judge_;
   IndicatorGauge gauge_;
   long judged_step_ = -1;
-  Readings readings_;  // of that step
+  Readings readings_;
   ConservationWatch conservation_;
   std::optional<History> history_;
 };
@@ -192,7 +191,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
         frames_(*plan.drawing, origins_of(simulation.snapshot()), plan.folder.frames(),
                 {plan.file.scene.title, result.record.method, result.record.until}, simulation.threads(),
                 result.record.seconds) {
-    // a continued run cannot know whether its earlier frames showed particles
+    // earlier frames may have shown particles
     if (!plan.drawing->followed && !plan.state) unseen_ = plan.drawing->look.view;
   }
 
@@ -219,7 +218,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
     frames_.finish();
     const int count = frames_.kept();
     if (count == 0) return true;
-    // draw also after an interrupt
+    // also after an interrupt
     const bool interrupted_before = interrupts.interrupted();
     progress.begin("drawing " + std::to_string(count) + " frames");
     const bool all = frames_.draw_kept([&](int drawn) {
@@ -248,8 +247,8 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   RunResult& result_;
   Agenda agenda_;
   Frames frames_;
-  std::optional<render::View> unseen_;  // view in which no particle has appeared yet
-  int on_disk_ = 0;                     // number of frames known to be on disk
+  std::optional<render::View> unseen_;  // no particle has appeared in it yet
+  int on_disk_ = 0;
 };
 
 class ParticlesOutput final : public OutputOf<ParticlesOutput> {
@@ -299,7 +298,7 @@ const Snapshot& LastStep::at(double t) {
 std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
                                                      LastStep& last_step, RunResult& result) {
   std::vector<std::unique_ptr<RunOutput>> all;
-  // HistoryOutput is the first: it detects divergence, and diverged states are not output
+  // it detects divergence, and diverged states are not output
   all.push_back(std::make_unique<HistoryOutput>(plan, simulation, result));
   all.push_back(std::make_unique<MeasuresOutput>(plan, simulation, last_step, result));
   if (plan.drawing) all.push_back(std::make_unique<FramesOutput>(plan, simulation, last_step, result));

@@ -8,17 +8,16 @@
 
 namespace taut::cli {
 
-/// Saves the particles of a run: a file per time, written atomically, and an index of all files.
+/// A file per time, written atomically, and an index.
 class ParticleSeries {
  public:
   /// Adds its time to `seconds`.
   ParticleSeries(std::vector<const Field*> fields, const RunFolder& folder, Seconds& seconds);
 
   void add(const Snapshot& snapshot);
-  /// Writes the index of all files so far. Throws OutputError, as `add` does.
+  /// Throws OutputError, as `add` does.
   void save_index();
   int written() const { return static_cast<int>(times_.size()); }
-  /// Waits until all files are on disk.
   void put_on_disk();
 
   template <class Archive>
@@ -33,7 +32,7 @@ class ParticleSeries {
   Seconds& seconds_;
   std::vector<double> times_;  // s
   std::size_t on_disk_ = 0;    // number of files
-  std::size_t indexed_ = 0;    // number of files, by this process
+  std::size_t indexed_ = 0;    // by this process
 };
 
 }  // namespace taut::cli

@@ -25,7 +25,7 @@ namespace {
 
 constexpr int default_history_rows = 1000;
 
-/// Checks names of methods before the scene is read, because the scene depends on the method.
+/// Methods come first, since scenes depend on them.
 void check_methods(const std::vector<Setting>& settings) {
   std::vector<std::string> names;
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);
@@ -64,7 +64,6 @@ double history_interval(const RunOptions& options, const SceneFile& file) {
   return interval;
 }
 
-/// The run folder of this scene.toml.
 std::optional<std::filesystem::path> run_folder_of(const SceneFile& file) {
   const RunFolder folder(std::filesystem::absolute(file.path).parent_path());
   std::error_code error;
@@ -73,8 +72,7 @@ std::optional<std::filesystem::path> run_folder_of(const SceneFile& file) {
   return folder.path();
 }
 
-/// Changes such as "-v0=0.08-spacing=0.002", to separate folders: settings, and unless `again` changed parameters of a
-/// copied scene.toml.
+/// "-v0=0.08-spacing=0.002"; excludes parameters of a copied scene.toml if `again`.
 std::string changes_text(const SceneFile& file, bool again) {
   constexpr std::size_t longest = 120;
   using enum ResolvedSetting::Source;
@@ -147,7 +145,7 @@ std::vector<const Field*> particle_fields(const RunOptions& options, int dim) {
 
 namespace {
 
-/// Numbers in canonical form; expressions unchanged, for the scene to evaluate.
+/// Leaves expressions unchanged.
 std::string number_or_expression(const std::string& text) {
   const auto number = parsed<double>(text);
   return number ? exact(*number) : text;
@@ -218,7 +216,7 @@ void declare_particle_options(Options& command, RunOptions& o) {
 }
 
 void check_threads(int threads, std::string_view option) {
-  constexpr int few = 8;  // per core; more threads only wait for each other
+  constexpr int few = 8;  // per core; further threads only wait
   const int most = std::max(2 * few, few * cores());
   if (threads > most)
     throw UsageError(std::string(option) + " is " + std::to_string(threads) + "; at most " +

@@ -13,21 +13,21 @@ namespace taut::cli {
 
 class Options;
 
-/// Options of `taut run` as typed. Omitted values come from the scene.
+/// Omitted values come from the scene.
 struct RunOptions {
   std::string scene;
-  std::vector<Setting> settings;  // --method, --spacing, --until, then --set, which has priority
+  std::vector<Setting> settings;  // including --method, --spacing and --until; later ones have priority
   std::optional<std::string> out;
-  bool out_named = true;  // by the user, not by a sweep
+  bool out_named = true;  // by the user
   std::optional<double> every, history;
   std::optional<int> frames;
   DrawingOptions drawing;
-  int threads = 0;                         // 0: all cores, fewer in small scenes
+  int threads = 0;                         // 0: automatic
   std::optional<double> checkpoint_every;  // s
   bool keep_checkpoint = false;
   bool no_render = false;
   bool save_particles = false;
-  std::vector<std::string> fields;  // to save; none: all
+  std::vector<std::string> fields;  // none: all
 };
 
 void declare_setting_options(Options& command, RunOptions& options);
@@ -35,21 +35,20 @@ void declare_output_options(Options& command, RunOptions& options);
 
 void declare_particle_options(Options& command, RunOptions& options);
 
-/// Throws UsageError if `threads`, the value of `option`, is far above the number of cores.
+/// Throws UsageError if `threads` is far above the number of cores.
 void check_threads(int threads, std::string_view option = "--threads");
-/// Reads the scene with the settings of the options. Throws UsageError and SceneError.
+/// Throws UsageError and SceneError.
 SceneFile scene_to_run(const RunOptions& options);
 
-/// Prints the remark of a scene, if any.
 void print_remark(const SceneFile& file, std::ostream& err);
 
-/// Checks all input without changing the run folder. Throws UsageError and SceneError.
+/// Checks all input; does not touch the run folder. Throws UsageError and SceneError.
 RunPlan make_plan(const RunOptions& options);
 
-/// Fields to save; none if particles are not saved.
+/// None if particles are not saved.
 std::vector<const Field*> particle_fields(const RunOptions& options, int dim);
 
-/// Throws UsageError for unknown names, and for `stable`, on which no run can fail.
+/// Throws UsageError for unknown names and for `stable`.
 std::optional<Verdict> parse_verdict(const std::optional<std::string>& text);
 
 }  // namespace taut::cli

@@ -18,7 +18,7 @@ constexpr std::pair<std::string_view, Status> statuses[] = {{"running", Status::
                                                             {"interrupted", Status::interrupted},
                                                             {"failed", Status::failed}};
 
-// `members` lists the keys of an object. `written` and `read` convert a type to and from JSON.
+// `members`: keys of an object.
 
 template <class T, class Of>
 concept is_of = std::same_as<std::remove_const_t<T>, Of>;
@@ -200,7 +200,7 @@ constexpr RecordField field(std::string_view key, Place place = Place::everywher
           [](const JsonCursor& json, RunRecord& record) { read(json, record.*member); }, place};
 }
 
-/// The keys in reading order. A key needs its row here and its member of RunRecord.
+/// In reading order; each row has a member of RunRecord.
 constexpr RecordField fields[] = {
     field<&RunRecord::version>("taut", Place::run_json),
     {"format", [](const RunRecord&) { return Json(format_of("run.json")); },

@@ -8,17 +8,16 @@
 
 namespace taut::cli {
 
-/// Throws UsageError if the saved particles do not suffice for the run's drawing.
+/// Throws UsageError if the saved particles do not suffice.
 void check_redrawing(const SavedRun& run);
 
-/// Number of frames drawn. `all` is false after an interrupt.
+/// `all` is false after an interrupt.
 struct Redrawn {
   int frames = 0;
   bool all = true;
 };
 
-/// Draws all frames of a run from its saved particles; a frame has the number of its particle file. `threads` of 0
-/// uses all cores.
+/// Frames have the numbers of their particle files. `threads` of 0 uses all cores.
 Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int threads, Progress& progress);
 
 }  // namespace taut::cli

@@ -19,7 +19,7 @@ std::string with_unit(std::optional<double> value, const std::string& unit) {
   return brief(*value) + (unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
-/// Relative error; in the measure's unit if the reference is 0 or a table.
+/// In the unit if the reference is 0 or a table.
 std::string error(const MeasureResult& m) {
   const bool relative = m.error && m.reference && *m.reference != 0;
   return relative ? percent(*m.error) : with_unit(m.error, m.unit);
@@ -73,7 +73,6 @@ std::string missing_reference(const SceneFile& file, const RunRecord& record, co
   return unmet == file.unmet_references.end() ? "" : "the scene's reference " + unmet->second;
 }
 
-/// Measures with one explanation share a line.
 std::string notes_on_references(const SceneFile& file, const RunRecord& record) {
   std::vector<std::pair<std::string, std::string>> notes;  // explanation, measures
   for (const MeasureResult& m : record.measures) {
@@ -111,7 +110,7 @@ double speed(const Snapshot& now, std::size_t particle) {
   return std::sqrt(sum);
 }
 
-/// First particle with a non-finite speed, else the fastest one.
+/// Non-finite, else fastest.
 std::size_t worst_particle(const Snapshot& now) {
   std::size_t worst = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {

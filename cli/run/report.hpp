@@ -10,7 +10,7 @@ namespace taut::cli {
 
 std::string run_report(const RunPlan& plan, const RunResult& result);
 
-/// Exit code of a run. `fail_on` is the mildest verdict that fails; without it, only divergence fails.
+/// `fail_on`: mildest failing verdict; default: divergence.
 int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on = {});
 
 std::string describe_divergence(const NumericalError& error);

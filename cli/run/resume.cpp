@@ -14,7 +14,6 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-/// The later end of a run, if the options give one.
 std::optional<double> later_end(const RunOptions& given, const std::optional<StoredRecord>& record) {
   const auto until = std::ranges::find(given.settings, "until", &Setting::name);
   if (until == given.settings.end() || !record) return std::nullopt;
@@ -73,7 +72,7 @@ RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoin
   return options;
 }
 
-/// First option that would change `plan`, made from `stored`; or "".
+/// First option that would change the plan, or "".
 std::string first_conflict(const RunOptions& given, const RunOptions& stored, const RunPlan& plan) {
   std::error_code error;
   if (given.out && !fs::equivalent(*given.out, plan.folder.path(), error)) return "--out " + *given.out;
@@ -101,7 +100,7 @@ std::string first_conflict(const RunOptions& given, const RunOptions& stored, co
                                                     : "";
 }
 
-/// `plan` with a later end. The intervals of frames and rows stay.
+/// Keeps the intervals of frames and rows.
 RunPlan run_on(const RunPlan& plan, RunOptions stored, double until) {
   stored.settings = {{"until", exact(until)}};
   if (!plan.frame_times.empty()) {

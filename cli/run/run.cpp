@@ -70,8 +70,7 @@ class Run {
   Pace pace_;
   Stopwatch since_saved_;
   double next_checkpoint_ = std::numeric_limits<double>::infinity();  // s
-  std::optional<std::string>
-      final_state_;  // before the final row of history.csv, if a checkpoint may need it
+  std::optional<std::string> final_state_;                            // before the final history row
 };
 
 Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Interrupts& interrupts,
@@ -89,20 +88,19 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Inte
 
 RunResult Run::execute() {
   if (!plan_.state) plan_.folder.claim(record_text());
-  if (plan_.state) resume_from(*plan_.state);  // may throw; the run is then unchanged
+  if (plan_.state) resume_from(*plan_.state);  // may throw; changes nothing then
   try {
     if (!plan_.state) begin();
     simulate();
     const RunRecord::Status status = how_it_ended();
     using enum RunRecord::Status;
     put_on_disk();
-    save(status == finished ? running : status);  // deferred frames are not drawn yet
+    save(status == finished ? running : status);  // deferred frames are missing
     const bool all_done = complete();
     put_on_disk();  // before run.json reports it
     const bool keeps = final_state_ && (plan_.keep_checkpoint || !all_done);
     if (keeps) write_checkpoint(*final_state_);
     save(status == finished && !all_done ? interrupted : status);
-    // also after divergence
     if (all_done && record_.status != interrupted && !keeps) plan_.folder.clear_checkpoint();
   } catch (...) {
     save_failure(current_failure().message);
@@ -111,7 +109,7 @@ RunResult Run::execute() {
   return std::move(result_);
 }
 
-/// Writes the files that a restart needs before all others, since the run may be killed.
+/// Files for a restart come first, since the run may be killed.
 void Run::begin() {
   write_atomically(plan_.folder.scene(), plan_.scene_text(), Durability::on_disk);
   plan_.checkpoint_every ? write_checkpoint("") : plan_.folder.clear_checkpoint();
@@ -157,7 +155,7 @@ void Run::open_files(AppendFile::Start start) {
   for (const auto& output : outputs_) output->open(start);
 }
 
-/// A checkpoint refers to the contents of other files, so these are put on disk first.
+/// A checkpoint refers to other files, so these are put on disk first.
 std::string Run::state() {
   put_on_disk();
   const Timed timed(record_.seconds.write);
@@ -220,8 +218,8 @@ void Run::step_through() {
     advance(std::min({next_output(), next_checkpoint_, record_.until}));
     const bool stopped = interrupts_.interrupted();
     show_what_is_due(false);
-    // A checkpoint follows the outputs, which need the state before the step. It precedes the final row of
-    // history.csv, which a continued run would have in excess.
+    // A checkpoint follows outputs that need the earlier state. It precedes the final row, which a continued
+    // run lacks.
     const bool well = result_.failure.empty();
     if (well && (stopped || record_.reached >= next_checkpoint_)) save_checkpoint();
     going = well && !stopped && record_.reached < record_.until;
@@ -242,7 +240,7 @@ double Run::next_output() const {
   return next;
 }
 
-/// Next exact output time, s.
+/// s.
 double Run::next_between_steps() const {
   double next = std::numeric_limits<double>::infinity();
   for (const auto& output : outputs_)
@@ -257,7 +255,7 @@ void Run::show_what_is_due(bool at_end) {
   }
 }
 
-/// Advances in slices, between which interrupts are checked; they do not change the steps.
+/// Slices allow checks for interrupts; they do not change the steps.
 void Run::advance(double target) {
   while (record_.reached < target && !interrupts_.interrupted()) {
     const Stopwatch watch;
@@ -271,7 +269,7 @@ void Run::advance(double target) {
   }
 }
 
-/// Stores the state before a step with an output.
+/// Stores the earlier state for the outputs.
 void Run::step_to(double target) {
   const auto advance = [&](double short_of) {
     const Timed timed(record_.seconds.solve);
@@ -312,7 +310,7 @@ void Run::write_record() const {
   write_atomically(plan_.folder.record(), record_text(), Durability::on_disk);
 }
 
-/// Writes run.json if possible, even with a full disk or without memory.
+/// Tries everything, even with a full disk or without memory.
 void Run::save_failure(const std::string& reason) {
   const auto tried = [](const auto& work) {
     try {

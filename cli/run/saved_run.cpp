@@ -13,7 +13,6 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-/// Number in a name made by RunFolder::particle_file.
 std::optional<int> number_of(const RunFolder& folder, const fs::path& file) {
   const std::string name = file.stem().string();
   const auto number = parsed<int>(name.substr(std::min(name.size(), name.find_first_of("0123456789"))));
@@ -25,7 +24,7 @@ std::optional<int> number_of(const RunFolder& folder, const fs::path& file) {
 SavedRun open_saved_run(const fs::path& path) {
   const RunFolder folder(path);
   std::error_code error;
-  if (!fs::is_regular_file(folder.scene(), error))  // a pipe is not waited for
+  if (!fs::is_regular_file(folder.scene(), error))  // do not wait for a pipe
     throw UsageError("'" + path.string() +
                      "' is not a run folder; name a folder that `taut run` has written");
   std::map<int, fs::path> files;

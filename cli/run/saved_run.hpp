@@ -12,18 +12,17 @@
 
 namespace taut::cli {
 
-/// A run folder with saved particles.
 struct SavedRun {
   RunFolder folder;
   SceneFile file;
   std::vector<ParticleFile> particles;  // in order of time
-  std::vector<int> numbers;             // of these files, as in their names
+  std::vector<int> numbers;             // from the names
 };
 
-/// Throws UsageError if the folder is no run or has no particles.
+/// Throws UsageError without a run or particles.
 SavedRun open_saved_run(const std::filesystem::path& folder);
 
-/// Names of the files between the first and the last one that are missing, also from 0: "particles_00003.vtp".
+/// Gaps from number 0: "particles_00003.vtp".
 std::vector<std::string> missing_files(const SavedRun& run);
 
 struct ColoredParticles {
@@ -34,8 +33,7 @@ struct ColoredParticles {
   FrameView view() const;
 };
 
-/// Colours particles as `drawing` requires. `origins`: initial particles of the run. Throws UsageError for a field that
-/// was not saved.
+/// `origins`: initial particles. Throws UsageError for a field that was not saved.
 ColoredParticles read_colored(const ParticleFile& file, const Drawing& drawing, const Origins& origins);
 
 }  // namespace taut::cli

@@ -11,17 +11,15 @@ std::vector<double> times_in_parts(double until, int parts);
 /// 0, interval, 2·interval, … up to `until`.
 std::vector<double> times_every(double until, double interval);
 
-/// Passes output times in order.
 class Agenda {
  public:
   explicit Agenda(std::vector<double> times) : times_(std::move(times)) {}
 
   /// Next time that was not reached, or infinity.
   double next() const;
-  /// Times up to `now` that no earlier call returned.
+  /// New times up to `now`.
   std::span<const double> reached(double now);
   std::size_t done() const { return done_; }
-  /// Passes exactly the times up to `now`.
   void skip_to(double now);
 
   template <class Archive>
@@ -35,10 +33,10 @@ class Agenda {
   std::size_t done_ = 0;
 };
 
-/// Splits a run into slices of about 0.2 s of wall clock, by its speed so far, so that interrupts are checked often.
+/// Slices of about 0.2 s of wall clock, for checks of interrupts.
 class Pace {
  public:
-  /// The first slice is a millionth of the run, usually one step, since the speed is unknown.
+  /// The first slice is a millionth of the run, since the speed is unknown.
   explicit Pace(double until) : slice_(1e-6 * until) {}
 
   double slice() const { return slice_; }  // simulated time, s

@@ -73,7 +73,7 @@ void read_lattice(TomlCursor& cursor, int dim, Body& body) {
                 "lattice; remove one of them");
 }
 
-/// An empty text as a component leaves its axis free.
+/// An empty component leaves its axis free.
 void read_clamped(TomlCursor& cursor, int dim, Body& body) {
   if (!cursor.find("held")) cursor.table().set("held", TomlValue(0.0));
   const TomlValue& value = cursor.need("held");

@@ -23,7 +23,7 @@ TomlValue toml_of(const DrawingKey& key, const DrawingValue& value) {
   return key.numbers.count == 1 ? array.items.front() : array;
 }
 
-/// A word for "auto" and for keys of words, else numbers.
+/// Words and "auto" are texts.
 DrawingValue given(TomlCursor& render, const DrawingKey& key) {
   if (key.takes_words() || key.is_free_text) return render.text(key.name);
   const TomlValue& value = render.need(key.name);
@@ -59,7 +59,7 @@ struct Mismatch {
   std::string what;
 };
 
-/// Problem of a width on paper or a font size, or nullopt.
+/// Problem of paper width or font size.
 std::optional<Mismatch> misfit(const Drawing& drawing) {
   const render::Look look = sized(drawing).look;
   if (const auto wide = pixels_on_paper(drawing); wide && !(*wide <= render::greatest_size))
@@ -119,7 +119,7 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   return std::nullopt;
 }
 
-/// Smallest significant difference of a field, in its unit; noise, such as stress in free flight, is smaller.
+/// Smallest significant difference, in the field's unit; noise is smaller.
 double round_off(const Field& field, const Scene& scene) {
   constexpr double strain = 1e-9, in_single_precision = 1e-6;  // relative
   double stiffest = 0;                                         // Pa
@@ -195,7 +195,7 @@ void apply_scene(Drawing& drawing, const SceneFile& file) {
 
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
   TomlCursor render = root.section("render", "[render]", keys_of("render"));
-  // Words come first: missing keys are added in this order, and errors list the known words.
+  // Missing keys are added in this order; errors list known words.
   for (const bool words : {true, false})
     for (const DrawingKey& key : drawing_keys())
       if (key.takes_words() == words) read_key(render, key, drawing);

@@ -32,7 +32,7 @@ struct Formula {
   }
 };
 
-// muParser's limits; beyond them it throws no std::exception
+// beyond muParser's limits it throws no std::exception
 constexpr std::size_t longest_text = 20000, longest_name = 100;
 
 std::string in_quotes(const std::string& text) { return "'" + shown(text) + "'"; }
@@ -66,7 +66,7 @@ std::vector<std::string> known_names(const Formula& formula) {
   return known;
 }
 
-/// muParser would accept the assignment `a = 1`.
+/// muParser would accept `a = 1`.
 void refuse_assignment(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '=') continue;
@@ -84,7 +84,7 @@ struct Unit {
   std::string_view name;
   double factor;
 };
-/// Units after a number, with factors to SI.
+/// Factors to SI.
 constexpr Unit units[] = {
     {"m", 1},       {"km", 1e3},       {"cm", 1e-2},    {"mm", 1e-3}, {"um", 1e-6},
     {"µm", 1e-6},   {"nm", 1e-9},      {"s", 1},        {"ms", 1e-3}, {"us", 1e-6},
@@ -96,7 +96,7 @@ constexpr Unit units[] = {
     {"kg/m^3", 1},  {"g/cm³", 1e3},    {"g/cm^3", 1e3}, {"°", 1},     {"deg", 1},
 };
 
-/// Throws for a number with a unit, such as "10 MPa".
+/// Throws for values such as "10 MPa".
 void refuse_unit(const std::string& text) {
   double value = 0;
   const char* const last = text.data() + text.size();
@@ -238,7 +238,7 @@ std::set<std::string> names_in(const std::string& text) {
     parser.SetExpr(text);
     for (const auto& variable : parser.GetUsedVar()) names.insert(variable.first);
   } catch (const mu::ParserError&) {
-    // evaluation reports the error
+    // evaluation reports it
   } catch (const ExpressionError&) {
   }
   return names;

@@ -12,23 +12,22 @@
 
 namespace taut::cli {
 
-/// Values of the names in expressions.
 using Names = std::map<std::string, double>;
 
-/// Error in an expression. The message contains the error and the known names.
+/// The message contains the known names.
 class ExpressionError : public std::runtime_error {
  public:
   ExpressionError(const std::string& what, std::size_t where) : std::runtime_error(what), offset(where) {}
 
-  std::size_t offset;  // of the error in the text, 0-based
+  std::size_t offset;  // 0-based
 };
 
-/// The value need not be finite. `pi` and muParser's functions are known. Comparisons, && and || give 1 or 0.
+/// The value need not be finite. `pi`, muParser's functions, comparisons, && and || are known.
 double evaluate(const std::string& text, const Names& names);
 
-/// Function of the position x, y, z. Thread-safe: copies share their state, and one thread at a time evaluates it.
+/// Function of the position x, y, z. Thread-safe: copies share a state that one thread at a time evaluates.
 Expression compile(const std::string& text, const Names& names);
-/// Function of time t, s.
+/// Function of time, s.
 std::function<double(double)> compile_of_time(const std::string& text, const Names& names);
 /// Function of the position and t.
 Solution compile_in_time(const std::string& text, const Names& names);
@@ -37,7 +36,7 @@ Solution compile_in_time(const std::string& text, const Names& names);
 std::function<double(const std::vector<double>&, double)> compile_of_values(
     const std::string& text, Names names, const std::vector<std::string>& values);
 
-/// Names that occur in `text`, known or not, without functions; empty if `text` is invalid.
+/// Known and unknown names without functions; empty if `text` is invalid.
 std::set<std::string> names_in(const std::string& text);
 
 std::vector<std::string> function_names();

@@ -13,41 +13,41 @@ namespace taut::cli {
 
 struct NumberRange {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
-  bool open_low = false, open_high = false;  // excludes the bound
+  bool open_low = false, open_high = false;  // excludes it
 };
 constexpr NumberRange above(double low) { return {.low = low, .open_low = true}; }
 constexpr NumberRange at_least(double low) { return {.low = low}; }
 
-/// Type of a key's value. LANGUAGE.md and the JSON Schema are generated from it.
+/// Source of LANGUAGE.md and the JSON Schema.
 struct KeyType {
   enum class Kind : std::uint8_t {
-    number,  // or an expression in quotes
-    whole,   // whole number, or an expression in quotes
+    number,  // or expression
+    whole,   // or expression
     flag,
     text,
-    word,    // one of `words`, or of `names()`
-    vector,  // `size` numbers
-    table,   // a table with the keys of `section`
+    word,  // from `words` or `names()`
+    vector,
+    table,  // with the keys of `section`
   };
   enum class Form : std::uint8_t { one, list, one_or_list };
   static constexpr std::size_t any_size = static_cast<std::size_t>(-1);
 
   Kind kind = Kind::text;
-  std::string_view shown = {};  // in LANGUAGE.md: "METHOD"; empty for the usual text of the kind
+  std::string_view shown = {};  // in LANGUAGE.md
   std::string_view unit = {};
   NumberRange bounds = {};
-  std::array<std::string_view, 8> words = {};     // unused ones are empty
+  std::array<std::string_view, 8> words = {};
   std::vector<std::string> (*names)() = nullptr;  // alternative to `words`
-  std::string_view section = {};                  // of a table; a number with a section can also be a table
-  std::string_view pattern = {};                  // of a text: a regular expression
+  std::string_view section = {};                  // of a table, or of a number that can be one
+  std::string_view pattern = {};                  // regular expression
   std::size_t longest = any_size;
-  std::size_t size = 0;         // of a vector; 0: one component per axis
-  std::string_view other = {};  // also allowed: "auto"; "=EXPRESSION" for any text with =
+  std::size_t size = 0;         // 0: one component per axis
+  std::string_view other = {};  // also allowed: "auto", or "=EXPRESSION" for any text with =
   Form form = Form::one;
-  std::size_t depth = 1;                   // nesting of a list
-  std::size_t least = 0, most = any_size;  // items of the innermost array
-  std::string_view by = {};                // "MEASURE": a table with one such value per measure
-  std::string_view name_pattern = {};      // of the keys of this table
+  std::size_t depth = 1;                   // nesting
+  std::size_t least = 0, most = any_size;  // of the innermost array
+  std::string_view by = {};                // "MEASURE": a table with a value per measure
+  std::string_view name_pattern = {};      // of the table's keys
 
   constexpr KeyType or_other(std::string_view word) const {
     KeyType type = *this;
@@ -76,7 +76,7 @@ struct KeyType {
   }
 };
 
-/// Description of a type: "number > 0, m", "spaced or lattice", "[[x, y], ...], m".
+/// "number > 0, m", "spaced or lattice", "[[x, y], ...], m".
 std::string type_text(const KeyType& type);
 std::vector<std::string> words_of(const KeyType& type);
 
@@ -85,7 +85,7 @@ namespace types {
 constexpr KeyType number(std::string_view unit = {}, NumberRange bounds = {}) {
   return {.kind = KeyType::Kind::number, .unit = unit, .bounds = bounds};
 }
-/// `shown` is its text in LANGUAGE.md: "expression of t".
+/// `shown`: "expression of t".
 constexpr KeyType expression(std::string_view shown) {
   return {.kind = KeyType::Kind::number, .shown = shown};
 }
@@ -94,11 +94,10 @@ constexpr KeyType whole(double low, double high) {
 }
 constexpr KeyType flag() { return {.kind = KeyType::Kind::flag}; }
 constexpr KeyType text(std::string_view shown = "text") { return {.shown = shown}; }
-/// A text of one line, as TomlCursor::line reads it.
+/// See TomlCursor::line.
 constexpr KeyType line(std::string_view pattern = "^[^\\u0000-\\u001f\\u007f]*$") {
   return {.shown = "text", .pattern = pattern, .longest = 200};
 }
-/// Name of a body, a probe, …
 constexpr KeyType label() {
   return {.shown = "letters, digits, _ and -", .pattern = "^[A-Za-z0-9_-]+$", .longest = 100};
 }
@@ -117,11 +116,10 @@ constexpr KeyType vector_of(std::size_t size, std::string_view shown, std::strin
                             NumberRange bounds = {}) {
   return {.kind = KeyType::Kind::vector, .shown = shown, .unit = unit, .bounds = bounds, .size = size};
 }
-/// A number, or a table with the keys of `section`.
 constexpr KeyType number_or_table(std::string_view shown, std::string_view section) {
   return {.kind = KeyType::Kind::number, .shown = shown, .section = section};
 }
-/// `shown` is its text in LANGUAGE.md: "[[body]]", "{ file, column }".
+/// `shown`: "[[body]]", "{ file, column }".
 constexpr KeyType table(std::string_view section, std::string_view shown) {
   return {.kind = KeyType::Kind::table, .shown = shown, .section = section};
 }
@@ -131,15 +129,15 @@ constexpr KeyType table(std::string_view section, std::string_view shown) {
 struct KeyInfo {
   std::string_view name;  // or `any_name`
   KeyType type;
-  std::string_view by_default;  // empty: required; "or X": the key X can replace it
+  std::string_view by_default;  // empty: required; "or X": key X can replace it
   std::string_view help;
 };
 
-/// Name of a key that the user chooses.
+/// A key that the user chooses.
 inline constexpr std::string_view any_name = "NAME";
 inline constexpr KeyInfo named_by_user[] = {{any_name, {}, "", ""}};
 
-/// A table of a scene, sweep or claim file, for `taut describe` and the reader.
+/// A table of a scene, sweep or claim file.
 struct Section {
   std::string_view name;
   std::string_view header;  // "[[body]]"
@@ -147,8 +145,7 @@ struct Section {
   std::span<const KeyInfo> keys;
 };
 
-/// Sections of a scene file; the first one is the file itself. Kinds of shapes, probes and measures have further
-/// keys.
+/// The first section is the file itself. Kinds of shapes, probes and measures add keys.
 std::span<const Section> scene_sections();
 std::span<const Section> sweep_sections();
 std::span<const Section> claim_sections();

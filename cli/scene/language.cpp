@@ -13,8 +13,7 @@
 #include "engine/methods/catalogue.hpp"
 #include "engine/settings.hpp"
 
-/// The tables of scene, sweep and claim files with their keys. The keys of a kind of shape, probe or measure are defined
-/// with the kind.
+/// Tables of scene, sweep and claim files. Shapes, probes and measures define the keys of their kinds.
 namespace taut::cli {
 namespace {
 

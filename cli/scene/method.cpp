@@ -29,7 +29,7 @@ std::vector<std::string> names_of_contacts() {
   return names;
 }
 
-/// Returns the setting, else the value in the file, else the first name.
+/// The setting, else the file's value, else the first name.
 std::string chosen(TomlCursor& root, const std::string& key, const std::vector<std::string>& names,
                    const Changes& changes, SceneFile& file) {
   root.text(key, names.front());
@@ -80,7 +80,7 @@ void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
   }
 }
 
-/// Sets each constant to the setting, else the value in the file, else the method's default in this dimension.
+/// Setting, else the file's value, else the method's default.
 void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, int dim,
                     const Changes& changes, SceneFile& file) {
   TomlCursor section = root.section("method_constants", "[method_constants]", named_by_user);
@@ -109,7 +109,7 @@ std::vector<std::string> names_of_elastic_laws() {
   return names;
 }
 
-/// Empty if the file has no law; its method must support it.
+/// The file's method must support it.
 std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   const TomlValue* given = root.find("law");
   if (!given) return "";
@@ -119,7 +119,7 @@ std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   return law;
 }
 
-/// Sets the law to the setting, else the file's law, else the method's first. The remark reports an unsupported law.
+/// The setting, else the file's law, else the method's first. The remark reports an unsupported law.
 void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, const Changes& changes,
               SceneFile& file) {
   const std::string own = method.laws.empty() ? "" : std::string(method.laws.front().name);
@@ -144,7 +144,7 @@ void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& met
     root.table().set("law", TomlValue(law));
 }
 
-/// With smaller steps a run would take years, and rounding would remove the motion in a step.
+/// Smaller steps would take years and lose the motion to rounding.
 constexpr double least_cfl = 1e-6;
 
 std::string check_cfl(double cfl) {
@@ -209,7 +209,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   name_touching(root, file);
 
   read_law(root, of_file, method, changes, file);
-  // the file's constants and CFL number are for its own method only
+  // belong to the file's method
   const double cfl_of_file = root.find("cfl") ? file_cfl(root) : of_file.cfl;
   const double in_scene = &method == &of_file ? cfl_of_file : method.cfl;
   const std::string* cfl_change = changes.find("cfl");

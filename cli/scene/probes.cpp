@@ -37,8 +37,7 @@ constexpr KeyInfo axis{"axis", types::vector_of(3, "[x, y, z]"), "[0, 0, 1]",
                        "axis of rotation through the origin; only in 3D"};
 }  // namespace key
 
-/// one row per line, to compare them
-// clang-format off
+/// one row per line
 const std::vector<ProbeKind> kinds{
     {"displacement", "m", "displacement of a material point", {key::body, key::at, key::component}},
     {"position", "m", "position of a material point", {key::body, key::at, key::component}},
@@ -47,24 +46,30 @@ const std::vector<ProbeKind> kinds{
     {"mean_velocity", "m/s", "velocity of the centre of mass", {key::body, key::component}},
     {"mean_position", "m", "position of the centre of mass", {key::body, key::component}},
     {"greatest_position", "m", "largest position of a particle of the body", {key::body, key::component}},
-    {"gap", "m",
+    {"gap",
+     "m",
      "smallest distance between the surfaces of two bodies, below 0 where they overlap. "
      "It is at most the search range of the contact, one or two spacings",
      {key::bodies}},
-    {"mirror_asymmetry", "m",
+    {"mirror_asymmetry",
+     "m",
      "largest deviation of a body from the mirror image of another body, or of itself",
      {key::images, key::own_image, key::component}},
-    {"turn", "rad",
+    {"turn",
+     "rad",
      "angle by which a material point has turned about the axis since the start, whole turns included",
      {key::body, key::at, key::axis}},
-    {"stress", "Pa",
+    {"stress",
+     "Pa",
      "Cauchy stress at a material point, as in the fields: positive in tension, pressure positive in compression",
      {key::body, key::at, key::part}},
-    {"reaction", ProbeKind::force_unit,
+    {"reaction",
+     ProbeKind::force_unit,
      "sum of the reaction forces on clamped and driven particles of a body. Without loads and damping, "
      "only reaction, contact force and weight change the momentum of the body",
      {key::body, key::reaction_where, key::component}},
-    {"contact_force", ProbeKind::force_unit,
+    {"contact_force",
+     ProbeKind::force_unit,
      "contact force of another body or of a wall on a body",
      {key::met, key::met_body, key::wall, key::component}},
     {"expression", "unit of value", "expression of other probes", {key::value}},
@@ -89,7 +94,7 @@ std::vector<int> probe_bodies(TomlCursor& cursor, const ProbeKind& kind, const S
 void refuse_point_on_axis(TomlCursor& cursor, const Probe& probe) {
   const Point &a = probe.turns_about, &x = probe.at;
   const double along = a[0] * x[0] + a[1] * x[1] + a[2] * x[2];
-  double away = 0, size = 0;  // m², from the axis and the origin
+  double away = 0, size = 0;  // m², from axis and origin
   for (std::size_t k = 0; k < 3; ++k) {
     away += (x[k] - along * a[k]) * (x[k] - along * a[k]);
     size += x[k] * x[k];
@@ -124,11 +129,11 @@ int wall_index(TomlCursor& cursor, const Scene& scene) {
   return static_cast<int>(wall);
 }
 
-/// Takes the bodies of the first probe in the expression, and the material constants if all bodies have one material.
+/// Takes bodies from the first probe, and constants if all bodies share a material.
 void read_probes_in(TomlCursor& cursor, const Scene& scene, Probe& probe) {
   const TomlValue& value = cursor.need("value");
   const std::set<std::string> used = names_in(value.kind == TomlValue::Kind::text ? value.text : "0");
-  probe.of_forces = !used.contains("t");  // uses step means; exact if linear
+  probe.of_forces = !used.contains("t");  // step means; exact if linear
   std::set<int> materials;
   const auto add_material = [&](int body) {
     materials.insert(scene.bodies[static_cast<std::size_t>(body)].material);

@@ -28,7 +28,7 @@ struct Rows {
   std::size_t next = 0;
   int line = 0;
 
-  /// Next row; nullopt at the end. Skips comments, and the byte order mark that spreadsheets write.
+  /// Nullopt at the end. Skips comments and a byte order mark.
   std::optional<std::vector<std::string>> read() {
     if (constexpr std::string_view mark = "\xEF\xBB\xBF"; next == 0 && text.starts_with(mark))
       next = mark.size();
@@ -62,7 +62,7 @@ std::size_t column_of(const Rows& rows, const std::vector<std::string>& head, co
             "; its columns: " + join(head));
 }
 
-/// Also searches the scene folders, so that the scene.toml of a run finds shipped files.
+/// Also searches scene folders, for the scene.toml of a run.
 std::filesystem::path find_file(const std::filesystem::path& folder, const std::string& file) {
   std::error_code error;
   if (std::filesystem::is_regular_file(folder / file, error))
@@ -73,7 +73,7 @@ std::filesystem::path find_file(const std::filesystem::path& folder, const std::
   return (folder / file).lexically_normal();
 }
 
-/// Removes the scene folder from a path, so that runs do not depend on its location.
+/// Makes runs independent of the scene folder's location.
 std::string path_without_scene_folder(const std::filesystem::path& file) {
   std::error_code error;
   for (const std::filesystem::path& scenes : scene_folders()) {

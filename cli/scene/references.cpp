@@ -18,7 +18,7 @@ std::vector<std::string_view> material_laws() {
   return names;
 }
 
-/// Accepts neo-hookean and, as in run.json, neo_hookean.
+/// Accepts neo-hookean and neo_hookean.
 std::string read_law(TomlCursor& reference) {
   const std::string given = reference.text("law");
   std::vector<std::string> known;
@@ -34,10 +34,9 @@ bool alike(double a, double b) {
   return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-/// Which parts hold for the current parameters.
 struct Validity {
-  bool values = false;     // and tables: hold for the parameters in `when` and the defaults of the others
-  bool solutions = false;  // hold for the parameters in `when` and any others
+  bool values = false;     // and tables: for `when` and the defaults of other parameters
+  bool solutions = false;  // for `when` and any other parameters
 };
 
 Validity validity(TomlCursor& reference, const std::vector<Parameter>& parameters) {
@@ -61,7 +60,6 @@ Validity validity(TomlCursor& reference, const std::vector<Parameter>& parameter
   return valid;
 }
 
-/// Each number can use the earlier ones.
 void read_names(TomlCursor& reference) {
   TomlValue* table = reference.find("let");
   if (!table) return;
@@ -119,7 +117,7 @@ std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure)
   return names;
 }
 
-/// The line must have one time, and the table must cover its length.
+/// The line must have one time, and the table its length.
 void check_covers(TomlCursor& entry, const ReferenceTable& table, const SampleLine& line) {
   const TomlValue& file = entry.need("file");
   if (line.times.size() > 1)
@@ -200,21 +198,21 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
                   "the measure '" + entry.first + "' has a table and a solution; remove one of them");
 }
 
-/// Values and tables, or solutions, of a valid [[reference]].
+/// A valid part of a [[reference]].
 struct Part {
   std::string law;
   bool of_method;
-  int specificity;  // 2: for these values, 1: for the values in `when`, 0: for any
+  int specificity;  // 2: these values, 1: those in `when`, 0: any
   const TomlValue* from;
   Reference what;
 };
 
-/// Parts for the method come first, then parts for more specific parameters.
+/// Parts for the method come first, then specific ones.
 bool counts_before(const Part& a, const Part& b) {
   return std::pair(a.of_method, a.specificity) > std::pair(b.of_method, b.specificity);
 }
 
-/// Merges the parts of one law by measure; the first part of a measure counts.
+/// The first part of a measure counts.
 class Merged {
  public:
   void add(const Part& part) {
@@ -222,7 +220,7 @@ class Merged {
     take(part, part.what.table, merged_.table);
     take(part, part.what.solution, merged_.solution);
   }
-  /// Second [[reference]] of the same rank for a measure, or null.
+  /// Second [[reference]] of equal rank, or null.
   const TomlValue* ambiguous() const { return ambiguous_; }
   const std::string& ambiguous_measure() const { return measure_; }
   Reference finish() {

@@ -26,7 +26,7 @@ void collect_places(const TomlValue& value, const std::string& path,
   }
 }
 
-/// Requested spacings, m, not yet fitted to the first body.
+/// m, before fitting to the first body.
 struct RequestedSpacing {
   double value, in_scene;  // with and without settings
 };
@@ -34,7 +34,7 @@ struct RequestedSpacing {
 RequestedSpacing requested_spacing(TomlValue tree, const Changes& changes, TomlSource& source) {
   SceneFile file;
   TomlCursor root(tree, "", "the scene", keys_of("scene"), {}, source);
-  root.refuse_unknown_keys();  // else a misspelt table would be reported as missing
+  root.refuse_unknown_keys();  // before missing tables, for misspelt ones
   read_parameters(root, changes, {}, file);
   const TomlValue& spacing = root.need("spacing");
   const std::set<std::string> unknown_yet = names_that_need_dp(root, changes);
@@ -63,7 +63,7 @@ void read_head(TomlCursor& root, SceneFile& file) {
 }
 
 void read_times(TomlCursor& root, const Changes& changes, double dp, SceneFile& file) {
-  constexpr double default_rows = 1000;  // of history.csv
+  constexpr double default_rows = 1000;
   root.find("spacing");
   root.table().set("spacing", TomlValue(dp));
   file.scene.spacing = dp;
@@ -71,7 +71,7 @@ void read_times(TomlCursor& root, const Changes& changes, double dp, SceneFile& 
   if (const std::string* change = changes.find("until"))
     file.scene.until = changed_positive("until", *change, root.names());
   resolve(file, "until", file.scene.until, in_scene, in_scene);
-  constexpr double least_until = 1e-100;  // with smaller times, sums of time steps lose their digits
+  constexpr double least_until = 1e-100;  // sums of smaller time steps lose digits
   if (file.scene.until < least_until)
     root.fail(root.need("until"), "until",
               "until = " + exact(file.scene.until) + " s must be at least " + exact(least_until) + " s");
@@ -94,7 +94,7 @@ std::string check_seed(double seed) {
              : "jitter_seed = " + exact(seed) + " must be a whole number from 1 to " + exact(greatest);
 }
 
-/// `check` returns an error message or "".
+/// `check` returns an error or "".
 double checked_number(TomlCursor& root, const char* key, double otherwise, const Changes& changes,
                       SceneFile& file, std::string (*check)(double)) {
   const double in_scene = root.number(key, otherwise);
@@ -140,7 +140,7 @@ void read_jitter(TomlCursor& root, const Changes& changes, SceneFile& file) {
   jitter.seed = static_cast<int>(checked_number(root, "jitter_seed", jitter.seed, changes, file, check_seed));
 }
 
-/// Ignores parameters with `default`: in a resolved scene, a setting may have replaced the expression that used them.
+/// Ignores parameters with `default`: a setting may have replaced the expression that used them.
 void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const TomlSource& source) {
   const TomlEntry* parameters = original.find("parameters");
   if (!parameters) return;
@@ -150,7 +150,7 @@ void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const
                 "the parameter '" + entry.key + "' is unused; remove it or use it in an expression");
 }
 
-/// Reads the file with spacing dp: first the part that `fitted` uses, and the rest in `finish`.
+/// Reads what `fitted` uses with spacing dp, then the rest in `finish`.
 class SceneReading {
  public:
   SceneReading(double dp, const std::filesystem::path& path, const TomlValue& original,

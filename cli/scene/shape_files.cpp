@@ -24,7 +24,6 @@ struct Frame {
   Point low{};                  // lower left corner of the picture, m
 };
 
-/// Side of a pixel, m.
 double read_size(TomlCursor& shape, double rows, double columns) {
   const TomlValue *height = shape.find("height"), *width = shape.find("width");
   if (height && width)
@@ -44,7 +43,7 @@ void read_where(TomlCursor& shape, Frame& frame) {
     frame.low = shape.point("low", 2);
 }
 
-/// The points are relative to the centre, if given.
+/// Points relative to the centre.
 Shape polygon_of(TomlCursor& shape, const Mask& mask, double threshold, const Frame& frame) {
   constexpr std::size_t most_points = 1000000;
   std::vector<Chain> contours = faces_of(mask, threshold);
@@ -67,7 +66,7 @@ Shape polygon_of(TomlCursor& shape, const Mask& mask, double threshold, const Fr
   return Polygon(std::move(contours), frame.centre);
 }
 
-/// Reports a UsageError of `read` at the key `file`.
+/// Reports a UsageError at the key `file`.
 template <class Read>
 auto with_place(TomlCursor& shape, const Read& read) {
   try {
@@ -80,7 +79,7 @@ auto with_place(TomlCursor& shape, const Read& read) {
 struct GivenSites {
   std::vector<Point> places;    // m
   std::vector<double> volumes;  // m², m³
-  bool has_volumes = true;      // false: all volumes are dp^dim
+  bool has_volumes = true;      // false: dp^dim
 };
 
 GivenSites tabled_sites(const std::filesystem::path& file, const ShapeSetting& setting) {
@@ -98,7 +97,7 @@ GivenSites tabled_sites(const std::filesystem::path& file, const ShapeSetting& s
   return given;
 }
 
-/// Particles of all bodies or of one. Throws UsageError.
+/// Throws UsageError.
 GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wanted,
                        const ShapeSetting& setting) {
   const ParticleFile file(path);
@@ -126,8 +125,7 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
   return given;
 }
 
-/// Throws for particles that are too far apart: the search for faces covers their bounding box, and cell numbers
-/// limit coordinates.
+/// Limits the bounding box for the search of faces, and cell numbers.
 void refuse_far(const GivenSites& given, const std::filesystem::path& file, const ShapeSetting& setting) {
   constexpr double most_sides = 1e6, farthest = 1e9, max_volume_ratio = 1e6;  // in dp; in dp^dim
   const double cell = std::pow(setting.dp, setting.dim);
@@ -154,7 +152,7 @@ void refuse_far(const GivenSites& given, const std::filesystem::path& file, cons
               volume, setting.dp, cell));
 }
 
-/// The spacing determines the neighbours, so it must fit the particles.
+/// The spacing determines the neighbours.
 void refuse_other_spacing(std::vector<double> volumes, const std::filesystem::path& file,
                           const ShapeSetting& setting) {
   const auto middle = volumes.begin() + static_cast<std::ptrdiff_t>(volumes.size() / 2);
@@ -180,10 +178,10 @@ void refuse_twins(const std::vector<Point>& places, const std::filesystem::path&
                       places[order[k]][0], places[order[k]][1], places[order[k]][2]));
 }
 
-/// Median distance to the nearest neighbour, m, in a sample of about 1000 particles.
+/// Median nearest distance of about 1000 particles, m.
 double usual_distance(std::vector<Point> places) {
   constexpr std::size_t asked = 1000;
-  std::size_t longest = 0;  // axis of largest extent, for a fast search
+  std::size_t longest = 0;  // longest axis
   double length = -1;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto [low, high] = std::ranges::minmax(places, {}, [k](const Point& x) { return x[k]; });
@@ -210,8 +208,8 @@ double usual_distance(std::vector<Point> places) {
   return *middle;
 }
 
-/// Particles without volumes get a cell of the scene's spacing each. Throws if their distance contradicts this
-/// volume. Distances are 1 to 1.12 dp in lattices, and down to 0.75 dp in disordered particles.
+/// Particles without volumes get the scene's cell. Distances are 1 to 1.12 dp in lattices, and down to 0.75
+/// dp in disordered particles.
 void refuse_other_mass(double apart, const std::filesystem::path& file, const ShapeSetting& setting) {
   if (std::isfinite(apart) && (apart < 0.7 * setting.dp || apart > 1.3 * setting.dp))
     throw SceneError(file.string(), 0, 0, "",

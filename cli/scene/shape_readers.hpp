@@ -7,7 +7,7 @@
 
 namespace taut::cli {
 
-// Each function reads the shape of a table, without the keys `type` and `rotate`, which shapes.cpp reads.
+// The keys `type` and `rotate` are read in shapes.cpp.
 
 Shape read_polygon(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_ellipse(TomlCursor& shape, const ShapeSetting& setting);
@@ -17,9 +17,9 @@ Shape read_svg(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_mesh_file(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_mask_file(TomlCursor& shape, const ShapeSetting& setting);
 
-/// Throws SceneError unless all components are greater than 0.
+/// Throws SceneError for components ≤ 0.
 Point positive_point(TomlCursor& shape, std::string_view key, int dim);
-/// Throws SceneError unless low < high along every axis.
+/// Throws SceneError unless low < high.
 Box read_low_and_high(TomlCursor& shape, int dim);
 
 }  // namespace taut::cli

@@ -17,8 +17,7 @@ Shape read_box(TomlCursor& shape, const ShapeSetting& setting) {
   return read_low_and_high(shape, setting.dim);
 }
 
-/// Reads the key `layout`, one of `allowed`; default: `otherwise`. A body with a hexagonal lattice allows only
-/// "lattice".
+/// Default: `otherwise`. A body with a hexagonal lattice allows only "lattice".
 RoundLayout read_layout(TomlCursor& shape, std::vector<RoundLayout> allowed, RoundLayout otherwise,
                         Layers layers) {
   if (layers == Layers::of_lattice) allowed = {RoundLayout::lattice}, otherwise = RoundLayout::lattice;

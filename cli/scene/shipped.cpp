@@ -39,8 +39,7 @@ std::vector<fs::path> folders_of_user() {
   return folders;
 }
 
-/// A build has a link `scenes` beside the program; an installation can be moved as a whole. Without /proc, the
-/// program's location is unknown.
+/// A build has a link `scenes` beside the program. Without /proc, the program's location is unknown.
 std::vector<fs::path> places_of_shipped() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -48,7 +47,7 @@ std::vector<fs::path> places_of_shipped() {
   return {program.parent_path() / "scenes", program.parent_path().parent_path() / "share/taut/scenes"};
 }
 
-/// Names of .toml files in a subfolder of all scene folders.
+/// Searches all scene folders.
 std::set<std::string> names_below(const std::string& folder) {
   std::set<std::string> names;
   for (const fs::path& scenes : scene_folders()) {
@@ -92,7 +91,7 @@ std::vector<std::string> scene_names() {
 }
 
 fs::path find_scene(const std::string& scene) {
-  // run folders often have the name of their scene, so a scene precedes a folder
+  // a scene precedes a run folder of its name
   std::error_code error;
   const bool exists = fs::exists(scene, error);
   if (exists && !fs::is_directory(scene, error)) return scene;

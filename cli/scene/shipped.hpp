@@ -6,23 +6,22 @@
 
 namespace taut::cli {
 
-/// Scene folders in search order: the folders in the variable TAUT_SCENES (separated by ':'), then `scenes`
-/// beside the program, or share/taut/scenes if it is installed. The first folder that contains a name is used. Throws
-/// UsageError for a missing folder of TAUT_SCENES.
+/// In search order: TAUT_SCENES (separated by ':'), then `scenes` beside the program or share/taut/scenes.
+/// The first match counts. Throws UsageError for a missing folder.
 std::vector<std::filesystem::path> scene_folders();
-/// Sorted names of scenes; names in gallery/ come last, as "gallery/NAME". Throws UsageError without scene folders.
+/// Sorted, then "gallery/NAME". Throws UsageError without scene folders.
 std::vector<std::string> scene_names();
-/// `scene` is a path or a name. Throws UsageError with the nearest names.
+/// Path or name. Throws UsageError with the nearest names.
 std::filesystem::path find_scene(const std::string& scene);
 
-/// Sorted names of the sweep files in studies/ of the scene folders.
+/// Sorted sweep files in studies/.
 std::vector<std::string> study_names();
-/// `sweep` is a path or a name. Throws UsageError with the nearest names.
+/// Path or name. Throws UsageError with the nearest names.
 std::filesystem::path find_sweep(const std::string& sweep);
 
-/// Sorted names of the claim files in papers/ of the scene folders, such as "Zhang2024".
+/// Sorted claim files in papers/, such as "Zhang2024".
 std::vector<std::string> paper_names();
-/// `paper` is a path or a name. Throws UsageError with the nearest names.
+/// Path or name. Throws UsageError with the nearest names.
 std::filesystem::path find_paper(const std::string& paper);
 
 }  // namespace taut::cli

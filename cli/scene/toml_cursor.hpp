@@ -14,19 +14,17 @@
 
 namespace taut::cli {
 
-/// Data shared by the cursors of a file.
 struct TomlSource {
   std::string file;
-  int dim = 3;                 // of the scene; expressions of 2D scenes have no z
-  std::set<std::string> used;  // names in expressions read so far
+  int dim = 3;                 // expressions of 2D scenes have no z
+  std::set<std::string> used;  // names in expressions
 };
 
-/// Typed access to a table of a scene file. Writes defaults into the table, so that it ends up complete, and records
-/// which keys were read, for `finish`. Throws SceneError with the place of
-/// a wrong value, std::logic_error for a key that is not in `keys`.
+/// Typed access to a table. Writes defaults into it and records read keys. Throws SceneError with the place
+/// of a wrong value, std::logic_error for a key that is not in `keys`.
 class TomlCursor {
  public:
-  /// `path` is dotted ("body.left"), `what` is for messages ("body 'left'").
+  /// `path` is dotted; `what` is for messages.
   TomlCursor(TomlValue& table, std::string path, std::string what, std::span<const KeyInfo> keys, Names names,
              TomlSource& source);
 
@@ -39,13 +37,13 @@ class TomlCursor {
   void also_takes(std::span<const KeyInfo> keys);
   void also_takes(const KeyInfo& key) { also_takes({&key, 1}); }
 
-  /// Returns nullptr if the key is missing, and marks the key as read.
+  /// Marks the key as read; returns nullptr if missing.
   TomlValue* find(std::string_view key);
   TomlValue& need(std::string_view key);
 
   std::string text(std::string_view key);
   std::string text(std::string_view key, std::string_view otherwise);
-  /// One line of UTF-8 of at most 200 bytes.
+  /// One UTF-8 line of at most 200 bytes.
   std::string line(std::string_view key);
   std::string line(std::string_view key, std::string_view otherwise);
   std::string choice(std::string_view key, const std::vector<std::string>& allowed);
@@ -53,37 +51,35 @@ class TomlCursor {
   double number(std::string_view key, double otherwise);
   double positive(std::string_view key);
   int whole(std::string_view key, int otherwise, int low, int high);
-  /// Returns false if missing, without writing this default.
+  /// False if missing; not written as default.
   bool flag(std::string_view key);
   std::vector<double> numbers(std::string_view key, std::size_t size);
   Point point(std::string_view key, int dim);
 
-  /// A finite number, or an expression with such a value.
+  /// Finite number or expression.
   double value_of(const TomlValue& value, std::string_view key);
-  /// Function of position; throws SceneError for non-finite values. Empty for the number 0.
+  /// Function of position; empty for 0. Throws SceneError for non-finite values.
   Expression function_of(const TomlValue& value, std::string_view key);
-  /// Function of time t, s; otherwise like function_of.
+  /// Function of time, s.
   std::function<double(double)> function_of_time(const TomlValue& value, std::string_view key);
-  /// Function of position and time; never empty.
+  /// Never empty.
   Solution solution(const TomlValue& value, std::string_view key);
-  /// Function of probes and time t, s. The expression cannot use probes whose names are no identifiers.
+  /// Function of probes and time, s. Names that are no identifiers cannot be used.
   std::function<double(const std::vector<double>&, double)> function_of_probes(
       const TomlValue& value, std::string_view key, const std::vector<std::string>& probes);
   std::string text_of(const TomlValue& value, std::string_view key);
 
   TomlCursor enter(TomlValue& value, std::string_view key, std::string what, std::span<const KeyInfo> keys);
-  /// Adds the table if it is missing.
+  /// Adds a missing table.
   TomlCursor section(std::string_view key, std::string what, std::span<const KeyInfo> keys);
-  /// Empty if the key is missing.
+  /// Empty if missing.
   std::span<TomlValue> list(std::string_view key);
 
   [[noreturn]] void fail(FilePlace place, std::string_view key, const std::string& message) const;
   [[noreturn]] void fail(const TomlValue& value, std::string_view key, const std::string& message) const;
   [[noreturn]] void fail_unknown(const TomlValue& value, std::string_view key, std::string_view kind,
                                  std::string_view given, const std::vector<std::string>& known) const;
-  /// Marks the names of an expression as used.
   void mark_names_used(const std::string& text);
-  /// Throws for a key that is not allowed.
   void refuse_unknown_keys() const;
   /// Also throws for a key that was never read.
   void finish() const;
@@ -91,7 +87,7 @@ class TomlCursor {
  private:
   [[noreturn]] void fail_expression(const TomlValue& value, std::string_view key,
                                     const ExpressionError& error) const;
-  /// Checks that values are finite; `show` prints the arguments.
+  /// Checks for finite values; `show` prints arguments.
   template <class... Arguments, class Compile, class Show>
   std::function<double(Arguments...)> function(const TomlValue& value, std::string_view key,
                                                const Compile& compile, const Show& show);
@@ -106,7 +102,7 @@ class TomlCursor {
   std::vector<std::string> keys_;
 };
 
-/// True for letters, digits and '_', no digit first.
+/// Letters, digits and '_', no digit first.
 bool is_identifier(std::string_view name);
 
 }  // namespace taut::cli

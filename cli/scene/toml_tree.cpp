@@ -22,17 +22,17 @@ FilePlace place_of(const toml::source_position& position) {
   return {static_cast<int>(position.line), static_cast<int>(position.column)};
 }
 
-/// toml++ limits nested brackets, but not the parts of a key, which are tables, too.
+/// toml++ limits brackets, but not the parts of keys.
 constexpr int most_parts = 16, most_levels = 300;
 
-/// Returns the end of the text quoted at `at`. A text in one quote ends with its line at the latest.
+/// End of the quoted text; a text in one quote ends with its line.
 std::size_t end_of_quoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const bool long_one = text.substr(at, 3) == std::string(3, quote);
   for (std::size_t i = at + (long_one ? 3 : 1); i < text.size(); ++i) {
     if (!long_one && (text[i] == quote || text[i] == '\n')) return i + 1;
     if (long_one && text.substr(i, 3) == std::string(3, quote)) {
-      std::size_t end = i + 3;  // up to two more quotes belong to the string [TOML 1.0, String]
+      std::size_t end = i + 3;  // up to two more quotes belong to it [TOML 1.0, String]
       while (end < std::min(i + 5, text.size()) && text[end] == quote) ++end;
       return end;
     }
@@ -70,7 +70,7 @@ void refuse_long_keys(std::string_view text, const std::string& file) {
 
 TomlValue converted(const toml::node& node, const std::string& file, int level = 0);
 
-/// toml++ sorts keys; this restores their order.
+/// Restores the order that toml++ sorts.
 void add_entries(TomlValue& value, const toml::table& table, const std::string& file, int level) {
   for (const auto& [key, node] : table)
     value.entries.push_back({.key = std::string(key.str()),
@@ -143,7 +143,7 @@ std::string key_text(const std::string& key) {
 
 std::string number_text(const TomlValue& value) {
   std::string text = exact(value.number);
-  // a large number without point would overflow a TOML integer
+  // must not overflow a TOML integer
   if (!value.whole && text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
 }
@@ -181,7 +181,7 @@ bool is_section_list(const TomlValue& value) {
          std::all_of(value.items.begin(), value.items.end(), is_section);
 }
 
-/// Prints plain values first: after a [header] they would belong to its table.
+/// Plain values come before a [header].
 void print_section(std::string& text, const TomlValue& table, const std::string& path) {
   for (const TomlEntry& entry : table.entries)
     if (!is_section(entry.value) && !is_section_list(entry.value))
@@ -256,7 +256,7 @@ std::string_view line_of(std::string_view text, int number) {
   return text.substr(0, text.find('\n'));
 }
 
-/// Hint for a common mistake, else empty.
+/// Hint for a common mistake.
 std::string mistake_hint(std::string_view line, std::string_view message) {
   if (std::ranges::count(line, '"') % 2 == 1) return ". Is a quote missing in this line?";
   if (message.find("redefine existing") != std::string_view::npos)
