@@ -22,9 +22,9 @@ class Option {
   Option& required(bool is_required = true);
   /// `check` returns a problem, or "".
   Option& check(std::string (*check)(const std::string& value));
-  /// The option takes one word each time, instead of all words that follow.
+  /// Takes one word each time.
   Option& one_word_each();
-  /// Like one_word_each(); commas separate values.
+  /// Commas separate values.
   Option& comma_separated();
   Option& excludes(const Option& other);
   Option& needs(const Option& other);
@@ -49,7 +49,7 @@ class Options {
   struct Texts {
     std::string program;
     std::string summary;
-    std::string examples;  // whole lines
+    std::string examples;
     std::string help_flag = "show this text";
   };
 
@@ -59,7 +59,7 @@ class Options {
   /// Declares an option that sets `target`. Only vectors may be repeated.
   template <class Target>
   Option add(std::string_view name, std::string_view placeholder, Target& target, std::string_view help);
-  /// Passes the option's text to `take` after all words were read.
+  /// Passes the text to `take` after all words were read.
   Option add(std::string_view name, std::string_view placeholder,
              const std::function<void(const std::string&)>& take, std::string_view help);
   Option add(std::string_view name, std::string_view placeholder,
@@ -70,7 +70,7 @@ class Options {
     return add(name, " ", target, help);
   }
 
-  /// In the order of declaration, --help first.
+  /// --help comes first.
   std::vector<Option> all() const;
   std::string help() const;
   /// Sets all targets. Returns false for --help. Throws UsageError.

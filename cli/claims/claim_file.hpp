@@ -18,7 +18,7 @@ struct ClaimRun {
   std::vector<Setting> settings;  // including those of the claim
 };
 
-/// A statement of a paper, with the runs and the criterion that test it.
+/// A statement of a paper and its test.
 struct Claim {
   std::filesystem::path file;
   std::string paper, key;         // "Zhang2024", "fig-3a"
@@ -30,7 +30,7 @@ struct Claim {
   std::string criterion;       // see criterion.hpp
   std::string part, evidence;  // may be empty
   ClaimState state = ClaimState::holds;
-  std::string reason;    // of states other than `holds`
+  std::string reason;    // of other states
   std::string last_run;  // date
 
   /// "Zhang2024.fig-3a".
@@ -44,9 +44,8 @@ struct Paper {
   std::vector<Claim> claims;
 };
 
-/// Throws SceneError with the place in the file. Does not check settings and quantities.
+/// Throws SceneError with the place. Does not check settings and quantities.
 Paper read_paper(const std::filesystem::path& file);
-/// Reads all claim files of the scene folders.
 std::vector<Paper> shipped_papers();
 
 }  // namespace taut::cli

@@ -15,7 +15,7 @@ std::string list_of_claims(const std::vector<const Claim*>& claims, std::optiona
 /// Includes the commands that repeat the runs.
 std::string claim_text(const Claim& claim, std::size_t columns);
 std::string table_of_outcomes(const std::vector<ClaimOutcome>& outcomes, std::optional<std::size_t> columns);
-/// Counts by paper and state, reasons of claims that do not hold, and all claims.
+/// Counts, reasons of claims that do not hold, and all claims.
 std::string claims_markdown(const std::vector<Paper>& papers);
 
 /// `outcome` may be nullptr.

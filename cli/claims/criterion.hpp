@@ -6,7 +6,7 @@
 
 namespace taut::cli {
 
-/// Part of a criterion: "og.since.fractured" is `since.fractured` of the run `og`.
+/// "og.since.fractured": `since.fractured` of the run `og`.
 struct Quantity {
   std::string run, path;
 
@@ -19,7 +19,7 @@ std::vector<Quantity> quantities_in(const std::string& criterion);
 /// Throws UsageError for an invalid expression and an unknown run.
 void check_criterion(const std::string& criterion, const std::vector<std::string>& runs);
 
-/// `values` by name of the quantity. Verdicts are ranks from `stable` to `diverged`.
+/// Verdicts are ranks from `stable` to `diverged`.
 bool is_met(const std::string& criterion, const std::map<std::string, double>& values);
 
 struct QuantityValue {

@@ -12,7 +12,7 @@ class Options;
 struct Command {
   std::string_view name;
   std::string_view summary;
-  std::string_view examples;  // whole lines
+  std::string_view examples;
   /// Declares options; the returned function runs the command and returns the exit code.
   std::function<int(Streams)> (*declare)(Options& options);
 };

@@ -129,7 +129,7 @@ Completion complete_name(std::span<const Command> commands) {
   return completion;
 }
 
-/// Whether a word is safe to offer: bash does not quote all completions and could execute others.
+/// Bash could execute other completions.
 bool is_plain(const std::string& word) {
   return std::ranges::none_of(word, [](unsigned char c) {
     return c <= ' ' ||

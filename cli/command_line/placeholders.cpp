@@ -34,7 +34,7 @@ Words papers(const SceneFile*) { return paper_names(); }
 
 Words section_names(const SceneFile*) { return topic_names(); }
 
-Words color_names(const SceneFile*) { return {"white", "black"}; }  // examples
+Words color_names(const SceneFile*) { return {"white", "black"}; }
 
 Words verdict_names(const SceneFile*) { return names_of_failures(); }
 

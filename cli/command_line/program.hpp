@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Runs `taut`; `arguments` exclude its name. Returns the exit code and reports all errors on `streams.err`.
+/// `arguments` exclude `taut`. Returns the exit code; reports errors on `streams.err`.
 int run_program(std::span<const Command> commands, const std::vector<std::string>& arguments,
                 Streams streams);
 

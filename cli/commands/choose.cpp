@@ -60,7 +60,6 @@ std::vector<std::string> stored_results(const std::string& scene) {
   return files;
 }
 
-/// Empty for an unknown name.
 std::string value_in(const SceneFile& file, const std::string& name) {
   const ResolvedSetting* found = file.find_resolved(name);
   if (!found) return "";
@@ -87,7 +86,6 @@ std::string keep_matching_runs(const SceneFile& file, StoredResults& results) {
   return join(others);
 }
 
-/// Throws UsageError for another scene or other parameters.
 ChartRequest request(const ChooseArguments& options, const SceneFile& file) {
   ChartRequest request{options.measure, Cost::wall};
   if (options.against.empty() || find_method(options.against)) {

@@ -20,7 +20,7 @@ namespace taut::cli {
 namespace {
 
 struct ClaimsArguments : ReportOptions {
-  std::string what;  // paper, claim or empty
+  std::string what;
   std::vector<std::string> run;
   bool quick = false, all = false, markdown = false, quiet = false;
   std::string out = "out/claims";
@@ -98,7 +98,7 @@ int run_claims(const ClaimsArguments& o, const Claims& claims, Streams streams) 
   std::vector<ClaimOutcome> outcomes;
   for (PlannedClaim& each : planned) {
     for (SweepRun& run : each.plan.runs)
-      if (run.state != SweepRunState::broken) run.read_folder();  // shared with another claim
+      if (run.state != SweepRunState::broken) run.read_folder();  // another claim may have run it
     outcomes.push_back(outcome_of(each));
   }
   if (o.json)

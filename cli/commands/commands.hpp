@@ -6,7 +6,7 @@
 
 namespace taut::cli {
 
-/// All commands, in the order of `taut --help`.
+/// In the order of `taut --help`.
 std::span<const Command> commands();
 
 }  // namespace taut::cli

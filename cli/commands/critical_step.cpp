@@ -27,7 +27,7 @@ std::string bracket(const CriticalStep& found) {
   return brief(*found.stable) + " s" + (found.unstable ? " to " + brief(*found.unstable) + " s" : " or more");
 }
 
-/// Adds the place in the file to errors about the scene.
+/// Adds the place to errors about the scene.
 CriticalStep search(const SceneFile& file, const CriticalStepArguments& options, Progress& progress) {
   constexpr double usual_trials = 12;
   const Interrupts interrupts;

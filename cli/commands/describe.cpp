@@ -221,7 +221,6 @@ Json as_json(const std::vector<Topic>& topics) {
   return all;
 }
 
-/// Returns false for an unknown name.
 bool describe_language(const std::string& name, bool json, std::ostream& out) {
   for (const LanguageFile& file : {scene_language(), sweep_language(), claim_language()}) {
     if (file.name != name) continue;

@@ -17,7 +17,7 @@
 namespace taut::cli {
 namespace {
 
-/// Rows are objects with equal keys, the name first.
+/// Rows have equal keys, the name first.
 struct Listing {
   std::string_view kind;
   Json (*rows)();

@@ -43,7 +43,6 @@ int count_frames(const fs::path& folder) {
   return whole;
 }
 
-/// The destructor removes the folder.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -68,7 +67,7 @@ class ScratchFolder {
 bool draw_orbit(const fs::path& folder, const fs::path& frames, std::ostream& err) {
   SavedRun run = open_saved_run(folder);
   run.file.drawing.orbit = true;
-  std::iota(run.numbers.begin(), run.numbers.end(), 0);  // ffmpeg stops at a gap
+  std::iota(run.numbers.begin(), run.numbers.end(), 0);
   check_redrawing(run);
   Progress progress(err, progress_style(err, false));
   return redraw(run, frames, 0, progress).all;

@@ -153,7 +153,6 @@ bool equal(const ReferenceCurve& a, const ReferenceCurve& b) {
   return a.column == b.column && a.name == b.name && a.t == b.t && a.values == b.values;
 }
 
-/// References up to the last drawn time.
 std::vector<ReferenceCurve> references_of(const HistoryPlot& plot, const StoredResults& results,
                                           const std::vector<SceneFile>& scenes) {
   std::vector<ReferenceCurve> all;

@@ -50,7 +50,6 @@ void clear_for_frames(const fs::path& folder) {
     if (!is_lock(entry.path())) fs::remove(entry.path());
 }
 
-/// Removes old frames and updates scene.toml.
 fs::path prepare(const RenderArguments& options, SavedRun& run) {
   if (options.out) {
     clear_for_frames(*options.out);

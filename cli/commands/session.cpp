@@ -64,7 +64,7 @@ int converse(const SessionArguments& options, Streams streams) {
       if (!streams.out.flush()) throw OutputError("standard output", "cannot be written");
       return one;
     }();
-    // the next lines rely on it
+    // the next lines of a script rely on this one
     if (Interrupts::interrupted() && (!typed || Interrupts::must_end())) return Interrupts::exit_code();
     if (options.strict && given.code != exit_fine) return given.code;
     if (!given.going) break;

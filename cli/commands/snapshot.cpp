@@ -67,7 +67,7 @@ struct Result {
   std::string text;
   Json json = json_answer("snapshot");
   std::vector<TestCase> cases;
-  std::string worst;  // may be empty
+  std::string worst;
 };
 
 void update(const SnapshotArguments& options, const RunFolder& run, Result& result) {

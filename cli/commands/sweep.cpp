@@ -140,7 +140,6 @@ TestReport test_report(const SweepPlan& plan, std::optional<int> index,
   return report;
 }
 
-/// Returns false if a verdict is `fail_on` or worse.
 bool answer(const SweepPlan& plan, const SweepArguments& o, const std::optional<Verdict>& fail_on,
             Streams streams) {
   using Result = TestCase::Result;

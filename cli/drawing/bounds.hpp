@@ -26,7 +26,7 @@ class SequenceBounds {
   render::Range range(std::optional<double> middle, double round_off = 0) const;
   /// Includes a margin of 5 % of the longer side.
   render::View view() const;
-  /// View centred at the origin, the centre of mass of the followed body, and 1.5 times as large.
+  /// View centred at the origin (the followed body's centre of mass), 1.5 times as large.
   render::View view_about_origin() const;
   /// Contains everything from all directions.
   struct Orbit {
@@ -42,7 +42,7 @@ class SequenceBounds {
     double low = 1e300, high = -1e300;
     void add(double value, double margin = 0);
   };
-  Interval values_, x_, y_, z_;  // x, y, z: along the camera's axes
+  Interval values_, x_, y_, z_;  // along the camera's axes
   std::vector<double> sample_;   // every `stride_`-th value
   std::size_t stride_ = 1, seen_ = 0;
   std::optional<render::CameraAxes> axes_;

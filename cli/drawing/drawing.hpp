@@ -33,8 +33,8 @@ struct ColorFormula {
                              std::span<const double> x, std::span<const double> x0, double time) const;
 };
 
-/// Content and look of pictures. Open members default to viridis, or a diverging map for signed fields, and
-/// the range and view of everything shown. A 3D scene has a camera instead of a view.
+/// Open members default to viridis, or a diverging map for signed fields, and to everything shown. A 3D scene has a
+/// camera instead of a view.
 struct Drawing {
   const Field* field = find_field("von_mises");  // without a `formula`
   render::Look look{};
@@ -59,7 +59,7 @@ struct Drawing {
   ColorFormula of_formula{};
 };
 
-/// Width on paper in pixels, if given.
+/// Pixels, if given.
 std::optional<double> pixels_on_paper(const Drawing& drawing);
 /// Applies font size and width on paper, keeping the proportions. An open size stays open.
 Drawing sized(Drawing drawing);
@@ -69,7 +69,7 @@ struct ColorMeaning {
   std::optional<double> middle;  // neutral value of a signed field
 };
 ColorMeaning meaning(const Drawing& drawing);
-/// Values in the field's unit.
+/// In the field's unit.
 std::vector<double> color_values(const Drawing& drawing, const Snapshot& snapshot);
 
 std::vector<std::string> names_of_fields();

@@ -161,7 +161,7 @@ Frames::Standpoint Frames::on_orbit(double share) const {
   render::Camera camera = orbited(*drawing_.look.camera, 360 * share, 0);
   const auto [right, up, back] = axes_of(camera);
   const double x = render::dot(right, *orbited_), y = render::dot(up, *orbited_);
-  const render::View view = *drawing_.look.view;  // centred at the origin
+  const render::View view = *drawing_.look.view;
   camera.front = render::dot(back, *orbited_) + view.x_max;
   return {camera, {view.x_min + x, view.x_max + x, view.y_min + y, view.y_max + y}};
 }

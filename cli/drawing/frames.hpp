@@ -51,13 +51,12 @@ class Frames {
   void add(const FrameView& particles);
   /// Ascending file numbers; default: 0, 1, …
   void number_files(std::vector<int> numbers) { file_numbers_ = std::move(numbers); }
-  /// Draws the frames in memory; returns false if `go_on` stopped it.
+  /// Draws the stored frames; returns false if `go_on` stopped it.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
-  /// Waits for pending frames. Like all functions that add frames, throws their errors.
+  /// Waits for pending frames. All functions that add frames throw their errors.
   void finish();
 
   int kept() const { return static_cast<int>(kept_.size()); }
-  /// Grows while frames are pending.
   int written() const { return written_; }
 
   /// Call after `finish`.

@@ -177,7 +177,6 @@ DrawingValue get_text(const Drawing& drawing) {
   return text.empty() ? std::string(nothing) : text;
 }
 
-/// Returns nullopt for wrong numbers.
 std::optional<Numbers> typed_numbers(const DrawingKey::Numbers& key, std::string_view text) {
   Numbers values;
   for (std::size_t k = 0; k < key.count; ++k) {

@@ -53,7 +53,6 @@ struct DrawingKey {
   DrawingValue (*get)(const Drawing&);
 
   bool takes_words() const { return words.names != nullptr; }
-  /// "--font-size".
   std::string option() const;
 };
 

@@ -45,13 +45,12 @@ class Staging {
   Staging(const Drawing& drawing, Origins origins);
 
   int dim() const { return origins_.dim; }
-  std::size_t size() const { return shown_.size(); }  // particles drawn
+  std::size_t size() const { return shown_.size(); }
 
   /// Requires all particles of the run.
   StagedParticles operator()(const FrameView& particles) const;
   /// Adds walls; style `cells` replaces particles by visible cells.
   StagedParticles with_cells_and_walls(StagedParticles staged) const;
-  /// Adds values and positions.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 
  private:

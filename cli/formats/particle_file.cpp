@@ -20,8 +20,8 @@ constexpr std::string_view points_name = "Points";
 constexpr std::string_view diameter_name = "diameter";
 constexpr std::string_view velocity_name = "velocity";
 constexpr std::string_view held_name = "held";
-constexpr std::string_view time_name = "TimeValue";  // for ParaView
-constexpr std::size_t most_particles = 20'000'000;   // as in a scene
+constexpr std::string_view time_name = "TimeValue";
+constexpr std::size_t most_particles = 20'000'000;  // as in a scene
 constexpr std::string_view data_begin = "<AppendedData encoding=\"raw\">\n_";
 
 std::string attribute(std::string_view key, std::string_view value) {
@@ -97,7 +97,6 @@ std::optional<Number> number(std::optional<std::string_view> text) {
   return text ? parsed<Number>(*text) : std::nullopt;
 }
 
-/// Tags with the text after them.
 std::vector<std::string_view> tags_of(std::string_view xml) {
   std::vector<std::string_view> tags;
   for (std::size_t at = xml.find('<'); at != std::string_view::npos; at = xml.find('<', at + 1))

@@ -63,7 +63,6 @@ bool from_zlib_blocks(std::string_view text, std::span<std::byte> bytes) {
   Numbers header(text);
   std::uint64_t count = 0, size = 0, last = 0;
   if (!header.take(count) || !header.take(size) || !header.take(last)) return false;
-  // no overflow for damaged numbers
   if (count > text.size() / 8 || (count > 0 && (size == 0 || last >= size))) return false;
   std::vector<std::uint64_t> packed(count);
   for (std::uint64_t& length : packed)

@@ -9,7 +9,7 @@ struct Example {
   std::string_view name, text;
 };
 
-/// Sections with a [header] form one scene and one sweep; the others are keys of the first body or reference.
+/// Sections without a [header] are keys of the first body or reference.
 constexpr Example examples[] = {
     {"scene", R"toml(title = "A disc hits a bar"
 dim = 2

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-/// Language reference, generated from the tables of the readers.
+/// Generated from the tables of the readers.
 namespace taut::cli {
 
 /// A section, list, shape or the like.

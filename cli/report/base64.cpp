@@ -9,7 +9,7 @@ std::string base64(std::string_view bytes) {
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t k = 0; k < bytes.size(); k += 3) {
-    unsigned group = 0;  // three bytes, four digits
+    unsigned group = 0;
     for (std::size_t b = 0; b < 3; ++b)
       group = group << 8 | (k + b < bytes.size() ? static_cast<unsigned char>(bytes[k + b]) : 0u);
     for (std::size_t d = 0; d < 4; ++d)

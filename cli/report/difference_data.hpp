@@ -8,7 +8,6 @@
 
 namespace taut::cli {
 
-/// Folders of pictures.
 struct Compared {
   std::filesystem::path expected, got;
   render::DifferenceLimit limit;

@@ -38,7 +38,6 @@ std::string report_script(const PageData& data) {
          "globalThis.taut_particles = globalThis.taut_particles || {};\n";
 }
 
-/// Names and texts of the scripts with run data.
 std::vector<std::pair<std::string, std::string>> run_scripts(const PageData& data) {
   std::vector<std::pair<std::string, std::string>> scripts;
   const auto add = [&](std::string name, const std::string& target, std::size_t run, const Json& value) {

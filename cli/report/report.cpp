@@ -64,7 +64,6 @@ fs::path place_of(const ReportRequest& request) {
   return folder / (request.embed ? "report.html" : "report");
 }
 
-/// The destructor removes the pictures.
 class TemporaryPictures {
  public:
   TemporaryPictures() {

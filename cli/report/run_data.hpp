@@ -9,8 +9,8 @@
 
 namespace taut::cli {
 
-/// Record, scene, frames, history and reference curves. Thins a history of more than `most_rows` rows evenly.
-/// Throws UsageError if the folder is not a run folder.
+/// Record, scene, frames, history and reference curves. Thins a history of more than `most_rows` rows evenly. Throws
+/// UsageError for other folders.
 Json run_data(const std::filesystem::path& folder, const Links& links, std::size_t most_rows);
 
 Json to_json(const CurveStyle& style);

@@ -25,7 +25,7 @@ std::uint32_t checksum(std::string_view bytes) {
 /// Rejects large files before they are read.
 bool begins_otherwise(const std::filesystem::path& path) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return false;  // read_whole refuses it
+  if (!std::filesystem::is_regular_file(path, error)) return false;
   std::ifstream file(path, std::ios::binary);
   std::string beginning(kind.size(), '\0');
   return file.read(beginning.data(), static_cast<std::streamsize>(beginning.size())) && beginning != kind;

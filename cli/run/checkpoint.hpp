@@ -16,7 +16,7 @@ struct Checkpoint {
   std::string scene;                        // text of scene.toml
   std::vector<std::string> fields;          // none: not saved
   std::optional<double> requested_spacing;  // m
-  double every = 0;                         // simulated time, s; 0: only when interrupted
+  double every = 0;                         // simulated interval, s; 0: only when interrupted
   bool draws = true;
   std::string state;  // empty: at the start
 

@@ -28,7 +28,7 @@ struct PictureDifference {
 struct FolderDifference {
   std::vector<std::string> only_in_a, only_in_b;
   std::vector<PictureDifference> pictures;  // in both folders
-  std::string worst;                        // most different picture
+  std::string worst;
   render::ImageDifference at_worst;
 
   int different() const;  // beyond the limit

@@ -54,7 +54,7 @@ class History {
   AppendFile file_;
   SavedLength saved_;
   int dim_;
-  bool works_, damps_;  // external forces do work; damping
+  bool works_, damps_;  // of external forces; of damping
   long last_step_ = -1;
 };
 

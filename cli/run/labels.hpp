@@ -8,10 +8,9 @@
 
 namespace taut::cli {
 
-/// Labels of runs side by side.
 struct RunLabels {
   std::string title, note;               // common to all runs
-  std::vector<render::Heading> columns;  // differences of the runs
+  std::vector<render::Heading> columns;  // differences
 };
 
 RunLabels label_runs(const std::vector<SavedRun>& runs);

@@ -24,7 +24,7 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// Judgements cost more than history rows, which have their own times.
+/// Parts of `until` after which a run is judged; history rows have their own times.
 constexpr int judged_parts = 200;
 
 /// history.csv, drift, verdict and indicators, which rows between judgements repeat.
@@ -62,7 +62,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   void put_on_disk() override { history_->put_on_disk(); }
   void update_result() override { result_.record.conservation = conservation_.so_far(); }
   void discard_newer() override { history_->discard_newer(); }
-  /// The longer run has other parts.
+  /// A longer run is judged at other times.
   void run_on() override { judge_times_.skip_to(simulation_.time()); }
 
   template <class Archive>
@@ -247,7 +247,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   RunResult& result_;
   Agenda agenda_;
   Frames frames_;
-  std::optional<render::View> unseen_;  // no particle has appeared in it yet
+  std::optional<render::View> unseen_;  // view without a particle so far
   int on_disk_ = 0;
 };
 

@@ -32,7 +32,7 @@ class RunOutput {
   RunOutput(const RunOutput&) = delete;
   RunOutput& operator=(const RunOutput&) = delete;
 
-  /// The folder has been claimed.
+  /// Called after the run has claimed its folder.
   virtual void open(AppendFile::Start) {}
   /// Next time, s, or infinity.
   virtual double next() const = 0;
@@ -40,7 +40,7 @@ class RunOutput {
   virtual bool needs_exact_time() const { return true; }
   /// Whether it also takes the final state.
   virtual bool needs_final_state() const { return false; }
-  /// Writes all due output and updates the result, after the first step at or after `next`.
+  /// Called after the first step at or after `next`. Updates the result, too.
   virtual void write_due() = 0;
   virtual void wait() {}
   virtual void put_on_disk() {}

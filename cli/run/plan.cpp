@@ -25,7 +25,7 @@ namespace {
 
 constexpr int default_history_rows = 1000;
 
-/// Methods come first, since scenes depend on them.
+/// Called before the scene is read, which depends on the method.
 void check_methods(const std::vector<Setting>& settings) {
   std::vector<std::string> names;
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);
@@ -72,7 +72,7 @@ std::optional<std::filesystem::path> run_folder_of(const SceneFile& file) {
   return folder.path();
 }
 
-/// "-v0=0.08-spacing=0.002"; excludes parameters of a copied scene.toml if `again`.
+/// "-v0=0.08-spacing=0.002": settings and, unless `again`, changed parameters of a copied scene.toml.
 std::string changes_text(const SceneFile& file, bool again) {
   constexpr std::size_t longest = 120;
   using enum ResolvedSetting::Source;

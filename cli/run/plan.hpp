@@ -16,7 +16,7 @@ class Options;
 /// Omitted values come from the scene.
 struct RunOptions {
   std::string scene;
-  std::vector<Setting> settings;  // including --method, --spacing and --until; later ones have priority
+  std::vector<Setting> settings;  // --method, --spacing, --until, then --set, which has priority
   std::optional<std::string> out;
   bool out_named = true;  // by the user
   std::optional<double> every, history;

@@ -22,7 +22,7 @@
 
 namespace taut::cli {
 
-/// run.json.
+/// Contents of run.json.
 struct RunRecord {
   enum class Status { running, finished, interrupted, failed };
 
@@ -52,11 +52,11 @@ struct RunRecord {
   Excess energy_gain, turn;
   int pieces = 0;
   std::array<IndicatorRecord, indicators.size()> indicator;
-  std::string patch_body;           // with the greatest hourglass error; empty: a body is worse
-  std::vector<double> patch_place;  // initial middle, m
+  std::string patch_body;           // body of the worst patch; empty: a body is worse
+  std::vector<double> patch_place;  // initial middle of the patch, m
   Conservation conservation;
   std::vector<MeasureResult> measures;
-  std::optional<double> other_load;  // cores; see Provenance
+  std::optional<double> other_load;  // cores used by others; see Provenance
   Provenance provenance;
 
   const MeasureResult* find_measure(std::string_view name) const;
@@ -90,10 +90,9 @@ struct RecordField {
   std::string_view key;
   Json (*write)(const RunRecord&);  // non-finite values are null
   void (*read)(const JsonCursor&,
-               RunRecord&);  // throws UsageError for a wrong type; null: empty or NaN
+               RunRecord&);  // null: empty or NaN; throws UsageError
   Place place = Place::everywhere;
 };
-/// In reading order.
 std::span<const RecordField> record_fields();
 
 Json to_json(const RunRecord& record);
@@ -102,7 +101,7 @@ Json to_results(const RunRecord& record);
 /// Missing keys give empty members. Throws UsageError, with file and key, for an invalid record.
 RunRecord record_from(const JsonCursor& json);
 
-/// With all its text.
+/// run.json with all its text.
 struct StoredRecord : RunRecord {
   Json all;
 };

@@ -18,7 +18,7 @@ void check_redrawing(const SavedRun& run) {
 
 Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int threads, Progress& progress) {
   const Scene& scene = run.file.scene;
-  Seconds seconds;  // unused
+  Seconds seconds;
   if (threads == 0) threads = cores();
   const Origins origins = origins_of(scene);
   Frames frames(run.file.drawing, origins, folder, {scene.title, run.file.settings.method, scene.until},

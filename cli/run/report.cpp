@@ -74,7 +74,7 @@ std::string missing_reference(const SceneFile& file, const RunRecord& record, co
 }
 
 std::string notes_on_references(const SceneFile& file, const RunRecord& record) {
-  std::vector<std::pair<std::string, std::string>> notes;  // explanation, measures
+  std::vector<std::pair<std::string, std::string>> notes;
   for (const MeasureResult& m : record.measures) {
     if (m.reference) continue;
     const std::string why = missing_reference(file, record, m.name);

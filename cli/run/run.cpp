@@ -218,8 +218,8 @@ void Run::step_through() {
     advance(std::min({next_output(), next_checkpoint_, record_.until}));
     const bool stopped = interrupts_.interrupted();
     show_what_is_due(false);
-    // A checkpoint follows outputs that need the earlier state. It precedes the final row, which a continued
-    // run lacks.
+    // A checkpoint follows outputs that need the earlier state. It precedes the final row, which a continued run
+    // lacks.
     const bool well = result_.failure.empty();
     if (well && (stopped || record_.reached >= next_checkpoint_)) save_checkpoint();
     going = well && !stopped && record_.reached < record_.until;
@@ -240,7 +240,7 @@ double Run::next_output() const {
   return next;
 }
 
-/// s.
+/// Next exact output time, s.
 double Run::next_between_steps() const {
   double next = std::numeric_limits<double>::infinity();
   for (const auto& output : outputs_)
@@ -269,7 +269,7 @@ void Run::advance(double target) {
   }
 }
 
-/// Stores the earlier state for the outputs.
+/// Stores the state before a step with an output.
 void Run::step_to(double target) {
   const auto advance = [&](double short_of) {
     const Timed timed(record_.seconds.solve);

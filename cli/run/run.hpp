@@ -18,11 +18,10 @@ namespace taut::cli {
 /// A validated run.
 struct RunPlan {
   SceneFile file;
-  std::optional<double> requested_spacing;    // m
-  std::optional<Drawing> drawing;             // none: no frames
-  std::vector<const Field*> particle_fields;  // none: not saved
-  std::vector<double> frame_times,
-      history_times;  // s, sorted; particles use frame times
+  std::optional<double> requested_spacing;         // m
+  std::optional<Drawing> drawing;                  // none: no frames
+  std::vector<const Field*> particle_fields;       // none: not saved
+  std::vector<double> frame_times, history_times;  // s, sorted
   RunFolder folder{"."};
   std::optional<double> checkpoint_every;  // simulated time, s; none: no checkpoints
   bool keep_checkpoint = false;            // for a later `until`

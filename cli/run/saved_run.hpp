@@ -15,14 +15,14 @@ namespace taut::cli {
 struct SavedRun {
   RunFolder folder;
   SceneFile file;
-  std::vector<ParticleFile> particles;  // in order of time
-  std::vector<int> numbers;             // from the names
+  std::vector<ParticleFile> particles;
+  std::vector<int> numbers;  // from the names
 };
 
 /// Throws UsageError without a run or particles.
 SavedRun open_saved_run(const std::filesystem::path& folder);
 
-/// Gaps from number 0: "particles_00003.vtp".
+/// Numbers from 0 without a file: "particles_00003.vtp".
 std::vector<std::string> missing_files(const SavedRun& run);
 
 struct ColoredParticles {

@@ -59,7 +59,6 @@ struct Mismatch {
   std::string what;
 };
 
-/// Problem of paper width or font size.
 std::optional<Mismatch> misfit(const Drawing& drawing) {
   const render::Look look = sized(drawing).look;
   if (const auto wide = pixels_on_paper(drawing); wide && !(*wide <= render::greatest_size))
@@ -147,7 +146,7 @@ ColorFormula color_formula(const std::string& text, int dim, const Names& names)
   const auto& others = ColorFormula::places;
   std::vector<std::string> all = names_of_fields(dim);
   all.insert(all.end(), others.begin(), others.end());
-  compile_of_values(text, names, all);  // throws with all known names
+  compile_of_values(text, names, all);
   ColorFormula formula;
   std::vector<std::string> needed;
   for (const std::string& name : names_in(text)) {
@@ -195,7 +194,7 @@ void apply_scene(Drawing& drawing, const SceneFile& file) {
 
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
   TomlCursor render = root.section("render", "[render]", keys_of("render"));
-  // Missing keys are added in this order; errors list known words.
+  // Words come first: missing keys are added in this order, and errors list the known words.
   for (const bool words : {true, false})
     for (const DrawingKey& key : drawing_keys())
       if (key.takes_words() == words) read_key(render, key, drawing);

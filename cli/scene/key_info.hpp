@@ -13,7 +13,7 @@ namespace taut::cli {
 
 struct NumberRange {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
-  bool open_low = false, open_high = false;  // excludes it
+  bool open_low = false, open_high = false;  // excludes the bound
 };
 constexpr NumberRange above(double low) { return {.low = low, .open_low = true}; }
 constexpr NumberRange at_least(double low) { return {.low = low}; }

@@ -13,7 +13,7 @@
 #include "engine/methods/catalogue.hpp"
 #include "engine/settings.hpp"
 
-/// Tables of scene, sweep and claim files. Shapes, probes and measures define the keys of their kinds.
+/// Shapes, probes and measures define the keys of their kinds.
 namespace taut::cli {
 namespace {
 

@@ -209,7 +209,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   name_touching(root, file);
 
   read_law(root, of_file, method, changes, file);
-  // belong to the file's method
+  // the file's constants and CFL number are for its method
   const double cfl_of_file = root.find("cfl") ? file_cfl(root) : of_file.cfl;
   const double in_scene = &method == &of_file ? cfl_of_file : method.cfl;
   const std::string* cfl_change = changes.find("cfl");

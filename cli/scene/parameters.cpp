@@ -24,7 +24,7 @@ constexpr SettingInfo infos[] = {
     {"jitter_seed", "jitter_seed", "", false, placed},
 };
 
-/// Have a meaning in expressions or --set.
+/// Names with a meaning in expressions or --set.
 std::vector<std::string> reserved_names() {
   std::vector<std::string> names = {"dp", "pi", "x",   "y", "z", "t",       "c0",
                                     "E",  "nu", "rho", "K", "G", "touching"};
@@ -91,7 +91,7 @@ std::set<std::string> names_in_parameter(const TomlValue& table, const std::stri
 
 void check_name_length(const TomlCursor& table, FilePlace place, std::string_view key,
                        const std::string& name) {
-  constexpr std::size_t longest = 100;  // of muParser
+  constexpr std::size_t longest = 100;  // limit of muParser
   if (name.size() > longest)
     table.fail(
         place, key,

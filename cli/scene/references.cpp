@@ -35,8 +35,8 @@ bool alike(double a, double b) {
 }
 
 struct Validity {
-  bool values = false;     // and tables: for `when` and the defaults of other parameters
-  bool solutions = false;  // for `when` and any other parameters
+  bool values = false;     // values and tables hold for `when` and the defaults of other parameters
+  bool solutions = false;  // hold for `when` and any other parameters
 };
 
 Validity validity(TomlCursor& reference, const std::vector<Parameter>& parameters) {
@@ -117,7 +117,7 @@ std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure)
   return names;
 }
 
-/// The line must have one time, and the table its length.
+/// The line must have one time, and the table must cover it.
 void check_covers(TomlCursor& entry, const ReferenceTable& table, const SampleLine& line) {
   const TomlValue& file = entry.need("file");
   if (line.times.size() > 1)
@@ -198,7 +198,7 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
                   "the measure '" + entry.first + "' has a table and a solution; remove one of them");
 }
 
-/// A valid part of a [[reference]].
+/// Values and tables, or solutions, of a [[reference]].
 struct Part {
   std::string law;
   bool of_method;

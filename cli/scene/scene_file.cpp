@@ -26,7 +26,7 @@ void collect_places(const TomlValue& value, const std::string& path,
   }
 }
 
-/// m, before fitting to the first body.
+/// Requested spacings, m, not fitted to the first body.
 struct RequestedSpacing {
   double value, in_scene;  // with and without settings
 };
@@ -34,7 +34,7 @@ struct RequestedSpacing {
 RequestedSpacing requested_spacing(TomlValue tree, const Changes& changes, TomlSource& source) {
   SceneFile file;
   TomlCursor root(tree, "", "the scene", keys_of("scene"), {}, source);
-  root.refuse_unknown_keys();  // before missing tables, for misspelt ones
+  root.refuse_unknown_keys();  // else misspelt tables would be reported as missing
   read_parameters(root, changes, {}, file);
   const TomlValue& spacing = root.need("spacing");
   const std::set<std::string> unknown_yet = names_that_need_dp(root, changes);

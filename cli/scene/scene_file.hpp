@@ -61,7 +61,7 @@ struct SceneFile {
   Drawing drawing;
   double requested_spacing = 0;   // m; the scene has the nearest one that divides the first body
   std::string remark;             // one line or empty
-  std::optional<double> history;  // of history.csv, s; default: until / 1000
+  std::optional<double> history;  // interval of history.csv, s; default: until / 1000
   std::vector<Parameter> parameters;
   std::vector<ResolvedSetting> resolved;                // all settings
   std::map<std::string, std::string> unmet_references;  // failed conditions, by measure

@@ -21,7 +21,7 @@
 /// UsageError for settings.
 namespace taut::cli {
 
-/// By name.
+/// Texts of settings, by name.
 struct Changes {
   std::map<std::string, std::string, std::less<>> general, parameters, constants;
 
@@ -43,7 +43,7 @@ double changed_positive(std::string_view name, const std::string& text, const Na
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file);
 /// Includes `dp`.
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
-/// Includes law, stepping, cfl and contact.
+/// Reads method, constants, law, stepping, cfl and contact.
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
 /// Defines `touching`, the gap below which bodies touch, m. Call again after read_bodies, which can change
 /// the published contact law.

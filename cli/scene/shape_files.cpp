@@ -125,7 +125,7 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
   return given;
 }
 
-/// Limits the bounding box for the search of faces, and cell numbers.
+/// Throws for particles too far apart: the search for faces covers their bounding box, and cell numbers are limited.
 void refuse_far(const GivenSites& given, const std::filesystem::path& file, const ShapeSetting& setting) {
   constexpr double most_sides = 1e6, farthest = 1e9, max_volume_ratio = 1e6;  // in dp; in dp^dim
   const double cell = std::pow(setting.dp, setting.dim);
@@ -181,7 +181,7 @@ void refuse_twins(const std::vector<Point>& places, const std::filesystem::path&
 /// Median nearest distance of about 1000 particles, m.
 double usual_distance(std::vector<Point> places) {
   constexpr std::size_t asked = 1000;
-  std::size_t longest = 0;  // longest axis
+  std::size_t longest = 0;  // axis of largest extent
   double length = -1;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto [low, high] = std::ranges::minmax(places, {}, [k](const Point& x) { return x[k]; });
@@ -208,8 +208,8 @@ double usual_distance(std::vector<Point> places) {
   return *middle;
 }
 
-/// Particles without volumes get the scene's cell. Distances are 1 to 1.12 dp in lattices, and down to 0.75
-/// dp in disordered particles.
+/// Particles without volumes get a cell of the scene's spacing, which must fit their distance: 1 to 1.12 dp in
+/// lattices, and down to 0.75 dp in disordered particles.
 void refuse_other_mass(double apart, const std::filesystem::path& file, const ShapeSetting& setting) {
   if (std::isfinite(apart) && (apart < 0.7 * setting.dp || apart > 1.3 * setting.dp))
     throw SceneError(file.string(), 0, 0, "",

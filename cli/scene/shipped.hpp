@@ -14,14 +14,14 @@ std::vector<std::string> scene_names();
 /// Path or name. Throws UsageError with the nearest names.
 std::filesystem::path find_scene(const std::string& scene);
 
-/// Sorted sweep files in studies/.
+/// Sorted names in studies/.
 std::vector<std::string> study_names();
-/// Path or name. Throws UsageError with the nearest names.
+/// Like find_scene().
 std::filesystem::path find_sweep(const std::string& sweep);
 
-/// Sorted claim files in papers/, such as "Zhang2024".
+/// Sorted names in papers/: "Zhang2024".
 std::vector<std::string> paper_names();
-/// Path or name. Throws UsageError with the nearest names.
+/// Like find_scene().
 std::filesystem::path find_paper(const std::string& paper);
 
 }  // namespace taut::cli

@@ -66,7 +66,6 @@ TomlValue* TomlCursor::find(std::string_view key) {
 
 TomlValue& TomlCursor::need(std::string_view key) {
   if (TomlValue* value = find(key)) return *value;
-  // probably a misspelt key
   std::vector<std::string> others;
   for (const TomlEntry& entry : table_.entries)
     if (!may_have(entry.key)) others.push_back(entry.key);

@@ -70,7 +70,7 @@ void refuse_long_keys(std::string_view text, const std::string& file) {
 
 TomlValue converted(const toml::node& node, const std::string& file, int level = 0);
 
-/// Restores the order that toml++ sorts.
+/// toml++ sorts keys; this restores their order.
 void add_entries(TomlValue& value, const toml::table& table, const std::string& file, int level) {
   for (const auto& [key, node] : table)
     value.entries.push_back({.key = std::string(key.str()),
@@ -143,7 +143,7 @@ std::string key_text(const std::string& key) {
 
 std::string number_text(const TomlValue& value) {
   std::string text = exact(value.number);
-  // must not overflow a TOML integer
+  // a large number without point would overflow a TOML integer
   if (!value.whole && text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
 }
@@ -181,7 +181,7 @@ bool is_section_list(const TomlValue& value) {
          std::all_of(value.items.begin(), value.items.end(), is_section);
 }
 
-/// Plain values come before a [header].
+/// Plain values come first: after a [header] they would belong to it.
 void print_section(std::string& text, const TomlValue& table, const std::string& path) {
   for (const TomlEntry& entry : table.entries)
     if (!is_section(entry.value) && !is_section_list(entry.value))
@@ -256,7 +256,6 @@ std::string_view line_of(std::string_view text, int number) {
   return text.substr(0, text.find('\n'));
 }
 
-/// Hint for a common mistake.
 std::string mistake_hint(std::string_view line, std::string_view message) {
   if (std::ranges::count(line, '"') % 2 == 1) return ". Is a quote missing in this line?";
   if (message.find("redefine existing") != std::string_view::npos)

@@ -7,7 +7,7 @@
 
 namespace taut::cli {
 
-/// 1-based; 0: unknown.
+/// Place in a file, 1-based; 0: unknown.
 struct FilePlace {
   int line = 0, column = 0;
 };

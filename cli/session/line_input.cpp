@@ -22,7 +22,7 @@ constexpr int lines_kept = 1000;
 LineInput::Complete complete_words;
 std::vector<std::string> found;
 
-/// The next of `found`, freed by libedit; nullptr at the end.
+/// Freed by libedit; nullptr at the end.
 char* next_found(const char*, int state) {
   static std::size_t next = 0;
   if (state == 0) next = 0;
@@ -44,7 +44,7 @@ char** complete_last_word(const char* last, int start, int) {
   return found.empty() ? nullptr : rl_completion_matches(last, next_found);
 }
 
-/// Path by the XDG base directory specification; may be empty.
+/// XDG base directory specification; may be empty.
 fs::path history_file() {
   const char* const state = std::getenv("XDG_STATE_HOME");
   const char* const home = std::getenv("HOME");
@@ -59,7 +59,7 @@ LineInput::LineInput(Complete complete) : typed_(::isatty(STDIN_FILENO) && ::isa
   if (!typed_) return;
   complete_words = std::move(complete);
   rl_readline_name = "taut";
-  rl_catch_signals = 1;  // restores the terminal before a signal is handled
+  rl_catch_signals = 1;  // restores the terminal first
   rl_basic_word_break_characters = " \t";
   rl_attempted_completion_function = complete_last_word;
   using_history();
@@ -69,7 +69,7 @@ LineInput::LineInput(Complete complete) : typed_(::isatty(STDIN_FILENO) && ::isa
 
 LineInput::~LineInput() {
   if (!typed_) return;
-  std::error_code ignored;  // failing to save the history is no error
+  std::error_code ignored;
   const fs::path file = history_file();
   fs::create_directories(file.parent_path(), ignored);
   write_history(file.c_str());

@@ -9,10 +9,9 @@
 
 namespace taut::cli {
 
-/// Lines of stdin; on a terminal with editing, completion and a saved history.
+/// Lines of stdin; a terminal has editing, completion and a saved history.
 class LineInput {
  public:
-  /// Completes the last word, which may be empty.
   using Complete = std::function<Choices(const std::vector<std::string>& words)>;
 
   explicit LineInput(Complete complete);
@@ -20,9 +19,8 @@ class LineInput {
   LineInput(const LineInput&) = delete;
   LineInput& operator=(const LineInput&) = delete;
 
-  /// Whether stdin and stdout are a terminal.
   bool is_typed() const { return typed_; }
-  /// Next line; nullopt at the end of input, or if a signal asks the program to end. Ctrl-C discards a partial line.
+  /// Nullopt at the end of input, or if a signal asks to end. Ctrl-C discards a partial line.
   std::optional<std::string> next();
 
  private:

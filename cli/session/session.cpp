@@ -24,7 +24,7 @@ std::unique_ptr<Simulation> start_heedful(const SceneFile& file) {
   return simulation;
 }
 
-/// Reason why a name cannot be set, or "".
+/// Reason against setting a name, or "".
 std::string reason_against(const std::string& name, const SceneFile& file) {
   const auto infos = setting_infos();
   if (const auto info = std::ranges::find(infos, name, &SettingInfo::name); info != infos.end())
@@ -64,7 +64,7 @@ void Session::run_until(double t, const Interrupts& interrupts, Progress& progre
     const Stopwatch watch;
     const double from = simulation_->time(), to = std::min(t, from + pace.slice());
     simulation_->advance(to, t);
-    if (simulation_->time() < to) {  // a step reaches t, or an interrupt
+    if (simulation_->time() < to) {
       const Snapshot before = simulation_->snapshot();
       simulation_->advance_to(to);
       if (simulation_->steps() > before.step) between_ = blend(before, simulation_->snapshot(), t);
@@ -89,7 +89,7 @@ std::vector<MeasureResult> Session::measures() const {
 void Session::set(const Setting& setting) {
   RunOptions options = options_;
   options.settings.push_back(setting);
-  SceneFile file = scene_to_run(options);  // throws for wrong settings
+  SceneFile file = scene_to_run(options);
   if (const std::string reason = reason_against(setting.name, file_); !reason.empty())
     throw UsageError("'" + setting.name + "' cannot change during a session: " + reason +
                      "; only cfl and other constants of the method can. "

@@ -25,39 +25,38 @@ class Session {
   const SceneFile& file() const { return file_; }
   const Simulation& simulation() const { return *simulation_; }
 
-  /// Both stop at an interrupt, and throw NumericalError if the simulation diverges.
+  /// Both stop at an interrupt. They throw NumericalError if the simulation diverges.
   void step(long count, const Interrupts& interrupts);
-  /// Runs to the first step at or past `t`; then shows `t` exactly.
+  /// Runs past `t`, then shows `t` exactly.
   void run_until(double t, const Interrupts& interrupts, Progress& progress);
 
-  /// Measures of the series so far.
   std::vector<MeasureResult> measures() const;
 
   const Snapshot& shown() const { return between_ ? *between_ : simulation_->snapshot(); }
 
-  /// Starts again at t = 0, with the settings and the drawing of now.
+  /// Starts again at t = 0, keeping settings and drawing.
   void reset();
 
-  /// Changes cfl, or constants without effect on the initial configuration.
+  /// Changes cfl, or constants that do not affect the initial configuration.
   void set(const Setting& setting);
   std::vector<std::string> names_to_change() const;
 
   void set_look(const DrawingKey& key, const std::string& text);
   /// Moves the view, m.
   void pan(double dx, double dy);
-  /// Enlarges the view about its centre by `factor` > 0; a factor below 1 shows more.
+  /// `factor` > 0; below 1 shows more.
   void zoom(double factor);
   /// Orbits the 3D camera, degrees.
   void orbit(double right, double upwards);
-  /// The drawing with automatic values filled in.
+  /// Drawing without open members.
   Drawing drawing() const;
-  /// Writes a picture as `taut run` would draw this frame.
+  /// Draws as `taut run` would.
   void frame(const std::filesystem::path& file) const;
-  /// Picture of the current state. `drawing` must have no open members.
+  /// `drawing` must have no open members.
   render::Image picture(const Drawing& drawing) const;
 
   void save(const std::filesystem::path& file) const;
-  /// Loads a state that `save` wrote, of the same scene and method.
+  /// Requires a state of the same scene and method.
   void load(const std::filesystem::path& file);
 
  private:
@@ -66,9 +65,9 @@ class Session {
   RunOptions options_;
   SceneFile file_;
   Drawing drawing_;
-  std::optional<render::View> window_;  // in 3D, after pan or zoom
+  std::optional<render::View> window_;  // after pan or zoom in 3D
   std::unique_ptr<Simulation> simulation_;
-  std::optional<Snapshot> between_;  // within the last step
+  std::optional<Snapshot> between_;
 };
 
 }  // namespace taut::cli

@@ -20,7 +20,6 @@ using Words = std::vector<std::string>;
 
 constexpr std::string_view method_prefix = "method.";
 
-/// Other names of commands.
 const std::map<std::string, std::string, std::less<>> synonyms{{"?", "help"}, {"exit", "quit"}};
 
 const SessionCommand& find_command(const std::string& given) {
@@ -81,7 +80,6 @@ std::string arguments_of(const DrawingKey& key) {
   return arguments;
 }
 
-/// Written as a command's arguments.
 std::string text_of(const DrawingKey& key, const Drawing& drawing) {
   const DrawingValue value = key.get(drawing);
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
@@ -90,14 +88,13 @@ std::string text_of(const DrawingKey& key, const Drawing& drawing) {
   return join(words, " ");
 }
 
-/// "range is '2 1'; it must be LOW HIGH …" from the option's "--range is '2:1'; it must be LOW:HIGH …".
+/// Rewrites "--range is '2:1'; …" of an option.
 std::string in_session_words(std::string message, const DrawingKey& key) {
   if (!message.starts_with("--")) return message;
   if (key.numbers.count > 1) std::ranges::replace(message, ':', ' ');
   return message.substr(2);
 }
 
-/// Accepts a word or the key's numbers.
 void take_look(Session& session, const DrawingKey& key, const Words& words) {
   if (!words.empty() && (key.is_free_text || key.words.has_formula(words[0])))
     return session.set_look(key, join(words, " "));
@@ -192,7 +189,7 @@ void reset(Session& session, const Words& words, const Dialogue& to) {
   say_time(session, to);
 }
 
-/// "period=0.25", then reference and error if there are any, or "period=none" and the reason.
+/// "period=0.25", reference and error, or "period=none" and the reason.
 void measures(Session& session, const Words& words, const Dialogue& to) {
   const std::vector<MeasureResult> all = session.measures();
   std::vector<std::string> names;
@@ -221,7 +218,6 @@ void load(Session& session, const Words& words, const Dialogue& to) {
   say_time(session, to);
 }
 
-/// Prints the drawing options in the form of commands.
 void say_look(const Drawing& drawing, const Dialogue& to) {
   for (const DrawingKey& key : drawing_keys()) {
     if (key.session_help.empty()) continue;

@@ -10,7 +10,6 @@
 
 namespace taut::cli {
 
-/// Environment of a session's line.
 struct Dialogue {
   std::ostream& out;
   const Interrupts& interrupts;
@@ -21,14 +20,14 @@ struct SessionCommand {
   std::string name;
   std::string arguments;
   std::string help;
-  /// `words` are the words after the name.
+  /// without the name
   std::function<void(Session& session, const std::vector<std::string>& words, const Dialogue& to)> run;
 };
 
-/// The commands in the order of `help`.
+/// In the order of `help`.
 std::span<const SessionCommand> session_commands();
 
-/// Runs one line. Returns false for `quit`. Ignores empty lines and comments (#). Throws UsageError for a wrong line.
+/// Returns false for `quit`. Ignores empty lines and comments (#). Throws UsageError for a wrong line.
 bool run_session_line(Session& session, const std::string& line, const Dialogue& to);
 
 }  // namespace taut::cli

@@ -16,7 +16,7 @@ Words command_names() {
   return names;
 }
 
-/// Splits the usage of a command into its forms: "pan DX DY | fit" → {{pan, DX, DY}, {fit}}.
+/// "pan DX DY | fit" → {{pan, DX, DY}, {fit}}.
 std::vector<Words> ways_to_use(std::string_view arguments) {
   std::string text(arguments);
   std::erase_if(text, [](char c) { return c == '[' || c == ']'; });
@@ -31,7 +31,7 @@ std::vector<Words> ways_to_use(std::string_view arguments) {
   return ways;
 }
 
-/// Word at `place`, or empty; "..." repeats the word before it.
+/// Word or ""; "..." repeats the word before it.
 std::string at(const Words& way, std::size_t place) {
   if (way.size() > 1 && way.back() == "...") place = std::min(place, way.size() - 2);
   return place < way.size() ? way[place] : "";

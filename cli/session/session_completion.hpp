@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Completes the last of `words`, a partial line of a session, with commands and arguments as `help` lists them.
+/// Completes the last word of a partial line.
 Choices session_choices(const Session& session, const std::vector<std::string>& words);
 
 }  // namespace taut::cli

@@ -80,7 +80,7 @@ Terminal::Terminal(const std::ostream& out) {
   TermInfo info(chafa_term_db_detect(chafa_term_db_get_default(), environ));
   Config config(chafa_canvas_config_new());
   Geometry size = geometry();
-  size.rows = std::max(4, size.rows - 3);  // rows for command, caption and prompt
+  size.rows = std::max(4, size.rows - 3);  // for command, caption and prompt
   const ChafaPixelMode mode = pixel_mode(info.get());
   chafa_canvas_config_set_geometry(config.get(), size.columns, size.rows);
   chafa_canvas_config_set_cell_geometry(config.get(), size.cell_width, size.cell_height);

@@ -9,8 +9,7 @@
 
 namespace taut::cli {
 
-/// Shows pictures in the terminal on stdout: as pixels if it can (kitty, iTerm2, sixels), else as coloured
-/// characters.
+/// Shows pictures on stdout: as pixels if possible (kitty, iTerm2, sixels), else as coloured characters.
 class Terminal {
  public:
   /// Throws UsageError if `out` is no terminal.
@@ -19,9 +18,8 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Sets the picture's size for this terminal. Pictures of characters become bare: they are too coarse for texts.
+  /// Adapts the size. Pictures of characters become bare, since they are too coarse for texts.
   void adapt(render::Look& look) const;
-  /// Escape sequences or characters that show the picture, with the last line end.
   std::string text_of(const render::Image& image) const;
 
  private:

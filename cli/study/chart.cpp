@@ -60,7 +60,6 @@ std::string machine_of(const StoredRun& run) {
          (threads == 1 ? " thread" : " threads");
 }
 
-/// Includes methods if there are several references and few methods.
 std::vector<std::string> references_of(const StoredResults& results, const std::string& measure) {
   std::vector<std::pair<std::string, std::vector<std::string>>> methods;
   for (const StoredRun& run : results.runs) {
@@ -70,7 +69,7 @@ std::vector<std::string> references_of(const StoredResults& results, const std::
     if (found == methods.end()) found = methods.insert(methods.end(), {name, {}});
     add_once(found->second, run.method());
   }
-  constexpr std::size_t few = 7;  // methods on a line
+  constexpr std::size_t few = 7;
   std::size_t count = 0;
   for (const auto& [name, of] : methods) count += of.size();
   std::vector<std::string> all;

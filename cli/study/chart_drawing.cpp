@@ -18,13 +18,12 @@
 namespace taut::cli {
 namespace {
 
-constexpr std::size_t most_series = 24;  // in the legend
-// limits of an axis, since gnuplot computes with values beyond both ends
+constexpr std::size_t most_series = 24;
+// gnuplot computes beyond both ends
 constexpr double least = 1e-290, greatest = 1e290;
-// heights in pixels: plot, row of the strip above it, title, axis, note
+// pixels: plot, row of the strip, title, axis, note
 constexpr double field = 520, row = 17, above = 52, below = 69, note = 21;
 
-// kinds of measures that are errors themselves
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> errors_in_words{
     {{"rmse", "RMS error"},
      {"line_rmse", "RMS error along the line"},
@@ -41,7 +40,7 @@ struct Range {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  /// Range wide enough for two ticks.
+  /// Shows two ticks.
   Range wide() const {
     if (high == 0) return {0.13, 13};  // no tick at an end
     const double margin = std::max(1.4, std::sqrt(6 / (high / low)));
@@ -57,9 +56,9 @@ bool has_no_error(const ChartPoint& point) { return !point.error; }
 
 struct Layout {
   Range error, cost;
-  std::vector<std::string> names;  // shortened
+  std::vector<std::string> names;
   std::vector<CurveStyle> styles;
-  std::vector<int> strip_row;  // per series, -1: none
+  std::vector<int> strip_row;
   int strip_rows = 0;
   int notes = 0;
 
@@ -91,14 +90,14 @@ Layout layout_of(const Chart& chart) {
   return layout;
 }
 
-/// "diameter" of a measure "diameter_rmse" whose kind is "rmse".
+/// "diameter" of "diameter_rmse".
 std::string in_words(const Chart& chart, std::string name) {
   if (const std::string end = "_" + chart.kind; name.ends_with(end)) name.resize(name.size() - end.size());
   std::ranges::replace(name, '_', ' ');
   return name;
 }
 
-/// Label of the error axis: "RMS error of the diameter, %".
+/// "RMS error of the diameter, %".
 std::string words_of_error(const Chart& chart) {
   const std::string unit = chart.unit.empty() ? "%" : chart.unit;
   const std::string name = in_words(chart, chart.measure);
@@ -155,7 +154,7 @@ std::string guide(const Chart& chart, const Layout& layout, int order) {
          " title 'slope of order " + std::to_string(order) + "'";
 }
 
-/// Thin line through all runs, thick line through stable runs, markers.
+/// Thin line: all runs; thick line: stable runs.
 std::vector<std::string> curve(const Chart& chart, const Layout& layout, std::size_t k) {
   const auto& points = chart.series[k].points;
   const CurveStyle& style = layout.styles[k];

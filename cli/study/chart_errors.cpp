@@ -26,7 +26,7 @@ NameList methods_in(const StoredResults& results) {
   return names;
 }
 
-/// Per swept scene, the finest stable run of `method` with a value; at a tie, the one with most steps.
+/// Per swept scene, the finest stable run with a value, then most steps.
 ChartErrors against_finest(const StoredResults& results, const std::string& method,
                            const std::string& measure) {
   ChartErrors errors{measure, {}, names_of_scene(results.runs)};
@@ -59,7 +59,7 @@ bool has_errors(const StoredResults& results, const std::string& measure, const 
   return std::ranges::any_of(results.runs, [&](const StoredRun& run) { return errors.of(run).has_value(); });
 }
 
-/// Such a measure is itself an error; --against cannot use it.
+/// Measures that are errors cannot be used with --against.
 bool is_error(const StoredResults& results, const std::string& measure) {
   return std::ranges::any_of(
       results.runs, [&](const StoredRun& run) { return is_difference(run.record.measure(measure).kind); });
@@ -77,7 +77,6 @@ std::string default_measure(const StoredResults& results, const NameList& charte
   return *std::ranges::min_element(charted, {}, rank);
 }
 
-/// Suggests methods for --against.
 std::string hint(const StoredResults& results) {
   NameList names = methods_in(results);
   std::erase_if(names, [&](const std::string& method) {

@@ -8,23 +8,22 @@
 
 namespace taut::cli {
 
-/// Errors of a measure, against the scene's references or against runs.
+/// Errors against references or runs.
 struct ChartErrors {
   std::string measure;
-  std::vector<const StoredRun*> against{};  // one reference per swept scene
-  std::vector<std::string> swept{};         // names in which these scenes differ
+  std::vector<const StoredRun*> against{};  // one per swept scene
+  std::vector<std::string> swept{};         // names in which the scenes differ
 
-  /// Run that replaces the references for this run's scene, or nullptr.
+  /// Nullptr: the scene's references.
   const StoredRun* reference_of(const StoredRun& run) const;
   std::optional<double> of(const StoredRun& run) const;
-  /// Whether the run has a value, with or without a reference.
   bool measured(const StoredRun& run) const;
   bool relative(const StoredRun& run) const;
-  /// Unit of the errors; empty for shares of a reference or of a length.
+  /// Empty for shares.
   std::string unit(const StoredRun& run) const;
 };
 
-/// Whether both are the same row, or of the same folder.
+/// The same row or folder.
 bool is_same_run(const StoredRun& a, const StoredRun& b);
 
 /// Chooses the measure as make_chart() does.

@@ -16,7 +16,7 @@
 namespace taut::cli {
 namespace {
 
-/// All spacings, from coarse to fine.
+/// From coarse to fine.
 std::set<double, std::greater<>> spacings(const Chart& chart) {
   std::set<double, std::greater<>> all;
   for (const ChartSeries& series : chart.series)
@@ -155,7 +155,7 @@ std::vector<std::string> footnotes(const Chart& chart) {
         reasons.push_back(why);
     if (!reasons.empty()) without.push_back(series.name + " (" + join(reasons, "; ") + ")");
   }
-  constexpr std::size_t longest = 130;  // characters per line
+  constexpr std::size_t longest = 130;
   std::size_t more = 0;
   for (; without.size() > 1 && join(without).size() > longest; ++more) without.pop_back();
   if (!without.empty())

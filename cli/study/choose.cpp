@@ -12,7 +12,6 @@ bool in_time(const ChartPoint& point, std::optional<double> seconds) {
   return !seconds || point.cost <= *seconds;
 }
 
-/// Offers of a series, from fine to coarse.
 std::vector<Offer> offers(const ChartSeries& series) {
   std::vector<Offer> all;
   double worst = 0;
@@ -74,7 +73,7 @@ std::string nothing_stable(std::optional<double> seconds) {
   return "There is no stable run with a measured error" + std::string(seconds ? " in this time" : "") + ".\n";
 }
 
-/// The stable run with the least error within the time limit.
+/// Least error within the time limit.
 std::string nearest_run(const Chart& chart, const ChoiceLimits& limits) {
   const ChartSeries* series = nullptr;
   const ChartPoint* nearest = nullptr;

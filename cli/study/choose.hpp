@@ -9,29 +9,27 @@
 
 namespace taut::cli {
 
-/// Request for a run.
 struct ChoiceLimits {
-  double error = 0;               // maximum; a share, or in the chart's unit
+  double error = 0;               // maximum, as a share or in the chart's unit
   std::optional<double> seconds;  // maximum solving time
 };
 
-/// A stable run that meets a request. If a finer run of its series does not, the accuracy is accidental, and the run
-/// is no offer.
+/// A stable run that meets a request together with all finer runs of its series; otherwise its accuracy is
+/// accidental.
 struct Offer {
   const ChartSeries* series;
   const ChartPoint* point;
-  double error = 0;  // greatest, also of finer runs
-  int finer = 0;     // number of finer runs
+  double error = 0;  // also of finer runs
+  int finer = 0;
 };
 
-/// Cheapest suitable run of each series, cheapest first.
+/// Sorted by cost.
 std::vector<Offer> suitable_offers(const Chart& chart, const ChoiceLimits& limits);
-/// Runs not beaten in both error and cost, cheapest first.
+/// Runs not beaten in both error and cost, sorted by cost.
 std::vector<Offer> pareto_front(const Chart& chart, std::optional<double> seconds);
 
-/// Text for the user: the run to take with its evidence, or how close the nearest run comes.
+/// The run to take with its evidence, or how close the nearest run comes.
 std::string advice(const Chart& chart, const ChoiceLimits& limits);
-/// Text for the user: cost of each accuracy.
 std::string price_list(const Chart& chart, std::optional<double> seconds);
 Json to_json(const std::vector<Offer>& offers);
 

@@ -8,7 +8,7 @@
 namespace taut::cli {
 namespace {
 
-// Limits far above the files of taut, so that a damaged file cannot exhaust the memory.
+// Damaged files cannot exhaust the memory.
 constexpr std::size_t most_columns = 10000;
 constexpr std::uintmax_t most_mebibytes = 256;
 
@@ -56,7 +56,7 @@ class CsvReader {
                                            text_.begin() + static_cast<long>(quote), '\n'));
       at_ = quote + 1;
       if (at_end() || text_[at_] != '"') return inside;
-      inside += '"';  // doubled quote
+      inside += '"';
     }
   }
 

@@ -14,18 +14,18 @@
 namespace taut::cli {
 namespace {
 
-// Okabe and Ito's colours for colour-blind readers. Darker colours replace their yellow and black.
+// Okabe and Ito's colours for colour-blind readers, with darker yellow and black.
 constexpr std::array colors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                "#56B4E9", "#E69F00", "#6A3D9A", "#444444"};
-// disc, square, triangle, diamond, inverted triangle, pentagon; with 8 colours, 24 methods look different
+// disc, square, triangle, diamond, inverted triangle, pentagon
 constexpr std::array markers = {7, 5, 9, 13, 11, 15};  // filled; one less: open
 constexpr std::array dashes = {1, 2, 4, 3, 5};
 
-// viridis without its lightest colours, which are hardly visible on white
+// viridis without colours that are hardly visible on white
 constexpr std::array<std::array<double, 3>, 5> ramp = {
     {{68, 1, 84}, {62, 74, 137}, {38, 130, 142}, {53, 183, 121}, {144, 215, 65}}};
 constexpr std::array ramp_dashes = {1, 2, 4};
-constexpr std::size_t most_solid = 8;  // lines without dashes
+constexpr std::size_t most_solid = 8;  // without dashes
 
 std::string ramp_color(double t) {
   const double place = t * (ramp.size() - 1);
@@ -55,9 +55,9 @@ std::string CurveStyle::marker() const {
 
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& names) {
   std::vector<CurveStyle> all(names.size());
-  std::map<std::string, std::size_t> uses;           // of a method
-  std::map<std::string, std::set<int>> with_dashes;  // of a colour
-  // a method's first line looks the same in every picture; its further lines take what is left
+  std::map<std::string, std::size_t> uses;
+  std::map<std::string, std::set<int>> with_dashes;
+  // the first line of a method looks the same in every picture
   for (const bool first : {true, false}) {
     for (std::size_t line = 0; line < names.size(); ++line) {
       const std::size_t k = number_of(names[line]);

@@ -24,14 +24,12 @@ double finite_number(const std::string& text, const std::string& whole) {
                    "' is not a number; write NAME=VALUE±TOLERANCE, NAME<VALUE or NAME>VALUE, without units");
 }
 
-/// Offsets of the tolerance sign and of its number in `text`.
 std::optional<std::pair<std::size_t, std::size_t>> find_tolerance(const std::string& text) {
   for (const std::string_view sign : {"±", "+-", "+/-"})
     if (const std::size_t at = text.find(sign); at != std::string::npos) return {{at, at + sign.size()}};
   return std::nullopt;
 }
 
-/// Numbers of run.json by path: "conservation.energy".
 std::vector<std::pair<std::string, double>> numbers_in(const Json& record) {
   std::vector<std::pair<std::string, double>> all;
   for (const auto& [pointer, value] : record.leaves()) {

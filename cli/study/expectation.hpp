@@ -10,16 +10,16 @@ namespace taut::cli {
 
 struct Tolerance {
   double size = 0;
-  bool relative = false;  // `size` is a share of the expected value
+  bool relative = false;  // share of the expected value
 };
-/// Parses "1%" or "0.002". Throws UsageError, which names `option`.
+/// "1%" or "0.002". Throws UsageError, which names `option`.
 Tolerance parse_tolerance(const std::string& text, const std::string& option);
 
 struct Expectation {
   enum class Kind { equal, below, above };
   std::string name;  // measure or path: "conservation.energy"
   Kind kind = Kind::equal;
-  bool or_equal = false;  // of a bound
+  bool or_equal = false;  // for bounds
   double value = 0;       // in the measure's unit
   Tolerance tolerance{};
 };
@@ -29,19 +29,17 @@ struct Expectation {
 Expectation parse_expectation(const std::string& text, const std::optional<Tolerance>& for_all);
 std::vector<Expectation> expectations_of(const StoredRun& baseline, const Tolerance& tolerance);
 
-/// Result of one expectation, a row of the table.
+/// A row of the table.
 struct Finding {
   std::string name, expected, is, difference;
   bool fine = false;
-  bool bound = false;             // `expected` is a bound, not a value
-  std::optional<double> value{};  // number of `is`, if finite
+  bool bound = false;             // `expected` is a bound
+  std::optional<double> value{};  // `is`, if finite
 };
-/// Compares a number of the run. A measure without a value fails, for instance in a run that was too short. Throws
-/// UsageError for a name that run.json lacks, with the nearest names.
+/// A measure without a value fails. Throws UsageError for a name that run.json lacks.
 Finding check_expectation(const StoredRun& run, const Expectation& expected);
-/// Checks that the verdict is no worse than `worst`.
+/// Fails if the verdict is worse than `worst`.
 Finding check_verdict(const StoredRun& run, const std::string& worst);
-/// Checks that the run has finished.
 Finding check_end(const StoredRun& run);
 
 std::string findings_table(const std::vector<Finding>& findings);

@@ -22,15 +22,15 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
-/// False for continuation bytes of UTF-8.
+/// False for UTF-8 continuation bytes.
 bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
-/// A byte inside a single-quoted string of gnuplot: ends the string, appends the byte as an octal escape and begins a
-/// new string. A doubled quote is no alternative: gnuplot 5.4 reads '' as a quote only after a letter.
+/// Octal escape in a single-quoted string, between two strings: gnuplot 5.4 reads '' as a quote only after a
+/// letter.
 std::string plot_byte(char c) { return fmt::format("'.\"\\{:03o}\".'", static_cast<unsigned char>(c)); }
 
-/// Path from the script's folder, as a string of gnuplot. "./" is added because a leading '|' or '<' would start a
-/// command, and '-' an option. Control characters, and letters without a font, become octal.
+/// Relative path as a string. gnuplot would interpret a leading '|', '<' or '-', hence "./". Control characters and
+/// letters without a font become octal.
 std::string plot_path(const std::string& name) {
   const bool drawable = with_letters_of_fonts(name) == name;
   std::string result;
@@ -42,7 +42,6 @@ std::string plot_path(const std::string& name) {
   return "'" + result + "'";
 }
 
-/// A file in the script's folder.
 std::string plot_file(const fs::path& file) { return plot_path(file.filename().string()); }
 
 }  // namespace
@@ -70,7 +69,7 @@ std::string data_text(std::string_view text) {
 }
 
 std::string shortened(const std::string& name) {
-  constexpr std::size_t longest = 46, head = 18;  // letters
+  constexpr std::size_t longest = 46, head = 18;
   std::vector<std::size_t> begins;
   for (std::size_t k = 0; k < name.size(); ++k)
     if (begins_letter(name[k])) begins.push_back(k);
@@ -79,7 +78,7 @@ std::string shortened(const std::string& name) {
 }
 
 double text_width(std::string_view text, double size) {
-  constexpr double letter = 0.62;  // average width in DejaVu Sans per font size, plus a margin
+  constexpr double letter = 0.62;  // average width in DejaVu Sans, plus a margin
   return static_cast<double>(std::ranges::count_if(text, begins_letter)) * letter * size * 96 / 72;
 }
 
@@ -105,7 +104,7 @@ double right_margin(const std::vector<std::string>& names) {
 std::string plot_head(const PlotFiles& files, int width, int height, double scale) {
   const std::string format = files.picture.extension().string();
   const double w = width * scale, h = height * scale;
-  // sizes in SVG are pixels, sizes in PNG are points at 96 dpi, sizes in PDF are inches; lines in PDF are thinner
+  // sizes: SVG in pixels, PNG in points at 96 dpi, PDF in inches; lines in PDF are thinner
   const std::string larger = scale == 1 ? "" : fmt::format(" linewidth {0:.4g} pointscale {0:.4g}", scale);
   std::string terminal;
   if (format == ".svg")
@@ -157,7 +156,7 @@ std::string plot_note(std::string_view note, double height) {
 int draw_plot(const PlotFiles& files, const std::string& script, const std::string& data) {
   const fs::path picture = fs::absolute(files.picture);
   make_folder_of(files.picture);
-  const bool vector = picture.extension() == ".svg";  // the viewer's fonts draw its letters
+  const bool vector = picture.extension() == ".svg";  // drawn with the viewer's fonts
   write_atomically(files.data(), vector ? data : with_letters_of_fonts(data));
   write_atomically(files.script(), vector ? script : with_letters_of_fonts(script));
   const fs::path folder = picture.parent_path();

@@ -54,7 +54,7 @@ void tell_apart(HistoryPlot& plot, const std::vector<StoredRun>& runs) {
           ", " + std::filesystem::absolute(runs[k].folder() + "/").parent_path().filename().string();
 }
 
-/// Sorts by a single swept number; `plot DIR/*` sorts by folder name.
+/// Sorts by a single swept number; `DIR/*` sorts by folder name.
 void put_in_order(HistoryPlot& plot) {
   const auto number = [](const HistoryPlot::Curve& curve) {
     return parsed<double>(curve.name.substr(curve.name.rfind('=') + 1));
@@ -132,7 +132,7 @@ namespace {
 constexpr std::size_t most_named = 100;
 
 struct ValueRange {
-  bool is_log = false;  // only positive values
+  bool is_log = false;
   double low = INFINITY, high = -INFINITY;
   void add(double value) {
     if (std::isfinite(value) && (!is_log || value > 0))
@@ -147,7 +147,6 @@ bool is_of_one_method(const HistoryPlot& plot) {
          });
 }
 
-/// Values of the rows that can be drawn.
 ValueRange values_of(const HistoryPlot& plot, std::size_t place, bool is_log) {
   ValueRange all{.is_log = is_log};
   for (const HistoryPlot::Curve& curve : plot.curves)
@@ -156,14 +155,12 @@ ValueRange values_of(const HistoryPlot& plot, std::size_t place, bool is_log) {
   return all;
 }
 
-/// Names and styles of the lines of a history.
 struct HistoryLegend {
-  std::vector<std::string> names;  // of the runs
+  std::vector<std::string> names;
   std::vector<CurveStyle> styles;
   std::vector<PanelPlot::Entry> entries{};
 
-  /// Returns the style of a line, and adds it to the legend. Columns of one panel differ in dashes, or, for a single
-  /// run, in colours.
+  /// Columns of one panel differ in dashes, or, for a single run, in colours.
   std::string line(const HistoryPlot& plot, std::size_t run, const std::vector<std::size_t>& panel,
                    std::size_t place) {
     CurveStyle style = styles[run];

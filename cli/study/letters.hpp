@@ -5,8 +5,7 @@
 
 namespace taut::cli {
 
-/// Replaces each letter (UTF-8) that no installed font has by '□'. Pango, which draws the texts of gnuplot's PNG,
-/// would draw a huge box for it.
+/// Replaces UTF-8 letters that no font has by '□'; Pango would draw a huge box.
 std::string with_letters_of_fonts(std::string_view text);
 
 }  // namespace taut::cli

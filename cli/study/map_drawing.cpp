@@ -19,7 +19,7 @@ struct Kind {
   std::string name, color;
 };
 
-/// Colours darken with severity: in grey prints, steps of lightness are at least 0.1.
+/// Colours darken with severity: in grey prints, lightness differs by at least 0.1.
 std::vector<Kind> kinds() {
   constexpr std::array colors = {"#d6ecf7", "#f3cc63", "#b49bd8", "#d9712f", "#8c2236"};
   const std::vector<std::string> names = names_of_verdicts();
@@ -55,7 +55,7 @@ void each_cell(const StabilityMap& map, const Use& use) {
       if (map.cells[r][v]) use(r, v, *map.cells[r][v]);
 }
 
-/// Kinds with at least one cell: gnuplot does not number empty blocks of data.
+/// gnuplot does not number empty blocks.
 std::vector<std::size_t> kinds_in(const StabilityMap& map, const std::vector<Kind>& all) {
   std::vector<bool> there(all.size());
   each_cell(map, [&](std::size_t, std::size_t, const MapCell& cell) { there[kind_of(cell, all)] = true; });
@@ -70,7 +70,7 @@ std::string shown(const MapCell& cell, const TimeUnit& unit) {
   return cell.verdict.empty() ? cell.status : "";
 }
 
-/// Layout, pixels.
+/// Pixels.
 struct Page {
   double left = 0, right = 0;
   double cell = 0;
@@ -131,9 +131,9 @@ std::string verdict_data(const StabilityMap& map) {
   return text;
 }
 
-constexpr int around = 190, row_height = 36;  // pixels
+constexpr int around = 190, row_height = 36;
 
-/// Everything but the cells, the key and the note.
+/// All but cells, key and note.
 std::string frame(const StabilityMap& map, const PlotFiles& files, const Page& page) {
   const int rows = static_cast<int>(map.rows.size()), columns = static_cast<int>(map.values.size());
   std::string text = plot_head(files, plot_width, around + row_height * rows) + plot_title(map.title);
@@ -176,7 +176,6 @@ std::string verdict_script(const StabilityMap& map, const PlotFiles& files) {
          "plot " + join(plots, ", \\\n     ") + "\n";
 }
 
-/// Values of a measure, with the scale of their numbers.
 struct MapValues {
   double low = INFINITY, high = -INFINITY;
   AxisScale scale{};
@@ -201,7 +200,6 @@ struct MapValues {
   }
 };
 
-/// Two blocks: cells with a value and the rest.
 std::string measure_data(const StabilityMap& map) {
   const MapValues values(map);
   std::string text = plot_comment(map.title);

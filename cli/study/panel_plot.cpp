@@ -14,7 +14,7 @@
 namespace taut::cli {
 namespace {
 
-constexpr int least_side = 64, greatest_side = 8192;  // pixels
+constexpr int least_side = 64, greatest_side = 8192;
 
 double within(const char* option, double value, double low, double high, const char* unit) {
   if (value >= low && value <= high) return value;
@@ -35,16 +35,16 @@ std::pair<int, int> typed_size(const std::string& text) {
                   least_side, greatest_side));
 }
 
-// Lengths in pixels.
+// pixels
 constexpr int of_title = 45, without_title = 10, below = 30;
-constexpr int inside_top = 8, inside_foot = 34;  // per panel
+constexpr int inside_top = 8, inside_foot = 34;
 constexpr int name_height = 22;
-constexpr int least_beside = 900;  // a narrower picture has its legend above the panels
+constexpr int least_beside = 900;  // legend above the panels in narrower pictures
 
 struct Layout {
   int width = 0, above = 0, panel = 0;
-  double total = 0, left = 0, right = 1;  // the last two as shares
-  bool beside = false;                    // the legend
+  double total = 0, left = 0, right = 1;  // `left` and `right` are shares
+  bool beside = false;
   int legend_columns = 1, legend_height = 0;
 };
 
@@ -87,7 +87,7 @@ Layout layout_of(const PanelPlot& plot, const PlotLook& look, const std::string&
   return layout;
 }
 
-/// Empty plots, whose legends can use the full height: one for each column of the legend.
+/// One empty plot per column of the legend, so it can use the full height.
 std::string legend_of(const PanelPlot& plot, const Layout& layout) {
   const auto columns = static_cast<std::size_t>(layout.beside ? 1 : layout.legend_columns);
   const double from = layout.beside ? layout.right * layout.width + 10 : 10,
@@ -107,7 +107,7 @@ std::string legend_of(const PanelPlot& plot, const Layout& layout) {
   return text + "unset key\nset tics\n";
 }
 
-/// Range of a logarithmic axis, wide enough for two ticks.
+/// Shows two ticks.
 std::pair<double, double> log_range(double low, double high) {
   const double margin = std::max(1.15, std::sqrt(3 / (high / low)));
   return {low / margin, high * margin};
@@ -135,7 +135,7 @@ PlotLook plot_look(const PlotLookOptions& typed, const PlotFiles& files) {
   const double font =
       within("font-size", typed.font_size.value_or(printed ? print_font : axis_font), 1, 100, "points");
   double dpi = within("dpi", typed.dpi.value_or(printed ? print_dpi : screen_dpi), 30, 2400, "");
-  if (!pixels) dpi = screen_dpi;  // sizes of SVG and PDF are lengths
+  if (!pixels) dpi = screen_dpi;  // SVG and PDF sizes are lengths
   look.scale = font / axis_font * dpi / screen_dpi;
   double width = plot_width;
   std::optional<double> height;
@@ -213,7 +213,7 @@ std::string log_ticks(double low, double high, std::string (*show)(double)) {
 double width_of_ticks(double low, double high) {
   if (!(high > low)) return text_width(fmt::format("{:g}", low), axis_font);
   const double power = std::pow(10, std::floor(std::log10(high - low)) - 1);
-  const double step = (high - low > 50 * power ? 5 : 2) * power;  // as wide as gnuplot's, or less
+  const double step = (high - low > 50 * power ? 5 : 2) * power;  // at most as wide as gnuplot's
   std::vector<std::string> numbers;
   for (const double end : {low, high})
     for (const double way : {-2, -1, 0, 1, 2})

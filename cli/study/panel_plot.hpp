@@ -8,16 +8,16 @@
 
 namespace taut::cli {
 
-/// Size and texts of a plot. Layouts count pixels at 96 dpi with texts of 11 points; `scale` enlarges all of it.
+/// Layouts count pixels at 96 dpi with texts of 11 points; `scale` enlarges everything.
 struct PlotLook {
   std::optional<std::string> title{};  // default: of the results; empty: none
   int width = plot_width;              // before scaling
-  std::optional<int> height{};         // default: by the number of panels
+  std::optional<int> height{};         // default: by the panels
   double scale = 1;
   bool log_x = false, log_y = false;
 };
 
-/// Options of a plot as typed. A `width` on paper has texts of 7 points at 300 dpi by default.
+/// A `width` on paper has texts of 7 points at 300 dpi by default.
 struct PlotLookOptions {
   std::optional<std::string> title, log, size, width;
   std::optional<double> dpi, font_size;
@@ -26,39 +26,38 @@ struct PlotLookOptions {
 /// Throws UsageError for wrong values.
 PlotLook plot_look(const PlotLookOptions& typed, const PlotFiles& files);
 
-/// Panels above each other, with a common x axis and one legend.
 struct PanelPlot {
   struct Panel {
-    std::string label;               // of the y axis
-    double low = 0, high = 1;        // of the positive values, if the axis is logarithmic
-    std::vector<std::string> lines;  // elements of gnuplot's `plot`, without titles
+    std::string label;
+    double low = 0, high = 1;        // of positive values on a logarithmic axis
+    std::vector<std::string> lines;  // elements of `plot`, without titles
   };
   struct Entry {
-    std::string name, style;  // such as "with lines linecolor '#0072B2'"
+    std::string name, style;
     bool operator==(const Entry&) const = default;
   };
   std::string title, x_label;
-  double x_low = 0, x_high = 1;  // of the positive values, if the axis is logarithmic
+  double x_low = 0, x_high = 1;  // as in Panel
   std::vector<Panel> panels;
   std::vector<Entry> legend;
-  std::string note{};        // at the foot
-  bool is_tall = false;      // one panel is higher than those of histories
-  bool has_markers = false;  // keeps markers away from the frame
+  std::string note{};
+  bool is_tall = false;      // one high panel
+  bool has_markers = false;  // kept away from the frame
 };
 
-/// Gnuplot script. The legend is right of the panels, in a narrow picture above them.
+/// The legend is right of the panels, in a narrow picture above them.
 std::string panel_script(const PanelPlot& plot, const PlotFiles& files, const PlotLook& look);
 
-/// A quantity on an axis: numbers times `factor`, labelled "deflection, mm".
+/// Numbers times `factor`, labelled "deflection, mm".
 struct AxisScale {
   double factor = 1;
   std::string label;
 };
-/// Chooses the SI prefix as in frames. On a logarithmic axis, a number without a unit takes no power of ten.
+/// SI prefix as in frames. A logarithmic axis gives numbers without a unit no power of ten.
 AxisScale axis_scale(const std::string& name, const std::string& unit, double greatest, bool is_log);
-/// Ticks of a logarithmic axis for a script: 1, 2, 5 of each decade, in long ranges powers of ten.
+/// 1, 2, 5 of each decade, in long ranges powers of ten.
 std::string log_ticks(double low, double high, std::string (*show)(double));
-/// Approximate width of the numbers from `low` to `high` at an axis, pixels.
+/// Approximate width of the numbers at an axis, pixels.
 double width_of_ticks(double low, double high);
 
 }  // namespace taut::cli

@@ -8,17 +8,17 @@
 
 namespace taut::cli {
 
-/// Reference of a probe over time, SI units.
+/// SI units.
 struct ReferenceCurve {
-  std::string column;  // of history.csv
-  std::string name;    // "finite elements"
+  std::string column;
+  std::string name;  // "finite elements"
   std::vector<double> t, values;
 };
 
-/// A curve for each probe that a measure compares with a table, or with an exact solution, which is evaluated at
-/// `times`. Empty if the scene has no reference for the material law.
+/// For probes compared with a table, or an exact solution evaluated at `times`. Empty without a reference for
+/// the law.
 std::vector<ReferenceCurve> reference_curves(const Scene& scene, const std::string& law,
                                              std::span<const double> times);
-inline constexpr int solution_samples = 400;  // usual number of times
+inline constexpr int solution_samples = 400;
 
 }  // namespace taut::cli

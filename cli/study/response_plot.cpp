@@ -27,17 +27,16 @@ std::vector<std::string> split_at_plus(const std::string& text) {
   return parts;
 }
 
-/// Column of results.csv with the value of a setting: "set.v0".
+/// "set.v0".
 std::string column_with(const StoredRun& run, const std::string& name) {
   for (const std::string prefix : {set_prefix.data(), "parameters."})
     if (!run.text(prefix + name).empty()) return prefix + name;
   return name;
 }
 
-/// Columns whose values name a line.
 struct LineNames {
-  std::vector<ResultColumn> by;             // as requested, or
-  std::vector<std::string> distinguishing;  // whatever differs
+  std::vector<ResultColumn> by;             // as requested
+  std::vector<std::string> distinguishing;  // else those that differ
 
   std::string operator()(const StoredRun& run) const {
     if (by.empty()) return series_name(run, distinguishing);
@@ -50,7 +49,7 @@ struct LineNames {
   }
 };
 
-/// Two runs of a line at one x would make the line jump.
+/// Two runs at one x would make the line jump.
 [[noreturn]] void refuse_two(const StoredRun& a, const StoredRun& b, const std::string& line,
                              const ResultColumn& x, const ResponseRequest& request) {
   std::vector<std::string> differing;
@@ -84,7 +83,7 @@ std::string only_parameter(const StoredResults& results) {
 
 using Runs = std::vector<const StoredRun*>;
 
-/// Reference curves of a measure: one per reference, or one per line where lines have different references.
+/// One per reference, or one per line if lines have different references.
 std::vector<Line> references_of(const Runs& runs, const ResultColumn& x, const ResultColumn& y,
                                 const LineNames& name_of) {
   std::map<std::string, std::map<double, double>> shared, own;
@@ -200,7 +199,7 @@ std::string response_data(const ResponsePlot& plot) {
 
 namespace {
 
-/// Label of the columns of a panel, without the unit; empty if the legend names them and they have a unit.
+/// Without the unit; empty if the legend names them and they have a unit.
 std::string names_in(const std::vector<ResultColumn>& columns) {
   std::vector<std::string> names;
   if (columns.size() > 1 && !columns.front().unit.empty()) return "";
@@ -216,7 +215,6 @@ struct PointRange {
   double greatest() const { return std::max(std::abs(low), std::abs(high)); }
 };
 
-/// PointRange of a coordinate in a panel, or in all; only of positive values if the axis is logarithmic.
 template <class Value>
 PointRange interval(const ResponsePlot& plot, const ResponsePlot::Panel* only, bool is_log,
                     const Value& value) {
@@ -234,7 +232,7 @@ AxisScale scale_of(const std::string& name, const std::string& unit, double grea
                      : axis_scale(name, unit, greatest, is_log);
 }
 
-/// Style of each line but references: by method if lines differ in it, else by number.
+/// By method if lines differ in it, else by number.
 std::map<std::string, CurveStyle> styles_of(const ResponsePlot& plot, bool named_by_method) {
   std::vector<std::string> names, methods;
   for (const ResponsePlot::Panel& panel : plot.panels)
@@ -262,7 +260,7 @@ struct ResponseDrawing {
     if (std::ranges::find(legend, entry) == legend.end()) legend.push_back(entry);
   }
 
-  /// A dashed line in black, gray for further references.
+  /// Black dashes; gray for further references.
   void add_reference(PanelPlot::Panel& panel, const std::string& points, const Line& line) {
     const bool is_single = line.points.size() == 1;
     const std::string style =

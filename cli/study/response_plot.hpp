@@ -9,12 +9,12 @@
 namespace taut::cli {
 
 struct ResponseRequest {
-  std::string x;                  // empty: the only swept parameter beside the method
-  std::vector<std::string> y{};   // a panel each; names joined by '+' share a panel
-  std::vector<std::string> by{};  // a line per combination of values; empty: whatever differs
+  std::string x;                  // empty: the only swept parameter
+  std::vector<std::string> y{};   // a panel each; '+' joins names in a panel
+  std::vector<std::string> by{};  // empty: columns that differ
 };
 
-/// Answers of runs (measures or other columns of results.csv) over a setting of the runs.
+/// Measures or other columns of results.csv over a setting.
 struct ResponsePlot {
   struct Point {
     double x = 0, y = 0;
@@ -32,15 +32,15 @@ struct ResponsePlot {
   std::string title, scene;
   ResultColumn x;
   std::vector<Panel> panels;
-  int without_value = 0;  // runs missing in some panel
+  int without_value = 0;  // missing in some panel
 };
 
-/// Throws UsageError for unknown names, for columns without numbers, for columns of one panel with different units, and
-/// if two runs of a line have equal x.
+/// Throws UsageError for unknown names, columns without numbers, different units in a panel, and equal x in a
+/// line.
 ResponsePlot make_response_plot(const StoredResults& results, const ResponseRequest& request);
 
 std::string response_data(const ResponsePlot& plot);
-/// Gnuplot script. Runs that are not stable have open markers.
+/// Runs that are not stable have open markers.
 std::string response_script(const ResponsePlot& plot, const PlotFiles& files, const PlotLook& look);
 
 }  // namespace taut::cli

@@ -75,7 +75,6 @@ MapCell cell_of(const StoredRun& run, const std::optional<ResultColumn>& measure
   return cell;
 }
 
-/// "0.0124 m, hourglass" in a map of a measure.
 std::string cell_of_table(const MapCell& cell, const StabilityMap& map) {
   const std::string word = cell.verdict.empty() ? cell.status : cell.verdict;
   if (!map.measure) return word + (cell.since ? " " + brief(*cell.since) + " s" : "");
@@ -84,7 +83,7 @@ std::string cell_of_table(const MapCell& cell, const StabilityMap& map) {
          (cell.verdict == "stable" ? "" : " (" + word + ")");
 }
 
-/// Cells such as "hourglass 0.0031 s".
+/// "hourglass 0.0031 s".
 std::vector<std::vector<std::string>> rows_of(const StabilityMap& map) {
   std::vector<std::vector<std::string>> rows{{map.label}};
   rows[0].insert(rows[0].end(), map.values.begin(), map.values.end());

@@ -11,30 +11,29 @@
 namespace taut::cli {
 
 struct MapRequest {
-  std::string parameter;  // empty: the only one besides the method
-  std::string measure{};  // colours cells; empty: their verdict does
+  std::string parameter;  // empty: the only one
+  std::string measure{};  // empty: the verdict colours cells
 };
 
 struct MapCell {
-  std::string verdict;            // empty: none, see `status`
-  std::string status;             // "finished", "error", "to do", ...
-  std::optional<double> since;    // start of the verdict, s; none if stable
-  std::optional<double> value{};  // of the measure
+  std::string verdict;          // empty: see `status`
+  std::string status;           // "finished", "error", "to do", ...
+  std::optional<double> since;  // start of the verdict, s
+  std::optional<double> value{};
 };
 
-/// Verdicts by value of a parameter and by method. A method has a row for each combination of other settings.
+/// Verdicts by parameter and method. A method has a row per combination of other settings.
 struct StabilityMap {
   std::string title, scene;
   std::string parameter;
-  std::string label;                                       // of the parameter, with its unit
-  std::optional<ResultColumn> measure;                     // that colours the cells
-  std::vector<std::string> values;                         // of the parameter; numbers ascend
+  std::string label;                                       // with unit
+  std::optional<ResultColumn> measure;                     // colours the cells
+  std::vector<std::string> values;                         // numbers ascend
   std::vector<std::string> rows;                           // methods
   std::vector<std::vector<std::optional<MapCell>>> cells;  // by row and value
 };
 
-/// Returns `wanted`, or the only parameter that was swept beside the method. Throws UsageError for an unknown parameter,
-/// or if none is wanted and several were swept; the message names `option`.
+/// `wanted`, or the only swept parameter. Throws UsageError, naming `option`, for an unknown or missing choice.
 std::string swept_parameter(const std::vector<StoredRun>& runs, const std::string& wanted,
                             std::string_view option);
 

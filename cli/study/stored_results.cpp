@@ -22,9 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longest_title = 200;  // characters
+constexpr std::size_t longest_title = 200;
 constexpr std::string_view parameter_prefix = "parameters.";
-constexpr std::string_view fixed_prefix = "fixed.";  // set for all runs
+constexpr std::string_view fixed_prefix = "fixed.";  // for all runs
 
 fs::path results_file(const std::string& given) {
   std::error_code error;
@@ -47,7 +47,6 @@ void check_columns(const fs::path& file, const CsvTable& table) {
                    join(missing));
 }
 
-/// The tree of keys that the columns describe, with the number of each column.
 Json tree_of(const std::vector<std::string>& columns) {
   Json tree = Json::object();
   for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -63,7 +62,6 @@ Json tree_of(const std::vector<std::string>& columns) {
   return tree;
 }
 
-/// The texts of a row in the form of `tree`, without empty cells.
 Json with_cells(const Json& tree, const std::vector<std::string>& row) {
   if (!tree.is_object()) {
     const std::string& cell = row[static_cast<std::size_t>(tree.number())];
@@ -96,9 +94,9 @@ std::vector<StoredRun> read_runs(const fs::path& path) {
   return runs;
 }
 
-/// Adds title and units; returns common settings.
+/// Returns common settings.
 StoredSettings add_names(const fs::path& table, StoredResults& results) {
-  constexpr std::uint64_t most_bytes = 256 << 20;  // as of results.csv
+  constexpr std::uint64_t most_bytes = 256 << 20;
   const std::string file = (table.parent_path() / "results.json").string();
   const auto text = read_whole(file, most_bytes);
   if (!text) return {};
@@ -131,7 +129,7 @@ std::string without_prefix(const std::string& column) {
   return column;
 }
 
-/// Settings first, then parameters that depend on them.
+/// Settings precede parameters that depend on them.
 std::vector<std::string> candidates(const std::vector<StoredRun>& runs) {
   std::vector<std::string> set, parameters;
   std::set<std::string_view> seen;
@@ -212,7 +210,6 @@ StoredRun read_stored_run(const std::string& path) {
   std::error_code error;
   const fs::path file = fs::is_directory(path, error) ? fs::path(path) / "run.json" : fs::path(path);
   const auto text = read_whole(file);
-  // e.g. results.csv
   const bool is_other = text && file.filename() != "run.json" && !text->starts_with('{');
   if (!text || is_other) throw UsageError("'" + path + "' is neither a run folder nor a run.json");
   StoredRecord stored = parse_record(*text, file.string());
@@ -290,7 +287,6 @@ std::string unit_in(const std::vector<StoredRun>& runs, const std::string& colum
   return "";
 }
 
-/// A part of a measure: its "value", "reference" or "error".
 ResultColumn part_of_measure(const StoredResults& results, const std::string& name,
                              const std::string& measure, const std::string& part) {
   const std::string prefix = "measures." + measure + ".";
@@ -306,7 +302,7 @@ ResultColumn part_of_measure(const StoredResults& results, const std::string& na
   return found;
 }
 
-/// Names that find_result_column() accepts, the likeliest first.
+/// The likeliest first.
 std::vector<std::string> column_names(const StoredResults& results) {
   std::vector<std::string> names = results.measures();
   std::set<std::string> seen(names.begin(), names.end());
@@ -334,7 +330,7 @@ ResultColumn find_result_column(const StoredResults& results, const std::string&
     return std::ranges::any_of(results.runs, [&](const StoredRun& run) { return !cell(run).empty(); });
   };
   if (name == "method" || has([&](const StoredRun& run) { return value_of(run, name); })) {
-    const std::string label = results.label(name);  // "v0, c0"
+    const std::string label = results.label(name);
     const std::size_t comma = label.rfind(", ");
     const bool seconds = name.starts_with("seconds.") || name.starts_with("since.") || name == "reached";
     return {.name = name,
@@ -359,7 +355,7 @@ std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& ru
       return seen.emplace(key, value).first->second != value;
     });
     if (differs) chosen.push_back(column);
-    if (!differs && seen.size() == runs.size()) break;  // no two runs agree in all that was chosen
+    if (!differs && seen.size() == runs.size()) break;  // all runs differ
   }
   return chosen;
 }

@@ -18,7 +18,6 @@
 namespace taut::cli {
 namespace {
 
-/// A text or a list.
 std::vector<std::pair<std::string, FilePlace>> texts(TomlCursor& section, std::string_view key) {
   const TomlValue* value = section.find(key);
   std::vector<std::pair<std::string, FilePlace>> all;
@@ -55,7 +54,7 @@ void check_name(const std::filesystem::path& file, std::string_view kind, const 
                    unknown_name(kind, name, {known.begin(), known.end()}));
 }
 
-/// With several swept parameters, one must be named.
+/// Several swept parameters require a name.
 void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& file, AvailableData available) {
   const std::string& wanted = map.request.parameter;
   for (auto* names : {&available.swept, &available.varied}) std::erase(*names, "method");

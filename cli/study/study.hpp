@@ -17,7 +17,7 @@
 
 namespace taut::cli {
 
-/// Pictures of a study: sections [chart], [map] and [history] of a sweep file (cli/COMMANDS.md).
+/// Sections [chart], [map] and [history] of a sweep file (cli/COMMANDS.md).
 struct StudyPictures {
   struct Named {
     std::string name;
@@ -34,34 +34,33 @@ struct StudyPictures {
   std::vector<Charted> charts;
   std::vector<Named> methods;
   std::optional<Mapped> map;
-  std::vector<HistoryColumn> history;  // empty: none
+  std::vector<HistoryColumn> history;
 };
 
-/// Reads these sections. Throws SceneError.
+/// Throws SceneError.
 StudyPictures read_pictures(TomlCursor& root);
 
-/// Contents of a study's runs, known before they start.
+/// Known before the runs start.
 struct AvailableData {
   std::set<std::string> measures;
-  std::set<std::string> referenced;   // measures with a reference in some run
-  std::set<std::string> differences;  // measures that are differences from a reference
+  std::set<std::string> referenced;   // with a reference in some run
+  std::set<std::string> differences;  // differences from a reference
   std::set<std::string> methods;
-  std::set<std::string> columns;    // of history.csv
-  std::vector<std::string> swept;   // names of the grid
+  std::set<std::string> columns;  // of history.csv
+  std::vector<std::string> swept;
   std::vector<std::string> varied;  // swept names with several values
 };
 
-/// Throws SceneError, before any run, for pictures whose data the runs will lack.
+/// Throws SceneError for pictures whose data the runs will lack.
 void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file,
                     const AvailableData& available);
 
-/// Draws from results.csv in `folder` into `folder`. Returns the exit code. Throws UsageError and OutputError.
+/// Returns the exit code. Throws UsageError and OutputError.
 int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& folder, Streams streams);
 
-/// Makes a chart of results.csv files, and warns of omitted runs. Throws UsageError.
+/// Warns of omitted runs. Throws UsageError.
 Chart read_chart(const std::vector<std::string>& results, const ChartRequest& request, std::ostream& err);
-/// Draw a picture and print its files, also a table of a chart or map. Return the exit code. Throw UsageError and
-/// OutputError.
+/// Draw a picture; print its files and tables. Return the exit code. Throw UsageError and OutputError.
 int draw_chart(const std::vector<std::string>& results, const ChartRequest& request, const PlotFiles& files,
                Streams streams);
 int draw_history(const HistoryPlot& plot, const PlotFiles& files, Streams streams, const PlotLook& look = {});

@@ -7,7 +7,7 @@
 namespace taut::cli {
 namespace {
 
-/// "0.2543 s (0.07 %)": value, error.
+/// "0.2543 s (0.07 %)".
 std::string measure_cell(const StoredRun& run, const std::string& measure) {
   const MeasureResult& m = run.record.measure(measure);
   if (!m.value) return "-";

@@ -41,7 +41,6 @@ exec @SWEEP@
 )"},
 };
 
-/// Quotes a word for sh if necessary.
 std::string quoted(const std::string& word) {
   const auto plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||

@@ -46,7 +46,6 @@ double end_of_range(const std::string& part, const std::string& range) {
   return value;
 }
 
-/// Removes errors below 1e-12 of `greatest`.
 std::string without_round_off(double value, double greatest) {
   if (std::abs(value) < 1e-12 * greatest) return "0";
   std::array<char, 32> digits{};

@@ -7,7 +7,6 @@
 
 namespace taut::cli {
 
-/// Settings of one run of a sweep.
 using GridRow = std::vector<Setting>;
 
 inline constexpr int most_repetitions = 100;
@@ -17,22 +16,21 @@ struct Axis {
   std::vector<Setting> values;
 };
 
-/// Parses "v1,v2,..." or "lo:hi:step" with both ends included. Commas in brackets belong to expressions.
-/// Numbers are returned in canonical form, without round-off.
-/// Throws UsageError for a step that does not divide the range, and repeated values.
+/// Parses "v1,v2,..." or "lo:hi:step", which includes both ends. Commas in brackets belong to expressions.
+/// Numbers become canonical. Throws UsageError for a step that does not divide the range, and repeated
+/// values.
 std::vector<std::string> parse_values(const std::string& text);
-/// Parses "name=values". Throws UsageError.
+/// "name=values". Throws UsageError.
 Axis parse_axis(const std::string& text);
 /// Shortest form of a number; trims other texts.
 std::string canonical_value(const std::string& text);
 
-/// All combinations of values; the last axis varies fastest. Throws UsageError for repeated axes.
+/// The last axis varies fastest. Throws UsageError for repeated axes.
 std::vector<GridRow> all_combinations(const std::vector<Axis>& axes);
-/// Throws UsageError for more runs than a sweep allows, and for repeated runs.
+/// Throws UsageError for too many and for repeated runs.
 void check_rows(const std::vector<GridRow>& rows);
 
-/// Folder name of a row, such as "v0=0.06_method=og". It has only letters, digits and ".=_+-"; a hash is added if
-/// other characters are replaced or the name is shortened.
+/// "v0=0.06_method=og"; a hash is added if characters were replaced or cut.
 std::string folder_name(const GridRow& row);
 /// "v0=0.06, method=og".
 std::string text_of(const GridRow& row);

@@ -21,12 +21,12 @@ std::string path_of_program() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) return program.string();
-  // without /proc: the path at the start
+  // the path at the start
   return fs::absolute(reinterpret_cast<const char*>(::getauxval(AT_EXECFN))).string();
 }
 
 bool draws(const SweepOptions& o) {
-  // also the times of saved particles
+  // frame times are also the times of saved particles
   const bool times_of_frames = !o.run.save_particles && (o.run.frames || o.run.every);
   return o.render || times_of_frames || o.run.drawing.any();
 }
@@ -121,7 +121,7 @@ std::vector<std::string> command_to_repeat(const Options& command) {
       if (!option.is_positional())
         words.push_back(option.name() + (option.takes_value() ? "=" + value : ""));
       else
-        words.push_back(value.starts_with('-') ? "./" + value : value);  // a file
+        words.push_back(value.starts_with('-') ? "./" + value : value);
     }
   }
   return words;

@@ -10,7 +10,7 @@
 namespace taut::cli {
 
 struct SweepOptions {
-  std::string what;  // sweep file or scene
+  std::string what;  // file or scene
   std::vector<std::string> grid;
   RunOptions run;  // for every run
   std::optional<std::string> emit, fail_on;
@@ -20,11 +20,10 @@ struct SweepOptions {
 
 void declare_sweep_options(Options& command, SweepOptions& options);
 
-/// Reads the sweep file or the grid. Throws UsageError and SceneError.
+/// Throws UsageError and SceneError.
 SweepRequest make_request(const SweepOptions& options);
 
-/// Words of the command without options that concern only this call, such as --list. An option and its value are one
-/// word.
+/// Omits options of this call, such as --list. An option and its value are one word.
 std::vector<std::string> command_to_repeat(const Options& command);
 
 }  // namespace taut::cli

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Compares scene.toml files. Without frames, drawing settings may differ, e.g. by `taut render`.
+/// Compares scene.toml files; `drawn`: drawings must agree.
 bool are_of_one_run(const std::string& one, const std::string& other, bool drawn) try {
   return one == other || (!drawn && without_drawing(one) == without_drawing(other));
 } catch (const SceneError&) {
@@ -40,7 +40,7 @@ RunOptions options_of(const SweepRequest& request, const GridRow& row, const Set
 /// Throws errors that appear only when the particles are created.
 void check_particles(const SceneFile& file) try {
   Settings settings = file.settings;
-  settings.threads = 1;  // a process that has had several threads cannot be forked
+  settings.threads = 1;  // a process that has had threads cannot be forked
   make_simulation(file.scene, settings);
 } catch (const SceneError& error) {
   throw locate(file, error);
@@ -55,7 +55,7 @@ bool is_wrong(const RunOptions& options) try {
   return true;
 }
 
-/// The setting whose removal makes the run valid, or nullptr.
+/// Nullptr if no single setting is the cause.
 const Setting* invalid_setting(const SweepRequest& request, const GridRow& row) {
   for (const GridRow* settings : {&request.set, &row})
     for (const Setting& s : *settings)
@@ -63,7 +63,6 @@ const Setting* invalid_setting(const SweepRequest& request, const GridRow& row) 
   return nullptr;
 }
 
-/// Reports an error at the place of its cause.
 [[noreturn]] void report(const SweepRequest& request, const GridRow& row, const std::string& what) {
   const std::string message = what + " (in the run " + text_of(row) + ")";
   if (request.file.empty()) throw UsageError(message);
@@ -78,7 +77,7 @@ double work_of(const SceneFile& file) {
   return scene.until / (file.settings.cfl * std::pow(scene.spacing, scene.dim + 1));
 }
 
-/// Throws for a name that is both fixed for all runs and swept.
+/// Throws for a name that is both fixed and swept.
 void check_base(const SweepRequest& request) {
   std::set<std::string> fixed;
   for (const std::vector<Setting>* settings : {&request.base.settings, &request.set})
@@ -123,7 +122,6 @@ void add_swept(AvailableData& available, const std::string& name, const std::vec
 /// Detects runs made equal by rounded spacings.
 class Spacings {
  public:
-  /// Returns a remark or "".
   std::string add(const GridRow& row, double fitted) {
     GridRow others = row;
     std::erase_if(others, [](const Setting& s) { return s.name == "spacing"; });
@@ -207,7 +205,7 @@ void SweepRun::read_folder() {
   const bool same = found->version == build_info.version &&
                     are_of_one_run(read_whole(files.scene()).value_or(""), scene, last_frame >= 0);
   const bool failed = found->status == Status::failed;
-  // other failed runs could not write their files
+  // other failed runs could not write
   const bool ended = found->status == Status::finished || (failed && found->verdict == Verdict::diverged);
   std::error_code error;
   const bool drawn = last_frame < 0 || fs::exists(files.frame(failed ? 0 : last_frame), error);
@@ -248,7 +246,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
     try {
       const RunPlan planned = make_plan(run.options);
       const SceneFile& file = planned.file;
-      // once per combination, since particles are created
+      // once per combination, for speed
       if (combinations.emplace(file.settings.method, file.scene.contact).second) check_particles(file);
       if (!file.remark.empty()) plan.remarks.insert(file.remark);
       if (const std::string same = spacings.add(row, file.scene.spacing); !same.empty())

@@ -11,7 +11,7 @@
 namespace taut::cli {
 namespace {
 
-/// The record with the median cost of the repetitions.
+/// Takes the median cost of the repetitions.
 RunRecord median(const SweepRun& run) {
   RunRecord record = *run.record;
   if (run.repetitions.empty()) return record;
@@ -36,7 +36,6 @@ Json run_json(const SweepRun& run) {
   return json.with(results);
 }
 
-/// Leaves of a tree with their paths.
 using Cells = std::vector<Json::Member>;
 
 void flatten(const Json& value, const std::string& path, Cells& cells) {
@@ -48,7 +47,7 @@ void flatten(const Json& value, const std::string& path, Cells& cells) {
     flatten(inner, path.empty() ? key : path + "." + key, cells);
 }
 
-/// A new column follows its predecessor in its row.
+/// A new column follows its predecessor.
 std::vector<std::string> columns_of(const std::vector<Cells>& rows) {
   std::vector<std::string> columns;
   for (const Cells& row : rows) {
@@ -67,7 +66,7 @@ std::string cell_of(const Json& value) {
   return value.is_float() ? exact(value.number()) : csv_cell(value.dump());
 }
 
-/// The measures of a run that has them; all runs have one scene.
+/// All runs have one scene.
 std::vector<MeasureResult> measures_of(const SweepPlan& plan) {
   const auto run = std::ranges::find_if(plan.runs, [](const SweepRun& r) { return r.record.has_value(); });
   return run == plan.runs.end() ? std::vector<MeasureResult>() : run->record->measures;

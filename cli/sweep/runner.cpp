@@ -13,9 +13,9 @@
 namespace taut::cli {
 namespace {
 
-constexpr double look_interval = 2.0;  // s between readings of progress
+constexpr double look_interval = 2.0;  // s
 
-/// `taut run` in a child process, without output, unless another program has done the run.
+/// `taut run` in a silent child, unless another program has done the run.
 int run_alone(SweepRun run) {
   const auto work = [&]() -> int {
     const Stopwatch setup;
@@ -37,14 +37,12 @@ std::string last_line(std::string text) {
   return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
 }
 
-/// Progress, from run.json.
 double share_done(const SweepRun& run) {
   const std::optional<StoredRecord> record = read_record(RunFolder(*run.options.out).record());
   if (!record || record->status != RunRecord::Status::running || !(record->until > 0)) return 0;
   return std::clamp(record->reached / record->until, 0.0, 1.0);
 }
 
-/// Returns the graver exit code: a bug, then an output error, then an input error.
 int gravest(int a, int b) {
   for (const int code : {exit_bug, exit_not_written, exit_wrong_input})
     if (a == code || b == code) return code;
@@ -101,7 +99,7 @@ void SweepRunner::finish(Job& job) {
   job.process.reset();
   SweepRun& run = *job.run;
   run.read_folder();
-  // after an interrupt, the run has ended properly, or it had not begun
+  // ended properly after an interrupt, or not begun
   const bool stopped = passed_on_ && (end.code == exit_by_signal(SIGTERM) || end.signal == SIGTERM);
   if (run.state != SweepRunState::done && !stopped) {
     const bool by_signal = end.signal != 0;

@@ -13,16 +13,16 @@ namespace taut::cli {
 
 struct SweepEnd {
   bool interrupted = false;
-  int code = 0;  // gravest exit code of a `broken` run, or 0
+  int code = 0;  // gravest code of a `broken` run
 };
 
 struct SweepEvents {
-  std::function<void(const SweepRun&)> ended;  // called with the run's new state
-  std::function<void()> waiting;               // about ten times a second
+  std::function<void(const SweepRun&)> ended;
+  std::function<void()> waiting;  // ten times a second
 };
 
-/// Does runs of a sweep, `jobs` at a time, each in its own process. The longest runs start first, so that no core
-/// idles at the end.
+/// Does `jobs` runs at a time, each in its own process. The longest start first, so that no core idles at the
+/// end.
 class SweepRunner {
  public:
   SweepRunner(std::vector<SweepRun*> runs, int jobs, const Interrupts& interrupts, Progress& progress,
@@ -34,7 +34,7 @@ class SweepRunner {
   struct Job {
     SweepRun* run;
     std::unique_ptr<ChildProcess> process;
-    double share = 0;  // completed part of the run, 0 to 1
+    double share = 0;
   };
   bool may_start() const;
   void wait_for_something();

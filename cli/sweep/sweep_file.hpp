@@ -10,7 +10,7 @@
 
 namespace taut::cli {
 
-/// Contents of a sweep file; see cli/COMMANDS.md and scenes/LANGUAGE.md.
+/// See cli/COMMANDS.md and scenes/LANGUAGE.md.
 struct SweepFile {
   std::filesystem::path path;
   std::string title, scene;
@@ -20,15 +20,14 @@ struct SweepFile {
   StudyPictures pictures;
 };
 
-/// Reads a table NAME = VALUE of settings. Throws SceneError.
+/// Reads NAME = VALUE. Throws SceneError.
 std::vector<Setting> read_settings(TomlCursor& table);
-/// Path of the scene that the key `scene` names: relative to the folder of `file`, or a shipped scene. Throws
-/// SceneError.
+/// Path relative to the folder of `file`, or a shipped scene. Throws SceneError.
 std::string find_scene_of(TomlCursor& table, const std::filesystem::path& file);
 
-/// Whether the file is a sweep, not a scene. Throws SceneError unless it is TOML.
+/// Throws SceneError unless it is TOML.
 bool is_sweep_file(const std::filesystem::path& path);
-/// Throws SceneError with file, line and column. Does not check names and values against the scene.
+/// Throws SceneError with the place. Does not check names and values against the scene.
 SweepFile read_sweep(const std::filesystem::path& path);
 
 }  // namespace taut::cli

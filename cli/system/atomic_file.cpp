@@ -27,7 +27,7 @@ namespace {
                         (taken ? "another process has locked it for a minute" : std::strerror(error)));
 }
 
-/// Returns 0 or an errno. Repeats write(2), which may write less than requested.
+/// Returns 0 or an errno. Repeats partial writes.
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t taken = ::write(descriptor, text.data(), text.size());
@@ -38,13 +38,13 @@ int write_all(int descriptor, std::string_view text) {
   return 0;
 }
 
-/// False if the environment has TAUT_FSYNC=off, for runs whose files need not survive a power cut.
+/// TAUT_FSYNC=off is for runs whose files need not survive a power cut.
 bool waits_for_the_disk() {
   static const char* const asked = std::getenv("TAUT_FSYNC");
   return !asked || std::string_view(asked) != "off";
 }
 
-/// Returns 0 or an errno; 0 if the file system cannot sync.
+/// Returns 0 or an errno; 0 without support of the file system.
 int sync(int descriptor) {
   if (!waits_for_the_disk()) return 0;
   if (::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP) return 0;
@@ -62,8 +62,8 @@ int sync(const fs::path& path) {
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
 
-/// Locks the file until it is closed; does nothing if the file system has no locks. Returns false if another process
-/// keeps its lock for too long: anybody who may read the file can lock it.
+/// Locks the file until it is closed, if the file system has locks. Returns false after a long wait, since
+/// any reader can lock it.
 bool wait_for_lock(int descriptor) {
   using namespace std::chrono_literals;
   constexpr auto longest = 60000ms, pause = 1ms;
@@ -88,16 +88,16 @@ int give_up(int descriptor, int error) {
   return -1;
 }
 
-/// Creates and locks a new file. Removes a file that a killed program left, or a link; never follows links. Waits while
-/// another process writes the file. Returns −1 with errno on failure: EWOULDBLOCK if another process does not end.
+/// Creates and locks a new file. Replaces a link or the file of a killed program; waits for other writers.
+/// Returns −1 with errno: EWOULDBLOCK if another process does not end.
 int open_new(const std::string& path) {
-  constexpr int most = 1000;  // attempts, if other writers come in between
+  constexpr int most = 1000;
   for (int k = 0; k < most; ++k) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno != EEXIST) return descriptor;
     if (descriptor >= 0) {
       if (!wait_for_lock(descriptor)) return give_up(descriptor, EWOULDBLOCK);
-      if (still_named(descriptor, path)) return descriptor;  // else another writer removed it before the lock
+      if (still_named(descriptor, path)) return descriptor;  // else removed by another writer
       ::close(descriptor);
       continue;
     }
@@ -112,7 +112,7 @@ int open_new(const std::string& path) {
   return -1;
 }
 
-/// A temporary folder beside `folder`, on the same file system, so that it can be renamed. The destructor removes it.
+/// The temporary folder is on the file system of `folder`. The destructor removes it.
 class Beside {
  public:
   Beside(const fs::path& folder, const char* what)
@@ -136,8 +136,7 @@ int rename_folder(const fs::path& from, const fs::path& to) {
   return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// Returns 0 or an errno. Exchanges the folders in one step; if the file system cannot do this, `folder` is missing
-/// for a moment.
+/// Returns 0 or an errno. Exchanges the folders in one step if the file system can.
 int put_in_place(const fs::path& fresh, const fs::path& folder) {
   if (!fs::exists(folder)) return rename_folder(fresh, folder);
   if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return 0;
@@ -182,9 +181,9 @@ void put_on_disk(const fs::path& path) {
 std::vector<fs::path> make_folders(const fs::path& folder) {
   std::vector<fs::path> made;
   std::error_code error;
-  fs::path inner = folder.has_filename() ? folder : folder.parent_path();  // "a/b/" is "a/b"
+  fs::path inner = folder.has_filename() ? folder : folder.parent_path();
   for (; !inner.empty() && !fs::exists(inner, error); inner = inner.parent_path()) made.push_back(inner);
-  // retry, because another process may remove an empty folder
+  // another process may remove an empty folder
   constexpr int most = 100;
   for (int k = 0; k < most; ++k)
     if (fs::create_directories(folder, error);
@@ -245,7 +244,7 @@ AppendFile::AppendFile(fs::path path, Start start) : path_(std::move(path)) {
   if (descriptor_ < 0) fail(path_, errno);
   struct stat found {};
   const bool known = ::fstat(descriptor_, &found) == 0, regular = known && S_ISREG(found.st_mode);
-  // opening a pipe would wait, and a file with a second name would change under both names
+  // opening a pipe would wait, and a second name would change too
   const bool allowed = regular ? found.st_nlink == 1 : known && S_ISCHR(found.st_mode);
   if (allowed && (!regular || start == Start::as_it_is || ::ftruncate(descriptor_, 0) == 0)) {
     length_ = std::max<std::int64_t>(0, ::lseek(descriptor_, 0, SEEK_END));
@@ -281,7 +280,7 @@ AppendFile::~AppendFile() { ::close(descriptor_); }
 void AppendFile::append(std::string_view line) {
   const std::string text = std::string(line) + '\n';
   if (const int error = write_all(descriptor_, text)) {
-    // removes the partial line if possible; the error is reported in any case
+    // removes the partial line
     if (::ftruncate(descriptor_, length_) != 0) fail(path_, error);
     fail(path_, error);
   }
@@ -289,7 +288,7 @@ void AppendFile::append(std::string_view line) {
 }
 
 void write_whole_folder(const fs::path& folder, const std::vector<fs::path>& files) {
-  // without the final slash of "a/b/", so that names can be appended; the target of a link is replaced
+  // names can be appended; the target of a link is replaced
   std::error_code no_target;
   const fs::path real = fs::weakly_canonical(folder, no_target);
   const fs::path target = ((no_target ? fs::absolute(folder) : real) / "").lexically_normal().parent_path();

@@ -9,10 +9,10 @@ struct Library {
   std::string_view name, version;
 };
 
-/// Set by cli/build_info.cmake.
+/// From cli/build_info.cmake.
 struct BuildInfo {
   std::string_view version;   // "0.2.0"
-  std::string_view commit;    // 12 digits, "-dirty" with changes; "unknown" without git
+  std::string_view commit;    // 12 digits, "-dirty" with changes
   std::string_view compiler;  // "GNU 12.2.0"
   std::span<const Library> libraries;
 };

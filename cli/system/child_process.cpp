@@ -31,19 +31,19 @@ sigset_t interrupting_signals() {
   return set;
 }
 
-/// Throws if the process has several threads: a child would never get locks that other threads hold.
+/// A child would never get locks that other threads hold.
 void check_no_threads() {
-  std::error_code no_proc;  // without /proc, threads cannot be counted
+  std::error_code no_proc;  // threads cannot be counted without /proc
   const std::filesystem::directory_iterator threads("/proc/self/task", no_proc);
   if (!no_proc && std::distance(begin(threads), end(threads)) > 1)
     throw std::logic_error("a process with several threads cannot be forked");
 }
 
-/// First action of a child, called with the interrupting signals blocked; SIGINT and SIGHUP stay blocked.
+/// Called with the interrupting signals blocked; SIGINT and SIGHUP stay blocked.
 void prepare_child(pid_t parent, int output) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);  // the parent ended before prctl
-  // SIGTERM ends the child until `work` sets a handler
+  // until `work` sets a handler
   std::signal(SIGTERM, SIG_DFL);
   sigset_t terminate;
   sigemptyset(&terminate);
@@ -59,7 +59,7 @@ ChildProcess::ChildProcess(const std::function<int()>& work) {
   check_no_threads();
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno);
-  std::cout.flush();  // else the child would print it again
+  std::cout.flush();  // else the child prints it again
   std::cerr.flush();
   const sigset_t blocked = interrupting_signals();
   sigset_t before;
@@ -91,7 +91,7 @@ ChildProcess::~ChildProcess() {
 }
 
 bool ChildProcess::read_output() {
-  constexpr std::size_t most = 1 << 16;  // bytes kept
+  constexpr std::size_t most = 1 << 16;
   std::array<char, 4096> part{};
   const ssize_t taken = ::read(output_, part.data(), part.size());
   if (taken < 0) return errno == EINTR;

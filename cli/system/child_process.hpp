@@ -6,9 +6,8 @@
 
 namespace taut::cli {
 
-/// Runs a function in a forked process, so that a crash or signal there only gives an exit code. The parent must have
-/// a single thread at the fork. The child dies with its parent. It ignores Ctrl-C and SIGHUP: the parent must pass
-/// them on, once, by `ask_to_stop`.
+/// Runs a function in a forked process, where a crash only gives an exit code. Requires a single thread at the fork.
+/// The child dies with its parent. It ignores Ctrl-C and SIGHUP, which the parent passes on by `ask_to_stop`.
 class ChildProcess {
  public:
   /// `work` returns the exit code; its output is kept. Throws UsageError if no process can be started.
@@ -17,19 +16,17 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Becomes readable when the child prints or ends.
+  /// Readable when the child prints or ends.
   int descriptor() const { return output_; }
-  /// Reads the available output; call only when `descriptor` is readable. Returns false after the end of the child.
+  /// Requires a readable `descriptor`. Returns false after the end of the child.
   bool read_output();
-  /// Sends SIGTERM.
   void ask_to_stop() const;
 
   struct End {
-    int code = 0;    // returned by `work`
-    int signal = 0;  // that killed the child, or 0
+    int code = 0;
+    int signal = 0;  // of the kill, or 0
     std::string output;
   };
-  /// Waits for the end of the child.
   End wait();
 
  private:

@@ -48,7 +48,7 @@ Failure raw_failure() {
 
 }  // namespace
 
-/// Messages quote names and lines of files; control sequences of a stranger's file must not reach the terminal.
+/// Control sequences of foreign files must not reach the terminal.
 Failure current_failure() {
   Failure failure = raw_failure();
   failure.message = printable(failure.message);

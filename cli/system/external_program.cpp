@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-constexpr std::size_t most_errors = 4096;  // bytes kept of stderr
-constexpr int patience = 100;              // ms between checks for interrupts
+constexpr std::size_t most_errors = 4096;  // bytes of stderr
+constexpr int patience = 100;              // ms
 
 class Pipe {
  public:
@@ -51,8 +51,7 @@ class Pipe {
   std::array<int, 2> ends_{};
 };
 
-/// Searches the absolute folders of PATH; returns an empty path if none has `name`. The folder in which the program runs
-/// may be foreign, so an entry such as "." does not count.
+/// Searches absolute folders of PATH; the current folder may be foreign. Empty if there is none.
 fs::path found_in_path(const std::string& name) {
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
@@ -66,7 +65,7 @@ fs::path found_in_path(const std::string& name) {
   return {};
 }
 
-/// Starts the program at the path arguments[0]. Returns 0 or an errno.
+/// Returns 0 or an errno.
 int spawn(const std::vector<std::string>& arguments, const fs::path& folder, int errors, pid_t& process) {
   std::vector<char*> raw;
   for (const std::string& argument : arguments) raw.push_back(const_cast<char*>(argument.c_str()));
@@ -82,7 +81,7 @@ int spawn(const std::vector<std::string>& arguments, const fs::path& folder, int
   return error;
 }
 
-/// Reads stderr to its end. An interrupt or the time limit stops the program.
+/// An interrupt or the limit stops the program.
 void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResult& result,
             std::optional<std::chrono::seconds> limit) {
   using Clock = std::chrono::steady_clock;
@@ -107,13 +106,12 @@ void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResu
   }
 }
 
-/// New folder beside `file` in which another program writes it, so that no foreign link can lead it elsewhere. Requires
-/// the FileLock of the file.
+/// Own folder: no foreign link can redirect the other program. Requires the FileLock of the file.
 class Workplace {
  public:
   explicit Workplace(const fs::path& file)
       : folder_(file.string() + ".part"), file_(folder_ / file.filename()) {
-    remove();  // left behind by a killed process
+    remove();  // left by a killed process
     if (::mkdir(folder_.c_str(), 0700) != 0)
       throw OutputError(folder_.string(),
                         std::string("the folder cannot be created: ") + std::strerror(errno));

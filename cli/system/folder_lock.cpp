@@ -25,7 +25,7 @@ namespace {
 
 struct Kind {
   const char* file;
-  short lock;  // F_WRLCK or F_RDLCK
+  short lock;
   bool stays;  // the file remains after unlocking
 };
 constexpr std::array kinds = {Kind{run_lock_name, F_WRLCK, false},  // in the order of FolderLock::Of
@@ -33,7 +33,7 @@ constexpr std::array kinds = {Kind{run_lock_name, F_WRLCK, false},  // in the or
 
 const Kind& kind(FolderLock::Of of) { return kinds[static_cast<std::size_t>(of)]; }
 
-/// Locks the open file, so that running children hold the lock, too.
+/// Running children hold the lock, too.
 int lock(int descriptor, short type) {
   struct flock whole {};
   whole.l_type = type;
@@ -48,11 +48,11 @@ bool knows_no_locks(int error) {
   return std::ranges::find(all, error) != all.end();
 }
 
-/// Lock holder; the file has one line per member.
+/// One line per member.
 struct Holder {
   std::string command, process, host, since;
 
-  /// True if the process ended on this machine: only a dying child still holds the lock.
+  /// Only a dying child still holds the lock.
   bool has_ended() const {
     pid_t id = 0;
     std::from_chars(process.data(), process.data() + process.size(), id);
@@ -60,7 +60,6 @@ struct Holder {
   }
 };
 
-/// Removes control characters, which terminals obey.
 std::string printable(std::string text) {
   std::erase_if(text, [](char c) { return c < ' ' || c == 127; });
   return text;
@@ -130,11 +129,11 @@ int FolderLock::try_once() {
     open();
     const int error = lock(descriptor_, kind(of_).lock);
     if (error != 0 || is_still_there()) return error;
-    ::close(descriptor_);  // the former holder removed the file; others lock a new one
+    ::close(descriptor_);  // the former holder removed the file
   }
 }
 
-/// Refuses links and pipes: the folder may belong to another user, and the file is written to.
+/// Refuses links and pipes: the folder may belong to another user.
 void FolderLock::open() {
   const auto fail = [this](const std::string& reason) { throw OutputError(file_.string(), reason); };
   constexpr int how = O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
@@ -153,7 +152,6 @@ void FolderLock::open() {
   fail("is not a lock file of taut");
 }
 
-/// Returns whether the path still names the locked file.
 bool FolderLock::is_still_there() const {
   struct stat ours {
   }, there{};
@@ -161,7 +159,7 @@ bool FolderLock::is_still_there() const {
          ours.st_ino == there.st_ino && ours.st_dev == there.st_dev;
 }
 
-/// Writes nothing for parts of a sweep, which share the lock.
+/// Writers of parts share the lock and write nothing.
 void FolderLock::write_holder(std::string_view command) const {
   std::array<char, 32> since{};
   const std::time_t now = std::time(nullptr);
@@ -172,7 +170,7 @@ void FolderLock::write_holder(std::string_view command) const {
                            "\n" + since.data() + "\n";
   const bool told = ::ftruncate(descriptor_, 0) == 0 &&
                     (of_ == Of::part_of_sweep || ::pwrite(descriptor_, text.data(), text.size(), 0) > 0);
-  static_cast<void>(told);  // on a full disk the lock works without text
+  static_cast<void>(told);  // works without text on a full disk
 }
 
 }  // namespace taut::cli

@@ -8,26 +8,26 @@
 
 namespace taut::cli {
 
-/// Excludes other writers from a folder by a lock file, which names the holder. The lock ends with the process and
-/// works between machines if the file system supports it. Prints a warning if there are no locks.
+/// Excludes other writers by a lock file, which names the holder. The lock ends with the process and works
+/// between machines if the file system supports it. Warns if there are no locks.
 class FolderLock {
  public:
   enum class Of {
-    run,            // excludes all others; the file is removed
-    sweep,          // excludes all others, also writers of parts; the file stays
-    part_of_sweep,  // excludes writers of the whole sweep, but not of other parts; the file stays
+    run,            // excludes all; the file is removed
+    sweep,          // excludes all, also writers of parts; the file stays
+    part_of_sweep,  // excludes writers of the whole sweep; the file stays
   };
 
-  /// Creates a missing folder. The lock file shows `command` to other processes. Throws UsageError if another process
-  /// holds the lock, OutputError if the folder cannot be written to.
+  /// Creates a missing folder. The lock file contains `command`. Throws UsageError if another process holds
+  /// the lock, OutputError for an unwritable folder.
   FolderLock(const std::filesystem::path& folder, Of of, std::string_view command, std::ostream& err);
-  /// Removes the folders that it created, if empty.
+  /// Removes created folders, if empty.
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
  private:
-  /// Tries to lock once. Returns 0 or an errno.
+  /// Tries once. Returns 0 or an errno.
   int acquire();
   int try_once();
   void open();
@@ -36,11 +36,10 @@ class FolderLock {
 
   Of of_;
   std::filesystem::path file_;
-  std::vector<std::filesystem::path> made_;  // created folders, innermost first
+  std::vector<std::filesystem::path> made_;  // created, innermost first
   int descriptor_ = -1;
 };
 
-/// Name of the lock file in a run folder.
 inline constexpr const char* run_lock_name = "run.lock";
 
 }  // namespace taut::cli

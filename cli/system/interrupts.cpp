@@ -7,7 +7,7 @@
 namespace taut::cli {
 namespace {
 
-// the only state that the signal handler uses
+// the handler uses no other state
 std::atomic<int> last_signal = 0;
 std::atomic<bool> at_once = false;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);

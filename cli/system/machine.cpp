@@ -9,7 +9,6 @@
 namespace taut::cli {
 namespace {
 
-/// CPU time of the whole machine since its start, s.
 std::optional<double> used_time() {
   std::ifstream file("/proc/stat");
   std::string cpu;
@@ -35,7 +34,7 @@ std::string machine_name() {
 int physical_cores() {
   cpu_set_t mine;
   if (::sched_getaffinity(0, sizeof mine, &mine) != 0) return 1;
-  std::set<std::string> siblings;  // "0,4": the hyperthreads of a core
+  std::set<std::string> siblings;  // "0,4": a core's hyperthreads
   for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
     if (!CPU_ISSET(cpu, &mine)) continue;
     const std::string folder = "/sys/devices/system/cpu/cpu" + std::to_string(cpu);

@@ -7,22 +7,22 @@
 
 namespace taut::cli {
 
-/// Name of the processor, or "unknown".
+/// "unknown" if there is none.
 std::string machine_name();
 
-/// Cores without hyperthreads, among those that this process may use.
+/// Excludes hyperthreads and cores that this process may not use.
 int physical_cores();
 
-/// Load of the machine since construction.
+/// Load since construction.
 class MachineLoad {
  public:
   MachineLoad();
-  /// Mean number of cores that other processes and the hypervisor (steal) used, from /proc/stat. Returns nullopt
-  /// for less than 0.2 s, in which the ticks of the kernel, 10 ms, are too coarse.
+  /// Mean number of cores that other processes and the hypervisor (steal) used, from /proc/stat. Nullopt
+  /// below 0.2 s: kernel ticks of 10 ms are too coarse.
   std::optional<double> of_others() const;
 
  private:
-  std::optional<double> at_start_;  // s, of all cores
+  std::optional<double> at_start_;  // s, all cores
   Stopwatch wall_;
   CpuStopwatch cpu_;
 };

@@ -11,8 +11,8 @@
 
 namespace taut::cli {
 
-/// Runs pieces of work in threads. A piece has two halves: first halves run in any order, second halves in the order
-/// of `add`. After the failure of a piece, the second halves of later pieces are skipped.
+/// Runs work in threads: first halves in any order, second halves in the order of `add`. After a failure,
+/// later second halves are skipped.
 class OrderedWork {
  public:
   using SecondHalf = std::function<void()>;
@@ -21,16 +21,16 @@ class OrderedWork {
 
   /// With 0 workers, `add` does all work.
   explicit OrderedWork(int workers);
-  /// Drops pieces that have not begun, and waits for the others.
+  /// Drops pieces that have not begun; waits for the others.
   ~OrderedWork();
   OrderedWork(const OrderedWork&) = delete;
   OrderedWork& operator=(const OrderedWork&) = delete;
 
-  /// Number of unfinished pieces at which `add` waits.
+  /// Unfinished pieces at which `add` waits.
   int room() const { return 3 * static_cast<int>(workers_.size()); }
   /// Throws the first error of a piece.
   void add(Piece piece);
-  /// Waits until all work is done. Throws like `add`.
+  /// Throws like `add`.
   void finish();
 
  private:
@@ -38,11 +38,11 @@ class OrderedWork {
   void do_seconds(std::unique_lock<std::mutex>& lock);
   void throw_failure() const;
 
-  std::mutex mutex_;  // guards all members below
+  std::mutex mutex_;  // all members below
   std::condition_variable changed_;
   std::deque<Piece> waiting_;
-  std::map<long, SecondHalf> seconds_;     // by number of the piece
-  long added_ = 0, begun_ = 0, done_ = 0;  // numbers of pieces
+  std::map<long, SecondHalf> seconds_;
+  long added_ = 0, begun_ = 0, done_ = 0;
   bool is_closing_ = false;
   std::exception_ptr failure_;
   std::vector<std::thread> workers_;

@@ -11,12 +11,12 @@
 namespace taut::cli {
 namespace {
 
-constexpr double bar_interval = 0.1;     // s between redraws
-constexpr double sure_after = 1.0;       // s before the length is estimated
+constexpr double bar_interval = 0.1;     // s
+constexpr double sure_after = 1.0;       // s before estimates
 constexpr double long_work = 12 * 3600;  // s
-constexpr double line_interval = 10.0;   // minimum s between lines, except at quarters
+constexpr double line_interval = 10.0;   // s, except at quarters
 
-/// Leaves the last column free, because some terminals wrap there.
+/// Some terminals wrap in the last column.
 std::size_t line_width() { return terminal_columns(STDERR_FILENO).value_or(80) - 1; }
 
 }  // namespace
@@ -33,7 +33,7 @@ std::string time_left(double share, double before, double elapsed) {
 }
 
 std::string long_time_left(double done, double left, double elapsed) {
-  // without finished work there is no estimate: the first run of a sweep may take longer than others
+  // the first run of a sweep may take longer than others
   if (!(done > 0) || elapsed < sure_after) return "";
   const double seconds = elapsed * left / done;
   if (seconds < long_work) return "";
@@ -46,7 +46,7 @@ std::string long_time_left(double done, double left, double elapsed) {
 std::string bar_line(const std::string& what, double share, const std::string& left,
                      const std::string& detail, std::size_t width) {
   constexpr std::size_t least_cells = 10, most_cells = 40, of_name = 12;
-  constexpr std::size_t kept_free = 26;  // for per cent and time left
+  constexpr std::size_t kept_free = 26;
   const std::size_t taken = what.size() + kept_free;
   const std::size_t cells = std::clamp(width > taken ? width - taken : 0, least_cells, most_cells);
   const auto full = static_cast<std::size_t>(share * static_cast<double>(cells));
@@ -93,7 +93,7 @@ void Progress::show(double share, const std::string& detail) {
     draw_bar(share, detail);
     since_shown_ = {};
   }
-  // lines become rarer, so that long runs have short logs
+  // rarer lines keep logs of long runs short
   const bool overdue = silence >= std::max(line_interval, 0.1 * since_begin_.seconds());
   const int quarters = std::min(static_cast<int>(4 * share), 3);
   if (style_ == Style::lines && (quarters > quarters_ || overdue)) {

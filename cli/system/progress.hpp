@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Progress on stderr: a bar on a terminal, lines in a log file, or nothing.
+/// On stderr: a bar on a terminal, lines in a log file, or nothing.
 class Progress {
  public:
   enum class Style { none, lines, bar };
@@ -18,16 +18,14 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Shows `what` before the work begins, on a terminal.
+  /// Before the work begins, on a terminal.
   void prepare(const std::string& what);
-  /// `done_before` is the share done by an earlier run.
+  /// `done_before`: share done by an earlier run.
   void begin(const std::string& what, double done_before = 0);
-  /// `share` is 0 to 1. Warns after a second, in every style, if the work will take half a day or
-  /// more. Frequent calls are cheap.
+  /// `share`: 0 to 1. After a second, warns of work of half a day or more. Frequent calls are cheap.
   void show(double share, const std::string& detail);
-  /// Removes the bar before other output.
+  /// Call before other output.
   void clear();
-  /// Prints the last line.
   void end(const std::string& detail);
 
  private:
@@ -40,25 +38,24 @@ class Progress {
   Style style_;
   std::string what_;
   Stopwatch since_begin_, since_shown_;
-  int quarters_ = 0;  // quarters of the work that have been printed
+  int quarters_ = 0;
   bool bar_shown_ = false;
-  bool warned_ = false;     // of long work
-  double done_before_ = 0;  // share, 0 to 1
+  bool warned_ = false;
+  double done_before_ = 0;  // share
 };
 
-/// "0:12 left": the share rose from `before` to `share` in `elapsed` s. Empty if too little is done.
+/// "0:12 left" at a rise of the share in `elapsed` s. Empty if too little is done.
 std::string time_left(double share, double before, double elapsed);
 
-/// "17 hours" for work of which the share `left` remains, if the share `done` took `elapsed` s. Empty below half a
-/// day, and in the first second.
+/// "17 hours" for the share `left`, if `done` took `elapsed` s. Empty below half a day, and in the first
+/// second.
 std::string long_time_left(double done, double left, double elapsed);
 
-/// "rings, 4398 particles [####......] 40 %  0:12 left  2.1 M particle-steps/s". If it is too wide, the
-/// detail is omitted, then the end of the name.
+/// "rings, 4398 particles [####......] 40 %  0:12 left  2.1 M particle-steps/s". Omits parts to fit.
 std::string bar_line(const std::string& what, double share, const std::string& left,
                      const std::string& detail, std::size_t width);
 
-/// Returns the bar style if `err` is stderr on a terminal.
+/// Bar if `err` is stderr on a terminal.
 Progress::Style progress_style(const std::ostream& err, bool quiet);
 
 }  // namespace taut::cli

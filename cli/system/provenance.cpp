@@ -13,12 +13,12 @@
 namespace taut::cli {
 namespace {
 
-/// Greatest instruction set of this machine; kernels that are not built for it use the next lower one.
+/// Greatest one of this machine; kernels may use a lower one.
 std::string_view instruction_set() {
   return has_x86_64_v4() ? "x86-64-v4" : has_x86_64_v3() ? "x86-64-v3" : "baseline";
 }
 
-/// Words of this process; for a run of a sweep, the words of `taut sweep`.
+/// For a run of a sweep, the words of `taut sweep`.
 Json command_line() {
   const std::string text = read_whole("/proc/self/cmdline").value_or("");
   Json words = Json::array();

@@ -16,8 +16,8 @@ struct FileFormat {
   int number;
 };
 
-/// Format number of each kind of file. Raise a number if old readers would misread the new format; for checkpoint.bin
-/// also if a `serialize` or the bytes of a step change.
+/// Raise a number if old readers would misread the format; for checkpoint.bin also if a `serialize` or the
+/// bytes of a step change.
 inline constexpr std::array<FileFormat, 7> file_formats{{{"run.json", 1},
                                                          {"results.json", 1},
                                                          {"results.csv", 1},
@@ -32,15 +32,14 @@ consteval int format_of(std::string_view file) {
   throw "no such kind of file";
 }
 
-/// Text of --version; the first line has name, version and commit.
+/// The first line has name, version and commit.
 std::string version_text();
 
 std::string host_name();
 
-/// Origin of a record: the build, and the process since construction.
 class Provenance {
  public:
-  /// The object for run.json, with the times until now.
+  /// With the times until now.
   Json to_json() const;
 
  private:

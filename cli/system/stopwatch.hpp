@@ -15,7 +15,7 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// CPU time of all threads of the process since construction, s.
+/// CPU time of all threads since construction, s.
 class CpuStopwatch {
  public:
   double seconds() const { return now() - start_; }
@@ -42,10 +42,10 @@ class Timed {
   Stopwatch watch_;
 };
 
-/// Wall clock of a run, s. `render` and `write` are sums over threads; `write` includes history rows and verdicts.
+/// s. `render` and `write` are sums over threads; `write` includes history rows and verdicts.
 struct Seconds {
   double setup = 0, solve = 0, render = 0, write = 0;
-  double cpu = 0;  // CPU time of `solve`, summed over the threads of the solver
+  double cpu = 0;  // of `solve`, summed over threads
 };
 
 }  // namespace taut::cli

@@ -108,9 +108,9 @@ std::string table_line(const std::vector<std::string>& cells, const std::vector<
 
 std::string in_columns(std::vector<std::vector<std::string>> rows, int indent,
                        std::optional<std::size_t> columns) {
-  for (auto& row : rows)  // cells may contain text of foreign files
+  for (auto& row : rows)  // cells may come from foreign files
     for (std::string& cell : row) cell = printable(cell);
-  std::vector<std::size_t> padded, full;  // without and with the last cell of each row
+  std::vector<std::size_t> padded, full;  // without and with the last cell
   for (const auto& row : rows) {
     padded.resize(std::max(padded.size(), row.size()));
     full.resize(padded.size());

@@ -9,7 +9,7 @@
 
 namespace taut::cli {
 
-/// Returns nullopt if `text` as a whole is no number; accepts inf and nan.
+/// Nullopt unless all of `text` is a number; accepts inf and nan.
 template <class Number>
 std::optional<Number> parsed(std::string_view text) {
   Number value{};
@@ -18,15 +18,15 @@ std::optional<Number> parsed(std::string_view text) {
   return error == std::errc() && end == last ? std::optional(value) : std::nullopt;
 }
 
-/// Shortest text that reads back exactly.
+/// Shortest exact text.
 std::string exact(double value);
 /// At most four digits.
 std::string brief(double value);
 /// At most six digits.
 std::string six_digits(double value);
-/// "4.1 M": SI prefix, for rates.
+/// "4.1 M".
 std::string with_prefix(double value);
-/// "12 %" for a share of 0.12.
+/// "12 %" for 0.12.
 std::string percent(double share);
 /// "0:07" or "1:02:03".
 std::string clock_time(double seconds);
@@ -34,14 +34,14 @@ std::string join(const std::vector<std::string>& words, std::string_view between
 /// "a, b or c".
 std::string join_with_or(std::vector<std::string> words);
 
-/// Hash (FNV-1a), the same on every machine.
+/// FNV-1a, the same on every machine.
 std::uint64_t hash_of(std::string_view text);
 
-/// Formats `rows` as a table, with two blanks between columns. A table wider than `columns` wraps its widest column.
-/// Control characters are escaped.
+/// Table with two blanks between columns. Wraps the widest column if wider than `columns`. Escapes control
+/// characters.
 std::string in_columns(std::vector<std::vector<std::string>> rows, int indent = 2,
                        std::optional<std::size_t> columns = {});
-/// Wraps `text` to lines of at most `columns` characters, each after `indent` blanks; no newline at the end.
+/// Lines of at most `columns` characters, each after `indent` blanks; no newline at the end.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns);
 
 /// "NAME_00012.EXTENSION"

@@ -29,7 +29,7 @@ struct ToLibrary {
   Library operator()(const auto& plain) const { return plain; }
 };
 
-/// A number; null for other values.
+/// Null for other values.
 Json number_of(const Library& value) {
   switch (value.type()) {
     case Library::value_t::number_integer:
@@ -47,8 +47,7 @@ Json number_of(const Library& value) {
   throw UsageError("'" + file + "' " + what);
 }
 
-/// Builds a value from the events of the library's parser, in linear time. The library's own objects compare each key
-/// with all earlier keys, and its parser with a callback visits all siblings. Rejects repeated keys and deep nesting.
+/// The library's objects compare each key with all earlier ones. Rejects repeated keys and deep nesting.
 class Builder final : public nlohmann::json_sax<Library> {
  public:
   explicit Builder(const std::string& file) : file_(file) {}
@@ -61,7 +60,7 @@ class Builder final : public nlohmann::json_sax<Library> {
   bool number_unsigned(number_unsigned_t value) override { return put(value); }
   bool number_float(number_float_t value, const string_t&) override { return put(value); }
   bool string(string_t& value) override { return put(std::move(value)); }
-  bool binary(binary_t&) override { return false; }  // no JSON text contains any
+  bool binary(binary_t&) override { return false; }  // never in JSON text
   bool start_object(std::size_t) override { return start(Json::object()); }
   bool start_array(std::size_t) override { return start(Json::array()); }
   bool end_object() override { return end(); }
@@ -72,14 +71,14 @@ class Builder final : public nlohmann::json_sax<Library> {
     return true;
   }
   bool parse_error(std::size_t, const std::string&, const Library::exception& error) override {
-    const std::string what = error.what();  // "[json.exception.parse_error.101] parse error at …"
+    const std::string what = error.what();
     refuse(file_, "is not JSON: " + shown(what.substr(std::min(what.find("] "), what.size() - 2) + 2)));
   }
 
  private:
   struct Open {
     Json value;
-    std::string key = {};  // of the next member
+    std::string key = {};
     std::set<std::string> keys = {};
   };
 

@@ -13,7 +13,7 @@
 
 namespace taut::cli {
 
-/// A JSON value; objects keep their order.
+/// Objects keep their order.
 class Json {
  public:
   using Member = std::pair<std::string, Json>;
@@ -54,21 +54,21 @@ class Json {
   const std::string& text() const { return std::get<std::string>(value_); }
   const std::vector<Json>& items() const { return std::get<std::vector<Json>>(value_); }
   const std::vector<Member>& members() const { return std::get<std::vector<Member>>(value_); }
-  /// Returns nullptr if this is no object or has no such key.
+  /// Nullptr without such a key.
   const Json* find(std::string_view key) const;
 
-  /// Member of an object; a missing member is added as null. A null value becomes an object.
+  /// Adds a missing member as null. A null value becomes an object.
   Json& operator[](std::string_view key);
-  /// Appends a member to an object that does not have this key yet.
+  /// Requires that the key is new.
   void append(std::string key, Json value);
-  /// Appends to an array. A null value becomes an array.
+  /// A null value becomes an array.
   void add(Json item);
-  /// Returns a copy of this object, extended by the members of `other` that it lacks.
+  /// Copy with the members of `other` that it lacks.
   Json with(const Json& other) const;
 
-  /// One line, or with `indent` one line per value. Replaces invalid UTF-8.
+  /// One line, or with `indent` a line per value. Replaces invalid UTF-8.
   std::string dump(int indent = -1) const;
-  /// All leaf values by JSON pointer: "/measures/period/value".
+  /// By JSON pointer: "/measures/period/value".
   std::vector<Member> leaves() const;
 
   const auto& value() const { return value_; }
@@ -79,11 +79,10 @@ class Json {
       value_;
 };
 
-/// Parses the contents of `file`. Throws UsageError for text that is not JSON, repeats a key in an object, or has
-/// more than 64 levels.
+/// Throws UsageError for text that is not JSON, repeats a key, or has more than 64 levels.
 Json parse_json(const std::string& text, const std::string& file);
 
-/// A number if the text is a JSON number, else a text.
+/// A JSON number, else a text.
 Json number_or_text(const std::string& text);
 
 }  // namespace taut::cli

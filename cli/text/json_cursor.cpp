@@ -10,7 +10,7 @@
 namespace taut::cli {
 namespace {
 
-const Json nothing;  // null
+const Json nothing;
 
 }  // namespace
 

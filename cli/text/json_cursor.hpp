@@ -11,27 +11,24 @@
 
 namespace taut::cli {
 
-/// Typed access to a value of a JSON file. Every error is a UsageError with the file, the path of the key
-/// ("measures.period.value"), the actual value and the allowed values.
+/// Errors are UsageErrors with file, path of the key ("measures.period.value"), actual and allowed values.
 class JsonCursor {
  public:
-  /// The arguments must outlive the cursor. With `texts_are_numbers`, as in CSV, a text can be a number; any other
-  /// text counts as null where a number or an array is read.
+  /// The arguments must outlive the cursor. With `texts_are_numbers`, as in CSV, a text can be a number, and
+  /// counts as null otherwise.
   JsonCursor(const Json& value, const std::string& file, std::string path = "",
              bool texts_are_numbers = false);
 
   const std::string& path() const { return path_; }
   bool is_null() const;
-  /// Whether `at` found no such key.
   bool is_missing() const;
-  /// Member of an object; a missing key gives null.
+  /// Null for a missing key.
   JsonCursor at(const std::string& key) const;
-  /// Members of an object, items of an array; none for null.
+  /// None for null.
   std::vector<std::pair<std::string, JsonCursor>> members() const;
   std::vector<JsonCursor> items() const;
   /// "" for null.
   std::string text() const;
-  /// A number as written in the file, or a text.
   std::string number_or_text() const;
 
   void check_object() const;

@@ -5,7 +5,7 @@
 
 namespace taut::cli {
 
-/// Formats a Markdown table; the first row is the header. Escapes vertical bars; line breaks become blanks.
+/// The first row is the header. Escapes vertical bars; line breaks become blanks.
 std::string markdown_table(const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace taut::cli

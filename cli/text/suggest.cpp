@@ -15,7 +15,7 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-/// Number of insertions, deletions, replacements and swaps of neighbouring letters that turn `a` into `b`.
+/// Insertions, deletions, replacements and swaps of neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -51,7 +51,7 @@ constexpr std::size_t most_names = 5, most_listed = 8, most_letters = 100;
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates) {
   constexpr std::size_t least_part = 3;
   if (name.empty() || name.size() > most_letters) return {};
-  // up to a third of the letters may differ, one of two letters, and none of a single letter
+  // a third of the letters may differ, one of two, none of one
   const std::size_t most_edits = name.size() == 1 ? 0 : std::max<std::size_t>(1, name.size() / 3);
   const std::string given = lower_case(name);
   std::vector<std::string> names;

@@ -6,15 +6,13 @@
 
 namespace taut::cli {
 
-/// At most five candidates, best first, that contain `name` or are few edits away. A swap of two
-/// neighbouring letters counts as one edit, a change of case as none.
+/// At most five, best first, that contain `name` or are few edits away. A swap is one edit, a change of case none.
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates);
 
-/// " (did you mean 'a' or 'b'?)", or "" if no candidate is near.
+/// " (did you mean 'a' or 'b'?)", or "".
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
-/// End of a message about an unknown name: did_you_mean(), with all names if they are at most
-/// eight, or the five nearest names if none is near.
+/// did_you_mean(), with all names up to eight, or the five nearest if none is near.
 std::string known_names(std::string_view given, const std::vector<std::string>& names);
 
 /// "unknown method 'enogg' (did you mean 'enog'?)".

@@ -12,7 +12,7 @@ namespace {
 
 using Result = TestCase::Result;
 
-/// Valid UTF-8: JSON replaces other bytes by U+FFFD.
+/// JSON replaces invalid bytes by U+FFFD.
 std::string valid_utf8(const std::string& text) { return parse_json(Json(text).dump(), "text").text(); }
 
 std::string replaced(std::string text, std::string_view from, std::string_view to) {

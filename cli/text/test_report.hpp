@@ -6,7 +6,6 @@
 
 namespace taut::cli {
 
-/// Result of a check, a picture or a run.
 struct TestCase {
   enum class Result { passed, failed, error };
   std::string name;
@@ -15,17 +14,16 @@ struct TestCase {
   std::optional<double> seconds{};
 };
 
-/// Results of one call of a command.
 struct TestReport {
   std::string command;
   std::string subject;  // run folder or title
   std::vector<TestCase> cases;
 };
 
-/// JUnit XML with one test suite. Replaces bytes and letters that XML cannot contain.
+/// One test suite. Replaces bytes and letters that XML cannot contain.
 std::string junit_xml(const TestReport& report);
 
-/// Failures and errors as workflow commands of GitHub Actions: at most ten, its limit per step.
+/// Workflow commands of GitHub Actions: at most ten, its limit per step.
 std::string github_annotations(const TestReport& report);
 
 }  // namespace taut::cli
