@@ -87,9 +87,9 @@ std::function<int(Streams)> declare_check(Options& command) {
   auto options = std::make_shared<CheckArguments>();
   command.add_argument("DIR", options->run, "folder of a run, or its run.json").required();
   command.add("--measure", "MEASURE ...", options->measures,
-              "an expected value NAME=VALUE±TOLERANCE (also +-; the tolerance in % or in the unit of the "
-              "measure) or a bound NAME<VALUE, NAME>VALUE; also of a number in run.json, such as "
-              "conservation.energy<1e-3");
+              "an expected value NAME=VALUE±TOLERANCE (also +-; "
+              "the tolerance in % or in the unit of the measure) or a bound NAME<VALUE, NAME>VALUE; "
+              "also of a number in run.json, such as conservation.energy<1e-3");
   command.add("--baseline", "FILE", options->baseline,
               "folder or run.json of another run, whose measures and verdict are expected");
   command.add("--tolerance", "X", options->tolerance,

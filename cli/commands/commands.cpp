@@ -46,8 +46,7 @@ constexpr Command table[] = {
      "  taut sweep rings-speed-limit --out limits --emit slurm && sbatch limits/sweep.slurm\n",
      declare_sweep},
     {"chart", "draw error over cost from the results of sweeps, one line per method",
-     "  taut sweep oscillating-plate --grid method=enog,oenog,tl --grid spacing=0.004,0.002,0.001"
-     " --out out/plate\n"
+     "  taut sweep oscillating-plate --grid method=enog,oenog,tl --grid spacing=0.004,0.002,0.001 --out out/plate\n"
      "  taut chart out/plate/results.csv --out plate.png\n"
      "  taut chart out/plate --measure first_peak --cost steps --methods enog,tl --out plate.svg\n"
      "  taut chart out/mine --against oenog --out mine.png     errors relative to the finest run of oenog\n"
@@ -86,8 +85,7 @@ constexpr Command table[] = {
      declare_report},
     {"compare", "draw runs side by side from their saved particles: one column per run, one row per time",
      "  taut compare out/og out/enog --out panel.png\n"
-     "  taut compare out/og out/enog --times 0.002,0.005,0.012 --color pressure --range -2e6:2e6"
-     " --out panel.png\n",
+     "  taut compare out/og out/enog --times 0.002,0.005,0.012 --color pressure --range -2e6:2e6 --out panel.png\n",
      declare_compare},
     {"movie", "make a movie from the frames of a run, with ffmpeg",
      "  taut movie out/rings --out rings.mp4\n"
@@ -125,8 +123,7 @@ constexpr Command table[] = {
      "  taut claims Lee2016 --quick               run the claims of a paper that take seconds\n"
      "  taut claims --all --jobs 2 --json         run everything: hours\n"
      "Runs are kept in --out, and finished runs are not repeated. A claim `holds` if its criterion is true,\n"
-     "holds `in part` if only the weaker criterion is, and else `does not hold`. A run agrees if this state "
-     "is\n"
+     "holds `in part` if only the weaker criterion is, and else `does not hold`. A run agrees if this state is\n"
      "the recorded one, and if the evidence for the reason of a failure is true.\n",
      declare_claims},
     {"session", "simulate interactively: read commands from stdin, print answers; `help` lists the commands",

@@ -291,8 +291,8 @@ std::function<int(Streams)> declare_describe(Options& command) {
   command
       .add_argument(
           "SCENE|METHOD|scene-file|sweep-file|claim-file|SECTION", options->name,
-          "a name that `taut list` shows (also of a law, field, key, ...), a section of scene files, or the "
-          "path of a scene file")
+          "a name that `taut list` shows (also of a law, field, key, ...), a section of scene files, "
+          "or the path of a scene file")
       .required();
   const Option json =
       command.add_flag("--json", options->json, "print JSON, for scripts; not for scenes and methods");

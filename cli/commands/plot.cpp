@@ -242,15 +242,14 @@ std::function<int(Streams)> declare_plot(Options& command) {
       .required();
   command
       .add("--columns", "COLUMN,...", options->columns,
-           "histories: columns of history.csv, one panel each; a+b: both in one panel; default: all probes, "
-           "else "
-           "total_energy")
+           "histories: columns of history.csv, one panel each; "
+           "a+b: both in one panel; default: all probes, else total_energy")
       .comma_separated();
   command
-      .add("--y", "MEASURE,...", options->y,
-           "answers: measures, such as deflection or deflection.error, or columns of results.csv, one panel "
-           "each; "
-           "a+b: both in one panel")
+      .add(
+          "--y", "MEASURE,...", options->y,
+          "answers: measures, such as deflection or deflection.error, or columns of results.csv, one panel each; "
+          "a+b: both in one panel")
       .comma_separated();
   command.add(
       "--x", "COLUMN", options->x,

@@ -59,10 +59,9 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
   const std::string scene = resolved_text(run.file, run.folder.path());
   // a continued run would draw its next frames differently
   if (fs::exists(run.folder.checkpoint()) && read_whole(run.folder.scene()) != scene)
-    throw UsageError(
-        "the run in '" + run.folder.path().string() +
-        "' has a checkpoint, so its frames cannot change; name another folder with --out, finish the run "
-        "with `taut run --resume`, or remove checkpoint.bin of a finished run");
+    throw UsageError("the run in '" + run.folder.path().string() +
+                     "' has a checkpoint, so its frames cannot change; name another folder with --out, "
+                     "finish the run with `taut run --resume`, or remove checkpoint.bin of a finished run");
   run.folder.clear_frames();
   write_atomically(run.folder.scene(), scene, Durability::on_disk);
   return run.folder.frames();

@@ -346,8 +346,8 @@ std::span<const DrawingKey> drawing_keys() {
       DrawingKey{
           .name = "font_size",
           .placeholder = "POINTS|auto",
-          .help = "size of texts, points: pixels = POINTS / 72 × dpi; lines follow; auto: by the size, with "
-                  "--width 7",
+          .help =
+              "size of texts, points: pixels = POINTS / 72 × dpi; lines follow; auto: by the size, with --width 7",
           .allows_auto = true,
           .numbers = {.in_file = "points",
                       .typed = fmt::format("POINTS from {} to {}, or 'auto'", least_font, greatest_font),
@@ -368,17 +368,16 @@ std::span<const DrawingKey> drawing_keys() {
                              .high = render::greatest_size},
                  .set = set_size,
                  .get = get_size},
-      DrawingKey{
-          .name = "width",
-          .placeholder = "LENGTH|none",
-          .help =
-              "width on paper, such as 85mm: sets the pixels by --dpi, keeps the proportions of --size, and "
-              "sets texts of 7 points",
-          .is_free_text = true,
-          .pattern = R"(^(none|[0-9]+(\.[0-9]+)?(mm|cm|in))$)",
-          .numbers = {.typed = fmt::format("none or {}", right_print_widths)},
-          .set = set_width,
-          .get = get_width},
+      DrawingKey{.name = "width",
+                 .placeholder = "LENGTH|none",
+                 .help =
+                     "width on paper, such as 85mm: "
+                     "sets the pixels by --dpi, keeps the proportions of --size, and sets texts of 7 points",
+                 .is_free_text = true,
+                 .pattern = R"(^(none|[0-9]+(\.[0-9]+)?(mm|cm|in))$)",
+                 .numbers = {.typed = fmt::format("none or {}", right_print_widths)},
+                 .set = set_width,
+                 .get = get_width},
       DrawingKey{.name = "dpi",
                  .placeholder = "N|auto",
                  .help = "pixels per inch, for --width and --font-size; auto: 96, with --width 300",

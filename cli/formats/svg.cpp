@@ -50,8 +50,7 @@ Mask paint(const std::filesystem::path& svg, int rows) {
         "an SVG file needs rsvg-convert, which is not installed: sudo apt-get install librsvg2-bin");
   if (result.late)
     throw UsageError(
-        fmt::format("{} takes rsvg-convert more than {} s; simplify it, for instance by removing "
-                    "its filters",
+        fmt::format("{} takes rsvg-convert more than {} s; simplify it, for instance by removing its filters",
                     svg.string(), longest.count()));
   if (result.code != 0) {
     const std::string why = result.errors.substr(0, result.errors.find('\n'));

@@ -196,31 +196,31 @@ std::string markdown(const LanguageFile& file) {
 }
 
 const Texts scene_rules{
-    "A scene is a TOML file with lines `key = value` under a [header]. A [[header]] can occur several times, "
-    "once for each object. Keys above the first header belong to the file itself. `#` begins a comment. A "
-    "scene needs `spacing`, `until`, a material and a body.",
+    "A scene is a TOML file with lines `key = value` under a [header]. "
+    "A [[header]] can occur several times, once for each object. "
+    "Keys above the first header belong to the file itself. `#` begins a comment. "
+    "A scene needs `spacing`, `until`, a material and a body.",
     "All numbers are in SI units and are written without a unit: 1e7 for 10 MPa, 0.005 for 5 mm.",
     "Every number may be an expression in quotes: \"0.06 + 4*dp\", \"x > 0.1 ? 1 : 0\", \"x < 0 && y > 0\". "
     "Operators: + - * / ^, < <= > >= == !=, && (and), || (or), CONDITION ? A : B. Functions: " +
         join(function_names()) + ".",
-    "Names in expressions: the parameters, `dp` (the spacing), `pi`, and `touching` (the gap below which "
-    "bodies are in contact). Expressions about a body of one material can also use its `c0`, `E`, `nu`, "
-    "`rho`, "
-    "`K` and `G`. Expressions \"of the place\" can use `x`, `y` and in 3D `z`, the position in the initial "
-    "configuration in m. Expressions \"of t\" can use the time `t` in s.",
+    "Names in expressions: "
+    "the parameters, `dp` (the spacing), `pi`, and `touching` (the gap below which bodies are in contact). "
+    "Expressions about a body of one material can also use its `c0`, `E`, `nu`, `rho`, `K` and `G`. "
+    "Expressions \"of the place\" can use `x`, `y` and in 3D `z`, the position in the initial configuration in m. "
+    "Expressions \"of t\" can use the time `t` in s.",
     "A place or a vector has one component for each axis: [x, y], or [x, y, z] with dim = 3.",
     "In 2D, forces and masses are per metre of depth.",
-    "Each of these is an error: an unknown or unused key, a wrong type, a value out of bounds, and an unused "
-    "parameter or "
-    "material. The message gives the place and the allowed values or the nearest known names.",
+    "Each of these is an error: "
+    "an unknown or unused key, a wrong type, a value out of bounds, and an unused parameter or material. "
+    "The message gives the place and the allowed values or the nearest known names.",
     "Limits: 20 million particles, 500 parameters, 20 000 letters in an expression, 100 letters in a name, "
     "200 bytes in a title or a help. The file cli/PROMISES.md of the sources lists all limits.",
-    "`taut run my.toml` runs the scene, and `taut describe my.toml` prints the scene as it was read. `taut "
-    "describe NAME` explains one section, shape, probe or measure of this page.",
-    "`taut describe scene-file --schema > scene.schema.json` writes a JSON Schema. An editor that reads it, "
-    "such as "
-    "VS Code with Even Better TOML, completes and checks a scene whose first line is `#:schema "
-    "./scene.schema.json`."};
+    "`taut run my.toml` runs the scene, and `taut describe my.toml` prints the scene as it was read. "
+    "`taut describe NAME` explains one section, shape, probe or measure of this page.",
+    "`taut describe scene-file --schema > scene.schema.json` writes a JSON Schema. "
+    "An editor that reads it, such as VS Code with Even Better TOML, "
+    "completes and checks a scene whose first line is `#:schema ./scene.schema.json`."};
 
 std::string general_settings() {
   Texts names;
@@ -229,22 +229,19 @@ std::string general_settings() {
 }
 
 const Texts sweep_rules{
-    "A sweep is a TOML file that runs a scene with every combination of some values: `taut sweep "
-    "my-sweep.toml`.",
+    "A sweep is a TOML file that runs a scene with every combination of some values: `taut sweep my-sweep.toml`.",
     "Names that can be set: the parameters of the scene; method.NAME, a constant of the method; " +
         general_settings() + ".",
     "A study is a sweep with a [chart], a [map] or a [history], which draw its results."};
 
 const Texts claim_rules{
-    "A claim file is a TOML file with statements of a paper; its name is the key of the paper. `taut claims "
-    "PAPER` lists the claims, and `taut claims PAPER --all` runs them.",
-    "A criterion is an expression, as in scenes, of quantities of the runs. Verdicts are compared with their "
-    "names, "
-    "from best to worst: " +
+    "A claim file is a TOML file with statements of a paper; its name is the key of the paper. "
+    "`taut claims PAPER` lists the claims, and `taut claims PAPER --all` runs them.",
+    "A criterion is an expression, as in scenes, of quantities of the runs. "
+    "Verdicts are compared with their names, from best to worst: " +
         join(names_of_verdicts()) +
         ". `RUN.since.VERDICT` is the time in s at which a failure began; it is infinite if it never began. "
-        "A measure "
-        "without value is a disagreement.",
+        "A measure without value is a disagreement.",
     "A claim holds if its criterion is true, holds in part if only `part` is true, and else does not hold. "
     "`taut claims --run` compares this with the recorded state."};
 

@@ -67,9 +67,9 @@ void check_page(const fs::path& path) {
   if (!fs::exists(path, error)) return;
   if (fs::is_directory(path, error)) {
     if (fs::is_empty(path, error) || is_page(path / "index.html")) return;
-    throw UsageError("'" + path.string() +
-                     "' contains files that are not from `taut report`; empty it or name another folder "
-                     "with --out");
+    throw UsageError(
+        "'" + path.string() +
+        "' contains files that are not from `taut report`; empty it or name another folder with --out");
   }
   if (!is_page(path))
     throw UsageError("'" + path.string() +

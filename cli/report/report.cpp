@@ -45,10 +45,9 @@ PageKind kind_of(const ReportRequest& request) {
     if (is_sweep(path))
       ++sweeps;
     else if (!is_run(path))
-      throw UsageError(
-          "'" + path +
-          "' is neither a run folder nor the folder of a sweep; name a folder that `taut run` or "
-          "`taut sweep` has written");
+      throw UsageError("'" + path +
+                       "' is neither a run folder nor the folder of a sweep; "
+                       "name a folder that `taut run` or `taut sweep` has written");
   }
   if (sweeps == 0) return request.paths.size() == 1 ? PageKind::run : PageKind::runs;
   if (sweeps < request.paths.size())

@@ -29,13 +29,12 @@ void check_something_is_left(const RunFolder& folder, const std::optional<Stored
     throw UsageError(name + " is not a run folder; name a folder that `taut run` has written");
   const bool has_checkpoint = fs::exists(folder.checkpoint(), error);
   if (record->status == RunRecord::Status::finished && !(has_checkpoint && later_end(given, record)))
-    throw UsageError(
-        "the run in " + name + " is finished: " +
-        (has_checkpoint ? "give a later --until to continue it"
-         : later_end(given, record)
-             ? "it has no checkpoint for a later --until; run it again, with --keep-checkpoint to "
-               "continue it afterwards"
-             : "nothing is left to do"));
+    throw UsageError("the run in " + name + " is finished: " +
+                     (has_checkpoint ? "give a later --until to continue it"
+                      : later_end(given, record)
+                          ? "it has no checkpoint for a later --until; "
+                            "run it again, with --keep-checkpoint to continue it afterwards"
+                          : "nothing is left to do"));
   if (!has_checkpoint && record->status == RunRecord::Status::failed)
     throw UsageError("the run in " + name + " has failed: nothing is left to do");
 }

@@ -53,8 +53,8 @@ void read_on_boundary(TomlCursor& cursor, Body& body) {
   const bool one_box = body.shapes.size() == 1 && body.shapes.front().as<Box>();
   if (body.on_boundary && !(one_box && body.without.empty()))
     cursor.fail(cursor.need("on_boundary"), "on_boundary",
-                "on_boundary = true needs a body of one rectangle or box without cut-outs; to rotate it, use "
-                "the key 'rotate' of the body, not of the shape");
+                "on_boundary = true needs a body of one rectangle or box without cut-outs; "
+                "to rotate it, use the key 'rotate' of the body, not of the shape");
 }
 
 void read_lattice(TomlCursor& cursor, int dim, Body& body) {
@@ -64,13 +64,14 @@ void read_lattice(TomlCursor& cursor, int dim, Body& body) {
   body.lattice = Lattice::hexagonal;
   const TomlValue& value = cursor.need("lattice");
   if (dim == 3)
-    cursor.fail(value, "lattice",
-                "lattice = \"hexagonal\" needs dim = 2, but this scene has dim = 3; remove it to get a cubic "
-                "lattice");
+    cursor.fail(
+        value, "lattice",
+        "lattice = \"hexagonal\" needs dim = 2, but this scene has dim = 3; remove it to get a cubic lattice");
   if (body.on_boundary)
-    cursor.fail(value, "lattice",
-                "lattice = \"hexagonal\" cannot be used with on_boundary = true, which needs a square "
-                "lattice; remove one of them");
+    cursor.fail(
+        value, "lattice",
+        "lattice = \"hexagonal\" cannot be used with on_boundary = true, which needs a square lattice; "
+        "remove one of them");
 }
 
 /// An empty component leaves its axis free.

@@ -64,9 +64,9 @@ std::optional<Mismatch> misfit(const Drawing& drawing) {
   if (const auto wide = pixels_on_paper(drawing); wide && !(*wide <= render::greatest_size))
     return Mismatch{
         {"width", "dpi"},
-        fmt::format("a width of {} at {:g} dpi is {:.0f} pixels; at most {} are allowed; use a smaller "
-                    "width or dpi",
-                    drawing.print_width, drawing.dpi.value_or(print_dpi), *wide, render::greatest_size)};
+        fmt::format(
+            "a width of {} at {:g} dpi is {:.0f} pixels; at most {} are allowed; use a smaller width or dpi",
+            drawing.print_width, drawing.dpi.value_or(print_dpi), *wide, render::greatest_size)};
   if (!look.size) return std::nullopt;
   const auto [width, height] = *look.size;
   if (std::min(width, height) < render::least_size || std::max(width, height) > render::greatest_size)
@@ -76,11 +76,10 @@ std::optional<Mismatch> misfit(const Drawing& drawing) {
   constexpr double least_em = 10;  // of the shorter side
   if (const double font = look.texts.font;
       !look.bare && font > 0 && std::min(width, height) < least_em * font)
-    return Mismatch{
-        {"font_size", "width"},
-        fmt::format("texts of {:.0f} pixels are too large for a picture of {}x{} pixels; use a smaller "
-                    "font_size or a larger picture",
-                    font, width, height)};
+    return Mismatch{{"font_size", "width"},
+                    fmt::format("texts of {:.0f} pixels are too large for a picture of {}x{} pixels; "
+                                "use a smaller font_size or a larger picture",
+                                font, width, height)};
   return std::nullopt;
 }
 
@@ -94,8 +93,8 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
         "camera, up and fov need dim = 3, but this scene has dim = 2; remove them and use `view`"};
   if (!flat && drawing.look.view)
     return Mismatch{{"view"},
-                    "view needs dim = 2, but this scene has dim = 3; remove it or set it to auto, and use "
-                    "`camera`, `up` and `fov`. Pictures in 3D show the whole motion"};
+                    "view needs dim = 2, but this scene has dim = 3; remove it or set it to auto, "
+                    "and use `camera`, `up` and `fov`. Pictures in 3D show the whole motion"};
   if (drawing.style == (flat ? Style::spheres : Style::discs))
     return Mismatch{
         {"style"},
@@ -108,8 +107,8 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   if (drawing.formula.empty() && drawing.field->counts != Counted::nothing &&
       (drawing.look.range || drawing.look.colormap))
     return Mismatch{{"range", "colormap"},
-                    fmt::format("range and colormap need a field of numbers, but color = \"{0}\" has one "
-                                "colour for each {0}; remove them",
+                    fmt::format("range and colormap need a field of numbers, "
+                                "but color = \"{0}\" has one colour for each {0}; remove them",
                                 drawing.field->key)};
   if (auto wrong = misfit(drawing)) return wrong;
   const std::vector<std::string> bodies = names_of(scene.bodies);

@@ -37,12 +37,11 @@ constexpr KeyInfo top_keys[] = {
     {"source", types::line(), "none", "origin of the scene, such as a paper"},
     {"dim", types::whole(2, 3), "2", "number of dimensions; 2 is plane strain"},
     {"spacing", types::number("m", above(0)), "",
-     "particle spacing dp; changed to the nearest value that divides the thinnest side of the first shape "
-     "into whole particles"},
+     "particle spacing dp; "
+     "changed to the nearest value that divides the thinnest side of the first shape into whole particles"},
     {"jitter", types::number("dp", {0, 0.5, false, true}), "0",
-     "largest random shift of a particle to either side along each axis, in spacings. "
-     "Volumes do not change. Particles are not shifted along held and driven axes, nor across a face with "
-     "on_boundary"},
+     "largest random shift of a particle to either side along each axis, in spacings. Volumes do not change. "
+     "Particles are not shifted along held and driven axes, nor across a face with on_boundary"},
     {"jitter_seed", types::whole(1, 1e9), "1",
      "seed of the random shifts; bodies of the same shape get the same shifts"},
     {"until", types::number("s", above(0)), "", "end time of the run"},
@@ -55,8 +54,8 @@ constexpr KeyInfo top_keys[] = {
     {"contact", types::one_of("CONTACT", [] { return allowed_words("contact"); }), "published",
      "contact law between bodies: `taut list contacts`"},
     {"stepping", types::word("dual", "single"), "dual",
-     "dual: recomputes the geometry of pairs at advection steps only; single: at every step. Only the "
-     "methods of [Zhang2024] use it"},
+     "dual: recomputes the geometry of pairs at advection steps only; single: at every step. "
+     "Only the methods of [Zhang2024] use it"},
     {"cfl", types::number("", at_least(1e-6)), "the method's", "factor of the time step (CFL number)"},
     {"gravity", types::vector("[x, y] of t", "m/s²"), "none", "gravitational acceleration"},
     {"damping", types::number("1/s", at_least(0)), "0",
@@ -101,31 +100,29 @@ constexpr KeyInfo body_keys[] = {
      "shape of the body; an array is the union of its shapes, filled with one lattice"},
     {"without", types::table("shape", "SHAPE").or_list(1), "none", "shapes that are cut out of the body"},
     {"on_boundary", types::flag(), "false",
-     "true: particles lie on the faces of a single rectangle or box, one more along each side than there are "
-     "cells. A particle on one, two or three faces has about 1/2, 1/4 or 1/8 of a cell. false: particles lie "
-     "at the centres of cells"},
+     "true: particles lie on the faces of a single rectangle or box, one more along each side than there are cells. "
+     "A particle on one, two or three faces has about 1/2, 1/4 or 1/8 of a cell. "
+     "false: particles lie at the centres of cells"},
     {"lattice", types::word("square", "hexagonal"), "square",
      "lattice that shapes are cut from. hexagonal (2D only): rows along the longer side of the first shape, "
      "with particles 1.075 dp apart. Each particle has the area dp² on both lattices"},
     {"rotate", rotation, "none",
-     "rotation of the layout. Expressions of the place, such as `held`, use the rotated positions. A single "
-     "number is allowed in 2D only"},
+     "rotation of the layout. Expressions of the place, such as `held`, use the rotated positions. "
+     "A single number is allowed in 2D only"},
     {"velocity", types::vector("[x, y] of the place", "m/s"), "0", "initial velocity"},
     {"held", of_place.or_list(2, 3), "none",
-     "particles where the expression is not 0 are clamped. An array, [\"x < dp\", \"\"], clamps single "
-     "components of the velocity; an empty text leaves its component free. A body can turn about a single "
-     "clamped particle, in 3D about a clamped row"},
+     "particles where the expression is not 0 are clamped. "
+     "An array, [\"x < dp\", \"\"], clamps single components of the velocity; an empty text leaves its component free. "
+     "A body can turn about a single clamped particle, in 3D about a clamped row"},
     {"displacement", types::vector("[x, y] of the place", "m"), "0",
      "displacement at the start from the stress-free layout; only for methods that use initial neighbours"},
     {"mirror", types::word("x", "y", "z").or_list(), "none",
-     "axis, \"x\", \"y\" or \"z\", along which the layout is reflected; two bodies can then be exact mirror "
-     "images"},
+     "axis, \"x\", \"y\" or \"z\", along which the layout is reflected; two bodies can then be exact mirror images"},
     {"parts", types::table("parts", "[{ material, where }]").list(), "none", "regions of another material"},
     {"driven", types::table("driven", "[{ where, velocity, until }]").list(), "none",
      "regions with a prescribed motion along all axes; overrides `held` along single axes"},
     {"loaded", types::table("loaded", "[{ where, force, ramp }]").list(), "none",
-     "loads on regions. A load moves with its particles and keeps its direction, so a compressed body may "
-     "tip over"},
+     "loads on regions. A load moves with its particles and keeps its direction, so a compressed body may tip over"},
 };
 
 constexpr KeyInfo rotate_keys[] = {
@@ -144,21 +141,21 @@ constexpr KeyInfo driven_keys[] = {
     {"where", of_place, "", "region: the particles where the expression is not 0"},
     {"velocity", types::vector("[x, y] of t", "m/s"), "", "prescribed velocity of the particles"},
     {"until", types::number("s", above(0)), "never",
-     "end of the prescribed motion, after which the particles are free. It has no effect at or after the end "
-     "of the run"},
+     "end of the prescribed motion, after which the particles are free. "
+     "It has no effect at or after the end of the run"},
 };
 
 constexpr KeyInfo loaded_keys[] = {
     {"where", of_place, "", "region: the particles where the expression is not 0"},
     {"force", types::vector("[x, y] of the place", "N"), "or force_density or traction",
-     "force, spread by volume over the region without particles that are clamped or driven to the end of the "
-     "run; in 2D per metre of depth"},
+     "force, spread by volume over the region without particles that are clamped or driven to the end of the run; "
+     "in 2D per metre of depth"},
     {"force_density", types::vector("[x, y] of the place", "N/m³"), "or force or traction",
      "force per initial volume"},
     {"traction", types::vector("[x, y] of the place", "Pa"), "or force or force_density",
-     "force per area on the outer face of a layer one spacing deep; each face needs its own entry. It acts "
-     "on the particles of the layer in methods that search neighbours, in tl-small-strain, and on curved "
-     "faces cut from a lattice. On a hexagonal lattice the force is up to 7.5 % off"},
+     "force per area on the outer face of a layer one spacing deep; each face needs its own entry. "
+     "It acts on the particles of the layer in methods that search neighbours, in tl-small-strain, "
+     "and on curved faces cut from a lattice. On a hexagonal lattice the force is up to 7.5 % off"},
     {"ramp", types::expression("expression of t"), "1", "factor of the load over time"},
 };
 
@@ -166,8 +163,8 @@ constexpr KeyInfo shape_keys[] = {
     {"type", types::one_of("SHAPE", [] { return names_of(shape_kinds()); }), "",
      "type of the shape: `taut list shapes`; it determines the other keys"},
     {"rotate", rotation, "none",
-     "rotation, by default about the centre of the shape. The lattice of a body rotates with its first "
-     "shape. A single number is allowed in 2D only"},
+     "rotation, by default about the centre of the shape. "
+     "The lattice of a body rotates with its first shape. A single number is allowed in 2D only"},
 };
 
 constexpr KeyInfo wall_keys[] = {
@@ -212,22 +209,20 @@ constexpr KeyInfo reference_keys[] = {
     {"tables", types::table("tables", "{ file, column }").by_name("MEASURE"), "none",
      "reference series of measures, from CSV files"},
     {"solutions", types::expression("expression of t").or_list(1).by_name("MEASURE"), "none",
-     "exact solutions of measures; of a number such as a period, its value. Solutions of lines and fields "
-     "may also use the place. Measures of several "
-     "probes or fields take an array. A solution is valid for all values of the parameters that `when` does "
-     "not name"},
+     "exact solutions of measures; of a number such as a period, its value. "
+     "Solutions of lines and fields may also use the place. Measures of several probes or fields take an array. "
+     "A solution is valid for all values of the parameters that `when` does not name"},
     {"let", types::number().by_name("NAME"), "none",
-     "names for use in values and solutions; each may use the names above it. If the scene has one material, "
-     "also its "
-     "c0, E, nu, rho, K, G"},
+     "names for use in values and solutions; each may use the names above it. "
+     "If the scene has one material, also its c0, E, nu, rho, K, G"},
 };
 
 constexpr KeyInfo table_keys[] = {
     {"file", types::text("path"), "",
      "path of a CSV file, relative to the scene's folder; lines that start with # are comments"},
     {"column", types::text(), "for one probe or line",
-     "name of the column with the values. The table also needs a column t, the time in s; for a line a "
-     "column s, the distance from its first point in m"},
+     "name of the column with the values. The table also needs a column t, the time in s; "
+     "for a line a column s, the distance from its first point in m"},
     {"columns", types::text().list(1), "for several probes", "one column name for each probe"},
 };
 
@@ -247,8 +242,8 @@ constexpr KeyInfo sweep_keys[] = {
 
 constexpr KeyInfo grid_keys[] = {
     {any_name, types::expression("value").or_list(1), "",
-     "values of a name that --set accepts: \"low:high:step\" with both ends, \"a, b\", or [a, b]. A name "
-     "\"method.CONSTANT\" needs quotes"},
+     "values of a name that --set accepts: \"low:high:step\" with both ends, \"a, b\", or [a, b]. "
+     "A name \"method.CONSTANT\" needs quotes"},
 };
 
 constexpr KeyInfo setting_keys[] = {
@@ -291,10 +286,9 @@ constexpr KeyInfo claim_keys[] = {
     {"run", types::table("set", "{ NAME = value }").by_name("RUN"), "",
      "runs of the claim with their settings; the criteria refer to their names"},
     {"criterion", types::expression("condition of quantities"), "",
-     "true if the claim holds here. A quantity is RUN.verdict, RUN.since.VERDICT, RUN.MEASURE, "
-     "RUN.error.MEASURE, RUN.min.COLUMN, RUN.max.COLUMN, RUN.first.COLUMN or RUN.last.COLUMN of "
-     "history.csv, RUN.PATH of a number in run.json, or RUN.critical_step, the largest stable time step in "
-     "s"},
+     "true if the claim holds here. A quantity is RUN.verdict, RUN.since.VERDICT, RUN.MEASURE, RUN.error.MEASURE, "
+     "RUN.min.COLUMN, RUN.max.COLUMN, RUN.first.COLUMN or RUN.last.COLUMN of history.csv, "
+     "RUN.PATH of a number in run.json, or RUN.critical_step, the largest stable time step in s"},
     {"part", types::expression("condition of quantities"), "none",
      "true if the claim holds in part; only if it does not hold"},
     {"looser", types::line(), "none", "difference between the criterion and the paper's statement"},

@@ -142,8 +142,8 @@ constexpr std::array objects = {
                 "fields to compare: the components of one vector"},
                read_fields_of},
     MeasureKey{{"rigid_motion", types::word("counts", "free"), "counts",
-                "free: subtracts the nearest small rigid motion from the error, for displacements of a body "
-                "whose loads do not fix it; counts: includes it"},
+                "free: subtracts the nearest small rigid motion from the error, "
+                "for displacements of a body whose loads do not fix it; counts: includes it"},
                read_rigid_motion},
 };
 constexpr std::array numbers = {
@@ -152,8 +152,8 @@ constexpr std::array numbers = {
                read_axis},
     MeasureKey{{"threshold", types::number(), "0", "threshold, in the unit of the series"}, read_threshold},
     MeasureKey{{"scale", types::number(), "1",
-                "divisor of the result, not 0. With the range of the reference, rmse is a relative error "
-                "with unit \"1\""},
+                "divisor of the result, not 0. "
+                "With the range of the reference, rmse is a relative error with unit \"1\""},
                read_scale},
     MeasureKey{{"band", types::vector_of(2, "[low, high]", "Hz", at_least(0)), "",
                 "range in which the frequency is searched, the lower end first"},

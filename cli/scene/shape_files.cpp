@@ -139,8 +139,8 @@ void refuse_far(const GivenSites& given, const std::filesystem::path& file, cons
       throw SceneError(
           file.string(), 0, 0, "",
           fmt::format(
-              "the particles are too far apart, or too far from the origin, for a spacing of {:g} m: {} goes "
-              "from {:g} m to {:g} m. The box around them may have room for at most {:g} particles",
+              "the particles are too far apart, or too far from the origin, for a spacing of {:g} m: "
+              "{} goes from {:g} m to {:g} m. The box around them may have room for at most {:g} particles",
               setting.dp, axis_names[k], low[k], high[k], greatest_particle_number));
   }
   for (const double volume : given.volumes)
@@ -160,8 +160,8 @@ void refuse_other_spacing(std::vector<double> volumes, const std::filesystem::pa
   const double apart = std::pow(*middle, 1.0 / setting.dim);
   if (apart > 2 * setting.dp || setting.dp > 2 * apart)
     throw SceneError(file.string(), 0, 0, "",
-                     fmt::format("its particles are about {:.3g} m apart, by their volumes; the scene's "
-                                 "spacing of {:g} m must be between half and twice this distance",
+                     fmt::format("its particles are about {:.3g} m apart, by their volumes; "
+                                 "the scene's spacing of {:g} m must be between half and twice this distance",
                                  apart, setting.dp));
 }
 
@@ -212,11 +212,12 @@ double usual_distance(std::vector<Point> places) {
 /// lattices, and down to 0.75 dp in disordered particles.
 void refuse_other_mass(double apart, const std::filesystem::path& file, const ShapeSetting& setting) {
   if (std::isfinite(apart) && (apart < 0.7 * setting.dp || apart > 1.3 * setting.dp))
-    throw SceneError(file.string(), 0, 0, "",
-                     fmt::format("its particles are about {:.3g} m apart, but the scene's spacing is {:g} m: "
-                                 "without a column volume, each particle would get the mass of a cell of "
-                                 "that spacing. Add a column volume, or choose a spacing that fits",
-                                 apart, setting.dp));
+    throw SceneError(
+        file.string(), 0, 0, "",
+        fmt::format("its particles are about {:.3g} m apart, but the scene's spacing is {:g} m: "
+                    "without a column volume, each particle would get the mass of a cell of that spacing. "
+                    "Add a column volume, or choose a spacing that fits",
+                    apart, setting.dp));
 }
 
 }  // namespace
@@ -285,8 +286,8 @@ Shape read_particles(TomlCursor& shape, const ShapeSetting& setting) {
                "of_body needs a .vtp file, which holds the particles of a run; remove it for other files");
   if (!setting.alone)
     shape.fail(shape.need("type"), "type",
-               "a shape of type \"particles\" must be the only shape of its body; it cannot be combined with "
-               "other shapes or have cut-outs");
+               "a shape of type \"particles\" must be the only shape of its body; "
+               "it cannot be combined with other shapes or have cut-outs");
   std::optional<int> body;
   if (shape.find("of_body")) body = shape.whole("of_body", 0, 0, 1000000);
   GivenSites given = saved ? with_place(shape, [&] { return saved_sites(file, body, setting); })

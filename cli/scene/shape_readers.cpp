@@ -40,8 +40,8 @@ Chain read_contour(TomlCursor& shape, const TomlValue& value, std::string_view k
   if (contour.size() > 1 && contour.back() == contour.front()) contour.pop_back();
   if (contour.size() < 3)
     shape.fail(value, key,
-               fmt::format("a contour must have at least three points, but this one has {}; the last point "
-                           "is joined to the first",
+               fmt::format("a contour must have at least three points, but this one has {}; "
+                           "the last point is joined to the first",
                            contour.size()));
   return contour;
 }

@@ -76,8 +76,8 @@ Shape read_cylinder(TomlCursor& shape, const ShapeSetting& setting) {
   if (!shape.find("inner")) {
     if (shape.find("layout"))
       shape.fail(shape.need("layout"), "layout",
-                 "layout needs a hollow cylinder, one with inner; remove it, because a solid cylinder is cut "
-                 "from a cubic lattice");
+                 "layout needs a hollow cylinder, one with inner; "
+                 "remove it, because a solid cylinder is cut from a cubic lattice");
     return cylinder;
   }
   cylinder.inner = shape.positive("inner");
@@ -158,8 +158,7 @@ constexpr KeyInfo polygon_keys[] = {
     {"points", types::vector("[x, y]", "m").list(3), "or contours",
      "corners of one closed contour, at least three"},
     {"contours", types::vector("[x, y]", "m").list(3).nested(), "or points",
-     "closed contours that do not cross. A point is inside the polygon if an odd number of contours surround "
-     "it"},
+     "closed contours that do not cross. A point is inside the polygon if an odd number of contours surround it"},
     {"centre", types::vector("[x, y]", "m"), "none",
      "origin of the points, and centre of rotation and reflection. The lattice is symmetric about it"},
 };
@@ -197,9 +196,10 @@ constexpr KeyInfo expression_keys[] = {
 };
 constexpr KeyInfo particles_keys[] = {
     {"file", types::text("path"), "",
-     "CSV file with columns x, y, in 3D also z, and optionally volume in m² or m³. Without volumes, "
-     "particles must be about dp apart, and each has the volume dp² or dp³. A .vtp file of a run gives its "
-     "particles at their saved positions, with their initial volumes and without strain"},
+     "CSV file with columns x, y, in 3D also z, and optionally volume in m² or m³. "
+     "Without volumes, particles must be about dp apart, and each has the volume dp² or dp³. "
+     "A .vtp file of a run gives its particles at their saved positions, "
+     "with their initial volumes and without strain"},
     {"of_body", types::whole(0, 1e6), "all",
      "for a .vtp file of several bodies: number of the body to use, from 0"},
 };

@@ -146,8 +146,8 @@ std::string price_list(const Chart& chart, std::optional<double> seconds) {
     rows.push_back({shown_error(chart, offer.error), brief(offer.point->cost), offer.series->name,
                     brief(offer.point->spacing), offer.point->cfl, std::to_string(offer.finer)});
   return text + in_columns(rows) +
-         "\nEach row is the cheapest stable run with this error. All finer runs of its method have at most "
-         "this error.\n" +
+         "\nEach row is the cheapest stable run with this error. "
+         "All finer runs of its method have at most this error.\n" +
          sources(chart);
 }
 

@@ -109,9 +109,8 @@ std::string plot_head(const PlotFiles& files, int width, int height, double scal
   std::string terminal;
   if (format == ".svg")
     terminal = fmt::format(
-        "svg noenhanced size {:.0f},{:.0f} font 'DejaVu Sans,11' fontscale {:.5g}{} "
-        "background 'white'",
-        w, h, 1.3333 * scale, scale == 1 ? "" : fmt::format(" linewidth {:.4g}", scale));
+        "svg noenhanced size {:.0f},{:.0f} font 'DejaVu Sans,11' fontscale {:.5g}{} background 'white'", w, h,
+        1.3333 * scale, scale == 1 ? "" : fmt::format(" linewidth {:.4g}", scale));
   else if (format == ".pdf")
     terminal = fmt::format(
         "pdfcairo noenhanced size {:.5g}in,{:.5g}in font 'DejaVu Sans,11' fontscale {:.4g} "
@@ -121,8 +120,7 @@ std::string plot_head(const PlotFiles& files, int width, int height, double scal
     terminal = fmt::format("pngcairo noenhanced size {:.0f},{:.0f} font 'DejaVu Sans,11'{}{}", w, h,
                            scale == 1 ? "" : fmt::format(" fontscale {:.4g}", scale), larger);
   return fmt::format(
-      "{}"
-      "data = {}\n"
+      "{}data = {}\n"
       "points = {:.4g}\n"
       "if (!exists('picture')) picture = {}\n"
       "set terminal {}\n"

@@ -241,8 +241,8 @@ std::string measure_script(const StabilityMap& map, const PlotFiles& files) {
   const auto labels = [&](int index, const std::string& condition, const char* color) {
     if (page.font > 0)
       plots.push_back(
-          fmt::format("data index {} using 1:2:({} && strlen(strcol(6)) <= {} ? strcol(6) : '') with labels "
-                      "font ',{}' textcolor '{}'",
+          fmt::format("data index {} using 1:2:({} && strlen(strcol(6)) <= {} ? "
+                      "strcol(6) : '') with labels font ',{}' textcolor '{}'",
                       index, condition, page.most_letters + 1, page.font, color));
   };
   const std::string middle = exact(low + 0.55 * (high - low));

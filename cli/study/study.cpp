@@ -81,8 +81,7 @@ void check_chart(const StudyPictures::Charted& chart, const std::filesystem::pat
          "' is itself a difference from a reference of the scene; chart it without `against`");
   if (!request.against.empty()) return;
   const std::string way_out =
-      " with these parameters, so no run has an error; against = METHOD compares with the finest run of a "
-      "method";
+      " with these parameters, so no run has an error; against = METHOD compares with the finest run of a method";
   if (request.measure.empty() && available.referenced.empty()) fail("no measure has a reference" + way_out);
   if (!request.measure.empty() && !available.referenced.contains(request.measure))
     fail("'" + request.measure + "' has no reference" + way_out);
@@ -159,12 +158,11 @@ Chart read_chart(const std::vector<std::string>& results, const ChartRequest& re
   if (chart.without_result > 0)
     err << "taut: " << chart.without_result << " runs have no result and are not on the chart\n";
   if (chart.lacks_cpu)
-    err << "taut: some runs were stored without CPU seconds, so the cost is the wall time; repeat the sweep "
-           "for "
-           "--cost cpu\n";
+    err << "taut: some runs were stored without CPU seconds, so the cost is the wall time; "
+           "repeat the sweep for --cost cpu\n";
   if (is_time(chart.cost) && chart.machines.size() > 1)
-    err << "taut: the runs come from several machines or numbers of threads, so their seconds are not "
-           "comparable; use --cost steps\n";
+    err << "taut: the runs come from several machines or numbers of threads, so their seconds are not comparable; "
+           "use --cost steps\n";
   return chart;
 }
 

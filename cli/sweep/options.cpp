@@ -81,9 +81,8 @@ void declare_sweep_options(Options& command, SweepOptions& o) {
       .check(positive_whole_number);
   command
       .add("--repeat", "N", o.repeat,
-           "number of repetitions of each run, whose median cost counts; above 1, at most one job per "
-           "physical core; "
-           "default: the sweep file's, else 1")
+           "number of repetitions of each run, whose median cost counts; "
+           "above 1, at most one job per physical core; default: the sweep file's, else 1")
       .check(positive_whole_number);
   command.add("--index", "N", o.index, "do only run N; the first run is 0").check(whole_number);
   command.add_flag("--force", o.force, "repeat finished runs");

@@ -254,8 +254,8 @@ AppendFile::AppendFile(fs::path path, Start start) : path_(std::move(path)) {
   ::close(descriptor_);
   if (allowed) fail(path_, error);
   throw OutputError(path_.string(),
-                    "cannot be written: it is no regular file, or has a second name (hard link); replace it "
-                    "with a copy");
+                    "cannot be written: it is no regular file, or has a second name (hard link); "
+                    "replace it with a copy");
 }
 
 void AppendFile::check_holds(std::int64_t length) const {

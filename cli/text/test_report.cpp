@@ -71,8 +71,7 @@ std::string junit_xml(const TestReport& report) {
   };
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
-      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"0\"{}>\n{}  "
-      "</testsuite>\n"
+      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"0\"{}>\n{}  </testsuite>\n"
       "</testsuites>\n",
       xml_text("taut " + command + ": " + subject), cases.size(), number(Result::failed),
       number(Result::error), xml_time(seconds), inside);
