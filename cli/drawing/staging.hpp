@@ -37,8 +37,7 @@ struct StagedParticles {
   FrameView view() const;
 };
 
-/// Selects and places the particles of a picture. The cut uses initial positions, so it deforms with the
-/// body.
+/// Selects and places the particles of a picture. The cut uses initial positions, so it deforms with the body.
 class Staging {
  public:
   /// Throws UsageError if the cut leaves no particle.

@@ -28,8 +28,7 @@ struct WrittenPage {
   bool running = false;  // a run has not ended
 };
 
-/// Throws UsageError for paths that are not results of one kind and for an `out` that is not a page;
-/// OutputError.
+/// Throws UsageError for paths that are not results of one kind and for an `out` that is not a page; OutputError.
 WrittenPage write_report(const ReportRequest& request);
 
 }  // namespace taut::cli

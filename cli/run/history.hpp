@@ -58,8 +58,7 @@ class History {
   long last_step_ = -1;
 };
 
-/// lines.csv: a row per point of each sample, SI units, written at once. `reference` is the exact solution,
-/// or empty.
+/// lines.csv: a row per point of each sample, SI units, written at once. `reference` is the exact solution, or empty.
 class LineSamplesFile {
  public:
   LineSamplesFile(const std::filesystem::path& path, const Scene& scene, const std::string& law,

@@ -65,8 +65,7 @@ std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path&
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
 TomlValue drawing_table(const Drawing& drawing);
 
-/// Reads CSV columns; `lead` must increase, and # begins comments. Throws SceneError with the place in that
-/// file.
+/// Reads CSV columns; `lead` must increase, and # begins comments. Throws SceneError with the place in that file.
 ReferenceTable read_table(const std::filesystem::path& path, const std::string& lead,
                           const std::vector<std::string>& columns);
 struct ColumnTable {

@@ -14,8 +14,7 @@ struct ChoiceLimits {
   std::optional<double> seconds;  // maximum solving time
 };
 
-/// A stable run that meets a request together with all finer runs of its series; otherwise its accuracy is
-/// accidental.
+/// A stable run that meets a request together with all finer runs of its series; otherwise its accuracy is accidental.
 struct Offer {
   const ChartSeries* series;
   const ChartPoint* point;

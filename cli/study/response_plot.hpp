@@ -35,8 +35,7 @@ struct ResponsePlot {
   int without_value = 0;  // missing in some panel
 };
 
-/// Throws UsageError for unknown names, columns without numbers, different units in a panel, and equal x in a
-/// line.
+/// Throws UsageError for unknown names, columns without numbers, different units in a panel, and equal x in a line.
 ResponsePlot make_response_plot(const StoredResults& results, const ResponseRequest& request);
 
 std::string response_data(const ResponsePlot& plot);

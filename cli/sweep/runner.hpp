@@ -21,8 +21,7 @@ struct SweepEvents {
   std::function<void()> waiting;  // ten times a second
 };
 
-/// Does `jobs` runs at a time, each in its own process. The longest start first, so that no core idles at the
-/// end.
+/// Does `jobs` runs at a time, each in its own process. The longest start first, so that no core idles at the end.
 class SweepRunner {
  public:
   SweepRunner(std::vector<SweepRun*> runs, int jobs, const Interrupts& interrupts, Progress& progress,

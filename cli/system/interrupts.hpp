@@ -5,9 +5,8 @@
 
 namespace taut::cli {
 
-/// While an object exists, the first Ctrl-C, SIGTERM or SIGHUP only sets a flag, so that a run can stop after
-/// its step. A second signal ends the program at once, except SIGHUP, which shells send twice. SIGPIPE is
-/// ignored.
+/// While an object exists, the first Ctrl-C, SIGTERM or SIGHUP only sets a flag, so that a run can stop after its
+/// step. A second signal ends the program at once, except SIGHUP, which shells send twice. SIGPIPE is ignored.
 class Interrupts {
  public:
   Interrupts();

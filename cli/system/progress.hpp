@@ -47,8 +47,7 @@ class Progress {
 /// "0:12 left" at a rise of the share in `elapsed` s. Empty if too little is done.
 std::string time_left(double share, double before, double elapsed);
 
-/// "17 hours" for the share `left`, if `done` took `elapsed` s. Empty below half a day, and in the first
-/// second.
+/// "17 hours" for the share `left`, if `done` took `elapsed` s. Empty below half a day, and in the first second.
 std::string long_time_left(double done, double left, double elapsed);
 
 /// "rings, 4398 particles [####......] 40 %  0:12 left  2.1 M particle-steps/s". Omits parts to fit.
