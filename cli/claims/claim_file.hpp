@@ -15,7 +15,7 @@ std::string_view name(ClaimState);
 
 struct ClaimRun {
   std::string name;
-  std::vector<Setting> settings;  // including those of the claim
+  std::vector<Setting> settings;  // with the claim's
 };
 
 /// A statement of a paper and its test.

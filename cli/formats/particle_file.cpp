@@ -15,7 +15,6 @@
 namespace taut::cli {
 namespace {
 
-// names of arrays other than fields
 constexpr std::string_view points_name = "Points";
 constexpr std::string_view diameter_name = "diameter";
 constexpr std::string_view velocity_name = "velocity";

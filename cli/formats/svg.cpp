@@ -35,7 +35,6 @@ class Scratch {
 /// Filters of a few kilobytes can take hours.
 constexpr std::chrono::seconds longest{10};
 
-/// At most `rows` pixels high.
 Mask paint(const std::filesystem::path& svg, int rows) {
   const Scratch scratch;
   const std::string side = std::to_string(greatest_mask_side);

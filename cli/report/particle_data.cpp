@@ -24,7 +24,6 @@ namespace {
 constexpr std::size_t most_particles = 2000000;  // of all times: 24 MB of base64
 constexpr int colors_of_key = 32;
 
-/// Bounds of all coordinates.
 struct Box {
   std::array<double, 3> low, high;
 

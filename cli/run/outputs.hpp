@@ -38,7 +38,6 @@ class RunOutput {
   virtual double next() const = 0;
   /// False: takes the first step at or after each time.
   virtual bool needs_exact_time() const { return true; }
-  /// Whether it also takes the final state.
   virtual bool needs_final_state() const { return false; }
   /// Called after the first step at or after `next`. Updates the result, too.
   virtual void write_due() = 0;

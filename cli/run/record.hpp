@@ -88,9 +88,8 @@ struct RecordField {
     run_json,
   };
   std::string_view key;
-  Json (*write)(const RunRecord&);  // non-finite values are null
-  void (*read)(const JsonCursor&,
-               RunRecord&);  // null: empty or NaN; throws UsageError
+  Json (*write)(const RunRecord&);              // non-finite values are null
+  void (*read)(const JsonCursor&, RunRecord&);  // null: empty or NaN; throws UsageError
   Place place = Place::everywhere;
 };
 std::span<const RecordField> record_fields();

@@ -22,7 +22,7 @@ struct SavedRun {
 /// Throws UsageError without a run or particles.
 SavedRun open_saved_run(const std::filesystem::path& folder);
 
-/// Numbers from 0 without a file: "particles_00003.vtp".
+/// Missing files below the last number: "particles_00003.vtp".
 std::vector<std::string> missing_files(const SavedRun& run);
 
 struct ColoredParticles {

@@ -29,7 +29,6 @@ double evaluate(const std::string& text, const Names& names);
 Expression compile(const std::string& text, const Names& names);
 /// Function of time, s.
 std::function<double(double)> compile_of_time(const std::string& text, const Names& names);
-/// Function of the position and t.
 Solution compile_in_time(const std::string& text, const Names& names);
 
 /// Function of the values named `values` and of t. Names that are no identifiers cannot be used.

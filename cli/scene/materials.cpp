@@ -7,7 +7,7 @@
 namespace taut::cli {
 namespace {
 
-/// In a resolved scene, K still depends on E and ν.
+/// An expression: in a resolved scene, K still depends on E and ν.
 const std::string usual_bulk_modulus = "E/(3*(1 - 2*nu))";
 
 void read_bulk_modulus(TomlCursor& cursor, Material& material) {

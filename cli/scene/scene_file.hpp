@@ -63,7 +63,7 @@ struct SceneFile {
   std::string remark;             // one line or empty
   std::optional<double> history;  // interval of history.csv, s; default: until / 1000
   std::vector<Parameter> parameters;
-  std::vector<ResolvedSetting> resolved;                // all settings
+  std::vector<ResolvedSetting> resolved;
   std::map<std::string, std::string> unmet_references;  // failed conditions, by measure
   TomlValue tree;                                       // with defaults and settings
   std::map<std::string, FilePlace> places;              // by path: "body.left.velocity"
@@ -81,7 +81,7 @@ std::vector<std::string> allowed_words(std::string_view name);
 void apply_scene(Drawing& drawing, const SceneFile& scene);
 /// Adds file, line and column to an engine error.
 SceneError locate(const SceneFile& scene, const SceneError& error);
-/// TOML with all defaults and the current drawing; gives the same scene when read from `folder`.
+/// TOML with all defaults, current history and drawing; gives the same scene when read from `folder`.
 std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder);
 /// Keeps `frames` of [render]. Throws SceneError for invalid TOML.
 std::string without_drawing(const std::string& scene);

@@ -70,7 +70,7 @@ ReferenceTable read_table(const std::filesystem::path& path, const std::string& 
                           const std::vector<std::string>& columns);
 struct ColumnTable {
   std::vector<std::vector<double>> columns;  // missing optional ones are empty
-  std::vector<int> lines;                    // by row
+  std::vector<int> lines;
 
   std::size_t rows() const { return lines.size(); }
 };

@@ -67,7 +67,7 @@ class Session {
   Drawing drawing_;
   std::optional<render::View> window_;  // after pan or zoom in 3D
   std::unique_ptr<Simulation> simulation_;
-  std::optional<Snapshot> between_;
+  std::optional<Snapshot> between_;  // within the last step
 };
 
 }  // namespace taut::cli

@@ -60,10 +60,10 @@ struct Chart {
   std::vector<std::string> fixed;  // "single stepping", "until = 0.3"
   std::vector<ChartSeries> series;
   std::vector<std::string> references;
-  std::vector<std::string> machines;  // "AMD EPYC, 1 thread"
-  int without_result = 0;             // unfinished
-  int left_out = 0;                   // not stable
-  std::string kind{};                 // of the measure: "rmse"
+  std::vector<std::string> machines;
+  int without_result = 0;  // unfinished
+  int left_out = 0;        // not stable
+  std::string kind{};      // of the measure: "rmse"
 };
 
 /// Costs are doubtful from this number of cores.

@@ -16,7 +16,6 @@
 namespace taut::cli {
 namespace {
 
-/// From coarse to fine.
 std::set<double, std::greater<>> spacings(const Chart& chart) {
   std::set<double, std::greater<>> all;
   for (const ChartSeries& series : chart.series)

@@ -7,8 +7,8 @@ namespace taut::cli {
 
 /// A method has one style in all pictures. Its further lines differ in dashes.
 struct CurveStyle {
-  std::string color;  // "#0072B2"
-  int dash = 1;
+  std::string color;         // "#0072B2"
+  int dash = 1;              // 1: solid
   int filled = 7, open = 6;  // point types
 
   std::string line() const;

@@ -29,7 +29,6 @@ struct Expectation {
 Expectation parse_expectation(const std::string& text, const std::optional<Tolerance>& for_all);
 std::vector<Expectation> expectations_of(const StoredRun& baseline, const Tolerance& tolerance);
 
-/// A row of the table.
 struct Finding {
   std::string name, expected, is, difference;
   bool fine = false;

@@ -8,7 +8,6 @@
 
 namespace taut::cli {
 
-/// Users can change the script and run `gnuplot chart.gp`.
 struct PlotFiles {
   std::filesystem::path picture;  // chart.png, chart.svg or chart.pdf
   std::filesystem::path script() const { return with(".gp"); }

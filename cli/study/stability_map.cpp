@@ -83,7 +83,6 @@ std::string cell_of_table(const MapCell& cell, const StabilityMap& map) {
          (cell.verdict == "stable" ? "" : " (" + word + ")");
 }
 
-/// "hourglass 0.0031 s".
 std::vector<std::vector<std::string>> rows_of(const StabilityMap& map) {
   std::vector<std::vector<std::string>> rows{{map.label}};
   rows[0].insert(rows[0].end(), map.values.begin(), map.values.end());

@@ -65,7 +65,7 @@ void keep_methods(StoredResults& results, const std::vector<std::string>& method
 /// Columns that distinguish runs of equal method and `x`: "set.cfl". A setting also represents parameters
 /// that depend on it.
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x);
-/// Set for the scene: "v0", "until", "law".
+/// Names set for the scene, not its simulation: "v0", "until", "law".
 std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs);
 /// Set or default; "" if unknown.
 std::string value_of(const StoredRun& run, const std::string& name);

@@ -45,7 +45,6 @@ struct SweepRun {
 
   /// Includes repetitions.
   std::vector<SweepRun*> all();
-  /// Uses existing results.
   std::optional<RepeatedCost> cost() const;
   void read_folder();
   /// As for an empty folder.
@@ -66,7 +65,7 @@ struct SweepPlan {
   std::vector<Setting> fixed;  // for all runs
   std::vector<SweepRun> runs;  // in grid order
   StudyPictures pictures;
-  std::set<std::string> remarks;  // of scenes
+  std::set<std::string> remarks;
 };
 
 /// Settings from a file contain their place.

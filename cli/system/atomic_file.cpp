@@ -136,7 +136,8 @@ int rename_folder(const fs::path& from, const fs::path& to) {
   return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// Returns 0 or an errno. Exchanges the folders in one step if the file system can.
+/// Returns 0 or an errno. Exchanges the folders in one step if the file system can, else `folder` is missing for a
+/// moment.
 int put_in_place(const fs::path& fresh, const fs::path& folder) {
   if (!fs::exists(folder)) return rename_folder(fresh, folder);
   if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return 0;
@@ -244,7 +245,7 @@ AppendFile::AppendFile(fs::path path, Start start) : path_(std::move(path)) {
   if (descriptor_ < 0) fail(path_, errno);
   struct stat found {};
   const bool known = ::fstat(descriptor_, &found) == 0, regular = known && S_ISREG(found.st_mode);
-  // opening a pipe would wait, and a second name would change too
+  // opening a pipe would wait, and a second name of the file would change too
   const bool allowed = regular ? found.st_nlink == 1 : known && S_ISCHR(found.st_mode);
   if (allowed && (!regular || start == Start::as_it_is || ::ftruncate(descriptor_, 0) == 0)) {
     length_ = std::max<std::int64_t>(0, ::lseek(descriptor_, 0, SEEK_END));
@@ -288,7 +289,7 @@ void AppendFile::append(std::string_view line) {
 }
 
 void write_whole_folder(const fs::path& folder, const std::vector<fs::path>& files) {
-  // names can be appended; the target of a link is replaced
+  // without the final slash, so that names can be appended; the target of a link is replaced
   std::error_code no_target;
   const fs::path real = fs::weakly_canonical(folder, no_target);
   const fs::path target = ((no_target ? fs::absolute(folder) : real) / "").lexically_normal().parent_path();

@@ -43,7 +43,7 @@ void check_no_threads() {
 void prepare_child(pid_t parent, int output) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);  // the parent ended before prctl
-  // until `work` sets a handler
+  // SIGTERM ends the child until `work` sets a handler
   std::signal(SIGTERM, SIG_DFL);
   sigset_t terminate;
   sigemptyset(&terminate);

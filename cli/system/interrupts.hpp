@@ -14,7 +14,7 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// The first signal, even an earlier one, ends the program: for long work without checks and files.
+  /// The first signal, even an earlier one, ends the program: for long work that checks no flag and writes no files.
   class ExitOnSignal {
    public:
     ExitOnSignal();

@@ -18,7 +18,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Before the work begins, on a terminal.
+  /// Shows `what` before the work begins, on a terminal.
   void prepare(const std::string& what);
   /// `done_before`: share done by an earlier run.
   void begin(const std::string& what, double done_before = 0);
@@ -44,7 +44,7 @@ class Progress {
   double done_before_ = 0;  // share
 };
 
-/// "0:12 left" at a rise of the share in `elapsed` s. Empty if too little is done.
+/// "0:12 left", if the share rose from `before` in `elapsed` s. Empty if too little is done.
 std::string time_left(double share, double before, double elapsed);
 
 /// "17 hours" for the share `left`, if `done` took `elapsed` s. Empty below half a day, and in the first second.
