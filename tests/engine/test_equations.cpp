@@ -28,7 +28,7 @@ std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// Sources of all engine tests, with broken string literals joined.
+/// With broken string literals joined.
 const std::string& test_sources() {
   static const std::string text = [] {
     std::string all;
@@ -39,7 +39,7 @@ const std::string& test_sources() {
   return text;
 }
 
-/// Returns whether the header declares `name`; mentions in comments or calls do not count.
+/// Mentions in comments or calls do not count.
 bool declares(const std::string& header, const std::string& name) {
   const std::regex declaration("(^|\n)(?! *//)[^\n=]*[\\w>&] (\\w+<[^\n]*>::)?" + name +
                                " *[({]|(struct|class) " + name + "\\b");

@@ -57,7 +57,7 @@ const std::string& state_of(std::size_t number) {
   return known[number];
 }
 
-/// Interrupts a run after `lines` lines of progress: at its start, at a quarter.
+/// Interrupts a run after `lines` lines of progress.
 class InterruptAfterLines : public std::streambuf {
  public:
   explicit InterruptAfterLines(int lines) : lines_(lines) {}

@@ -150,6 +150,6 @@ TEST_SUITE("image") {
     int bright = 0;
     for (int row = 0; row < image.height; ++row)
       for (int column = 0; column < image.width; ++column) bright += image.at(column, row)[0] > 100;
-    CHECK(bright == 0);  // no texts
+    CHECK(bright == 0);
   }
 }

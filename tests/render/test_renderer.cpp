@@ -121,7 +121,7 @@ TEST_SUITE("image") {
           light += color[0] > 200 && color[2] > 200;
           lighter += color[0] > 240 && color[2] > 240;
         }
-      CHECK(light > 100);  // texts
+      CHECK(light > 100);
       CHECK(lighter == 0);
     }
   }
@@ -140,7 +140,7 @@ TEST_SUITE("image") {
           if (image.at(column, row) != white) return false;
       return true;
     };
-    const int above = layout.plot.y - 8;  // the bar's first number reaches higher than the bar
+    const int above = layout.plot.y - 8;  // the bar's first number rises above the bar
     const Rect title{layout.plot.x, 0, 200, above}, time{440, 0, 200, above},
         foot{0, layout.plot.y + layout.plot.height, 300, 360 - layout.plot.y - layout.plot.height};
     for (const auto& [place, parts] : {std::pair{title, TextParts{.title = false, .method = false}},
@@ -187,14 +187,14 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("an empty frame in 3D is white") {
-    // If libGL comes before OSMesa in the link line, OpenGL does nothing, and reports no error.
+    // OpenGL silently does nothing if libGL precedes OSMesa in the link line.
     Look with = look(160, 100, unit_view);
     with.camera.emplace();
     FrameView frame;
     frame.dim = 3;
     Renderer renderer(with);
     Image& image = const_cast<Image&>(renderer.draw(frame));
-    // new images are white already
+    // new images are white
     std::fill(image.pixels.begin(), image.pixels.end(), 7);
     renderer.draw(frame);
     CHECK(image == Image(160, 100));

@@ -10,10 +10,9 @@ using namespace taut::test;
 
 namespace {
 
-/// Lines of a comment block, without the slashes.
+/// Lines without the slashes.
 using Block = Texts;
 
-/// Blocks of lines that begin with slashes.
 std::vector<Block> comment_blocks(const std::string& text) {
   static const std::regex comment(R"(\s*///?<?\s?(.*))");
   std::vector<Block> blocks{{}};
@@ -29,7 +28,6 @@ std::vector<Block> comment_blocks(const std::string& text) {
   return blocks;
 }
 
-/// Names of the test cases and their parts.
 Texts test_names(const std::string& text) {
   static const std::regex name(R"re((?:TEST_CASE|SUBCASE)\(\s*"((?:[^"\\]|\\.)*))re");
   Texts names;
@@ -38,7 +36,7 @@ Texts test_names(const std::string& text) {
   return names;
 }
 
-/// A sentence that does not begin with its subject, behind a prefix such as "judge: ".
+/// A prefix such as "judge: " is skipped.
 bool lacks_subject(const std::string& text) {
   static const std::regex opening(R"(([a-z0-9 -]+: )?(What|Of|Who|Whose|Whom|what|of|who|whose|whom)\b.*)");
   return std::regex_match(text, opening);
@@ -48,7 +46,7 @@ bool is_generated(const std::string& document) {
   return document == "scenes/LANGUAGE.md" || document.starts_with("scenes/studies/results/");
 }
 
-/// A line of a document that should be broken: no row of a table, no code, no link that fills it.
+/// No row of a table, no code, no link.
 bool is_running_text(const std::string& line) {
   return !line.starts_with('|') && !line.starts_with("    ") && line.find("](") == std::string::npos;
 }

@@ -46,7 +46,7 @@ std::size_t widest_line(const fs::path& file) {
   return widest;
 }
 
-/// Link targets, and backticked paths whose first folder exists in the repository.
+/// Link targets, and backticked paths whose first folder exists.
 std::set<std::string> named_paths(const std::string& text, const fs::path& folder) {
   std::set<std::string> paths;
   static const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))"),

@@ -9,7 +9,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Run folder with only run.json.
 std::string write_record(const TemporaryFolder& folder, const std::string& name, double period,
                          const std::string& status = "finished", const std::string& verdict = "stable") {
   fs::create_directories(folder / name);

@@ -126,7 +126,7 @@ TEST_SUITE("cli") {
     REQUIRE(compare(folder, {"fast", "slow"}).code == 0);
     CHECK_FALSE(render::read_png(folder / "panel.png") == quarters);
     REQUIRE(compare(folder, {"slow", "fast"}, {"--times", "0.0005,0.001,0.0015,0.0019"}).code == 0);
-    // 0.002 s is nearest, and labelled
+    // 0.002 s is nearest
     CHECK_FALSE(render::read_png(folder / "panel.png") == quarters);
     REQUIRE(compare(folder, {"slow", "fast"}, {"--size", "900x700", "--times", "0"}).code == 0);
     CHECK(render::read_png(folder / "panel.png").width == 900);

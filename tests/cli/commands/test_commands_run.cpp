@@ -27,7 +27,7 @@ std::vector<double> numbers(const std::string& row) {
   return values;
 }
 
-/// stderr of a short run; `text` starts with keys before all sections.
+/// stderr of a short run; `text` starts with top-level keys.
 std::string errors_of(const std::string& text, const TemporaryFolder& folder) {
   std::ofstream(folder / "scene.toml")
       << "title = \"Still\"\nuntil = 1e-6\n"
@@ -321,7 +321,7 @@ TEST_SUITE("cli") {
       };
       CHECK(texts(rounded) == texts(one));
       CHECK(texts(other) == texts(one));
-      CHECK((k > 0) == (texts(one) != texts(picture("one", 0))));  // include the time
+      CHECK((k > 0) == (texts(one) != texts(picture("one", 0))));
     }
     CHECK(call({"diff", folder.str("one/frames"), folder.str("rounded/frames")}).code == 0);
   }

@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Run folder with only run.json; `measures` is JSON.
+/// `measures` is JSON.
 std::string write_measured(const TemporaryFolder& folder, const std::string& name,
                            const std::string& measures, const std::string& status = "finished") {
   fs::create_directories(folder / name);
@@ -23,7 +23,6 @@ std::string write_measured(const TemporaryFolder& folder, const std::string& nam
   return folder.str(name);
 }
 
-/// The JSON object that a command printed.
 Json answer_of(const Outcome& outcome, const std::string& command) {
   CAPTURE(outcome.err);
   CAPTURE(outcome.out);

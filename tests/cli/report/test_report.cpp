@@ -8,7 +8,7 @@ using namespace taut::test;
 
 namespace {
 
-/// The object that `script` assigns to `name`.
+/// The object assigned to `name`.
 nlohmann::ordered_json assigned(const std::string& script, const std::string& name) {
   const std::string before = "globalThis." + name + " = ";
   const std::size_t begin = script.find(before);
@@ -26,7 +26,7 @@ nlohmann::ordered_json run_of(const fs::path& page, int run) {
   return assigned(text_of(page / ("runs/" + number + ".js")), "taut_runs[" + number + "]");
 }
 
-/// A run of the tiny scene with another title, by a reference for `gap`.
+/// Run of the tiny scene with another reference for `gap`.
 std::string run_with_title(const TemporaryFolder& folder, const std::string& title) {
   write_tiny_scene(folder);
   std::string text = text_of(folder / "discs.toml");
@@ -201,11 +201,11 @@ frames = 2
     REQUIRE(data["data"].size() == 3);
     // 8 particles × (3 × 2 + 3) bytes
     for (const auto& each : data["data"]) CHECK(each.get<std::string>().size() == 96);
-    // all particles start with the same displacement, and so with the same colour: the first of the map
+    // all particles start with the same displacement and colour
     const std::string first = data["data"][0], last = data["data"][2], color = first.substr(64, 4);
     for (std::size_t k = 64; k < 96; k += 4) CHECK(first.substr(k, 4) == color);
     CHECK(last.substr(64, 4) != color);
-    CHECK(last.substr(0, 64) != first.substr(0, 64));  // and move
+    CHECK(last.substr(0, 64) != first.substr(0, 64));
     CHECK(data["key"]["colors"][0] != data["key"]["colors"].back());
   }
 

@@ -158,7 +158,7 @@ TEST_SUITE("determinism") {
   TEST_CASE("render gives the bytes that the run would have drawn with the same options") {
     const std::vector<std::vector<std::string>> cases{
         {},
-        {"--color", "pressure"},  // range of the whole sequence
+        {"--color", "pressure"},
         {"--color", "displacement_x", "--range", "-1e-3:1e-3", "--colormap", "rainbow"},
         {"--view", "-0.02:0:-0.01:0.01", "--size", "300x200"},
         {"--view", "auto", "--range", "auto"},

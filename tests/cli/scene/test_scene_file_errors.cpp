@@ -133,7 +133,7 @@ TEST_SUITE("cli") {
     check_error("[render]", "@" + parts + "b = 1\n[render]", {"a key has more than 16 parts"});
     check_error("v0 = {", "v0 = { @" + parts + "b = 1, ", {"a key has more than 16 parts"});
     CHECK_NOTHROW(read_text(replaced(small_scene, "\"Small\"", "'" + std::string(100, '.') + "'")));
-    // a string of three quotes may end with up to five [TOML 1.0, String]
+    // [TOML 1.0, String]: up to five quotes at the end
     for (const std::string text : {R"("""x"""")", R"("""x""""")", "'''x''''", "'''x'''''", R"("""\"""")"}) {
       CAPTURE(text);
       check_error("\"Small\"", text + " # \\\n@" + parts + "b = 1", {"a key has more than 16 parts"});

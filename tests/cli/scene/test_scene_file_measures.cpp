@@ -35,7 +35,7 @@ const std::map<std::string_view, std::string> values = {
     {"until", "9"},
 };
 
-/// The small scene with one more measure with every key of its kind.
+/// Adds a measure with every key of its kind.
 std::string scene_with(const MeasureKind& kind, const std::string& more = "") {
   std::string measure =
       "\n[[line]]\nname = \"middle\"\nbody = \"block\"\nfield = \"pressure\"\nfrom = [0, 0.5]\n"
@@ -166,7 +166,7 @@ TEST_SUITE("cli") {
       CHECK_THROWS_WITH_AS(read_text(text), doctest::Contains(message), SceneError);
     };
     refused(with("\"2*tp\""), "unknown name 'tp'");
-    // unknown if the bodies differ in material
+    // unknown if the materials differ
     CHECK(read_text(with("\"0*t + K/G\"")).scene.probes.at(1).value({0, 0}, 0) == Approx(14.0 / 3));
     const std::string soft =
         "[material.soft]\ndensity = 1000\nyoungs_modulus = 1e6\npoisson_ratio = 0.3\n[[body]]\nname = "

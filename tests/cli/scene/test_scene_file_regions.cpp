@@ -218,7 +218,6 @@ TEST_SUITE("cli") {
     CHECK_THROWS_AS(changed("linaer", nullptr), UsageError);
     CHECK_THROWS_AS(changed("linear", "icb"), UsageError);
     CHECK_THROWS_AS(changed("linear", "pfj-jst"), UsageError);
-    // other methods report the law they use
     CHECK(file.remark.empty());
     CHECK(changed(nullptr, "oenog") == "linear");
     CHECK(read_changed(nullptr, "oenog").remark.empty());

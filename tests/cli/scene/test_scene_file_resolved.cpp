@@ -164,7 +164,6 @@ TEST_SUITE("unit") {
       const SceneFile file = read_scene(find_scene(name));
       const SceneFile again = check_round_trip(file);
       CHECK(again.scene.name == std::filesystem::path(name).stem());
-      // independent of the installation folder
       CHECK(resolved_text(file, scratch_folder()).find(scene_folders().back().string()) == std::string::npos);
       CHECK(again.scene.references.size() == file.scene.references.size());
     }

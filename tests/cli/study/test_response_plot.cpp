@@ -27,7 +27,6 @@ struct Row {
   std::string thickness, method, cfl, verdict, deflection, reference;
 };
 
-/// Thin and thick beams.
 std::vector<Row> beams() {
   return {{"0.02", "tl", "0.3", "stable", "0.002", "0.0021"},
           {"0.01", "tl", "0.3", "stable", "0.016", "0.0168"},
@@ -79,14 +78,14 @@ TEST_SUITE("cli") {
     REQUIRE(plot.panels.size() == 1);
     const auto& lines = plot.panels[0].lines;
     REQUIRE(names_of(plot.panels[0]) == Texts{"tl", "oenog", "reference: beam theory"});
-    CHECK(lines[0].points[0].x == 0.01);  // ascending
+    CHECK(lines[0].points[0].x == 0.01);
     CHECK(lines[0].points[1].y == 0.002);
     CHECK(lines[1].points[0].stable);
     CHECK_FALSE(lines[1].points[1].stable);
     CHECK(lines[2].is_reference);
     CHECK(lines[2].points.size() == 2);
     CHECK(plot.without_value == 0);
-    // method and all that differs are the default, as is the only swept parameter with several values
+    // the default: the method, all that differs, the only swept parameter with several values
     const ResponsePlot same = plot_of(beams(), {"", {"deflection"}});
     CHECK(same.x.name == "thickness");
     CHECK(names_of(same.panels[0]) == names_of(plot.panels[0]));
@@ -135,7 +134,7 @@ TEST_SUITE("cli") {
     CHECK(contains(script, "title 'open: not stable'"));
     CHECK(
         contains(response_data(plot), "# thickness, m; deflection, m; stable\n0.01 0.016 1\n0.02 0.002 1\n"));
-    CHECK(contains(response_data(plot), "0.01 5 1\n"));  // 5 %
+    CHECK(contains(response_data(plot), "0.01 5 1\n"));
     PlotLook look;
     look.log_x = look.log_y = true;
     CHECK(contains(response_script(plot, {"p.png"}, look), "set logscale xy\n"));

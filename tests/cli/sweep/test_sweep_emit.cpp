@@ -16,8 +16,8 @@ const std::string strange =
     "-a b {} {#} {= `touch ran`; =} $(touch ran) `touch ran` 'q' \"r\" \\ %d @x # ;[y]\n#SBATCH -z\ntouch "
     "ran";
 
-/// Substitute for GNU parallel: options up to -q, then a command per input line with {} and {#} replaced. Executes {=
-/// where it occurs.
+/// Substitute for GNU parallel: options up to -q, then a command per input line with {} and {#} replaced.
+/// Executes {= where it occurs.
 void write_parallel(const TemporaryFolder& folder) {
   fs::create_directories(folder / "bin");
   std::ofstream(folder / "bin/parallel") << R"(#!/bin/sh
@@ -58,7 +58,7 @@ TEST_SUITE("cli") {
     const auto task = [&](int index) {
       return shell("cd / && SLURM_ARRAY_TASK_ID=" + std::to_string(index) + " sh " + script);
     };
-    for (const int index : {5, 0, 7, 2, 6, 1, 3}) CHECK(task(index) == 0);  // without 4
+    for (const int index : {5, 0, 7, 2, 6, 1, 3}) CHECK(task(index) == 0);
     CHECK(task(8) != 0);
     CHECK_FALSE(fs::exists(folder / "out/results.csv"));
     const auto before = ends(folder / "out");
@@ -103,7 +103,7 @@ TEST_SUITE("cli") {
     CHECK(statuses(sweep) == Texts{"finished", "finished"});
     CHECK_FALSE(contains(text_of(folder / "calls"), strange));
     if (shell("parallel --version") != 0) return;
-    emitted_and_run("parallel", "");  // the real one
+    emitted_and_run("parallel", "");
     CHECK(statuses(sweep) == Texts{"finished", "finished"});
   }
 

@@ -38,7 +38,7 @@ class Disk {
     }
   }
 
-  /// Per renamed file: whether all files were on disk, and the file itself.
+  /// Per renamed file: whether all files, and itself, were on disk.
   std::map<std::string, std::vector<bool>> all_before, itself_before;
   std::set<std::string> lacking;
 

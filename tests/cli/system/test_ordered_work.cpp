@@ -14,7 +14,6 @@ using namespace taut::cli;
 
 namespace {
 
-/// Blocks threads until it is opened.
 class Gate {
  public:
   void open() {

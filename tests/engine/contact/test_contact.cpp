@@ -22,7 +22,7 @@ using namespace taut::test;
 namespace {
 
 constexpr double round_off = 1e-13;
-constexpr double dp = 0.001;  // m
+constexpr double dp = 0.001;
 
 /// Two bodies of one particle each, `gap` spacings apart along x.
 Scene two_particles(double gap, double speed) {
@@ -145,7 +145,7 @@ TEST_SUITE("conservation") {
           CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) <
                 round_off * before.angular_scale);
         CHECK(kept_speed(start, simulation->snapshot()) < 0.7);
-        // ccb is undamped in tension, and so are the zigzags of pf
+        // ccb is undamped in tension, pf in zigzags
         const double gain = method.name == "ccb" ? 1.08 : method.name == "pf" ? 3 : 1.003;
         CHECK(after.kinetic + after.strain < gain * before.kinetic);
       }
@@ -189,7 +189,7 @@ TEST_SUITE("unit") {
       scene.bodies.push_back(block);
     }
     for (const int dim : {2, 3}) {
-      // J is damped where it is an unknown, F is not
+      // J is damped, F is not
       for (const auto& [method, bound] :
            {std::pair{"pf", 1e-9}, {"pf-jst", 1e-9}, {"pfj-jst", 0.15}, {"pfhj-jst", 0.15}}) {
         CAPTURE(dim);
@@ -202,7 +202,6 @@ TEST_SUITE("unit") {
           body.shapes[0] = Box{box.low, {box.high[0], box.high[1], dim == 3 ? 3 * dp : 0}};
         }
         const Snapshot now = state_after(30, met, with_method(method));
-        // the same positions as an initial displacement, so that F is their gradient
         const auto n = static_cast<std::size_t>(dim);
         for (std::size_t k = 0; k < n; ++k)
           for (Body& body : met.bodies)

@@ -24,16 +24,16 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double dp = 0.001;  // m
-constexpr double arm = 0.02;  // length of the closing arms, m
+constexpr double dp = 0.001;
+constexpr double arm = 0.02;
 using V = Vec<double, 3>;
-constexpr Point direction{0.64, 0.48, 0.6};  // unit vector
+constexpr Point direction{0.64, 0.48, 0.6};
 
 double modulus() { return ring_rubber().bulk_modulus() + 4.0 / 3 * ring_rubber().shear_modulus(); }
 
 Scene scene_of(const std::vector<Shape>& shapes) { return scene_of_shapes(shapes, 3, dp); }
 
-/// Two balls that overlap by `depth`, m, along a direction off the lattice axes.
+/// Two balls that overlap by `depth`, off the lattice axes.
 Pressed<3> two_balls(double depth, double r = 0.006) {
   const double apart = 2 * r - depth;
   return Pressed<3>(scene_of(
@@ -109,7 +109,7 @@ TEST_SUITE("analytic") {
     CHECK(std::abs(blocks.force_on(1)[0]) < 1e-9 * k * depth * area);
     blocks.shift(1, {-depth, 0, 0});
     const V force = blocks.force_on(1);
-    // the outermost facets are covered to less than 0.85, varying with depth
+    // the outermost facets are covered to less than 0.85
     CHECK(force[0] == Approx(1.02 * k * depth * area).epsilon(0.03));
     CHECK(std::hypot(force[1], force[2]) < 1e-9 * force[0]);
     CHECK(blocks.energy() == Approx(1.01 / 1.02 * 0.5 * depth * force[0]).epsilon(1e-3));
@@ -251,9 +251,9 @@ TEST_SUITE("conservation") {
 
   TEST_CASE("contact of faces: in 3D corners and edges that slip past each other gain no energy") {
     struct Pair {
-      Point middle;  // centre of the upper cube, m
+      Point middle;
       Rotation upper, lower;
-      double half, speed;  // m, m/s
+      double half, speed;
     };
     const double root = 1 / std::sqrt(2.0), on_corner = 54.735610317245346;
     const Pair past_edge{{0.00332, 0.001098, 0.009745},
@@ -443,7 +443,7 @@ TEST_SUITE("unit") {
     for (const char* part : {"'surface'", "one by one", "penalty"})
       CHECK(refusal(given).find(part) != std::string::npos);
     Scene scene = scene_of({given, block});
-    scene.contact = ContactLaw::published;  // here the penalty law
+    scene.contact = ContactLaw::published;  // the penalty law
     CHECK_NOTHROW(make_simulation(scene, with_method("oenog")));
   }
 }

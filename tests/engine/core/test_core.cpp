@@ -25,7 +25,7 @@ namespace {
 
 double scramble(int k) { return std::sin(1.0 + 2.7 * k) + 0.1 * k; }
 
-/// Number of steps on one thread, of 1 ms each, until the team is tried again.
+/// Steps on one thread, of 1 ms each, until the team is tried again.
 int steps_alone(TeamSize& team) {
   int steps = 0;
   for (; team.threads() == 1; ++steps) team.step_took(1e-3);

@@ -93,7 +93,7 @@ TEST_SUITE("unit") {
     Balance start, later;
     start.strain = 1e-22, later.strain = 1e-19;
     Snapshot body = particle(false);
-    body.m = {2};  // kg
+    body.m = {2};
     ConservationWatch watch(scene, body);
     watch.follow(start);
     watch.follow(later);
@@ -115,7 +115,7 @@ TEST_SUITE("unit") {
     pulled.gravity[1] = [](double) { return -9.81; };
     damped.damping = 1;
     for (const Scene* other : {&driven, &loaded, &pulled, &damped}) CHECK(exchanges_momentum(*other, free));
-    scene.walls.resize(1);  // their impulses are counted
+    scene.walls.resize(1);
     CHECK_FALSE(exchanges_momentum(scene, free));
   }
 }

@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Four corners of a square and a fifth particle, displaced by (0.1 y, 0); the third one also by `extra`.
+/// A square's corners and a fifth particle, displaced by (0.1 y, 0); the third also by `extra`.
 Snapshot sheared(Point extra = {}) {
   Snapshot now = made_snapshot(2, {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 2}});
   for (std::size_t i = 0; i < now.size(); ++i) now.x[2 * i] += 0.1 * now.x0[2 * i + 1];
@@ -37,7 +37,7 @@ std::vector<Solution> shear() {
   return {[](const Point& x, double t) { return t * x[1]; }, [](const Point&, double) { return 0.0; }};
 }
 
-/// Adds the small rigid motion (0.3, −0.2) + 0.5 × X.
+/// The small rigid motion (0.3, −0.2) + 0.5 × X.
 void move(Snapshot& now) {
   for (std::size_t i = 0; i < now.size(); ++i) {
     now.x[2 * i] += 0.3 - 0.5 * now.x0[2 * i + 1];
@@ -95,8 +95,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("field_error: in 3D a rotation about any axis is subtracted") {
-    // displaced by (0.1 y, 0, 0) plus the small motion (0.3, −0.2, 0.1) + (0.2, 0.5, −0.4) × X, one particle by
-    // `extra`
+    // (0.1 y, 0, 0) plus (0.3, −0.2, 0.1) + (0.2, 0.5, −0.4) × X
     const auto displaced = [](double moved, Point extra) {
       Snapshot now = made_snapshot(3, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}, {0.5, 2, 3}});
       now.time = 0.1;

@@ -36,7 +36,7 @@ Sample lattice(int nx, int ny, double dp) {
   return {made_scene(2, dp, {test::unit_bulk()}), made_snapshot(2, places)};
 }
 
-/// Concentric layers as in make_initial_particles.
+/// Concentric layers.
 Sample ring(double inner, double outer, double dp) {
   Scene scene = made_scene(2, dp, {test::unit_bulk()});
   scene.bodies[0].shapes = {Ring{{0, 0, 0}, inner, outer}};
@@ -87,7 +87,7 @@ Point turned(const Point& x, double angle) {
           0};
 }
 
-/// A straight beam along x bent to radius R.
+/// A straight beam bent to radius R.
 Map bent(double R) {
   return [R](const Point& X) -> Point {
     return {(R - X[1]) * std::sin(X[0] / R), R - (R - X[1]) * std::cos(X[0] / R), 0};
@@ -146,7 +146,7 @@ TEST_SUITE("unit") {
       double checkerboard = 0, squares = 0;
       for (int e = found[0]; e < found[1]; ++e) {
         const auto entry = static_cast<std::size_t>(e);
-        // neighbours in the list are neighbours along x, so their signs alternate
+        // the neighbours' signs alternate
         const double w = part.weights(static_cast<int>(found - part.begin.begin()))[e - found[0]];
         checkerboard += (part.j[entry] - middle) % 2 == 0 ? w : -w;
         squares += w * w;

@@ -146,7 +146,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("lines: points in space stay fixed while the body moves, and give none outside it") {
     Scene scene = rotating_plate(0.01);
-    scene.bodies[0].velocity[0] = constant(300);  // m/s, uniform
+    scene.bodies[0].velocity[0] = constant(300);
     scene.bodies[0].velocity[1] = [](const Point& X) { return 5 * X[0]; };
     scene.lines = {line_across_plate({0, 1e-7}), line_across_plate({0, 1e-7})};
     scene.lines[0].in_space = true;

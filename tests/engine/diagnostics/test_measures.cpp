@@ -29,7 +29,7 @@ TEST_SUITE("unit") {
     expect(constant.reference, 0);
     expect(constant.error, 1);
     CHECK(constant.reference_name == "a table");
-    // the difference grows from −0.5 at 0.5 s to 1 at 2 s: √(∫ (t − 1)² dt / 1.5)
+    // √(∫ (t − 1)² dt / 1.5)
     const Series steeper{{0, 0.7, 1.1, 2.2}, {{0, 1.4, 2.2, 4.4}}};
     expect(result(scene, steeper).value, std::sqrt((1 + 0.125) / 3 / 1.5));
     for (const double scale : {4.0, -4.0}) {
@@ -78,7 +78,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("rmse: an exact solution is compared including kinks between steps") {
     Scene scene = scene_of("rmse");
-    // the difference from 2t is t²: √(∫ t⁴ dt) over 0 … 1
+    // √(∫ t⁴ dt) over 0 … 1
     scene.references["neo_hookean"] = {
         "exact", {}, {}, {{"number", {[](const Point&, double t) { return 2 * t - t * t; }}}}};
     const Series series{{0, 0.3, 0.9, 1.5}, {{0, 0.6, 1.8, 3}}};
@@ -170,7 +170,7 @@ TEST_SUITE("unit") {
     scene.probes[2].name = "z";
     scene.measures[0].probes = {"y", "gap", "z"};
     scene.until = 3;
-    // axes about (2, −1, 2)/3: (1, 2, 0)/√5 and (−4, 2, 5)/√45 make it right-handed
+    // axes about (2, −1, 2)/3; (1, 2, 0)/√5 and (−4, 2, 5)/√45 make it right-handed
     const Point axis{2.0 / 3, -1.0 / 3, 2.0 / 3}, first{1 / std::sqrt(5.0), 2 / std::sqrt(5.0), 0},
         second{-4 / std::sqrt(45.0), 2 / std::sqrt(45.0), 5 / std::sqrt(45.0)};
     const auto place = [&](double angle, double along, std::size_t k) {

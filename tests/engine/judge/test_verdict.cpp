@@ -56,7 +56,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("judge: a zigzag in one patch is found, however large the body is and whatever other bodies do") {
     const Scene scene = made_scene(2, dp, {unit_bulk(), unit_bulk()});
-    constexpr std::size_t of_first = 60 * 30;  // particles
+    constexpr std::size_t of_first = 60 * 30;
     for (const bool bystander : {false, true})
       for (const double amplitude : {0.12, 0.18}) {
         CAPTURE(bystander);
@@ -236,7 +236,7 @@ TEST_SUITE("unit") {
       CHECK(verdict(searched, drawn) == Verdict::fractured);
       const auto ever_more = [](double* x) { x[0] = dp * (std::pow(1.4, x[0] / dp) - 1) / 0.4; };
       CHECK(verdict(kept, ever_more) == Verdict::stable);
-      for (const double opened : {1.3, 1.8}) {  // relative to the bonds around, through the whole body
+      for (const double opened : {1.3, 1.8}) {  // relative to the bonds around
         const auto cracked = [=](double* x) {
           x[0] = 2 * x[0] + (x[0] > 7.5 * dp ? 2 * (opened - 1) * dp : 0);
         };
@@ -294,7 +294,7 @@ TEST_SUITE("unit") {
     CHECK(judge.beyond_law().share == 0);
     draw_out(2.6, 2);
     draw_out(1, 3);
-    // 42 of 7 × 6 bonds along x, 8 × 5 across and 2 × 7 × 5 diagonals of 8 × 6 particles
+    // 42 of 7 × 6 bonds along x, 8 × 5 across and 2 × 7 × 5 diagonals
     CHECK(judge.beyond_law().share == relative(42.0 / 152, 1e-12));
     CHECK(judge.beyond_law().since == 2);
     settings.method = "tl";

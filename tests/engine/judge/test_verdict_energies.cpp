@@ -105,7 +105,7 @@ TEST_SUITE("unit") {
     Wall wall;
     wall.normal = {0, 1, 0};
     wall.at = {0, -100, 0};
-    scene.walls = {wall};  // too far away to be reached
+    scene.walls = {wall};  // too far away
     for (const double common : {0.0, 3.0, -1e3}) CHECK(verdict(common) == Verdict::diverged);
     scene.walls[0].at[1] = -dp;  // it may turn the common motion into another one
     CHECK(verdict(0) == Verdict::diverged);

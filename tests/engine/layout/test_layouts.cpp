@@ -160,7 +160,7 @@ TEST_SUITE("unit") {
     for (const int cells : {1, 2, 3, 4, 7}) {
       CAPTURE(cells);
       const double side[3] = {1.0 * cells, 3, 2}, volume = side[0] * 6;
-      // guided by rollers: no face, the face x = 0, or also the opposite faces of the other axes
+      // rollers at no face, at x = 0, or also at the opposite faces of the other axes
       for (const int planes : {0, 1, 2}) {
         CAPTURE(planes);
         Scene scene = one_body(3, 1, {Box{{0, 0, 0}, {side[0], side[1], side[2]}}});

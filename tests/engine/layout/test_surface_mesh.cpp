@@ -18,7 +18,7 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double dp = 0.001;  // m
+constexpr double dp = 0.001;
 
 Scene of(const Shape& shape) { return scene_of_shapes({shape}, 3, dp); }
 

@@ -10,8 +10,8 @@
 #include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
-/// Transcription of the methods of [Khayyer2024] and [TranDuc2023] §2.2 in 2D and, ours, in 3D: pair by pair, without
-/// code of the engine. As in [Khayyer2024], r_ij = r_j − r_i, u_ij = u_j − u_i, and ∇ is ∇_i w.
+/// Transcription of [Khayyer2024] and [TranDuc2023] §2.2 in 2D and, ours, in 3D, without code of the engine. As
+/// in [Khayyer2024], r_ij = r_j − r_i, u_ij = u_j − u_i, and ∇ is ∇_i w.
 ///
 /// Where the papers are silent or contradictory it follows the engine:
 ///   - velocity first, then ρ, S, r from û at the positions at `geometry` of the step; S is rotated by
@@ -19,8 +19,8 @@
 ///   - Eq. 18 with a minus, Eq. 21 with atan2, Eq. 43 with `riemann_factor`, ρ_ij a difference in Eq. 34, 35;
 ///   - clamped particles do not move, but are strained;
 ///   - [TranDuc2023] with ½ in the strain and spin rates, 1/ρ̄ in Π, (W/W(Δx))ⁿ in f_ij;
-///   - bodies touch within one spacing: [Khayyer2024] Eq. 53, 54 for the new velocities with the masses of free
-///     particles; [TranDuc2023] Eq. 2.13 with K1 K2/(K1 + K2).
+///   - bodies touch within one spacing: [Khayyer2024] Eq. 53, 54 with the masses of free particles; [TranDuc2023]
+///     Eq. 2.13 with K1 K2/(K1 + K2).
 namespace taut::test::naive_cauchy {
 
 template <int Dim>
@@ -53,7 +53,7 @@ inline Method method_named(const std::string& name) {
 }
 
 struct Material {
-  double rho0, K, G;  // kg/m³, Pa
+  double rho0, K, G;
   double c() const { return std::sqrt(K / rho0); }
 };
 
@@ -128,14 +128,14 @@ class Run {
     return (Dim == 2 ? 7 / (4 * std::numbers::pi) : 21 / (16 * std::numbers::pi)) / std::pow(h_, Dim);
   }
   double of_sinc() const { return (Dim == 2 ? 0.710379463738679 : 0.617012654222634) / std::pow(h_, Dim); }
-  /// Eq. 11, 12, or the fifth power of a sinc, [TranDuc2023] §2.1.
+  /// Eq. 11, 12, or [TranDuc2023] §2.1: the fifth power of a sinc.
   double w(double r) const {
     const double q = r / h_, half = std::numbers::pi * q / 2;
     if (q >= 2) return 0;
     if (is_.tranduc) return of_sinc() * (q == 0 ? 1 : std::pow(std::sin(half) / half, 5));
     return of_wendland() * std::pow(1 - q / 2, 4) * (2 * q + 1);
   }
-  /// ∇_i w of a pair, which points to j.
+  /// Points to j.
   Vector gradient(const Vector& r_ij) const {
     const double r = r_ij.norm(), q = r / h_, half = std::numbers::pi * q / 2;
     double slope = 0;
@@ -154,7 +154,7 @@ class Run {
     return rho;
   }
 
-  /// L_i = (Σ r_ij ⊗ ∇w V_j)⁻¹ at positions `r`; I for uncorrected methods.
+  /// L_i = (Σ r_ij ⊗ ∇w V_j)⁻¹; I for uncorrected methods.
   Matrix correction(std::size_t i, const std::vector<Vector>& r) const {
     if (!is_.corrected) return Matrix::Identity();
     Matrix M = Matrix::Zero();
@@ -191,7 +191,7 @@ class Run {
     return R;
   }
 
-  /// Eq. 52: true if neither the particle nor a neighbour is at the surface.
+  /// Eq. 52: neither the particle nor a neighbour is at the surface.
   std::vector<bool> inner_particles() {
     std::vector<bool> surface, inner;
     for (std::size_t i = 0; i < n(); ++i) {
@@ -360,7 +360,7 @@ class Run {
     }
   }
 
-  /// [TranDuc2023] Eq. 2.13; 2D: per metre of depth.
+  /// [TranDuc2023] Eq. 2.13.
   Vector penalty(const Particle& a) {
     Vector force = Vector::Zero();
     for_each_touch(a, [&](const Particle& b, const Vector& r, double distance) {
@@ -387,7 +387,7 @@ class Run {
 
   Method is_;
   double d0_, h_, c0_;
-  std::vector<std::vector<std::size_t>> others_;  // neighbours in all bodies
+  std::vector<std::vector<std::size_t>> others_;
 };
 
 }  // namespace taut::test::naive_cauchy

@@ -1,14 +1,15 @@
 #pragma once
 
-// Transcriptions of total-Lagrangian methods, by pairs:
+// Transcriptions of total-Lagrangian methods:
 //   tl               [Lee2016] Eq. 21 (corrected gradient), 29c (internal force), 34 (F), 8–12 (neo-Hookean, P by
 //                    Σ_F, Σ_J, H)
 //   icb              [TranDuc2023] §2.3: N, F, ε, σ⁰, iteration for R, acceleration
-//   tl-hg            tl and the hourglass force, with one amplitude for both errors of a pair: [Ganzenmueller2015]
-//   tl-enog          Kirchhoff stress in two parts and the damping stress: [Wu2023]
+//   tl-hg            [Ganzenmueller2015]: tl and the hourglass force, with one amplitude for both errors of a
+//   pair
+//   tl-enog          [Wu2023]: Kirchhoff stress in two parts and the damping stress
 //   tl-small-strain  [Zhang2020] Eq. 3, 4, 7–9, sums of Eq. 7 and 9 normalised consistently with an energy
-// In 3D R is the polar rotation by singular values. tl also has the St Venant–Kirchhoff and linear laws. Contact:
-// [TranDuc2023] Eq. 2.13, for tl-small-strain [Zhang2020] Eq. 12. Time: x to mid-step, v, x to the end.
+// In 3D R is the polar rotation. Contact: [TranDuc2023] Eq. 2.13, for tl-small-strain [Zhang2020] Eq. 12.
+// Time: x to mid-step, v, x to the end.
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,6 @@
 namespace taut::test::naive_reference {
 
 enum class Method { tl, icb, small_strain, tl_st_venant_kirchhoff, tl_linear, hourglass, enog };
-/// `law` selects the variants of tl.
 inline Method method_named(const std::string& name, const std::string& law) {
   if (name == "icb") return Method::icb;
   if (name == "tl-small-strain") return Method::small_strain;
@@ -48,7 +48,7 @@ struct Particle {
   double m = 0, V = 0;
   int body = 0;
   bool clamped = false;
-  Square F = Square::Zero(), P = Square::Zero(), N = Square::Zero();  // N: renormalisation, dimensionless
+  Square F = Square::Zero(), P = Square::Zero(), N = Square::Zero();  // N: renormalisation
   double s = 1;                                                       // Σ V W
   Square T = Square::Zero();                                          // Kirchhoff stress on the particle
 };
@@ -63,7 +63,7 @@ struct Run {
   double dp, h, cfl, rho0, K, G, contact_stiffness;
   std::vector<Particle> particles;
   double time = 0;
-  long contacts = 0;                                               // pairs in contact, summed over all steps
+  long contacts = 0;                                               // pairs in contact, summed over steps
   std::vector<std::vector<std::size_t>> near = {}, touching = {};  // neighbours at the start; contacts now
   double alpha = 0, shear_factor = 0, damping = 0;
 
@@ -115,7 +115,7 @@ struct Run {
     return y == 0 ? 1 : std::sin(y) / y;
   }
 
-  /// ∇_i W_ij of the initial configuration; returns false beyond the support or for another body.
+  /// Initial ∇_i W_ij; false beyond the support or for another body.
   bool gradient(const Particle& i, const Particle& j, Vector& g) const {
     if (&i == &j || i.body != j.body) return false;
     const Vector d = i.X - j.X;

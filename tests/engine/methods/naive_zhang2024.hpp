@@ -12,7 +12,7 @@
 #include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
-/// Transcription of the methods of [Zhang2024] and [Zhang2024b] in 2D and 3D: pair by pair, without code of the engine.
+/// Transcription of [Zhang2024] and [Zhang2024b] in 2D and 3D, without code of the engine.
 ///
 /// Where the paper is silent or contradictory it follows the engine:
 ///   - Eq. 7 with Jaumann's rotation terms; Eq. 14 and 27 with the sign that makes ∇v correct;
@@ -54,9 +54,9 @@ struct Particle {
   double m = 0, rho = 0, drho = 0, p = 0;
   int body = 0;
   bool clamped = false;
-  Matrix<Dim> s{}, ds{};  // shear stress (integrated or output only) and its rate
+  Matrix<Dim> s{}, ds{};  // shear stress and its rate
   Vector<Dim> a_shear{}, da_shear{};
-  Matrix<Dim> L{};        // corrected velocity gradient of gnog
+  Matrix<Dim> L{};        // of gnog
   Vector<Dim> x_shown{};  // x at the last update of an output-only stress
 };
 
@@ -76,9 +76,9 @@ class Run {
       : method_(method), dual_(dual), dp_(dp), h_(h_over_dp * dp), rho0_(rho0), c0_(c0), G_(G) {}
 
   std::vector<Particle> particles;
-  bool cubic_spline = false;       // kernel of Monaghan and Lattanzio instead of Wendland's
+  bool cubic_spline = false;       // Monaghan and Lattanzio's instead of Wendland's
   double pressure_diffusion = 0;   // factor of (p_i − p_j)/(2 ρ0 c0) in U*
-  int rebuilds = 0, contacts = 0;  // contacts: pairs between bodies, summed over steps
+  int rebuilds = 0, contacts = 0;  // pairs between bodies, summed over steps
   double time = 0;
 
   void start() {
@@ -108,7 +108,7 @@ class Run {
     const std::vector<double> V = volumes();
     const std::vector<Vector> acceleration = accelerations(V);
     speed_ = 0;
-    for (std::size_t i = 0; i < particles.size(); ++i) {  // Eq. 24 and positions of Eq. 25
+    for (std::size_t i = 0; i < particles.size(); ++i) {  // Eq. 24, 25
       Particle& a = particles[i];
       for (int k = 0; k < Dim; ++k) {
         if (!a.clamped) a.v[k] += dt * acceleration[i][k];
@@ -224,7 +224,7 @@ class Run {
     return R;
   }
 
-  /// Eq. 12 with the linearised P*; dissipation limited for `og`.
+  /// Eq. 12 with the linearised P*; limited for `og`.
   double riemann_pressure(const Particle& a, const Particle& b, const Vector& e) const {
     const double U_L = -dot<Dim>(a.v, e), U_R = -dot<Dim>(b.v, e);
     const double limited = std::min(3 * std::max(U_L - U_R, 0.0) / c0_, 1.0);
@@ -303,7 +303,7 @@ class Run {
     }
   }
 
-  /// Eq. 27 of [Zhang2024] with the geometry and volumes of the last rebuild.
+  /// Eq. 27 of [Zhang2024] with the geometry of the last rebuild.
   void find_corrections() {
     corrections_.clear();
     for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -338,7 +338,7 @@ class Run {
     return rate;
   }
 
-  /// Eq. 26–27 for the displacements since the last update, with the geometry and volumes of the last rebuild.
+  /// Eq. 26–27 for the displacements since the last update, with the geometry of the last rebuild.
   void advance_shown_stress() {
     if (nested()) return;
     const std::vector<double>& V = volumes_at_rebuild_;

@@ -22,7 +22,7 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double dp = 0.001;  // m
+constexpr double dp = 0.001;
 const std::array choices{Law::neo_hookean, Law::mooney_rivlin, Law::st_venant_kirchhoff, Law::linear_elastic};
 
 Settings with_law(const std::string& method, Law law) {
@@ -58,7 +58,7 @@ Mat<double, Dim> pressed_strain(double share) {
   return F;
 }
 
-/// A free block with initial strain F plus `off` times a varying strain; `share` is the part of G due to areas.
+/// Initial strain F plus `off` times a varying strain; `share` is the part of G due to areas.
 template <int Dim>
 Scene strained_block(const Mat<double, Dim>& F, double off, double share = 0.4) {
   Scene scene;
@@ -86,13 +86,13 @@ double strain_energy(const Scene& scene, const Settings& settings) {
   return std::accumulate(start.strain_energy.begin(), start.strain_energy.end(), 0.0);
 }
 
-/// State after one short step from rest: v over its length is the acceleration.
+/// After one short step from rest: v over its length is the acceleration.
 Snapshot after_short_step(const Scene& scene, Settings settings) {
   settings.step = 1e-12;
   return state_after(1, scene, settings);
 }
 
-/// Work −Σ f · dx over the energy change as the block's perturbation grows.
+/// Work −Σ f · dx over the energy change as the perturbation grows.
 template <int Dim>
 double work_over_energy(const std::string& method, Law law) {
   constexpr double off = 0.2, change = 1e-4;

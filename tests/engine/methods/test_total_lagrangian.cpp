@@ -76,7 +76,7 @@ void project_all(std::vector<V2>& a, const std::vector<V2>& Z, const std::vector
   for (std::size_t i = 0; i < a.size(); ++i) a[i] = {columns[0][i], columns[1][i]};
 }
 
-/// dp² L̂(k): L applied to the wave cos(k·X) in a square lattice with dp = 1, over the wave.
+/// dp² L̂(k): L applied to the wave cos(k·X) over the wave, dp = 1.
 double symbol_on_lattice(double h, const V2& k) {
   constexpr int n = 9;
   std::vector<V2> X;
@@ -97,7 +97,6 @@ double symbol_on_lattice(double h, const V2& k) {
   return sum;
 }
 
-/// Greatest stress of a rotated cloud, Pa.
 template <class L>
 double stress_when_turned(const L& law, double angle) {
   const Cloud cloud;

@@ -12,7 +12,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Twelve triangles of the cube from `low` to `low` + 1 along each axis.
+/// The cube from `low` to `low` + 1.
 void add_cube(Triangles& mesh, double low) {
   const int first = static_cast<int>(mesh.points.size());
   for (unsigned k = 0; k < 8; ++k)
@@ -31,7 +31,7 @@ bool is_in_cube(const Point& x, double low, double beyond) {
   return in;
 }
 
-/// Calls `check` for the points of a lattice, of which many lie exactly on faces, edges and diagonals of the cubes.
+/// A lattice with many points exactly on faces, edges and diagonals of the cubes.
 template <class Check>
 void at_lattice(const Check& check) {
   for (int i = -2; i <= 14; ++i)

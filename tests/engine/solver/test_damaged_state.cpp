@@ -20,7 +20,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Two touching bodies, one clamped, driven, loaded and beside a wall; probes.
+/// One clamped, driven, loaded and beside a wall; probes.
 Scene touching_blocks(int dim) {
   const double dp = 0.001, depth = dim == 3 ? 0.002 : 0;
   Scene scene;
@@ -53,7 +53,7 @@ Scene touching_blocks(int dim) {
   return scene;
 }
 
-/// A body in self-contact: two parts start near each other but are far apart initially.
+/// Self-contact: two parts start near each other but are far apart initially.
 Scene folded_block(int dim) {
   Scene scene = touching_blocks(dim);
   scene.name = "folded-block";
@@ -125,7 +125,7 @@ void try_state(const std::string& state, const Scene& scene, const Settings& set
   }
 }
 
-/// Number of words to damage per state; TAUT_DAMAGED_WORDS overrides it.
+/// TAUT_DAMAGED_WORDS overrides `few`.
 long words_to_damage(long few) {
   const char* const asked = std::getenv("TAUT_DAMAGED_WORDS");
   return asked ? std::atol(asked) : few;

@@ -26,9 +26,9 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double H = 0.02, E = 2e6, nu = 0.3, rho = 1000;  // m, Pa, kg/m³
+constexpr double H = 0.02, E = 2e6, nu = 0.3, rho = 1000;
 
-/// A free, damped block of length L under a slowly increasing traction σxx(y) at both ends.
+/// A free, damped block under a slowly increasing traction σxx(y) at both ends.
 Scene pulled_block(int across, double L, const std::function<double(double)>& sigma, double omega) {
   Scene scene;
   scene.name = "block";
@@ -72,7 +72,7 @@ double error(const Snapshot& now, const std::function<double(double)>& sigma, do
   return std::sqrt(difference / size);
 }
 
-/// A free bar of `rows` with traction t on its upper face and, with `both`, on the lower one.
+/// A free bar with traction t on its upper face and, with `both`, on the lower one.
 Scene thin_bar(int rows, const Point& t, bool both) {
   Scene scene;
   scene.name = "bar";
@@ -170,7 +170,7 @@ TEST_SUITE("unit") {
         const auto sum = sums(shares, initial);
         CHECK(sum[0] == relative(0.5 * t * A));
         CHECK(sum[1] == relative(t * A));
-        // scaled columns at the ends of a thick bar differ in depth
+        // scaled columns at the ends differ in depth
         CHECK(sum[2] == relative(t * A * (0.5 * A - 0.5 * rows * scene.spacing),
                                  rule == FaceRule::uniform ? 1e-9 : 2e-5));
         for (const auto& [i, f] : shares)

@@ -169,13 +169,13 @@ TEST_SUITE("term") {
   TEST_CASE("Riemann term: a linear velocity has no dissipation, and forces are opposite") {
     const Sym2 D = symmetric_part(some_L);
     for (const Neighbor& j : neighbors()) {
-      const double closing = dot(some_L * j.x(), j.e);  // −v_ij·e with v_ij = −L x_j
+      const double closing = dot(some_L * j.x(), j.e);  // −v_ij·e
       CHECK(std::abs(closing) > 1e-3);
       CHECK(std::abs(reconstructed_closing_speed(closing, D, D, j.r, j.e)) < 1e-13);
     }
     CHECK(reconstructed_closing_speed(0.7, Sym2{}, Sym2{}, 1.0, Vec2{1, 0}) == 0.7);
     CHECK(riemann_dissipation(0.7, 6.0, 10.0, 1.5, 2.5) == Approx(16.0 / 4 * 0.7));
-    // C_ij of equal particles is the impedance c ρ
+    // C_ij of equal particles is c ρ
     CHECK(riemann_dissipation(1.0, 3 * 2 * std::sqrt(2.0), 3 * 2 * std::sqrt(2.0), std::sqrt(2.0),
                               std::sqrt(2.0)) == Approx(6));
     check_opposite([&](const PairedParticle& i, const PairedParticle& j) {

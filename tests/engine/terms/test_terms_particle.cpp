@@ -43,7 +43,7 @@ struct Cloud {
   }
 };
 
-constexpr double h = 1.3;  // the clouds' spacing is 1
+constexpr double h = 1.3;
 
 struct Gradient {
   Mat2 L{};
@@ -91,7 +91,7 @@ const Sym2 some_s = {1.5, -0.6, -1.5};
 Sym2 in_plane_rate(const Mat2& L, const Sym2& s) { return jaumann_rate<Deviator::in_plane>(L, s, G); }
 Sym2 plane_strain_rate(const Mat2& L, const Sym2& s) { return jaumann_rate<Deviator::plane_strain>(L, s, G); }
 
-/// a n ⊗ n + b t ⊗ t, n at `angle` to x and t normal to it.
+/// a n ⊗ n + b t ⊗ t, n at `angle` to x.
 Sym2 principal(double a, double b, double angle) { return turned(rotation(angle), Sym2{a, 0, b}); }
 
 }  // namespace

@@ -12,7 +12,7 @@
 
 namespace taut::test {
 
-/// Dual number: a value and its derivatives by the components of F.
+/// A value and its derivatives by the components of F.
 template <int Components>
 struct Dual {
   double value = 0;
@@ -49,8 +49,8 @@ Dual<Components> operator/(double a, const Dual<Components>& b) {
   return Dual<Components>(a) / b;
 }
 
-/// Transcription of oenog; shares only make_bonds and make_interfaces with the solver. In 2D one body; in 3D several
-/// of one material with penalty contact and end-corrected masses.
+/// Transcription of oenog; shares only make_bonds and make_interfaces with the solver. One body in 2D; several of
+/// one material in 3D, with penalty contact and end-corrected masses.
 template <int Dim>
 class NaiveOenogIn {
  public:
@@ -78,9 +78,9 @@ class NaiveOenogIn {
   bool clamped(int i) const { return initial_.clamped[i]; }
   const Bonds& bonds() const { return bonds_; }
   const Interfaces& interfaces() const { return interfaces_; }
-  double contacts = 0;  // pairs in contact, summed over all steps
+  double contacts = 0;  // pairs in contact, summed over steps
 
-  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))], J. Bonds between two materials take the harmonic mean of G; λ° is
+  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))]. Bonds between two materials take the harmonic mean of G; λ° is
   /// limited to ½ … 2.
   double energy(const Places& at) const {
     double E = 0;
@@ -102,7 +102,7 @@ class NaiveOenogIn {
     return E;
   }
 
-  /// −∂E/∂x in N, bond by bond from the particle that owns the energy.
+  /// −∂E/∂x, bond by bond from the particle that owns the energy.
   Places force(const Places& at) const {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
@@ -122,7 +122,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// The same with explicit derivatives, for the benchmark; not at material interfaces.
+  /// With explicit derivatives, for the benchmark; not at material interfaces.
   Places force_by_hand(const Places& at) const {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
@@ -146,7 +146,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// Dashpot forces in N: V0 G w τ q̇/r0² (x_j − x_i) for each bond from both ends, q = ½ (r²/r0² − 1).
+  /// Dashpots: V0 G w τ q̇/r0² (x_j − x_i) for each bond from both ends, q = ½ (r²/r0² − 1).
   Places drag(double damping) const {
     double shear_speed = 0, share = 0;
     for (int i = 0; i < size(); ++i) {
@@ -172,7 +172,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// Contact forces between bodies in 3D, N: [TranDuc2023] Eq. 2.13 with the material's stiffness.
+  /// Contact forces in 3D: [TranDuc2023] Eq. 2.13.
   Places push() {
     Places f(x.size());
     const auto near = neighbors_within(scene_.spacing, x);
@@ -217,7 +217,7 @@ class NaiveOenogIn {
     }
   }
 
-  Places x, v;  // m, m/s
+  Places x, v;
   bool by_hand = false;
 
  private:
@@ -249,7 +249,7 @@ class NaiveOenogIn {
     for (int k = 0; k < components; ++k) F[k] = Number::variable(F_now[k], k);
     return F;
   }
-  /// Stretch terms subtracted from a particle's energy: X and strength in J.
+  /// Stretch terms subtracted from a particle's energy: X and strength.
   std::vector<std::pair<Point, double>> cancelled(int i) const {
     std::vector<std::pair<Point, double>> all;
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b)
@@ -267,7 +267,7 @@ class NaiveOenogIn {
     }
     return sum / Number(squared(X));
   }
-  /// Neo-Hookean energy with its derivatives by F; J ≥ ½.
+  /// Neo-Hookean, J ≥ ½.
   Number W(int i, const Duals& F) const { return neo_hookean_energy(material(i), F); }
   template <class N>
   static N neo_hookean_energy(const Material& m, const std::array<N, components>& F) {
@@ -281,7 +281,7 @@ class NaiveOenogIn {
     return m.shear_modulus() / 2 * (J.to(-2.0 / 3) * C - 3) + m.bulk_modulus() / 2 * (J - 1) * (J - 1);
   }
 
-  /// Derivatives at an interface: by F, b and s of the bonds.
+  /// Derivatives at an interface: by F, b and s.
   static constexpr int most_bonds = 26;
   using Wide = Dual<components + Dim + most_bonds>;
   using WideSquare = std::array<Wide, components>;
@@ -373,7 +373,7 @@ class NaiveOenogIn {
     return P;
   }
 
-  /// Adds the forces of i's bonds to f; T is the derivative of the subtracted energy by F.
+  /// Adds the bond forces of i to f; T is the derivative of the subtracted energy by F.
   void pull(const Places& at, int i, const Square& T, Places& f) const {
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
       const auto d = way(at, i, b);

@@ -32,7 +32,7 @@ namespace {
 
 constexpr double damping = 0.01;  // the default
 
-/// A perturbed plate clamped at its left end, with a softer, lighter right half.
+/// Clamped at its left end, with a softer, lighter right half.
 Scene clamped_plate_of_two_materials() {
   Scene scene = small_clamped_plate();
   scene.bodies.pop_back();
@@ -41,7 +41,7 @@ Scene clamped_plate_of_two_materials() {
   return scene;
 }
 
-/// The same with negative Poisson's ratios, whose bonds have less than G.
+/// With negative Poisson's ratios, whose bonds have less than G.
 Scene auxetic_plate() {
   Scene scene = clamped_plate_of_two_materials();
   scene.name = "auxetic-plate";
@@ -55,7 +55,7 @@ Scene ring_alone() {
   return scene;
 }
 
-/// Checks a lattice with oblong cells, different bonds and strengths, then one off-lattice. At rest nothing is
+/// A lattice with oblong cells, different bonds and strengths, then one off-lattice. At rest nothing is
 /// subtracted.
 template <int Dim, class Kept>
 void check_cancelled(double precision) {
@@ -278,7 +278,6 @@ TEST_SUITE("term") {
     const auto parity = [dp](double x) { return std::lround(std::floor(x / dp)) % 2 == 0 ? 1.0 : -1.0; };
     zigzag.bodies[0].velocity[0] = [=](const Point& x) { return 1e-3 * c0 * parity(x[1]); };
     zigzag.bodies[0].velocity[1] = [=](const Point&) { return 0.0; };
-    // share of the energy at `from` that remains at `to`
     const auto kept = [](const Scene& scene, double from, double to, double damping) {
       Settings settings = with_method("oenog");
       settings.constants["damping"] = damping;
@@ -295,7 +294,7 @@ TEST_SUITE("term") {
     const double period = std::numbers::pi * dp / shear_speed;  // rows against each other: ω = 2 c_s/dp
     CHECK(kept(zigzag, 0, 18 * period, 0) > 0.95);
     CHECK(kept(zigzag, 0, 18 * period, damping) < 0.12);
-    // from one period on, when only the first mode is left
+    // from one period on only the first mode is left
     const Scene plate = oscillating_plate(0.001, 5);
     CHECK(kept(plate, 0.25, 0.5, damping) > 0.999);
     CHECK(kept(plate, 0.25, 0.5, damping) < 1);
@@ -304,7 +303,7 @@ TEST_SUITE("term") {
 
 namespace {
 
-/// A block with velocities L x, too fast for surface waves to reach its middle.
+/// Velocities L x, too fast for surface waves to reach the middle.
 Scene straining_block(const Mat<double, 2>& L) {
   Scene scene = rotating_plate(0);
   for (const int axis : {0, 1})
@@ -466,7 +465,7 @@ TEST_SUITE("determinism") {
 TEST_SUITE("convergence") {
   TEST_CASE("plate: the period of oenog is accurate with few rows at any Poisson's ratio") {
     struct Plate {
-      double nu, period;               // period from finite elements, s
+      double nu, period;               // from finite elements
       std::vector<double> error = {};  // with 5 and 10 rows
     };
     for (const Plate& plate : {Plate{0, 0.27868, {0.016, 0.003}}, Plate{0.3, 0.26575, {0.007, 0.0015}},

@@ -44,20 +44,20 @@ Scene alone(const Shape& shape) {
   return scene;
 }
 Scene block(int x, int y, int z) { return alone(Box{{0, 0, 0}, {x * dp, y * dp, z * dp}}); }
-/// Clamped for X < 0, three particles deep.
+/// Clamped for X < 0.
 Scene clamped_block(int x, int y, int z) {
   Scene scene = alone(Box{{-3 * dp, 0, 0}, {x * dp, y * dp, z * dp}});
   scene.bodies[0].clamped = [](const Point& X) { return X[0] < 0 ? 1.0 : 0.0; };
   return scene;
 }
-/// Particles lie on its faces; the face x = 0 is clamped.
+/// Particles lie on its faces; x = 0 is clamped.
 Scene block_on_faces(int x, int y, int z) {
   Scene scene = block(x, y, z);
   scene.bodies[0].on_boundary = true;
   scene.bodies[0].clamped = [](const Point& X) { return X[0] <= 0 ? 1.0 : 0.0; };
   return scene;
 }
-/// A block with one particle on top, which has no neighbours along two axes.
+/// One particle on top has no neighbours along two axes.
 Scene block_with_tip() {
   Scene scene = block(3, 3, 3);
   scene.bodies[0].shapes.push_back(Box{{dp, dp, 3 * dp}, {2 * dp, 2 * dp, 4 * dp}});
@@ -121,7 +121,7 @@ double sum(const std::vector<double>& values) {
   return total;
 }
 
-/// Returns a run after `steps` steps; `scene` must outlive it.
+/// `scene` must outlive the run.
 Naive strained(const Scene& scene, int steps) {
   Naive naive(scene, h_over_dp);
   for (int k = 0; k < steps; ++k) naive.step(oenog.cfl, 0);
@@ -154,7 +154,7 @@ bool same_bytes(const Snapshot& a, const Snapshot& b) {
 
 Scene twisting_cantilever(int across) {
   Scene scene = square_cantilever(across);
-  const auto rate = [](const Point& x) { return 5 * std::sin(std::numbers::pi * x[0] / 0.4); };  // rad/s
+  const auto rate = [](const Point& x) { return 5 * std::sin(std::numbers::pi * x[0] / 0.4); };
   scene.bodies[0].velocity[1] = [=](const Point& x) { return -rate(x) * x[2]; };
   scene.bodies[0].velocity[2] = [=](const Point& x) { return rate(x) * x[1]; };
   scene.probes[0].at[1] = 0.01 - scene.spacing / 2;
@@ -215,8 +215,8 @@ TEST_SUITE("unit") {
       CHECK(sum(start.m) == relative(density * sum(initial.V0), 1e-13));
       for (int i = 0; i < initial.size(); ++i) CHECK(start.m[i] == relative(density * bonds.mass[i], 1e-14));
     }
-    // a face's first moment is dp²/15 in volumes, dp²/24 in masses; with particles on faces the layout includes it,
-    // and volumes have dp²/25 less
+    // a face's first moment is dp²/15 in volumes, dp²/24 in masses; with particles on faces volumes have dp²/25
+    // less
     for (const bool on_faces : {false, true}) {
       CAPTURE(on_faces);
       const int n = on_faces ? 8 : 9;
@@ -407,7 +407,7 @@ TEST_SUITE("determinism") {
 
 TEST_SUITE("convergence") {
   TEST_CASE("oenog: in 3D a square cantilever bends and twists with the periods of finite elements") {
-    constexpr double bending = 0.27691, torsion = 0.032507;  // s
+    constexpr double bending = 0.27691, torsion = 0.032507;
     const auto near = [](double error, double bound) { CHECK(std::abs(error) < bound); };
     near(error_of_period(bending_cantilever(3), bending), 0.03);
     near(error_of_period(bending_cantilever(5), bending), 0.01);
@@ -424,7 +424,7 @@ TEST_SUITE("failure") {
     for (const auto [side, poisson_ratio] : {Bar{3, 0.495}, {3, -0.7}, {2, 0.499}}) {
       CAPTURE(side);
       CAPTURE(poisson_ratio);
-      constexpr double bar_dp = 0.1;  // m
+      constexpr double bar_dp = 0.1;
       Scene scene;
       scene.name = "thin-bar";
       scene.dim = 3;
