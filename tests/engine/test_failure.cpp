@@ -29,14 +29,13 @@ Judge judged(const Scene& scene, const std::string& method, double until) {
   return judge;
 }
 
-/// Displacement at every step.
 Series tip_until(double until, double vf, const std::string& method) {
   const auto simulation = make_simulation(oscillating_plate(vf), with_method(method));
   simulation->advance_to(until);
   return simulation->series();
 }
 
-/// Greatest distance in the first 3 ms.
+/// In the first 3 ms.
 double greatest_distance(const Series& a, const Series& b) {
   double distance = 0;
   for (double t = 0.0001; t <= 0.003; t += 0.0001)
@@ -44,7 +43,7 @@ double greatest_distance(const Series& a, const Series& b) {
   return distance;
 }
 
-/// 0.2 m × 0.2 m, `across` particles wide.
+/// `across` particles wide.
 Scene free_square(int across) {
   Scene scene;
   scene.name = "square";
@@ -169,7 +168,7 @@ TEST_SUITE("failure") {
     const auto energy_ratio = [&](const std::string& method) {
       const auto simulation = make_simulation(scene, with_method(method));
       const Balance before = balance(simulation->snapshot(), scene);
-      make_steps(*simulation, 300);  // some 100 degrees
+      make_steps(*simulation, 300);  // 100 degrees
       const Balance after = balance(simulation->snapshot(), scene);
       return (after.kinetic + after.strain) / before.kinetic;
     };

@@ -24,7 +24,7 @@ namespace {
 constexpr double round_off = 1e-13;
 constexpr double dp = 0.001;
 
-/// Two bodies of one particle each, `gap` spacings apart along x.
+/// One particle each, `gap` spacings apart.
 Scene two_particles(double gap, double speed) {
   Scene scene;
   scene.name = "two-particles";
@@ -71,7 +71,7 @@ TEST_SUITE("term") {
     CHECK(closing - impulse * (1 / m_i + 1 / m_j) == Approx(0).epsilon(1e-14));
     CHECK(impulse == Approx(m_i * m_j / (m_i + m_j) * closing));  // [Khayyer2024] Eq. 54
     CHECK(stopping_impulse(-1e-9, 1 / m_i, 1 / m_j) == 0);
-    CHECK(stopping_impulse(closing, 1 / m_i, 0) == Approx(m_i * closing));  // the other particle is clamped
+    CHECK(stopping_impulse(closing, 1 / m_i, 0) == Approx(m_i * closing));  // other particle clamped
     CHECK(stopping_impulse(closing, 0, 0) == 0);
     CHECK(stopping_impulse(closing, 0.3, 0.7) == stopping_impulse(closing, 0.7, 0.3));
   }
@@ -107,7 +107,7 @@ TEST_SUITE("analytic") {
       Settings settings = with_method(method);
       settings.cfl = 0.01;
       const double stiffness = std::string(method) == "oenog" ? 2 : 1;
-      const double k = stiffness * scene.materials[0].bulk_modulus() / 2;  // N/m per metre depth
+      const double k = stiffness * scene.materials[0].bulk_modulus() / 2;
       const double m = scene.materials[0].density * dp * dp;
       const double omega = std::sqrt(2 * k / m), quarter = 0.5 * 3.14159265358979 / omega;
       const auto simulation = make_simulation(scene, settings);
@@ -134,7 +134,7 @@ TEST_SUITE("conservation") {
         scene.contact = law;
         const auto simulation = make_simulation(scene, with_method(std::string(method.name)));
         const Snapshot start = simulation->snapshot();
-        // a thin ring does not survive 200 long steps
+        // a thin ring does not survive 200 steps
         make_steps(*simulation, method.cfl > 0.4 ? 80 : 200);
         const Balance before = balance(start, scene), after = balance(simulation->snapshot(), scene);
         if (method.conserves.starts_with("linear momentum"))

@@ -26,7 +26,7 @@ constexpr double dp = 0.001;
 constexpr FacetPairs::Limits limits{.listed = 3 * dp, .horizon = 4 * dp, .far = 4 * dp, .cosine = 0.5};
 constexpr auto all = [](int, int) { return true; };
 
-/// A bent strip whose ends nearly meet, off all axes, and a ball.
+/// A bent strip whose ends nearly meet, and a ball.
 struct Bent {
   MovingFacets facets;
   FacetPairs near;

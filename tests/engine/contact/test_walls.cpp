@@ -49,7 +49,6 @@ Scene two_blocks() {
   return scene;
 }
 
-/// A corner of two walls, one inclined.
 Scene disc_in_corner() {
   const double c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -66,7 +65,7 @@ Scene disc_in_corner() {
   return scene;
 }
 
-/// Relative changes of the momenta, wall impulses subtracted.
+/// Relative changes of momenta without wall impulses.
 struct Kept {
   double linear, angular;
 };
@@ -157,7 +156,7 @@ TEST_SUITE("conservation") {
         if (method.conserves.starts_with("linear momentum")) CHECK(kept.linear < 1e-12);
         if (method.conserves.find("angular momentum") != std::string_view::npos) CHECK(kept.angular < 1e-12);
         const double energy = (after.kinetic + after.strain) / before.kinetic;
-        CHECK(energy < (method.name == "pf" ? 1.3 : 1.02));  // zigzags of pf are undamped
+        CHECK(energy < (method.name == "pf" ? 1.3 : 1.02));  // undamped zigzags
         if (method.conserves.find("energy") != std::string_view::npos && law != ContactLaw::impulse)
           CHECK(energy == Approx(1).epsilon(5e-3));
       }
@@ -185,7 +184,6 @@ TEST_SUITE("conservation") {
         const Impulse given = state_after(200, scene, with_method("tl")).of_walls;
         CHECK(given.linear[along] > 0.1 * speed * 64 * dp * dp * ring_rubber().density);
         CHECK(given.linear[across] == 0);
-        // the impulse acts at the block's centre
         const double arm = axis == 1 ? centre[across] : -centre[across];
         CHECK(given.angular[2] == Approx(arm * given.linear[along]).scale(0).epsilon(1e-9));
       }
@@ -230,7 +228,6 @@ TEST_SUITE("unit") {
     CHECK(begins(0));
     CHECK_FALSE(begins(0.3));
     scene.jitter = {};
-    // particles 0.02 dp from its face
     const Body block = scene.bodies[0];
     scene.bodies[0].shapes = {Box{{-9 * dp, 0, 0}, {-8 * dp, dp, 0}}, Disc{{-4 * dp, 0, 0}, 3.56 * dp}};
     scene.walls = {wall("front", {-0.44 * dp, 0, 0}, {-1, 0, 0})};

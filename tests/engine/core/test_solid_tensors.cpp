@@ -57,7 +57,6 @@ Matrix eigen(const Mat<double, 3>& A) {
 Matrix eigen(const Sym<double, 3>& A) { return eigen(full(A)); }
 double greatest(const Matrix& A) { return A.cwiseAbs().maxCoeff(); }
 
-/// Random, diagonal, with (nearly) equal principal values, of rank one, zero.
 std::vector<Matrix> symmetric_ones() {
   Random random;
   std::vector<Matrix> all;

@@ -36,7 +36,7 @@ TEST_SUITE("unit") {
       const Conservation found = watch.so_far();
       REQUIRE(found.energy);
       CHECK(*found.energy == Approx(0.25));
-      CHECK_FALSE(found.angular_momentum);  // no rotation, hence no scale
+      CHECK_FALSE(found.angular_momentum);  // no scale without rotation
       REQUIRE(found.linear_momentum.has_value() == !clamped);
       if (!clamped) CHECK(*found.linear_momentum == Approx(0.1));
     }
@@ -67,7 +67,7 @@ TEST_SUITE("unit") {
     ConservationWatch watch(Scene(), particle(false));
     CHECK_FALSE(watch.so_far().energy);
     watch.follow(start);
-    CHECK_FALSE(watch.so_far().energy);  // no energy, hence no scale
+    CHECK_FALSE(watch.so_far().energy);
     watch.follow(later);
     CHECK(*watch.so_far().energy == Approx(0.25));
     later.damped = 2;

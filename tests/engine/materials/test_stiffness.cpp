@@ -43,7 +43,6 @@ class Dice {
     if (Q.determinant() < 0) Q.col(0) *= -1;
     return Q;
   }
-  /// Stretches between two rotations.
   template <int Dim>
   Mat<double, Dim> strain() {
     Column<Dim> stretches;
@@ -59,7 +58,7 @@ class Dice {
   std::mt19937 random_{1};
 };
 
-/// ∂P/∂F by differences; components of F row by row.
+/// ∂P/∂F; components row by row.
 template <int Dim>
 class Tangent {
  public:
@@ -78,7 +77,7 @@ class Tangent {
       }
     }
   }
-  /// ρ0 c² of waves along n, from the symmetric part of the acoustic tensor.
+  /// ρ0 c² along n, from the symmetric acoustic tensor.
   Column<Dim> stiffnesses(const Column<Dim>& n) const {
     Square<Dim> Q = Square<Dim>::Zero();
     for (int a = 0; a < Dim; ++a)

@@ -1,15 +1,13 @@
 #pragma once
 
 // Transcriptions of total-Lagrangian methods:
-//   tl               [Lee2016] Eq. 21 (corrected gradient), 29c (internal force), 34 (F), 8–12 (neo-Hookean, P by
-//                    Σ_F, Σ_J, H)
+//   tl               [Lee2016] Eq. 21 (corrected gradient), 29c (internal force), 34 (F), 8–12 (neo-Hookean)
 //   icb              [TranDuc2023] §2.3: N, F, ε, σ⁰, iteration for R, acceleration
-//   tl-hg            [Ganzenmueller2015]: tl and the hourglass force, with one amplitude for both errors of a
-//   pair
-//   tl-enog          [Wu2023]: Kirchhoff stress in two parts and the damping stress
+//   tl-hg            [Ganzenmueller2015], one hourglass amplitude for both errors of a pair
+//   tl-enog          [Wu2023]: Kirchhoff stress in two parts, damping stress
 //   tl-small-strain  [Zhang2020] Eq. 3, 4, 7–9, sums of Eq. 7 and 9 normalised consistently with an energy
-// In 3D R is the polar rotation. Contact: [TranDuc2023] Eq. 2.13, for tl-small-strain [Zhang2020] Eq. 12.
-// Time: x to mid-step, v, x to the end.
+// In 3D R is the polar rotation. Contact: [TranDuc2023] Eq. 2.13, tl-small-strain [Zhang2020] Eq. 12. Time: x to
+// mid-step, v, x to the end.
 
 #include <algorithm>
 #include <array>
@@ -50,7 +48,7 @@ struct Particle {
   bool clamped = false;
   Square F = Square::Zero(), P = Square::Zero(), N = Square::Zero();  // N: renormalisation
   double s = 1;                                                       // Σ V W
-  Square T = Square::Zero();                                          // Kirchhoff stress on the particle
+  Square T = Square::Zero();                                          // Kirchhoff stress
 };
 
 template <int Dim>
@@ -63,11 +61,11 @@ struct Run {
   double dp, h, cfl, rho0, K, G, contact_stiffness;
   std::vector<Particle> particles;
   double time = 0;
-  long contacts = 0;                                               // pairs in contact, summed over steps
-  std::vector<std::vector<std::size_t>> near = {}, touching = {};  // neighbours at the start; contacts now
+  long contacts = 0;  // summed over steps
+  std::vector<std::vector<std::size_t>> near = {}, touching = {};
   double alpha = 0, shear_factor = 0, damping = 0;
 
-  // Wendland C2 (tl), sinc⁵ (icb), Gaussian truncated at 3 h (small strain)
+  // tl, icb, small strain
   double support() const { return (1 - 1e-9) * (small() ? 3 * h : 2 * h); }
   bool small() const { return method == Method::small_strain; }
   bool linear() const { return small() || method == Method::tl_linear; }
@@ -87,7 +85,7 @@ struct Run {
     const double slope = (std::cos(y) / y - std::sin(y) / (y * y)) * std::numbers::pi / 2;
     return sinc_norm() / h * 5 * std::pow(sinc(q), 4) * slope;
   }
-  /// 1 / integral up to 3 h.
+  /// 1 / integral.
   double gauss() const {
     constexpr double pi = std::numbers::pi;
     if (Dim == 2) return 1 / (pi * h * h) / (1 - std::exp(-9.0));
@@ -96,7 +94,7 @@ struct Run {
   double wendland() const {
     return Dim == 2 ? 7 / (4 * std::numbers::pi * h * h) : 21 / (16 * std::numbers::pi * h * h * h);
   }
-  /// In 3D 1 / (4π ∫ q² sinc⁵ dq) by Simpson's rule.
+  /// 1 / (4π ∫ q² sinc⁵ dq).
   double sinc_norm() const {
     if (Dim == 2) return 0.710379463738679282 / (h * h);
     static const double integral = [] {
@@ -115,7 +113,7 @@ struct Run {
     return y == 0 ? 1 : std::sin(y) / y;
   }
 
-  /// Initial ∇_i W_ij; false beyond the support or for another body.
+  /// False beyond the support or for another body.
   bool gradient(const Particle& i, const Particle& j, Vector& g) const {
     if (&i == &j || i.body != j.body) return false;
     const Vector d = i.X - j.X;
@@ -153,7 +151,7 @@ struct Run {
     }
   }
 
-  /// In 2D [TranDuc2023] §2.3: R ← E(v, α) R with v = Σ r_j × a_j / Σ r_j·a_j.
+  /// [TranDuc2023] §2.3: R ← E(v, α) R with v = Σ r_j × a_j / Σ r_j·a_j.
   static Matrix rotation(const Matrix& A) {
     if constexpr (Dim == 3) {
       return rotation_by_singular_values(A);
@@ -203,7 +201,7 @@ struct Run {
     }
   }
 
-  /// Volumetric stress, isotropic part of the deviator −c G J^(−2/3) tr b/3 and damping stress χ/2 db/dt.
+  /// Volumetric stress, isotropic part of the deviator −c G J^(−2/3) tr b/3, damping stress χ/2 db/dt.
   Matrix kirchhoff_on_particle(const Particle& i) const {
     Matrix rate = Matrix::Zero();
     for (const std::size_t n : of(near, i)) {
@@ -226,7 +224,6 @@ struct Run {
             shear * slope * (i.x - j.x));
   }
 
-  /// With x_ij = x_i − x_j.
   Vector hourglass(const Particle& i, const Particle& j) const {
     const Vector X = i.X - j.X, x = i.x - j.x, e = x.normalized();
     const double E = 9 * K * G / (3 * K + G);

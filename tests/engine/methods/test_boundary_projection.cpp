@@ -21,7 +21,7 @@ namespace {
 
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-/// Corrected Wendland kernel at X[i], [Lee2016] Eq. 23.
+/// Corrected kernel, [Lee2016] Eq. 23.
 std::vector<std::pair<int, double>> seen_at(int i, const std::vector<Point>& X, const std::vector<double>& V,
                                             double h, int dim) {
   std::vector<std::pair<int, double>> W;
@@ -45,7 +45,7 @@ std::vector<std::pair<int, double>> seen_at(int i, const std::vector<Point>& X, 
 
 double h_over_dp(int dim) { return dim == 3 ? pf.h_over_dp_3d : pf.h_over_dp; }
 
-/// 7 × 6 (× 5) particles, on or off a lattice, clamped at x = 0 with rollers at y = 0.
+/// On or off a lattice, clamped at x = 0 with rollers at y = 0.
 struct Made {
   Made(int dim, double jitter) {
     std::mt19937 random(7);
@@ -119,7 +119,7 @@ Settings projected(const std::string& method, double on = 1, double h = 0) {
   return settings;
 }
 
-/// Greatest |v(X_B) − v_B| over prescribed components.
+/// Greatest |v(X_B) − v_B|.
 double greatest_miss(const Scene& scene, const Snapshot& now, double h) {
   std::vector<Point> X;
   std::vector<double> V;
@@ -195,7 +195,7 @@ TEST_SUITE("term") {
     REQUIRE(made.points.size() == 6);
     std::vector<Point> v = made.v;
     BoundaryProjection(made.points, made.m)(v, made.X);
-    // in a rigid motion the change along x depends on y only
+    // a rigid motion depends on y only
     const auto change = [&](std::size_t a) { return v[a][0] - made.v[a][0]; };
     const double slope = (change(30) - change(5)) / (made.X[30][1] - made.X[5][1]);
     for (std::size_t a = 0; a < v.size(); ++a)

@@ -58,7 +58,7 @@ Mat<double, Dim> pressed_strain(double share) {
   return F;
 }
 
-/// Initial strain F plus `off` times a varying strain; `share` is the part of G due to areas.
+/// Initial strain F plus `off` times a varying one; `share` is the part of G due to areas.
 template <int Dim>
 Scene strained_block(const Mat<double, Dim>& F, double off, double share = 0.4) {
   Scene scene;
@@ -86,13 +86,13 @@ double strain_energy(const Scene& scene, const Settings& settings) {
   return std::accumulate(start.strain_energy.begin(), start.strain_energy.end(), 0.0);
 }
 
-/// After one short step from rest: v over its length is the acceleration.
+/// v over the step is the acceleration.
 Snapshot after_short_step(const Scene& scene, Settings settings) {
   settings.step = 1e-12;
   return state_after(1, scene, settings);
 }
 
-/// Work −Σ f · dx over the energy change as the perturbation grows.
+/// Work −Σ f · dx over the energy change.
 template <int Dim>
 double work_over_energy(const std::string& method, Law law) {
   constexpr double off = 0.2, change = 1e-4;
@@ -149,7 +149,6 @@ TEST_SUITE("term") {
       CAPTURE(row.choice);
       check_closed<2>(law);
       check_closed<3>(law);
-      // an inverted body is pushed back
       for (const double J : {0.3, 0.1, -0.1})
         CHECK(closed_piola(law, Mat<double, 2>{{{J, 0}, {0, 1}}})(0, 0) < -1);
     });

@@ -60,14 +60,14 @@ struct Cube {
     return best;
   }
 
-  /// dp² L̂(k): Laplacian of the wave cos(k·X) over the wave, at particle i.
+  /// dp² L̂(k), for cos(k·X).
   double symbol(int i, const V3& k) const {
     double sum = 0;
     for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p)
       sum += laplacian[p] * (std::cos(dot(k, X[pairs.j[p]] - X[i])) - 1);
     return sum;
   }
-  /// dp |∇̂(k)|, for the wave sin(k·X).
+  /// dp |∇̂(k)|, for sin(k·X).
   double gradient_symbol(int i, const V3& k) const {
     V3 sum{};
     for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p)
@@ -77,7 +77,7 @@ struct Cube {
   }
 };
 
-/// Greatest stable step of two-stage Runge–Kutta for du/dt = (−d ± i w) u.
+/// Two-stage Runge–Kutta for du/dt = (−d ± i w) u.
 double greatest_step(double d, double w) {
   const auto grows = [&](double dt) {
     const double a = -d * dt, b = w * dt;
@@ -148,9 +148,9 @@ TEST_SUITE("analytic") {
         }
       }
     }
-    CHECK(slowest == relative(0.99, 0.01));    // of (π, π, π), c/dp
-    CHECK(steepest == relative(1.36, 0.01));   // 1/dp
-    CHECK(shortest == relative(0.405, 0.01));  // dp/c
+    CHECK(slowest == relative(0.99, 0.01));
+    CHECK(steepest == relative(1.36, 0.01));
+    CHECK(shortest == relative(0.405, 0.01));
     CHECK(pf_jst.cfl * pf_jst.h_over_dp_3d < shortest);
   }
 
@@ -229,7 +229,7 @@ TEST_SUITE("analytic") {
       force += a[i];
       torque += cross(Z[i], a[i]);
       torque_before += cross(Z[i], before[i]);
-      along += dot(d, a[i]);  // the change is orthogonal to all admissible fields
+      along += dot(d, a[i]);  // orthogonal to admissible fields
       size += dot(d, d);
       scale += std::sqrt(dot(before[i], before[i]));
     }
@@ -279,7 +279,7 @@ TEST_SUITE("stability") {
     const double along = (energy(lambda + d) - 2 * energy(lambda) + energy(lambda - d)) / (d * d);
     const double expected = step_of(1) * std::sqrt(stiffness / along);
     CHECK(expected < 0.75 * step_of(1));
-    CHECK(step_of(lambda) == relative(expected, 1e-5));  // waves along x are the fastest
+    CHECK(step_of(lambda) == relative(expected, 1e-5));  // fastest
   }
 }
 

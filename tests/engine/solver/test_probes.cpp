@@ -110,7 +110,6 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("probes: a point follows a linear field exactly") {
-    // v = ω × X
     Scene scene = rotating_plate(1e-6);
     const Point at = {0.0093, 0.01, 0};
     scene.probes = {at_point(Probe::Kind::displacement, 0, at, 0),
@@ -205,7 +204,7 @@ TEST_SUITE("unit") {
       const auto simulation = make_simulation(scene, with_method(method));
       make_steps(*simulation, 20);
       const Series& series = simulation->series();
-      CHECK(series.value[0].front() == relative(0.8 * 0.002, 6e-3));  // in 3D oenog's mass is nearer to faces
+      CHECK(series.value[0].front() == relative(0.8 * 0.002, 6e-3));  // oenog's mass is nearer to faces
       CHECK(series.value[1].front() == relative(0.9));
       CHECK(series.value[1].back() == relative(0.9, 1e-9));
     }
@@ -324,13 +323,13 @@ TEST_SUITE("unit") {
       simulation->advance_to(0.0006);
       const auto& gap = simulation->series().value[0];
       const auto& push = simulation->series().value[1];
-      // cell-centred particles lie half a spacing aside and behind the face
+      // half a spacing aside and behind the face
       const double apart = first ? 0.0014 : std::hypot(0.0019, 0.0005);
       CHECK(gap[0] == relative(apart - scene.spacing));
       std::size_t k = 0;
       while (k + 1 < push.size() && push[k] == 0) ++k;
       REQUIRE(push[k] != 0);
-      CHECK(gap[k - 1] > -0.005 * scene.spacing);  // forces are means over steps
+      CHECK(gap[k - 1] > -0.005 * scene.spacing);  // means over steps
       CHECK(gap[k + 1] < 0);
     }
     Scene far = two_discs(0.01, 0);
@@ -351,7 +350,7 @@ TEST_SUITE("unit") {
       scene.materials = {plate_elastic()};
       Body body;
       body.name = "body";
-      body.shapes = {Box{{0, 0, 0}, {8 * pitch, 3.6 * pitch, 0}}};  // four cells across, of another pitch
+      body.shapes = {Box{{0, 0, 0}, {8 * pitch, 3.6 * pitch, 0}}};
       body.on_boundary = true;
       body.rotation = turn;
       body.clamped = [=](const Point& x) { return rotated(back, x)[0] < 1.2 * pitch ? 1.0 : 0.0; };
@@ -366,7 +365,7 @@ TEST_SUITE("unit") {
         scene.probes.back().at = rotated(turn, at);
       };
       add(Probe::Kind::displacement, {pitch, 0.9 * pitch, 0});
-      add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});  // the corner: along x and y
+      add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});  // the corner
       add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});
       scene.probes.back().axis = 1;
       add(Probe::Kind::stress, {4.3 * pitch, 3.6 * pitch, 0});
@@ -414,7 +413,7 @@ TEST_SUITE("unit") {
     scene.probes = {make_probe("x", Probe::Kind::mirror_asymmetry, {0, 0}),
                     make_probe("y", Probe::Kind::mirror_asymmetry, {0, 0})};
     scene.probes[1].axis = 1;
-    // v_x is odd in x and even in y; v_y has a part even in y
+    // v_y has a part even in y
     scene.bodies[0].velocity[0] = [](const Point& x) { return 2 * x[0]; };
     scene.bodies[0].velocity[1] = [](const Point& x) { return x[1] + 0.001; };
     const auto simulation = make_simulation(scene, with_method("tl"));
@@ -442,7 +441,7 @@ TEST_SUITE("unit") {
       scene.probes = {turn, turn};
       scene.probes[1].turns_about = {0, 0, 1};
       const auto simulation = make_simulation(scene, with_method("tl"));
-      simulation->advance_to(0.05);  // 1.6 turns; strain 1e-4
+      simulation->advance_to(0.05);
       const Series& series = simulation->series();
       CHECK(std::abs(series.value[0].front()) < 1e-15);
       CHECK(series.value[0].back() == relative(omega * series.time.back(), 1e-3));

@@ -30,9 +30,9 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double damping = 0.01;  // the default
+constexpr double damping = 0.01;
 
-/// Clamped at its left end, with a softer, lighter right half.
+/// The right half is softer and lighter.
 Scene clamped_plate_of_two_materials() {
   Scene scene = small_clamped_plate();
   scene.bodies.pop_back();
@@ -41,7 +41,7 @@ Scene clamped_plate_of_two_materials() {
   return scene;
 }
 
-/// With negative Poisson's ratios, whose bonds have less than G.
+/// Bonds have less than G.
 Scene auxetic_plate() {
   Scene scene = clamped_plate_of_two_materials();
   scene.name = "auxetic-plate";
@@ -55,8 +55,7 @@ Scene ring_alone() {
   return scene;
 }
 
-/// A lattice with oblong cells, different bonds and strengths, then one off-lattice. At rest nothing is
-/// subtracted.
+/// Oblong cells with different bonds and strengths, then off-lattice. At rest nothing is subtracted.
 template <int Dim, class Kept>
 void check_cancelled(double precision) {
   using Cancelled = CancelledBonds<Dim, Kept>;
@@ -128,7 +127,7 @@ void check_both_ends(const Scene& scene) {
   int both = 0;
   for (const auto& [ends, own] : seen) {
     const auto other = seen.find({ends.second, ends.first});
-    if (other == seen.end()) continue;  // a point on the clamp's face
+    if (other == seen.end()) continue;  // on the clamp's face
     ++both;
     CHECK(own.first == other->second.first);
     for (int k = 0; k < Dim; ++k) CHECK(own.second[k] == -other->second.second[k]);
@@ -291,10 +290,10 @@ TEST_SUITE("term") {
       return energy_at(to) / start;
     };
     const double shear_speed = std::sqrt(ring_rubber().shear_modulus() / ring_rubber().density);
-    const double period = std::numbers::pi * dp / shear_speed;  // rows against each other: ω = 2 c_s/dp
+    const double period = std::numbers::pi * dp / shear_speed;  // rows alternate: ω = 2 c_s/dp
     CHECK(kept(zigzag, 0, 18 * period, 0) > 0.95);
     CHECK(kept(zigzag, 0, 18 * period, damping) < 0.12);
-    // from one period on only the first mode is left
+    // after one period only the first mode is left
     const Scene plate = oscillating_plate(0.001, 5);
     CHECK(kept(plate, 0.25, 0.5, damping) > 0.999);
     CHECK(kept(plate, 0.25, 0.5, damping) < 1);
@@ -303,7 +302,7 @@ TEST_SUITE("term") {
 
 namespace {
 
-/// Velocities L x, too fast for surface waves to reach the middle.
+/// Velocities L x, too fast for surface waves.
 Scene straining_block(const Mat<double, 2>& L) {
   Scene scene = rotating_plate(0);
   for (const int axis : {0, 1})
@@ -429,7 +428,7 @@ TEST_SUITE("analytic") {
       const Snapshot before = state_after(steps - 1, scene, with_method("oenog")),
                      now = state_after(steps, scene, with_method("oenog")),
                      after = state_after(steps + 1, scene, with_method("oenog"));
-      double J = 1;  // least J at mid-step, where forces are evaluated; √J is interpolated
+      double J = 1;  // least J at mid-step
       for (std::size_t i = 0; i < now.size(); ++i) {
         const auto root = [&](const Snapshot& at) { return std::sqrt(rubber.density / at.rho[i]); };
         J = std::min(J, std::pow(0.5 * (root(before) + root(now)), 2));
@@ -440,7 +439,7 @@ TEST_SUITE("analytic") {
       for (std::size_t i = 0; i < now.size(); ++i)
         fastest = std::max(fastest, std::hypot(now.v[2 * i], now.v[2 * i + 1]));
       const double shorter = oenog.cfl * scene.spacing / (c + fastest) / (after.time - now.time);
-      // ∂²/∂J² of (K + 4G/3)(1 − 2J)³ over the modulus at rest, and a safety factor of 1.5
+      // ∂²/∂J² of (K + 4G/3)(1 − 2J)³ over the modulus at rest; safety factor 1.5
       CHECK(1.5 * shorter * shorter == relative(1 + 24 * (1 - 2 * J), 0.02));
     }
     CHECK(shut == 2);
@@ -466,7 +465,7 @@ TEST_SUITE("convergence") {
   TEST_CASE("plate: the period of oenog is accurate with few rows at any Poisson's ratio") {
     struct Plate {
       double nu, period;               // from finite elements
-      std::vector<double> error = {};  // with 5 and 10 rows
+      std::vector<double> error = {};  // 5 and 10 rows
     };
     for (const Plate& plate : {Plate{0, 0.27868, {0.016, 0.003}}, Plate{0.3, 0.26575, {0.007, 0.0015}},
                                Plate{0.3975, 0.25522, {0.003, 0.001}}, Plate{0.49, 0.2416, {0.028}}}) {

@@ -34,7 +34,7 @@ using Naive = NaiveOenogIn<3>;
 using Square = Eigen::Matrix3d;
 
 constexpr double dp = 0.001;
-constexpr double h_over_dp = 0.9;  // the default in 3D
+constexpr double h_over_dp = 0.9;  // the default
 
 Scene alone(const Shape& shape) {
   Scene scene = small_solid_collision();
@@ -44,20 +44,19 @@ Scene alone(const Shape& shape) {
   return scene;
 }
 Scene block(int x, int y, int z) { return alone(Box{{0, 0, 0}, {x * dp, y * dp, z * dp}}); }
-/// Clamped for X < 0.
 Scene clamped_block(int x, int y, int z) {
   Scene scene = alone(Box{{-3 * dp, 0, 0}, {x * dp, y * dp, z * dp}});
   scene.bodies[0].clamped = [](const Point& X) { return X[0] < 0 ? 1.0 : 0.0; };
   return scene;
 }
-/// Particles lie on its faces; x = 0 is clamped.
+/// On its faces; x = 0 is clamped.
 Scene block_on_faces(int x, int y, int z) {
   Scene scene = block(x, y, z);
   scene.bodies[0].on_boundary = true;
   scene.bodies[0].clamped = [](const Point& X) { return X[0] <= 0 ? 1.0 : 0.0; };
   return scene;
 }
-/// One particle on top has no neighbours along two axes.
+/// The tip has no neighbours along two axes.
 Scene block_with_tip() {
   Scene scene = block(3, 3, 3);
   scene.bodies[0].shapes.push_back(Box{{dp, dp, 3 * dp}, {2 * dp, 2 * dp, 4 * dp}});
@@ -94,7 +93,7 @@ Square random_rotation(std::mt19937& random) {
       .toRotationMatrix();
 }
 
-/// Greatest force on the particles selected by `counts`, over G ε dp, for random homogeneous strains of size ε.
+/// Greatest force on selected particles, over G ε dp, for random homogeneous strains of size ε.
 template <class Counts>
 double unbalanced(const Scene& scene, const Counts& counts) {
   const double G = scene.materials[0].shear_modulus();
@@ -121,7 +120,6 @@ double sum(const std::vector<double>& values) {
   return total;
 }
 
-/// `scene` must outlive the run.
 Naive strained(const Scene& scene, int steps) {
   Naive naive(scene, h_over_dp);
   for (int k = 0; k < steps; ++k) naive.step(oenog.cfl, 0);
@@ -171,9 +169,9 @@ TEST_SUITE("unit") {
     const int middle = 62;
     REQUIRE(bonds.begin[middle + 1] - bonds.begin[middle] == 26);
     double moment[3][3] = {};  // e_a² e_b²
-    double odd = 0;            // e_x³ e_y
+    double odd = 0;
     int of_axes = 0;
-    std::map<double, int> weights;  // to 2^-36
+    std::map<double, int> weights;
     const auto known = [](double w) { return std::abs(w - 2.0 / 3) < 1e-10 ? 2.0 / 3 : w; };
     for (int b = bonds.begin[middle]; b < bonds.begin[middle + 1]; ++b) {
       const Eigen::Vector3d e = Eigen::Vector3d(bonds.of(middle, b).X.data()).normalized();
@@ -187,7 +185,7 @@ TEST_SUITE("unit") {
       for (int k = 0; k < 3; ++k) CHECK(moment[a][k] == relative(a == k ? 3 : 1, 1e-9));
     CHECK(std::abs(odd) < 1e-9);
     CHECK(of_axes == 6);
-    CHECK(weights[2.0 / 3] == 18);  // along axes and across faces
+    CHECK(weights[2.0 / 3] == 18);
     CHECK(weights[3.0 / 8] == 8);
   }
 
@@ -215,8 +213,7 @@ TEST_SUITE("unit") {
       CHECK(sum(start.m) == relative(density * sum(initial.V0), 1e-13));
       for (int i = 0; i < initial.size(); ++i) CHECK(start.m[i] == relative(density * bonds.mass[i], 1e-14));
     }
-    // a face's first moment is dp²/15 in volumes, dp²/24 in masses; with particles on faces volumes have dp²/25
-    // less
+    // dp²/15 in volumes, dp²/24 in masses; with particles on faces dp²/25 less
     for (const bool on_faces : {false, true}) {
       CAPTURE(on_faces);
       const int n = on_faces ? 8 : 9;
@@ -224,7 +221,7 @@ TEST_SUITE("unit") {
       const InitialParticles initial = make_initial_particles(scene);
       const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
       const double middle = 0.5 * n * dp;
-      double moment = 0, of_mass = 0;  // first moment of the middle column
+      double moment = 0, of_mass = 0;
       for (int i = 0; i < initial.size(); ++i) {
         const Point& x = initial.x[i];
         if (std::abs(x[0] - middle) > 0.1 * dp || std::abs(x[1] - middle) > 0.1 * dp) continue;
@@ -241,7 +238,7 @@ TEST_SUITE("unit") {
     Scene scene = block(12, 12, 12);
     CHECK(make_bonds(scene, make_initial_particles(scene), h_over_dp * dp).rows.empty());
     scene.bodies[0].clamped = [](const Point& X) { return X[0] < 2 * dp ? 1.0 : 0.0; };
-    // three layers along x; along y and z the particle and its neighbours
+    // three layers along x
     CHECK(make_bonds(scene, make_initial_particles(scene), h_over_dp * dp).rows.size() ==
           3 * 34 * 34 - 12 * 12);
   }
@@ -249,7 +246,7 @@ TEST_SUITE("unit") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("oenog: in 3D a homogeneous strain leaves no force inside a lattice and a ball cut from it") {
-    // volumes near a face give forces in four rows
+    // forces near a face are in four rows
     const auto deep = [](const Point& X) {
       return std::ranges::all_of(X, [](double x) { return std::abs(x - 5 * dp) < 0.6 * dp; });
     };
@@ -269,7 +266,7 @@ TEST_SUITE("analytic") {
     const Naive naive(scene, h_over_dp);
     double greatest = 0;
     for (int along = 0; along < 3; ++along) {
-      constexpr double size = 0.05;  // of strains that keep the clamped face fixed
+      constexpr double size = 0.05;  // keeps the clamped face fixed
       Square F = Square::Identity();
       F(along, 0) += size;
       const auto force = naive.force(deformed(initial, F));
@@ -358,7 +355,7 @@ TEST_SUITE("conservation") {
       CAPTURE(damping);
       scene.contact = law;
       Settings settings = with_damping(damping);
-      settings.cfl = 0.32;  // half the default, for smaller energy oscillations
+      settings.cfl = 0.32;  // half the default: smaller energy oscillations
       const auto simulation = make_simulation(scene, settings);
       const Snapshot first = simulation->snapshot();
       const Balance start = balance(first, scene);
@@ -419,7 +416,7 @@ TEST_SUITE("convergence") {
 TEST_SUITE("failure") {
   TEST_CASE("oenog: in 3D thin bars on the lattice are stable at the default step for any Poisson's ratio") {
     struct Bar {
-      double side, poisson_ratio;  // side in spacings
+      double side, poisson_ratio;  // in spacings
     };
     for (const auto [side, poisson_ratio] : {Bar{3, 0.495}, {3, -0.7}, {2, 0.499}}) {
       CAPTURE(side);

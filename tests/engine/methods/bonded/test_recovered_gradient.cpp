@@ -56,7 +56,7 @@ RecoveredGradient recovered(const Scene& scene, const InitialParticles& initial,
                             /*threads*/ 1, halved);
 }
 
-/// Greatest relative error of the gradient over all monomials of `degree` at a particle, in units of dp.
+/// Greatest relative error over all monomials of `degree`, in units of dp.
 template <class Rows, class Gradient>
 double error(const Rows& rows, const Gradient& g, const InitialParticles& initial, int i, double dp,
              int degree) {
@@ -108,7 +108,7 @@ TEST_SUITE("unit") {
         }
       }
       CHECK(worst < 1e-9);
-      CHECK(own < 1e-3);  // limited by the balancing of bonds near a re-entrant corner
+      CHECK(own < 1e-3);  // limited near a re-entrant corner
       CHECK(shown > 0);
     }
   }
@@ -173,10 +173,10 @@ TEST_SUITE("unit") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("oenog: the stress of an imposed bending is exact at faces and corners") {
-    const double kappa = 1e3 / H, step = 1e-9;  // too short for motion by forces
+    const double kappa = 1e3 / H, step = 1e-9;  // too short for forces
     for (const double rate : {1.0, -1.0}) {
       Scene scene = block(5, H);
-      // u = t κ (x y, −(x² + m y²)/2), m = ν/(1 − ν): pure bending
+      // pure bending: u = t κ (x y, −(x² + m y²)/2), m = ν/(1 − ν)
       const double m = 0.3 / 0.7, E = 2e6 / (1 - 0.09);
       scene.bodies[0].velocity[0] = [=](const Point& X) { return rate * kappa * X[0] * X[1]; };
       scene.bodies[0].velocity[1] = [=](const Point& X) {
@@ -222,10 +222,9 @@ TEST_SUITE("analytic") {
       Settings settings = with_method("oenog");
       settings.step = step;
       const Snapshot now = state_after(1, scene, settings);
-      const double M = 2e6 * 0.7 / (1.3 * 0.4);  // uniaxial strain
+      const double M = 2e6 * 0.7 / (1.3 * 0.4);
       for (std::size_t i = 0; i < now.size(); ++i) {
-        const double last =
-            ends_before_run && grip_of_steel ? kink - dp : kink;  // position of the last strained particle
+        const double last = ends_before_run && grip_of_steel ? kink - dp : kink;  // last strained particle
         const double should = now.x0[dim * i] < last + 0.1 * dp ? 1 : 0;
         CHECK(now.stress(i).xx / (M * rate * step) == Approx(should).scale(1).epsilon(1e-3));
       }
