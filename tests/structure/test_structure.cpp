@@ -67,8 +67,8 @@ TEST_SUITE("structure") {
   TEST_CASE("a table of rooms is read correctly") {
     const auto table = RoomTable::read(
         "text\n| a | b |\n|---|---|\n| `x` | `y` |\n\n| room | may include |\n|---|---|\n"
-        "| `error` `a.hpp` | |\n| `core/` | |\n| `terms/` `laws/` | `core/` |\n| `core/deep/` | all above "
-        "|\n");
+        "| `error` `a.hpp` | |\n| `core/` | |\n| `terms/` `laws/` | `core/` |\n"
+        "| `core/deep/` | all above |\n");
     REQUIRE(table);
     REQUIRE(table->rows().size() == 4);
     CHECK(table->room_of("core/deep/tile.hpp") == "core/deep/");

@@ -85,9 +85,8 @@ TEST_SUITE("cli") {
       CHECK(contains(twice.err, "history.csv already has a column '" + column + "'"));
     }
     const std::string line =
-        "[[line]]\nname = \"cut\"\nbody = \"left\"\nfield = \"pressure\"\nfrom = [-0.015, 0]\nto = [-0.007, "
-        "0]\n"
-        "points = 3\ntimes = ";
+        "[[line]]\nname = \"cut\"\nbody = \"left\"\nfield = \"pressure\"\n"
+        "from = [-0.015, 0]\nto = [-0.007, 0]\npoints = 3\ntimes = ";
     const Outcome late = run(line + "[0.5]\n");
     CHECK(late.code == 0);
     CHECK(contains(
@@ -437,8 +436,8 @@ TEST_SUITE("cli") {
     const Outcome enog = run_with("enog");
     CHECK(enog.code == 0);
     CHECK(enog.err ==
-          "taut: the method 'enog' does not support the law of the scene, 'mooney-rivlin'; it runs with its "
-          "own law\n");
+          "taut: the method 'enog' does not support the law of the scene, 'mooney-rivlin'; "
+          "it runs with its own law\n");
     CHECK(json_of(folder / "enog/run.json")["material_law"] == "2d_deviator");
     CHECK(call(tiny_run(folder, "none", {"--no-render", "--method", "enog", "--set", "law=linear"})).code ==
           2);

@@ -200,11 +200,11 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE("scene: a body can be cut out, rotated, laid on its boundary and displaced") {
-    const SceneFile file = read_text(solid_scene(
-        brick,
-        "without = [{ type = \"ball\", centre = [2, 1, 0.5], radius = 0.4 }, { type = \"box\", low = [0, 0, "
-        "0], "
-        "high = [0.5, 0.5, 1] }]\nrotate = { axis = [0, 0, 2], angle = \"45 + 45\", about = [2, 1, 0] }"));
+    const SceneFile file =
+        read_text(solid_scene(brick,
+                              "without = [{ type = \"ball\", centre = [2, 1, 0.5], radius = 0.4 }, "
+                              "{ type = \"box\", low = [0, 0, 0], high = [0.5, 0.5, 1] }]\n"
+                              "rotate = { axis = [0, 0, 2], angle = \"45 + 45\", about = [2, 1, 0] }"));
     check_resolved(file);
     const Body& body = file.scene.bodies[0];
     REQUIRE(body.without.size() == 2);

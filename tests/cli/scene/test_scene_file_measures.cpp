@@ -169,8 +169,8 @@ TEST_SUITE("cli") {
     // unknown if the materials differ
     CHECK(read_text(with("\"0*t + K/G\"")).scene.probes.at(1).value({0, 0}, 0) == Approx(14.0 / 3));
     const std::string soft =
-        "[material.soft]\ndensity = 1000\nyoungs_modulus = 1e6\npoisson_ratio = 0.3\n[[body]]\nname = "
-        "\"block\"";
+        "[material.soft]\ndensity = 1000\nyoungs_modulus = 1e6\npoisson_ratio = 0.3\n"
+        "[[body]]\nname = \"block\"";
     const std::string two = replaced(with("\"0*t + K\""), "[[body]]\nname = \"block\"", soft);
     refused(replaced(two, "outer = 2 }\nmaterial = \"rubber\"", "outer = 2 }\nmaterial = \"soft\""),
             "unknown name 'K'");

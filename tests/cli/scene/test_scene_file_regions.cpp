@@ -45,8 +45,8 @@ bool says(const SceneError& error, const std::string& part) {
 TEST_SUITE("cli") {
   TEST_CASE("scene: parts of a body can have other materials, and the last matching part counts") {
     const std::string steel =
-        "[material.steel]\ndensity = 8000\nyoungs_modulus = 2e11\npoisson_ratio = 0.3\n[[body]]\nname = "
-        "\"block\"";
+        "[material.steel]\ndensity = 8000\nyoungs_modulus = 2e11\npoisson_ratio = 0.3\n"
+        "[[body]]\nname = \"block\"";
     const SceneFile file =
         read_text(replaced(with_block("parts = [{ material = \"steel\", where = \"x > 1\" },\n"
                                       "{ material = \"rubber\", where = \"y > 0.5 && c0 < 200\" }]"),

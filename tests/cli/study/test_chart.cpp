@@ -344,14 +344,11 @@ TEST_SUITE("cli") {
   TEST_CASE("a measure that is already an error cannot be compared with another run") {
     const TemporaryFolder folder;
     std::ofstream(folder / "results.csv")
-        << "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.rmse.kind,measures."
-           "rmse.value,"
-           "measures.rmse.reference,measures.rmse.error,measures.peak.value,measures.peak.reference,measures."
-           "peak.error\n"
-           "finished,tl,rod,9,9,0.2,stable,1,rmse,0.01,0,0.01,3,0,0.5\nfinished,og,rod,9,9,0.2,stable,1,rmse,"
-           "0.02,"
-           "0,0."
-           "02,2,0,0\n";
+        << "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.rmse.kind,"
+           "measures.rmse.value,measures.rmse.reference,measures.rmse.error,"
+           "measures.peak.value,measures.peak.reference,measures.peak.error\n"
+           "finished,tl,rod,9,9,0.2,stable,1,rmse,0.01,0,0.01,3,0,0.5\n"
+           "finished,og,rod,9,9,0.2,stable,1,rmse,0.02,0,0.02,2,0,0\n";
     CHECK(chart_of(folder.str("results.csv"), {.measure = "peak", .against = "og"}).measure == "peak");
     CHECK(chart_of(folder.str("results.csv"), {.measure = "", .against = "og"}).measure == "peak");
     CHECK_THROWS_WITH_AS(chart_of(folder.str("results.csv"), {.measure = "rmse", .against = "og"}),

@@ -17,11 +17,9 @@ namespace {
 
 const std::string header =
     "index,folder,set.thickness,set.method,set.cfl,status,scene,method,spacing,particles,steps,verdict,"
-    "measures.deflection.kind,measures.deflection.value,measures.deflection.unit,measures.deflection."
-    "reference,"
-    "measures.deflection.reference_name,measures.deflection.error,measures.peak_time.value,measures.peak_"
-    "time.unit,"
-    "threads,machine,seconds.solve\n";
+    "measures.deflection.kind,measures.deflection.value,measures.deflection.unit,"
+    "measures.deflection.reference,measures.deflection.reference_name,measures.deflection.error,"
+    "measures.peak_time.value,measures.peak_time.unit,threads,machine,seconds.solve\n";
 
 struct Row {
   std::string thickness, method, cfl, verdict, deflection, reference;

@@ -13,8 +13,8 @@ namespace {
 int shell(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()); }
 
 const std::string strange =
-    "-a b {} {#} {= `touch ran`; =} $(touch ran) `touch ran` 'q' \"r\" \\ %d @x # ;[y]\n#SBATCH -z\ntouch "
-    "ran";
+    "-a b {} {#} {= `touch ran`; =} $(touch ran) `touch ran` 'q' \"r\" \\ %d @x # ;[y]\n"
+    "#SBATCH -z\ntouch ran";
 
 /// Substitute for GNU parallel: options up to -q, then a command per input line with {} and {#} replaced.
 /// Executes {= where it occurs.

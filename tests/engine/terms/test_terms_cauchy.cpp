@@ -242,8 +242,7 @@ TEST_SUITE("term") {
   }
 
   TEST_CASE(
-      "rotated stress: in 3D a rigid rotation about any axis rotates it, and small steps have Jaumann's "
-      "rate") {
+      "rotated stress: in 3D a rigid rotation about any axis rotates it, and small steps have Jaumann's rate") {
     using Mat3 = Mat<double, 3>;
     const Sym<double, 3> s = {1.5, -0.6, 0.3, -0.7, 0.9, -0.8};
     const Vec<double, 3> axis = {2.0 / 7, 3.0 / 7, 6.0 / 7};
