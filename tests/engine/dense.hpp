@@ -4,7 +4,7 @@
 
 namespace taut::test {
 
-/// Ascending eigenvalues; eigenvectors are columns.
+/// Ascending eigenvalues, and eigenvectors as columns.
 template <int Dim>
 struct PrincipalAxes {
   Eigen::Matrix<double, Dim, 1> values;
@@ -21,7 +21,6 @@ Eigen::Matrix3d rotation_by_singular_values(const Eigen::Matrix3d& A);
 /// Q of A = Q R.
 Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& A);
 
-/// Full pivoting.
 Eigen::VectorXd solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 /// Empty if pivots are below `threshold` of the greatest.
 Eigen::VectorXd solution_if_any(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double threshold);

@@ -17,7 +17,7 @@ using namespace taut::test;
 namespace {
 
 constexpr int steps = 300;
-constexpr double round_off = 1e-13;  // of the scale
+constexpr double round_off = 1e-13;  // of the scale, over all steps
 
 bool claims(const MethodInfo& method, const char* what) {
   return method.conserves.find(what) != std::string_view::npos;
@@ -46,10 +46,9 @@ double slowed(const Snapshot& start, const Snapshot& end) {
 /// The tic methods conserve neither momentum.
 bool keeps_linear_momentum(const MethodInfo& method) { return !method.name.ends_with("tic"); }
 
-/// With tensile instability control the thin ring bursts after 90 steps.
+/// With tensile instability control the thin ring bursts after some 90 steps.
 int collision_steps(const MethodInfo& method) { return method.name.ends_with("tic") ? 80 : steps; }
 
-/// Half of the measured changes.
 const std::map<std::string, double> least_angular_change = {
     {"og", 0.03},
     {"oas", 0.01},
@@ -163,7 +162,7 @@ TEST_SUITE("conservation") {
         stress = std::max({stress, std::abs(now.p[i]), std::abs(now.s[4 * i]), std::abs(now.s[4 * i + 1])});
       }
       CHECK(now.x[0] - now.x0[0] > scene.spacing);
-      // round-off of x over the spacing
+      // strains from positions have the round-off of x over the spacing
       const double bound = keeps_neighbors(method) ? 100 * round_off : round_off;
       CHECK(change < bound * speed);
       CHECK(stress < bound * scene.materials[0].youngs_modulus);

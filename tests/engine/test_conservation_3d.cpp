@@ -16,9 +16,9 @@ using namespace taut::test;
 namespace {
 
 constexpr int steps = 150;
-constexpr double round_off = 1e-13;  // of the scale
+constexpr double round_off = 1e-13;  // of the scale, over all steps
 
-/// Rotates about no principal axis, hit off-centre by a ball.
+/// A block rotating about no principal axis is hit off-centre by a ball.
 Scene solid_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -66,7 +66,7 @@ TEST_SUITE("conservation") {
       const auto simulation = make_simulation(scene, with_method(std::string(method.name)));
       const Snapshot start = simulation->snapshot();
       const Balance before = balance(start, scene);
-      // none is 0 by chance
+      // no component is 0 by chance
       for (std::size_t k = 0; k < 3; ++k) {
         CHECK(std::abs(before.linear_momentum[k]) > 0.01 * before.momentum_scale);
         CHECK(std::abs(before.angular_momentum[k]) > 0.01 * before.angular_scale);
@@ -84,8 +84,8 @@ TEST_SUITE("conservation") {
         CHECK(turn < round_off);
       else
         CHECK(turn > 1e-4);
-      // enog gains energy as its shear forces do not rotate, ccb in tension, pf in zigzags; 0.001: penalty and
-      // step
+      // shear forces of enog do not rotate, ccb is undamped in tension, pf in zigzags; 0.001 is for the penalty
+      // and its step
       if (method.name != "enog" && method.name != "ccb" && method.name != "pf")
         CHECK(after.kinetic + after.strain < 1.001 * before.kinetic);
     }
@@ -108,7 +108,7 @@ TEST_SUITE("conservation") {
           stress = std::max(stress, std::abs(each));
       }
       CHECK(now.x[0] - now.x0[0] > scene.spacing);
-      // round-off of x over the spacing
+      // strains from positions have the round-off of x over the spacing
       const double bound = keeps_neighbors(method) ? 100 * round_off : round_off;
       CHECK(change_of_v < bound * speed);
       CHECK(stress < bound * scene.materials[0].youngs_modulus);

@@ -34,7 +34,7 @@ TEST_SUITE("convergence") {
     simulation->advance_to(0.275);
     const auto found = measure(scene, simulation->series(), "2d_deviator").at(0).value;
     REQUIRE(found.has_value());
-    // finite elements: 0.2569 s; thin-plate theory, [Zhang2024] Table 1: 0.254 s, 0.262 s
+    // finite elements: 0.2569 s; thin-plate theory and [Zhang2024] Table 1: 0.254 s and 0.262 s
     CHECK(*found > 0.25);
     CHECK(*found < 0.27);
   }
@@ -54,10 +54,10 @@ TEST_SUITE("convergence") {
   }
 
   TEST_CASE("plate: every method approaches a limit with the time step, at first order at least") {
-    // dissipation and geometry are of the step's start
+    // dissipation and geometry are taken at the start of a step
     for (const MethodInfo& method : methods()) {
       const std::string name(method.name);
-      if (name == "pf") continue;  // growing zigzags
+      if (name == "pf") continue;  // its zigzags grow without bound
       CAPTURE(name);
       std::array<double, 3> tip{};
       for (std::size_t k = 0; k < tip.size(); ++k) {
@@ -70,7 +70,7 @@ TEST_SUITE("convergence") {
       MESSAGE(name << ": order in the time step: " << rate(tip));
       CHECK(std::abs(tip[0]) > 1e-3);
       CHECK(std::abs(tip[0] - tip[1]) < 1e-4 * std::abs(tip[0]));
-      if (name == "oenog")  // only fast waves' phase is left
+      if (name == "oenog")  // only the phase of fast waves is left
         CHECK(std::abs(tip[1] - tip[2]) < 1e-5 * std::abs(tip[0]));
       else
         CHECK(rate(tip) > 0.8);

@@ -61,7 +61,7 @@ TEST_SUITE("determinism") {
   TEST_CASE("threads: 1, 2 and 3 give the same bytes") {
     for_each_run([](const Scene& scene, const std::string& method) {
       Settings settings = with_method(method);
-      // the first 16 steps
+      // one thread takes the first 16 steps
       const int few = 32;
       const auto alone = make_simulation(scene, settings);
       make_steps(*alone, few);
@@ -79,7 +79,7 @@ TEST_SUITE("determinism") {
   }
 
   TEST_CASE("threads: a scene expression is evaluated by one thread at a time") {
-    // like parsers of expressions
+    // like scene-file expressions, whose parser has state
     static std::atomic<int> asking, together;
     const auto alone = [](double value) {
       if (asking.fetch_add(1) > 0) ++together;
@@ -138,7 +138,7 @@ TEST_SUITE("determinism") {
   TEST_CASE("output: 1, 10 and 100 outputs give the same bytes and the same series") {
     for_each_run([](const Scene& scene, const std::string& method) {
       const auto once = make_simulation(scene, with_method(method));
-      // round-off in k/looks does not matter
+      // round-off in k/looks does not matter between two steps
       const double until = 0.5 * (state_after(steps - 1, scene, with_method(method)).time +
                                   state_after(steps, scene, with_method(method)).time);
       once->advance_to(until);

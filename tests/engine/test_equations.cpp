@@ -28,7 +28,7 @@ std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// With broken string literals joined.
+/// Joins broken string literals.
 const std::string& test_sources() {
   static const std::string text = [] {
     std::string all;
@@ -95,7 +95,6 @@ TEST_SUITE("unit") {
   TEST_CASE("equations: every citation belongs to a term of its method") {
     for (const MethodInfo& method : methods()) {
       for (const Citation& citation : method.formulation.citations) {
-        // one list serves a paper's methods
         const auto has = [&](const MethodInfo& m) {
           return m.formulation.citations.data() == method.formulation.citations.data() &&
                  std::ranges::find(m.terms, citation.what, &TermInfo::what) != m.terms.end();

@@ -110,10 +110,10 @@ TEST_SUITE("unit") {
         const int steps = constant.name == "contact_stiffness" ? 40 : 20;
         const Snapshot usual = state_after(steps, scene, plain);
         Settings settings = plain;
-        if (constant.name == "riemann_limiter") settings.constants["beta_least"] = 0;  // no effect at 1
+        if (constant.name == "riemann_limiter") settings.constants["beta_least"] = 0;
         settings.constants[std::string(constant.name)] = constant.value;
         const Snapshot same = state_after(steps, scene, settings);
-        // less artificial stress tears the body
+        // less artificial stress at the surface tears the body
         const double low = constant.name == "surface_colour" ? constant.high : constant.low;
         const double middle = 0.5 * (constant.value + low);
         settings.constants[std::string(constant.name)] = middle == constant.value ? constant.high : middle;
@@ -228,7 +228,7 @@ TEST_SUITE("unit") {
       CAPTURE(std::string(method.name));
       Settings settings = with_method(std::string(method.name));
       settings.cfl = 5;
-      for (const MethodConstant& constant : method.constants)  // would stabilise it
+      for (const MethodConstant& constant : method.constants)  // they would stabilise it
         if (constant.name.starts_with("eps_")) settings.constants[std::string(constant.name)] = 0;
       const auto simulation = make_simulation(scene, settings);
       const auto particles = static_cast<long>(simulation->snapshot().size());
@@ -255,7 +255,7 @@ TEST_SUITE("unit") {
     scene.bodies[0].velocity = {};
     const auto thrown_off = [](const Point& x) { return x[1] > -0.0165; };
     scene.bodies[1].velocity = {[=](const Point& x) { return thrown_off(x) ? 11 * c0 : 0.0; }, {}, {}};
-    scene.bodies[1].shapes = {Box{{-0.04, -0.02, 0}, {-0.035, -0.015, 0}}};  // before the ring
+    scene.bodies[1].shapes = {Box{{-0.04, -0.02, 0}, {-0.035, -0.015, 0}}};  // stored before the ring
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
       const auto simulation = make_simulation(scene, with_method(std::string(method.name)));

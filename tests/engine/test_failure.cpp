@@ -43,7 +43,6 @@ double greatest_distance(const Series& a, const Series& b) {
   return distance;
 }
 
-/// `across` particles wide.
 Scene free_square(int across) {
   Scene scene;
   scene.name = "square";
@@ -168,7 +167,7 @@ TEST_SUITE("failure") {
     const auto energy_ratio = [&](const std::string& method) {
       const auto simulation = make_simulation(scene, with_method(method));
       const Balance before = balance(simulation->snapshot(), scene);
-      make_steps(*simulation, 300);  // 100 degrees
+      make_steps(*simulation, 300);
       const Balance after = balance(simulation->snapshot(), scene);
       return (after.kinetic + after.strain) / before.kinetic;
     };

@@ -71,7 +71,7 @@ TEST_SUITE("term") {
     CHECK(closing - impulse * (1 / m_i + 1 / m_j) == Approx(0).epsilon(1e-14));
     CHECK(impulse == Approx(m_i * m_j / (m_i + m_j) * closing));  // [Khayyer2024] Eq. 54
     CHECK(stopping_impulse(-1e-9, 1 / m_i, 1 / m_j) == 0);
-    CHECK(stopping_impulse(closing, 1 / m_i, 0) == Approx(m_i * closing));  // other particle clamped
+    CHECK(stopping_impulse(closing, 1 / m_i, 0) == Approx(m_i * closing));  // the other particle is clamped
     CHECK(stopping_impulse(closing, 0, 0) == 0);
     CHECK(stopping_impulse(closing, 0.3, 0.7) == stopping_impulse(closing, 0.7, 0.3));
   }
@@ -189,7 +189,6 @@ TEST_SUITE("unit") {
       scene.bodies.push_back(block);
     }
     for (const int dim : {2, 3}) {
-      // J is damped, F is not
       for (const auto& [method, bound] :
            {std::pair{"pf", 1e-9}, {"pf-jst", 1e-9}, {"pfj-jst", 0.15}, {"pfhj-jst", 0.15}}) {
         CAPTURE(dim);

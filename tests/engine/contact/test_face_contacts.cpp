@@ -32,7 +32,7 @@ double modulus() { return ring_rubber().bulk_modulus() + 4.0 / 3 * ring_rubber()
 
 Scene scene_of(const std::vector<Shape>& shapes) { return scene_of_shapes(shapes, 2, dp); }
 
-/// Overlap by `depth`, off the lattice axes.
+/// Two discs that overlap by `depth`.
 Pressed<2> two_discs(double depth) {
   const double r = 0.006, angle = 0.7, apart = 2 * r - depth;
   return Pressed<2>(
@@ -247,7 +247,7 @@ TEST_SUITE("analytic") {
       else if (depth > 2 * sag)
         CHECK(away > 0.1 * modulus() * depth);
       CHECK(away >= 0);
-      // half a chord's angle
+      // a chord's normal is off by at most half its angle
       CHECK(std::abs(force[1] * std::cos(0.7) - force[0] * std::sin(0.7)) <= 1.05 * dp / (2 * 0.006) * away);
     }
   }
@@ -326,7 +326,7 @@ TEST_SUITE("conservation") {
     simulation->advance_to(0.003);
     const std::vector<double>& gap = simulation->series().value[0];
     CHECK(*std::ranges::min_element(gap) < 0);
-    CHECK(*std::ranges::min_element(gap) > -dp);  // ignores faces that look away
+    CHECK(*std::ranges::min_element(gap) > -dp);  // faces that look away are ignored
   }
 
   TEST_CASE("contact of faces: a round body on a flat one is not pushed aside where corner meets corner") {

@@ -33,7 +33,7 @@ double modulus() { return ring_rubber().bulk_modulus() + 4.0 / 3 * ring_rubber()
 
 Scene scene_of(const std::vector<Shape>& shapes) { return scene_of_shapes(shapes, 3, dp); }
 
-/// Overlap by `depth`, off the lattice axes.
+/// Two balls that overlap by `depth`.
 Pressed<3> two_balls(double depth, double r = 0.006) {
   const double apart = 2 * r - depth;
   return Pressed<3>(scene_of(
@@ -109,7 +109,7 @@ TEST_SUITE("analytic") {
     CHECK(std::abs(blocks.force_on(1)[0]) < 1e-9 * k * depth * area);
     blocks.shift(1, {-depth, 0, 0});
     const V force = blocks.force_on(1);
-    // facets are covered to less than 0.85
+    // the outermost facets are covered to less than 0.85
     CHECK(force[0] == Approx(1.02 * k * depth * area).epsilon(0.03));
     CHECK(std::hypot(force[1], force[2]) < 1e-9 * force[0]);
     CHECK(blocks.energy() == Approx(1.01 / 1.02 * 0.5 * depth * force[0]).epsilon(1e-3));
@@ -387,7 +387,7 @@ TEST_SUITE("restart") {
   TEST_CASE("contact of faces: in 3D a resumed run gives the same bytes on any number of threads") {
     Scene scene = small_solid_collision();
     scene.contact = ContactLaw::surface;
-    scene.bodies[1].shapes[0].shift(0, 5 * dp);  // outside the first search
+    scene.bodies[1].shapes[0].shift(0, 5 * dp);
     for (const char* method : {"oenog", "tl"}) {
       CAPTURE(std::string(method));
       Settings settings = with_method(method);

@@ -156,7 +156,7 @@ TEST_SUITE("conservation") {
         if (method.conserves.starts_with("linear momentum")) CHECK(kept.linear < 1e-12);
         if (method.conserves.find("angular momentum") != std::string_view::npos) CHECK(kept.angular < 1e-12);
         const double energy = (after.kinetic + after.strain) / before.kinetic;
-        CHECK(energy < (method.name == "pf" ? 1.3 : 1.02));  // undamped zigzags
+        CHECK(energy < (method.name == "pf" ? 1.3 : 1.02));  // zigzags of pf are undamped
         if (method.conserves.find("energy") != std::string_view::npos && law != ContactLaw::impulse)
           CHECK(energy == Approx(1).epsilon(5e-3));
       }
@@ -208,7 +208,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("wall: a face of a body may begin a quarter of a spacing inside it, and no deeper") {
-    Scene scene = flying_block();  // face at −0.2 dp
+    Scene scene = flying_block();
     const auto begins = [&](double depth) {
       scene.walls = {wall("front", {(-0.2 - depth) * dp, 0, 0}, {-1, 0, 0})};
       try {

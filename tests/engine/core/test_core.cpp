@@ -216,7 +216,7 @@ TEST_SUITE("unit") {
       parallel_chunks(n, 2, [&](int, int, int) {
         --left;
         if (std::this_thread::get_id() == owner || held_up.exchange(true)) return;
-        while (left > 0) std::this_thread::yield();  // endless if one chunk waits for another
+        while (left > 0) std::this_thread::yield();  // loops for ever if one chunk waits for another
       });
       CHECK(left == 0);
     }
@@ -302,7 +302,7 @@ TEST_SUITE("unit") {
     CHECK(steps_alone(team) == 16);
     team.step_took(10e-3);
     CHECK(team.threads() == 2);
-    team.step_took(10e-3);  // one thread takes 16 ms for 16
+    team.step_took(10e-3);
     CHECK(team.threads() == 1);
     const int steps = steps_alone(team);
     CHECK(steps >= 50 * 18 - 16);

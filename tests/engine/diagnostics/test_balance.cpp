@@ -55,7 +55,7 @@ TEST_SUITE("unit") {
     CHECK(balance(now, scene).kinetic == Approx(0.5 * 6 * 25));
     CHECK(balance(now, scene).strain == Approx(3 * 4 / 2.0));
     now.p = {0};
-    now.s = {0, 2, 0, 0};  // τ²/2G
+    now.s = {0, 2, 0, 0};
     CHECK(balance(now, scene).strain == Approx(3 * 4 / (2 * 1.5)));
     now.s = {0, 0, 0, 3};
     CHECK(balance(now, scene).strain == Approx(3 * 9 / (4 * 1.5)));

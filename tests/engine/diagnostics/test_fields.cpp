@@ -120,7 +120,7 @@ TEST_SUITE("unit") {
   TEST_CASE("fields: principal stresses in 2D are the in-plane ones and σ_zz, greatest first") {
     Snapshot now = made_snapshot(2, {{0, 0, 0}});
     now.p = {1};
-    now.s = {3, 4, -3, 0.5};  // ±5 about −p
+    now.s = {3, 4, -3, 0.5};
     CHECK(value("principal_1", now) == Approx(4));
     CHECK(value("principal_2", now) == Approx(-0.5));
     CHECK(value("principal_3", now) == Approx(-6));
@@ -142,7 +142,7 @@ TEST_SUITE("unit") {
     now.x = {9, 9, 9, 3, -1, 9};
     now.v = {0, 0, 0, 1, -2, 2};
     now.rho = {1, 7};
-    CHECK(value("displacement", now, 1) == Approx(7));  // (2, −3, 6)
+    CHECK(value("displacement", now, 1) == Approx(7));
     CHECK(value("displacement_x", now, 1) == 2);
     CHECK(value("displacement_y", now, 1) == -3);
     CHECK(value("displacement_z", now, 1) == 6);

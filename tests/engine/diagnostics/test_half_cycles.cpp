@@ -17,7 +17,7 @@ TEST_SUITE("unit") {
     const double T = 0.254;
     for (const double sign : {1.0, -1.0}) {
       const auto wave = [=](double t) { return sign * 0.1 * std::sin(2 * pi * t / T); };
-      // linear interpolation of a sine: error ~ (2π h/T)²/T h
+      // linear interpolation of a sine has an error ~ (2π h/T)²/T h
       expect(value("period", sampled(unequal_times(0.5, 1e-4), wave)), T, 1e-6);
       CHECK_FALSE(value("period", sampled(unequal_times(0.99 * T, 1e-4), wave)));
     }
@@ -53,7 +53,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("first_peak: the peak is absent until the half cycle is over and then fixed") {
     const auto wave = [](double t) { return std::exp(0.5 * t) * std::sin(pi * t); };
-    // y' = 0: tan πt = −2π; y = e^{t/2} sin πt
+    // y' = 0 where tan πt = −2π
     const double top = (pi - std::atan(2 * pi)) / pi;
     const double peak = std::exp(0.5 * top) * std::sin(pi * top);
     CHECK_FALSE(value("first_peak", sampled(unequal_times(0.99, 1e-3), wave)));

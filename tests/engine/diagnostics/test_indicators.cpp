@@ -74,7 +74,7 @@ double pressure_share(const Sample& body, const ScalarField& p) {
   return share(body, now, pressure);
 }
 
-/// (−1)^(lattice index along selected axes).
+/// (−1)^(lattice index along the selected axes).
 double sign(const Point& X, double dp, int along_x, int along_y) {
   const long place =
       along_x * std::lround(std::floor(X[0] / dp)) + along_y * std::lround(std::floor(X[1] / dp));
@@ -216,7 +216,6 @@ TEST_SUITE("unit") {
       });
     };
     CHECK(torn(1e6) == Approx(torn(10)).epsilon(1e-9));
-    // four of 20 columns cross the crack
     CHECK(torn(1e6) == Approx(std::sqrt(0.2)).epsilon(0.01));
   }
 
@@ -369,7 +368,7 @@ TEST_SUITE("unit") {
     CHECK(record.greatest() == 0);
     record.take({0.1, 1}, 0);
     record.take({0.5, 5}, 1);
-    record.take({0.4, 0.4}, 2);  // all of it alternates
+    record.take({0.4, 0.4}, 2);
     CHECK(record.greatest() == Approx(0.1));
     CHECK(record.at == 1);
     CHECK(record.last == 1);

@@ -169,7 +169,6 @@ TEST_SUITE("unit") {
     scene.probes[2].name = "z";
     scene.measures[0].probes = {"y", "gap", "z"};
     scene.until = 3;
-    // (1, 2, 0)/√5 and (−4, 2, 5)/√45 make it right-handed
     const Point axis{2.0 / 3, -1.0 / 3, 2.0 / 3}, first{1 / std::sqrt(5.0), 2 / std::sqrt(5.0), 0},
         second{-4 / std::sqrt(45.0), 2 / std::sqrt(45.0), 5 / std::sqrt(45.0)};
     const auto place = [&](double angle, double along, std::size_t k) {

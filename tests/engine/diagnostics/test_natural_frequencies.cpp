@@ -1,4 +1,4 @@
-// scenes/annulus-drop.toml, scenes/ringing-ring.toml.
+// Natural frequencies of scenes/annulus-drop.toml and scenes/ringing-ring.toml.
 
 #include <algorithm>
 #include <array>
@@ -32,12 +32,12 @@ struct Elastic {
 constexpr Elastic jelly{E, nu, rho};
 /// Equals plane strain with E = 1e7 and ν = 0.4.
 constexpr Elastic rubber{1e7 / (1 - 0.4 * 0.4), 0.4 / (1 - 0.4), 1200};
-/// With the 2d deviator λ = K − G; plane stress: E = 4 G (λ + G)/(λ + 2G), ν = λ/(λ + 2G).
+/// The 2d deviator has λ = K − G; in plane stress E = 4 G (λ + G)/(λ + 2G), ν = λ/(λ + 2G).
 constexpr double K_rubber = 1e7 / 0.6, G_rubber = 1e7 / 2.8;
 constexpr Elastic two_dimensional{4 * G_rubber * K_rubber / (K_rubber + G_rubber),
                                   (K_rubber - G_rubber) / (K_rubber + G_rubber), 1200};
 
-/// Quadratic 3 × 3 elements; `node` returns positions.
+/// Quadratic 3 × 3 elements.
 struct Grid {
   Elastic material;
   int elements_i, elements_j;
@@ -113,7 +113,7 @@ std::vector<double> frequencies(const Grid& grid) {
   return f;
 }
 
-/// First elastic mode u_r = U(r) cos nθ, u_θ = V(r) sin nθ by Rayleigh–Ritz; U, V of degree 8.
+/// First elastic mode in Hz, by Rayleigh–Ritz for u_r = U(r) cos nθ, u_θ = V(r) sin nθ.
 double annulus_frequency(const Elastic& material, double inner, double outer, int n) {
   constexpr int degree = 8, terms = degree + 1, points = 2000;
   const auto& [E, nu, rho] = material;
@@ -187,7 +187,7 @@ TEST_SUITE("analytic") {
     CHECK(f[0] == Approx(525.6).epsilon(1e-3));
     CHECK(f[1] == Approx(796.5).epsilon(1e-3));
     CHECK(f[2] == Approx(879.0).epsilon(1e-3));
-    // each but n = 0 is double; three elements are 0.3 % too stiff
+    // all but n = 0 are double; three elements across are 0.3 % too stiff
     const std::vector<double> g = frequencies(annulus(jelly, 2.5e-4, 5e-4));
     for (const auto& [k, n] : {std::pair(0, 2), {1, 2}, {2, 0}, {3, 3}, {4, 3}, {5, 1}, {6, 1}}) {
       const auto& n_now = n;  // clang cannot capture bindings
@@ -209,7 +209,7 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("natural frequencies: the spectrum of colliding bodies shows their frequencies") {
     const Scene scene = drop();
-    // 4 % low: method, amplitude, resolution, duration
+    // the first mode is 4 % low due to method, amplitude, resolution and duration
     const auto simulation = make_simulation(scene, with_method("pf-jst"));
     simulation->advance_to(scene.until);
     const std::vector<MeasureResult> found = measure(scene, simulation->series(), "neo_hookean");

@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Decaying lines at 150, 357 and 446 Hz on a slope, at uneven times.
+/// Decaying lines at 150, 357 and 446 Hz on a slope.
 struct Ringing {
   std::vector<double> t, y;
 
@@ -49,7 +49,7 @@ TEST_SUITE("analytic") {
     }
   }
   TEST_CASE("spectrum: the symmetric window keeps a weak line beside a strong one visible") {
-    // a line of 1/2000; leakage is 1/300 000 with a Hann window, 1/200 without
+    // the weak line is 1/2000 of the strong one; leakage there is 1/300 000 with a Hann window, 1/200 without
     std::vector<double> t, y, back;
     for (int k = 0; k <= 8192; ++k) {
       const double time = 0.2 * k / 8192, two_pi = 2 * std::numbers::pi;
@@ -68,7 +68,7 @@ TEST_SUITE("analytic") {
     CHECK(!curve.peak(146, 149));
     CHECK(!curve.peak(151.5, 154));
     CHECK(!peak_frequency({}, 0, 1, {1, 2}));
-    // first side lobe
+    // the window's first side lobe
     std::vector<double> t, y;
     for (int k = 0; k <= 2000; ++k) {
       t.push_back(1e-4 * k);
@@ -96,7 +96,7 @@ TEST_SUITE("analytic") {
         for (int k = 0; k <= 4000; ++k) t.push_back(end * k / 4000), y.push_back(signals[signal](t.back()));
         for (const double low : {0.0, 20.0, 200.0})
           CHECK(peak_frequency({t, y}, 0, end, {low, 1000}).value_or(0) == 0);
-        if (end < 0.1) continue;  // does not hide a line of 60 periods
+        if (end < 0.1) continue;
         for (std::size_t k = 0; k < t.size(); ++k) y[k] += 0.1 * std::sin(2 * std::numbers::pi * 300 * t[k]);
         CHECK(*peak_frequency({t, y}, 0, end, {200, 400}) == Approx(300).epsilon(2e-3));
       }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double dp = 0.1, support = 2.6 * dp;
 
-/// Bodies of 4 × 4 particles of 1 kg with lowest left particles at `corners`. Sound speed 1 m/s.
+/// Bodies of 4 × 4 particles of 1 kg, with their lowest left particles at `corners`.
 struct Squares {
   Scene scene;
   Snapshot now;
@@ -32,7 +32,7 @@ struct Squares {
     for (std::size_t i = 0; i < now.size(); ++i) now.body[i] = now.material[i] = static_cast<int>(i / 16);
   }
   EnergyTest test() const { return {scene, now, support, true}; }
-  /// `common` along x, neighbours against each other along y.
+  /// A common motion along x, and neighbours against each other along y.
   void set_speeds(int body, double common, double against) {
     for (std::size_t i = 0; i < now.size(); ++i)
       if (now.body[i] == body) now.v[2 * i] = common, now.v[2 * i + 1] = i % 2 ? against : -against;

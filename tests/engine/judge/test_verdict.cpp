@@ -170,7 +170,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("judge: the ends of a broken bond may be eight bonds apart, not nine") {
     const Scene scene = one_body(2);
-    for (const int bonds : {8, 9}) {  // in a straight closed chain, besides the breaking one
+    for (const int bonds : {8, 9}) {  // in a straight closed chain, besides the breaking bond
       const int n = bonds + 1;
       const double turn = 2 * 3.14159265358979 / n, radius = 0.5 * dp / std::sin(0.5 * turn);
       std::vector<Point> places;
@@ -235,7 +235,7 @@ TEST_SUITE("unit") {
       CHECK(verdict(searched, drawn) == Verdict::fractured);
       const auto ever_more = [](double* x) { x[0] = dp * (std::pow(1.4, x[0] / dp) - 1) / 0.4; };
       CHECK(verdict(kept, ever_more) == Verdict::stable);
-      for (const double opened : {1.3, 1.8}) {  // relative to the bonds around
+      for (const double opened : {1.3, 1.8}) {
         const auto cracked = [=](double* x) {
           x[0] = 2 * x[0] + (x[0] > 7.5 * dp ? 2 * (opened - 1) * dp : 0);
         };
@@ -293,7 +293,7 @@ TEST_SUITE("unit") {
     CHECK(judge.beyond_law().share == 0);
     draw_out(2.6, 2);
     draw_out(1, 3);
-    // 42 of 7 × 6, 8 × 5 and 2 × 7 × 5 bonds
+    // 42 bonds of 7 × 6 along x, 8 × 5 across and 2 × 7 × 5 diagonals
     CHECK(judge.beyond_law().share == relative(42.0 / 152, 1e-12));
     CHECK(judge.beyond_law().since == 2);
     settings.method = "tl";

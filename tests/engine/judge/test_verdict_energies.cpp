@@ -50,9 +50,9 @@ TEST_SUITE("unit") {
     set(2.1), now.strain_energy[1] = -0.19;
     observe(other, now, scene, 1);
     CHECK(other.verdict() == Verdict::stable);
-    set(1.5), now.strain_energy[1] = -0.21;  // possible without a minimum of the energy
+    set(1.5), now.strain_energy[1] = -0.21;  // possible if the law's energy has no minimum
     observe(other, now, scene, 2);
-    CHECK(other.verdict() == Verdict::stable);  // a loss must last two observations
+    CHECK(other.verdict() == Verdict::stable);  // a loss must last for two observations
     now.strain_energy[1] = -0.19;
     observe(other, now, scene, 3);
     now.strain_energy[1] = -0.21;
@@ -107,7 +107,7 @@ TEST_SUITE("unit") {
     wall.at = {0, -100, 0};
     scene.walls = {wall};
     for (const double common : {0.0, 3.0, -1e3}) CHECK(verdict(common) == Verdict::diverged);
-    scene.walls[0].at[1] = -dp;  // may turn the common motion
+    scene.walls[0].at[1] = -dp;  // the wall may turn the common motion
     CHECK(verdict(0) == Verdict::diverged);
     CHECK(verdict(3) == Verdict::stable);
   }
@@ -139,7 +139,7 @@ TEST_SUITE("unit") {
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
       for (const auto member : spoil) {
-        if (member == &Snapshot::rho && std::isinf(bad)) continue;  // a solver never reaches this
+        if (member == &Snapshot::rho && std::isinf(bad)) continue;  // no solver reaches this state
         Judge judge(scene, start, support, searched);
         Snapshot now = start;
         now.p.assign(now.size(), 1);

@@ -56,7 +56,7 @@ TEST_SUITE("unit") {
           const auto shell = [=](double r) {
             return surface_of_ball(dim, r) * K::alpha(dim) / std::pow(h, dim) * K::w(r / h);
           };
-          const double end = K::support * h * (1 - 1e-12);  // may be truncated there
+          const double end = K::support * h * (1 - 1e-12);  // a kernel may be truncated there
           CHECK(integral(0, end, shell) == Approx(1).epsilon(1e-10));
         }
       }

@@ -160,7 +160,7 @@ TEST_SUITE("unit") {
     for (const int cells : {1, 2, 3, 4, 7}) {
       CAPTURE(cells);
       const double side[3] = {1.0 * cells, 3, 2}, volume = side[0] * 6;
-      // rollers at no face, at x = 0, or at the opposite faces too
+      // rollers at no face, at x = 0, or also at the opposite faces of the other axes
       for (const int planes : {0, 1, 2}) {
         CAPTURE(planes);
         Scene scene = one_body(3, 1, {Box{{0, 0, 0}, {side[0], side[1], side[2]}}});
@@ -223,7 +223,7 @@ TEST_SUITE("unit") {
       area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
     }
     CHECK(length == relative(2 * (6 + 4) + 2 * 2));
-    CHECK(area == relative(6 * 4 - 2 * 2));  // a hole is subtracted
+    CHECK(area == relative(6 * 4 - 2 * 2));
     for (const std::array<int, 2>& beside : outline.beside) {
       CHECK(beside[0] != Outline::none);
       CHECK(beside[1] != Outline::none);

@@ -157,7 +157,7 @@ void check_cauchy(const L& law) {
   }
 }
 
-/// Greatest deviation of P(Q F) from Q P; energy and normal stress unchanged.
+/// Greatest deviation of P(Q F) from Q P; checks that energy and normal stress do not change.
 template <int Dim, class L>
 double lack_of_objectivity(const L& law) {
   double lack = 0;
@@ -191,8 +191,8 @@ void check_plane(const L& law) {
 M2 rate_of_cofactor(const M2&, const M2& rate) { return cofactor(rate); }
 M3 rate_of_cofactor(const M3& F, const M3& rate) { return tensor_cross(F, rate); }
 
-/// H = cof F; P is the slope of ψ(F, H, J) along the rates of [Lee2016] Eq. 33, so that mixed methods have an
-/// energy.
+/// Checks H = cof F, and that P is the slope of ψ(F, H, J) along the rates of [Lee2016] Eq. 33, so that mixed
+/// methods have an energy.
 template <int Dim, class L>
 void check_own_cofactor(const L& law) {
   constexpr double step = 1e-6;
@@ -358,9 +358,9 @@ TEST_SUITE("term") {
       const M2 R = rotation(angle), U{{{1.4, 0.2}, {0.2, 0.6}}};
       CHECK(greatest(minus(nearest_rotation(times(R, U)), R)) < 1e-14);
     }
-    const M2 reflection{{{1, 0}, {0, -1}}};  // equally near rotations
+    const M2 reflection{{{1, 0}, {0, -1}}};  // two rotations are equally near
     CHECK(greatest(minus(nearest_rotation(reflection), M2{{{1, 0}, {0, 1}}})) == 0);
-    // half turns have no initial torque
+    // the initial torque of half turns is zero
     const M3 U{{{1.4, 0.2, 0.1}, {0.2, 0.6, -0.1}, {0.1, -0.1, 0.9}}};
     for (const Vec<double, 3>& axis : {Vec<double, 3>{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.36, -0.48, 0.8}}) {
       for (const double off : {0.0, 1e-7, -1e-3}) {

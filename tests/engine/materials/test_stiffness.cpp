@@ -77,7 +77,7 @@ class Tangent {
       }
     }
   }
-  /// ρ0 c² along n, from the symmetric acoustic tensor.
+  /// ρ0 c² of waves along n, from the symmetric part of the acoustic tensor.
   Column<Dim> stiffnesses(const Column<Dim>& n) const {
     Square<Dim> Q = Square<Dim>::Zero();
     for (int a = 0; a < Dim; ++a)

@@ -14,12 +14,13 @@
 /// − r_i, u_ij = u_j − u_i, and ∇ is ∇_i w.
 ///
 /// Where the papers are silent or contradictory it follows the engine:
-///   - velocity first, then ρ, S, r from û at the positions at `geometry`; S is rotated by (I − ½ dt Ω)⁻¹ (I + ½
-///   dt Ω);
+///   - velocity first, then ρ, S, r from û at the positions at `geometry` of the step;
+///   - S is rotated by (I − ½ dt Ω)⁻¹ (I + ½ dt Ω);
 ///   - Eq. 18 with a minus, Eq. 21 with atan2, Eq. 43 with `riemann_factor`, ρ_ij a difference in Eq. 34, 35;
 ///   - clamped particles do not move, but are strained;
 ///   - [TranDuc2023] with ½ in the strain and spin rates, 1/ρ̄ in Π, (W/W(Δx))ⁿ in f_ij;
-///   - bodies touch within one spacing: Eq. 53, 54 with free masses; [TranDuc2023] Eq. 2.13 with K1 K2/(K1 + K2).
+///   - bodies touch within one spacing: [Khayyer2024] Eq. 53, 54 with the masses of free particles; [TranDuc2023]
+///     Eq. 2.13 with K1 K2/(K1 + K2).
 namespace taut::test::naive_cauchy {
 
 template <int Dim>
@@ -95,7 +96,7 @@ class Run {
     find_others();
     const std::vector<Vector> a = accelerations();
     const std::vector<double> D = density_diffusion();
-    const std::vector<double> rho = densities();  // initial volumes
+    const std::vector<double> rho = densities();  // volumes stay the initial ones
     for (std::size_t i = 0; i < particles.size(); ++i)
       if (!particles[i].clamped) particles[i].u = particles[i].u + dt * a[i];
     if (!is_.tranduc) stop_approach();
@@ -116,7 +117,7 @@ class Run {
  private:
   std::size_t n() const { return particles.size(); }
   bool near(std::size_t i, std::size_t j) const { return particles[i].body == particles[j].body; }
-  /// Exceeds the support because positions change within a step.
+  /// The radius exceeds the support because positions change within a step.
   void find_others() {
     std::vector<Vector> r;
     for (const Particle& a : particles) r.push_back(a.r);
@@ -152,7 +153,7 @@ class Run {
     return rho;
   }
 
-  /// L_i; I for uncorrected methods.
+  /// Correction L_i; I for uncorrected methods.
   Matrix correction(std::size_t i, const std::vector<Vector>& r) const {
     if (!is_.corrected) return Matrix::Identity();
     Matrix M = Matrix::Zero();
@@ -321,7 +322,7 @@ class Run {
     return grad;
   }
 
-  /// Eq. 27 (8 uncorrected), or of [TranDuc2023].
+  /// Eq. 27 (8 uncorrected), or [TranDuc2023].
   std::vector<double> density_rates(const std::vector<Vector>& u, const std::vector<Vector>& r,
                                     const std::vector<Matrix>& grad_u) const {
     std::vector<double> rate;

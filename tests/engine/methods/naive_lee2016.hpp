@@ -66,18 +66,17 @@ struct Run {
   double eps_p2, eps_p4, eps_J2, eps_J4;
   bool projection, adjoint;
   std::vector<Particle> particles;
-  double dt = 0;  // if cfl is 0
+  double dt = 0;  // used if cfl is 0
   double time = 0;
   long contacts = 0, corners = 0;
 
-  std::vector<std::vector<std::size_t>> lists = {};  // within 2h
+  std::vector<std::vector<std::size_t>> lists = {};  // neighbours within 2h
 
   double wave_speed() const { return std::sqrt((K + 4 * G / 3) / rho0); }
 
   bool near(const Particle& a, const Particle& b) const {
     return &a != &b && a.body == b.body && (a.X - b.X).norm() < 2 * h;
   }
-  /// α = 7/(4π h²) or 21/(16π h³).
   double alpha_h() const {
     return Dim == 2 ? 7 / (4 * std::numbers::pi * h * h) : 21 / (16 * std::numbers::pi * h * h * h);
   }

@@ -10,8 +10,8 @@
 #include "tests/engine/methods/naive_total_lagrangian.hpp"
 #include "tests/engine/methods/naive_zhang2024.hpp"
 
-/// Makes runs of transcriptions: independent programs of the papers' equations. Only this file connects them with
-/// the engine.
+/// Makes runs of transcriptions, which are independent programs of the papers' equations. Only this file connects
+/// them with the engine.
 namespace taut::test {
 
 template <class Vector>
@@ -33,7 +33,7 @@ void lay_particles(Run& run, const Scene& scene, const Lay& lay) {
   }
 }
 
-/// Constant, or its default, or 0.
+/// A method's constant, or its default, or 0 if it has none.
 inline double constant_of(const Settings& settings, int dim, const std::string& name) {
   const auto set = settings.constants.find(name);
   if (set != settings.constants.end()) return set->second;

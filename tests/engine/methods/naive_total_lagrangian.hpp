@@ -3,11 +3,10 @@
 // Transcriptions of total-Lagrangian methods:
 //   tl               [Lee2016] Eq. 21 (corrected gradient), 29c (internal force), 34 (F), 8–12 (neo-Hookean)
 //   icb              [TranDuc2023] §2.3: N, F, ε, σ⁰, iteration for R, acceleration
-//   tl-hg            [Ganzenmueller2015], one hourglass amplitude for both errors of a pair
-//   tl-enog          [Wu2023]: Kirchhoff stress in two parts, damping stress
+//   tl-hg            [Ganzenmueller2015], with one hourglass amplitude for both errors of a pair
+//   tl-enog          [Wu2023]: Kirchhoff stress in two parts and the damping stress
 //   tl-small-strain  [Zhang2020] Eq. 3, 4, 7–9, sums of Eq. 7 and 9 normalised consistently with an energy
-// In 3D R is the polar rotation. Contact: [TranDuc2023] Eq. 2.13, tl-small-strain [Zhang2020] Eq. 12. Time: x to
-// mid-step, v, x to the end.
+// Contact: [TranDuc2023] Eq. 2.13, for tl-small-strain [Zhang2020] Eq. 12. Time: x to mid-step, v, x to the end.
 
 #include <algorithm>
 #include <array>
@@ -61,11 +60,10 @@ struct Run {
   double dp, h, cfl, rho0, K, G, contact_stiffness;
   std::vector<Particle> particles;
   double time = 0;
-  long contacts = 0;  // summed over steps
+  long contacts = 0;  // pairs, summed over steps
   std::vector<std::vector<std::size_t>> near = {}, touching = {};
   double alpha = 0, shear_factor = 0, damping = 0;
 
-  // tl, icb, small strain
   double support() const { return (1 - 1e-9) * (small() ? 3 * h : 2 * h); }
   bool small() const { return method == Method::small_strain; }
   bool linear() const { return small() || method == Method::tl_linear; }
@@ -85,7 +83,7 @@ struct Run {
     const double slope = (std::cos(y) / y - std::sin(y) / (y * y)) * std::numbers::pi / 2;
     return sinc_norm() / h * 5 * std::pow(sinc(q), 4) * slope;
   }
-  /// 1 / integral.
+  /// 1 / integral up to 3 h.
   double gauss() const {
     constexpr double pi = std::numbers::pi;
     if (Dim == 2) return 1 / (pi * h * h) / (1 - std::exp(-9.0));
@@ -94,7 +92,6 @@ struct Run {
   double wendland() const {
     return Dim == 2 ? 7 / (4 * std::numbers::pi * h * h) : 21 / (16 * std::numbers::pi * h * h * h);
   }
-  /// 1 / (4π ∫ q² sinc⁵ dq).
   double sinc_norm() const {
     if (Dim == 2) return 0.710379463738679282 / (h * h);
     static const double integral = [] {
@@ -151,7 +148,7 @@ struct Run {
     }
   }
 
-  /// [TranDuc2023] §2.3: R ← E(v, α) R with v = Σ r_j × a_j / Σ r_j·a_j.
+  /// In 2D [TranDuc2023] §2.3: R ← E(v, α) R, v = Σ r_j × a_j / Σ r_j·a_j. In 3D the polar rotation.
   static Matrix rotation(const Matrix& A) {
     if constexpr (Dim == 3) {
       return rotation_by_singular_values(A);
@@ -201,7 +198,7 @@ struct Run {
     }
   }
 
-  /// Volumetric stress, isotropic part of the deviator −c G J^(−2/3) tr b/3, damping stress χ/2 db/dt.
+  /// Volumetric stress, isotropic part of the deviator −c G J^(−2/3) tr b/3, and damping stress χ/2 db/dt.
   Matrix kirchhoff_on_particle(const Particle& i) const {
     Matrix rate = Matrix::Zero();
     for (const std::size_t n : of(near, i)) {

@@ -56,7 +56,7 @@ struct Particle {
   bool clamped = false;
   Matrix<Dim> s{}, ds{};
   Vector<Dim> a_shear{}, da_shear{};
-  Matrix<Dim> L{};        // of gnog
+  Matrix<Dim> L{};        // velocity gradient of gnog
   Vector<Dim> x_shown{};  // at the last update of an output-only stress
 };
 
@@ -76,9 +76,9 @@ class Run {
       : method_(method), dual_(dual), dp_(dp), h_(h_over_dp * dp), rho0_(rho0), c0_(c0), G_(G) {}
 
   std::vector<Particle> particles;
-  bool cubic_spline = false;  // Monaghan and Lattanzio's
+  bool cubic_spline = false;  // instead of Wendland's
   double pressure_diffusion = 0;
-  int rebuilds = 0, contacts = 0;  // summed over steps
+  int rebuilds = 0, contacts = 0;  // contacts: pairs, summed over steps
   double time = 0;
 
   void start() {
@@ -285,7 +285,7 @@ class Run {
     if (penalized()) find_penalties(V);
   }
 
-  /// [Zhang2024b], ξ = 4.
+  /// [Zhang2024b] with ξ = 4.
   void find_penalties(const std::vector<double>& V) {
     for (std::size_t i = 0; i < particles.size(); ++i) {
       Particle& a = particles[i];
@@ -322,7 +322,7 @@ class Run {
     return product;
   }
 
-  /// Eq. 7, 8, Jaumann's rotation terms.
+  /// Eq. 7 and 8 with Jaumann's rotation terms.
   Matrix stress_rate(const Matrix& L, const Matrix& s) const {
     Matrix rate{};
     double divergence = 0;
@@ -337,7 +337,7 @@ class Run {
     return rate;
   }
 
-  /// Eq. 26–27 since the last update.
+  /// Eq. 26–27 for the displacements since the last update.
   void advance_shown_stress() {
     if (nested()) return;
     const std::vector<double>& V = volumes_at_rebuild_;

@@ -45,7 +45,7 @@ std::vector<std::pair<int, double>> seen_at(int i, const std::vector<Point>& X, 
 
 double h_over_dp(int dim) { return dim == 3 ? pf.h_over_dp_3d : pf.h_over_dp; }
 
-/// On or off a lattice, clamped at x = 0 with rollers at y = 0.
+/// Clamped at x = 0, with rollers at y = 0.
 struct Made {
   Made(int dim, double jitter) {
     std::mt19937 random(7);
@@ -195,7 +195,7 @@ TEST_SUITE("term") {
     REQUIRE(made.points.size() == 6);
     std::vector<Point> v = made.v;
     BoundaryProjection(made.points, made.m)(v, made.X);
-    // a rigid motion depends on y only
+    // in a rigid motion the change along x depends on y only
     const auto change = [&](std::size_t a) { return v[a][0] - made.v[a][0]; };
     const double slope = (change(30) - change(5)) / (made.X[30][1] - made.X[5][1]);
     for (std::size_t a = 0; a < v.size(); ++a)

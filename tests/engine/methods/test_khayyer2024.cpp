@@ -19,7 +19,7 @@ using namespace taut::test;
 
 namespace {
 
-/// [Khayyer2024] §4.2, `across` particles along a side.
+/// [Khayyer2024] §4.2, with `across` particles along a side.
 Scene spinning_plate(int across) {
   const double omega = 105;
   Scene scene;
@@ -76,7 +76,7 @@ Noise noise(const std::string& method, int across, const std::map<std::string, d
   return noise(scene, *make_simulation(scene, settings));
 }
 
-/// First tip peak over finite elements (neo-Hookean); whether the tip has returned through rest.
+/// First tip peak over finite elements; whether the tip has returned through rest.
 struct Swing {
   double peak_ratio;
   bool back;

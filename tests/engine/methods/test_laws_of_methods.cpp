@@ -58,7 +58,7 @@ Mat<double, Dim> pressed_strain(double share) {
   return F;
 }
 
-/// Initial strain F plus `off` times a varying one; `share` is the part of G due to areas.
+/// Initial strain F plus `off` times a varying strain; `share` is the part of G due to areas.
 template <int Dim>
 Scene strained_block(const Mat<double, Dim>& F, double off, double share = 0.4) {
   Scene scene;
@@ -86,7 +86,7 @@ double strain_energy(const Scene& scene, const Settings& settings) {
   return std::accumulate(start.strain_energy.begin(), start.strain_energy.end(), 0.0);
 }
 
-/// v over the step is the acceleration.
+/// One short step from rest: v over its length is the acceleration.
 Snapshot after_short_step(const Scene& scene, Settings settings) {
   settings.step = 1e-12;
   return state_after(1, scene, settings);
@@ -197,7 +197,7 @@ TEST_SUITE("term") {
       CAPTURE(law_row(law).choice);
       const auto first = [&]<int Dim>(const std::string& method) {
         Settings settings = with_law(method, law);
-        if (method != "tl") settings.constants["projection"] = 0;  // the linear law would need it
+        if (method != "tl") settings.constants["projection"] = 0;
         for (const MethodConstant& constant : find_method(method)->constants)
           if (constant.name.starts_with("eps")) settings.constants[std::string(constant.name)] = 0;
         return after_short_step(strained_block(strain<Dim>(), 0.2), settings);
@@ -240,7 +240,7 @@ TEST_SUITE("conservation") {
       }
     }
     CHECK(drift(space, "pfhj-jst", Law::mooney_rivlin) < 1e-12);
-    CHECK(drift(plane, "oenog", Law::linear_elastic) > 1e-4);  // not objective
+    CHECK(drift(plane, "oenog", Law::linear_elastic) > 1e-4);  // the linear law is not objective
   }
   TEST_CASE("laws: an unused material does not shorten the steps") {
     for (const char* method : {"enog", "d-ulsph-r-tic", "tl", "pf-jst", "oenog"}) {

@@ -60,14 +60,14 @@ struct Cube {
     return best;
   }
 
-  /// dp² L̂(k), for cos(k·X).
+  /// dp² L̂(k) of the wave cos(k·X).
   double symbol(int i, const V3& k) const {
     double sum = 0;
     for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p)
       sum += laplacian[p] * (std::cos(dot(k, X[pairs.j[p]] - X[i])) - 1);
     return sum;
   }
-  /// dp |∇̂(k)|, for sin(k·X).
+  /// dp |∇̂(k)| of the wave sin(k·X).
   double gradient_symbol(int i, const V3& k) const {
     V3 sum{};
     for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p)
@@ -229,7 +229,7 @@ TEST_SUITE("analytic") {
       force += a[i];
       torque += cross(Z[i], a[i]);
       torque_before += cross(Z[i], before[i]);
-      along += dot(d, a[i]);  // orthogonal to admissible fields
+      along += dot(d, a[i]);  // the change is orthogonal to all admissible fields
       size += dot(d, d);
       scale += std::sqrt(dot(before[i], before[i]));
     }
@@ -279,7 +279,7 @@ TEST_SUITE("stability") {
     const double along = (energy(lambda + d) - 2 * energy(lambda) + energy(lambda - d)) / (d * d);
     const double expected = step_of(1) * std::sqrt(stiffness / along);
     CHECK(expected < 0.75 * step_of(1));
-    CHECK(step_of(lambda) == relative(expected, 1e-5));  // fastest
+    CHECK(step_of(lambda) == relative(expected, 1e-5));  // waves along x are the fastest
   }
 }
 

@@ -22,7 +22,7 @@ using namespace taut::test;
 namespace {
 
 constexpr int steps = 40;
-/// Pair cache of [Zhang2024].
+/// Precision of the pair cache of [Zhang2024].
 constexpr double single_precision = 3e-7;
 
 void check_ulsph(const Scene& scene, const std::string& name, Stepping stepping) {
@@ -128,11 +128,11 @@ void check_mixed(const Scene& scene, const std::string& name, double projection)
   check_field("rho", now.rho, rho);
 }
 
-/// With penalty contact and a fixed step, as face contact and the step have their own tests.
+/// Face contact and the step have tests of their own.
 void check_oenog(Scene scene, bool meets) {
   CAPTURE(scene.name);
   scene.contact = ContactLaw::penalty;
-  constexpr double damping = 0.01, h_over_dp = 0.9;  // the defaults
+  constexpr double damping = 0.01, h_over_dp = 0.9;
   NaiveOenogIn<3> naive(scene, h_over_dp);
   Settings settings = with_method("oenog");
   settings.step = 0.4 * scene.spacing / scene.materials[0].sound_speed();

@@ -96,7 +96,7 @@ TEST_SUITE("reference") {
     for (const char* method : current_configuration) check_method<2>(two_materials(), method, 25);
   }
   TEST_CASE("naive: in 3D updated-Lagrangian methods follow the transcription in collisions and at a clamp") {
-    Scene clamped = small_clamped_block();  // some particles are inner
+    Scene clamped = small_clamped_block();  // some particles are away from the surface
     const double dp = clamped.spacing;
     clamped.bodies[0].shapes = {Box{{-3 * dp, -2.5 * dp, -2.5 * dp}, {6 * dp, 2.5 * dp, 2.5 * dp}}};
     clamped.bodies[1].shapes = {Disc{{0.0003, 0.0052, 0.0002}, 0.0021}};
@@ -111,7 +111,7 @@ TEST_SUITE("reference") {
     Settings settings = with_method("d-ulsph-r-tic");
     settings.constants["riemann_factor"] = 2;
     const naive_cauchy::Run<2> run = after_steps(naive_current<2>(scene, settings), 16);
-    settings.step = run.time / 16;  // riemann_step_speed() shortens the engine's step
+    settings.step = run.time / 16;  // the engine's own step is shorter, see riemann_step_speed()
     const Snapshot engine = state_after(16, scene, settings);
     check_agreement(engine, run);
     CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);

@@ -76,7 +76,7 @@ void project_all(std::vector<V2>& a, const std::vector<V2>& Z, const std::vector
   for (std::size_t i = 0; i < a.size(); ++i) a[i] = {columns[0][i], columns[1][i]};
 }
 
-/// dp² L̂(k), dp = 1.
+/// dp² L̂(k) of the wave cos(k·X).
 double symbol_on_lattice(double h, const V2& k) {
   constexpr int n = 9;
   std::vector<V2> X;
@@ -114,7 +114,7 @@ double stress_when_turned(const L& law, double angle) {
   return most;
 }
 
-/// Over ρ v² of the corners.
+/// Greatest stress over ρ v² of the corners.
 double stress_of_turning(const std::string& method, double angle) {
   const double speed = 0.01;  // in sound speeds
   const Scene scene = rotating_plate(speed);
@@ -238,7 +238,7 @@ TEST_SUITE("term") {
       change += cloud.V[i] * before[i];
       torque += cloud.V[i] * (X[0] * a[i][1] - X[1] * a[i][0]);
       torque_before += cloud.V[i] * (X[0] * before[i][1] - X[1] * before[i][0]);
-      along += cloud.V[i] * dot(d, a[i]);  // orthogonal to admissible fields
+      along += cloud.V[i] * dot(d, a[i]);  // the change is orthogonal to all admissible fields
       size += cloud.V[i] * dot(d, d);
     }
     CHECK(std::abs(force[0]) + std::abs(force[1]) < 1e-12 * std::abs(change[0]));
@@ -254,7 +254,7 @@ TEST_SUITE("analytic") {
     CHECK(symbol_on_lattice(pf_jst.h_over_dp, {pi, 0}) == relative(-4, 0.001));
     CHECK(symbol_on_lattice(1.05, {pi, 0}) == relative(-3.66, 0.002));
     CHECK(symbol_on_lattice(pf_jst.h_over_dp, {pi, pi}) ==
-          relative(-7.78, 0.002));  // squared: the decay rate
+          relative(-7.78, 0.002));  // its square is the decay rate
     CHECK(symbol_on_lattice(1.05, {pi, pi}) == relative(-1.93, 0.002));
   }
   TEST_CASE("total Lagrangian: rotation by any angle creates no stress except with the linear law") {
@@ -273,7 +273,7 @@ TEST_SUITE("analytic") {
       CHECK(stress > 0.1);
       CHECK(stress < 3);
     }
-    // mistakes the rotation for strain
+    // the linear law takes the rotation for strain
     CHECK(stress_of_turning("tl-small-strain", 3.1) > 30);
   }
 }
@@ -299,7 +299,7 @@ TEST_SUITE("failure") {
 TEST_SUITE("conservation") {
   TEST_CASE("pf-jst: the projection conserves both momenta of a rotating plate") {
     Scene scene = rotating_plate(0.2);
-    const auto turn = scene.bodies[0].velocity[0];  // breaks the symmetry, which conserves momenta
+    const auto turn = scene.bodies[0].velocity[0];  // symmetry alone would conserve the momenta
     scene.bodies[0].velocity[0] = [=](const Point& x) { return turn(x) + 2 * shake(x, 0.007); };
     struct Kept {
       double linear, angular;

@@ -31,7 +31,7 @@ double volume_of(const std::vector<InitialSite>& sites) {
 
 struct Faces {
   double area = 0, outwards = 0;  // ∫ outward distance from site to patch
-  double aside = 0;               // greatest tangential distance
+  double aside = 0;               // greatest tangential distance of site and patch
   Point sum{};
   explicit Faces(const FacePatches& faces, const std::vector<InitialSite>& sites) {
     for (const FacePatches::Patch& patch : faces.patches) {
@@ -137,7 +137,7 @@ TEST_SUITE("unit") {
     for (const SurfaceMesh::Facet& facet : mesh.facets) {
       const double r = distance_between(initial.x[facet.particle], {0.03, 0.001, 0}, 3);
       CHECK((std::abs(r - 0.013) < 1e-12 || std::abs(r - 0.019) < 1e-12));
-      // a chord's middle lies inside the outer face, outside the inner one
+      // a chord's middle lies inside the outer face and outside the inner one
       const double l = std::sqrt(facet.area), bulge = l * l / (r < 0.016 ? -4 * 0.012 : 4 * 0.02);
       CHECK(facet.bulge == Approx(bulge).epsilon(0.25));
     }

@@ -51,7 +51,6 @@ TEST_SUITE("unit") {
     at_lattice([&](const Point& x) {
       for (const double tolerance : {1e-9, -1e-9, 0.2, -0.2}) {
         const bool in = is_in_cube(x, 0, tolerance);
-        // near corners, less than the sum of components
         const bool beside = tolerance == 0.2 && in && !is_in_cube(x, 0, 1e-9);
         wrong += !beside && cube.holds(x, 3, tolerance) != in;
       }

@@ -45,7 +45,7 @@ double volume(const Scene& scene) {
   return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
 }
 
-/// Volumes converge to `exact`.
+/// Checks that the volume converges to `exact`.
 void check_converges(const Shape& shape, double exact, double dp, int dim = 2) {
   double first = 0, last = 0;
   for (const double part : {1.0, 0.5, 0.25}) {
@@ -135,7 +135,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("shapes: outlines of ellipses and polygons have their length and area") {
     const double dp = 0.0005, a = 0.02, b = 0.01;
-    // Ramanujan's perimeter
+    // Ramanujan's perimeter of an ellipse
     const double h = 3 * (a - b) * (a - b) / ((a + b) * (a + b));
     const double around = pi * (a + b) * (1 + h / (10 + std::sqrt(4 - h)));
     const Shape ellipse = Ellipse{{0.003, 0.001, 0}, {a, b, 1}};
@@ -254,7 +254,7 @@ TEST_SUITE("unit") {
     const std::string deep = overlap_of(scene);
     CHECK(has(deep, "bodies 'other' and 'body' overlap at (0.0"));
     CHECK(has(deep, ") m: "));
-    // at the other's cell centres
+    // particles at the centres of the other's cells
     scene.bodies[1].shapes = {Box{{0.0055, 0.0055, 0}, {0.0105, 0.0105, 0}}};
     CHECK(has(overlap_of(scene), "overlap at (0.0065, 0.0065) m: a particle of 'body' is inside 'other'"));
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.02, 0.02, 0.02}}};

@@ -20,7 +20,7 @@ using namespace taut::test;
 
 namespace {
 
-/// One is clamped, driven, loaded and beside a wall.
+/// One block is clamped, driven, loaded and beside a wall.
 Scene touching_blocks(int dim) {
   const double dp = 0.001, depth = dim == 3 ? 0.002 : 0;
   Scene scene;
@@ -53,7 +53,7 @@ Scene touching_blocks(int dim) {
   return scene;
 }
 
-/// Two near parts start far apart.
+/// Self-contact: two near parts are far apart initially.
 Scene folded_block(int dim) {
   Scene scene = touching_blocks(dim);
   scene.name = "folded-block";
@@ -70,7 +70,7 @@ void put(std::string& bytes, std::size_t at, T value) {
   std::memcpy(bytes.data() + at, &value, std::min(sizeof value, bytes.size() - at));
 }
 
-/// Keeps the checksum valid.
+/// The checksum matches the damage.
 constexpr int kinds_of_damage = 10;
 void damage(std::string& bytes, std::size_t at, int kind, int particles) {
   switch (kind) {
@@ -83,7 +83,7 @@ void damage(std::string& bytes, std::size_t at, int kind, int particles) {
     case 3:
       return put<std::int32_t>(bytes, at, particles);
     case 4:
-      return put<std::int32_t>(bytes, at, 1000000);  // often inside the program's memory
+      return put<std::int32_t>(bytes, at, 1000000);  // far outside, but often inside the program's memory
     case 5:
       return put(bytes, at, std::numeric_limits<double>::quiet_NaN());
     case 6:

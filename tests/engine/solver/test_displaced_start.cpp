@@ -34,7 +34,8 @@ Snapshot at_start(const Scene& scene, std::string_view method) {
   return make_simulation(scene, with_method(std::string(method)))->snapshot();
 }
 
-/// [Lee2016] §8.2: half a wave, rollers at the faces through the origin, no tangential motion on the others.
+/// [Lee2016] §8.2: half a wave, with rollers at the faces through the origin and no tangential motion on the
+/// others.
 Scene swinging_cube(int dim, int n) {
   const double side = n * dp, amplitude = 1e-5 * side, wave = std::numbers::pi / (2 * side);
   Scene scene = block(side);
@@ -82,7 +83,7 @@ double swinging_error(int dim, int n, const std::string& method) {
   return std::sqrt(sum / mass) / (1e-5 * n * dp);
 }
 
-/// RMS over volume and four times, over greatest velocity and pressure.
+/// RMS over the volume and four times, over greatest velocity and pressure.
 struct SwingingErrors {
   double velocity = 0, stress = 0;
 };
@@ -166,7 +167,7 @@ TEST_SUITE("unit") {
     scene.bodies[0].displacement[0] = [=](const Point& x) { return 1.2 * c * x[0] - s * x[1] - x[0]; };
     scene.bodies[0].displacement[1] = [=](const Point& x) { return 1.2 * s * x[0] + c * x[1] - x[1]; };
     CHECK_FALSE(starts(-0.0501, 0.016));
-    CHECK(starts(-0.035, 0.001));  // inside the undisplaced layout
+    CHECK(starts(-0.035, 0.001));  // inside the other's undisplaced layout
   }
 }
 

@@ -60,7 +60,7 @@ Snapshot at_rest(const Scene& scene, const char* method,
   return simulation->snapshot();
 }
 
-/// RMS of σxx − σ(y) over RMS of σ(y) for |x| < `middle`.
+/// RMS of σxx − σ(y) over RMS of σ(y), for |x| < `middle`.
 double error(const Snapshot& now, const std::function<double(double)>& sigma, double middle) {
   double difference = 0, size = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -127,7 +127,7 @@ TEST_SUITE("unit") {
     const auto by_column = sums(shares_of(FaceRule::by_column, scene, load), initial);
     CHECK(by_column[0] == relative(3 * H));
     CHECK(by_column[1] == 0);
-    // −∫ y t_x dy; the midpoint rule is 1 % short
+    // the midpoint rule alone is 1 % short
     CHECK(by_column[2] == relative(-200 * H * H * H / 12 * (1 - 0.0015)));
     load.value[0] = constant(3);
     load.value[1] = constant(2);
@@ -155,7 +155,7 @@ TEST_SUITE("unit") {
     const auto sum = sums(shares_of(FaceRule::by_column, scene, load), make_initial_particles(scene));
     const double torque = 2 * std::numbers::pi * 0.04 * 0.04;
     CHECK(std::abs(sum[0]) < 1e-9 * torque);
-    // second order: chords, two layers
+    // second order: chords for the circle, two layers for the face
     CHECK(sum[2] == relative(torque, 1e-3));
   }
 
@@ -170,7 +170,7 @@ TEST_SUITE("unit") {
         const auto sum = sums(shares, initial);
         CHECK(sum[0] == relative(0.5 * t * A));
         CHECK(sum[1] == relative(t * A));
-        // scaled columns differ in depth
+        // scaled columns at the ends differ in depth
         CHECK(sum[2] == relative(t * A * (0.5 * A - 0.5 * rows * scene.spacing),
                                  rule == FaceRule::uniform ? 1e-9 : 2e-5));
         for (const auto& [i, f] : shares)
@@ -257,7 +257,7 @@ TEST_SUITE("analytic") {
         REQUIRE(std::abs(now.stress(i).xy) < 5e-4 * sigma(0));
       }
     }
-    // not exact at corners
+    // oenog is not exact at corners
     CHECK(error(at_rest(pulled_block(6, 1.5 * H, sigma, omega), "oenog"), sigma, 1) < 0.05);
   }
 
@@ -281,7 +281,7 @@ TEST_SUITE("analytic") {
     CHECK(across("tl", 20) < 0.5 * tl_fine);
     CHECK(across("pf-jst", 10) < 0.006);
     CHECK(across("pfj-jst", 10) < 0.006);
-    // a longer kernel is more one-sided
+    // a longer kernel is more one-sided at a face
     CHECK(across("tl", 10, {{"h", 1.05}}) > 0.02);
   }
 }

@@ -77,10 +77,9 @@ Sum sum_of(const std::vector<FaceShare>& shares, const Scene& scene) {
   return sum;
 }
 
-/// Under a traction on both ends.
 constexpr double H = 0.02, dp = H / 6, half = 1.5 * H;
 Snapshot drawn_out(const char* method, double sigma) {
-  const double omega = 2000;  // near its lowest mode
+  const double omega = 2000;  // near the lowest longitudinal mode
   std::vector<Load> ends;
   for (const double side : {-1.0, 1.0}) {
     ends.push_back(traction([=](const Point& X) { return side * X[0] > half - dp ? 1.0 : 0.0; },
@@ -115,7 +114,7 @@ TEST_SUITE("unit") {
     const Scene scene = block([](const Point& X) { return 3 + 2e4 * X[1] + 1e4 * X[2]; });
     const Sum sum = sum_of(shares_of(FaceRule::by_column, scene), scene);
     CHECK(sum.force[0] == relative(3 * A * B));
-    // the midpoint rule is 2 % short
+    // the midpoint rule alone is 2 % short
     CHECK(sum.moment[2] == relative(2 * A * B * L - 2e4 * B * A * A * A / 12, 7e-3));
     CHECK(sum.moment[1] == relative(1 * A * B * L + 1e4 * A * B * B * B / 12, 7e-3));
   }
@@ -152,7 +151,7 @@ TEST_SUITE("unit") {
       double force = 0;
       for (const auto& [i, f] : shares_of(FaceRule::by_column, scene))
         for (int k = 0; k < 3; ++k) force += f[k] * outwards(k)(initial.x[i]);
-      // the layer's area is (1 + dp/2a)² times too large
+      // the layer's area alone is (1 + dp/2a)² times too large
       CHECK(force == relative(4 * std::numbers::pi * inner * inner, 0.01));
     }
   }
@@ -172,7 +171,7 @@ TEST_SUITE("analytic") {
         REQUIRE(std::abs(now.stress(i).xy) < 1e-3 * xx);
       }
     }
-    // not exact at corners
+    // oenog is not exact at corners
     const auto length = [](const Snapshot& now) {
       double low = 0, high = 0;
       for (std::size_t i = 0; i < now.size(); ++i) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double dp = 0.001;
 constexpr double length = 0.012, height = 0.006;
-constexpr double period = 4 * length / 91;  // approximate period
+constexpr double period = 4 * length / 91;
 constexpr double rounding = 1e-12;
 
 /// Stretched and slightly sheared, on rollers below and, with `at_wall`, at its left end.

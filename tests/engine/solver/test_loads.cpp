@@ -78,7 +78,7 @@ TEST_SUITE("analytic") {
         const double fall = damping == 0 ? 0.5 * g * T * T : g / c * (T - (1 - std::exp(-c * T)) / c);
         for (std::size_t i = 0; i < now.size(); ++i) {
           REQUIRE(now.v[2 * i + 1] == Approx(-speed).epsilon(1e-4));
-          // symplectic Euler
+          // symplectic Euler has velocities at mid-step
           REQUIRE(std::abs(now.x[2 * i + 1] - now.x0[2 * i + 1] + fall) < 0.51 * step * speed);
           REQUIRE(std::abs(now.x[2 * i] - now.x0[2 * i]) < 1e-12);
         }
@@ -152,7 +152,7 @@ TEST_SUITE("analytic") {
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
       const Snapshot now = state_after(steps, scene, with_method(std::string(method.name)));
-      // symplectic Euler: Σ t dt
+      // symplectic Euler uses the start of each step: Σ t dt
       const bool behind = method.formulation.family == Family::ul_cauchy;
       const double sum = 0.5 * now.time * now.time * (behind ? 1 - 1.0 / steps : 1);
       for (std::size_t i = 0; i < now.size(); ++i) {
@@ -175,7 +175,6 @@ TEST_SUITE("analytic") {
     simulation->advance_to(2e-3);
     const Balance at_rest = balance(simulation->snapshot(), scene);
     CHECK(at_rest.kinetic < 1e-6 * at_rest.strain);
-    // the ends are coarse
     CHECK(simulation->series().value[0].back() == Approx(300 / (H * M) * 0.012).epsilon(0.05));
   }
 }
@@ -200,7 +199,7 @@ TEST_SUITE("conservation") {
         CHECK((now.damped > 0) == (damping > 0));
         CHECK(now.work > 0);
         const double lost = now.work - now.damped - energy(now);
-        // does not integrate the stress of its energy
+        // enog-nonconservative does not integrate the stress of its energy
         const double loose = method.name == "enog-nonconservative" ? 0.5 : 0.2;
         CHECK(std::abs(lost) < (keeps(method, "energy") ? 0.002 : loose) * now.work);
       }

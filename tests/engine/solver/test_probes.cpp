@@ -204,7 +204,7 @@ TEST_SUITE("unit") {
       const auto simulation = make_simulation(scene, with_method(method));
       make_steps(*simulation, 20);
       const Series& series = simulation->series();
-      CHECK(series.value[0].front() == relative(0.8 * 0.002, 6e-3));  // oenog's mass is nearer to faces
+      CHECK(series.value[0].front() == relative(0.8 * 0.002, 6e-3));  // in 3D oenog's mass is nearer to faces
       CHECK(series.value[1].front() == relative(0.9));
       CHECK(series.value[1].back() == relative(0.9, 1e-9));
     }
@@ -323,13 +323,13 @@ TEST_SUITE("unit") {
       simulation->advance_to(0.0006);
       const auto& gap = simulation->series().value[0];
       const auto& push = simulation->series().value[1];
-      // half a spacing aside and behind the face
+      // cell-centred particles lie half a spacing aside and behind the face
       const double apart = first ? 0.0014 : std::hypot(0.0019, 0.0005);
       CHECK(gap[0] == relative(apart - scene.spacing));
       std::size_t k = 0;
       while (k + 1 < push.size() && push[k] == 0) ++k;
       REQUIRE(push[k] != 0);
-      CHECK(gap[k - 1] > -0.005 * scene.spacing);  // means over steps
+      CHECK(gap[k - 1] > -0.005 * scene.spacing);  // forces are means over steps
       CHECK(gap[k + 1] < 0);
     }
     Scene far = two_discs(0.01, 0);
@@ -365,7 +365,7 @@ TEST_SUITE("unit") {
         scene.probes.back().at = rotated(turn, at);
       };
       add(Probe::Kind::displacement, {pitch, 0.9 * pitch, 0});
-      add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});  // the corner
+      add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});
       add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});
       scene.probes.back().axis = 1;
       add(Probe::Kind::stress, {4.3 * pitch, 3.6 * pitch, 0});
@@ -413,7 +413,6 @@ TEST_SUITE("unit") {
     scene.probes = {make_probe("x", Probe::Kind::mirror_asymmetry, {0, 0}),
                     make_probe("y", Probe::Kind::mirror_asymmetry, {0, 0})};
     scene.probes[1].axis = 1;
-    // v_y has a part even in y
     scene.bodies[0].velocity[0] = [](const Point& x) { return 2 * x[0]; };
     scene.bodies[0].velocity[1] = [](const Point& x) { return x[1] + 0.001; };
     const auto simulation = make_simulation(scene, with_method("tl"));

@@ -110,7 +110,7 @@ TEST_SUITE("conservation") {
       }
       CHECK(greatest > weight);
       CHECK(series.value[0][0] == 0);
-      CHECK(std::abs(series.value[0].back()) > weight);  // includes the sideways motion
+      CHECK(std::abs(series.value[0].back()) > weight);  // the clamp also takes up the sideways motion
     });
   }
 
@@ -359,7 +359,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("stress: a hanging block at rest has the weight below over the area, also at its clamp") {
     Scene scene = hanging(2);
-    scene.materials[0].poisson_ratio = 0;  // no hindered contraction
+    scene.materials[0].poisson_ratio = 0;  // the clamp does not hinder contraction
     scene.damping = 2e4;
     scene.probes.clear();
     for (const double y : {-0.008, -0.004, 0.0}) {
@@ -370,9 +370,9 @@ TEST_SUITE("unit") {
     }
     const auto simulation = make_simulation(scene, with_method("oenog"));
     simulation->advance_to(2e-3);
-    const double whole = 1200 * g * 0.008;  // of the hanging block
+    const double whole = 1200 * g * 0.008;
     const auto& value = simulation->series().value;
-    const double layer = whole / 8;  // one-sided differences
+    const double layer = whole / 8;  // the outermost layer uses one-sided differences
     CHECK(std::abs(value[0].back()) < layer);
     CHECK(value[1].back() == relative(0.5 * whole, 0.03));
     CHECK(std::abs(value[2].back() - whole) < layer);

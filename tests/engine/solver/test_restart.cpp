@@ -116,7 +116,7 @@ TEST_SUITE("restart") {
     const auto straight = make_simulation(scene, with_method("enog"));
     make_steps(*straight, 30);
     scene.gravity[1] = [&](double t) {
-      if (straight->time() * 0.5 < t) stop = 1;  // like a signal
+      if (straight->time() * 0.5 < t) stop = 1;  // like a signal during a step
       return 0.0;
     };
     const auto stopped = make_simulation(scene, with_method("enog"));

@@ -92,7 +92,7 @@ TEST_SUITE("determinism") {
       settings.step = first->time();
       const auto exact = make_simulation(scene, settings);
       make_steps(*exact, 12);
-      settings.step *= 1 - 1e-12;  // by round-off
+      settings.step *= 1 - 1e-12;  // the step ends short by round-off
       const auto shorter = make_simulation(scene, settings);
       const Snapshot shown = state_at(exact->time(), *shorter);
       CHECK(shown.time == exact->time());
@@ -173,7 +173,7 @@ TEST_SUITE("convergence") {
       const auto [finer_x, finer_v] = turn(0.01);
       CHECK(x / finer_x == relative(8, 0.02));
       CHECK(v / finer_v == relative(4, 0.02));
-      // θ (1 − θ) (1 − 2θ)/12 dt³ at θ = 0.2, less the lagging acceleration's part
+      // θ (1 − θ) (1 − 2θ)/12 dt³ at θ = 0.2, less the part of the lagging acceleration
       CHECK(x == relative(std::abs(0.096 / 12 - lag * 0.16 / 2) * 8e-6, 0.02));
     }
   }

@@ -112,7 +112,7 @@ TEST_SUITE("term") {
     });
     const Mat2 tension = {{{5, 0}, {0, 5}}};
     const Vec2 e = Seen(first_of_pair, second_of_pair).e;
-    CHECK(dot(stress_divergence_term(tension, tension, 1.0, dW, e), e) == Approx(10 * dW));  // towards j
+    CHECK(dot(stress_divergence_term(tension, tension, 1.0, dW, e), e) == Approx(10 * dW));
   }
 
   TEST_CASE("xsph: momentum and the angular momentum of the transported motion are conserved") {
@@ -162,7 +162,7 @@ TEST_SUITE("term") {
     }
     const double to_i = density_diffusion_term(10.0, 12.0, slope, Vec2{1, 1}, 1.0, dW, 0.5, Vec2{0.6, 0.8});
     const double to_j = density_diffusion_term(12.0, 10.0, Vec2{1, 1}, slope, 1.0, dW, 0.5, Vec2{-0.6, -0.8});
-    CHECK(to_i == Approx(-to_j));  // for equal volumes
+    CHECK(to_i == Approx(-to_j));  // density is conserved for equal volumes
     CHECK(to_i == Approx(-(2 * 2 + 0.5 * (4 * 0.6 - 1 * 0.8)) * dW / 0.5));
   }
 
@@ -228,14 +228,14 @@ TEST_SUITE("term") {
     const Sym2 s = {1.5, -0.6, -0.7};
     const double G = 3.7;
     for (const double angle : {0.01, 0.5, 1.5}) {
-      const double rate = 2 * std::tan(0.5 * angle);  // rotates by this angle
+      const double rate = 2 * std::tan(0.5 * angle);  // (I − ½ω)⁻¹ (I + ½ω) rotates by this angle
       const Sym2 turned = turned_stress<Deviator::plane_strain>(Mat2{{{0, -rate}, {rate, 0}}}, s, G, 1.0);
       const double c = std::cos(angle), n = std::sin(angle);
       CHECK(turned(0, 0) == Approx(c * c * s(0, 0) - 2 * c * n * s(0, 1) + n * n * s(1, 1)));
       CHECK(turned(1, 1) == Approx(n * n * s(0, 0) + 2 * c * n * s(0, 1) + c * c * s(1, 1)));
       CHECK(turned(0, 1) == Approx(c * n * (s(0, 0) - s(1, 1)) + (c * c - n * n) * s(0, 1)));
     }
-    const double dt = 1e-7;  // Jaumann's limit
+    const double dt = 1e-7;  // limit of Jaumann's rate
     const Sym2 rate = jaumann_rate<Deviator::plane_strain>(some_L, s, G);
     const Sym2 next = turned_stress<Deviator::plane_strain>(some_L, s, G, dt);
     for (int k = 0; k < 3; ++k) CHECK((next.c[k] - s.c[k]) / dt == Approx(rate.c[k]).epsilon(1e-5));

@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Momentum given to i.
+/// A term as the momentum given to i, opposite for (j, i).
 struct ForceTerm {
   std::string name;
   Vec<double, 2> (*force)(const PairedParticle& i, const PairedParticle& j);
@@ -104,7 +104,7 @@ TEST_SUITE("term") {
     };
     CHECK(across(0) < 1e-15);  // pressure
     CHECK(across(2) < 1e-15);  // laplacian
-    CHECK(across(1) > 0.1);    // have a torque
+    CHECK(across(1) > 0.1);    // the others have a torque
     CHECK(across(3) > 0.1);
     CHECK(across(4) > 0.1);
   }
@@ -172,7 +172,7 @@ TEST_SUITE("term") {
     CHECK(dissipation_of(2, 0) == Approx(limiter * 2 / c0));
     CHECK(dissipation_of(2, 0.7) == Approx(0.7));
     CHECK(dissipation_of(5, 0) == Approx(1));
-    CHECK(dissipation_of(-1, 0) == Approx(0));  // no attraction
+    CHECK(dissipation_of(-1, 0) == Approx(0));  // separating pairs are not attracted
     CHECK(dissipation_of(-1, 0.4) == Approx(0.4));
     CHECK(dissipation_of(0.01, 1) == Approx(1));
     CHECK(dissipation_of(-9, 1) == Approx(1));
@@ -194,7 +194,7 @@ TEST_SUITE("term") {
       return pressure_diffusion_term(0.9, dW, p_i, p_j, share, /*ρ0*/ 2.0, /*c0*/ 5.0);
     };
     CHECK(flow(8, 3, 1) == Approx(0.9 * dW * (8 - 3) / (2 * 5)));
-    CHECK(flow(8, 3, 1) < 0);  // i thins
+    CHECK(flow(8, 3, 1) < 0);  // i is the one that thins
     CHECK(flow(8, 3, 1) == -flow(3, 8, 1));
     CHECK(flow(8, 3, 0.25) == Approx(0.25 * flow(8, 3, 1)));
     CHECK(flow(8, 3, 0) == 0);

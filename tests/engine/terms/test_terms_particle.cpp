@@ -34,7 +34,7 @@ struct Cloud {
     std::mt19937 generator(seed);
     std::uniform_real_distribution<double> jitter(-0.25, 0.25);
     for (int a = -3; a <= 3; ++a) {
-      for (int b = -1; b <= 3; ++b) {  // as at a surface
+      for (int b = -1; b <= 3; ++b) {  // one-sided, as at a surface
         if (a == 0 && b == 0) continue;
         x.push_back({a + jitter(generator), b + jitter(generator)});
         V.push_back(1 + jitter(generator));
@@ -180,14 +180,14 @@ TEST_SUITE("term") {
 
   TEST_CASE("stress rate: a deviator stays a deviator") {
     CHECK(trace(in_plane_rate(some_L, some_s)) == Approx(0));
-    const double divergence = some_L(0, 0) + some_L(1, 1);  // s_zz takes the rest
+    const double divergence = some_L(0, 0) + some_L(1, 1);  // in 3D s_zz takes the rest
     CHECK(trace(plane_strain_rate(some_L, some_s)) == Approx(2.0 / 3 * G * divergence));
     const Mat<double, 3> L = {{{0.4, -1.2, 0.3}, {0.5, 0.9, -0.8}, {0.2, 1.1, 0.6}}};
     const Sym<double, 3> s = {1, 0.5, -0.3, 2, 0.7, -3};
     const auto rate = jaumann_rate<Deviator::plane_strain>(L, s, G);
     CHECK(trace(rate) == Approx(0).scale(1));
     CHECK(std::abs(rate(0, 0)) > 0.1);
-    CHECK(rate(0, 1) == jaumann_rate<Deviator::in_plane>(L, s, G)(0, 1));  // n = 3 either way
+    CHECK(rate(0, 1) == jaumann_rate<Deviator::in_plane>(L, s, G)(0, 1));
   }
 
   TEST_CASE("artificial stress: the positive part is that of given principal stresses") {

@@ -51,12 +51,12 @@ TEST_SUITE("term") {
     const M2& F = stretched_and_turned;
     const V2 x = F * X;
     CHECK(magnitude(hourglass_force(F, F, X, x, 3.0, 2.0)) < 1e-15);
-    // ±D explain the mean distance
+    // gradients that differ by ±D explain the mean distance
     const M2 D{{{0.1, 0.2}, {-0.3, 0.05}}};
     CHECK(magnitude(hourglass_force(F + D, F + -1.0 * D, X, x, 2.0, 2.0)) < 1e-15);
     const V2 apart = hourglass_force(F, F, X, 1.1 * x, 3.0, 2.0),
              near = hourglass_force(F, F, X, 0.9 * x, 3.0, 2.0);
-    CHECK(dot(apart, x) < 0);  // pulls together
+    CHECK(dot(apart, x) < 0);  // F explains a shorter distance
     CHECK(dot(near, x) > 0);
     CHECK(magnitude(apart) == relative(0.1 * magnitude(x) * (3 + 2), 1e-12));
     const V2 any{0.7, -0.2};
@@ -87,7 +87,7 @@ TEST_SUITE("term") {
     const M2& F = stretched_and_turned;
     const double J = determinant(F), g = pair_shear_modulus(G, J);
     const M2 P = isotropic_piola(F, M2{}, K, g, 0.0), law = NeoHookean{K, G}.piola(F, J);
-    // uniform: s (P_i + P_j + 2 g F) X per pair
+    // in a uniform state each pair carries s (P_i + P_j + 2 g F) X
     const V2 by_pairs = pair_shear_force(P, P, g, g, X, F * X, 0.7), by_law = (2 * 0.7) * (law * X);
     CHECK(magnitude(by_law) > 1);
     CHECK(magnitude(by_pairs - by_law) < 1e-13 * magnitude(by_law));
@@ -98,7 +98,7 @@ TEST_SUITE("term") {
     const M2 rest = isotropic_piola(one, M2{}, K, 1.07 * G, 0.0);
     CHECK(rest(0, 0) == relative(-1.07 * G, 1e-14));
     CHECK(magnitude(pair_shear_force(rest, rest, 1.07 * G, 1.07 * G, X, X, 0.7)) < 1e-14);
-    // F = I does not see the zigzag; s is negative
+    // F = I does not capture the zigzag; s is negative
     const V2 zigzag{0.05, -0.02};
     const V2 force = pair_shear_force(rest, rest, 1.07 * G, 1.07 * G, X, X + zigzag, -0.7);
     CHECK(dot(force, zigzag) == relative(-0.7 * 2 * 1.07 * G * dot(zigzag, zigzag), 1e-9));
@@ -124,7 +124,7 @@ TEST_SUITE("term") {
     const double slope = slope_of_pair;
     CHECK(magnitude(velocity_penalty_term(L * x_ij, L + L, 1.1, slope * g.inv_r, slope * g.e)) < 1e-14);
     CHECK(magnitude(velocity_penalty_term(L * x_ij, L, 1.1, slope * g.inv_r, slope * g.e)) > 0.1);
-    // the origin moves with +e_x, neighbours with odd a + b against it
+    // the particle at the origin moves with +e_x, neighbours with odd a + b against it
     const V2 penalty = penalty_on_checkerboard({});
     CHECK(penalty[0] < -1);
     CHECK(std::abs(penalty[1]) < 1e-14);

@@ -78,9 +78,9 @@ class NaiveOenogIn {
   bool clamped(int i) const { return initial_.clamped[i]; }
   const Bonds& bonds() const { return bonds_; }
   const Interfaces& interfaces() const { return interfaces_; }
-  double contacts = 0;  // summed over steps
+  double contacts = 0;  // pairs, summed over steps
 
-  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))]; harmonic mean of G at interfaces; λ° is limited to ½ … 2.
+  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))]. Interfaces use the harmonic mean of G; λ° is limited to ½ … 2.
   double energy(const Places& at) const {
     double E = 0;
     for (int i = 0; i < size(); ++i) {
@@ -121,7 +121,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// For the benchmark; not at material interfaces.
+  /// Explicit derivatives for the benchmark; not at material interfaces.
   Places force_by_hand(const Places& at) const {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
@@ -188,7 +188,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// CFL step if `own` is 0.
+  /// Uses the CFL step if `own` is 0.
   void step(double cfl, double damping, double own = 0) {
     double c = interfaces_.wave_speed, fastest = 0;
     for (int i = 0; i < size(); ++i) {
@@ -223,7 +223,7 @@ class NaiveOenogIn {
   const Material& material(int i) const { return scene_.materials[initial_.material[i]]; }
   double K(int i) const { return material(i).bulk_modulus(); }
   double G(int i) const { return material(i).shear_modulus(); }
-  /// Smaller than G if λ is negative.
+  /// Replaces G in bonds: smaller if λ is negative.
   double of_bonds(int i) const {
     const double lambda = K(i) - 2.0 / 3 * G(i);
     return lambda < 0 ? G(i) + (Dim == 2 ? 1 : 1.5) * lambda : G(i);
@@ -370,7 +370,7 @@ class NaiveOenogIn {
     return P;
   }
 
-  /// Adds forces of i's bonds; T is the derivative of the subtracted energy by F.
+  /// Adds the forces of i's bonds; T is the derivative of the subtracted energy by F.
   void pull(const Places& at, int i, const Square& T, Places& f) const {
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
       const auto d = way(at, i, b);
@@ -385,7 +385,7 @@ class NaiveOenogIn {
     }
   }
 
-  /// To j or to the fixed point on the clamp's face.
+  /// Way to j, or to the fixed point on the clamp's face.
   Place way(const Places& at, int i, int b) const {
     const int j = bonds_.j[b];
     Place d;

@@ -49,8 +49,8 @@ Gradient gradient(double xx, double xy, double yx, double yy) { return {{{xx, xy
 
 ClosedNeoHookean<double> closed_law() { return {4.6, 1}; }  // over G: ν = 0.4
 
-/// Greatest force change deeper than `rows` with a homogeneous strain, over G dp. Volumes near a face give forces
-/// in three rows, or nine with bonds of two spacings.
+/// Greatest change of the force on particles deeper than `rows` with a homogeneous strain, over G dp. Volumes
+/// near a face give forces in three rows, or nine with bonds of two spacings.
 double unbalanced(const Scene& scene, const InitialParticles& initial, const std::vector<double>& depth,
                   double rows) {
   constexpr double size = 1e-3;
@@ -199,7 +199,7 @@ TEST_SUITE("unit") {
       scene.bodies[0].shapes.push_back(Box{{x, 0, 0}, {x + high, height, 0}});
       return scene;
     };
-    // round-off at re-entrant corners
+    // conditions contradict each other by round-off at re-entrant corners
     for (const double x : {0.0, 0.005, 0.05, 0.1, 0.15, 0.2})
       for (const Scene& scene : {step(x, 0.056, 0.04, 0.018, 0.028), step(x, 0.06, 0.05, 0.02, 0.02)}) {
         CAPTURE(x);
@@ -284,7 +284,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("bonds: volume is shifted towards faces with a first moment of dp²/24") {
-    // the midpoint rule lacks dp²/24 of the slope per face
+    // the midpoint rule lacks dp²/24 of the slope at each face
     Scene scene = small_clamped_plate();
     scene.bodies.pop_back();
     scene.bodies[0].clamped = {};
@@ -319,7 +319,7 @@ TEST_SUITE("term") {
     const auto rest = closed_law();
     for (const Gradient& F :
          {gradient(1, 0, 0, 1), gradient(1.3, 0.2, -0.4, 0.9), gradient(0.2, 0.8, -0.7, 0.1),
-          gradient(0.5, 0.1, 0, 0.4), gradient(0.3, 0.2, 0.5, -0.2)}) {  // last two: J = 0.2, −0.16
+          gradient(0.5, 0.1, 0, 0.4), gradient(0.3, 0.2, 0.5, -0.2)}) {  // the last two: J = 0.2, −0.16
       const Gradient P = rest.piola(F);
       for (int a = 0; a < 2; ++a) {
         for (int k = 0; k < 2; ++k) {

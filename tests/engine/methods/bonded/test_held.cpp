@@ -22,7 +22,7 @@ namespace {
 
 constexpr double dp = 0.02, omega = 1, length = 0.7, half = 0.05;
 
-/// Rotating, clamped where x² + y² < held_to².
+/// A rotating bar, clamped where x² + y² < clamped_to².
 Scene bar(int dim, double clamped_to) {
   Scene scene;
   scene.dim = dim;
@@ -49,7 +49,7 @@ double turned(const Scene& scene, const char* method, double t) {
   return simulation->series().value[0].back();
 }
 
-/// Reaction over E A u/L of a bar (ν = 0) stretched from a clamp or, with `both`, a driven end at rest.
+/// Reaction over E A u/L of a bar (ν = 0) stretched from a clamp or, with `both`, from a driven end at rest.
 double resistance(double spacing, bool both, const char* method, std::optional<double> until = {}) {
   constexpr double E = 1e6, clamp = 0.004, width = 0.012, free = 0.032, u = 1e-5;
   Scene scene;

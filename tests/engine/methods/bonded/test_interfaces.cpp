@@ -20,7 +20,7 @@ using namespace taut::test;
 namespace {
 
 constexpr double nu_stiff = 0.4, soft = 1e6;
-constexpr double L = 0.05, H = 0.01;  // length of each half, thickness
+constexpr double L = 0.05, H = 0.01;  // length of each half and thickness of the bar
 
 /// Poisson's ratio with which both halves contract equally.
 double matched(double ratio) { return (std::sqrt(1 + 4 * nu_stiff * (1 + nu_stiff) / ratio) - 1) / 2; }
@@ -40,7 +40,7 @@ Scene bar(double ratio, double nu_soft, int axis, double spacing, double half = 
   return scene;
 }
 
-/// Greatest force away from faces, over the traction on one particle.
+/// Greatest force on a particle away from faces, over the traction on one particle.
 double force_left(const Scene& scene, double traction) {
   const Snapshot now = state_after(1, scene, with_method("oenog"));
   const Box box = *scene.bodies[0].shapes[0].as<Box>();
@@ -55,7 +55,7 @@ double force_left(const Scene& scene, double traction) {
   return greatest / (traction * scene.spacing);
 }
 
-/// Rod waves with transverse inertia ([Love] §278), M u″ + ρ ω² (ν r)² u″ …, r² = H²/12, plane strain.
+/// Rod waves with transverse inertia ([Love] §278): M u″ + ρ ω² (ν r)² u″ …, r² = H²/12, plane strain.
 double lowest_frequency(double ratio) {
   struct Wave {
     double k, Z;  // 1/m; traction over velocity
@@ -78,7 +78,7 @@ double lowest_frequency(double ratio) {
   return above / (2 * std::numbers::pi);
 }
 
-/// From the length over five periods, for a cosine on either side.
+/// From the bar's length over five periods; starts from a cosine on either side.
 double measured_frequency(double ratio, double spacing) {
   Scene scene = bar(ratio, matched(ratio), 0, spacing, H / 2);
   const double expected = lowest_frequency(ratio), omega = 2 * std::numbers::pi * expected;

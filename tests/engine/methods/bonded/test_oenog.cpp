@@ -41,7 +41,6 @@ Scene clamped_plate_of_two_materials() {
   return scene;
 }
 
-/// Bonds have less than G.
 Scene auxetic_plate() {
   Scene scene = clamped_plate_of_two_materials();
   scene.name = "auxetic-plate";
@@ -55,7 +54,7 @@ Scene ring_alone() {
   return scene;
 }
 
-/// Oblong cells with different bonds and strengths, then off-lattice. At rest nothing is subtracted.
+/// Checks a lattice with oblong cells and different bonds, then one off-lattice. At rest nothing is subtracted.
 template <int Dim, class Kept>
 void check_cancelled(double precision) {
   using Cancelled = CancelledBonds<Dim, Kept>;
@@ -127,7 +126,7 @@ void check_both_ends(const Scene& scene) {
   int both = 0;
   for (const auto& [ends, own] : seen) {
     const auto other = seen.find({ends.second, ends.first});
-    if (other == seen.end()) continue;  // on the clamp's face
+    if (other == seen.end()) continue;  // a point on the clamp's face
     ++both;
     CHECK(own.first == other->second.first);
     for (int k = 0; k < Dim; ++k) CHECK(own.second[k] == -other->second.second[k]);
@@ -290,7 +289,7 @@ TEST_SUITE("term") {
       return energy_at(to) / start;
     };
     const double shear_speed = std::sqrt(ring_rubber().shear_modulus() / ring_rubber().density);
-    const double period = std::numbers::pi * dp / shear_speed;  // rows alternate: ω = 2 c_s/dp
+    const double period = std::numbers::pi * dp / shear_speed;  // rows move against each other: ω = 2 c_s/dp
     CHECK(kept(zigzag, 0, 18 * period, 0) > 0.95);
     CHECK(kept(zigzag, 0, 18 * period, damping) < 0.12);
     // after one period only the first mode is left
@@ -302,7 +301,7 @@ TEST_SUITE("term") {
 
 namespace {
 
-/// Velocities L x, too fast for surface waves.
+/// Velocities L x, too fast for surface waves to reach the middle.
 Scene straining_block(const Mat<double, 2>& L) {
   Scene scene = rotating_plate(0);
   for (const int axis : {0, 1})
@@ -428,7 +427,7 @@ TEST_SUITE("analytic") {
       const Snapshot before = state_after(steps - 1, scene, with_method("oenog")),
                      now = state_after(steps, scene, with_method("oenog")),
                      after = state_after(steps + 1, scene, with_method("oenog"));
-      double J = 1;  // least J at mid-step
+      double J = 1;  // least J at mid-step, where forces are evaluated
       for (std::size_t i = 0; i < now.size(); ++i) {
         const auto root = [&](const Snapshot& at) { return std::sqrt(rubber.density / at.rho[i]); };
         J = std::min(J, std::pow(0.5 * (root(before) + root(now)), 2));
@@ -439,7 +438,7 @@ TEST_SUITE("analytic") {
       for (std::size_t i = 0; i < now.size(); ++i)
         fastest = std::max(fastest, std::hypot(now.v[2 * i], now.v[2 * i + 1]));
       const double shorter = oenog.cfl * scene.spacing / (c + fastest) / (after.time - now.time);
-      // ∂²/∂J² of (K + 4G/3)(1 − 2J)³ over the modulus at rest; safety factor 1.5
+      // ∂²/∂J² of (K + 4G/3)(1 − 2J)³ over the modulus at rest, and a safety factor of 1.5
       CHECK(1.5 * shorter * shorter == relative(1 + 24 * (1 - 2 * J), 0.02));
     }
     CHECK(shut == 2);
@@ -465,7 +464,7 @@ TEST_SUITE("convergence") {
   TEST_CASE("plate: the period of oenog is accurate with few rows at any Poisson's ratio") {
     struct Plate {
       double nu, period;               // from finite elements
-      std::vector<double> error = {};  // 5 and 10 rows
+      std::vector<double> error = {};  // with 5 and 10 rows
     };
     for (const Plate& plate : {Plate{0, 0.27868, {0.016, 0.003}}, Plate{0.3, 0.26575, {0.007, 0.0015}},
                                Plate{0.3975, 0.25522, {0.003, 0.001}}, Plate{0.49, 0.2416, {0.028}}}) {

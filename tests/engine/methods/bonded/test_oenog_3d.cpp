@@ -34,7 +34,7 @@ using Naive = NaiveOenogIn<3>;
 using Square = Eigen::Matrix3d;
 
 constexpr double dp = 0.001;
-constexpr double h_over_dp = 0.9;  // the default
+constexpr double h_over_dp = 0.9;
 
 Scene alone(const Shape& shape) {
   Scene scene = small_solid_collision();
@@ -49,7 +49,7 @@ Scene clamped_block(int x, int y, int z) {
   scene.bodies[0].clamped = [](const Point& X) { return X[0] < 0 ? 1.0 : 0.0; };
   return scene;
 }
-/// On its faces; x = 0 is clamped.
+/// Particles lie on the faces; x = 0 is clamped.
 Scene block_on_faces(int x, int y, int z) {
   Scene scene = block(x, y, z);
   scene.bodies[0].on_boundary = true;
@@ -168,7 +168,7 @@ TEST_SUITE("unit") {
     const Bonds bonds = make_bonds(scene, make_initial_particles(scene), h_over_dp * dp);
     const int middle = 62;
     REQUIRE(bonds.begin[middle + 1] - bonds.begin[middle] == 26);
-    double moment[3][3] = {};  // e_a² e_b²
+    double moment[3][3] = {};
     double odd = 0;
     int of_axes = 0;
     std::map<double, int> weights;
@@ -213,7 +213,8 @@ TEST_SUITE("unit") {
       CHECK(sum(start.m) == relative(density * sum(initial.V0), 1e-13));
       for (int i = 0; i < initial.size(); ++i) CHECK(start.m[i] == relative(density * bonds.mass[i], 1e-14));
     }
-    // dp²/15 in volumes, dp²/24 in masses; with particles on faces dp²/25 less
+    // a face's first moment is dp²/15 in volumes, dp²/24 in masses; with particles on faces volumes have dp²/25
+    // less
     for (const bool on_faces : {false, true}) {
       CAPTURE(on_faces);
       const int n = on_faces ? 8 : 9;
@@ -238,7 +239,6 @@ TEST_SUITE("unit") {
     Scene scene = block(12, 12, 12);
     CHECK(make_bonds(scene, make_initial_particles(scene), h_over_dp * dp).rows.empty());
     scene.bodies[0].clamped = [](const Point& X) { return X[0] < 2 * dp ? 1.0 : 0.0; };
-    // three layers along x
     CHECK(make_bonds(scene, make_initial_particles(scene), h_over_dp * dp).rows.size() ==
           3 * 34 * 34 - 12 * 12);
   }
@@ -246,7 +246,7 @@ TEST_SUITE("unit") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("oenog: in 3D a homogeneous strain leaves no force inside a lattice and a ball cut from it") {
-    // forces near a face are in four rows
+    // volumes near a face give forces in four rows
     const auto deep = [](const Point& X) {
       return std::ranges::all_of(X, [](double x) { return std::abs(x - 5 * dp) < 0.6 * dp; });
     };
@@ -266,7 +266,7 @@ TEST_SUITE("analytic") {
     const Naive naive(scene, h_over_dp);
     double greatest = 0;
     for (int along = 0; along < 3; ++along) {
-      constexpr double size = 0.05;  // keeps the clamped face fixed
+      constexpr double size = 0.05;  // of strains that keep the clamped face fixed
       Square F = Square::Identity();
       F(along, 0) += size;
       const auto force = naive.force(deformed(initial, F));
@@ -355,7 +355,7 @@ TEST_SUITE("conservation") {
       CAPTURE(damping);
       scene.contact = law;
       Settings settings = with_damping(damping);
-      settings.cfl = 0.32;  // half the default: smaller energy oscillations
+      settings.cfl = 0.32;  // half the default, for smaller energy oscillations
       const auto simulation = make_simulation(scene, settings);
       const Snapshot first = simulation->snapshot();
       const Balance start = balance(first, scene);

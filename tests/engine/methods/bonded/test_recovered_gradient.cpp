@@ -108,7 +108,7 @@ TEST_SUITE("unit") {
         }
       }
       CHECK(worst < 1e-9);
-      CHECK(own < 1e-3);  // limited near a re-entrant corner
+      CHECK(own < 1e-3);  // limited by the balancing of bonds near a re-entrant corner
       CHECK(shown > 0);
     }
   }
@@ -173,7 +173,7 @@ TEST_SUITE("unit") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("oenog: the stress of an imposed bending is exact at faces and corners") {
-    const double kappa = 1e3 / H, step = 1e-9;  // too short for forces
+    const double kappa = 1e3 / H, step = 1e-9;  // too short for motion by forces
     for (const double rate : {1.0, -1.0}) {
       Scene scene = block(5, H);
       // pure bending: u = t κ (x y, −(x² + m y²)/2), m = ν/(1 − ν)
@@ -196,7 +196,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  // A region to be released later is strained.
+  // A region to be released later belongs to the body, so it is strained.
   TEST_CASE(
       "oenog: the stress of the free part reaches to the face of a driven end, or inside once released") {
     const double dp = H / 5, rate = 1e3, step = 1e-9;
@@ -224,7 +224,7 @@ TEST_SUITE("analytic") {
       const Snapshot now = state_after(1, scene, settings);
       const double M = 2e6 * 0.7 / (1.3 * 0.4);
       for (std::size_t i = 0; i < now.size(); ++i) {
-        const double last = ends_before_run && grip_of_steel ? kink - dp : kink;  // last strained particle
+        const double last = ends_before_run && grip_of_steel ? kink - dp : kink;
         const double should = now.x0[dim * i] < last + 0.1 * dp ? 1 : 0;
         CHECK(now.stress(i).xx / (M * rate * step) == Approx(should).scale(1).epsilon(1e-3));
       }
