@@ -31,7 +31,7 @@ using namespace taut::test;
 /// Measured part of a scene's motion, in slices.
 struct Motion {
   const char* scene;
-  double from, slice;  // s
+  double from, slice;
   int slices;
   int transcribed;  // steps per timing
 };

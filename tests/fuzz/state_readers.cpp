@@ -79,7 +79,6 @@ RunOptions run_options(const SmallScene& scene) {
   return options;
 }
 
-/// Files by name.
 const std::map<std::string, std::string>& interrupted_run() {
   static std::map<std::string, std::string> files;
   if (!files.empty()) return files;

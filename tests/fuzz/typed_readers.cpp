@@ -46,7 +46,6 @@ void run_line(Session& session, const std::string& line, const Dialogue& to) {
   run_session_line(session, line, {to.out, interrupts, to.progress});
 }
 
-/// Includes all checks before a run.
 std::function<int(Streams)> declare_plan(Options& command) {
   auto options = std::make_shared<RunOptions>();
   options->scene = "small.toml";

@@ -149,7 +149,7 @@ TEST_SUITE("image") {
       return picture(particle(0, 0, 0.1, 0), with);
     };
     const Image image = drawn(20, "a");
-    CHECK_FALSE(image == drawn(25, "a"));  // 13 and 18 more
+    CHECK_FALSE(image == drawn(25, "a"));
     const auto left_of_legend = [](const Image& of) {
       int column = of.width / 2;
       while (of.at(column, 30) == white) ++column;
@@ -171,7 +171,7 @@ TEST_SUITE("image") {
       Renderer renderer(of_both);
       const Image method = renderer.draw(with);
       CHECK_FALSE(method == Image(renderer.draw(without)));
-      CHECK_FALSE(method == Image(renderer.draw(other)));  // differs in the last letter
+      CHECK_FALSE(method == Image(renderer.draw(other)));
     }
   }
 }

@@ -94,7 +94,7 @@ TEST_SUITE("image") {
       CHECK(in_legend > 20);
     }
     with.categories.assign(100, "one of many");
-    CHECK(extent(drawn(three, with)).height < 360);  // some entries left out
+    CHECK(extent(drawn(three, with)).height < 360);
   }
 
   TEST_CASE("on a dark background texts are light, and no white remains") {
@@ -231,7 +231,7 @@ TEST_SUITE("image") {
   TEST_CASE("a disc is round, has its size and is smooth at its rim") {
     const Image image = drawn(one_disc(0.1, 0, 1.0, 0), look(200, 100, unit_view));
     const Rect rect = extent(image);
-    CHECK(rect.width == 50);  // half of the view's height
+    CHECK(rect.width == 50);
     CHECK(rect.height == 50);
     double area = 0;
     for (int row = 0; row < 100; ++row) {
@@ -318,7 +318,7 @@ TEST_SUITE("image") {
   TEST_CASE("neighbours too small for gaps look solid") {
     Particles particles;
     for (int i = -20; i <= 20; ++i) {
-      for (int j = -20; j <= 20; ++j) particles.add(0.037 * i, 0.037 * j, 0.037, 0);  // 1.85 pixels
+      for (int j = -20; j <= 20; ++j) particles.add(0.037 * i, 0.037 * j, 0.037, 0);
     }
     const Image image = drawn(particles, look(100, 100, unit_view));
     for (int row = 30; row < 70; ++row) {

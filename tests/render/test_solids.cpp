@@ -194,7 +194,7 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("a hollow between bodies is darker than an open face") {
-    Bodies bodies;  // a floor and a tower
+    Bodies bodies;
     for (int i = -10; i <= 10; ++i)
       for (int j = -10; j <= 10; ++j) {
         bodies.add({0.09 * i, 0.09 * j, 0}, 0.09, 0.5);

@@ -81,7 +81,7 @@ TEST_SUITE("image") {
     there.walls[0].at[0] = 0.1;
     there.x[0] = 0.1;
     const Image a = drawn(here, bare(2)), b = drawn(there, bare(2));
-    int greatest = 0;  // rounding
+    int greatest = 0;
     for (int row = 0; row < 200; ++row)
       for (int column = 10; column < 200; ++column)
         greatest = std::max(greatest, std::abs(a.at(column - 10, row)[0] - b.at(column, row)[0]));

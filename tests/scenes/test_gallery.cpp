@@ -34,7 +34,6 @@ SceneFile read(const fs::path& scene, const std::string& spacing = {}) {
   return file;
 }
 
-/// Probe values at `until`.
 std::vector<double> values_at(double until, const char* name, const char* method) {
   const SceneFile file = read_scene(gallery / name, {{"method", method}});
   const auto simulation = make_simulation(file.scene, file.settings);

@@ -62,7 +62,6 @@ struct Whole {
 /// Order p of an error ∝ spacing^p.
 double order(double coarse, double fine, double ratio) { return std::log(coarse / fine) / std::log(ratio); }
 
-/// The right ring is shifted by `across`.
 SceneFile askew_rings(double spacing, double across) {
   SceneFile file = scene("colliding-rings", spacing);
   for (Shape& shape : file.scene.bodies.at(1).shapes) shape.shift(1, across);

@@ -47,7 +47,6 @@ class Beam {
   explicit Beam(const std::string& load) {
     std::ofstream(folder_ / "beam.toml") << (load == weight ? load + beam : beam + load);
   }
-  /// Verdict of a run that is judged every `each` steps.
   Verdict verdict(const std::vector<Setting>& settings, double until = 2e-4, int each = 1) const {
     SceneFile file = read_scene(folder_ / "beam.toml", settings);
     file.settings.threads = 1;

@@ -15,7 +15,6 @@ using namespace taut::test;
 
 namespace {
 
-/// A command and its announced exit code.
 struct PageCommand {
   std::string line;
   int code = 0;

@@ -80,7 +80,6 @@ frames = 4
   return folder.str("discs.toml");
 }
 
-/// A single-threaded run.
 inline std::vector<std::string> tiny_run(const TemporaryFolder& folder, const std::string& out,
                                          const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments{

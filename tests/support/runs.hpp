@@ -12,7 +12,6 @@
 
 namespace taut::test {
 
-/// Neighbours are never rebuilt.
 inline bool keeps_neighbors(const MethodInfo& method) {
   return std::ranges::find(method.contact_laws, ContactLaw::sph) == method.contact_laws.end();
 }

@@ -46,7 +46,6 @@ TEST_SUITE("cli") {
       const auto record = json_of(folder / "out/run.json");
       CHECK(record["status"] == "interrupted");
       CHECK(record["reached"].get<double>() < 1000);
-      // header, start and stop
       CHECK(lines_of(folder / "out/history.csv").size() == (record["steps"] > 0 ? 3 : 2));
       CHECK(taut::render::read_png(folder / "out/frames/frame_00000.png").width == 160);
       CHECK(files_in(folder / "out/frames") == 1);

@@ -124,7 +124,7 @@ TEST_SUITE("cli") {
     REQUIRE(call(tiny_snapshot(folder, {"--frames", "2", "--update"})).code == 0);
     CHECK(fs::is_symlink(folder / "base"));
     CHECK(files_in(folder / "shared") == 3);
-    CHECK(files_in(folder.path()) == 4);  // scene, run, baseline, link
+    CHECK(files_in(folder.path()) == 4);
   }
 
   TEST_CASE("an invalid update never removes a baseline") {

@@ -66,7 +66,7 @@ TEST_SUITE("cli") {
     leave_run(folder);
     fs::copy(folder / "run", folder / "again", fs::copy_options::recursive);
     const std::string results = write_results(folder / "a", one_result);
-    const auto grow = [&](const std::string& name) {  // sparse
+    const auto grow = [&](const std::string& name) {
       std::ofstream(folder / name).close();
       fs::resize_file(folder / name, std::uintmax_t{1} << 30);
     };
@@ -132,7 +132,6 @@ TEST_SUITE("cli") {
       CHECK(child.exit_code() == 2);
       fs::rename(folder / "kept", folder / file);
     }
-    // a resumed run writes its history
     ChildProgram begun(
         tiny_run(folder, "killed",
                  {"--until", "1000", "--frames", "1", "--checkpoint-every", "0.001", "--set", "speed=0"}));
@@ -183,7 +182,7 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     leave_run(folder);
     fs::remove(folder / "run/run.json");
-    fs::create_symlink("/proc/self/mem", folder / "run/run.json");  // with an unreadable beginning
+    fs::create_symlink("/proc/self/mem", folder / "run/run.json");  // the beginning cannot be read
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"check", folder.str("run"), "--verdict", "stable"},
           {"plot", folder.str("run"), "--out", folder.str("a.png")},

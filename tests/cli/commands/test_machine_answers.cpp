@@ -76,7 +76,7 @@ TEST_SUITE("cli") {
     CHECK(*answer.find("passed") == Json(false));
     CHECK(answer.find("run")->text() == run);
     const Json& checks = *answer.find("checks");
-    REQUIRE(checks.items().size() == 3);  // including the status
+    REQUIRE(checks.items().size() == 3);
     for (const Json& each : checks.items())
       CHECK(keys_in(each) == Texts{"name", "passed", "expected", "is", "value", "difference"});
     CHECK(item(checks, 2).find("name")->text() == "period");
@@ -109,7 +109,7 @@ TEST_SUITE("cli") {
                                    "difference", "passed"});
     CHECK(*answer.find("passed") == Json(false));
     CHECK(answer.find("difference")->text() == folder.str("out/difference.png"));
-    REQUIRE(answer.find("pictures")->items().size() == 5);  // three in both, two only in the baseline
+    REQUIRE(answer.find("pictures")->items().size() == 5);
     CHECK(item(*answer.find("pictures"), 4).find("only_in")->text() == "a");
     const Outcome diverged = snapshot({"--set", "cfl=20", "--until", "0.02"});
     CHECK(diverged.code == 3);

@@ -202,7 +202,7 @@ TEST_SUITE("unit") {
     CHECK(look.view->x_max == Approx(1.1 + margin));
     CHECK(look.view->y_min == Approx(-0.1 - margin));
     CHECK(look.view->y_max == Approx(3.1 + margin));
-    CHECK(look.camera->front == Approx(0.1));  // of the first particle
+    CHECK(look.camera->front == Approx(0.1));
   }
 
   TEST_CASE("an automatic range omits outliers, but keeps near ends and small regions of high values") {
@@ -220,7 +220,7 @@ TEST_SUITE("unit") {
     CHECK(range_of(values) == render::Range{0, 991});
     values.push_back(-1e9);
     CHECK(range_of(values) == render::Range{9, 991});
-    values.insert(values.end(), 500000, 0.0);  // a body at rest
+    values.insert(values.end(), 500000, 0.0);
     CHECK(range_of(values) == render::Range{0, 991});
     values.assign(10, 0.0);
     CHECK(range_of(values) == render::Range{0, 1});
@@ -253,7 +253,7 @@ TEST_SUITE("unit") {
     open.field = find_field("pressure");
     CHECK(fitted(open, shown).look.range == render::Range{-3, 3});
     CHECK(fitted(open, shown).look.colormap == render::find_colormap("coolwarm"));
-    open.round_off = 100;  // exceeds the spread of values
+    open.round_off = 100;
     CHECK(fitted(open, shown).look.range == render::Range{-50, 50});
     open.field = find_field("von_mises");
     CHECK(fitted(open, shown).look.range == render::Range{0, 100});

@@ -51,7 +51,7 @@ TEST_SUITE("unit") {
     drawing.is_cut = [](const Point& x) { return static_cast<double>(x[1] > 2); };
     const Origins origins = two_pairs();
     Numbers swapped = moved;
-    swapped[1] = 9;  // beyond the cut
+    swapped[1] = 9;
     const StagedParticles staged = Staging(drawing, origins)(frame(swapped, origins, {1, 2, 3, 4}));
     CHECK(staged.x == Numbers{0, 9, 1, 1});
     CHECK(staged.value == Numbers{1, 2});
@@ -93,7 +93,7 @@ TEST_SUITE("unit") {
     CHECK(drawn.x == moved);
     CHECK(drawn.value == Numbers{1, 2, 3, 4});
     REQUIRE(drawn.cell.size() == 16);
-    CHECK(drawn.cell[8] == Approx(4));  // stretched to (4, 2)
+    CHECK(drawn.cell[8] == Approx(4));
     CHECK(drawn.cell[9] == Approx(2));
   }
 

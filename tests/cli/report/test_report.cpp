@@ -8,7 +8,6 @@ using namespace taut::test;
 
 namespace {
 
-/// The object assigned to `name`.
 nlohmann::ordered_json assigned(const std::string& script, const std::string& name) {
   const std::string before = "globalThis." + name + " = ";
   const std::size_t begin = script.find(before);
@@ -194,10 +193,10 @@ frames = 2
     CHECK(report_of(page)["particle_scripts"][0] == "runs/0-particles.js");
     const auto data = assigned(text_of(page / "runs/0-particles.js"), "taut_particles[0]");
     CHECK(data["times"] == nlohmann::json::parse("[0.0, 0.0005, 0.001]"));
-    CHECK(data["particles"] == 8);  // of 16
+    CHECK(data["particles"] == 8);
     CHECK(data["key"]["high"] == 0.002);
     CHECK(data["low"][0].get<double>() == relative(0.002));
-    CHECK(data["high"][0].get<double>() == relative(0.007, 1e-6));  // 1 m/s for 1 ms
+    CHECK(data["high"][0].get<double>() == relative(0.007, 1e-6));
     REQUIRE(data["data"].size() == 3);
     // 8 particles × (3 × 2 + 3) bytes
     for (const auto& each : data["data"]) CHECK(each.get<std::string>().size() == 96);

@@ -55,7 +55,7 @@ TEST_SUITE("cli") {
     const std::vector<std::string> rows = lines_of(folder / "many/history.csv");
     CHECK(rows.size() > 280);
     const auto indicators = [](const std::string& row) { return row.substr(row.find(",2,") + 3); };
-    std::set<std::string> seen;  // rows repeat indicators
+    std::set<std::string> seen;
     for (std::size_t k = 1; k < rows.size(); ++k) seen.insert(indicators(rows[k]));
     CHECK(seen.size() > 150);
     CHECK(seen.size() < 203);

@@ -58,9 +58,7 @@ TEST_SUITE("cli") {
     };
     CHECK(run("often", 100) == run("seldom", 1));
     CHECK(json_of(folder / "often/run.json")["steps"].get<int>() < 50);
-    const auto leftmost = [&](const ParticleFile& file) {  // moves freely at 2 m/s
-      return std::ranges::min(file.positions(2));
-    };
+    const auto leftmost = [&](const ParticleFile& file) { return std::ranges::min(file.positions(2)); };
     const auto saved = [&](int k) {
       return ParticleFile(folder / ("often/particles/" + numbered("particles", k, "vtp")));
     };

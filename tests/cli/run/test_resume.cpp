@@ -22,7 +22,6 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-/// Includes contact.
 const Arguments long_run = {"--until", "0.1", "--history", "1e-4"};
 const Arguments with_checkpoints = {"--checkpoint-every", "0.001"};
 
@@ -176,7 +175,6 @@ normal = [0, 1]
 
   TEST_CASE("outputs between two steps have the same bytes wherever the checkpoint is") {
     const TemporaryFolder folder;
-    // several outputs per step
     const Arguments all{"--until",          "0.01",     "--frames", "1500",
                         "--save-particles", "--fields", "speed",    "--no-render"};
     REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
@@ -384,7 +382,7 @@ normal = [0, 1]
 
   TEST_CASE("the first checkpoint is written at the end of the first interval") {
     const TemporaryFolder folder;
-    std::vector<std::size_t> sizes;  // at the start and at each quarter
+    std::vector<std::size_t> sizes;
     Watch watch([&] {
       if (fs::exists(folder / "out/checkpoint.bin"))
         sizes.push_back(read_checkpoint(folder / "out/checkpoint.bin").state.size());

@@ -278,7 +278,7 @@ TEST_SUITE("unit") {
     CHECK(scene.bodies[0].clamped({0.2499, 0, 0}) == 0);
     CHECK(scene.bodies[1].shapes.at(0).as<Disc>()->radius == 0.05);
     CHECK(scene.bodies[1].shapes.at(0).as<Disc>()->centre == Point{0, 0.1, 0});
-    CHECK(scene.bodies[1].velocity[1]({}) == Approx(-7.45355992).epsilon(1e-8));  // 0.02 c0
+    CHECK(scene.bodies[1].velocity[1]({}) == Approx(-7.45355992).epsilon(1e-8));
     CHECK(scene.references.at("neo_hookean").value.at("deflection") == -0.07766);
     CHECK(scene.references.at("2d_deviator").value.at("rebound_ratio") == 0.7189);
     CHECK(particles(scene) == 2928);
@@ -347,7 +347,6 @@ TEST_SUITE("unit") {
     const Scene scene = shipped("heterogeneous-cable").scene;
     for (const char* law : {"neo_hookean", "2d_deviator"}) {
       const Solution& exact = scene.references.at(law).solution.at("stress_rmse").at(0);
-      // n masses and springs per metre
       const int n = 1000;
       const double dx = 1.0 / n, dt = 0.5 * dx / 6000, pi = std::numbers::pi;
       const auto modulus = [&](int material) {
@@ -407,7 +406,6 @@ TEST_SUITE("unit") {
         CHECK((layout.material[i] == 1) == (from_centre < 0.035));
         inner += layout.material[i];
       }
-      // ratio of areas
       CHECK(inner == Approx(layout.size() * 325.0 / 700).epsilon(0.01));
     }
   }

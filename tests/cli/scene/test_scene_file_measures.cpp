@@ -42,8 +42,7 @@ std::string scene_with(const MeasureKind& kind, const std::string& more = "") {
       "to = [2, 0.5]\npoints = 3\ntimes = [1]\n[[measure]]\nname = \"m\"\nof = \"" +
       std::string(kind.name) + "\"\n";
   for (const std::string_view key : kind.keys)
-    if (key != "axis")  // 3D only
-      measure += std::string(key) + " = " + values.at(key) + "\n";
+    if (key != "axis") measure += std::string(key) + " = " + values.at(key) + "\n";
   return small_scene + measure + more;
 }
 
@@ -161,7 +160,7 @@ TEST_SUITE("cli") {
     CHECK(sum.bodies == std::vector{0});
     CHECK(unit_of(sum, 2).empty());
     CHECK(sum.value({10, 0}, 3) == Approx(20 + 0.06 * 3 + 0.1));
-    CHECK(read_text(with("\"tip\"", "later-one")).scene.probes.size() == 2);  // not a variable
+    CHECK(read_text(with("\"tip\"", "later-one")).scene.probes.size() == 2);
     const auto refused = [&](const std::string& text, const char* message) {
       CHECK_THROWS_WITH_AS(read_text(text), doctest::Contains(message), SceneError);
     };

@@ -143,7 +143,7 @@ TEST_SUITE("cli") {
     const Words constants = words({"set", ""});
     CHECK(std::ranges::count(constants, "method.zeta=") == 1);
     CHECK(std::ranges::count(constants, "cfl=") == 1);
-    CHECK(std::ranges::count(constants, "speed=") == 0);  // fixed after the start
+    CHECK(std::ranges::count(constants, "speed=") == 0);
     CHECK(std::ranges::count(constants, "method.h=") == 0);
     CHECK(taut::cli::session_choices(session, {"save", ""}).files == "*");
     CHECK(taut::cli::session_choices(session, {"frame", ""}).files == "*.png");

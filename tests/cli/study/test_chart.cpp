@@ -19,7 +19,7 @@ namespace {
 const std::string converging =
     "finished,tl,tl,0.4,10,stable,,0.32,2,4,\n"
     "finished,tl,tl,0.2,20,stable,,0.08,2,32,\n"
-    "finished,tl,tl,0.1,40,fractured,0.5,0.5,2,256,\n"  // not part of the order
+    "finished,tl,tl,0.1,40,fractured,0.5,0.5,2,256,\n"
     "finished,tl,tl,0.05,80,stable,,0.005,2,2048,\n"
     "finished,og,og,0.4,10,stable,,0.3,2,5,\n"
     "failed,og,og,0.2,10,diverged,,,2,1,\n"
@@ -218,7 +218,7 @@ TEST_SUITE("cli") {
     CHECK(contains(script, "set xlabel 'time to solve, s'"));
     CHECK(contains(script, "set ylabel 'error of the bend, % of the reference'"));
     CHECK(contains(script, "'×') with labels offset"));
-    CHECK(contains(script, "set label 'og' at graph 1.01"));  // has runs without a value
+    CHECK(contains(script, "set label 'og' at graph 1.01"));
     CHECK_FALSE(contains(script, "set label 'tl' at graph 1.01"));
     // cost ∝ n³, error ∝ n⁻²
     CHECK(contains(script, "**(-0.6666666666666666) with lines"));

@@ -25,9 +25,8 @@ std::string record_with(const std::string& parameters) {
          parameters + "}}";
 }
 
-using NamedRuns = std::vector<std::pair<std::string, std::string>>;  // method, settings
+using NamedRuns = std::vector<std::pair<std::string, std::string>>;
 
-/// A line per run.
 HistoryPlot falling(const NamedRuns& runs, double high = 1) {
   HistoryPlot plot;
   plot.title = "A rod", plot.columns = {{"tip", "tip, m"}};

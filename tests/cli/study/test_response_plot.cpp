@@ -91,7 +91,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("references that differ between lines are drawn for each line") {
     std::vector<Row> rows = beams();
-    rows[2].reference = "0.017";  // another law
+    rows[2].reference = "0.017";
     const ResponsePlot plot = plot_of(rows, {"thickness", {"deflection"}, {"method"}});
     CHECK(names_of(plot.panels[0]) ==
           Texts{"tl", "oenog", "reference: beam theory, oenog", "reference: beam theory, tl"});

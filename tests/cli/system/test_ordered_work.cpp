@@ -61,7 +61,7 @@ TEST_SUITE("unit") {
     Gate gate;
     std::vector<int> order;
     work.add([&](int) {
-      gate.pass();  // opened by the last piece
+      gate.pass();
       return [&] { order.push_back(0); };
     });
     for (int k = 1; k < 4; ++k)

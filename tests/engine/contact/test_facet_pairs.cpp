@@ -53,7 +53,6 @@ struct Bent {
     facets.place(s, facets.nodes_of(near.order()), near.order(), 1);
   }
 
-  /// Brute force.
   template <PairsOf kind, class Wanted>
   double find(const std::vector<int>& candidates, const Wanted& wanted, Pairs& found) const {
     double beyond = limits.horizon;
