@@ -14,7 +14,7 @@ using namespace taut::test;
 
 namespace {
 
-/// File system of 64 KiB.
+/// File system of 64 KiB, if mounting is permitted.
 class TinyDisk {
  public:
   explicit TinyDisk(const fs::path& at) : at_(at) {

@@ -38,7 +38,7 @@ class Disk {
     }
   }
 
-  /// Per renamed file: whether all files were on disk, and whether it was itself.
+  /// Per renamed file: whether all files were on disk; whether the file itself was.
   std::map<std::string, std::vector<bool>> all_before, itself_before;
   std::set<std::string> lacking;
 

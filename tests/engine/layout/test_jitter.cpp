@@ -91,7 +91,7 @@ TEST_SUITE("unit") {
     const InitialParticles lattice = make_initial_particles(scene);
     scene.jitter = {0.49, 1};
     const InitialParticles moved = make_initial_particles(scene);
-    CHECK(moved.clamped == lattice.clamped);  // cells select regions
+    CHECK(moved.clamped == lattice.clamped);  // regions are selected by cells
     CHECK(moved.drive == lattice.drive);
     CHECK(moved.guided == lattice.guided);
     for (int i = 0; i < lattice.size(); ++i) {

@@ -157,7 +157,7 @@ void check_cauchy(const L& law) {
   }
 }
 
-/// Greatest deviation of P(Q F) from Q P; checks that energy and normal stress do not change.
+/// Greatest relative deviation of P(Q F) from Q P, of the energy and of the normal stress.
 template <int Dim, class L>
 double lack_of_objectivity(const L& law) {
   double lack = 0;

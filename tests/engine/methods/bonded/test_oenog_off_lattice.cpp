@@ -42,7 +42,7 @@ Scene square(int n) {
   return scene;
 }
 
-/// The particle density is that of a cubic lattice.
+/// Has the particle density of a cubic lattice.
 Scene body_centred(int n) {
   Scene scene = block(n);
   const double cell = std::cbrt(2.0) * dp;
