@@ -2,8 +2,7 @@
 //   enog/2d/threads:1         particle-steps/s, and seconds per directed pair and step, including rebuilds
 //   enog/2d/to_transcription  speed-up over the paper's transcription (tests/engine/methods/naive_*.hpp) on one
 //                             thread, best of alternating runs
-// Transcriptions evaluate every kernel and stress where the paper does. The transcription of oenog uses explicit
-// forces, not dual numbers.
+// The transcription of oenog uses explicit forces, not dual numbers.
 
 #include <algorithm>
 #include <chrono>
@@ -32,9 +31,9 @@ using namespace taut::test;
 /// Measured part of a scene's motion, in slices.
 struct Motion {
   const char* scene;
-  double from, slice;  // s
+  double from, slice;
   int slices;
-  int transcribed;  // steps of the transcription per timing
+  int transcribed;  // steps per timing
 };
 // ends before rings fracture; about 24 steps and one to three rebuilds per slice
 constexpr Motion rings{"colliding-rings", 7e-4, 1e-4, 7, 10};
@@ -50,7 +49,6 @@ SceneFile scene_of(const Subject& subject) {
   return read_scene(find_scene(motion_of(subject.dim).scene), {{"method", subject.method}});
 }
 
-/// Repeats the measured part of a simulation.
 class MeasuredPart {
  public:
   MeasuredPart(const Subject& subject, int threads) : motion_(motion_of(subject.dim)) {
@@ -67,7 +65,6 @@ class MeasuredPart {
 
   bool over() const { return done_ == motion_.slices; }
   void go_back() { simulation_->load(start_), done_ = 0; }
-  /// Returns the number of steps of the next slice.
   long advance() {
     const long before = simulation_->steps();
     simulation_->advance_to(motion_.from + ++done_ * motion_.slice);
@@ -110,7 +107,7 @@ Step steps_of(Run made) {
   return [run] { run->step(); };
 }
 
-/// One step of the transcription, which keeps a reference to `scene`.
+/// One step; keeps a reference to `scene`.
 template <int Dim>
 Step transcription(const Scene& scene, const Settings& settings) {
   const MethodInfo& method = *find_method(settings.method);
@@ -177,7 +174,7 @@ void register_methods() {
           ->Arg(2)
           ->UseRealTime()
           ->Unit(benchmark::kMillisecond);
-      if (dim == 2 || subject.method != "tl-small-strain")  // no 3D transcription
+      if (dim == 2 || subject.method != "tl-small-strain")
         benchmark::RegisterBenchmark((name + "/to_transcription").c_str(), compare_with_transcription,
                                      subject)
             ->Iterations(dim == 2 ? 5 : 3)

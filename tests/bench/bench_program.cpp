@@ -24,7 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 
-/// Waits for the end; discards standard output.
 void run_taut(Arguments arguments) {
   arguments.insert(arguments.begin(), TAUT_PROGRAM);
   std::vector<char*> raw;

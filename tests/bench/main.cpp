@@ -7,7 +7,7 @@
 #include "tests/bench/benchmarks.hpp"
 
 int main(int argc, char** argv) {
-  setenv("TAUT_SCENES", TAUT_SCENE_FOLDER, /*overwrite*/ 0);  // no scenes beside this program
+  setenv("TAUT_SCENES", TAUT_SCENE_FOLDER, /*overwrite*/ 0);
   taut::bench::register_methods();
   taut::bench::register_program();
   benchmark::Initialize(&argc, argv);

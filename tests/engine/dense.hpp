@@ -4,7 +4,7 @@
 
 namespace taut::test {
 
-/// Ascending eigenvalues of a symmetric matrix and unit eigenvectors as columns.
+/// Ascending eigenvalues, and eigenvectors as columns.
 template <int Dim>
 struct PrincipalAxes {
   Eigen::Matrix<double, Dim, 1> values;
@@ -13,7 +13,7 @@ struct PrincipalAxes {
 PrincipalAxes<2> axes_of(const Eigen::Matrix2d& symmetric);
 PrincipalAxes<3> axes_of(const Eigen::Matrix3d& symmetric);
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
-/// λ of K x = λ M x, ascending; both symmetric, M positive.
+/// λ of K x = λ M x, ascending.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& K, const Eigen::MatrixXd& M);
 
 /// U Vᵀ of A = U Σ Vᵀ.
@@ -21,9 +21,8 @@ Eigen::Matrix3d rotation_by_singular_values(const Eigen::Matrix3d& A);
 /// Q of A = Q R.
 Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& A);
 
-/// Solves A x = b with full pivoting.
 Eigen::VectorXd solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
-/// Returns an empty vector if pivots are below `threshold` of the greatest.
+/// Empty if pivots are below `threshold` of the greatest.
 Eigen::VectorXd solution_if_any(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double threshold);
 
 }  // namespace taut::test

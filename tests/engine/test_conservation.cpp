@@ -46,10 +46,9 @@ double slowed(const Snapshot& start, const Snapshot& end) {
 /// The tic methods conserve neither momentum.
 bool keeps_linear_momentum(const MethodInfo& method) { return !method.name.ends_with("tic"); }
 
-/// With tensile instability control the thin ring bursts after some 90 steps under every contact law.
+/// With tensile instability control the thin ring bursts after some 90 steps.
 int collision_steps(const MethodInfo& method) { return method.name.ends_with("tic") ? 80 : steps; }
 
-/// Least relative change of the rotating plate's angular momentum, about half of the measured one.
 const std::map<std::string, double> least_angular_change = {
     {"og", 0.03},
     {"oas", 0.01},
@@ -69,8 +68,7 @@ const std::map<std::string, double> least_angular_change = {
     {"tl-small-strain", 0.002},
 };
 
-/// Greatest relative gain in a collision. ccb is undamped in tension, pf in zigzags; tl-small-strain has the step's
-/// error.
+/// ccb is undamped in tension, pf in zigzags; tl-small-strain has the step's error.
 double greatest_energy_gain(std::string_view method) {
   if (method == "ccb") return 0.2;
   if (method == "pf") return 5;

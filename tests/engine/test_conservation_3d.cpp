@@ -18,7 +18,7 @@ namespace {
 constexpr int steps = 150;
 constexpr double round_off = 1e-13;  // of the scale, over all steps
 
-/// A block rotating about no principal axis, hit off-centre by a ball; both are perturbed.
+/// A block rotating about no principal axis is hit off-centre by a ball.
 Scene solid_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -45,7 +45,6 @@ double change(const Point& before, const Point& after) {
   return std::hypot(after[0] - before[0], after[1] - before[1], after[2] - before[2]);
 }
 
-/// Momentum of the block, kg m/s.
 double along_x(const Snapshot& now) {
   double sum = 0;
   for (std::size_t i = 0; i < now.size(); ++i)
@@ -85,8 +84,8 @@ TEST_SUITE("conservation") {
         CHECK(turn < round_off);
       else
         CHECK(turn > 1e-4);
-      // enog gains energy as its shear forces do not rotate, ccb in tension and pf in zigzags, both undamped; 0.001:
-      // penalty and its step
+      // shear forces of enog do not rotate, ccb is undamped in tension, pf in zigzags; 0.001 is for the penalty
+      // and its step
       if (method.name != "enog" && method.name != "ccb" && method.name != "pf")
         CHECK(after.kinetic + after.strain < 1.001 * before.kinetic);
     }

@@ -30,7 +30,7 @@ bool same_bytes(const Snapshot& a, const Snapshot& b) {
          same(a.diameter, b.diameter) && same(a.body, b.body) && same(a.clamped, b.clamped);
 }
 
-/// The two small scenes with probes, some of which use forces within a step.
+/// Some probes use forces within a step.
 std::vector<Scene> probed_scenes() {
   std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
   for (Scene& scene : scenes) {
@@ -61,7 +61,7 @@ TEST_SUITE("determinism") {
   TEST_CASE("threads: 1, 2 and 3 give the same bytes") {
     for_each_run([](const Scene& scene, const std::string& method) {
       Settings settings = with_method(method);
-      // one thread takes the first 16 steps, then all take at least one
+      // one thread takes the first 16 steps
       const int few = 32;
       const auto alone = make_simulation(scene, settings);
       make_steps(*alone, few);
@@ -138,7 +138,7 @@ TEST_SUITE("determinism") {
   TEST_CASE("output: 1, 10 and 100 outputs give the same bytes and the same series") {
     for_each_run([](const Scene& scene, const std::string& method) {
       const auto once = make_simulation(scene, with_method(method));
-      // between two steps, so that round-off in k/looks does not matter
+      // round-off in k/looks does not matter between two steps
       const double until = 0.5 * (state_after(steps - 1, scene, with_method(method)).time +
                                   state_after(steps, scene, with_method(method)).time);
       once->advance_to(until);

@@ -28,7 +28,7 @@ std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// Sources of all engine tests, with broken string literals joined.
+/// Joins broken string literals.
 const std::string& test_sources() {
   static const std::string text = [] {
     std::string all;
@@ -39,7 +39,7 @@ const std::string& test_sources() {
   return text;
 }
 
-/// Returns whether the header declares `name`; mentions in comments or calls do not count.
+/// Ignores comments and calls.
 bool declares(const std::string& header, const std::string& name) {
   const std::regex declaration("(^|\n)(?! *//)[^\n=]*[\\w>&] (\\w+<[^\n]*>::)?" + name +
                                " *[({]|(struct|class) " + name + "\\b");
@@ -95,7 +95,6 @@ TEST_SUITE("unit") {
   TEST_CASE("equations: every citation belongs to a term of its method") {
     for (const MethodInfo& method : methods()) {
       for (const Citation& citation : method.formulation.citations) {
-        // a paper's list serves all its methods of a family
         const auto has = [&](const MethodInfo& m) {
           return m.formulation.citations.data() == method.formulation.citations.data() &&
                  std::ranges::find(m.terms, citation.what, &TermInfo::what) != m.terms.end();

@@ -110,8 +110,7 @@ TEST_SUITE("unit") {
         const int steps = constant.name == "contact_stiffness" ? 40 : 20;
         const Snapshot usual = state_after(steps, scene, plain);
         Settings settings = plain;
-        if (constant.name == "riemann_limiter")
-          settings.constants["beta_least"] = 0;  // it has no effect at 1
+        if (constant.name == "riemann_limiter") settings.constants["beta_least"] = 0;
         settings.constants[std::string(constant.name)] = constant.value;
         const Snapshot same = state_after(steps, scene, settings);
         // less artificial stress at the surface tears the body
@@ -154,7 +153,7 @@ TEST_SUITE("unit") {
     Settings settings = with_method("enog");
     const double usual = state_after(1, scene, settings).time;
     const double h = 1.3 * scene.spacing, c0 = scene.materials[0].sound_speed();
-    const double vmax = 0.12 * c0;  // approximate: perturbations add to it
+    const double vmax = 0.12 * c0;  // perturbations add to it
     CHECK(usual == relative(0.4 * h / (c0 + vmax), 0.05));
     settings.cfl = 0.1;
     CHECK(state_after(1, scene, settings).time == relative(usual * 0.1 / 0.4));

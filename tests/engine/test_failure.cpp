@@ -29,14 +29,13 @@ Judge judged(const Scene& scene, const std::string& method, double until) {
   return judge;
 }
 
-/// Displacement of the plate's tip at every step, m.
 Series tip_until(double until, double vf, const std::string& method) {
   const auto simulation = make_simulation(oscillating_plate(vf), with_method(method));
   simulation->advance_to(until);
   return simulation->series();
 }
 
-/// Greatest distance of two methods' tips in the first 3 ms, m.
+/// In the first 3 ms.
 double greatest_distance(const Series& a, const Series& b) {
   double distance = 0;
   for (double t = 0.0001; t <= 0.003; t += 0.0001)
@@ -44,7 +43,6 @@ double greatest_distance(const Series& a, const Series& b) {
   return distance;
 }
 
-/// A free body of 0.2 m × 0.2 m, `across` particles wide.
 Scene free_square(int across) {
   Scene scene;
   scene.name = "square";
@@ -91,7 +89,7 @@ TEST_SUITE("failure") {
   }
 
   TEST_CASE("free body: uncorrected gradients resist a rotation, corrected ones do not") {
-    const double rate = 0.01, until = 2;  // 1/s, s
+    const double rate = 0.01, until = 2;
     Scene scene = free_square(10);
     scene.bodies[0].velocity = {[=](const Point& x) { return -rate * x[1]; },
                                 [=](const Point& x) { return rate * x[0]; }};
@@ -120,7 +118,7 @@ TEST_SUITE("failure") {
   }
 
   TEST_CASE("enog: compression is too stiff and shear too soft by tens of per cent") {
-    const double E = 1e6, nu = 0.3, K = E / (3 * (1 - 2 * nu)), G = E / (2 * (1 + nu)), p = 100;  // Pa
+    const double E = 1e6, nu = 0.3, K = E / (3 * (1 - 2 * nu)), G = E / (2 * (1 + nu)), p = 100;
     const auto strain = [&](const std::string& method, bool sheared) {
       Scene scene = free_square(10);
       scene.damping = 100;
@@ -157,7 +155,7 @@ TEST_SUITE("failure") {
   }
 
   TEST_CASE("plate: og and enog agree while strains are small") {
-    const double amplitude = 2.3e-3;  // m, finite elements
+    const double amplitude = 2.3e-3;  // finite elements
     const Series enog = tip_until(0.0032, 0.001, "enog"), og = tip_until(0.0032, 0.001, "og");
     CHECK(value_at(enog, 0.003) > 0.07 * amplitude);
     CHECK(greatest_distance(enog, og) < 0.002 * amplitude);
@@ -169,7 +167,7 @@ TEST_SUITE("failure") {
     const auto energy_ratio = [&](const std::string& method) {
       const auto simulation = make_simulation(scene, with_method(method));
       const Balance before = balance(simulation->snapshot(), scene);
-      make_steps(*simulation, 300);  // some 100 degrees
+      make_steps(*simulation, 300);
       const Balance after = balance(simulation->snapshot(), scene);
       return (after.kinetic + after.strain) / before.kinetic;
     };

@@ -40,7 +40,6 @@ constexpr Target table[] = {
     {"resume", read_resumed},
 };
 
-/// A temporary current folder.
 class OwnFolder {
  public:
   OwnFolder() : before_(fs::current_path()) {

@@ -10,7 +10,7 @@
 
 namespace taut::fuzz {
 
-/// One or more readers of untrusted input.
+/// Readers of untrusted input.
 struct Target {
   std::string_view name;  // and folder in corpus/ and found/
   void (*read)(std::string_view bytes);
@@ -18,7 +18,7 @@ struct Target {
 
 std::span<const Target> targets();
 
-/// Runs the target in an empty folder; accepts taut's own errors about the input.
+/// Runs the target in an empty folder; accepts taut's own errors.
 void feed(const Target& target, std::string_view bytes);
 
 /// A fault of the reader, not of the input.
@@ -35,12 +35,11 @@ void attempt(const std::function<void()>& reading);
 std::vector<std::string> parts_of(std::string_view bytes, std::size_t count);
 std::vector<std::string> lines_of(std::string_view bytes);
 
-/// Current folder of the running target.
 std::filesystem::path folder();
 std::filesystem::path write(const std::string& name, std::string_view bytes);
 
-/// Applies changes (place: 4 bytes, operation: 1, value: 8) to a valid text or state: small inputs reach deep into
-/// files.
+/// Applies changes (place: 4 bytes, operation: 1, value: 8) to a valid text or state: small inputs reach deep
+/// into files.
 std::string changed(std::string bytes, std::string_view changes);
 
 }  // namespace taut::fuzz

@@ -32,8 +32,8 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  // processor time; libFuzzer itself limits the wall-clock time
-  constexpr double most = 10;  // s
+  // processor time; libFuzzer limits the wall-clock time
+  constexpr double most = 10;
   const std::clock_t begin = std::clock();
   taut::fuzz::feed(*target, {reinterpret_cast<const char*>(bytes), size});
   const double took = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;

@@ -22,7 +22,6 @@ using namespace cli;
 
 namespace {
 
-/// Files that scenes of the corpus can name.
 void write_neighbours() {
   write("table.csv", "t,tip,x\n0,0,0\n0.5,0.1,0.5\n1,0,1\n");
   write("particles.csv", "x,y,z,volume\n0,0,0,0.01\n0.1,0,0,0.01\n0.2,0,0.1,0.01\n");

@@ -57,7 +57,7 @@ const std::string& state_of(std::size_t number) {
   return known[number];
 }
 
-/// Interrupts a run after `lines` lines of progress: at its start, at a quarter.
+/// Interrupts a run after `lines` lines of progress.
 class InterruptAfterLines : public std::streambuf {
  public:
   explicit InterruptAfterLines(int lines) : lines_(lines) {}
@@ -79,7 +79,6 @@ RunOptions run_options(const SmallScene& scene) {
   return options;
 }
 
-/// Files by name.
 const std::map<std::string, std::string>& interrupted_run() {
   static std::map<std::string, std::string> files;
   if (!files.empty()) return files;

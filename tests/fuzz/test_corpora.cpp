@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
-  std::error_code none;  // can be missing
+  std::error_code none;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
@@ -30,7 +30,7 @@ std::string bytes_of(const fs::path& path) {
 
 /// Memory only; ctest limits time.
 void limit_memory() {
-  constexpr rlim_t most = rlim_t{1} << 30;  // bytes
+  constexpr rlim_t most = rlim_t{1} << 30;
   const rlimit limit{most, most};
   ::setrlimit(RLIMIT_DATA, &limit);
 }

@@ -37,7 +37,6 @@ std::string without_slashes(std::string text) {
   return text;
 }
 
-/// Interrupts long stepping.
 void run_line(Session& session, const std::string& line, const Dialogue& to) {
   const Interrupts interrupts;
   std::istringstream words(line);
@@ -47,7 +46,6 @@ void run_line(Session& session, const std::string& line, const Dialogue& to) {
   run_session_line(session, line, {to.out, interrupts, to.progress});
 }
 
-/// Includes all checks that precede a run.
 std::function<int(Streams)> declare_plan(Options& command) {
   auto options = std::make_shared<RunOptions>();
   options->scene = "small.toml";
@@ -171,7 +169,7 @@ void read_text(std::string_view bytes) {
   for (const std::string& quoted : {plot_text(text), data_text(text)})
     expect(std::ranges::none_of(quoted, [](char c) { return c == '\n' || c == '\r' || c == '\0'; }),
            "a line break in a script of gnuplot");
-  constexpr std::string_view quote = "'.\"\\047\".'";  // in a string of gnuplot
+  constexpr std::string_view quote = "'.\"\\047\".'";  // in a gnuplot string
   std::string drawn = plot_text(text);
   for (std::size_t at = 0; (at = drawn.find(quote, at)) != std::string::npos;) drawn.erase(at, quote.size());
   expect(std::ranges::count(drawn, '\'') == 2 && drawn.front() == '\'' && drawn.back() == '\'',

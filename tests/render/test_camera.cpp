@@ -50,11 +50,10 @@ TEST_SUITE("unit") {
     const Projection parallel({.from = {0, -1, 0}}, view), perspective(camera, view);
     check_near(parallel({0.3, 0.7, 0.4}).at, {0.3, 0.4, -0.7});
     check_near(perspective({0.3, -0.25, 0.4}).at, {0.3, 0.4, 0.25});
-    // the camera is 1 m from the front plane
     const Projection::Projected seen = perspective({0.3, 0.75, 0.4});
     CHECK(seen.scale == Approx(0.5));
     check_near(seen.at, {0.15, 0.5 - 0.05, -0.75});
-    CHECK(perspective({0, -2, 0}).scale < 0);  // behind the camera
+    CHECK(perspective({0, -2, 0}).scale < 0);
   }
 
   TEST_CASE("a short vector is projected like the difference of its ends") {

@@ -40,7 +40,7 @@ TEST_SUITE("image") {
                                                   {{0.5, 3}, 1, 1, 0.5},
                                                   {{0.5, 3}, 1, 0.5, 0.375},
                                                   {{-0.5, 2.5}, 1, 1, 0.5},
-                                                  {{0, 4}, 0, 0, 0},  // all on one side
+                                                  {{0, 4}, 0, 0, 0},
                                                   {{2, 4}, 0, 2, 0},
                                                   {{-3, 3}, 0, -3, 0},
                                                   {{-3, 3}, 0, 1.5, 0.75}}) {
@@ -55,9 +55,9 @@ TEST_SUITE("image") {
       const int row = layout.key.y + static_cast<int>(std::lround((1 - share) * (layout.key.height - 1)));
       const Rgb color = coolwarm.at(t);
       for (const Rgb& seen : {color_at(image, unit_view, 0, 0), image.at(layout.key.x + 4, row)})
-        for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(seen[k] - color[k]) <= 3);  // 256 colours
+        for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(seen[k] - color[k]) <= 3);
     }
-    Look with = look(100, 100, unit_view);  // spans the whole range
+    Look with = look(100, 100, unit_view);
     with.range = {-1, 4};
     CHECK(color_at(picture(particle(0, 0, 0.4, -1), with), unit_view, 0, 0) == with.colormap->at(0));
   }
@@ -114,7 +114,7 @@ TEST_SUITE("image") {
     CHECK(key_of(some).other > 30);
     CHECK(key_of(some).at_edge == 0);
     CHECK(key_of(none).swatch + key_of(none).other == 0);
-    CHECK(key_of(picture(particle(9, 0, 0.1, NAN), with)).swatch == 0);  // outside
+    CHECK(key_of(picture(particle(9, 0, 0.1, NAN), with)).swatch == 0);
     int elsewhere = 0;
     for (int row = 0; row < below.y; ++row)
       for (int column = layout.plot.x + layout.plot.width; column < 640; ++column)
@@ -149,7 +149,7 @@ TEST_SUITE("image") {
       return picture(particle(0, 0, 0.1, 0), with);
     };
     const Image image = drawn(20, "a");
-    CHECK_FALSE(image == drawn(25, "a"));  // 13 and 18 more
+    CHECK_FALSE(image == drawn(25, "a"));
     const auto left_of_legend = [](const Image& of) {
       int column = of.width / 2;
       while (of.at(column, 30) == white) ++column;
@@ -171,7 +171,7 @@ TEST_SUITE("image") {
       Renderer renderer(of_both);
       const Image method = renderer.draw(with);
       CHECK_FALSE(method == Image(renderer.draw(without)));
-      CHECK_FALSE(method == Image(renderer.draw(other)));  // differs in the last letter
+      CHECK_FALSE(method == Image(renderer.draw(other)));
     }
   }
 }

@@ -50,7 +50,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("colours between the stops match the published table") {
-    // viridis has 256 colours; interpolated stops stay within 3 levels of them
+    // viridis has 256 colours; interpolated stops stay within 3 levels
     struct Entry {
       int index;
       Rgb color;

@@ -146,10 +146,10 @@ TEST_SUITE("image") {
     panel.draw(0, 0, one_disc(disc, 0));
     const Image& image = panel.finish();
     const Found found = find_color(image, {68, 1, 84}, image.width);
-    CHECK(found.right - found.left > 60);  // a fifth of the view
+    CHECK(found.right - found.left > 60);
     int bright = 0;
     for (int row = 0; row < image.height; ++row)
       for (int column = 0; column < image.width; ++column) bright += image.at(column, row)[0] > 100;
-    CHECK(bright == 0);  // no texts
+    CHECK(bright == 0);
   }
 }

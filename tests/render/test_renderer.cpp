@@ -94,7 +94,7 @@ TEST_SUITE("image") {
       CHECK(in_legend > 20);
     }
     with.categories.assign(100, "one of many");
-    CHECK(extent(drawn(three, with)).height < 360);  // some entries left out
+    CHECK(extent(drawn(three, with)).height < 360);
   }
 
   TEST_CASE("on a dark background texts are light, and no white remains") {
@@ -121,7 +121,7 @@ TEST_SUITE("image") {
           light += color[0] > 200 && color[2] > 200;
           lighter += color[0] > 240 && color[2] > 240;
         }
-      CHECK(light > 100);  // texts
+      CHECK(light > 100);
       CHECK(lighter == 0);
     }
   }
@@ -140,7 +140,7 @@ TEST_SUITE("image") {
           if (image.at(column, row) != white) return false;
       return true;
     };
-    const int above = layout.plot.y - 8;  // the bar's first number reaches higher than the bar
+    const int above = layout.plot.y - 8;  // the bar's first number rises above the bar
     const Rect title{layout.plot.x, 0, 200, above}, time{440, 0, 200, above},
         foot{0, layout.plot.y + layout.plot.height, 300, 360 - layout.plot.y - layout.plot.height};
     for (const auto& [place, parts] : {std::pair{title, TextParts{.title = false, .method = false}},
@@ -187,14 +187,14 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("an empty frame in 3D is white") {
-    // If libGL comes before OSMesa in the link line, OpenGL does nothing, and reports no error.
+    // OpenGL silently does nothing if libGL precedes OSMesa in the link line.
     Look with = look(160, 100, unit_view);
     with.camera.emplace();
     FrameView frame;
     frame.dim = 3;
     Renderer renderer(with);
     Image& image = const_cast<Image&>(renderer.draw(frame));
-    // new images are white already
+    // new images are white
     std::fill(image.pixels.begin(), image.pixels.end(), 7);
     renderer.draw(frame);
     CHECK(image == Image(160, 100));
@@ -231,7 +231,7 @@ TEST_SUITE("image") {
   TEST_CASE("a disc is round, has its size and is smooth at its rim") {
     const Image image = drawn(one_disc(0.1, 0, 1.0, 0), look(200, 100, unit_view));
     const Rect rect = extent(image);
-    CHECK(rect.width == 50);  // half of the view's height
+    CHECK(rect.width == 50);
     CHECK(rect.height == 50);
     double area = 0;
     for (int row = 0; row < 100; ++row) {
@@ -318,7 +318,7 @@ TEST_SUITE("image") {
   TEST_CASE("neighbours too small for gaps look solid") {
     Particles particles;
     for (int i = -20; i <= 20; ++i) {
-      for (int j = -20; j <= 20; ++j) particles.add(0.037 * i, 0.037 * j, 0.037, 0);  // 1.85 pixels
+      for (int j = -20; j <= 20; ++j) particles.add(0.037 * i, 0.037 * j, 0.037, 0);
     }
     const Image image = drawn(particles, look(100, 100, unit_view));
     for (int row = 30; row < 70; ++row) {

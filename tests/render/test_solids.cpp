@@ -34,7 +34,6 @@ struct Bodies {
 
 const Camera along_y{.from = {0, -1, 0}};
 
-/// The plot fills the picture.
 Look bare(const Camera& camera, int width = 200, int height = 200) {
   Look with = look(width, height, unit_view);
   with.camera = camera;
@@ -151,7 +150,7 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("a box of cells is a closed surface") {
-    // outer cells of 12³, sheared: seen along y 0.96 wide, leaning by 0.24
+    // outer cells of 12³, sheared
     Bodies box;
     const int n = 12;
     const double dp = 0.08;
@@ -195,7 +194,7 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("a hollow between bodies is darker than an open face") {
-    Bodies bodies;  // a floor and a tower
+    Bodies bodies;
     for (int i = -10; i <= 10; ++i)
       for (int j = -10; j <= 10; ++j) {
         bodies.add({0.09 * i, 0.09 * j, 0}, 0.09, 0.5);
@@ -206,14 +205,13 @@ TEST_SUITE("image") {
     bodies.add({0, 0, 0.25}, 0.4, 0.5);
     bodies.add_cell({0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4});
     const Image covered = drawn(bodies, bare(above));
-    CHECK(covered.at(124, 100)[1] < open.at(124, 100)[1] - 10);  // beside the tower
+    CHECK(covered.at(124, 100)[1] < open.at(124, 100)[1] - 10);
     CHECK(covered.at(170, 100) == open.at(170, 100));
     const Rgb base = find_colormap("viridis")->table()[128];
     CHECK(hue_difference(covered.at(124, 100), base) <= 2);
   }
 
   TEST_CASE("a 3D picture drawn in bands is like one drawn at once") {
-    // several bands, and one
     const Bodies bodies = lattice(9);
     const Image small = drawn(bodies, bare({}, 2000, 1200)), large = drawn(bodies, bare({}, 4000, 2400));
     double greatest = 0;

@@ -53,7 +53,7 @@ TEST_SUITE("image") {
   TEST_CASE("a wall in 2D is a line along its face, with strokes only behind it") {
     struct Case {
       WallFace wall;
-      Rect behind, before;  // 100 pixels per metre, y upwards
+      Rect behind, before;  // 100 pixels per metre
     };
     for (const Rgb background : {white, Rgb{0, 0, 0}}) {
       for (const auto& [wall, behind, before] :
@@ -81,7 +81,7 @@ TEST_SUITE("image") {
     there.walls[0].at[0] = 0.1;
     there.x[0] = 0.1;
     const Image a = drawn(here, bare(2)), b = drawn(there, bare(2));
-    int greatest = 0;  // rounding
+    int greatest = 0;
     for (int row = 0; row < 200; ++row)
       for (int column = 10; column < 200; ++column)
         greatest = std::max(greatest, std::abs(a.at(column - 10, row)[0] - b.at(column, row)[0]));
@@ -135,7 +135,6 @@ TEST_SUITE("image") {
 
   TEST_CASE(
       "a wall in 3D is a grid on its face that hides objects behind it and is hidden by objects before it") {
-    // camera perpendicular to the face
     const auto center = [](double y) { return WallFace{{0, y, 0}, {0, -1, 0}}; };
     for (const Rgb background : {white, Rgb{0, 0, 0}}) {
       Scene behind(3, center(0.5)), before(3, center(-0.5)), none(3, center(0));
@@ -177,7 +176,7 @@ TEST_SUITE("unit") {
         for (const Vector& end : {from, to}) {
           const Vector d{end[0] - wall.at[0], end[1] - wall.at[1], end[2] - wall.at[2]};
           CHECK(dot(d, normal) == Approx(0).scale(1).epsilon(1e-12));
-          const double cells = dot(d, d) / (0.25 * 0.25);  // p² + q²
+          const double cells = dot(d, d) / (0.25 * 0.25);
           CHECK(cells == Approx(std::round(cells)).epsilon(1e-9));
         }
     }

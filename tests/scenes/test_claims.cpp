@@ -22,7 +22,7 @@ void check_quick_claims(const std::string& paper) {
 }  // namespace
 
 TEST_SUITE("failure") {
-  // those of the other papers take minutes; test_statements.cpp checks their verdicts on coarser scenes
+  // the other papers' claims take minutes; see test_statements.cpp
   TEST_CASE("the quick claims of Lee2016 have their recorded state") { check_quick_claims("Lee2016"); }
   TEST_CASE("the quick claims of Zhang2020 have their recorded state") { check_quick_claims("Zhang2020"); }
 

@@ -14,7 +14,7 @@ namespace {
 
 struct Documented {
   std::string verdict;
-  std::string until;  // s; empty: the whole run
+  std::string until;  // empty: the whole run
 };
 
 Documented documented(const std::string& scene) {

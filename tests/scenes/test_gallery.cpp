@@ -34,7 +34,6 @@ SceneFile read(const fs::path& scene, const std::string& spacing = {}) {
   return file;
 }
 
-/// Values of the probes of a scene at `until`, s.
 std::vector<double> values_at(double until, const char* name, const char* method) {
   const SceneFile file = read_scene(gallery / name, {{"method", method}});
   const auto simulation = make_simulation(file.scene, file.settings);
@@ -78,7 +77,6 @@ TEST_SUITE("analytic") {
     simulation->advance_to(file.scene.until);
     const Series& series = simulation->series();
     const auto& [t, y] = std::tie(series.time, series.value[0]);
-    // mean over whole periods
     double level = 0, period = 0;
     int crossings = 0;
     for (std::size_t i = 1; i < t.size(); ++i) level += (y[i] + y[i - 1]) / 2 * (t[i] - t[i - 1]) / t.back();
@@ -138,7 +136,7 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("failure") {
   TEST_CASE("gallery: tension resists a lateral force with oenog, and hardly with enog") {
-    // a clamped beam under tension, for small strains: E' I = E h³/12/(1 − ν²)
+    // a clamped beam under tension: E' I = E h³/12/(1 − ν²)
     const double E = 1e7 / (1 - 0.09), L = 0.4, h = 0.01, strain = 0.05, Q = 55, T = E * h * strain;
     const double deflection = Q / (2 * T) * ((1 + strain) * L / 4 - std::sqrt(E * h * h * h / 12 / T));
     CHECK(values_at(0.55, "tensioned-strip.toml", "oenog")[0] == relative(deflection, 0.1));
@@ -147,7 +145,7 @@ TEST_SUITE("failure") {
 
   TEST_CASE("gallery: a column buckles at Euler's load with oenog, and not with enog") {
     const double E = 1e7 / (1 - 0.09), L = 0.4, h = 0.02, pi = 3.14159265358979;
-    const double load = 4 * pi * pi * E * h * h * h / 12 / (L * L);  // N/m
+    const double load = 4 * pi * pi * E * h * h * h / 12 / (L * L);
     const std::vector<double> oenog = values_at(0.7, "pressed-column.toml", "oenog"),
                               enog = values_at(0.7, "pressed-column.toml", "enog");
     CHECK(oenog[0] > h);

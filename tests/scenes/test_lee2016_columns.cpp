@@ -83,7 +83,6 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
 
 const Setting smoothed_J{"method.eps_J4", "0.125"};
 
-/// RMS distance of two runs' particles, m.
 double apart(const Run& a, const Run& b) {
   double sum = 0;
   for (std::size_t k = 0; k < a.end.x.size(); ++k) sum += std::pow(a.end.x[k] - b.end.x[k], 2);

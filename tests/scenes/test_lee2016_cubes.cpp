@@ -43,7 +43,7 @@ struct Run {
   double off(const std::string& name) const { return value(name) - *measure.at(name).reference; }
 };
 
-/// Alternating part over the whole pressure, of particles that start beyond x, m.
+/// Alternating part over the whole pressure, of particles that start beyond x.
 class PressureNoise {
  public:
   PressureNoise(const Snapshot& start, double spacing, double beyond)
@@ -123,11 +123,10 @@ const std::vector<std::string> with_jst = {"pf-jst", "pfj-jst", "pfhj-jst"};
 TEST_SUITE("failure") {
   // §8.1, Fig. 3, 4
   TEST_CASE("cable in 3D: waves arrive on time, and harmonic dissipation removes only overshoots") {
-    const double displacement = 2.5e-3, speed = 5;  // m, m/s
+    const double displacement = 2.5e-3, speed = 5;
     double before = speed;
     for (const std::string eps : {"0", "0.03125", "0.125"}) {
       CAPTURE(eps);
-      // the wave is half-way back
       const Run cable = run("cable-3d", "pf-jst", {{"method.eps_v2", eps}, {"until", "0.004"}});
       CHECK(cable.value("end_rmse") < 0.05 * displacement);
       const double beyond = std::max(cable.value("overshoot"), -cable.value("undershoot")) - speed;
@@ -156,7 +155,7 @@ TEST_SUITE("failure") {
     CHECK(*free.kept.angular_momentum > 1e-6);
   }
 
-  // Corner errors after one and three turns: pf-jst 2.5 % and 6.5 %, oenog 1.3 % and 4.0 %.
+  // Errors after one and three turns: pf-jst 2.5 % and 6.5 %, oenog 1.3 % and 4.0 %.
   TEST_CASE("spinning cube: with ten particles along a side the corner follows finite elements") {
     for (const std::string method : {"pf-jst", "oenog"}) {
       CAPTURE(method);
@@ -169,7 +168,7 @@ TEST_SUITE("failure") {
   // §8.4, Fig. 9 to 11
   TEST_CASE(
       "tensile cube: tl and pf without dissipation zigzag, and methods with dissipation do not and agree") {
-    const double height = 0.26;  // m
+    const double height = 0.26;
     const Run first = run("tensile-cube", "pf-jst");
     for (const std::string& method : with_jst) {
       CAPTURE(method);
@@ -193,9 +192,9 @@ TEST_SUITE("failure") {
     }
   }
 
-  // With the same ε₄ dp³ the error stays at 10 % for half, a third and a quarter of the spacing.
+  // With the same ε₄ dp³ the error stays at 10 %.
   TEST_CASE("tensile cube: the dissipation of 8³ makes the top return early at half the spacing too") {
-    const double height = 0.26;  // m
+    const double height = 0.26;
     const Run fine =
         run("tensile-cube", "pf-jst", {{"spacing", "1/14"}, {"method.eps_v4", "1"}, {"until", "0.0021"}});
     CHECK(fine.off("top_2100us") > 0.09 * height);
@@ -203,10 +202,10 @@ TEST_SUITE("failure") {
     CHECK(std::abs(fine.off("top_580us")) < 0.02 * height);
   }
 
-  // §8.5, Fig. 13, 14. Particles separate at the punch's edge. {p, F, H, J} equals {p, F, J} for neo-Hookean.
+  // §8.5, Fig. 13, 14. {p, F, H, J} equals {p, F, J} for neo-Hookean.
   TEST_CASE(
       "coining: at 46 % of its height pf has a pressure checkerboard, methods with dissipation have none") {
-    const double beyond = 0.015;             // half a punch from its edge, m
+    const double beyond = 0.015;             // half a punch from its edge
     const double least_volume = 1 - 0.0285;  // finite elements, at 0.12 ms
     const Run rough = run("coining", "pf", {}, beyond), other = run("coining", "oenog");
     CHECK(std::abs(other.volume - least_volume) < 0.005);

@@ -62,7 +62,6 @@ struct Whole {
 /// Order p of an error ∝ spacing^p.
 double order(double coarse, double fine, double ratio) { return std::log(coarse / fine) / std::log(ratio); }
 
-/// The right ring is shifted by `across`, m.
 SceneFile askew_rings(double spacing, double across) {
   SceneFile file = scene("colliding-rings", spacing);
   for (Shape& shape : file.scene.bodies.at(1).shapes) shape.shift(1, across);
@@ -86,7 +85,7 @@ Judge judged(const SceneFile& file) {
 
 TEST_SUITE("convergence") {
   TEST_CASE("ringing ring: the period of oenog converges to the exact one with order 1.5 at least") {
-    const double exact_period = 10.40371e-3;  // s
+    const double exact_period = 10.40371e-3;
     const auto error = [exact_period](double spacing) {
       return Whole(scene("ringing-ring", spacing)).measured("period") / exact_period - 1;
     };
@@ -107,8 +106,8 @@ TEST_SUITE("convergence") {
       CHECK(order(coarse.measured(line), fine.measured(line), 2) > 1);
     }
     for (const Whole* rings : {&coarse, &fine}) {
-      // surfaces touch at the same time for any spacing
-      CHECK(std::abs(rings->measured("touch_time") - 0.01 / (2 * 7.071068)) < 1e-7);  // s
+      // for any spacing
+      CHECK(std::abs(rings->measured("touch_time") - 0.01 / (2 * 7.071068)) < 1e-7);
       CHECK(rings->measured("mirror_asymmetry") == 0);
     }
     CHECK(std::abs(fine.measured("rebound_ratio") / 0.8107 - 1) < 0.005);
@@ -153,11 +152,11 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("colliding rings: the contact of oenog never pulls") {
-    // the left ring moves right: a push never increases its speed
+    // a push never increases the left ring's speed
     for (const double spacing : {0.002, 0.001}) {
       const Whole rings(scene("colliding-rings", spacing));
       const std::vector<double>& speed = rings.probe("speed");
-      double pulled = 0;  // m/s, per step
+      double pulled = 0;
       for (std::size_t k = 1; k < speed.size(); ++k) pulled = std::max(pulled, speed[k] - speed[k - 1]);
       CHECK(pulled < 1e-12 * speed.front());
       CHECK(speed.back() < -0.7 * speed.front());
@@ -176,7 +175,7 @@ TEST_SUITE("failure") {
     CHECK(fast("pf-jst", 0.001).verdict() < Verdict::penetrated);
     const Judge tl = fast("tl", 0.001);
     REQUIRE(tl.since().contains(Verdict::penetrated));
-    CHECK(std::abs(tl.since().at(Verdict::penetrated) - 4.15e-3) < 0.1e-3);  // s
+    CHECK(std::abs(tl.since().at(Verdict::penetrated) - 4.15e-3) < 0.1e-3);
   }
 
   TEST_CASE(
@@ -204,7 +203,6 @@ TEST_SUITE("failure") {
     for (const char* method : {"pf-jst", "pfj-jst"}) {
       CAPTURE(std::string(method));
       CHECK(fastest(method, "0.8", "0").verdict() < Verdict::penetrated);
-      // shock dissipation removes zigzags
       CHECK(name(fastest(method, "0.8", "0.125").verdict()) == "stable");
       CHECK(name(fastest(method, "1.05", "0.125").verdict()) == "stable");
     }

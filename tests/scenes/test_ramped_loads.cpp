@@ -19,8 +19,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A clamped beam at rest, loaded from 0 during T by a shear traction or its weight. Its first energies are near
-/// round-off.
+/// A clamped beam, loaded from 0 during T by a traction or its weight. Its first energies are near round-off.
 constexpr const char* beam = R"(
 title = "Beam at rest under a ramped load"
 spacing = "0.002"
@@ -48,7 +47,6 @@ class Beam {
   explicit Beam(const std::string& load) {
     std::ofstream(folder_ / "beam.toml") << (load == weight ? load + beam : beam + load);
   }
-  /// Verdict of a run up to time `until`, s, that is judged after every `each` steps.
   Verdict verdict(const std::vector<Setting>& settings, double until = 2e-4, int each = 1) const {
     SceneFile file = read_scene(folder_ / "beam.toml", settings);
     file.settings.threads = 1;

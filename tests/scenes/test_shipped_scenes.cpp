@@ -29,7 +29,7 @@ namespace {
 struct Outcome {
   std::map<std::string, std::optional<double>> measure;
   Balance start, end;
-  double reached = 0;  // s
+  double reached = 0;
   bool diverged = false;
 };
 
@@ -89,7 +89,7 @@ TEST_SUITE("convergence") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("elastic cable: d-ulsph-r-tic is no farther from the exact solution than published") {
-    // here: 4.55e-4 and 2.35e-4 m; published: [Khayyer2024] Table 3(a)
+    // here: 4.55e-4 and 2.35e-4 m
     for (const auto& [spacing, published] : {std::pair(0.05, 4.88234e-4), {0.025, 2.44817e-4}}) {
       const auto cable = run("elastic-cable", "d-ulsph-r-tic", spacing, 0.01, {});
       REQUIRE(cable.measure.at("end_rmse"));
@@ -115,7 +115,6 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("elastic cable: the end of oenog follows the exact solution") {
-    // returns within 4.5e-3 s
     const Outcome cable = run("elastic-cable", "oenog", 0.1, 5e-3);
     REQUIRE(cable.measure.at("end_rmse"));
     CHECK(*cable.measure.at("end_rmse") < 1e-4);
@@ -160,7 +159,7 @@ TEST_SUITE("conservation") {
   TEST_CASE("rotating plate: oenog conserves the angular momentum over three turns to round-off") {
     const Outcome plate = run("rotating-plate", "oenog", 0.1);
     const double start = plate.start.angular_momentum[2];
-    REQUIRE(start > 19000);  // ω ρ/6 = 19250 kg m²/s, slightly less on a lattice
+    REQUIRE(start > 19000);  // ω ρ/6 = 19250, slightly less on a lattice
     CHECK(plate.reached >= 0.2);
     CHECK(std::abs(plate.end.angular_momentum[2] / start - 1) < 1e-12);
   }
@@ -168,7 +167,7 @@ TEST_SUITE("conservation") {
 
 TEST_SUITE("failure") {
   TEST_CASE("rotating plate: enog gains angular momentum until the plate diverges or doubles its energy") {
-    // its shear forces do not rotate with the material
+    // its shear forces do not rotate
     const Outcome early = run("rotating-plate", "enog", 0.04, 0.015);
     CHECK(early.end.angular_momentum[2] > 1.01 * early.start.angular_momentum[2]);
     const Outcome late = run("rotating-plate", "enog", 0.04, 0.09);

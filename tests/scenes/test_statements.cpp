@@ -26,7 +26,7 @@ struct Statement {
   const char* scene;
   const char* method;
   std::map<std::string, std::string> set;
-  double until;  // s
+  double until;
   Verdict published;
   /// Verdict here, if it differs.
   std::optional<Verdict> here = {};
@@ -72,13 +72,13 @@ const std::vector<Statement> statements = {
     // smooth as published, but the energy doubles
     {"Zhang2024 Fig. 20", "ball-plate", "enog", {{"v0", "0.12"}}, 0.04, stable, diverged},
 
-    // 3D, coarser: 4 particles across the balls' walls, 3 across the plates
+    // coarser: 4 particles across the balls' walls, 3 across the plates
     {"Zhang2024 Fig. 9", "oscillating-plate-3d", "enog", {{"side", "0.2"}}, 0.01, stable},
     {"Zhang2024 Fig. 16", "colliding-balls", "enog", {{"spacing", "0.0025"}}, 0.007, stable},
     {"Zhang2024 Fig. 21", "ball-plate-3d", "enog", {{"spacing", "0.0066667"}}, 0.015, stable},
 
     {"Khayyer2024 Fig. 9", "rotating-plate", "d-ulsph-r-tic", {}, 0.15, stable},
-    // just stable with ∇u at mid-step; zigzags with ε = 0.12, dp = 0.02, or ∇u at the start of the step, as printed
+    // just stable with ∇u at mid-step; zigzags with ∇u at the start of the step, as printed
     {"Khayyer2024 Fig. 9, (0.15, 8)", "rotating-plate", "d-ulsph-r-as", {}, 0.15, hourglass, stable},
     {"Khayyer2024 Fig. 9, (0.15, 8), as printed",
      "rotating-plate",

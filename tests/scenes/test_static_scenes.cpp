@@ -69,7 +69,7 @@ Rest run(const SceneFile& file) {
   return rest;
 }
 
-/// Errors of σ_rθ at small strains, relative.
+/// Relative errors of σ_rθ at small strains.
 struct ShearError {
   double rms = 0, worst = 0;
 };
@@ -94,7 +94,7 @@ ShearError shear_error(const std::string& method, double spacing) {
   return {std::sqrt(difference / size), worst};
 }
 
-/// Tip (x, y) over L of theta'' = −a cos theta, theta(0) = 0, theta'(1) = 0, y downwards, by shooting (Runge–Kutta).
+/// Tip (x, y) over L of theta'' = −a cos theta, theta(0) = 0, theta'(1) = 0, y downwards, by shooting.
 std::array<double, 2> elastica(double a) {
   using State = std::array<double, 4>;  // theta, theta', x, y
   const auto rate = [a](const State& s) {
@@ -173,7 +173,6 @@ TEST_SUITE("analytic") {
     const Rest without = run(scene("loaded-square", "tl-small-strain", 2.5e-5, {{"method.normalised", "0"}}));
     CHECK(without.error("displacement_rmse") > 0.05);
     CHECK(without.error("displacement_error") > 0.3);
-    // linear: independent of the load
     const Rest heavy = run(scene("loaded-square", "tl-small-strain", 2.5e-5, {{"load", "64"}}));
     CHECK(heavy.value("displacement_rmse") == Approx(with.value("displacement_rmse")).epsilon(1e-5));
   }

@@ -47,7 +47,6 @@ TEST_SUITE("cli") {
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.out, "0 of 24 runs are done"));
     CHECK(lines_of(folder / "rings/results.csv").size() == 25);
-    // highest speed below the first unstable one
     for (const std::string method : {"og", "oas", "enog"}) {
       std::string limit = "none";
       const auto results = json_of(folder / "rings/results.json");

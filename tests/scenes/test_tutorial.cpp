@@ -15,13 +15,12 @@ using namespace taut::test;
 
 namespace {
 
-/// A command and the exit code announced in its comment.
 struct PageCommand {
   std::string line;
   int code = 0;
 };
 
-/// Follows a page: writes the files of its fenced blocks and runs its commands.
+/// Writes the files of a page's fenced blocks and runs its commands.
 class Reader {
  public:
   explicit Reader(const fs::path& page) : text_(text_of(page)) {}

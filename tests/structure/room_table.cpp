@@ -6,7 +6,7 @@
 namespace taut::test {
 namespace {
 
-/// Empty for lines that are no table row.
+/// Empty unless the line is a table row.
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
   if (!line.starts_with('|')) return cells;

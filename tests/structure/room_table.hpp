@@ -10,11 +10,11 @@ namespace taut::test {
 struct RoomRow {
   std::vector<std::string> names;  // "terms/", "simulation.hpp", "colormap" (.hpp and .cpp)
   std::vector<std::string> may_include;
-  bool all_above = false;  // the rows above
+  bool all_above = false;
 };
 
-/// First table of a README.md with a column "may include", lowest room first. Only files of one row can include each
-/// other.
+/// First table of a README.md with a column "may include", lowest room first. Only files of one row can include
+/// each other.
 ///
 ///     | room | what for | may include |
 ///     |---|---|---|
@@ -25,7 +25,7 @@ class RoomTable {
   static std::optional<RoomTable> read(const std::string& markdown);
 
   const std::vector<RoomRow>& rows() const { return rows_; }
-  /// Longest matching name; empty if none matches.
+  /// Longest matching name, or empty.
   std::string room_of(std::string_view file) const;
   std::size_t row_of(std::string_view room) const;
   bool allows(const std::string& from, const std::string& to) const;

@@ -10,10 +10,9 @@ using namespace taut::test;
 
 namespace {
 
-/// Lines of a comment block, without the slashes.
+/// Lines without the slashes.
 using Block = Texts;
 
-/// Blocks of lines that begin with slashes.
 std::vector<Block> comment_blocks(const std::string& text) {
   static const std::regex comment(R"(\s*///?<?\s?(.*))");
   std::vector<Block> blocks{{}};
@@ -29,7 +28,6 @@ std::vector<Block> comment_blocks(const std::string& text) {
   return blocks;
 }
 
-/// Names of the test cases and their parts.
 Texts test_names(const std::string& text) {
   static const std::regex name(R"re((?:TEST_CASE|SUBCASE)\(\s*"((?:[^"\\]|\\.)*))re");
   Texts names;
@@ -38,17 +36,35 @@ Texts test_names(const std::string& text) {
   return names;
 }
 
-/// A sentence that does not begin with its subject, behind a prefix such as "judge: ".
+/// A prefix such as "judge: " is skipped.
 bool lacks_subject(const std::string& text) {
   static const std::regex opening(R"(([a-z0-9 -]+: )?(What|Of|Who|Whose|Whom|what|of|who|whose|whom)\b.*)");
   return std::regex_match(text, opening);
+}
+
+/// Numbers of the lines that end inside a phrase of a literal; raw literals of several lines are skipped.
+std::vector<int> broken_phrases(const std::string& text) {
+  static const std::regex first(R"re(.*"\s*(//.*)?)re"), second(R"re(\s*R?".*)re"), raw(R"re(R"(\w*)\()re"),
+      whole(R"re(.*(\\n|[.,;:!?)])( |'|\\")*"\s*(//.*)?)re");
+  std::vector<int> found;
+  std::istringstream lines(text);
+  std::string line, last, end;
+  for (int number = 0; std::getline(lines, line); ++number, last = line) {
+    if (end.empty() && std::regex_match(last, first) && std::regex_match(line, second) &&
+        !std::regex_match(last, whole))
+      found.push_back(number);
+    std::smatch opening;
+    if (end.empty() && std::regex_search(line, opening, raw)) end = ")" + opening.str(1) + "\"";
+    if (line.find(end) != std::string::npos) end.clear();
+  }
+  return found;
 }
 
 bool is_generated(const std::string& document) {
   return document == "scenes/LANGUAGE.md" || document.starts_with("scenes/studies/results/");
 }
 
-/// A line of a document that should be broken: no row of a table, no code, no link that fills it.
+/// No row of a table, no code, no link.
 bool is_running_text(const std::string& line) {
   return !line.starts_with('|') && !line.starts_with("    ") && line.find("](") == std::string::npos;
 }
@@ -66,6 +82,9 @@ TEST_SUITE("structure") {
     CHECK(blocks == std::vector<Block>{{"One.", "Two."}, {"Three."}});
     CHECK(test_names("TEST_CASE(\n      \"a \\\"name\\\" here\" \"rest\") SUBCASE(\"b\")") ==
           Texts{"a \\\"name\\\" here", "b"});
+    const std::string broken =
+        "a(\"one \"  // word\n  \"phrase, \"\n  \"clause\\n\"\n  R\"(b = \"c\"\n  \"d\")\");\n";
+    CHECK(broken_phrases(broken) == std::vector<int>{1});
     CHECK(is_running_text("plain"));
     CHECK_FALSE(is_running_text("| cell |"));
   }
@@ -87,6 +106,13 @@ TEST_SUITE("structure") {
           CHECK_FALSE(lacks_subject(name));
         }
       }
+  }
+
+  TEST_CASE("prose: string literals continue on the next line only after a line, a sentence or a clause") {
+    for (const std::string part : {"engine", "render", "cli", "tests"})
+      for (const std::string& source : sources_below(top / part))
+        for (const int line : broken_phrases(text_of(top / part / source)))
+          FAIL_CHECK((part + "/" + source + ":" + std::to_string(line)));
   }
 
   TEST_CASE("prose: lines of documents have at most 120 columns outside tables") {

@@ -46,7 +46,7 @@ std::size_t widest_line(const fs::path& file) {
   return widest;
 }
 
-/// Link targets, and backticked paths whose first folder exists in the repository.
+/// Link targets, and backticked paths whose first folder exists.
 std::set<std::string> named_paths(const std::string& text, const fs::path& folder) {
   std::set<std::string> paths;
   static const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))"),
@@ -67,8 +67,8 @@ TEST_SUITE("structure") {
   TEST_CASE("a table of rooms is read correctly") {
     const auto table = RoomTable::read(
         "text\n| a | b |\n|---|---|\n| `x` | `y` |\n\n| room | may include |\n|---|---|\n"
-        "| `error` `a.hpp` | |\n| `core/` | |\n| `terms/` `laws/` | `core/` |\n| `core/deep/` | all above "
-        "|\n");
+        "| `error` `a.hpp` | |\n| `core/` | |\n| `terms/` `laws/` | `core/` |\n"
+        "| `core/deep/` | all above |\n");
     REQUIRE(table);
     REQUIRE(table->rows().size() == 4);
     CHECK(table->room_of("core/deep/tile.hpp") == "core/deep/");

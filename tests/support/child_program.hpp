@@ -18,7 +18,6 @@ namespace taut::test {
 using namespace std::chrono_literals;
 inline constexpr auto patience = 60s;
 
-/// A child process that receives signals.
 class ChildProgram {
  public:
   /// `input`: file for standard input.
@@ -56,7 +55,7 @@ class ChildProgram {
     return ::waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
            info.si_pid != 0;
   }
-  /// Terminating signal; 0 if none.
+  /// 0 if none.
   int ending_signal() {
     int status = 0;
     wait([&] { return ::waitpid(process_, &status, WNOHANG) != 0; });

@@ -9,7 +9,7 @@
 
 namespace taut::test {
 
-/// One body: two arms on a foot, `gap` apart, `height` long (m); tips close with `speed`, in sound speeds.
+/// Two arms on a foot, `gap` apart, `height` long; tips close with `speed`, in sound speeds.
 inline Scene closing_arms(int dim, double dp, double gap, double height, double speed) {
   const double in = 0.5 * gap, width = 0.005, out = in + width, deep = dim == 3 ? width : 0;
   Scene scene = scene_of_shapes({Box{{-out, 0, 0}, {-in, height, deep}}}, dim, dp);
@@ -22,7 +22,7 @@ inline Scene closing_arms(int dim, double dp, double gap, double height, double 
   return scene;
 }
 
-/// Penetration, m: how far left-arm particles have passed right-arm particles beside them along x.
+/// Penetration, m: how far left-arm particles have passed right-arm particles along x.
 inline double penetration(const Snapshot& now, int dim, double dp, double height) {
   const auto n = static_cast<std::size_t>(dim);
   double most = -1;

@@ -6,11 +6,11 @@
 
 namespace taut::test {
 
-/// All values of the pair differ.
+/// All values differ.
 struct PairedParticle {
-  Vec<double, 2> x, v;  // m, m/s
-  double m, V, p;       // kg/m, m², Pa
-  Sym<double, 2> s;     // Pa
+  Vec<double, 2> x, v;
+  double m, V, p;  // kg/m, m², Pa
+  Sym<double, 2> s;
   double rho() const { return m / V; }
 };
 
@@ -18,7 +18,6 @@ inline constexpr PairedParticle first_of_pair{{0.1, 0.7}, {-3, 1}, 1.7, 0.9, 5, 
 inline constexpr PairedParticle second_of_pair{{-0.5, 0.2}, {2, 0.5}, 0.8, 1.1, -7, {-1, 6, 3}};
 inline constexpr double slope_of_pair = -0.83;  // ∂W/∂r, 1/m³
 
-/// Pair geometry as passed to a term.
 struct Seen {
   Vec<double, 2> e, v_ij;
   double r, inv_r, closing_speed;

@@ -38,7 +38,7 @@ inline Scene made_scene(int dim, double spacing, const std::vector<Material>& ma
   return scene;
 }
 
-/// K = 1 Pa and G = 1.5 Pa exactly.
+/// K = 1 and G = 1.5 exactly.
 inline Material unit_bulk() {
   return {.name = "soft", .density = 1, .youngs_modulus = 3, .poisson_ratio = 0};
 }

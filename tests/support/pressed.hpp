@@ -54,7 +54,6 @@ class Pressed {
     for (int i = 0; i < s.size(); ++i)
       if (s.body[i] == body) s.x[i] += by;
   }
-  /// On each particle, N.
   const std::vector<V>& forces() {
     faces_.search(s, walls_, {});
     return forces_as_found();
@@ -110,7 +109,7 @@ class Pressed {
   std::vector<V> force_;
 };
 
-/// Bends the face x = 0 onto a circle of radius |r|, m, with the column (x > 0) inside it if r > 0.
+/// Bends the face x = 0 onto a circle of radius |r|, with the column (x > 0) inside it if r > 0.
 template <int Dim>
 Vec<double, Dim> bent(Vec<double, Dim> x, double r) {
   const double angle = x[1] / r, away = r - x[0];
@@ -118,7 +117,7 @@ Vec<double, Dim> bent(Vec<double, Dim> x, double r) {
   return x;
 }
 
-/// Contact candidates of a moved 20 mm × 6 mm column, initially at least `inside`, m, from its ends.
+/// Contact candidates of a moved 20 mm × 6 mm column, initially at least `inside` from its ends.
 template <int Dim, class Motion>
 int touching_after(const Motion& motion, double dp, double inside) {
   constexpr double height = 0.02;

@@ -34,7 +34,7 @@ inline nlohmann::ordered_json json_of(const fs::path& path) {
   return nlohmann::ordered_json::parse(text_of(path));
 }
 
-/// Two soft discs of about 80 particles that press on each other; `pull` stretches along y.
+/// Two soft discs that press on each other; `pull` stretches along y.
 inline std::string write_tiny_scene(const TemporaryFolder& folder) {
   std::ofstream(folder / "discs.toml") << R"(
 title = "Two discs"
@@ -80,7 +80,6 @@ frames = 4
   return folder.str("discs.toml");
 }
 
-/// A single-threaded run of the tiny scene into `out`.
 inline std::vector<std::string> tiny_run(const TemporaryFolder& folder, const std::string& out,
                                          const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments{

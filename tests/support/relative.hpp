@@ -4,8 +4,8 @@
 
 namespace taut::test {
 
-/// Relative comparison, by default within 1.2e-5, plus `scale`; doctest's epsilon · (1 + |value|) accepts any small
-/// values.
+/// Relative comparison, by default within 1.2e-5, plus `scale`; doctest's epsilon · (1 + |value|) accepts any
+/// small values.
 class Approx : public doctest::Approx {
  public:
   explicit Approx(double value) : doctest::Approx(value) { scale(1e-290); }

@@ -12,7 +12,6 @@
 
 namespace taut::test {
 
-/// Methods whose neighbours are never rebuilt.
 inline bool keeps_neighbors(const MethodInfo& method) {
   return std::ranges::find(method.contact_laws, ContactLaw::sph) == method.contact_laws.end();
 }
@@ -30,7 +29,7 @@ inline void make_steps(Simulation& simulation, long steps) {
   while (simulation.steps() < end) simulation.advance_to(std::nextafter(simulation.time(), 1.0));
 }
 
-/// State at `t`, interpolated; the simulation has passed `t`.
+/// Interpolated state; the simulation has passed `t`.
 inline Snapshot state_at(double t, Simulation& simulation) {
   simulation.advance(t, t);
   const Snapshot before = simulation.snapshot();
@@ -44,7 +43,7 @@ inline Snapshot state_after(long steps, const Scene& scene, const Settings& sett
   return simulation->snapshot();
 }
 
-/// First probe at `t`, interpolated.
+/// First probe, interpolated.
 inline double value_at(const Series& series, double t) {
   const auto after = std::ranges::lower_bound(series.time, t) - series.time.begin();
   const double t0 = series.time[after - 1], t1 = series.time[after];

@@ -81,7 +81,7 @@ values = { peak = 3 }
 color = "von_mises"
 )";
 
-/// The small scene with one part replaced; '@' marks the expected place of the error.
+/// '@' marks the expected place of the error.
 struct MarkedScene {
   std::string text;
   FilePlace place;
@@ -99,7 +99,7 @@ struct MarkedScene {
   }
 };
 
-/// Expects an error at the mark whose message contains all `parts`.
+/// The message must contain all `parts`.
 inline void check_error(std::string_view old_part, std::string_view new_part,
                         std::initializer_list<const char*> parts) {
   const MarkedScene scene(old_part, new_part);

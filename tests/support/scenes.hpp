@@ -91,13 +91,13 @@ inline Scene ball_plate(double v0 = 0.02, double dp = 0.0025) {
   return scene;
 }
 
-/// Off-lattice pattern, −1 … 1; `wavelength` in m.
+/// Off-lattice pattern, −1 … 1.
 inline double shake(const Point& x, double wavelength) {
   const double k = 2 * std::numbers::pi / wavelength;
   return std::sin(k * (x[0] + 0.37 * x[1])) * std::cos(k * (0.61 * x[0] - x[1]) + 0.4);
 }
 
-/// Perturbed ring and disc: touch after about ten steps, rebuild neighbours every few.
+/// Perturbed; touch after about ten steps, rebuild neighbours every few.
 inline Scene small_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -117,7 +117,7 @@ inline Scene small_collision() {
   return scene;
 }
 
-/// Perturbed clamped plate, hit by a disc at the edge of the clamp.
+/// Perturbed, hit by a disc at the edge of the clamp.
 inline Scene small_clamped_plate() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed(), L = 0.016, H = 0.005;
   Scene scene;
@@ -154,7 +154,7 @@ inline Scene rotating_plate(double speed) {
   return scene;
 }
 
-/// 3D: a rotating block, hit off centre by a ball, both perturbed.
+/// A rotating block, hit off centre by a ball, both perturbed.
 inline Scene small_solid_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -177,7 +177,7 @@ inline Scene small_solid_collision() {
   return scene;
 }
 
-/// 3D: a perturbed clamped block, hit by a ball at the edge of the clamp.
+/// Perturbed, hit by a ball at the edge of the clamp.
 inline Scene small_clamped_block() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed(), L = 0.006, H = 0.003;
   Scene scene;

@@ -35,7 +35,7 @@ inline std::vector<std::string> tiny_sweep(const TemporaryFolder& folder, const 
   return arguments;
 }
 
-/// Lines of results.csv without columns that vary between repetitions.
+/// Lines of results.csv without columns that vary.
 inline std::vector<std::string> results(const fs::path& folder) {
   std::vector<std::string> lines = lines_of(folder / "results.csv");
   REQUIRE(lines.size() > 1);
@@ -56,7 +56,6 @@ inline std::vector<std::string> statuses(const fs::path& folder) {
   return all;
 }
 
-/// End time of each finished run, by folder.
 inline std::map<std::string, fs::file_time_type> ends(const fs::path& folder) {
   std::map<std::string, fs::file_time_type> times;
   for (const auto& entry : fs::directory_iterator(folder))

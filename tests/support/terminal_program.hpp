@@ -40,7 +40,7 @@ class TerminalProgram {
   void type(const std::string& keys) const {
     REQUIRE(::write(terminal_, keys.data(), keys.size()) == static_cast<ssize_t>(keys.size()));
   }
-  /// Waits until `text` is printed; returns the output up to its end.
+  /// Returns the output up to the end of `text`.
   std::string wait_for(const std::string& text) {
     while (shown_.find(text) == std::string::npos) {
       CAPTURE(shown_);
@@ -52,7 +52,7 @@ class TerminalProgram {
     shown_.erase(0, end);
     return before;
   }
-  /// Waits for the prompt and for raw mode, which follows a moment later.
+  /// Waits also for raw mode, which follows a moment later.
   std::string wait_for_prompt() {
     const std::string shown = wait_for("> ");
     termios mode{};

@@ -9,7 +9,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Run folder with only run.json.
 std::string write_record(const TemporaryFolder& folder, const std::string& name, double period,
                          const std::string& status = "finished", const std::string& verdict = "stable") {
   fs::create_directories(folder / name);
@@ -140,7 +139,7 @@ TEST_SUITE("cli") {
     CHECK(typo.code == 2);
     CHECK(contains(typo.err, "unknown column of history.csv 'total_enery' (did you mean 'total_energy'?)"));
     CHECK(call({"plot", folder.str("none"), "--out", folder.str("t.png")}).code == 2);
-    const std::string table = folder.str("results.csv");  // as in DIR/* of a sweep
+    const std::string table = folder.str("results.csv");
     std::ofstream(table) << "status,scene\nfinished,tiny\n";
     const Outcome other = call({"plot", a, table, "--out", folder.str("t.png")});
     CHECK(other.code == 0);

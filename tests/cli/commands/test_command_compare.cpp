@@ -126,7 +126,6 @@ TEST_SUITE("cli") {
     REQUIRE(compare(folder, {"fast", "slow"}).code == 0);
     CHECK_FALSE(render::read_png(folder / "panel.png") == quarters);
     REQUIRE(compare(folder, {"slow", "fast"}, {"--times", "0.0005,0.001,0.0015,0.0019"}).code == 0);
-    // 0.002 s is nearest, and labelled
     CHECK_FALSE(render::read_png(folder / "panel.png") == quarters);
     REQUIRE(compare(folder, {"slow", "fast"}, {"--size", "900x700", "--times", "0"}).code == 0);
     CHECK(render::read_png(folder / "panel.png").width == 900);
@@ -141,7 +140,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("a picture at another time than its row is labelled with its time") {
     const TemporaryFolder folder;
-    make_run(folder, "out", {"--frames", "2"});  // 0, 1 and 2 ms
+    make_run(folder, "out", {"--frames", "2"});
     const SavedRun run = open_saved_run(folder / "out");
     const Drawing speed{.field = find_field("speed")};
     const Origins origins = origins_of(run.file.scene);

@@ -41,7 +41,7 @@ TEST_SUITE("cli") {
     CHECK(result["over_default"].get<double>() == Approx(found / result["default_step"].get<double>()));
     CHECK(result["limits"].size() == 2);
 
-    // stable well below the critical step (the verdict also checks contact energy), not above
+    // the verdict also checks contact energy
     const double cfl = 0.4 * result["over_default"].get<double>();
     const auto run = [&](double share) {
       return call(tiny_run(

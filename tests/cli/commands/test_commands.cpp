@@ -189,8 +189,8 @@ TEST_SUITE("cli") {
   TEST_CASE("describe shows how a body is clamped and displaced in 3D, and where a wall is") {
     const TemporaryFolder folder;
     std::ofstream(folder / "brick.toml")
-        << "dim = 3\nspacing = 0.1\nuntil = 1\n[material.m]\ndensity = 1\nyoungs_modulus = 1\npoisson_ratio "
-           "= 0\n"
+        << "dim = 3\nspacing = 0.1\nuntil = 1\n"
+           "[material.m]\ndensity = 1\nyoungs_modulus = 1\npoisson_ratio = 0\n"
            "[[body]]\nname = \"brick\"\nmaterial = \"m\"\n"
            "shape = { type = \"box\", low = [0, 0, 0], high = [1, 1, 1] }\n"
            "held = [\"x < 0.1\", \"\", \"z < 0.1\"]\ndisplacement = [0, \"0.1*y\", 0]\n"

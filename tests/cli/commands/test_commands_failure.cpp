@@ -39,7 +39,6 @@ TEST_SUITE("cli") {
   TEST_CASE("an interrupt ends a run in order with exit code 128 + signal") {
     for (const int signal : {SIGINT, SIGTERM}) {
       const TemporaryFolder folder;
-      // next output after 1000 s of simulated time
       ChildProgram child(tiny_run(folder, "out", {"--until", "1000", "--frames", "1", "--history", "1000"}));
       ChildProgram::wait_for(folder / "out/frames/frame_00000.png");
       child.send(signal);
@@ -47,7 +46,6 @@ TEST_SUITE("cli") {
       const auto record = json_of(folder / "out/run.json");
       CHECK(record["status"] == "interrupted");
       CHECK(record["reached"].get<double>() < 1000);
-      // header, start and stop, unless it stopped before the first step
       CHECK(lines_of(folder / "out/history.csv").size() == (record["steps"] > 0 ? 3 : 2));
       CHECK(taut::render::read_png(folder / "out/frames/frame_00000.png").width == 160);
       CHECK(files_in(folder / "out/frames") == 1);
@@ -71,7 +69,7 @@ TEST_SUITE("cli") {
     ChildProgram child(tiny_run(folder, "out", endless));
     ChildProgram::wait_for(folder / "out/frames/frame_00000.png");
     child.send(SIGHUP);
-    child.send(SIGHUP);  // from kernel and shell
+    child.send(SIGHUP);
     CHECK(child.exit_code() == 129);
     CHECK(json_of(folder / "out/run.json")["status"] == "interrupted");
     CHECK(fs::file_size(folder / "out/checkpoint.bin") > 10000);
@@ -80,14 +78,13 @@ TEST_SUITE("cli") {
     std::signal(SIGHUP, SIG_DFL);
     ChildProgram::wait_for(folder / "deaf/frames/frame_00000.png");
     deaf.send(SIGHUP);
-    deaf.send(SIGINT);  // a second signal would end it at once
+    deaf.send(SIGINT);  // a second signal would end it
     CHECK(deaf.exit_code() == 130);
     CHECK(json_of(folder / "deaf/run.json")["status"] == "interrupted");
   }
 
   TEST_CASE("an interrupt ends a run, and a session, between outputs that are far apart") {
     const TemporaryFolder folder;
-    // next output after a year
     const std::vector<std::string> endless{"--until", "1e9",      "--history",  "1e9",
                                            "--set",   "cfl=1e-6", "--no-render"};
     ChildProgram child(tiny_run(folder, "out", endless));
@@ -335,7 +332,7 @@ times = [0]
     CHECK(shell("ulimit -f 16; ", tiny_run(folder, "long", {"--until", "0.01"}), quiet) == 4);
     CHECK(contains(text_of(folder / "err"), "File too large"));
     CHECK(contains(json_of(folder / "long/run.json")["reason"].get<std::string>(), "File too large"));
-    // a run must not reuse the descriptor of a closed stream
+    // a run must not reuse a closed stream's descriptor
     REQUIRE(call(tiny_run(folder, "out")).code == 0);
     CHECK(shell("", tiny_run(folder, "closed"), " >&- 2>/dev/null") == 4);
     for (const std::string file : {"history.csv", "scene.toml"})

@@ -49,7 +49,7 @@ TEST_SUITE("cli") {
     const Outcome worse = diff({"--out", folder.str("diff.png")});
     CHECK(worse.code == 1);
     CHECK(contains(worse.out, "different\n"));
-    CHECK(contains(worse.out, "frame_00001.png"));  // the worst picture
+    CHECK(contains(worse.out, "frame_00001.png"));
     CHECK_FALSE(contains(worse.out, "frame_00002.png"));
     CHECK(taut::render::read_png(folder / "diff.png").at(15, 15)[1] < 180);
     CHECK(diff({"--max-difference", "150"}).code == 0);
@@ -111,7 +111,7 @@ TEST_SUITE("cli") {
 
     REQUIRE(call(tiny_snapshot(folder, {"--set", "speed=3", "--frames", "2", "--update"})).code == 0);
     CHECK(files_in(folder / "base") == 3);
-    CHECK(files_in(folder.path()) == 3);  // no leftovers
+    CHECK(files_in(folder.path()) == 3);
     CHECK(call(tiny_snapshot(folder, {"--set", "speed=3", "--frames", "2"})).code == 0);
     CHECK_FALSE(fs::exists(folder / "out/difference.png"));
   }
@@ -124,7 +124,7 @@ TEST_SUITE("cli") {
     REQUIRE(call(tiny_snapshot(folder, {"--frames", "2", "--update"})).code == 0);
     CHECK(fs::is_symlink(folder / "base"));
     CHECK(files_in(folder / "shared") == 3);
-    CHECK(files_in(folder.path()) == 4);  // scene, run, baseline, link
+    CHECK(files_in(folder.path()) == 4);
   }
 
   TEST_CASE("an invalid update never removes a baseline") {
@@ -138,7 +138,6 @@ TEST_SUITE("cli") {
     CHECK(outcome.code == 2);
     CHECK(contains(outcome.err, "mine.txt"));
     CHECK(text_of(folder / "base/mine.txt") == "mine");
-    // would overwrite its own baseline
     std::vector<std::string> inside = tiny_run(folder, "out", {"--baseline", folder.str("out/frames")});
     inside[0] = "snapshot";
     CHECK(call(inside).code == 2);

@@ -27,7 +27,7 @@ std::vector<double> numbers(const std::string& row) {
   return values;
 }
 
-/// stderr of a short run; `text` starts with keys before all sections.
+/// stderr of a short run; `text` starts with top-level keys.
 std::string errors_of(const std::string& text, const TemporaryFolder& folder) {
   std::ofstream(folder / "scene.toml")
       << "title = \"Still\"\nuntil = 1e-6\n"
@@ -85,9 +85,8 @@ TEST_SUITE("cli") {
       CHECK(contains(twice.err, "history.csv already has a column '" + column + "'"));
     }
     const std::string line =
-        "[[line]]\nname = \"cut\"\nbody = \"left\"\nfield = \"pressure\"\nfrom = [-0.015, 0]\nto = [-0.007, "
-        "0]\n"
-        "points = 3\ntimes = ";
+        "[[line]]\nname = \"cut\"\nbody = \"left\"\nfield = \"pressure\"\n"
+        "from = [-0.015, 0]\nto = [-0.007, 0]\npoints = 3\ntimes = ";
     const Outcome late = run(line + "[0.5]\n");
     CHECK(late.code == 0);
     CHECK(contains(
@@ -321,7 +320,7 @@ TEST_SUITE("cli") {
       };
       CHECK(texts(rounded) == texts(one));
       CHECK(texts(other) == texts(one));
-      CHECK((k > 0) == (texts(one) != texts(picture("one", 0))));  // include the time
+      CHECK((k > 0) == (texts(one) != texts(picture("one", 0))));
     }
     CHECK(call({"diff", folder.str("one/frames"), folder.str("rounded/frames")}).code == 0);
   }
@@ -437,8 +436,8 @@ TEST_SUITE("cli") {
     const Outcome enog = run_with("enog");
     CHECK(enog.code == 0);
     CHECK(enog.err ==
-          "taut: the method 'enog' does not support the law of the scene, 'mooney-rivlin'; it runs with its "
-          "own law\n");
+          "taut: the method 'enog' does not support the law of the scene, 'mooney-rivlin'; "
+          "it runs with its own law\n");
     CHECK(json_of(folder / "enog/run.json")["material_law"] == "2d_deviator");
     CHECK(call(tiny_run(folder, "none", {"--no-render", "--method", "enog", "--set", "law=linear"})).code ==
           2);

@@ -16,12 +16,11 @@ namespace {
 
 const std::string one_result = "finished,tl,tl,0.4,10,stable,,0.3,2,4,\n";
 
-/// A run with particles in the folder `run`.
 void leave_run(const TemporaryFolder& folder, const std::string& run = "run") {
   REQUIRE(call(tiny_run(folder, run, {"--until", "1e-5", "--frames", "1", "--save-particles"})).code == 0);
 }
 
-/// True if the program leaves a file where `link` points to alone.
+/// True if the program preserves a file behind `link`.
 bool leaves_alone(const fs::path& link, const std::function<void()>& work) {
   const fs::path victim = link.parent_path() / "victim";
   std::ofstream(victim) << "mine";
@@ -48,7 +47,7 @@ TEST_SUITE("cli") {
         CHECK_FALSE(fs::is_symlink(folder / "chart.png"));
       }));
     }
-    // nothing is removed in a folder behind a link, nor other files in a folder with this name
+    // the program removes nothing behind a link and no other files
     fs::create_directory(folder / "mine");
     std::ofstream(folder / "mine/chart.png") << "mine";
     fs::create_directory_symlink("mine", folder / "chart.png.part");
@@ -67,7 +66,7 @@ TEST_SUITE("cli") {
     leave_run(folder);
     fs::copy(folder / "run", folder / "again", fs::copy_options::recursive);
     const std::string results = write_results(folder / "a", one_result);
-    const auto grow = [&](const std::string& name) {  // holes take no room
+    const auto grow = [&](const std::string& name) {
       std::ofstream(folder / name).close();
       fs::resize_file(folder / name, std::uintmax_t{1} << 30);
     };
@@ -133,7 +132,6 @@ TEST_SUITE("cli") {
       CHECK(child.exit_code() == 2);
       fs::rename(folder / "kept", folder / file);
     }
-    // a run that goes on writes its history
     ChildProgram begun(
         tiny_run(folder, "killed",
                  {"--until", "1000", "--frames", "1", "--checkpoint-every", "0.001", "--set", "speed=0"}));
@@ -145,7 +143,6 @@ TEST_SUITE("cli") {
     REQUIRE(::mkfifo((folder / "killed/history.csv").c_str(), 0666) == 0);
     ChildProgram resumed({"run", "--resume", folder.str("killed"), "--quiet"});
     CHECK(resumed.exit_code() == 4);
-    // nor is a file of two names written to
     std::ofstream(folder / "mine") << "mine";
     fs::remove(folder / "killed/history.csv");
     fs::create_hard_link(folder / "mine", folder / "killed/history.csv");
@@ -185,7 +182,7 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     leave_run(folder);
     fs::remove(folder / "run/run.json");
-    fs::create_symlink("/proc/self/mem", folder / "run/run.json");  // whose beginning cannot be read
+    fs::create_symlink("/proc/self/mem", folder / "run/run.json");  // the beginning cannot be read
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"check", folder.str("run"), "--verdict", "stable"},
           {"plot", folder.str("run"), "--out", folder.str("a.png")},

@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Run folder with only run.json; `measures` is JSON.
+/// `measures` is JSON.
 std::string write_measured(const TemporaryFolder& folder, const std::string& name,
                            const std::string& measures, const std::string& status = "finished") {
   fs::create_directories(folder / name);
@@ -23,7 +23,6 @@ std::string write_measured(const TemporaryFolder& folder, const std::string& nam
   return folder.str(name);
 }
 
-/// The JSON object that a command printed.
 Json answer_of(const Outcome& outcome, const std::string& command) {
   CAPTURE(outcome.err);
   CAPTURE(outcome.out);
@@ -77,7 +76,7 @@ TEST_SUITE("cli") {
     CHECK(*answer.find("passed") == Json(false));
     CHECK(answer.find("run")->text() == run);
     const Json& checks = *answer.find("checks");
-    REQUIRE(checks.items().size() == 3);  // including the status
+    REQUIRE(checks.items().size() == 3);
     for (const Json& each : checks.items())
       CHECK(keys_in(each) == Texts{"name", "passed", "expected", "is", "value", "difference"});
     CHECK(item(checks, 2).find("name")->text() == "period");
@@ -110,7 +109,7 @@ TEST_SUITE("cli") {
                                    "difference", "passed"});
     CHECK(*answer.find("passed") == Json(false));
     CHECK(answer.find("difference")->text() == folder.str("out/difference.png"));
-    REQUIRE(answer.find("pictures")->items().size() == 5);  // three in both, two only in the baseline
+    REQUIRE(answer.find("pictures")->items().size() == 5);
     CHECK(item(*answer.find("pictures"), 4).find("only_in")->text() == "a");
     const Outcome diverged = snapshot({"--set", "cfl=20", "--until", "0.02"});
     CHECK(diverged.code == 3);

@@ -1,6 +1,6 @@
-// Golden pictures of every field. After an intended change
+// After an intended change
 //   TAUT_UPDATE_GOLDEN=1 build/tests/cli_tests --test-suite=image
-// rewrites them: inspect before you commit.
+// rewrites the golden pictures: inspect before you commit.
 
 #include <cstdlib>
 #include <filesystem>
@@ -19,7 +19,7 @@ using namespace taut::test;
 
 const fs::path golden_folder = fs::path(TAUT_SOURCE_DIR) / "tests/golden/fields";
 
-/// The pressed rings, at twice the usual spacing.
+/// The pressed rings, coarser.
 Outcome snapshot(std::string_view field, const fs::path& baseline, const fs::path& run,
                  const std::vector<std::string>& more = {}, const std::string& until = "0.003") {
   std::vector<std::string> arguments{"snapshot",   "colliding-rings",

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int count = 20;  // frames; exceeds the number drawn concurrently
+constexpr int count = 20;  // exceeds the number drawn concurrently
 
 struct Sequence {
   render::Look look;
@@ -182,7 +182,7 @@ TEST_SUITE("image") {
       for (int column = layout.plot.x; column < layout.plot.x + layout.plot.width / 2; ++column)
         colors.insert(image.at(column, row));
     const auto is_seen = [&](const render::Rgb& color) { return colors.contains(color); };
-    // equal in single precision; blended rims rarely match a colour of the map
+    // blended rims rarely match a colour of the map
     CHECK(std::ranges::count_if(sequence.look.colormap->table(), is_seen) > 50);
   }
 }

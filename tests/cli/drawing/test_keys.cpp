@@ -15,7 +15,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Every key has a non-default, non-automatic value.
+/// Every value is non-default and non-automatic.
 Drawing other_drawing() {
   return {.field = find_field("pressure"),
           .look = {.view = render::View{-1, 2, -3, 4},
@@ -51,7 +51,7 @@ TEST_SUITE("unit") {
     Drawing copy;
     for (const DrawingKey& key : drawing_keys()) {
       CAPTURE(key.name);
-      CHECK(key.get(copy) != key.get(other));  // not changed by other keys
+      CHECK(key.get(copy) != key.get(other));
       CHECK(key.set(copy, key.get(other)).empty());
       CHECK(key.get(copy) == key.get(other));
     }
@@ -156,7 +156,7 @@ TEST_SUITE("unit") {
     CHECK(sized(drawing).look.texts.font == 0);
     set_typed(drawing, drawing_key("width"), "85mm");
     const render::Look paper = sized(drawing).look;
-    CHECK(paper.size == render::Size{1004, 565});  // 85 mm at 300 dpi; 16:9
+    CHECK(paper.size == render::Size{1004, 565});  // 85 mm at 300 dpi
     CHECK(paper.texts.font == Approx(7 * 300 / 72.0));
     CHECK(sized(sized(drawing)).look.size == paper.size);
     for (const char* same : {"8.5cm", "3.3464567in"}) {
@@ -193,7 +193,7 @@ TEST_SUITE("unit") {
     FrameView particles;
     particles.dim = 3, particles.x = x, particles.diameter = diameter, particles.value = value;
     Drawing open;
-    open.look.camera = render::Camera{.from = {0, -1, 0}};  // right is x, up is z
+    open.look.camera = render::Camera{.from = {0, -1, 0}};
     SequenceBounds shown(open.look.camera);
     shown.add(particles);
     const render::Look look = fitted(open, shown).look;
@@ -202,7 +202,7 @@ TEST_SUITE("unit") {
     CHECK(look.view->x_max == Approx(1.1 + margin));
     CHECK(look.view->y_min == Approx(-0.1 - margin));
     CHECK(look.view->y_max == Approx(3.1 + margin));
-    CHECK(look.camera->front == Approx(0.1));  // of the first particle; the second is 2 m behind
+    CHECK(look.camera->front == Approx(0.1));
   }
 
   TEST_CASE("an automatic range omits outliers, but keeps near ends and small regions of high values") {
@@ -213,26 +213,25 @@ TEST_SUITE("unit") {
     };
     std::vector<double> values;
     for (int k = 0; k <= 1000; ++k) values.push_back(k);
-    CHECK(range_of(values) == render::Range{0, 1000});  // 1000 is near the quantile 990
+    CHECK(range_of(values) == render::Range{0, 1000});  // near the quantile 990
     CHECK(range_of(values, 0.0) == render::Range{-1000, 1000});
     CHECK(range_of(values, 1.0) == render::Range{-998, 1000});
     values.push_back(1e9);
     CHECK(range_of(values) == render::Range{0, 991});
     values.push_back(-1e9);
     CHECK(range_of(values) == render::Range{9, 991});
-    values.insert(values.end(), 500000, 0.0);  // a body still at rest
+    values.insert(values.end(), 500000, 0.0);
     CHECK(range_of(values) == render::Range{0, 991});
     values.assign(10, 0.0);
     CHECK(range_of(values) == render::Range{0, 1});
-    CHECK(range_of({5, 5}) == render::Range{2.5, 7.5});  // middle colour
+    CHECK(range_of({5, 5}) == render::Range{2.5, 7.5});
     CHECK(range_of({-4}) == render::Range{-6, -2});
     CHECK(range_of({1, 1}, 1.0) == render::Range{0.5, 1.5});
-    CHECK(range_of({0, 0}, 0.0) == render::Range{-1, 1});  // neutral colour
+    CHECK(range_of({0, 0}, 0.0) == render::Range{-1, 1});
     CHECK(range_of({NAN, INFINITY}) == render::Range{0, 1});
     CHECK(range_of({NAN, 2, INFINITY, 0}) == render::Range{0, 2});
     CHECK(range_of({1e300, 2, -1e300, 0}) == render::Range{0, 2});  // too wide
     CHECK(range_of({1200, 1200.000001}) == render::Range{1200, 1200.000001});
-    // more values than are stored
     std::vector<double> many;
     for (int k = 0; k < 9000000; ++k) many.push_back(k % 1000);
     many.insert(many.end(), 10, 1e9);
@@ -254,7 +253,7 @@ TEST_SUITE("unit") {
     open.field = find_field("pressure");
     CHECK(fitted(open, shown).look.range == render::Range{-3, 3});
     CHECK(fitted(open, shown).look.colormap == render::find_colormap("coolwarm"));
-    open.round_off = 100;  // exceeds the spread of values
+    open.round_off = 100;
     CHECK(fitted(open, shown).look.range == render::Range{-50, 50});
     open.field = find_field("von_mises");
     CHECK(fitted(open, shown).look.range == render::Range{0, 100});

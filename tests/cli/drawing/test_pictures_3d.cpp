@@ -128,7 +128,6 @@ TEST_SUITE("cli") {
     REQUIRE(call({"render", folder.str("a"), "--orbit", "--camera", "0:-1:0", "--out", folder.str("o"),
                   "--quiet"})
                 .code == 0);
-    // views along y, x, -y, -x
     const auto width = [](const taut::render::Image& image) {
       const taut::render::PageLayout layout = taut::render::make_layout(image.width, image.height, {});
       int left = image.width, right = 0;

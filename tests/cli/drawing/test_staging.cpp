@@ -16,7 +16,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// Two bodies of two particles; the second has unequal masses.
+/// Two pairs; the second has unequal masses.
 Origins two_pairs() {
   return {.dim = 2,
           .x0 = {0, 0, 1, 0, 0, 3, 1, 3},
@@ -25,7 +25,7 @@ Origins two_pairs() {
           .body = {0, 0, 1, 1}};
 }
 
-const Numbers moved{0, 1, 1, 1, 4, 3, 8, 5};  // m
+const Numbers moved{0, 1, 1, 1, 4, 3, 8, 5};
 
 FrameView frame(const Numbers& x, const Origins& origins, const Numbers& value) {
   FrameView view;
@@ -51,7 +51,7 @@ TEST_SUITE("unit") {
     drawing.is_cut = [](const Point& x) { return static_cast<double>(x[1] > 2); };
     const Origins origins = two_pairs();
     Numbers swapped = moved;
-    swapped[1] = 9;  // now beyond the cut
+    swapped[1] = 9;
     const StagedParticles staged = Staging(drawing, origins)(frame(swapped, origins, {1, 2, 3, 4}));
     CHECK(staged.x == Numbers{0, 9, 1, 1});
     CHECK(staged.value == Numbers{1, 2});
@@ -79,7 +79,7 @@ TEST_SUITE("unit") {
     CHECK(view.x_min == Approx(-1.5 * 3.5));
     CHECK(view.y_max == Approx(1.5 * 2));
     CHECK(bounds.range({}) == render::Range{1, 4});
-    drawing.cut = "y > 2";  // hides the followed body
+    drawing.cut = "y > 2";
     drawing.is_cut = [](const Point& x) { return static_cast<double>(x[1] > 2); };
     CHECK(Staging(drawing, origins)(frame(moved, origins, {1, 2, 3, 4})).x == Numbers{-7, -3.5, -6, -3.5});
   }
@@ -93,7 +93,7 @@ TEST_SUITE("unit") {
     CHECK(drawn.x == moved);
     CHECK(drawn.value == Numbers{1, 2, 3, 4});
     REQUIRE(drawn.cell.size() == 16);
-    CHECK(drawn.cell[8] == Approx(4));  // stretched to (4, 2)
+    CHECK(drawn.cell[8] == Approx(4));
     CHECK(drawn.cell[9] == Approx(2));
   }
 
@@ -117,7 +117,7 @@ TEST_SUITE("unit") {
       area += std::abs(edge[0] * edge[3] - edge[1] * edge[2]);
       right = std::max(right, drawn.x[2 * k] + 0.5 * (std::abs(edge[0]) + std::abs(edge[2])));
     }
-    CHECK(area == Approx(3));  // 1.5 m × 2 m
+    CHECK(area == Approx(3));
     CHECK(right == Approx(1.5));
   }
 
@@ -137,7 +137,7 @@ TEST_SUITE("unit") {
       };
       CHECK(wall() == Point{1, -2, 0});
       drawing.followed = 1;
-      CHECK(wall() == Point{-6, -6.5, 0});  // centre (7, 4.5)
+      CHECK(wall() == Point{-6, -6.5, 0});
     }
   }
 

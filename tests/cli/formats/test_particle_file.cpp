@@ -70,7 +70,7 @@ std::map<std::string, double> read_with_vtk(const fs::path& file) {
   return values;
 }
 
-/// New memory beyond these bytes is refused.
+/// Refuses new memory beyond these bytes.
 class MemoryLimit {
  public:
   explicit MemoryLimit(std::size_t bytes) {
@@ -169,7 +169,7 @@ TEST_SUITE("unit") {
     const auto claim = [&](const std::string& count) {
       std::string forged = text_of(path);
       forged.replace(forged.find("\"50\""), 4, "\"" + count + "\"");
-      // appended zeros: with the former limit, 1024 particles per byte, the file was long enough
+      // long enough for the former limit of 1024 particles per byte
       std::ofstream(folder / "forged.vtp", std::ios::binary) << forged << std::string(56000, '\0');
       return folder / "forged.vtp";
     };

@@ -25,7 +25,7 @@ std::string whole_file(std::span<const Section> sections, std::string_view witho
   return text;
 }
 
-/// Inserts `lines` after the first `header`, in place of an existing `key`.
+/// Inserts `lines` after the first `header`, in place of `key`.
 std::string with_key(std::string text, std::string_view header, std::string_view key,
                      std::string_view lines) {
   const std::size_t begin = text.find(header) + header.size() + 1;

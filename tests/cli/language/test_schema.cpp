@@ -16,7 +16,7 @@ bool jsonschema_is_there() {
   return std::system("/usr/bin/python3 -c 'import tomllib, jsonschema' 2>/dev/null") == 0;
 }
 
-/// Per file: "valid" or the keys that the JSON Schema refuses.
+/// Per file "valid" or the refused keys.
 Texts verdicts(const std::string& kind, const std::vector<fs::path>& files) {
   const TemporaryFolder folder;
   std::ofstream(folder / "schema.json") << call({"describe", kind, "--schema"}).out;
@@ -109,8 +109,8 @@ TEST_SUITE("cli") {
     CHECK(verdict("[grid]") == Texts{"grid"});
     CHECK(verdict("grid.v0 = 1\nchart.cost = 'hours'") == Texts{"chart.cost"});
     CHECK(verdict("grid.v0 = 1\nchrt.cost = 'steps'") == Texts{"chrt"});
-    CHECK(verdict("") == Texts{"the file"});                                 // neither grid nor row
-    CHECK(verdict("grid.v0 = 1\nrow = [{ v0 = 1 }]") == Texts{"the file"});  // both
+    CHECK(verdict("") == Texts{"the file"});
+    CHECK(verdict("grid.v0 = 1\nrow = [{ v0 = 1 }]") == Texts{"the file"});
   }
 
   TEST_CASE("schema: descriptions, defaults and bounds come from the tables of the reader") {

@@ -8,7 +8,6 @@ using namespace taut::test;
 
 namespace {
 
-/// The object that `script` assigns to `name`.
 nlohmann::ordered_json assigned(const std::string& script, const std::string& name) {
   const std::string before = "globalThis." + name + " = ";
   const std::size_t begin = script.find(before);
@@ -26,7 +25,7 @@ nlohmann::ordered_json run_of(const fs::path& page, int run) {
   return assigned(text_of(page / ("runs/" + number + ".js")), "taut_runs[" + number + "]");
 }
 
-/// A run of the tiny scene with another title, by a reference for `gap`.
+/// Run of the tiny scene with another reference for `gap`.
 std::string run_with_title(const TemporaryFolder& folder, const std::string& title) {
   write_tiny_scene(folder);
   std::string text = text_of(folder / "discs.toml");
@@ -194,18 +193,18 @@ frames = 2
     CHECK(report_of(page)["particle_scripts"][0] == "runs/0-particles.js");
     const auto data = assigned(text_of(page / "runs/0-particles.js"), "taut_particles[0]");
     CHECK(data["times"] == nlohmann::json::parse("[0.0, 0.0005, 0.001]"));
-    CHECK(data["particles"] == 8);  // of 16
+    CHECK(data["particles"] == 8);
     CHECK(data["key"]["high"] == 0.002);
     CHECK(data["low"][0].get<double>() == relative(0.002));
-    CHECK(data["high"][0].get<double>() == relative(0.007, 1e-6));  // 1 m/s for 1 ms
+    CHECK(data["high"][0].get<double>() == relative(0.007, 1e-6));
     REQUIRE(data["data"].size() == 3);
     // 8 particles × (3 × 2 + 3) bytes
     for (const auto& each : data["data"]) CHECK(each.get<std::string>().size() == 96);
-    // all particles start with the same displacement, and so with the same colour: the first of the map
+    // all particles start with the same displacement and colour
     const std::string first = data["data"][0], last = data["data"][2], color = first.substr(64, 4);
     for (std::size_t k = 64; k < 96; k += 4) CHECK(first.substr(k, 4) == color);
     CHECK(last.substr(64, 4) != color);
-    CHECK(last.substr(0, 64) != first.substr(0, 64));  // and move
+    CHECK(last.substr(0, 64) != first.substr(0, 64));
     CHECK(data["key"]["colors"][0] != data["key"]["colors"].back());
   }
 

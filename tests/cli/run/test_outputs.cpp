@@ -34,7 +34,7 @@ TEST_SUITE("cli") {
     const auto rows = lines_of(folder / "run/history.csv").size() - 1;
     CHECK(rows > 10);
     CHECK(read_with_python(folder, "run") == Texts{"history.csv " + std::to_string(rows), "particles.pvd 5"});
-    // a diverged run adds a column; max(2,3) adds a comma
+    // a diverged run adds a column, max(2,3) a comma
     const Texts grid{"--grid", "speed=1,max(2,3)", "--grid", "cfl=0.5,20", "--until", "0.01"};
     REQUIRE(program(tiny_sweep(folder, "sweep", grid)).code == 0);
     CHECK(contains(text_of(folder / "sweep/results.csv"), ",\"max(2,3)\","));
@@ -50,12 +50,12 @@ TEST_SUITE("cli") {
       return json_of(folder / name / "run.json");
     };
     const auto few = record("few", "1"),
-               many = record("many", "1e-6");  // s; more often than indicators are evaluated
+               many = record("many", "1e-6");  // more often than indicators are evaluated
     CHECK(lines_of(folder / "few/history.csv").size() == 3);
     const std::vector<std::string> rows = lines_of(folder / "many/history.csv");
     CHECK(rows.size() > 280);
     const auto indicators = [](const std::string& row) { return row.substr(row.find(",2,") + 3); };
-    std::set<std::string> seen;  // rows repeat indicators between evaluations
+    std::set<std::string> seen;
     for (std::size_t k = 1; k < rows.size(); ++k) seen.insert(indicators(rows[k]));
     CHECK(seen.size() > 150);
     CHECK(seen.size() < 203);

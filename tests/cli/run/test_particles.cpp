@@ -58,9 +58,7 @@ TEST_SUITE("cli") {
     };
     CHECK(run("often", 100) == run("seldom", 1));
     CHECK(json_of(folder / "often/run.json")["steps"].get<int>() < 50);
-    const auto leftmost = [&](const ParticleFile& file) {  // moves freely at 2 m/s
-      return std::ranges::min(file.positions(2));
-    };
+    const auto leftmost = [&](const ParticleFile& file) { return std::ranges::min(file.positions(2)); };
     const auto saved = [&](int k) {
       return ParticleFile(folder / ("often/particles/" + numbered("particles", k, "vtp")));
     };
@@ -158,7 +156,7 @@ TEST_SUITE("determinism") {
   TEST_CASE("render gives the bytes that the run would have drawn with the same options") {
     const std::vector<std::vector<std::string>> cases{
         {},
-        {"--color", "pressure"},  // range of the whole sequence
+        {"--color", "pressure"},
         {"--color", "displacement_x", "--range", "-1e-3:1e-3", "--colormap", "rainbow"},
         {"--view", "-0.02:0:-0.01:0.01", "--size", "300x200"},
         {"--view", "auto", "--range", "auto"},

@@ -22,7 +22,6 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-/// Includes contact and rebound.
 const Arguments long_run = {"--until", "0.1", "--history", "1e-4"};
 const Arguments with_checkpoints = {"--checkpoint-every", "0.001"};
 
@@ -80,7 +79,7 @@ void leave_interrupted(const TemporaryFolder& folder, const Arguments& more = {}
   REQUIRE(child.exit_code() == 130);
 }
 
-/// Calls `look` at each write, here a progress line per quarter of a run.
+/// Calls `look` at each write of a progress line.
 class Watch : public std::stringbuf {
  public:
   explicit Watch(std::function<void()> look) : look_(std::move(look)) {}
@@ -176,7 +175,6 @@ normal = [0, 1]
 
   TEST_CASE("outputs between two steps have the same bytes wherever the checkpoint is") {
     const TemporaryFolder folder;
-    // several outputs per step, a checkpoint at each step
     const Arguments all{"--until",          "0.01",     "--frames", "1500",
                         "--save-particles", "--fields", "speed",    "--no-render"};
     REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
@@ -207,7 +205,6 @@ normal = [0, 1]
     const Arguments all = long_run + Arguments{"--no-render", "--spacing", "0.0021"};
     REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
     const auto some = fs::file_size(folder / "straight/history.csv") / 10;
-    // only a run with checkpoints records its options
     const Arguments later{"--checkpoint-every", "1"};
     REQUIRE(run_and_kill(tiny_run(folder, "out", all + later), folder / "out/history.csv", some));
     REQUIRE(run_and_kill(tiny_run(folder, "bare", all), folder / "bare/history.csv", some));
@@ -283,7 +280,7 @@ normal = [0, 1]
     };
     leave([](std::string& state) { state[sizeof(std::uint64_t)] ^= 1; });  // number of particles
     check_refused(folder, "checkpoint.bin' cannot be used: the saved state is damaged");
-    std::uint64_t simulation = 0;  // size; the state of the outputs follows
+    std::uint64_t simulation = 0;  // the state of the outputs follows
     std::memcpy(&simulation, whole.state.data(), sizeof simulation);
     std::mt19937 random(18);
     int refused = 0;
@@ -385,14 +382,13 @@ normal = [0, 1]
 
   TEST_CASE("the first checkpoint is written at the end of the first interval") {
     const TemporaryFolder folder;
-    std::vector<std::size_t> sizes;  // at the start and at each quarter
+    std::vector<std::size_t> sizes;
     Watch watch([&] {
       if (fs::exists(folder / "out/checkpoint.bin"))
         sizes.push_back(read_checkpoint(folder / "out/checkpoint.bin").state.size());
     });
     std::ostream err(&watch);
     std::ostringstream out;
-    // the interval ends before half of the run
     Arguments arguments =
         tiny_run(folder, "out", {"--no-render", "--checkpoint-every", "0.00098", "--set", "cfl=0.02"});
     std::erase(arguments, "--quiet");

@@ -18,14 +18,13 @@ Arguments resumed(const TemporaryFolder& folder, Arguments more) {
   return more;
 }
 
-/// Changes the time that run.json reports.
 void pretend_it_took(const TemporaryFolder& folder, double seconds) {
   auto record = json_of(folder / "out/run.json");
   record["provenance"]["wall_seconds"] = seconds;
   std::ofstream(folder / "out/run.json") << record.dump(2);
 }
 
-/// Without the columns from `pieces` on, which depend on the times of judgement.
+/// Omits columns that depend on the times of judgement.
 std::string motion_in(const fs::path& history) {
   std::istringstream text(text_of(history));
   std::string all, line;
@@ -50,7 +49,7 @@ TEST_SUITE("restart") {
     ChildProgram child(tiny_run(folder, "out", long_run));
     ChildProgram::wait_for(folder / "out/history.csv");
     child.send(SIGINT);
-    if (child.exit_code() != 130) return;  // it was faster
+    if (child.exit_code() != 130) return;
     REQUIRE(fs::exists(folder / "out/checkpoint.bin"));
     CHECK(call(resumed(folder, {})).code == 0);
     CHECK_FALSE(fs::exists(folder / "out/checkpoint.bin"));
@@ -84,7 +83,6 @@ TEST_SUITE("restart") {
         CAPTURE(file);
         CHECK(text_of(folder / "out" / file) == text_of(folder / "straight" / file));
       }
-      // and again
       CHECK(call(resumed(folder, {"--until", "0.005"})).code == 0);
       CHECK(fs::exists(folder / "out/frames/frame_00010.png"));
     }

@@ -21,7 +21,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Only time advances.
 struct StandingSimulation : Simulation {
   void advance(double t, double) override {
     state.time = t;
@@ -94,7 +93,6 @@ TEST_SUITE("unit") {
     CHECK(view.y_min < -0.1);
     CHECK(view.y_max > 2.2);
     CHECK(view.y_max < 2.5);
-    // 5 % of the longer side, 2.2 with the radii
     CHECK(view.x_min == Approx(-1.1 - 0.11));
     CHECK(view.x_max == Approx(1.1 + 0.11));
     CHECK(view.y_min == Approx(-0.1 - 0.11));

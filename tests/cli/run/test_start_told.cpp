@@ -91,7 +91,7 @@ TEST_SUITE("cli") {
     const std::string wall = "[[wall]]\nname = \"w\"\nat = [9, 0]\nnormal = [-1, 0]\n";
     CHECK(warns("10", wall));  // Pa for MPa: c0 is 0.13 m/s
     CHECK_FALSE(warns("1e7", wall));
-    CHECK_FALSE(warns("10", ""));  // can meet nothing
+    CHECK_FALSE(warns("10", ""));
   }
 
   TEST_CASE("a reaction by a method that does not conserve momentum gives a warning") {

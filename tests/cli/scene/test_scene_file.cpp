@@ -134,7 +134,7 @@ TEST_SUITE("unit") {
     const std::string when = replaced(text, "let =", "when = { v0 = 0.06 }\nlet =");
     CHECK(peak(when) == Approx(16.2).epsilon(1e-14));
     CHECK(read_text(when, set({{"v0", "0.5"}})).scene.references.empty());
-    // a value holds only for the default parameters
+    // values hold only for default parameters
     const std::string valued = replaced(text, "let =", "values = { peak = 3 }\nlet =");
     CHECK(read_text(valued).scene.references.at("neo_hookean").value.at("peak") == 3);
     CHECK(peak(valued) == Approx(16.2).epsilon(1e-14));
@@ -234,7 +234,7 @@ TEST_SUITE("unit") {
     CHECK(scene.bodies[0].clamped({-1e-9, 0, 0}) != 0);
     CHECK(scene.bodies[0].clamped({0, 0, 0}) == 0);
     CHECK(particles(scene) == 1612);
-    // Eq. 28–29: tip at vf c0, clamp at rest, middle computed separately
+    // Eq. 28–29: tip at vf c0, middle computed separately
     const auto& velocity = scene.bodies[0].velocity[1];
     const double c0 = scene.materials[0].sound_speed();
     CHECK(velocity({0.2, 0, 0}) == Approx(0.05 * c0).epsilon(1e-14));
@@ -278,7 +278,7 @@ TEST_SUITE("unit") {
     CHECK(scene.bodies[0].clamped({0.2499, 0, 0}) == 0);
     CHECK(scene.bodies[1].shapes.at(0).as<Disc>()->radius == 0.05);
     CHECK(scene.bodies[1].shapes.at(0).as<Disc>()->centre == Point{0, 0.1, 0});
-    CHECK(scene.bodies[1].velocity[1]({}) == Approx(-7.45355992).epsilon(1e-8));  // 0.02 c0
+    CHECK(scene.bodies[1].velocity[1]({}) == Approx(-7.45355992).epsilon(1e-8));
     CHECK(scene.references.at("neo_hookean").value.at("deflection") == -0.07766);
     CHECK(scene.references.at("2d_deviator").value.at("rebound_ratio") == 0.7189);
     CHECK(particles(scene) == 2928);
@@ -331,7 +331,7 @@ TEST_SUITE("unit") {
         CHECK(std::abs(exact({L, 0, 0}, t) - u) < 1e-4 * std::abs(U) * L / (4 * c));
       }
     }
-    // from K and G, with 1/2 of the trace: M = 4KG/(K + G)
+    // with 1/2 of the trace: M = 4KG/(K + G)
     const Scene scene = shipped("elastic-cable").scene;
     const double K = scene.materials.at(0).bulk_modulus(), G = scene.materials[0].shear_modulus();
     const double c = std::sqrt(4 * K * G / (K + G) / 8000);
@@ -347,7 +347,6 @@ TEST_SUITE("unit") {
     const Scene scene = shipped("heterogeneous-cable").scene;
     for (const char* law : {"neo_hookean", "2d_deviator"}) {
       const Solution& exact = scene.references.at(law).solution.at("stress_rmse").at(0);
-      // n masses and springs per metre; M of each metal from its K and G
       const int n = 1000;
       const double dx = 1.0 / n, dt = 0.5 * dx / 6000, pi = std::numbers::pi;
       const auto modulus = [&](int material) {
@@ -407,7 +406,6 @@ TEST_SUITE("unit") {
         CHECK((layout.material[i] == 1) == (from_centre < 0.035));
         inner += layout.material[i];
       }
-      // ratio of areas: (35² − 30²)/(40² − 30²)
       CHECK(inner == Approx(layout.size() * 325.0 / 700).epsilon(0.01));
     }
   }

@@ -27,7 +27,7 @@ std::string solid_scene(const std::string& shape, const std::string& keys = "") 
 
 const std::string brick = "{ type = \"box\", low = [0, 0, 0], high = [2, 1, 0.5] }";
 
-/// Checks that reading `text` throws at '@' with all `parts` in the message.
+/// Expects an error at '@' with all `parts`.
 void check_solid_error(std::string text, std::initializer_list<const char*> parts) {
   const std::size_t mark = text.find('@');
   REQUIRE(mark != std::string::npos);
@@ -53,7 +53,7 @@ double volume(const InitialParticles& layout) {
   return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
 }
 
-/// Checks that the resolved text gives the same scene and text.
+/// The resolved text gives the same scene and text.
 void check_resolved(const SceneFile& file) {
   const std::string text = resolved_text(file, scratch_folder());
   const SceneFile again = read_text(text);
@@ -200,11 +200,11 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE("scene: a body can be cut out, rotated, laid on its boundary and displaced") {
-    const SceneFile file = read_text(solid_scene(
-        brick,
-        "without = [{ type = \"ball\", centre = [2, 1, 0.5], radius = 0.4 }, { type = \"box\", low = [0, 0, "
-        "0], "
-        "high = [0.5, 0.5, 1] }]\nrotate = { axis = [0, 0, 2], angle = \"45 + 45\", about = [2, 1, 0] }"));
+    const SceneFile file =
+        read_text(solid_scene(brick,
+                              "without = [{ type = \"ball\", centre = [2, 1, 0.5], radius = 0.4 }, "
+                              "{ type = \"box\", low = [0, 0, 0], high = [0.5, 0.5, 1] }]\n"
+                              "rotate = { axis = [0, 0, 2], angle = \"45 + 45\", about = [2, 1, 0] }"));
     check_resolved(file);
     const Body& body = file.scene.bodies[0];
     REQUIRE(body.without.size() == 2);

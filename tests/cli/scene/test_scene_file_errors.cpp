@@ -133,7 +133,7 @@ TEST_SUITE("cli") {
     check_error("[render]", "@" + parts + "b = 1\n[render]", {"a key has more than 16 parts"});
     check_error("v0 = {", "v0 = { @" + parts + "b = 1, ", {"a key has more than 16 parts"});
     CHECK_NOTHROW(read_text(replaced(small_scene, "\"Small\"", "'" + std::string(100, '.') + "'")));
-    // a string of three quotes may end with up to five [TOML 1.0, String]
+    // [TOML 1.0, String]: up to five quotes at the end
     for (const std::string text : {R"("""x"""")", R"("""x""""")", "'''x''''", "'''x'''''", R"("""\"""")"}) {
       CAPTURE(text);
       check_error("\"Small\"", text + " # \\\n@" + parts + "b = 1", {"a key has more than 16 parts"});
@@ -263,22 +263,23 @@ TEST_SUITE("cli") {
     check_error("values = { peak = 3 }", "let = { @v0 = 1 }", {"'v0' is already a parameter"});
     check_error("values = { peak = 3 }", "let = { a = \"@q + 1\" }", {"unknown name 'q'"});
     check_error(
-        "of = \"maximum\"\nprobe = \"tip\"\nunit = \"m\"\n[[reference]]\nlaw = \"neo_hookean\"\nname = "
-        "\"made up\"\nvalues = { peak = 3 }",
-        "of = \"rmse\"\nprobe = \"tip\"\n[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nsolutions "
-        "= { peak = \"2*@tt\" }",
+        "of = \"maximum\"\nprobe = \"tip\"\nunit = \"m\"\n"
+        "[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nvalues = { peak = 3 }",
+        "of = \"rmse\"\nprobe = \"tip\"\n"
+        "[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nsolutions = { peak = \"2*@tt\" }",
         {"unknown name 'tt'"});
     check_error(
-        "of = \"maximum\"\nprobe = \"tip\"\nunit = \"m\"\n[[reference]]\nlaw = \"neo_hookean\"\nname = "
-        "\"made up\"\nvalues = { peak = 3 }",
-        "of = \"turn\"\nprobes = [\"tip\", \"tip\"]\n[[reference]]\nlaw = \"neo_hookean\"\nname = \"made "
-        "up\"\nsolutions = { peak = @\"t\" }",
+        "of = \"maximum\"\nprobe = \"tip\"\nunit = \"m\"\n"
+        "[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nvalues = { peak = 3 }",
+        "of = \"turn\"\nprobes = [\"tip\", \"tip\"]\n"
+        "[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nsolutions = { peak = @\"t\" }",
         {"has 2 probes", "an array with one expression for each"});
     check_error(
-        "of = \"maximum\"\nprobe = \"tip\"\nunit = \"m\"\n[[reference]]\nlaw = \"neo_hookean\"\nname = "
-        "\"made up\"\nvalues = { peak = 3 }",
-        "of = \"turn\"\nprobes = [\"tip\", \"tip\"]\n[[reference]]\nlaw = \"neo_hookean\"\nname = \"made "
-        "up\"\ntables = { peak = { file = \"table.csv\", columns = @[\"uy\"] } }",
+        "of = \"maximum\"\nprobe = \"tip\"\nunit = \"m\"\n"
+        "[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nvalues = { peak = 3 }",
+        "of = \"turn\"\nprobes = [\"tip\", \"tip\"]\n"
+        "[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\n"
+        "tables = { peak = { file = \"table.csv\", columns = @[\"uy\"] } }",
         {"array of 2 names of columns"});
     const auto with_rmse = [](const std::string& table) {
       return replaced(replaced(small_scene, "of = \"maximum\"", "of = \"rmse\""), "values = { peak = 3 }",
@@ -310,8 +311,8 @@ TEST_SUITE("cli") {
 
   TEST_CASE("scene: invalid lines are refused") {
     const auto with = [](const std::string& line) {
-      return "[[line]]\nname = \"cut\"\nbody = \"block\"\nfield = \"pressure\"\nfrom = [0, 0.5]\nto = [2, "
-             "0.5]\n" +
+      return "[[line]]\nname = \"cut\"\nbody = \"block\"\nfield = \"pressure\"\n"
+             "from = [0, 0.5]\nto = [2, 0.5]\n" +
              line + "[[reference]]";
     };
     const auto bad = [&](const std::string& line, std::initializer_list<const char*> parts) {

@@ -35,15 +35,14 @@ const std::map<std::string_view, std::string> values = {
     {"until", "9"},
 };
 
-/// The small scene with one more measure with every key of its kind.
+/// Adds a measure with every key of its kind.
 std::string scene_with(const MeasureKind& kind, const std::string& more = "") {
   std::string measure =
       "\n[[line]]\nname = \"middle\"\nbody = \"block\"\nfield = \"pressure\"\nfrom = [0, 0.5]\n"
       "to = [2, 0.5]\npoints = 3\ntimes = [1]\n[[measure]]\nname = \"m\"\nof = \"" +
       std::string(kind.name) + "\"\n";
   for (const std::string_view key : kind.keys)
-    if (key != "axis")  // 3D only
-      measure += std::string(key) + " = " + values.at(key) + "\n";
+    if (key != "axis") measure += std::string(key) + " = " + values.at(key) + "\n";
   return small_scene + measure + more;
 }
 
@@ -161,16 +160,16 @@ TEST_SUITE("cli") {
     CHECK(sum.bodies == std::vector{0});
     CHECK(unit_of(sum, 2).empty());
     CHECK(sum.value({10, 0}, 3) == Approx(20 + 0.06 * 3 + 0.1));
-    CHECK(read_text(with("\"tip\"", "later-one")).scene.probes.size() == 2);  // not a variable
+    CHECK(read_text(with("\"tip\"", "later-one")).scene.probes.size() == 2);
     const auto refused = [&](const std::string& text, const char* message) {
       CHECK_THROWS_WITH_AS(read_text(text), doctest::Contains(message), SceneError);
     };
     refused(with("\"2*tp\""), "unknown name 'tp'");
-    // unknown if the bodies differ in material
+    // unknown if the materials differ
     CHECK(read_text(with("\"0*t + K/G\"")).scene.probes.at(1).value({0, 0}, 0) == Approx(14.0 / 3));
     const std::string soft =
-        "[material.soft]\ndensity = 1000\nyoungs_modulus = 1e6\npoisson_ratio = 0.3\n[[body]]\nname = "
-        "\"block\"";
+        "[material.soft]\ndensity = 1000\nyoungs_modulus = 1e6\npoisson_ratio = 0.3\n"
+        "[[body]]\nname = \"block\"";
     const std::string two = replaced(with("\"0*t + K\""), "[[body]]\nname = \"block\"", soft);
     refused(replaced(two, "outer = 2 }\nmaterial = \"rubber\"", "outer = 2 }\nmaterial = \"soft\""),
             "unknown name 'K'");

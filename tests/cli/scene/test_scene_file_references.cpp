@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// The small scene with other references; `peak` is the tip at rest.
+/// `peak` is the tip at rest.
 std::string with_references(const std::string& references) {
   const std::string old = "[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nvalues = { peak = 3 }\n";
   return replaced(replaced(small_scene, "of = \"maximum\"", "of = \"at_rest\""), old, references);
@@ -64,7 +64,6 @@ TEST_SUITE("cli") {
     CHECK(chosen(with_references(own), "enog", "0.1") == "none");
     CHECK_THROWS_WITH_AS(read_text(with_references(any + any)), doctest::Contains("two references"),
                          SceneError);
-    // chosen per measure
     const std::string more = "[[measure]]\nname = \"least\"\nof = \"minimum\"\nprobe = \"tip\"\n";
     const Reference both =
         read_text(with_references(more + any + reference("other", "values = { least = 1 }")))
@@ -73,7 +72,7 @@ TEST_SUITE("cli") {
     CHECK(both.name_for("least") == "other");
     CHECK(both.solution.contains("peak"));
     CHECK(both.value.at("least") == 1);
-    // a solution may be the value of a measure, with names of the only material
+    // a solution may be a measure's value, with names of the only material
     const std::string modulus =
         reference("modulus", "let = { m = \"E/(1 - nu^2)\" }\nsolutions = { peak = \"m/E\" }");
     const Reference named = read_text(with_references(modulus)).scene.references.at("neo_hookean");

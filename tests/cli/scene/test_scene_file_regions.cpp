@@ -45,8 +45,8 @@ bool says(const SceneError& error, const std::string& part) {
 TEST_SUITE("cli") {
   TEST_CASE("scene: parts of a body can have other materials, and the last matching part counts") {
     const std::string steel =
-        "[material.steel]\ndensity = 8000\nyoungs_modulus = 2e11\npoisson_ratio = 0.3\n[[body]]\nname = "
-        "\"block\"";
+        "[material.steel]\ndensity = 8000\nyoungs_modulus = 2e11\npoisson_ratio = 0.3\n"
+        "[[body]]\nname = \"block\"";
     const SceneFile file =
         read_text(replaced(with_block("parts = [{ material = \"steel\", where = \"x > 1\" },\n"
                                       "{ material = \"rubber\", where = \"y > 0.5 && c0 < 200\" }]"),
@@ -218,7 +218,6 @@ TEST_SUITE("cli") {
     CHECK_THROWS_AS(changed("linaer", nullptr), UsageError);
     CHECK_THROWS_AS(changed("linear", "icb"), UsageError);
     CHECK_THROWS_AS(changed("linear", "pfj-jst"), UsageError);
-    // other methods report the law they use
     CHECK(file.remark.empty());
     CHECK(changed(nullptr, "oenog") == "linear");
     CHECK(read_changed(nullptr, "oenog").remark.empty());

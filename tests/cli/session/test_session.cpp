@@ -98,7 +98,7 @@ TEST_SUITE("cli") {
     for (const std::size_t at : {std::size_t{0}, checkpoint.state.size() / 2, checkpoint.state.size() - 9}) {
       CAPTURE(at);
       Checkpoint damaged = checkpoint;
-      damaged.state.erase(at, 1);  // shifts all following bytes
+      damaged.state.erase(at, 1);  // shifts the following bytes
       write_checkpoint(file, damaged);
       const Outcome outcome = session(folder, "step 5\nload " + file + "\nstep 7\nprobe\n");
       CHECK(contains(outcome.out, "error: '" + file + "' cannot be used: the saved state is damaged"));

@@ -17,7 +17,7 @@ namespace {
 
 const std::string up = "\x1b[A", backspace = "\x7f", interrupt = "\x03", end_of_input = "\x04";
 
-/// Smallest distance, by the worst channel, of `color` to colours set in `shown` (ESC[38;2;R;G;Bm).
+/// Smallest distance, by the worst channel, of `color` to colours in `shown` (ESC[38;2;R;G;Bm).
 int nearest_color(const std::string& shown, const std::array<int, 3>& color) {
   int nearest = 255;
   for (std::size_t at = shown.find("8;2;"); at != std::string::npos; at = shown.find("8;2;", at + 1)) {
@@ -143,7 +143,7 @@ TEST_SUITE("cli") {
     const Words constants = words({"set", ""});
     CHECK(std::ranges::count(constants, "method.zeta=") == 1);
     CHECK(std::ranges::count(constants, "cfl=") == 1);
-    CHECK(std::ranges::count(constants, "speed=") == 0);  // fixed after the start
+    CHECK(std::ranges::count(constants, "speed=") == 0);
     CHECK(std::ranges::count(constants, "method.h=") == 0);
     CHECK(taut::cli::session_choices(session, {"save", ""}).files == "*");
     CHECK(taut::cli::session_choices(session, {"frame", ""}).files == "*.png");

@@ -19,7 +19,7 @@ namespace {
 const std::string converging =
     "finished,tl,tl,0.4,10,stable,,0.32,2,4,\n"
     "finished,tl,tl,0.2,20,stable,,0.08,2,32,\n"
-    "finished,tl,tl,0.1,40,fractured,0.5,0.5,2,256,\n"  // unstable: not part of the order
+    "finished,tl,tl,0.1,40,fractured,0.5,0.5,2,256,\n"
     "finished,tl,tl,0.05,80,stable,,0.005,2,2048,\n"
     "finished,og,og,0.4,10,stable,,0.3,2,5,\n"
     "failed,og,og,0.2,10,diverged,,,2,1,\n"
@@ -74,7 +74,6 @@ TEST_SUITE("cli") {
     REQUIRE(tl.points.size() == 4);
     CHECK_FALSE(tl.points[2].stable);
     CHECK_FALSE(chart.series[1].points[1].error.has_value());
-    // slopes of 1 and 3 between neighbours
     const std::vector<taut::cli::ChartPoint> bent{
         {.spacing = 4, .error = 16}, {.spacing = 2, .error = 2}, {.spacing = 1, .error = 1}};
     CHECK(*taut::cli::convergence_order(bent) == Approx(2));
@@ -172,7 +171,6 @@ TEST_SUITE("cli") {
     CHECK(*tl.order < 1.45);
     CHECK(*tl_of_twelve.order > 1.4);
     CHECK(*tl_of_twelve.order < 1.75);
-    // eight neighbours give smaller errors
     REQUIRE(tl.points.size() == tl_of_twelve.points.size());
     for (std::size_t k = 0; k < tl.points.size(); ++k)
       CHECK(tl.points[k].error.value() < 0.75 * tl_of_twelve.points[k].error.value());
@@ -220,13 +218,12 @@ TEST_SUITE("cli") {
     CHECK(contains(script, "set xlabel 'time to solve, s'"));
     CHECK(contains(script, "set ylabel 'error of the bend, % of the reference'"));
     CHECK(contains(script, "'×') with labels offset"));
-    CHECK(contains(script, "set label 'og' at graph 1.01"));  // has runs without a value
+    CHECK(contains(script, "set label 'og' at graph 1.01"));
     CHECK_FALSE(contains(script, "set label 'tl' at graph 1.01"));
     // cost ∝ n³, error ∝ n⁻²
     CHECK(contains(script, "**(-0.6666666666666666) with lines"));
     REQUIRE(call({"chart", file, "--methods", "og", "--out", folder.str("og.svg")}).code == 0);
     CHECK_FALSE(contains(text_of(folder / "og.dat"), "# tl"));
-    // a method keeps its colour
     const auto color = [](const std::string& text, const std::string& title) {
       const std::size_t at = text.rfind("linecolor '", text.find("title '" + title + "'"));
       return text.substr(at + 11, 7);
@@ -347,14 +344,11 @@ TEST_SUITE("cli") {
   TEST_CASE("a measure that is already an error cannot be compared with another run") {
     const TemporaryFolder folder;
     std::ofstream(folder / "results.csv")
-        << "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.rmse.kind,measures."
-           "rmse.value,"
-           "measures.rmse.reference,measures.rmse.error,measures.peak.value,measures.peak.reference,measures."
-           "peak.error\n"
-           "finished,tl,rod,9,9,0.2,stable,1,rmse,0.01,0,0.01,3,0,0.5\nfinished,og,rod,9,9,0.2,stable,1,rmse,"
-           "0.02,"
-           "0,0."
-           "02,2,0,0\n";
+        << "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.rmse.kind,"
+           "measures.rmse.value,measures.rmse.reference,measures.rmse.error,"
+           "measures.peak.value,measures.peak.reference,measures.peak.error\n"
+           "finished,tl,rod,9,9,0.2,stable,1,rmse,0.01,0,0.01,3,0,0.5\n"
+           "finished,og,rod,9,9,0.2,stable,1,rmse,0.02,0,0.02,2,0,0\n";
     CHECK(chart_of(folder.str("results.csv"), {.measure = "peak", .against = "og"}).measure == "peak");
     CHECK(chart_of(folder.str("results.csv"), {.measure = "", .against = "og"}).measure == "peak");
     CHECK_THROWS_WITH_AS(chart_of(folder.str("results.csv"), {.measure = "rmse", .against = "og"}),

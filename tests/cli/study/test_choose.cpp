@@ -44,7 +44,6 @@ TEST_SUITE("cli") {
     CHECK(rough.front().finer == 2);
     CHECK(taut::cli::suitable_offers(chart, {0.06, 0.5}).empty());
     CHECK(taut::cli::suitable_offers(chart, {0.003, std::nullopt}).empty());
-    // inclusive limit
     CHECK(taut::cli::suitable_offers(chart, {0.008, std::nullopt}).front().point->error == 0.008);
     CHECK(taut::cli::suitable_offers(chart, {0.0079, std::nullopt}).front().point->error == 0.004);
     CHECK(taut::cli::suitable_offers(chart, {0.0039, std::nullopt}).empty());

@@ -25,9 +25,8 @@ std::string record_with(const std::string& parameters) {
          parameters + "}}";
 }
 
-using NamedRuns = std::vector<std::pair<std::string, std::string>>;  // method, settings
+using NamedRuns = std::vector<std::pair<std::string, std::string>>;
 
-/// A line per run, falling from `high`.
 HistoryPlot falling(const NamedRuns& runs, double high = 1) {
   HistoryPlot plot;
   plot.title = "A rod", plot.columns = {{"tip", "tip, m"}};
@@ -70,7 +69,6 @@ TEST_SUITE("cli") {
     const NamedRuns more = speeds_of("oenog", 7);
     two.insert(two.end(), more.begin(), more.end());
     CHECK(looks(script_of(falling(two))).size() == 14);
-    // methods keep their look
     const std::string methods = script_of(falling({{"og", ""}, {"tl", ""}}));
     const std::string alone = script_of(falling({{"og", ""}}));
     CHECK(looks(methods).contains(*looks(alone).begin()));
@@ -89,7 +87,7 @@ TEST_SUITE("cli") {
       looks.insert(alone.line());
     }
     CHECK(looks.size() == all.size());
-    // a second line of a method leaves the first lines of all others alone
+    // a method's second line leaves all first lines alone
     const auto twice = curve_styles({all[0], all[0], all[8]});
     CHECK(twice[2].line() == together[8].line());
     CHECK(twice[1].line() != twice[0].line());
@@ -113,7 +111,7 @@ TEST_SUITE("cli") {
     CHECK(shortened("short, ν=0.4") == "short, ν=0.4");
     std::string greek;
     for (int k = 0; k < 60; ++k) greek += "ν";
-    CHECK(shortened(greek).size() == 2 * 45 + 3);  // 46 letters, none cut
+    CHECK(shortened(greek).size() == 2 * 45 + 3);  // 46 letters
   }
 
   TEST_CASE("runs are ordered by rising swept values, in whatever order they are given") {

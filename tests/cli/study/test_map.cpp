@@ -87,9 +87,9 @@ TEST_SUITE("cli") {
     const std::string few = script_of(8, "og");
     CHECK(contains(few, "with labels font ',10'"));
     CHECK(count_of(few, "'0.100") == 8);
-    const std::string more = script_of(30, "og");  // 3.45 is 33 pixels wide
+    const std::string more = script_of(30, "og");
     CHECK(number_after(more, "with labels font ',") < 10);
-    CHECK(count_of(more, "'0.10") < 20);  // 0.100000, 0.100300, ...
+    CHECK(count_of(more, "'0.10") < 20);
     CHECK(count_of(more, "'0.10") > 5);
     const std::string many = script_of(200, "og");
     CHECK_FALSE(contains(many, "with labels"));

@@ -17,17 +17,14 @@ namespace {
 
 const std::string header =
     "index,folder,set.thickness,set.method,set.cfl,status,scene,method,spacing,particles,steps,verdict,"
-    "measures.deflection.kind,measures.deflection.value,measures.deflection.unit,measures.deflection."
-    "reference,"
-    "measures.deflection.reference_name,measures.deflection.error,measures.peak_time.value,measures.peak_"
-    "time.unit,"
-    "threads,machine,seconds.solve\n";
+    "measures.deflection.kind,measures.deflection.value,measures.deflection.unit,"
+    "measures.deflection.reference,measures.deflection.reference_name,measures.deflection.error,"
+    "measures.peak_time.value,measures.peak_time.unit,threads,machine,seconds.solve\n";
 
 struct Row {
   std::string thickness, method, cfl, verdict, deflection, reference;
 };
 
-/// Thin and thick beams.
 std::vector<Row> beams() {
   return {{"0.02", "tl", "0.3", "stable", "0.002", "0.0021"},
           {"0.01", "tl", "0.3", "stable", "0.016", "0.0168"},
@@ -79,14 +76,14 @@ TEST_SUITE("cli") {
     REQUIRE(plot.panels.size() == 1);
     const auto& lines = plot.panels[0].lines;
     REQUIRE(names_of(plot.panels[0]) == Texts{"tl", "oenog", "reference: beam theory"});
-    CHECK(lines[0].points[0].x == 0.01);  // ascending
+    CHECK(lines[0].points[0].x == 0.01);
     CHECK(lines[0].points[1].y == 0.002);
     CHECK(lines[1].points[0].stable);
     CHECK_FALSE(lines[1].points[1].stable);
     CHECK(lines[2].is_reference);
     CHECK(lines[2].points.size() == 2);
     CHECK(plot.without_value == 0);
-    // method and all that differs are the default, as is the only swept parameter with several values
+    // the default: the method, all that differs, the only swept parameter with several values
     const ResponsePlot same = plot_of(beams(), {"", {"deflection"}});
     CHECK(same.x.name == "thickness");
     CHECK(names_of(same.panels[0]) == names_of(plot.panels[0]));
@@ -94,7 +91,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("references that differ between lines are drawn for each line") {
     std::vector<Row> rows = beams();
-    rows[2].reference = "0.017";  // another law
+    rows[2].reference = "0.017";
     const ResponsePlot plot = plot_of(rows, {"thickness", {"deflection"}, {"method"}});
     CHECK(names_of(plot.panels[0]) ==
           Texts{"tl", "oenog", "reference: beam theory, oenog", "reference: beam theory, tl"});
@@ -135,7 +132,7 @@ TEST_SUITE("cli") {
     CHECK(contains(script, "title 'open: not stable'"));
     CHECK(
         contains(response_data(plot), "# thickness, m; deflection, m; stable\n0.01 0.016 1\n0.02 0.002 1\n"));
-    CHECK(contains(response_data(plot), "0.01 5 1\n"));  // 5 %
+    CHECK(contains(response_data(plot), "0.01 5 1\n"));
     PlotLook look;
     look.log_x = look.log_y = true;
     CHECK(contains(response_script(plot, {"p.png"}, look), "set logscale xy\n"));

@@ -163,7 +163,6 @@ TEST_SUITE("cli") {
     CHECK(chart.fixed == std::vector<std::string>{"until = 0.3"});
     CHECK(read_results({law}).fixed.size() == 3);
     CHECK(make_chart(read_results({law}), {}).series[0].name == "tl");
-    // unknown without results.json
     fs::remove(folder / "plain/results.json");
     CHECK(read_results({law, plain}).fixed.empty());
   }

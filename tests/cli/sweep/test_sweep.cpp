@@ -60,7 +60,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("a sweep creates a folder for each run and a row in the order of the grid") {
     const TemporaryFolder folder;
-    // the second of three rows is the longest and starts first
+    // the second of three rows is the longest
     const Outcome outcome = program(tiny_sweep(
         folder, "out", {"--grid", "until=0.001,0.004,0.002", "--grid", "method=og,enog", "--jobs", "3"}));
     CAPTURE(outcome.err);
@@ -233,7 +233,7 @@ tables = { gap_rmse = { file = "tables/gap.csv", column = "gap" } }
     const fs::path diverged = folder / "out/pull=0_cfl=20/run.json";
     const auto time = fs::last_write_time(diverged);
     CHECK(program(sweep).code == 0);
-    CHECK(fs::last_write_time(diverged) == time);  // not repeated
+    CHECK(fs::last_write_time(diverged) == time);
   }
 
   TEST_CASE("wrong names, values and options of a sweep are refused before anything runs") {

@@ -20,7 +20,6 @@ SweepRun run_of_cost(double cpu) {
   return run;
 }
 
-/// Rows with CPU seconds and other load.
 std::string costs(const TemporaryFolder& folder, const std::string& rows) {
   std::ofstream(folder / "results.csv")
       << "status,method,scene,particles,steps,spacing,verdict,seconds.solve,seconds.cpu,other_load,"
@@ -65,7 +64,7 @@ TEST_SUITE("cli") {
     CHECK(row["repeated"]["runs"] == 3);
     fs::remove_all(folder / "out/repeat-2/speed=1");
     const auto before = fs::last_write_time(folder / "out/repeat-3/speed=1/run.json");
-    REQUIRE(program(words).code == 0);  // only what is missing
+    REQUIRE(program(words).code == 0);
     CHECK(fs::exists(folder / "out/repeat-2/speed=1/run.json"));
     CHECK(fs::last_write_time(folder / "out/repeat-3/speed=1/run.json") == before);
     const Outcome plain = program(tiny_sweep(folder, "plain", {"--grid", "speed=1", "--until", "1e-4"}));

@@ -13,11 +13,11 @@ namespace {
 int shell(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()); }
 
 const std::string strange =
-    "-a b {} {#} {= `touch ran`; =} $(touch ran) `touch ran` 'q' \"r\" \\ %d @x # ;[y]\n#SBATCH -z\ntouch "
-    "ran";
+    "-a b {} {#} {= `touch ran`; =} $(touch ran) `touch ran` 'q' \"r\" \\ %d @x # ;[y]\n"
+    "#SBATCH -z\ntouch ran";
 
-/// Substitute for GNU parallel: options up to -q, then a command per input line with {} and {#} replaced. Executes {=
-/// where it occurs.
+/// Substitute for GNU parallel: options up to -q, then a command per input line with {} and {#} replaced.
+/// Executes {= where it occurs.
 void write_parallel(const TemporaryFolder& folder) {
   fs::create_directories(folder / "bin");
   std::ofstream(folder / "bin/parallel") << R"(#!/bin/sh
@@ -58,11 +58,11 @@ TEST_SUITE("cli") {
     const auto task = [&](int index) {
       return shell("cd / && SLURM_ARRAY_TASK_ID=" + std::to_string(index) + " sh " + script);
     };
-    for (const int index : {5, 0, 7, 2, 6, 1, 3}) CHECK(task(index) == 0);  // without 4
+    for (const int index : {5, 0, 7, 2, 6, 1, 3}) CHECK(task(index) == 0);
     CHECK(task(8) != 0);
     CHECK_FALSE(fs::exists(folder / "out/results.csv"));
     const auto before = ends(folder / "out");
-    CHECK(before.size() == 4 - 1);  // half of them diverge
+    CHECK(before.size() == 4 - 1);
     REQUIRE(program(tiny_sweep(folder, "out", grid)).code == 0);
     for (const auto& [run, time] : before) CHECK(ends(folder / "out").at(run) == time);
     REQUIRE(program(tiny_sweep(folder, "direct", grid)).code == 0);
@@ -103,7 +103,7 @@ TEST_SUITE("cli") {
     CHECK(statuses(sweep) == Texts{"finished", "finished"});
     CHECK_FALSE(contains(text_of(folder / "calls"), strange));
     if (shell("parallel --version") != 0) return;
-    emitted_and_run("parallel", "");  // the real one
+    emitted_and_run("parallel", "");
     CHECK(statuses(sweep) == Texts{"finished", "finished"});
   }
 

@@ -24,7 +24,7 @@ FilePlace write_sweep(const TemporaryFolder& folder, std::string text) {
   return place;
 }
 
-/// Checks that the sweep is refused at the '@' with `part` in the message.
+/// Expects an error at the '@' with `part`.
 void check_refused(const std::string& text, const std::string& part) {
   const TemporaryFolder folder;
   const FilePlace place = write_sweep(folder, text);

@@ -13,13 +13,12 @@ void wait_until_one_has_ended(const fs::path& folder) {
   ChildProgram::wait([&] { return contains(text_of(folder / "results.csv"), ",finished,"); });
 }
 
-/// The endless run has started too.
 void wait_until_the_short_run_has_ended(const fs::path& folder) {
   wait_until_one_has_ended(folder);
   ChildProgram::wait_for(folder / "until=1000/history.csv");
 }
 
-/// A short and an endless run in parallel, with discs at rest.
+/// A short and an endless run, with discs at rest.
 Texts endless_sweep(const TemporaryFolder& folder, const Texts& more = {}) {
   Texts all{"--grid", "until=1000,0.001", "--set", "speed=0", "--history", "0.001", "--jobs", "2"};
   all.insert(all.end(), more.begin(), more.end());
@@ -134,7 +133,7 @@ TEST_SUITE("cli") {
     fs::create_directories(folder / "out");
     std::ofstream(folder / "out/sweep.lock") << "";
     fs::create_directory(folder / "out/speed=2");
-    fs::create_symlink("nowhere", folder / "out/speed=2/run.lock");  // no lock follows a link
+    fs::create_symlink("nowhere", folder / "out/speed=2/run.lock");
     const Outcome outcome = program(sweep);
     CHECK(outcome.code == 4);
     CHECK(contains(outcome.err, "run 1 (speed=2): "));

@@ -38,7 +38,7 @@ class Disk {
     }
   }
 
-  /// Per renamed file: whether all files were on disk, and the file itself.
+  /// Per renamed file: whether all files were on disk; whether the file itself was.
   std::map<std::string, std::vector<bool>> all_before, itself_before;
   std::set<std::string> lacking;
 
@@ -119,7 +119,7 @@ TEST_SUITE("cli") {
     Outcome outcome;
     std::jthread other(
         [&] { outcome = watched(tiny_run(folder, "out"), "TAUT_GATE=" + folder.str("gate")); });
-    ChildProgram::wait_for(folder / "gate");  // the file is open
+    ChildProgram::wait_for(folder / "gate");
     first.reset();
     const auto second = take();
     fs::remove(folder / "gate");

@@ -67,7 +67,7 @@ TEST_SUITE("unit") {
     const FolderLock all(folder.path(), Of::sweep, "taut sweep", err);
     CHECK(contains(refusal(folder.path(), Of::sweep), "in use by `taut sweep`"));
     CHECK(contains(refusal(folder.path(), Of::part_of_sweep), "in use by `taut sweep`"));
-    CHECK(refusal(folder.path(), Of::run).empty());  // independent
+    CHECK(refusal(folder.path(), Of::run).empty());
   }
 
   TEST_CASE("a lock ends with its process, and its file is taken by the next one") {

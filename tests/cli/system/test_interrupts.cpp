@@ -39,7 +39,7 @@ TEST_SUITE("unit") {
 TEST_SUITE("cli") {
   TEST_CASE("Ctrl-C while a run is setting up ends it at once, before it touches a file") {
     const TemporaryFolder folder;
-    // 270 000 particles: bonds take seconds
+    // with 270 000 particles bonds take seconds
     TerminalProgram program(
         {"run", "colliding-balls", "--method", "oenog", "--spacing", "1.1e-3", "--out", folder.str("run")},
         folder.str("state"));

@@ -14,7 +14,6 @@ using namespace taut::cli;
 
 namespace {
 
-/// Blocks threads until it is opened.
 class Gate {
  public:
   void open() {
@@ -62,7 +61,7 @@ TEST_SUITE("unit") {
     Gate gate;
     std::vector<int> order;
     work.add([&](int) {
-      gate.pass();  // opened by the last piece
+      gate.pass();
       return [&] { order.push_back(0); };
     });
     for (int k = 1; k < 4; ++k)

@@ -36,7 +36,6 @@ TEST_SUITE("cli") {
       CHECK(line.starts_with("oscillatin"));
       CHECK(line.find("] 40 %  0:12 left") != std::string::npos);
       CHECK((line.find("particle-steps/s") != std::string::npos) == (width >= 200));
-      // constant length of the bar
       CHECK(bar_line(name, 0.4, "", "", width).find(']') - bar_line(name, 0.4, "", "", width).find('[') ==
             line.find(']') - line.find('['));
     }

@@ -22,9 +22,9 @@ using namespace taut::test;
 namespace {
 
 constexpr double round_off = 1e-13;
-constexpr double dp = 0.001;  // m
+constexpr double dp = 0.001;
 
-/// Two bodies of one particle each, `gap` spacings apart along x.
+/// One particle each, `gap` spacings apart.
 Scene two_particles(double gap, double speed) {
   Scene scene;
   scene.name = "two-particles";
@@ -107,7 +107,7 @@ TEST_SUITE("analytic") {
       Settings settings = with_method(method);
       settings.cfl = 0.01;
       const double stiffness = std::string(method) == "oenog" ? 2 : 1;
-      const double k = stiffness * scene.materials[0].bulk_modulus() / 2;  // N/m per metre depth
+      const double k = stiffness * scene.materials[0].bulk_modulus() / 2;
       const double m = scene.materials[0].density * dp * dp;
       const double omega = std::sqrt(2 * k / m), quarter = 0.5 * 3.14159265358979 / omega;
       const auto simulation = make_simulation(scene, settings);
@@ -134,7 +134,7 @@ TEST_SUITE("conservation") {
         scene.contact = law;
         const auto simulation = make_simulation(scene, with_method(std::string(method.name)));
         const Snapshot start = simulation->snapshot();
-        // a thin ring does not survive 200 long steps
+        // a thin ring does not survive 200 steps
         make_steps(*simulation, method.cfl > 0.4 ? 80 : 200);
         const Balance before = balance(start, scene), after = balance(simulation->snapshot(), scene);
         if (method.conserves.starts_with("linear momentum"))
@@ -145,7 +145,7 @@ TEST_SUITE("conservation") {
           CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) <
                 round_off * before.angular_scale);
         CHECK(kept_speed(start, simulation->snapshot()) < 0.7);
-        // ccb is undamped in tension, and so are the zigzags of pf
+        // ccb is undamped in tension, pf in zigzags
         const double gain = method.name == "ccb" ? 1.08 : method.name == "pf" ? 3 : 1.003;
         CHECK(after.kinetic + after.strain < gain * before.kinetic);
       }
@@ -189,7 +189,6 @@ TEST_SUITE("unit") {
       scene.bodies.push_back(block);
     }
     for (const int dim : {2, 3}) {
-      // J is damped where it is an unknown, F is not
       for (const auto& [method, bound] :
            {std::pair{"pf", 1e-9}, {"pf-jst", 1e-9}, {"pfj-jst", 0.15}, {"pfhj-jst", 0.15}}) {
         CAPTURE(dim);
@@ -202,7 +201,6 @@ TEST_SUITE("unit") {
           body.shapes[0] = Box{box.low, {box.high[0], box.high[1], dim == 3 ? 3 * dp : 0}};
         }
         const Snapshot now = state_after(30, met, with_method(method));
-        // the same positions as an initial displacement, so that F is their gradient
         const auto n = static_cast<std::size_t>(dim);
         for (std::size_t k = 0; k < n; ++k)
           for (Body& body : met.bodies)

@@ -24,15 +24,15 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double dp = 0.001;  // m
-constexpr double arm = 0.03;  // length of the closing arms, m
+constexpr double dp = 0.001;
+constexpr double arm = 0.03;
 using V = Vec<double, 2>;
 
 double modulus() { return ring_rubber().bulk_modulus() + 4.0 / 3 * ring_rubber().shear_modulus(); }
 
 Scene scene_of(const std::vector<Shape>& shapes) { return scene_of_shapes(shapes, 2, dp); }
 
-/// Two discs that overlap by `depth`, m, along a direction off the lattice axes.
+/// Two discs that overlap by `depth`.
 Pressed<2> two_discs(double depth) {
   const double r = 0.006, angle = 0.7, apart = 2 * r - depth;
   return Pressed<2>(
@@ -50,7 +50,6 @@ double total_energy(const Simulation& simulation, const Scene& scene) {
   return now.kinetic + now.strain;
 }
 
-/// A block of 8 × 5 spacings, centred 4.8 spacings above the origin.
 Shape tilted_block(double degrees) {
   const double angle = degrees * std::numbers::pi / 180;
   Chain corners;
@@ -75,7 +74,7 @@ void check_energy_stays(const Scene& scene) {
   CHECK(met);
 }
 
-/// Checks that forces are the energy's slope after symmetry is perturbed; `within` is relative to the largest force.
+/// Compares forces with the energy's slope; `within` is relative to the largest force.
 void check_slopes(Pressed<2>& bodies, double within) {
   for (int i = 0; i < bodies.s.size(); ++i)
     bodies.s.x[i] += 0.03 * dp *
@@ -127,7 +126,7 @@ TEST_SUITE("conservation") {
       CHECK(simulation->snapshot().contact_energy > 0);
       simulation->advance_to(6e-4);
       for (const std::vector<double>& asymmetry : simulation->series().value)
-        CHECK(*std::ranges::max_element(asymmetry) < 1e-15);  // m
+        CHECK(*std::ranges::max_element(asymmetry) < 1e-15);
     }
   }
 }
@@ -232,7 +231,6 @@ TEST_SUITE("analytic") {
     CHECK(std::abs(block.force_on(0)[0]) < 1e-9 * k * depth * length);
     block.shift(0, {0.5 * depth, 0});
     CHECK(block.force_on(0)[0] == Approx(-k * depth * length).epsilon(1e-9));
-    // half of the energy of block and image
     CHECK(block.energy() == Approx(0.25 * k * depth * depth * length).epsilon(1e-9));
   }
 
@@ -241,7 +239,6 @@ TEST_SUITE("analytic") {
       CAPTURE(depth);
       Pressed<2> discs = two_discs(depth);
       const V force = discs.force_on(1);
-      // nodes face the other disc's chords, which lie inside the arcs
       const double sag = dp * dp / (8 * 0.006);
       CHECK(std::abs(discs.gap() + depth) < 2 * sag);
       const double away = force[0] * std::cos(0.7) + force[1] * std::sin(0.7);
@@ -260,7 +257,6 @@ TEST_SUITE("conservation") {
   TEST_CASE("contact of faces: forces are the slope of the energy, and their sum and moment vanish") {
     Pressed<2> discs = two_discs(0.3 * dp);
     check_slopes(discs, 1e-5);
-    // tips that slide off each other, by less and more than a segment
     for (const double past : {0.3, 0.8, 1.4}) {
       CAPTURE(past);
       Pressed<2> tips(scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}, Box{{0, 0.006, 0}, {0.008, 0.012, 0}}}));
@@ -330,7 +326,7 @@ TEST_SUITE("conservation") {
     simulation->advance_to(0.003);
     const std::vector<double>& gap = simulation->series().value[0];
     CHECK(*std::ranges::min_element(gap) < 0);
-    CHECK(*std::ranges::min_element(gap) > -dp);  // faces that look away from each other are ignored
+    CHECK(*std::ranges::min_element(gap) > -dp);  // faces that look away are ignored
   }
 
   TEST_CASE("contact of faces: a round body on a flat one is not pushed aside where corner meets corner") {
@@ -388,7 +384,7 @@ TEST_SUITE("failure") {
 
 TEST_SUITE("unit") {
   TEST_CASE("contact of faces: a body that is pressed or bent, but not folded, has no self-contact") {
-    constexpr double inside = 0.008;  // m; excludes the corners
+    constexpr double inside = 0.008;
     CHECK(touching_after<2>([](const V& x) { return V{x[0], 0.5 * x[1]}; }, dp, inside) == 0);
     CHECK(touching_after<2>([](const V& x) { return bent(x, 0.012); }, dp, inside) == 0);
     CHECK(touching_after<2>([](const V& x) { return bent(x, -0.003); }, dp, 0) > 0);

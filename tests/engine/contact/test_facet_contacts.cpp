@@ -24,16 +24,16 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double dp = 0.001;  // m
-constexpr double arm = 0.02;  // length of the closing arms, m
+constexpr double dp = 0.001;
+constexpr double arm = 0.02;
 using V = Vec<double, 3>;
-constexpr Point direction{0.64, 0.48, 0.6};  // unit vector
+constexpr Point direction{0.64, 0.48, 0.6};
 
 double modulus() { return ring_rubber().bulk_modulus() + 4.0 / 3 * ring_rubber().shear_modulus(); }
 
 Scene scene_of(const std::vector<Shape>& shapes) { return scene_of_shapes(shapes, 3, dp); }
 
-/// Two balls that overlap by `depth`, m, along a direction off the lattice axes.
+/// Two balls that overlap by `depth`.
 Pressed<3> two_balls(double depth, double r = 0.006) {
   const double apart = 2 * r - depth;
   return Pressed<3>(scene_of(
@@ -109,7 +109,7 @@ TEST_SUITE("analytic") {
     CHECK(std::abs(blocks.force_on(1)[0]) < 1e-9 * k * depth * area);
     blocks.shift(1, {-depth, 0, 0});
     const V force = blocks.force_on(1);
-    // the outermost facets are covered to less than 0.85, varying with depth
+    // the outermost facets are covered to less than 0.85
     CHECK(force[0] == Approx(1.02 * k * depth * area).epsilon(0.03));
     CHECK(std::hypot(force[1], force[2]) < 1e-9 * force[0]);
     CHECK(blocks.energy() == Approx(1.01 / 1.02 * 0.5 * depth * force[0]).epsilon(1e-3));
@@ -140,7 +140,6 @@ TEST_SUITE("analytic") {
     block.shift(0, {0.5 * depth, 0, 0});
     const V force = block.force_on(0);
     CHECK(force[0] == Approx(-k * depth * area).epsilon(1e-9));
-    // half of the energy of block and image
     CHECK(block.energy() == Approx(0.25 * k * depth * depth * area).epsilon(1e-9));
     CHECK(length(block.of_wall(0) - force) < 1e-9 * length(force));
     CHECK(block.of_walls().linear[0] == Approx(force[0]).epsilon(1e-9));
@@ -152,7 +151,7 @@ TEST_SUITE("analytic") {
       CAPTURE(depth);
       Pressed<3> balls = two_balls(depth);
       const V force = balls.force_on(1);
-      // third order in spacing over radius, plus lattice steps
+      // third order in spacing over radius
       CHECK(std::abs(balls.gap() + depth) < 0.02 * dp);
       const double away = force[0] * direction[0] + force[1] * direction[1] + force[2] * direction[2];
       if (depth < 0)
@@ -251,9 +250,9 @@ TEST_SUITE("conservation") {
 
   TEST_CASE("contact of faces: in 3D corners and edges that slip past each other gain no energy") {
     struct Pair {
-      Point middle;  // centre of the upper cube, m
+      Point middle;
       Rotation upper, lower;
-      double half, speed;  // m, m/s
+      double half, speed;
     };
     const double root = 1 / std::sqrt(2.0), on_corner = 54.735610317245346;
     const Pair past_edge{{0.00332, 0.001098, 0.009745},
@@ -388,7 +387,7 @@ TEST_SUITE("restart") {
   TEST_CASE("contact of faces: in 3D a resumed run gives the same bytes on any number of threads") {
     Scene scene = small_solid_collision();
     scene.contact = ContactLaw::surface;
-    scene.bodies[1].shapes[0].shift(0, 5 * dp);  // outside the first search's reach
+    scene.bodies[1].shapes[0].shift(0, 5 * dp);
     for (const char* method : {"oenog", "tl"}) {
       CAPTURE(std::string(method));
       Settings settings = with_method(method);
@@ -443,7 +442,7 @@ TEST_SUITE("unit") {
     for (const char* part : {"'surface'", "one by one", "penalty"})
       CHECK(refusal(given).find(part) != std::string::npos);
     Scene scene = scene_of({given, block});
-    scene.contact = ContactLaw::published;  // here the penalty law
+    scene.contact = ContactLaw::published;
     CHECK_NOTHROW(make_simulation(scene, with_method("oenog")));
   }
 }

@@ -22,11 +22,11 @@ namespace {
 using V = Vec<double, 3>;
 using Pairs = std::vector<std::pair<int, int>>;
 
-constexpr double dp = 0.001;  // m
+constexpr double dp = 0.001;
 constexpr FacetPairs::Limits limits{.listed = 3 * dp, .horizon = 4 * dp, .far = 4 * dp, .cosine = 0.5};
 constexpr auto all = [](int, int) { return true; };
 
-/// A strip bent until its ends nearly meet, off all axes, and a ball beside it.
+/// A bent strip whose ends nearly meet, and a ball.
 struct Bent {
   MovingFacets facets;
   FacetPairs near;
@@ -53,7 +53,6 @@ struct Bent {
     facets.place(s, facets.nodes_of(near.order()), near.order(), 1);
   }
 
-  /// Brute-force version of FacetPairs::find.
   template <PairsOf kind, class Wanted>
   double find(const std::vector<int>& candidates, const Wanted& wanted, Pairs& found) const {
     double beyond = limits.horizon;

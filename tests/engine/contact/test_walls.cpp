@@ -20,7 +20,7 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double dp = 0.001;  // m
+constexpr double dp = 0.001;
 
 Wall wall(const char* name, const Point& at, const Point& normal) { return {name, at, normal}; }
 
@@ -49,7 +49,6 @@ Scene two_blocks() {
   return scene;
 }
 
-/// A disc flying into a corner of two walls, one of them inclined.
 Scene disc_in_corner() {
   const double c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -66,7 +65,7 @@ Scene disc_in_corner() {
   return scene;
 }
 
-/// Relative changes of the momenta, wall impulses subtracted.
+/// Relative changes of momenta without wall impulses.
 struct Kept {
   double linear, angular;
 };
@@ -94,7 +93,6 @@ TEST_SUITE("term") {
         CHECK((energy(r - step) - energy(r + step)) / (2 * step) ==
               Approx(lennard_jones_force(r, dp, 1e7, dim)).epsilon(1e-6));
       }
-      // starts like the penalty and stiffens under compression
       const auto ratio = [&](double r) {
         return lennard_jones_force(r, dp, 1e7, dim) / penalty_force(r, dp, 1e7, dim);
       };
@@ -186,7 +184,6 @@ TEST_SUITE("conservation") {
         const Impulse given = state_after(200, scene, with_method("tl")).of_walls;
         CHECK(given.linear[along] > 0.1 * speed * 64 * dp * dp * ring_rubber().density);
         CHECK(given.linear[across] == 0);
-        // the impulse acts at the block's centre by symmetry
         const double arm = axis == 1 ? centre[across] : -centre[across];
         CHECK(given.angular[2] == Approx(arm * given.linear[along]).scale(0).epsilon(1e-9));
       }
@@ -211,7 +208,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("wall: a face of a body may begin a quarter of a spacing inside it, and no deeper") {
-    Scene scene = flying_block();  // face at −0.2 dp
+    Scene scene = flying_block();
     const auto begins = [&](double depth) {
       scene.walls = {wall("front", {(-0.2 - depth) * dp, 0, 0}, {-1, 0, 0})};
       try {
@@ -231,7 +228,6 @@ TEST_SUITE("unit") {
     CHECK(begins(0));
     CHECK_FALSE(begins(0.3));
     scene.jitter = {};
-    // a disc cut from a lattice, with particles 0.02 dp from its face
     const Body block = scene.bodies[0];
     scene.bodies[0].shapes = {Box{{-9 * dp, 0, 0}, {-8 * dp, dp, 0}}, Disc{{-4 * dp, 0, 0}, 3.56 * dp}};
     scene.walls = {wall("front", {-0.44 * dp, 0, 0}, {-1, 0, 0})};

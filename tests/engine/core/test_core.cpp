@@ -25,7 +25,7 @@ namespace {
 
 double scramble(int k) { return std::sin(1.0 + 2.7 * k) + 0.1 * k; }
 
-/// Number of steps on one thread, of 1 ms each, until the team is tried again.
+/// Steps of 1 ms on one thread until the team is tried again.
 int steps_alone(TeamSize& team) {
   int steps = 0;
   for (; team.threads() == 1; ++steps) team.step_took(1e-3);
@@ -54,7 +54,7 @@ void check_symmetric_tensor() {
   int expected = 0;
   for (int a = 0; a < Dim; ++a) {
     for (int b = a; b < Dim; ++b) {
-      CHECK(Sym<double, Dim>::index(a, b) == expected++);  // upper triangle, row by row
+      CHECK(Sym<double, Dim>::index(a, b) == expected++);
       CHECK(Sym<double, Dim>::index(a, b) == Sym<double, Dim>::index(b, a));
     }
   }
@@ -302,7 +302,7 @@ TEST_SUITE("unit") {
     CHECK(steps_alone(team) == 16);
     team.step_took(10e-3);
     CHECK(team.threads() == 2);
-    team.step_took(10e-3);  // 20 ms for 2 steps; one thread takes 16 ms for 16
+    team.step_took(10e-3);
     CHECK(team.threads() == 1);
     const int steps = steps_alone(team);
     CHECK(steps >= 50 * 18 - 16);

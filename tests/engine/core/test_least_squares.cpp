@@ -19,7 +19,7 @@ TEST_SUITE("unit") {
     A.col(2) = 2 * A.col(1);
     CHECK(least_squares(A, b).rank == 2);
     CHECK(by_gram().size() == 0);
-    A(5, 2) += 1e-5;  // full rank, but the Gram matrix would lose ten digits
+    A(5, 2) += 1e-5;  // the Gram matrix would lose ten digits
     CHECK(least_squares(A, b).rank == 3);
     CHECK(by_gram().size() == 0);
   }

@@ -49,13 +49,13 @@ TEST_SUITE("unit") {
     const Scene scene = made_scene(2, 1, {unit_bulk()});  // K = 1, G = 1.5
     Snapshot now = made_snapshot(2, {{0, 0, 0}});
     now.m = {6};
-    now.rho = {2};  // V = 3
+    now.rho = {2};
     now.v = {3, -4};
     now.p = {-2};
     CHECK(balance(now, scene).kinetic == Approx(0.5 * 6 * 25));
     CHECK(balance(now, scene).strain == Approx(3 * 4 / 2.0));
     now.p = {0};
-    now.s = {0, 2, 0, 0};  // pure shear: τ²/2G
+    now.s = {0, 2, 0, 0};
     CHECK(balance(now, scene).strain == Approx(3 * 4 / (2 * 1.5)));
     now.s = {0, 0, 0, 3};
     CHECK(balance(now, scene).strain == Approx(3 * 9 / (4 * 1.5)));
@@ -157,7 +157,7 @@ TEST_SUITE("unit") {
       Snapshot now = lively(dim);
       Scene scene = two_materials(dim);
       const Balance before = balance(now, scene);
-      const double pressure = mass / (time * time) / std::pow(length, dim - 2);  // mass per depth in 2D
+      const double pressure = mass / (time * time) / std::pow(length, dim - 2);
       scale(now.x, length);
       scale(now.v, length / time);
       scale(now.m, mass);

@@ -25,7 +25,6 @@ struct Lattice {
   Cells cells(int dim) const { return {dim, x, diameter, body}; }
 };
 
-/// n particles along each axis, cell-centred, rotated about z by `angle`.
 Lattice block(int dim, int n, double dp, double angle = 0) {
   Lattice lattice;
   for (int i = 0; i < n; ++i)
@@ -154,7 +153,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("cells: boundary particles have the inner part of a cell") {
     const double dp = 0.1;
-    // half a cell at a plane of symmetry, less at free faces: see make_initial_particles
+    // half a cell at a plane of symmetry, less at free faces
     for (const auto& [dim, part] : {std::pair{2u, 0.5}, {3u, 0.5}, {2u, 1.0 / 3}, {3u, 0.41}}) {
       const int n = 5;
       Lattice lattice = block(static_cast<int>(dim), n, dp);

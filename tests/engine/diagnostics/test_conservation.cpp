@@ -36,7 +36,7 @@ TEST_SUITE("unit") {
       const Conservation found = watch.so_far();
       REQUIRE(found.energy);
       CHECK(*found.energy == Approx(0.25));
-      CHECK_FALSE(found.angular_momentum);  // no rotation, hence no scale
+      CHECK_FALSE(found.angular_momentum);  // no scale without rotation
       REQUIRE(found.linear_momentum.has_value() == !clamped);
       if (!clamped) CHECK(*found.linear_momentum == Approx(0.1));
     }
@@ -67,7 +67,7 @@ TEST_SUITE("unit") {
     ConservationWatch watch(Scene(), particle(false));
     CHECK_FALSE(watch.so_far().energy);
     watch.follow(start);
-    CHECK_FALSE(watch.so_far().energy);  // no energy, hence no scale
+    CHECK_FALSE(watch.so_far().energy);
     watch.follow(later);
     CHECK(*watch.so_far().energy == Approx(0.25));
     later.damped = 2;
@@ -93,7 +93,7 @@ TEST_SUITE("unit") {
     Balance start, later;
     start.strain = 1e-22, later.strain = 1e-19;
     Snapshot body = particle(false);
-    body.m = {2};  // kg
+    body.m = {2};
     ConservationWatch watch(scene, body);
     watch.follow(start);
     watch.follow(later);
@@ -115,7 +115,7 @@ TEST_SUITE("unit") {
     pulled.gravity[1] = [](double) { return -9.81; };
     damped.damping = 1;
     for (const Scene* other : {&driven, &loaded, &pulled, &damped}) CHECK(exchanges_momentum(*other, free));
-    scene.walls.resize(1);  // their impulses are counted
+    scene.walls.resize(1);
     CHECK_FALSE(exchanges_momentum(scene, free));
   }
 }

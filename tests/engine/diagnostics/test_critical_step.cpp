@@ -19,7 +19,7 @@ namespace {
 
 constexpr CriticalStepSearch quick{.steps = 100, .tolerance = 2e-3};
 
-/// A square of 20 × 20 particles; `pull` is the relative speed of its left and right sides in sound speeds.
+/// `pull`: relative speed of the sides in sound speeds.
 Scene square(double pull = 0) {
   const double half = 0.5;
   Scene scene;
@@ -89,7 +89,7 @@ TEST_SUITE("analytic") {
       REQUIRE(limits.size() == 1);  // [Zhang2020] has four neighbours
       CHECK(critical(cube, with_h(h, 0)) == Approx(limits[0].step).epsilon(0.05));
     }
-    // with six neighbours the corrected V W' is 1/2, and the steepest wave (1, 1, 1) π/2 has |κ| = √3
+    // the corrected V W' is 1/2; the steepest wave (1, 1, 1) π/2 has |κ| = √3
     Settings six = with_method("tl");
     six.constants["h"] = 0.6;
     const Material& m = cube.materials[0];

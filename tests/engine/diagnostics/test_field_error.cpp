@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Four corners of a square and a fifth particle, displaced by (0.1 y, 0); the third one also by `extra`.
+/// A square displaced by (0.1 y, 0), its third corner also by `extra`.
 Snapshot sheared(Point extra = {}) {
   Snapshot now = made_snapshot(2, {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 2}});
   for (std::size_t i = 0; i < now.size(); ++i) now.x[2 * i] += 0.1 * now.x0[2 * i + 1];
@@ -37,7 +37,7 @@ std::vector<Solution> shear() {
   return {[](const Point& x, double t) { return t * x[1]; }, [](const Point&, double) { return 0.0; }};
 }
 
-/// Adds the small rigid motion (0.3, −0.2) + 0.5 × X.
+/// Adds a small rigid motion.
 void move(Snapshot& now) {
   for (std::size_t i = 0; i < now.size(); ++i) {
     now.x[2 * i] += 0.3 - 0.5 * now.x0[2 * i + 1];
@@ -56,7 +56,7 @@ TEST_SUITE("unit") {
     CHECK(error->greatest == Approx(0.05 / 0.2));
     CHECK(error->rms == Approx(0.05 / 0.2 / std::sqrt(5.0)));
     now.time = 0;
-    CHECK_FALSE(field_error(displacement(), now, shear()));  // the solution is zero
+    CHECK_FALSE(field_error(displacement(), now, shear()));
     Scene scene;
     scene.measures = {displacement()};
     scene.references["neo_hookean"].solution["displacement"] = shear();
@@ -95,8 +95,6 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("field_error: in 3D a rotation about any axis is subtracted") {
-    // displaced by (0.1 y, 0, 0) plus the small motion (0.3, −0.2, 0.1) + (0.2, 0.5, −0.4) × X, one particle by
-    // `extra`
     const auto displaced = [](double moved, Point extra) {
       Snapshot now = made_snapshot(3, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}, {0.5, 2, 3}});
       now.time = 0.1;
@@ -163,7 +161,6 @@ TEST_SUITE("unit") {
         now.x[d * i] = 1.1 * X[0] * (1 + X[2]) + 3 * X[1];
         now.x[d * i + 1] = X[1] * (dim == 2 ? 2 + X[0] : 2 * (1 + X[2]));
       }
-      // means of det = 1.1 (2 + X) − 3 Y and of 2.2 (1 + Z)²
       const double mean = dim == 2 ? 1.1 * 2.75 - 3 * 0.125 : 2.2 * (std::pow(1.25, 3) - 1) / 0.75;
       Scene scene = made_scene(dim, 0.5, {unit_bulk(), unit_bulk()});
       Measure measured;

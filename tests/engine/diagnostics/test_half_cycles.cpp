@@ -17,7 +17,7 @@ TEST_SUITE("unit") {
     const double T = 0.254;
     for (const double sign : {1.0, -1.0}) {
       const auto wave = [=](double t) { return sign * 0.1 * std::sin(2 * pi * t / T); };
-      // error of linear interpolation between steps h at the zero of a sine, ~ (2π h/T)²/T h
+      // linear interpolation of a sine has an error ~ (2π h/T)²/T h
       expect(value("period", sampled(unequal_times(0.5, 1e-4), wave)), T, 1e-6);
       CHECK_FALSE(value("period", sampled(unequal_times(0.99 * T, 1e-4), wave)));
     }
@@ -53,7 +53,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("first_peak: the peak is absent until the half cycle is over and then fixed") {
     const auto wave = [](double t) { return std::exp(0.5 * t) * std::sin(pi * t); };
-    // y' = 0: tan πt = −2π; y = e^{t/2} sin πt there
+    // y' = 0 where tan πt = −2π
     const double top = (pi - std::atan(2 * pi)) / pi;
     const double peak = std::exp(0.5 * top) * std::sin(pi * top);
     CHECK_FALSE(value("first_peak", sampled(unequal_times(0.99, 1e-3), wave)));
@@ -100,7 +100,6 @@ TEST_SUITE("unit") {
 
   TEST_CASE("period: a one-sided oscillation has no period about 0, with a reason, and one about its mean") {
     const double T = 0.254, loss = 0.4;
-    // damped, with a second mode that passes 0 by less than a twentieth, and a truncated last cycle
     const auto swing = [=](double t) {
       return -0.03 * (1 - std::exp(-loss * t / T) * std::cos(2 * pi * t / T)) + 2e-4 * std::sin(40 * t / T);
     };
@@ -137,7 +136,7 @@ TEST_SUITE("unit") {
     Scene scene = scene_of("period");
     scene.measures[0].about_mean = true;
     unsigned state = 1;
-    const auto noise = [&] {  // −1 to 1, linear congruential
+    const auto noise = [&] {
       state = 1664525 * state + 1013904223;
       return state / 2147483648.0 - 1;
     };
@@ -162,7 +161,7 @@ TEST_SUITE("unit") {
     const auto swing = [](double t) { return 5 - 2 * std::pow(0.8, t) * std::cos(2 * pi * t); };
     const Series series = sampled(unequal_times(4.3, 1e-4), swing);
     scene.measures[0].about = 5;
-    // 2π tan(2πt) = −ln 0.8 … of the top after t = ¼
+    // 2π tan(2πt) = −ln 0.8
     const double top = 0.5 + std::atan(std::log(0.8) / (2 * pi)) / (2 * pi);
     expect(result(scene, series).value, swing(top) - 5, 1e-6);
     scene.measures[0].kind = "peak_time";
@@ -175,7 +174,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("mean, integral: both weigh time within their bounds, or are absent with a reason") {
     Scene scene = scene_of("mean");
-    const Series series{{0, 0.1, 0.5, 0.9, 1.2}, {{1, 1.1, 1.5, 1.9, 2.2}}};  // 1 + t
+    const Series series{{0, 0.1, 0.5, 0.9, 1.2}, {{1, 1.1, 1.5, 1.9, 2.2}}};
     expect(result(scene, series).value, 1.5);
     scene.measures[0].from = 0.2;
     scene.measures[0].until = 0.7;
@@ -194,7 +193,7 @@ TEST_SUITE("unit") {
     Scene scene = scene_of("integral");
     scene.probes[0].kind = Probe::Kind::reaction;
     const Series series{{0, 0.1, 0.5, 0.9, 1.2}, {{0, 3, -1, 2, 5}}};
-    expect(result(scene, series).value, 0.3 - 0.4 + 0.8 + 0.5);  // until 1
+    expect(result(scene, series).value, 0.3 - 0.4 + 0.8 + 0.5);
     scene.measures[0].from = 0.2;
     scene.measures[0].until = 0.6;
     expect(result(scene, series).value, -0.3 + 0.2);

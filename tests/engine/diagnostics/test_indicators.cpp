@@ -36,7 +36,6 @@ Sample lattice(int nx, int ny, double dp) {
   return {made_scene(2, dp, {test::unit_bulk()}), made_snapshot(2, places)};
 }
 
-/// Concentric layers as in make_initial_particles.
 Sample ring(double inner, double outer, double dp) {
   Scene scene = made_scene(2, dp, {test::unit_bulk()});
   scene.bodies[0].shapes = {Ring{{0, 0, 0}, inner, outer}};
@@ -87,7 +86,6 @@ Point turned(const Point& x, double angle) {
           0};
 }
 
-/// A straight beam along x bent to radius R.
 Map bent(double R) {
   return [R](const Point& X) -> Point {
     return {(R - X[1]) * std::sin(X[0] / R), R - (R - X[1]) * std::cos(X[0] / R), 0};
@@ -146,7 +144,7 @@ TEST_SUITE("unit") {
       double checkerboard = 0, squares = 0;
       for (int e = found[0]; e < found[1]; ++e) {
         const auto entry = static_cast<std::size_t>(e);
-        // neighbours in the list are neighbours along x, so their signs alternate
+        // the neighbours' signs alternate
         const double w = part.weights(static_cast<int>(found - part.begin.begin()))[e - found[0]];
         checkerboard += (part.j[entry] - middle) % 2 == 0 ? w : -w;
         squares += w * w;
@@ -218,7 +216,6 @@ TEST_SUITE("unit") {
       });
     };
     CHECK(torn(1e6) == Approx(torn(10)).epsilon(1e-9));
-    // four of 20 columns reach over the crack
     CHECK(torn(1e6) == Approx(std::sqrt(0.2)).epsilon(0.01));
   }
 
@@ -354,7 +351,6 @@ TEST_SUITE("unit") {
       }
       CHECK(std::abs(sum) == Approx(1));
     }
-    // inside, at six faces and twelve edges; the third layer counts as inside
     CHECK(std::set<int>(part.first_weight.begin(), part.first_weight.end()).size() < 130);
     CHECK(part.rows() > 300);
   }
@@ -372,7 +368,7 @@ TEST_SUITE("unit") {
     CHECK(record.greatest() == 0);
     record.take({0.1, 1}, 0);
     record.take({0.5, 5}, 1);
-    record.take({0.4, 0.4}, 2);  // low stress: all of it alternates
+    record.take({0.4, 0.4}, 2);
     CHECK(record.greatest() == Approx(0.1));
     CHECK(record.at == 1);
     CHECK(record.last == 1);

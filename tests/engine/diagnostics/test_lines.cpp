@@ -47,7 +47,7 @@ TEST_SUITE("unit") {
     scene.lines = {line_across_plate({0})};
     const double omega = scene.bodies[0].velocity[1]({1, 0, 0});
     Settings four_nearest =
-        with_method("tl-small-strain");  // a corner has three neighbours, two of them collinear
+        with_method("tl-small-strain");  // two of a corner's three neighbours are collinear
     four_nearest.constants["h"] = 0.5;
     for (const Settings& settings : {with_method("oenog"), with_method("tl"), four_nearest}) {
       CAPTURE(settings.method);
@@ -146,13 +146,13 @@ TEST_SUITE("unit") {
 
   TEST_CASE("lines: points in space stay fixed while the body moves, and give none outside it") {
     Scene scene = rotating_plate(0.01);
-    scene.bodies[0].velocity[0] = constant(300);  // m/s, uniform
+    scene.bodies[0].velocity[0] = constant(300);
     scene.bodies[0].velocity[1] = [](const Point& X) { return 5 * X[0]; };
     scene.lines = {line_across_plate({0, 1e-7}), line_across_plate({0, 1e-7})};
     scene.lines[0].in_space = true;
     scene.lines[1].name = "material";
     Settings settings = with_method("oenog");
-    settings.step = 1e-7;  // moves by 0.03 mm; forces are negligible
+    settings.step = 1e-7;
     const auto simulation = make_simulation(scene, settings);
     LineRecorder lines(scene, simulation->snapshot(), simulation->support());
     lines.sample(simulation->snapshot());
@@ -175,14 +175,14 @@ TEST_SUITE("unit") {
     Scene scene;
     scene.lines = {line_across_plate({1})};
     scene.lines[0].from = {1, 2, 0};
-    scene.lines[0].to = {4, 6, 0};  // 5 m
+    scene.lines[0].to = {4, 6, 0};
     scene.lines[0].points = 3;
     Measure of_line;
     of_line.name = "number";
     of_line.kind = "line_error";
     of_line.line = "across";
     scene.measures = {of_line};
-    scene.references["neo_hookean"].table["number"] = {{0, 4, 6}, {{1, 9, -7}}};  // 1, 6, 1 at the points
+    scene.references["neo_hookean"].table["number"] = {{0, 4, 6}, {{1, 9, -7}}};
     const auto value = [&](std::vector<double> shown) {
       return measure(scene, {}, "neo_hookean", {{{1, 3, std::move(shown)}}}).at(0).value;
     };
@@ -198,7 +198,7 @@ TEST_SUITE("unit") {
     Scene scene;
     scene.lines = {line_across_plate({1})};
     scene.lines[0].from = {1, 2, 3};
-    scene.lines[0].to = {4, 6, 15};  // 13 m
+    scene.lines[0].to = {4, 6, 15};
     scene.lines[0].points = 2;
     Measure of_line;
     of_line.name = "number";

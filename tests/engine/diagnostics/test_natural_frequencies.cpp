@@ -1,4 +1,4 @@
-// Natural frequencies of the free bodies of scenes/annulus-drop.toml and scenes/ringing-ring.toml.
+// Natural frequencies of scenes/annulus-drop.toml and scenes/ringing-ring.toml.
 
 #include <algorithm>
 #include <array>
@@ -24,20 +24,20 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double E = 650, nu = 0.3, rho = 1000;  // Pa, 1, kg/m³; plane stress
+constexpr double E = 650, nu = 0.3, rho = 1000;  // plane stress
 
 struct Elastic {
   double E, nu, rho;
 };
 constexpr Elastic jelly{E, nu, rho};
-/// Plane stress with these equals plane strain with E = 1e7 Pa and ν = 0.4.
+/// Equals plane strain with E = 1e7 and ν = 0.4.
 constexpr Elastic rubber{1e7 / (1 - 0.4 * 0.4), 0.4 / (1 - 0.4), 1200};
-/// The same K and G with the 2d deviator, λ = K − G: in plane stress E = 4 G (λ + G)/(λ + 2G), ν = λ/(λ + 2G).
+/// The 2d deviator has λ = K − G; in plane stress E = 4 G (λ + G)/(λ + 2G), ν = λ/(λ + 2G).
 constexpr double K_rubber = 1e7 / 0.6, G_rubber = 1e7 / 2.8;
 constexpr Elastic two_dimensional{4 * G_rubber * K_rubber / (K_rubber + G_rubber),
                                   (K_rubber - G_rubber) / (K_rubber + G_rubber), 1200};
 
-/// A grid of quadratic 3 × 3 elements: `node` returns the position of node (i, j).
+/// Quadratic 3 × 3 elements.
 struct Grid {
   Elastic material;
   int elements_i, elements_j;
@@ -90,7 +90,7 @@ Grid annulus(const Elastic& material, double inner, double outer) {
           }};
 }
 
-/// Hz, ascending, without the three rigid modes.
+/// Hz, ascending, without rigid modes.
 std::vector<double> frequencies(const Grid& grid) {
   const int n = 2 * grid.nodes_i() * grid.nodes_j();
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n), M = K;
@@ -113,7 +113,7 @@ std::vector<double> frequencies(const Grid& grid) {
   return f;
 }
 
-/// Hz, first elastic mode u_r = U(r) cos nθ, u_θ = V(r) sin nθ of a free annulus by Rayleigh–Ritz; U, V of degree 8.
+/// First elastic mode in Hz, by Rayleigh–Ritz for u_r = U(r) cos nθ, u_θ = V(r) sin nθ.
 double annulus_frequency(const Elastic& material, double inner, double outer, int n) {
   constexpr int degree = 8, terms = degree + 1, points = 2000;
   const auto& [E, nu, rho] = material;
@@ -133,7 +133,7 @@ double annulus_frequency(const Elastic& material, double inner, double outer, in
     M += r * rho * N.transpose() * N;
   }
   const Eigen::VectorXd modes = eigenvalues(K, M);
-  const int rigid = n < 2 ? 1 : 0;  // a rotation or translation
+  const int rigid = n < 2 ? 1 : 0;
   return std::sqrt(modes[rigid]) / (2 * std::numbers::pi);
 }
 
@@ -147,7 +147,6 @@ Measure frequency(const char* name, const char* probe, double low, double high) 
   return measure;
 }
 
-/// scenes/annulus-drop.toml for 0.08 s.
 Scene drop() {
   Scene scene;
   scene.name = "annulus-drop";
@@ -188,7 +187,7 @@ TEST_SUITE("analytic") {
     CHECK(f[0] == Approx(525.6).epsilon(1e-3));
     CHECK(f[1] == Approx(796.5).epsilon(1e-3));
     CHECK(f[2] == Approx(879.0).epsilon(1e-3));
-    // each but n = 0 is double; three elements across are 0.3 % too stiff
+    // all but n = 0 are double; three elements across are 0.3 % too stiff
     const std::vector<double> g = frequencies(annulus(jelly, 2.5e-4, 5e-4));
     for (const auto& [k, n] : {std::pair(0, 2), {1, 2}, {2, 0}, {3, 3}, {4, 3}, {5, 1}, {6, 1}}) {
       const auto& n_now = n;  // clang cannot capture bindings

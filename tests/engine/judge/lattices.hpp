@@ -22,7 +22,6 @@ inline Snapshot lattice(int dim, int columns, int rows, int layers = 1) {
 
 inline Scene one_body(int dim) { return made_scene(dim, dp, {unit_bulk()}); }
 
-/// One body on which a load acts.
 inline Scene one_loaded_body() {
   Scene scene = one_body(2);
   scene.bodies[0].loads.emplace_back();

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double dp = 0.1, support = 2.6 * dp;
 
-/// Squares of 4 × 4 particles of 1 kg, one body each, the lowest left particle at each of `corners`. Sound speed 1 m/s.
+/// Bodies of 4 × 4 particles of 1 kg, with their lowest left particles at `corners`.
 struct Squares {
   Scene scene;
   Snapshot now;
@@ -32,12 +32,11 @@ struct Squares {
     for (std::size_t i = 0; i < now.size(); ++i) now.body[i] = now.material[i] = static_cast<int>(i / 16);
   }
   EnergyTest test() const { return {scene, now, support, true}; }
-  /// Gives the body the speed of a common motion along x, and of neighbours against each other along y.
+  /// A common motion along x, and neighbours against each other along y.
   void set_speeds(int body, double common, double against) {
     for (std::size_t i = 0; i < now.size(); ++i)
       if (now.body[i] == body) now.v[2 * i] = common, now.v[2 * i + 1] = i % 2 ? against : -against;
   }
-  /// Turns the body about its centre at this rate, 1/s.
   void set_turn(int body, double rate) {
     for (std::size_t i = 0; i < now.size(); ++i) {
       if (now.body[i] != body) continue;
@@ -81,7 +80,7 @@ TEST_SUITE("unit") {
       Squares squares({{}, {3 * dp + apart, 0, 0}});
       squares.set_speeds(0, 1, 0);
       EnergyTest test = squares.test();
-      squares.set_speeds(0, 0.5, 0.4);  // 8 J of 16 J of motion, 4 J in the frame of both
+      squares.set_speeds(0, 0.5, 0.4);  // 8 J of 16 J, 4 J in the frame of both
       CHECK(squares.diverges(test, 0.01) == (apart > 1));
       squares.move(1, 100);
       CHECK(squares.diverges(test, 0.02) == (apart > 1));

@@ -27,7 +27,7 @@ void add_rows(std::vector<Point>& places, int columns, int rows, const Point& lo
     for (int i = 0; i < columns; ++i) places.push_back({low[0] + i * dp, low[1] + j * dp, 0});
 }
 
-/// A block of 20 × 8 particles with its upper row at y = 0, and one of 8 × 6, 10 dp above it.
+/// The second block is 10 dp above the first.
 Snapshot two_blocks() {
   std::vector<Point> places;
   add_rows(places, 20, 8, {0, -7 * dp, 0});
@@ -46,7 +46,7 @@ void put(Snapshot& now, double right, double up) {
   }
 }
 
-/// A strip of 60 × 4 particles folded double: the turn has radius r at mid-thickness, the halves lie 2r apart.
+/// A strip folded double: the turn has radius r, the halves are 2r apart.
 Snapshot hairpin(double r) {
   std::vector<Point> places;
   add_rows(places, 60, 4, {0, -1.5 * dp, 0});
@@ -65,7 +65,7 @@ Snapshot hairpin(double r) {
   return now;
 }
 
-/// A block of 9 × 9 × 4 particles with its upper layer at z = 0, and one of 5 × 5 × 4, 10 dp above it.
+/// The second block is 10 dp above the first.
 Snapshot two_cubes() {
   std::vector<Point> places;
   for (int k = 0; k < 4; ++k) add_rows(places, 9, 9, {0, 0, 0});
@@ -133,7 +133,6 @@ TEST_SUITE("unit") {
         put(now, right, up);
         CHECK(penetration(now) == 0);
       }
-    // pressed into a bowl half a spacing away, the lower block stretched by 1.4
     put(now, 0, 0);
     for (std::size_t i = 0; i < now.size(); ++i) {
       double* x = &now.x[2 * i];
@@ -155,7 +154,7 @@ TEST_SUITE("unit") {
     CHECK(inside(0.5 * dp, -1.01 * depth) > 0);
     CHECK(inside(0.5 * dp, -2 * dp) > 0);
     CHECK(inside(0.1 * dp, -4 * dp) > 0);
-    CHECK(inside(0, -0.99 * depth) == 0);  // also directly behind one particle
+    CHECK(inside(0, -0.99 * depth) == 0);
     CHECK(inside(0, -1.01 * depth) > 0);
     CHECK(inside(30 * dp, -2 * dp) == 0);
   }
@@ -237,7 +236,7 @@ TEST_SUITE("unit") {
     };
     CHECK(inside(0.5 * dp, -0.3 * dp) == 0);
     CHECK(inside(0.5 * dp, -0.5 * dp) > 0);
-    CHECK(inside(0, -0.3 * dp) == 0);  // also directly behind one particle
+    CHECK(inside(0, -0.3 * dp) == 0);
     CHECK(inside(0, -0.5 * dp) > 0);
     CHECK(inside(0.5 * dp, -2 * dp) > 0);
     CHECK(inside(0.1 * dp, -3 * dp) > 0);

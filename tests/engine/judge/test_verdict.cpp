@@ -46,7 +46,7 @@ TEST_SUITE("unit") {
               x[1] += (i % 2 ? amplitude : -amplitude) * dp;
             }) == (amplitude > 0.03 ? Verdict::hourglass : Verdict::stable));
     }
-    // a half circle about (0, -H/2 - radius); the inner face is compressed to 0.7
+    // a half circle; the inner face is compressed to 0.7
     CHECK(verdict([&](std::size_t, double x0, double y0, double* x) {
             const double radius = 2 * 1.9 / 3.14159265358979 / 2, angle = x0 / radius;
             x[0] = (radius + y0 - 0.45) * std::sin(angle);
@@ -56,7 +56,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("judge: a zigzag in one patch is found, however large the body is and whatever other bodies do") {
     const Scene scene = made_scene(2, dp, {unit_bulk(), unit_bulk()});
-    constexpr std::size_t of_first = 60 * 30;  // particles
+    constexpr std::size_t of_first = 60 * 30;
     for (const bool bystander : {false, true})
       for (const double amplitude : {0.12, 0.18}) {
         CAPTURE(bystander);
@@ -82,7 +82,7 @@ TEST_SUITE("unit") {
   TEST_CASE("judge: a soft joint of two rows between stiff halves is drawn out, and a crack in it is found") {
     Scene scene = one_body(2);
     scene.materials.push_back({.name = "stiff", .density = 1, .youngs_modulus = 30, .poisson_ratio = 0});
-    // stretches along x of bonds in the joint, beside it, and in the halves
+    // stretches of bonds in the joint, beside it, and in the halves
     const auto verdict = [&](double joint, double beside, double halves) {
       constexpr std::size_t columns = 16, soft = 7;
       Snapshot now = lattice(2, columns, 6);
@@ -159,8 +159,7 @@ TEST_SUITE("unit") {
     CHECK(Judge(scene, corner, support, searched).pieces() == 1);
     CHECK(Judge(scene, lattice(3, 3, 3, 3), support, searched).pieces() == 1);
     CHECK(Judge(scene, made_snapshot(3, {{0, 0, 0}, {2 * dp, 0, 0}}), support, searched).pieces() == 2);
-    CHECK(Judge(scene, made_snapshot(3, {{0, 0, 0}, {dp, dp, dp}}), support, searched).pieces() ==
-          2);  // √3 dp
+    CHECK(Judge(scene, made_snapshot(3, {{0, 0, 0}, {dp, dp, dp}}), support, searched).pieces() == 2);
   }
 
   TEST_CASE("judge: bonds reach 1.5 spacings and no further") {
@@ -171,7 +170,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("judge: the ends of a broken bond may be eight bonds apart, not nine") {
     const Scene scene = one_body(2);
-    for (const int bonds : {8, 9}) {  // in a closed chain laid out straight, besides the breaking one
+    for (const int bonds : {8, 9}) {  // in a straight closed chain, besides the breaking bond
       const int n = bonds + 1;
       const double turn = 2 * 3.14159265358979 / n, radius = 0.5 * dp / std::sin(0.5 * turn);
       std::vector<Point> places;
@@ -236,14 +235,14 @@ TEST_SUITE("unit") {
       CHECK(verdict(searched, drawn) == Verdict::fractured);
       const auto ever_more = [](double* x) { x[0] = dp * (std::pow(1.4, x[0] / dp) - 1) / 0.4; };
       CHECK(verdict(kept, ever_more) == Verdict::stable);
-      for (const double opened : {1.3, 1.8}) {  // relative to the bonds around, through the whole body
+      for (const double opened : {1.3, 1.8}) {
         const auto cracked = [=](double* x) {
           x[0] = 2 * x[0] + (x[0] > 7.5 * dp ? 2 * (opened - 1) * dp : 0);
         };
         CHECK(verdict(kept, cracked) == (opened > 1.5 ? Verdict::fractured : Verdict::stable));
       }
     }
-    // a ragged crack also pairs bonds that were not collinear
+    // a ragged crack also pairs non-collinear bonds
     const Scene flat = one_body(2);
     for (const bool ragged : {false, true}) {
       Snapshot now = lattice(2, 16, 6);
@@ -294,7 +293,7 @@ TEST_SUITE("unit") {
     CHECK(judge.beyond_law().share == 0);
     draw_out(2.6, 2);
     draw_out(1, 3);
-    // 42 of 7 × 6 bonds along x, 8 × 5 across and 2 × 7 × 5 diagonals of 8 × 6 particles
+    // 42 bonds of 7 × 6 along x, 8 × 5 across and 2 × 7 × 5 diagonals
     CHECK(judge.beyond_law().share == relative(42.0 / 152, 1e-12));
     CHECK(judge.beyond_law().since == 2);
     settings.method = "tl";

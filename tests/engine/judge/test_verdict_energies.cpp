@@ -15,7 +15,7 @@ TEST_SUITE("unit") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 6, 1);
     now.v[0] = std::sqrt(0.5), now.v[2] = -std::sqrt(0.5);
-    now.p[1] = 2;  // 0.5 J kinetic + 2 J strain
+    now.p[1] = 2;
     Judge judge(scene, now, support, kept);
     now.p[1] = std::sqrt(2 * 4.49);
     observe(judge, now, scene, 1);
@@ -78,14 +78,14 @@ TEST_SUITE("unit") {
     const Scene scene = one_loaded_body();
     Snapshot now = lattice(2, 6, 1);
     Judge judge(scene, now, support, searched);
-    now.v[0] = 1;  // 0.5 J
+    now.v[0] = 1;
     now.work = 0.26;
     observe(judge, now, scene, 1);
     CHECK(judge.verdict() == Verdict::stable);
     now.work = -0.3;
     observe(judge, now, scene, 2);
     CHECK(judge.verdict() == Verdict::stable);
-    now.v[0] = 1.03;  // 0.53 J
+    now.v[0] = 1.03;
     observe(judge, now, scene, 3);
     CHECK(judge.since() == std::map<Verdict, double>{{Verdict::diverged, 3.0}});
   }
@@ -105,9 +105,9 @@ TEST_SUITE("unit") {
     Wall wall;
     wall.normal = {0, 1, 0};
     wall.at = {0, -100, 0};
-    scene.walls = {wall};  // too far away to be reached
+    scene.walls = {wall};
     for (const double common : {0.0, 3.0, -1e3}) CHECK(verdict(common) == Verdict::diverged);
-    scene.walls[0].at[1] = -dp;  // it may turn the common motion into another one
+    scene.walls[0].at[1] = -dp;  // the wall may turn the common motion
     CHECK(verdict(0) == Verdict::diverged);
     CHECK(verdict(3) == Verdict::stable);
   }
@@ -139,7 +139,7 @@ TEST_SUITE("unit") {
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
       for (const auto member : spoil) {
-        if (member == &Snapshot::rho && std::isinf(bad)) continue;  // no volume: a solver never reaches this
+        if (member == &Snapshot::rho && std::isinf(bad)) continue;  // no solver reaches this state
         Judge judge(scene, start, support, searched);
         Snapshot now = start;
         now.p.assign(now.size(), 1);

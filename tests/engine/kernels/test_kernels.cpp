@@ -31,7 +31,7 @@ void for_each_kernel(const F& f) {
       Kernels{});
 }
 
-/// Integral by Simpson's rule; error far below 1e-10 for smooth functions.
+/// Simpson's rule.
 template <class F>
 double integral(double from, double to, const F& f) {
   const int n = 2000;

@@ -165,7 +165,7 @@ TEST_SUITE("unit") {
     scene.bodies[1].name = "other";
     scene.bodies[1].shapes = {Box{{2.6, 0, 0}, {5.6, 2, 0}}};
     CHECK(make_initial_particles(scene).size() == 12);
-    scene.bodies[1].shapes = {Box{{2.4, 0, 0}, {5.4, 2, 0}}};  // 0.4 spacings
+    scene.bodies[1].shapes = {Box{{2.4, 0, 0}, {5.4, 2, 0}}};
     const SceneError error = scene_error([&] { make_initial_particles(scene); });
     CHECK(error.key == "body.other");
     CHECK(says(error, "'thing'"));

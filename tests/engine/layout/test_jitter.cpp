@@ -33,7 +33,7 @@ Scene brick(int dim) {
   return scene;
 }
 
-struct Moves {  // component moves, in dp
+struct Moves {  // in dp
   double least = 0, greatest = 0, mean_size = 0;
 };
 Moves moves_along(std::size_t axis, const InitialParticles& from, const InitialParticles& to) {

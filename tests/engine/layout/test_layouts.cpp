@@ -160,7 +160,7 @@ TEST_SUITE("unit") {
     for (const int cells : {1, 2, 3, 4, 7}) {
       CAPTURE(cells);
       const double side[3] = {1.0 * cells, 3, 2}, volume = side[0] * 6;
-      // guided by rollers: no face, the face x = 0, or also the opposite faces of the other axes
+      // rollers at no face, at x = 0, or also at the opposite faces of the other axes
       for (const int planes : {0, 1, 2}) {
         CAPTURE(planes);
         Scene scene = one_body(3, 1, {Box{{0, 0, 0}, {side[0], side[1], side[2]}}});
@@ -179,7 +179,7 @@ TEST_SUITE("unit") {
             for (int b = 0; b < 3; ++b) second[a][b] += layout.V0[i] * layout.x[i][a] * layout.x[i][b];
         }
         CHECK(total == relative(volume));
-        // across planes of symmetry the rule holds for the body with its image
+        // with planes of symmetry the rule holds for the body with its image
         for (int a = planes > 0 ? 1 : 0; a < 3; ++a) {
           CHECK(first[a] == relative(volume * side[a] / 2));
           for (int b = planes > 0 ? 1 : 0; b < 3; ++b) {
@@ -213,7 +213,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("outline: a cut-out adds its faces and removes the faces it covers") {
     Scene scene = one_body(2, 0.5, {Box{{0, 0, 0}, {6, 4, 0}}});
-    scene.bodies[0].without = {Box{{2, 2, 0}, {4, 9, 0}}};  // a notch from above
+    scene.bodies[0].without = {Box{{2, 2, 0}, {4, 9, 0}}};
     scene.bodies[0].rotation = Rotation{{0, 0, 1}, {0, 0, 0}, 90};
     const Outline outline = make_outline(scene, make_initial_particles(scene));
     double length = 0, area = 0;
@@ -223,7 +223,7 @@ TEST_SUITE("unit") {
       area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
     }
     CHECK(length == relative(2 * (6 + 4) + 2 * 2));
-    CHECK(area == relative(6 * 4 - 2 * 2));  // the solid is on the left, so a hole is subtracted
+    CHECK(area == relative(6 * 4 - 2 * 2));
     for (const std::array<int, 2>& beside : outline.beside) {
       CHECK(beside[0] != Outline::none);
       CHECK(beside[1] != Outline::none);

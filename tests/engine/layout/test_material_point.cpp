@@ -31,7 +31,6 @@ TEST_SUITE("analytic") {
     const std::vector<PointWeight> point = material_point(lattice(), 0, 25, {0, 0, 0}, reach, 2);
     REQUIRE(point.size() == 9);
     const auto W = [&](double r) { return std::pow(1 - r * r / (reach * reach), 2); };
-    // at a lattice point the linear part vanishes
     const double sum = W(0) + 4 * W(dp) + 4 * W(std::sqrt(2.0) * dp);
     for (const auto& [particle, weight] : point) {
       const Point x = lattice()[static_cast<std::size_t>(particle)];
@@ -62,7 +61,7 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("material point: a boundary point is a particle or lies between those of its cell") {
     Scene scene;
-    scene.spacing = 0.99 * dp;  // differs from the fitted lattice
+    scene.spacing = 0.99 * dp;  // not the fitted lattice
     scene.bodies.resize(1);
     scene.bodies[0].shapes = {Box{{-2 * dp, -2 * dp, 0}, {2 * dp, 2 * dp, 0}}};
     scene.bodies[0].on_boundary = true;
@@ -77,7 +76,7 @@ TEST_SUITE("analytic") {
     CHECK(inside[0].particle == 22);
     CHECK(inside[0].weight == Approx(0.3).epsilon(1e-12));
     CHECK(inside[1].weight == Approx(0.7).epsilon(1e-12));
-    // beyond the face or without a lattice along the axes all neighbours count
+    // beyond the face or off a lattice all neighbours count
     CHECK(point({2.5 * dp, 0, 0}).size() == material_point(x, 0, 25, {2.5 * dp, 0, 0}, 2.6 * dp, 2).size());
   }
 }

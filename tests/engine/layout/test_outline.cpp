@@ -16,7 +16,7 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double dp = 0.001;  // m
+constexpr double dp = 0.001;
 
 Scene of(std::vector<Shape> shapes) {
   Scene scene;
@@ -63,7 +63,7 @@ void check_faces(const Scene& scene, double length) {
     }
     CHECK(one == Approx(1).epsilon(1e-12));
     CHECK(std::hypot(x - outline.x[n][0], y - outline.x[n][1]) < 1e-12);
-    CHECK(square < 3);  // nodes must not be too light for a stable step
+    CHECK(square < 3);  // light nodes would make steps unstable
   }
 }
 

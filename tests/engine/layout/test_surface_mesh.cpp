@@ -18,7 +18,7 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double dp = 0.001;  // m
+constexpr double dp = 0.001;
 
 Scene of(const Shape& shape) { return scene_of_shapes({shape}, 3, dp); }
 
@@ -68,7 +68,7 @@ void check_closed(const Scene& scene, const SurfaceMesh& mesh, double tolerance)
       before[k] += 0.4 * dp * area[k] / facet.area, behind[k] -= 0.4 * dp * area[k] / facet.area;
     }
     CHECK(distance_between(area, {}, 3) == Approx(facet.area));
-    if (facet.area < 0.3 * dp * dp) continue;  // the normal of a sliver may lie in the face
+    if (facet.area < 0.3 * dp * dp) continue;  // a sliver's normal may lie in the face
     CHECK_FALSE(holds(scene.bodies[0], before, 3, 0));
     CHECK(holds(scene.bodies[0], behind, 3, 0));
   }
@@ -107,7 +107,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("surface mesh: adjacent shapes, and adjacent cut-outs, have the same faces as their union") {
-    // the spacing divides neither side, so that corners on seams are not on the faces at first
+    // the spacing divides neither side: corners on seams are not on the faces at first
     const double width = 0.0083, height = 0.0066;
     const auto box = [&](double from, double to, double bottom, double top) {
       return Box{{from, 0, bottom}, {to, width, top}};

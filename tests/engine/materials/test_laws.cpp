@@ -20,7 +20,7 @@ namespace {
 
 using M2 = Mat<double, 2>;
 using M3 = Mat<double, 3>;
-constexpr double K = 3.1e6, G = 1.7e6;  // Pa
+constexpr double K = 3.1e6, G = 1.7e6;
 
 template <int Dim>
 std::vector<Mat<double, Dim>> strained() {
@@ -152,12 +152,12 @@ void check_cauchy(const L& law) {
   for (const auto& F : strained<Dim>()) {
     const double J = determinant(F);
     const Mat<double, Dim> P = law.piola(F, J), sigma = combination(1 / J, times(P, transposed(F)), 0.0, P);
-    CHECK(greatest(minus(sigma, transposed(sigma))) < 1e-12 * greatest(sigma));  // symmetric
+    CHECK(greatest(minus(sigma, transposed(sigma))) < 1e-12 * greatest(sigma));
     CHECK(greatest(minus(sigma, full(law.cauchy(F, J).sigma))) < 1e-12 * greatest(sigma));
   }
 }
 
-/// Greatest deviation of P(Q F) from Q P, with energy and normal stress unchanged.
+/// Greatest relative deviation of P(Q F) from Q P, of the energy and of the normal stress.
 template <int Dim, class L>
 double lack_of_objectivity(const L& law) {
   double lack = 0;
@@ -191,8 +191,8 @@ void check_plane(const L& law) {
 M2 rate_of_cofactor(const M2&, const M2& rate) { return cofactor(rate); }
 M3 rate_of_cofactor(const M3& F, const M3& rate) { return tensor_cross(F, rate); }
 
-/// Checks H = cof F, and that with independent H and J, P is the slope of ψ(F, H, J) along the rates of [Lee2016] Eq.
-/// 33, dH = F ⨯ dF and dJ = H : dF, so that mixed methods have an energy.
+/// Checks H = cof F, and that P is the slope of ψ(F, H, J) along the rates of [Lee2016] Eq. 33, so that mixed
+/// methods have an energy.
 template <int Dim, class L>
 void check_own_cofactor(const L& law) {
   constexpr double step = 1e-6;
@@ -360,7 +360,7 @@ TEST_SUITE("term") {
     }
     const M2 reflection{{{1, 0}, {0, -1}}};  // two rotations are equally near
     CHECK(greatest(minus(nearest_rotation(reflection), M2{{{1, 0}, {0, 1}}})) == 0);
-    // half turns about any axis, where the initial torque is zero, and nearby rotations
+    // the initial torque of half turns is zero
     const M3 U{{{1.4, 0.2, 0.1}, {0.2, 0.6, -0.1}, {0.1, -0.1, 0.9}}};
     for (const Vec<double, 3>& axis : {Vec<double, 3>{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.36, -0.48, 0.8}}) {
       for (const double off : {0.0, 1e-7, -1e-3}) {

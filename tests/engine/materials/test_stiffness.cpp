@@ -43,7 +43,6 @@ class Dice {
     if (Q.determinant() < 0) Q.col(0) *= -1;
     return Q;
   }
-  /// Stretches from 0.3 to 3 between two rotations.
   template <int Dim>
   Mat<double, Dim> strain() {
     Column<Dim> stretches;
@@ -59,7 +58,7 @@ class Dice {
   std::mt19937 random_{1};
 };
 
-/// ∂P/∂F at F by differences; components of F row by row.
+/// ∂P/∂F; components row by row.
 template <int Dim>
 class Tangent {
  public:

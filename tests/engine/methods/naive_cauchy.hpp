@@ -10,17 +10,17 @@
 #include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
-/// Transcription of the methods of [Khayyer2024] and [TranDuc2023] §2.2 in 2D and, ours, in 3D: pair by pair, without
-/// code of the engine. As in [Khayyer2024], r_ij = r_j − r_i, u_ij = u_j − u_i, and ∇ is ∇_i w.
+/// Transcription of [Khayyer2024] and [TranDuc2023] §2.2 in 2D and, ours, in 3D. As in [Khayyer2024], r_ij = r_j
+/// − r_i, u_ij = u_j − u_i, and ∇ is ∇_i w.
 ///
 /// Where the papers are silent or contradictory it follows the engine:
-///   - velocity first, then ρ, S, r from û at the positions at `geometry` of the step; S is rotated by
-///     (I − ½ dt Ω)⁻¹ (I + ½ dt Ω);
+///   - velocity first, then ρ, S, r from û at the positions at `geometry` of the step;
+///   - S is rotated by (I − ½ dt Ω)⁻¹ (I + ½ dt Ω);
 ///   - Eq. 18 with a minus, Eq. 21 with atan2, Eq. 43 with `riemann_factor`, ρ_ij a difference in Eq. 34, 35;
 ///   - clamped particles do not move, but are strained;
 ///   - [TranDuc2023] with ½ in the strain and spin rates, 1/ρ̄ in Π, (W/W(Δx))ⁿ in f_ij;
-///   - bodies touch within one spacing: [Khayyer2024] Eq. 53, 54 for the new velocities with the masses of free
-///     particles; [TranDuc2023] Eq. 2.13 with K1 K2/(K1 + K2).
+///   - bodies touch within one spacing: [Khayyer2024] Eq. 53, 54 with the masses of free particles; [TranDuc2023]
+///     Eq. 2.13 with K1 K2/(K1 + K2).
 namespace taut::test::naive_cauchy {
 
 template <int Dim>
@@ -53,7 +53,7 @@ inline Method method_named(const std::string& name) {
 }
 
 struct Material {
-  double rho0, K, G;  // kg/m³, Pa
+  double rho0, K, G;
   double c() const { return std::sqrt(K / rho0); }
 };
 
@@ -128,14 +128,13 @@ class Run {
     return (Dim == 2 ? 7 / (4 * std::numbers::pi) : 21 / (16 * std::numbers::pi)) / std::pow(h_, Dim);
   }
   double of_sinc() const { return (Dim == 2 ? 0.710379463738679 : 0.617012654222634) / std::pow(h_, Dim); }
-  /// Eq. 11, 12, or the fifth power of a sinc, [TranDuc2023] §2.1.
+  /// Eq. 11, 12, or [TranDuc2023] §2.1.
   double w(double r) const {
     const double q = r / h_, half = std::numbers::pi * q / 2;
     if (q >= 2) return 0;
     if (is_.tranduc) return of_sinc() * (q == 0 ? 1 : std::pow(std::sin(half) / half, 5));
     return of_wendland() * std::pow(1 - q / 2, 4) * (2 * q + 1);
   }
-  /// ∇_i w of a pair, which points to j.
   Vector gradient(const Vector& r_ij) const {
     const double r = r_ij.norm(), q = r / h_, half = std::numbers::pi * q / 2;
     double slope = 0;
@@ -154,7 +153,7 @@ class Run {
     return rho;
   }
 
-  /// L_i = (Σ r_ij ⊗ ∇w V_j)⁻¹ at positions `r`; I for uncorrected methods.
+  /// Correction L_i; I for uncorrected methods.
   Matrix correction(std::size_t i, const std::vector<Vector>& r) const {
     if (!is_.corrected) return Matrix::Identity();
     Matrix M = Matrix::Zero();
@@ -170,7 +169,7 @@ class Run {
     return L;
   }
 
-  /// R of Eq. 18–21.
+  /// Eq. 18–21.
   Matrix tensile(const Particle& a) {
     const Matrix s = a.sigma();
     Matrix R = Matrix::Zero();
@@ -191,7 +190,7 @@ class Run {
     return R;
   }
 
-  /// Eq. 52: true if neither the particle nor a neighbour is at the surface.
+  /// Eq. 52.
   std::vector<bool> inner_particles() {
     std::vector<bool> surface, inner;
     for (std::size_t i = 0; i < n(); ++i) {
@@ -210,7 +209,7 @@ class Run {
     return inner;
   }
 
-  /// Π^AV_ij of Eq. 16.
+  /// Eq. 16.
   double artificial_viscosity(const Particle& a, const Particle& b) {
     const Vector r = b.r - a.r;
     const double approach = (b.u - a.u).dot(r);
@@ -220,7 +219,7 @@ class Run {
            (r.dot(r) + 0.01 * h_ * h_);
   }
 
-  /// Eq. 28, 31, 51 (9, 17 uncorrected), or [TranDuc2023] Eq. 2.3 with its additional stresses.
+  /// Eq. 28, 31, 51 (9, 17 uncorrected), or [TranDuc2023] Eq. 2.3.
   std::vector<Vector> accelerations() {
     const std::vector<Matrix> L = corrections();
     const std::vector<Matrix> grad_u =
@@ -261,7 +260,7 @@ class Run {
     return grad;
   }
 
-  /// Eq. 37, 40, 41, 43, 44: the factor of m_j ∇w.
+  /// Eq. 37, 40, 41, 43, 44: factor of m_j ∇w.
   double riemann(const Particle& a, const Particle& b, const Matrix& grad_a, const Matrix& grad_b) {
     const Vector r = b.r - a.r, e = r / r.norm();
     const double u_i = (a.u + 0.5 * (grad_a * r)).dot(e), u_j = (b.u - 0.5 * (grad_b * r)).dot(e);
@@ -271,7 +270,7 @@ class Run {
     return riemann_factor * C * (u_j - u_i) / (a.rho * b.rho);
   }
 
-  /// D_i of Eq. 33–35.
+  /// Eq. 33–35.
   std::vector<double> density_diffusion() {
     std::vector<double> D(n(), 0.0);
     if (!is_.delta) return D;
@@ -323,7 +322,7 @@ class Run {
     return grad;
   }
 
-  /// Eq. 27 (8 uncorrected), or Σ m_j u_ij·∇w of [TranDuc2023].
+  /// Eq. 27 (8 uncorrected), or [TranDuc2023].
   std::vector<double> density_rates(const std::vector<Vector>& u, const std::vector<Vector>& r,
                                     const std::vector<Matrix>& grad_u) const {
     std::vector<double> rate;
@@ -347,7 +346,7 @@ class Run {
     return Q * a.S * Q.transpose() + 2 * a.material.G * dt * (strain - strain.trace() / 3 * I);
   }
 
-  /// Calls f(b, b.r − a.r, distance) for particles of other bodies within one spacing.
+  /// Calls f(b, b.r − a.r, distance) for other bodies within one spacing.
   template <class F>
   void for_each_touch(const Particle& a, const F& f) {
     for (const std::size_t j : others_[static_cast<std::size_t>(&a - particles.data())]) {
@@ -360,7 +359,7 @@ class Run {
     }
   }
 
-  /// [TranDuc2023] Eq. 2.13; 2D: per metre of depth.
+  /// [TranDuc2023] Eq. 2.13.
   Vector penalty(const Particle& a) {
     Vector force = Vector::Zero();
     for_each_touch(a, [&](const Particle& b, const Vector& r, double distance) {
@@ -370,7 +369,7 @@ class Run {
     return force;
   }
 
-  /// Eq. 53, 54 times Δt, on the new velocities.
+  /// Eq. 53, 54 on the new velocities.
   void stop_approach() {
     std::vector<Vector> change;
     for (const Particle& a : particles) {
@@ -387,7 +386,7 @@ class Run {
 
   Method is_;
   double d0_, h_, c0_;
-  std::vector<std::vector<std::size_t>> others_;  // neighbours in all bodies
+  std::vector<std::vector<std::size_t>> others_;
 };
 
 }  // namespace taut::test::naive_cauchy

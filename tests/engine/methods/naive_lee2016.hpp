@@ -1,8 +1,8 @@
 #pragma once
 
-// Transcription of the mixed methods of [Lee2016], by pairs: Eq. 8–12 (stress), 29c (force), 33a–c (F, H, J), 35–38,
-// A.1–A.5 (dissipation), 43 (time), 45–51 (projections, full Eq. 48); penalty contact of [TranDuc2023] Eq. 2.13. p is
-// the momentum per initial volume.
+// Transcription of [Lee2016]: Eq. 8–12 (stress), 29c (force), 33a–c (F, H, J), 35–38, A.1–A.5 (dissipation), 43
+// (time), 45–51 (projections, full Eq. 48); contact of [TranDuc2023] Eq. 2.13. p is the momentum per initial
+// volume.
 
 #include <algorithm>
 #include <array>
@@ -66,18 +66,17 @@ struct Run {
   double eps_p2, eps_p4, eps_J2, eps_J4;
   bool projection, adjoint;
   std::vector<Particle> particles;
-  double dt = 0;  // fixed step, s, if cfl is 0
+  double dt = 0;  // used if cfl is 0
   double time = 0;
   long contacts = 0, corners = 0;
 
-  std::vector<std::vector<std::size_t>> lists = {};  // neighbours within 2h, initial configuration
+  std::vector<std::vector<std::size_t>> lists = {};  // neighbours within 2h
 
   double wave_speed() const { return std::sqrt((K + 4 * G / 3) / rho0); }
 
   bool near(const Particle& a, const Particle& b) const {
     return &a != &b && a.body == b.body && (a.X - b.X).norm() < 2 * h;
   }
-  /// Wendland C2 and its derivatives by r, α = 7/(4π h²) or 21/(16π h³).
   double alpha_h() const {
     return Dim == 2 ? 7 / (4 * std::numbers::pi * h * h) : 21 / (16 * std::numbers::pi * h * h * h);
   }
@@ -89,7 +88,6 @@ struct Run {
     const double q = r / h;
     return alpha_h() / (h * h) * (-5 * std::pow(1 - q / 2, 3) + 7.5 * q * std::pow(1 - q / 2, 2));
   }
-  /// Corrected ∇W_b(X_a).
   Vector gradient(const Particle& a, const Particle& b) const {
     const Vector d = a.X - b.X;
     return a.L * (dW(d.norm()) / d.norm() * d);
@@ -178,7 +176,7 @@ struct Run {
     return out;
   }
 
-  /// Z ↦ λ × Z for each component of λ_ang; one component in 2D.
+  /// Z ↦ λ × Z.
   static Eigen::Matrix<double, Dim, Dim == 2 ? 1 : 3> cross_matrix(const Vector& z) {
     Eigen::Matrix<double, Dim, Dim == 2 ? 1 : 3> columns;
     if constexpr (Dim == 2)
@@ -188,7 +186,7 @@ struct Run {
     return columns;
   }
 
-  /// Eq. 47, 48 for one body: unknowns λ_ang and λ_lin.
+  /// Eq. 47, 48 for one body.
   void project(std::vector<Vector>& T, const std::vector<Vector>& Z, int body) const {
     constexpr int unknowns = Dim + (Dim == 2 ? 1 : 3);
     Mat<unknowns> A = Mat<unknowns>::Zero();

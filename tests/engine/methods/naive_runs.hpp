@@ -10,8 +10,8 @@
 #include "tests/engine/methods/naive_total_lagrangian.hpp"
 #include "tests/engine/methods/naive_zhang2024.hpp"
 
-/// Makes runs of transcriptions: independent programs of the papers' equations, pair by pair. They start from the
-/// particles and constants of the engine, and share only this file with it.
+/// Makes runs of transcriptions, which are independent programs of the papers' equations. Only this file connects
+/// them with the engine.
 namespace taut::test {
 
 template <class Vector>
@@ -21,7 +21,7 @@ Vector vector_of(const Point& x) {
   return v;
 }
 
-/// `lay(a, i, initial)` sets the members whose names differ between transcriptions.
+/// `lay(a, i, initial)` sets members whose names differ.
 template <class Run, class Lay>
 void lay_particles(Run& run, const Scene& scene, const Lay& lay) {
   const InitialParticles initial = make_initial_particles(scene);
@@ -33,7 +33,7 @@ void lay_particles(Run& run, const Scene& scene, const Lay& lay) {
   }
 }
 
-/// Value of a method's constant, or its default, or 0 if the method has none of this name.
+/// A method's constant, or its default, or 0 if it has none.
 inline double constant_of(const Settings& settings, int dim, const std::string& name) {
   const auto set = settings.constants.find(name);
   if (set != settings.constants.end()) return set->second;
@@ -103,7 +103,7 @@ naive_reference::Run<Dim> naive_total_lagrangian(const Scene& scene, const Setti
   return run;
 }
 
-/// The mixed methods of [Lee2016].
+/// [Lee2016]
 template <int Dim>
 naive_lee::Run<Dim> naive_mixed(const Scene& scene, const Settings& settings) {
   const Material& material = scene.materials[0];

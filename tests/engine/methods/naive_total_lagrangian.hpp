@@ -1,14 +1,12 @@
 #pragma once
 
-// Transcriptions of total-Lagrangian methods, by pairs:
-//   tl               [Lee2016] Eq. 21 (corrected gradient), 29c (internal force), 34 (F), 8–12 (neo-Hookean, P by
-//                    Σ_F, Σ_J, H)
+// Transcriptions of total-Lagrangian methods:
+//   tl               [Lee2016] Eq. 21 (corrected gradient), 29c (internal force), 34 (F), 8–12 (neo-Hookean)
 //   icb              [TranDuc2023] §2.3: N, F, ε, σ⁰, iteration for R, acceleration
-//   tl-hg            tl and the hourglass force, with one amplitude for both errors of a pair: [Ganzenmueller2015]
-//   tl-enog          Kirchhoff stress in two parts and the damping stress: [Wu2023]
+//   tl-hg            [Ganzenmueller2015], with one hourglass amplitude for both errors of a pair
+//   tl-enog          [Wu2023]: Kirchhoff stress in two parts and the damping stress
 //   tl-small-strain  [Zhang2020] Eq. 3, 4, 7–9, sums of Eq. 7 and 9 normalised consistently with an energy
-// In 3D R is the polar rotation by singular values. tl also has the St Venant–Kirchhoff and linear laws. Contact:
-// [TranDuc2023] Eq. 2.13, for tl-small-strain [Zhang2020] Eq. 12. Time: x to mid-step, v, x to the end.
+// Contact: [TranDuc2023] Eq. 2.13, for tl-small-strain [Zhang2020] Eq. 12. Time: x to mid-step, v, x to the end.
 
 #include <algorithm>
 #include <array>
@@ -25,7 +23,6 @@
 namespace taut::test::naive_reference {
 
 enum class Method { tl, icb, small_strain, tl_st_venant_kirchhoff, tl_linear, hourglass, enog };
-/// `law` selects the variants of tl.
 inline Method method_named(const std::string& name, const std::string& law) {
   if (name == "icb") return Method::icb;
   if (name == "tl-small-strain") return Method::small_strain;
@@ -48,9 +45,9 @@ struct Particle {
   double m = 0, V = 0;
   int body = 0;
   bool clamped = false;
-  Square F = Square::Zero(), P = Square::Zero(), N = Square::Zero();  // N: renormalisation, dimensionless
+  Square F = Square::Zero(), P = Square::Zero(), N = Square::Zero();  // N: renormalisation
   double s = 1;                                                       // Σ V W
-  Square T = Square::Zero();                                          // Kirchhoff stress on the particle
+  Square T = Square::Zero();                                          // Kirchhoff stress
 };
 
 template <int Dim>
@@ -63,11 +60,10 @@ struct Run {
   double dp, h, cfl, rho0, K, G, contact_stiffness;
   std::vector<Particle> particles;
   double time = 0;
-  long contacts = 0;                                               // pairs in contact, summed over all steps
-  std::vector<std::vector<std::size_t>> near = {}, touching = {};  // neighbours at the start; contacts now
+  long contacts = 0;  // pairs, summed over steps
+  std::vector<std::vector<std::size_t>> near = {}, touching = {};
   double alpha = 0, shear_factor = 0, damping = 0;
 
-  // Wendland C2 (tl), sinc⁵ (icb), Gaussian truncated at 3 h (small strain)
   double support() const { return (1 - 1e-9) * (small() ? 3 * h : 2 * h); }
   bool small() const { return method == Method::small_strain; }
   bool linear() const { return small() || method == Method::tl_linear; }
@@ -96,7 +92,6 @@ struct Run {
   double wendland() const {
     return Dim == 2 ? 7 / (4 * std::numbers::pi * h * h) : 21 / (16 * std::numbers::pi * h * h * h);
   }
-  /// In 3D 1 / (4π ∫ q² sinc⁵ dq) by Simpson's rule.
   double sinc_norm() const {
     if (Dim == 2) return 0.710379463738679282 / (h * h);
     static const double integral = [] {
@@ -115,7 +110,7 @@ struct Run {
     return y == 0 ? 1 : std::sin(y) / y;
   }
 
-  /// ∇_i W_ij of the initial configuration; returns false beyond the support or for another body.
+  /// False beyond the support or for another body.
   bool gradient(const Particle& i, const Particle& j, Vector& g) const {
     if (&i == &j || i.body != j.body) return false;
     const Vector d = i.X - j.X;
@@ -153,7 +148,7 @@ struct Run {
     }
   }
 
-  /// In 2D [TranDuc2023] §2.3: R ← E(v, α) R with v = Σ r_j × a_j / Σ r_j·a_j.
+  /// In 2D [TranDuc2023] §2.3: R ← E(v, α) R, v = Σ r_j × a_j / Σ r_j·a_j. In 3D the polar rotation.
   static Matrix rotation(const Matrix& A) {
     if constexpr (Dim == 3) {
       return rotation_by_singular_values(A);
@@ -203,7 +198,7 @@ struct Run {
     }
   }
 
-  /// Volumetric stress, isotropic part of the deviator −c G J^(−2/3) tr b/3 and damping stress χ/2 db/dt.
+  /// Volumetric stress, isotropic part of the deviator −c G J^(−2/3) tr b/3, and damping stress χ/2 db/dt.
   Matrix kirchhoff_on_particle(const Particle& i) const {
     Matrix rate = Matrix::Zero();
     for (const std::size_t n : of(near, i)) {
@@ -226,7 +221,6 @@ struct Run {
             shear * slope * (i.x - j.x));
   }
 
-  /// With x_ij = x_i − x_j.
   Vector hourglass(const Particle& i, const Particle& j) const {
     const Vector X = i.X - j.X, x = i.x - j.x, e = x.normalized();
     const double E = 9 * K * G / (3 * K + G);

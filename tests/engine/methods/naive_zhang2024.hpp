@@ -12,7 +12,7 @@
 #include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
-/// Transcription of the methods of [Zhang2024] and [Zhang2024b] in 2D and 3D: pair by pair, without code of the engine.
+/// Transcription of [Zhang2024] and [Zhang2024b] in 2D and 3D.
 ///
 /// Where the paper is silent or contradictory it follows the engine:
 ///   - Eq. 7 with Jaumann's rotation terms; Eq. 14 and 27 with the sign that makes ∇v correct;
@@ -20,8 +20,8 @@
 ///   - Eq. 20 with G/ρ inside the integral; shear and stress advance in halves like the density (Eq. 23, 25);
 ///   - Eq. 19 with ζ = 3.5; Eq. 18 without;
 ///   - Gray's artificial stress with ε = 0.3, n = 4;
-///   - no shear stress between bodies; e_ij, ∂W/∂r and W/W(dp) are of mid-step, pairs of the advection step;
-///   - in 3D Eq. 8 takes a third of the trace, and Gray's stress all three principal axes;
+///   - no shear stress between bodies; e_ij, ∂W/∂r and W/W(dp) of mid-step, pairs of the advection step;
+///   - in 3D Eq. 8 takes a third of the trace, Gray's stress all three principal axes;
 ///   - clamped particles do not move; their density changes only in methods that integrate the stress.
 namespace taut::test::naive {
 
@@ -54,10 +54,10 @@ struct Particle {
   double m = 0, rho = 0, drho = 0, p = 0;
   int body = 0;
   bool clamped = false;
-  Matrix<Dim> s{}, ds{};  // shear stress (integrated or output only) and its rate
+  Matrix<Dim> s{}, ds{};
   Vector<Dim> a_shear{}, da_shear{};
-  Matrix<Dim> L{};        // corrected velocity gradient of gnog
-  Vector<Dim> x_shown{};  // x at the last update of an output-only stress
+  Matrix<Dim> L{};        // velocity gradient of gnog
+  Vector<Dim> x_shown{};  // at the last update of an output-only stress
 };
 
 template <int Dim>
@@ -76,9 +76,9 @@ class Run {
       : method_(method), dual_(dual), dp_(dp), h_(h_over_dp * dp), rho0_(rho0), c0_(c0), G_(G) {}
 
   std::vector<Particle> particles;
-  bool cubic_spline = false;       // kernel of Monaghan and Lattanzio instead of Wendland's
-  double pressure_diffusion = 0;   // factor of (p_i − p_j)/(2 ρ0 c0) in U*
-  int rebuilds = 0, contacts = 0;  // contacts: pairs between bodies, summed over steps
+  bool cubic_spline = false;  // instead of Wendland's
+  double pressure_diffusion = 0;
+  int rebuilds = 0, contacts = 0;  // contacts: pairs, summed over steps
   double time = 0;
 
   void start() {
@@ -92,7 +92,7 @@ class Run {
     find_rates(volumes());
   }
 
-  /// One acoustic step, Eq. 22–25.
+  /// Eq. 22–25.
   void step() {
     if (time > 0 && (!dual_ || distance_since_rebuild_ >= cfl_advection * h_)) {
       advance_shown_stress();
@@ -108,7 +108,7 @@ class Run {
     const std::vector<double> V = volumes();
     const std::vector<Vector> acceleration = accelerations(V);
     speed_ = 0;
-    for (std::size_t i = 0; i < particles.size(); ++i) {  // Eq. 24 and positions of Eq. 25
+    for (std::size_t i = 0; i < particles.size(); ++i) {  // Eq. 24, 25
       Particle& a = particles[i];
       for (int k = 0; k < Dim; ++k) {
         if (!a.clamped) a.v[k] += dt * acceleration[i][k];
@@ -123,7 +123,6 @@ class Run {
     time += dt;
   }
 
-  /// Advances pressure and output stress to the end of the step.
   void finish() {
     for (Particle& a : particles) a.p = c0_ * c0_ * (a.rho - rho0_);
     advance_shown_stress();
@@ -208,7 +207,7 @@ class Run {
     }
   }
 
-  /// R = −ε σ⁺/ρ² in the principal axes of σ.
+  /// R = −ε σ⁺/ρ².
   Matrix artificial_stress(const Particle& a) const {
     Eigen::Matrix<double, Dim, Dim> sigma;
     for (int k = 0; k < Dim; ++k)
@@ -224,7 +223,7 @@ class Run {
     return R;
   }
 
-  /// Eq. 12 with the linearised P*; dissipation limited for `og`.
+  /// Eq. 12 with the linearised P*; limited for `og`.
   double riemann_pressure(const Particle& a, const Particle& b, const Vector& e) const {
     const double U_L = -dot<Dim>(a.v, e), U_R = -dot<Dim>(b.v, e);
     const double limited = std::min(3 * std::max(U_L - U_R, 0.0) / c0_, 1.0);
@@ -269,11 +268,11 @@ class Run {
         for (int k = 0; k < Dim; ++k) v_ij[k] = a.v[k] - particles[j].v[k];
         const double along = dot<Dim>(v_ij, g.e);
         const double diffusion = pressure_diffusion * (a.p - particles[j].p) / (rho0_ * c0_);
-        divergence -= V[j] * (along + diffusion) * g.dW;  // Eq. 11: U* + v_i·e_ij = ½ (along + diffusion)
+        divergence -= V[j] * (along + diffusion) * g.dW;  // Eq. 11
         if (!same_body(i, j)) continue;
         for (int k = 0; k < Dim; ++k) {
           for (int l = 0; l < Dim; ++l) gradient[k][l] -= v_ij[k] * g.dW * g.e[l] * V[j];  // Eq. 14
-          const bool plain = method_ == Method::enog_nonconservative;                      // Eq. 18, Eq. 19
+          const bool plain = method_ == Method::enog_nonconservative;                      // Eq. 18, 19
           laplacian[k] += 2 * (plain ? v_ij[k] : zeta * along * g.e[k]) / g.r * g.dW * V[j];
         }
       }
@@ -286,7 +285,7 @@ class Run {
     if (penalized()) find_penalties(V);
   }
 
-  /// Rate of the penalty acceleration of [Zhang2024b] with ξ = 4.
+  /// [Zhang2024b] with ξ = 4.
   void find_penalties(const std::vector<double>& V) {
     for (std::size_t i = 0; i < particles.size(); ++i) {
       Particle& a = particles[i];
@@ -303,7 +302,7 @@ class Run {
     }
   }
 
-  /// Eq. 27 of [Zhang2024] with the geometry and volumes of the last rebuild.
+  /// Eq. 27 with the geometry of the last rebuild.
   void find_corrections() {
     corrections_.clear();
     for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -338,7 +337,7 @@ class Run {
     return rate;
   }
 
-  /// Eq. 26–27 for the displacements since the last update, with the geometry and volumes of the last rebuild.
+  /// Eq. 26–27 for the displacements since the last update.
   void advance_shown_stress() {
     if (nested()) return;
     const std::vector<double>& V = volumes_at_rebuild_;

@@ -21,7 +21,7 @@ namespace {
 
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-/// Corrected Wendland kernel at X[i], [Lee2016] Eq. 23; in 2D z = 0.
+/// Corrected kernel, [Lee2016] Eq. 23.
 std::vector<std::pair<int, double>> seen_at(int i, const std::vector<Point>& X, const std::vector<double>& V,
                                             double h, int dim) {
   std::vector<std::pair<int, double>> W;
@@ -45,7 +45,7 @@ std::vector<std::pair<int, double>> seen_at(int i, const std::vector<Point>& X, 
 
 double h_over_dp(int dim) { return dim == 3 ? pf.h_over_dp_3d : pf.h_over_dp; }
 
-/// A block of 7 × 6 (× 5) particles, on or off a lattice, clamped at x = 0 with rollers at y = 0.
+/// Clamped at x = 0, with rollers at y = 0.
 struct Made {
   Made(int dim, double jitter) {
     std::mt19937 random(7);
@@ -119,7 +119,7 @@ Settings projected(const std::string& method, double on = 1, double h = 0) {
   return settings;
 }
 
-/// Greatest |v(X_B) − v_B| over prescribed components, m/s.
+/// Greatest |v(X_B) − v_B|.
 double greatest_miss(const Scene& scene, const Snapshot& now, double h) {
   std::vector<Point> X;
   std::vector<double> V;
@@ -208,7 +208,7 @@ TEST_SUITE("analytic") {
       "boundary projection: after a step the interpolated velocities fulfil clamps, rollers and drives") {
     struct Row {
       int dim;
-      double h, without;  // m/s: a shorter kernel weighs neighbours less
+      double h, without;  // a shorter kernel weighs neighbours less
     };
     for (const auto& [dim, h, without] :
          {Row{2, h_over_dp(2), 1e-4}, Row{2, 1.05, 1e-3}, Row{3, h_over_dp(3), 1e-3}}) {

@@ -22,7 +22,7 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double dp = 0.001;  // m
+constexpr double dp = 0.001;
 const std::array choices{Law::neo_hookean, Law::mooney_rivlin, Law::st_venant_kirchhoff, Law::linear_elastic};
 
 Settings with_law(const std::string& method, Law law) {
@@ -58,7 +58,7 @@ Mat<double, Dim> pressed_strain(double share) {
   return F;
 }
 
-/// A free block with initial strain F plus `off` times a varying strain; `share` is the part of G due to areas.
+/// Initial strain F plus `off` times a varying strain; `share` is the part of G due to areas.
 template <int Dim>
 Scene strained_block(const Mat<double, Dim>& F, double off, double share = 0.4) {
   Scene scene;
@@ -86,13 +86,13 @@ double strain_energy(const Scene& scene, const Settings& settings) {
   return std::accumulate(start.strain_energy.begin(), start.strain_energy.end(), 0.0);
 }
 
-/// State after one short step from rest: v over its length is the acceleration.
+/// One short step from rest: v over its length is the acceleration.
 Snapshot after_short_step(const Scene& scene, Settings settings) {
   settings.step = 1e-12;
   return state_after(1, scene, settings);
 }
 
-/// Work −Σ f · dx over the energy change as the block's perturbation grows.
+/// Work −Σ f · dx over the energy change.
 template <int Dim>
 double work_over_energy(const std::string& method, Law law) {
   constexpr double off = 0.2, change = 1e-4;
@@ -149,7 +149,6 @@ TEST_SUITE("term") {
       CAPTURE(row.choice);
       check_closed<2>(law);
       check_closed<3>(law);
-      // an inverted body is pushed back
       for (const double J : {0.3, 0.1, -0.1})
         CHECK(closed_piola(law, Mat<double, 2>{{{J, 0}, {0, 1}}})(0, 0) < -1);
     });
@@ -198,7 +197,7 @@ TEST_SUITE("term") {
       CAPTURE(law_row(law).choice);
       const auto first = [&]<int Dim>(const std::string& method) {
         Settings settings = with_law(method, law);
-        if (method != "tl") settings.constants["projection"] = 0;  // the linear law would need it
+        if (method != "tl") settings.constants["projection"] = 0;
         for (const MethodConstant& constant : find_method(method)->constants)
           if (constant.name.starts_with("eps")) settings.constants[std::string(constant.name)] = 0;
         return after_short_step(strained_block(strain<Dim>(), 0.2), settings);
@@ -241,7 +240,7 @@ TEST_SUITE("conservation") {
       }
     }
     CHECK(drift(space, "pfhj-jst", Law::mooney_rivlin) < 1e-12);
-    CHECK(drift(plane, "oenog", Law::linear_elastic) > 1e-4);  // not objective
+    CHECK(drift(plane, "oenog", Law::linear_elastic) > 1e-4);  // the linear law is not objective
   }
   TEST_CASE("laws: an unused material does not shorten the steps") {
     for (const char* method : {"enog", "d-ulsph-r-tic", "tl", "pf-jst", "oenog"}) {

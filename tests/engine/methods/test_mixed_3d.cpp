@@ -35,7 +35,7 @@ struct Cube {
   std::vector<V3> X;
   std::vector<double> V;
   InitialPairs<3> pairs;
-  std::vector<double> laplacian;  // w_ij dp²
+  std::vector<double> laplacian;
 
   Cube(int n, double h) : V(n * n * n, 1) {
     InitialParticles initial;
@@ -60,14 +60,14 @@ struct Cube {
     return best;
   }
 
-  /// dp² L̂(k): ratio of the Laplacian of the wave cos(k·X) to the wave, at particle i.
+  /// dp² L̂(k) of the wave cos(k·X).
   double symbol(int i, const V3& k) const {
     double sum = 0;
     for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p)
       sum += laplacian[p] * (std::cos(dot(k, X[pairs.j[p]] - X[i])) - 1);
     return sum;
   }
-  /// dp |∇̂(k)|: the same ratio for the gradient of the wave sin(k·X).
+  /// dp |∇̂(k)| of the wave sin(k·X).
   double gradient_symbol(int i, const V3& k) const {
     V3 sum{};
     for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p)
@@ -77,7 +77,7 @@ struct Cube {
   }
 };
 
-/// Greatest stable step of the two-stage Runge–Kutta scheme for du/dt = (−d ± i w) u, by bisection.
+/// Two-stage Runge–Kutta for du/dt = (−d ± i w) u.
 double greatest_step(double d, double w) {
   const auto grows = [&](double dt) {
     const double a = -d * dt, b = w * dt;
@@ -148,9 +148,9 @@ TEST_SUITE("analytic") {
         }
       }
     }
-    CHECK(slowest == relative(0.99, 0.01));    // of (π, π, π), c/dp
-    CHECK(steepest == relative(1.36, 0.01));   // 1/dp
-    CHECK(shortest == relative(0.405, 0.01));  // dp/c
+    CHECK(slowest == relative(0.99, 0.01));
+    CHECK(steepest == relative(1.36, 0.01));
+    CHECK(shortest == relative(0.405, 0.01));
     CHECK(pf_jst.cfl * pf_jst.h_over_dp_3d < shortest);
   }
 
@@ -269,7 +269,7 @@ TEST_SUITE("stability") {
     const Material& rubber = scene.materials[0];
     const double stiffness = rubber.bulk_modulus() + 4.0 / 3 * rubber.shear_modulus();
     CHECK(step_of(1) == relative(0.25 * 0.87 * scene.spacing * std::sqrt(rubber.density / stiffness), 1e-9));
-    // ρ0 c² along x of W at F = diag(λ, 1, 1) is ∂²W/∂λ²
+    // ρ0 c² along x is ∂²W/∂λ²
     const auto energy = [&](double l) {
       const double J = l, FF = l * l + 2;
       return rubber.shear_modulus() / 2 * (std::pow(J, -2.0 / 3) * FF - 3) +

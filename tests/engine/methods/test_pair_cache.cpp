@@ -25,7 +25,7 @@ UlSplitConstants constants_at(double dp) {
 
 template <int Dim>
 struct Cached {
-  PairGeometry<Dim> exact, cached, back;  // back: of (j, i)
+  PairGeometry<Dim> exact, cached, back;
 };
 template <int Dim>
 Cached<Dim> cached_at(double dp, const Pack& distance) {
@@ -91,7 +91,7 @@ TEST_SUITE("unit") {
         const PairGeometry<3> cached = cached_at<3>(dp, Pack{r, r, r, r}).cached;
         const double slope = std::hypot(cached.gradient[0][0], cached.gradient[1][0]);
         CHECK(std::isfinite(slope));
-        // the two cached inverses agree to single precision or are both 0
+        // the cached inverses agree to single precision or are both 0
         const double unity = -cached.inverse_slope[0] * slope;
         CHECK((unity == 0 ? cached.inverse_distance[0] == 0 : std::abs(unity - 1) < 1e-6));
         const double inverse = cached.inverse_distance[0] * slope * r * dp;

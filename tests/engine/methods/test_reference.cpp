@@ -40,7 +40,7 @@ void check_agreement(const Snapshot& engine, const naive::Run<2>& run, double c0
   }
   CHECK(engine.time == relative(run.time, 1e-12));
   CHECK(fastest > 0.05 * c0);
-  CHECK(greatest_stress > 1e4);  // Pa
+  CHECK(greatest_stress > 1e4);
   check_field("x", engine.x, x);
   check_field("v", engine.v, v);
   check_field("rho", engine.rho, rho);

@@ -22,7 +22,7 @@ using namespace taut::test;
 namespace {
 
 constexpr int steps = 40;
-/// Pairs of the methods of [Zhang2024] are cached in single precision.
+/// Precision of the pair cache of [Zhang2024].
 constexpr double single_precision = 3e-7;
 
 void check_ulsph(const Scene& scene, const std::string& name, Stepping stepping) {
@@ -48,7 +48,7 @@ void check_ulsph(const Scene& scene, const std::string& name, Stepping stepping)
     const double in_plane[] = {a.s[0][1], a.s[0][2], a.s[1][2]};
     for (int k = 0; k < 3; ++k) greatest_shear[k] = std::max(greatest_shear[k], std::abs(in_plane[k]));
   }
-  CHECK(*std::ranges::min_element(greatest_shear) > 1e4);  // Pa
+  CHECK(*std::ranges::min_element(greatest_shear) > 1e4);
   check_field("x", now.x, x, single_precision);
   check_field("v", now.v, v, single_precision);
   check_field("rho", now.rho, rho, single_precision);
@@ -128,11 +128,11 @@ void check_mixed(const Scene& scene, const std::string& name, double projection)
   check_field("rho", now.rho, rho);
 }
 
-/// Checks oenog with penalty contact and a fixed step; face contact and the step have tests of their own.
+/// Face contact and the step have tests of their own.
 void check_oenog(Scene scene, bool meets) {
   CAPTURE(scene.name);
   scene.contact = ContactLaw::penalty;
-  constexpr double damping = 0.01, h_over_dp = 0.9;  // the defaults in 3D
+  constexpr double damping = 0.01, h_over_dp = 0.9;
   NaiveOenogIn<3> naive(scene, h_over_dp);
   Settings settings = with_method("oenog");
   settings.step = 0.4 * scene.spacing / scene.materials[0].sound_speed();

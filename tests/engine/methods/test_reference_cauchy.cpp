@@ -96,7 +96,7 @@ TEST_SUITE("reference") {
     for (const char* method : current_configuration) check_method<2>(two_materials(), method, 25);
   }
   TEST_CASE("naive: in 3D updated-Lagrangian methods follow the transcription in collisions and at a clamp") {
-    Scene clamped = small_clamped_block();  // five particles across, so that some are away from the surface
+    Scene clamped = small_clamped_block();  // some particles are away from the surface
     const double dp = clamped.spacing;
     clamped.bodies[0].shapes = {Box{{-3 * dp, -2.5 * dp, -2.5 * dp}, {6 * dp, 2.5 * dp, 2.5 * dp}}};
     clamped.bodies[1].shapes = {Disc{{0.0003, 0.0052, 0.0002}, 0.0021}};
@@ -129,7 +129,7 @@ TEST_SUITE("reference") {
 TEST_SUITE("unit") {
   TEST_CASE(
       "particles beside the surface have it within 1.2 spacings, and no other reach gives the same set") {
-    // in the inner corner of an L some particles reach the surface only across a cell, 1.41 spacings
+    // in the inner corner some particles reach the surface only across a cell, 1.41 spacings
     Scene scene = small_collision();
     scene.bodies.pop_back();
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.012, 0.012, 0}}, Box{{0.012, 0, 0}, {0.024, 0.006, 0}}};

@@ -76,7 +76,7 @@ void project_all(std::vector<V2>& a, const std::vector<V2>& Z, const std::vector
   for (std::size_t i = 0; i < a.size(); ++i) a[i] = {columns[0][i], columns[1][i]};
 }
 
-/// dp² L̂(k): L applied to the wave cos(k·X) in a square lattice with dp = 1, over the wave.
+/// dp² L̂(k) of the wave cos(k·X).
 double symbol_on_lattice(double h, const V2& k) {
   constexpr int n = 9;
   std::vector<V2> X;
@@ -97,7 +97,6 @@ double symbol_on_lattice(double h, const V2& k) {
   return sum;
 }
 
-/// Greatest stress of a rotated cloud, Pa.
 template <class L>
 double stress_when_turned(const L& law, double angle) {
   const Cloud cloud;
@@ -115,9 +114,9 @@ double stress_when_turned(const L& law, double angle) {
   return most;
 }
 
-/// Greatest stress of a free plate rotated by `angle`, over ρ v² of its corners.
+/// Greatest stress over ρ v² of the corners.
 double stress_of_turning(const std::string& method, double angle) {
-  const double speed = 0.01;  // of the corners, in sound speeds
+  const double speed = 0.01;  // in sound speeds
   const Scene scene = rotating_plate(speed);
   const double v = speed * scene.materials[0].sound_speed();
   const auto simulation = make_simulation(scene, with_method(method));

@@ -68,14 +68,14 @@ std::vector<int> brute_force(const Points<Dim>& x, int i, double reach) {
   return list;
 }
 
-/// Peak memory of the program, KiB.
+/// KiB.
 long peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss;
 }
 
-/// Compares the lists with brute force and returns the number of directed pairs.
+/// Returns the number of directed pairs.
 template <int Dim>
 long check_against_brute_force(const Points<Dim>& points, double reach = support) {
   const Found<Dim> found(points, 1, reach);
@@ -166,7 +166,7 @@ TEST_SUITE("neighbors") {
       CellGrid<2> grid;
       CHECK_THROWS_AS(grid.sort(random_points<2>(20, 1, 11), reach), taut::NumericalError);
     }
-    const Points<2> all_far(20, {1e30, -1e30});  // too far for their coordinates to resolve a cell
+    const Points<2> all_far(20, {1e30, -1e30});  // too far for coordinates to resolve a cell
     CellGrid<2> grid;
     CHECK_THROWS_AS(grid.sort(all_far, support), taut::NumericalError);
   }
@@ -243,7 +243,6 @@ TEST_SUITE("neighbors") {
   }
 
   TEST_CASE("neighbors: slots of lanes gather each neighbour of each particle once, in order") {
-    // a ring of 30 in two layers, stored layer by layer, then random points
     const int around = 30;
     Points<2> x;
     for (int k = 0; k < 2 * around; ++k) {

@@ -19,7 +19,7 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi, dp = 0.002;  // m
+constexpr double pi = std::numbers::pi, dp = 0.002;
 
 Ring shell(Point centre = {}) { return {centre, 0.012, 0.02, RoundLayout::aligned}; }
 Cylinder pipe(Point from, Point to) { return {from, to, 0.02, 0.012, RoundLayout::aligned}; }
@@ -30,8 +30,8 @@ double volume_of(const std::vector<InitialSite>& sites) {
 }
 
 struct Faces {
-  double area = 0, outwards = 0;  // m²; ∫ outward distance from site to patch dA, m³
-  double aside = 0;               // greatest tangential distance from a patch's site to its centre, m
+  double area = 0, outwards = 0;  // ∫ outward distance from site to patch
+  double aside = 0;               // greatest tangential distance of site and patch
   Point sum{};
   explicit Faces(const FacePatches& faces, const std::vector<InitialSite>& sites) {
     for (const FacePatches::Patch& patch : faces.patches) {

@@ -12,7 +12,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Twelve triangles of the cube from `low` to `low` + 1 along each axis.
 void add_cube(Triangles& mesh, double low) {
   const int first = static_cast<int>(mesh.points.size());
   for (unsigned k = 0; k < 8; ++k)
@@ -31,7 +30,7 @@ bool is_in_cube(const Point& x, double low, double beyond) {
   return in;
 }
 
-/// Calls `check` for the points of a lattice, of which many lie exactly on faces, edges and diagonals of the cubes.
+/// Many points lie exactly on faces, edges and diagonals.
 template <class Check>
 void at_lattice(const Check& check) {
   for (int i = -2; i <= 14; ++i)
@@ -52,7 +51,6 @@ TEST_SUITE("unit") {
     at_lattice([&](const Point& x) {
       for (const double tolerance : {1e-9, -1e-9, 0.2, -0.2}) {
         const bool in = is_in_cube(x, 0, tolerance);
-        // near edges and corners, the distance is less than the sum of its components
         const bool beside = tolerance == 0.2 && in && !is_in_cube(x, 0, 1e-9);
         wrong += !beside && cube.holds(x, 3, tolerance) != in;
       }

@@ -20,7 +20,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Two touching bodies, one clamped, driven, loaded and beside a wall; probes.
+/// One block is clamped, driven, loaded and beside a wall.
 Scene touching_blocks(int dim) {
   const double dp = 0.001, depth = dim == 3 ? 0.002 : 0;
   Scene scene;
@@ -53,7 +53,7 @@ Scene touching_blocks(int dim) {
   return scene;
 }
 
-/// A body in self-contact: two parts start near each other but are far apart initially.
+/// Self-contact: two near parts are far apart initially.
 Scene folded_block(int dim) {
   Scene scene = touching_blocks(dim);
   scene.name = "folded-block";
@@ -70,7 +70,7 @@ void put(std::string& bytes, std::size_t at, T value) {
   std::memcpy(bytes.data() + at, &value, std::min(sizeof value, bytes.size() - at));
 }
 
-/// Damage that a matching checksum does not reveal.
+/// The checksum matches the damage.
 constexpr int kinds_of_damage = 10;
 void damage(std::string& bytes, std::size_t at, int kind, int particles) {
   switch (kind) {
@@ -125,7 +125,7 @@ void try_state(const std::string& state, const Scene& scene, const Settings& set
   }
 }
 
-/// Number of words to damage per state; TAUT_DAMAGED_WORDS overrides it.
+/// TAUT_DAMAGED_WORDS overrides `few`.
 long words_to_damage(long few) {
   const char* const asked = std::getenv("TAUT_DAMAGED_WORDS");
   return asked ? std::atol(asked) : few;

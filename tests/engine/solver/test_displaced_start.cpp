@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double dp = 0.001;  // m
+constexpr double dp = 0.001;
 
 Scene block(double side) {
   Scene scene;
@@ -34,8 +34,8 @@ Snapshot at_start(const Scene& scene, std::string_view method) {
   return make_simulation(scene, with_method(std::string(method)))->snapshot();
 }
 
-/// A square or cube of `n` cells a side vibrating in half a wave, with rollers at the faces through the origin and no
-/// tangential motion on the others ([Lee2016] §8.2).
+/// [Lee2016] §8.2: half a wave, with rollers at the faces through the origin and no tangential motion on the
+/// others.
 Scene swinging_cube(int dim, int n) {
   const double side = n * dp, amplitude = 1e-5 * side, wave = std::numbers::pi / (2 * side);
   Scene scene = block(side);
@@ -60,7 +60,7 @@ Scene swinging_cube(int dim, int n) {
   return scene;
 }
 
-/// RMS difference from u(X, 0) cos ωt, ω = √dim/2 π/L c_p, over the amplitude, at an eighth of a period.
+/// RMS difference from u(X, 0) cos ωt, ω = √dim/2 π/L c_p, over the amplitude.
 double swinging_error(int dim, int n, const std::string& method) {
   const Scene scene = swinging_cube(dim, n);
   const Material& rubber = scene.materials[0];
@@ -83,7 +83,7 @@ double swinging_error(int dim, int n, const std::string& method) {
   return std::sqrt(sum / mass) / (1e-5 * n * dp);
 }
 
-/// RMS errors over the volume and four times in the first period, over greatest velocity and pressure.
+/// RMS over the volume and four times, over greatest velocity and pressure.
 struct SwingingErrors {
   double velocity = 0, stress = 0;
 };
@@ -163,7 +163,6 @@ TEST_SUITE("unit") {
     };
     CHECK_FALSE(starts(-0.0425, 0.0085));
     CHECK(starts(-0.03, 0.0085));
-    // a body's displaced start counts
     const double c = std::cos(0.7), s = std::sin(0.7);
     scene.bodies[0].displacement[0] = [=](const Point& x) { return 1.2 * c * x[0] - s * x[1] - x[0]; };
     scene.bodies[0].displacement[1] = [=](const Point& x) { return 1.2 * s * x[0] + c * x[1] - x[1]; };

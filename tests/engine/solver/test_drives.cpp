@@ -16,12 +16,11 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double dp = 0.001;      // m
-constexpr double length = 0.04;   // m
-constexpr double push = 0.00005;  // duration of the piston's motion, s
-constexpr double stroke = 2e-5;   // m
+constexpr double dp = 0.001;
+constexpr double length = 0.04;
+constexpr double push = 0.00005;
+constexpr double stroke = 2e-5;
 
-/// Piston speed, m/s; its integral up to `push` is the stroke.
 double piston(double t) { return stroke / push * (1 - std::cos(2 * 3.14159265358979323846 * t / push)); }
 
 Scene pushed_bar() {
@@ -85,7 +84,7 @@ TEST_SUITE("analytic") {
         const auto simulation = make_simulation(scene, settings);
         simulation->advance_to(0.6 * push);
         const Snapshot& now = simulation->snapshot();
-        // velocities are those at the end of the step or, for symplectic Euler, at its middle
+        // symplectic Euler has velocities at mid-step
         const double middle = now.time - 0.5 * now.time / static_cast<double>(now.step);
         CHECK(std::min(std::abs(now.v[0] - piston(now.time)), std::abs(now.v[0] - piston(middle))) <
               1e-12 * piston(now.time));

@@ -26,9 +26,9 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double H = 0.02, E = 2e6, nu = 0.3, rho = 1000;  // m, Pa, kg/m³
+constexpr double H = 0.02, E = 2e6, nu = 0.3, rho = 1000;
 
-/// A free, damped block of length L under a slowly increasing traction σxx(y) at both ends.
+/// Damped, under a slowly increasing traction at both ends.
 Scene pulled_block(int across, double L, const std::function<double(double)>& sigma, double omega) {
   Scene scene;
   scene.name = "block";
@@ -60,7 +60,7 @@ Snapshot at_rest(const Scene& scene, const char* method,
   return simulation->snapshot();
 }
 
-/// RMS of σxx − σ(y) over RMS of σ(y), for particles with |x| < `middle`.
+/// RMS of σxx − σ(y) over RMS of σ(y), for |x| < `middle`.
 double error(const Snapshot& now, const std::function<double(double)>& sigma, double middle) {
   double difference = 0, size = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -72,7 +72,7 @@ double error(const Snapshot& now, const std::function<double(double)>& sigma, do
   return std::sqrt(difference / size);
 }
 
-/// A free bar of `rows` with traction t on its upper face and, with `both`, on the lower one.
+/// Traction t on the upper face and, with `both`, on the lower one.
 Scene thin_bar(int rows, const Point& t, bool both) {
   Scene scene;
   scene.name = "bar";
@@ -127,7 +127,7 @@ TEST_SUITE("unit") {
     const auto by_column = sums(shares_of(FaceRule::by_column, scene, load), initial);
     CHECK(by_column[0] == relative(3 * H));
     CHECK(by_column[1] == 0);
-    // −∫ y t_x dy; the midpoint rule alone is 1 % short
+    // the midpoint rule alone is 1 % short
     CHECK(by_column[2] == relative(-200 * H * H * H / 12 * (1 - 0.0015)));
     load.value[0] = constant(3);
     load.value[1] = constant(2);
@@ -150,7 +150,7 @@ TEST_SUITE("unit") {
     Load load;
     load.kind = Load::Kind::traction;
     load.where = [](const Point& X) { return std::hypot(X[0], X[1]) > 0.039 ? 1.0 : 0.0; };
-    load.value[0] = [](const Point& X) { return -X[1] / 0.04; };  // 1 Pa along the circle
+    load.value[0] = [](const Point& X) { return -X[1] / 0.04; };
     load.value[1] = [](const Point& X) { return X[0] / 0.04; };
     const auto sum = sums(shares_of(FaceRule::by_column, scene, load), make_initial_particles(scene));
     const double torque = 2 * std::numbers::pi * 0.04 * 0.04;
@@ -170,7 +170,7 @@ TEST_SUITE("unit") {
         const auto sum = sums(shares, initial);
         CHECK(sum[0] == relative(0.5 * t * A));
         CHECK(sum[1] == relative(t * A));
-        // scaled columns at the ends of a thick bar differ in depth
+        // scaled columns at the ends differ in depth
         CHECK(sum[2] == relative(t * A * (0.5 * A - 0.5 * rows * scene.spacing),
                                  rule == FaceRule::uniform ? 1e-9 : 2e-5));
         for (const auto& [i, f] : shares)

@@ -24,7 +24,7 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double E = 2e6, nu = 0.3, rho = 1000;  // Pa, kg/m³
+constexpr double E = 2e6, nu = 0.3, rho = 1000;
 
 Load traction(Expression where, const std::array<Expression, 3>& value) {
   Load load;
@@ -77,10 +77,9 @@ Sum sum_of(const std::vector<FaceShare>& shares, const Scene& scene) {
   return sum;
 }
 
-/// A bar along x, 6 particles across and 3 times as long, at rest under a traction σ on both ends.
-constexpr double H = 0.02, dp = H / 6, half = 1.5 * H;  // m
+constexpr double H = 0.02, dp = H / 6, half = 1.5 * H;
 Snapshot drawn_out(const char* method, double sigma) {
-  const double omega = 2000;  // 1/s, near its lowest longitudinal mode
+  const double omega = 2000;  // near the lowest longitudinal mode
   std::vector<Load> ends;
   for (const double side : {-1.0, 1.0}) {
     ends.push_back(traction([=](const Point& X) { return side * X[0] > half - dp ? 1.0 : 0.0; },
@@ -98,7 +97,7 @@ Snapshot drawn_out(const char* method, double sigma) {
 
 TEST_SUITE("unit") {
   TEST_CASE("face loads in 3D: force and moment equal those on the face, including edges and corners") {
-    const double A = 0.007, B = 0.006, L = 0.008;  // along y, z and x
+    const double A = 0.007, B = 0.006, L = 0.008;
     const auto block = [&](Expression along_x) {
       const Load load = traction([=](const Point& X) { return X[0] > L - 0.001 ? 1.0 : 0.0; },
                                  {std::move(along_x), constant(2), constant(-1)});
@@ -172,7 +171,7 @@ TEST_SUITE("analytic") {
         REQUIRE(std::abs(now.stress(i).xy) < 1e-3 * xx);
       }
     }
-    // oenog is not exact at corners, but the ends move correctly
+    // oenog is not exact at corners
     const auto length = [](const Snapshot& now) {
       double low = 0, high = 0;
       for (std::size_t i = 0; i < now.size(); ++i) {

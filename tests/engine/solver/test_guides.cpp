@@ -17,12 +17,12 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double dp = 0.001;                      // m
-constexpr double length = 0.012, height = 0.006;  // m
-constexpr double period = 4 * length / 91;        // approximate period of a clamped bar, s
+constexpr double dp = 0.001;
+constexpr double length = 0.012, height = 0.006;
+constexpr double period = 4 * length / 91;
 constexpr double rounding = 1e-12;
 
-/// A bar, stretched along x and slightly sheared, on rollers below and, with `at_wall`, at its left end.
+/// Stretched and slightly sheared, on rollers below and, with `at_wall`, at its left end.
 Scene bar_on_rollers(bool at_wall) {
   Scene scene;
   scene.name = "bar-on-rollers";

@@ -17,8 +17,8 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double dp = 0.001;                 // m
-constexpr double length = 0.016, H = 0.006;  // m
+constexpr double dp = 0.001;
+constexpr double length = 0.016, H = 0.006;
 
 Scene bar() {
   Scene scene;
@@ -42,7 +42,7 @@ Load load(Load::Kind kind, double x, double y) {
   return load;
 }
 
-/// A bar clamped at its left end and pulled at its right end with up to `force` N per metre depth.
+/// Clamped at its left end, pulled with up to `force`.
 Scene pulled_bar(double force) {
   Scene scene = bar();
   Body& body = scene.bodies[0];
@@ -78,7 +78,7 @@ TEST_SUITE("analytic") {
         const double fall = damping == 0 ? 0.5 * g * T * T : g / c * (T - (1 - std::exp(-c * T)) / c);
         for (std::size_t i = 0; i < now.size(); ++i) {
           REQUIRE(now.v[2 * i + 1] == Approx(-speed).epsilon(1e-4));
-          // symplectic Euler has velocities half a step away from positions
+          // symplectic Euler has velocities at mid-step
           REQUIRE(std::abs(now.x[2 * i + 1] - now.x0[2 * i + 1] + fall) < 0.51 * step * speed);
           REQUIRE(std::abs(now.x[2 * i] - now.x0[2 * i]) < 1e-12);
         }
@@ -141,7 +141,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("loads: a load that grows in time acts with its value at the middle of the step") {
-    const double g = 3e6, q = 4e9;  // m/s³, N/(m³ s)
+    const double g = 3e6, q = 4e9;
     const int steps = 20;
     Scene scene = bar();
     scene.gravity[0] = [=](double t) { return g * t; };
@@ -152,7 +152,7 @@ TEST_SUITE("analytic") {
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
       const Snapshot now = state_after(steps, scene, with_method(std::string(method.name)));
-      // ∫ t dt; symplectic Euler uses the start of each step: Σ t dt
+      // symplectic Euler uses the start of each step: Σ t dt
       const bool behind = method.formulation.family == Family::ul_cauchy;
       const double sum = 0.5 * now.time * now.time * (behind ? 1 - 1.0 / steps : 1);
       for (std::size_t i = 0; i < now.size(); ++i) {
@@ -165,7 +165,7 @@ TEST_SUITE("analytic") {
   TEST_CASE("damping: a pulled bar comes to rest where the undamped bar oscillates around") {
     Scene scene = pulled_bar(300);
     scene.bodies[0].loads[0].value[1] = nullptr;
-    // lowest mode along the free 12 mm: ω = π/2 √(M/ρ)/12 mm, M = 4 G (3K + G)/(3K + 4G)
+    // lowest mode: ω = π/2 √(M/ρ)/12 mm, M = 4 G (3K + G)/(3K + 4G)
     const double K = ring_rubber().bulk_modulus(), G = ring_rubber().shear_modulus();
     const double M = 4 * G * (3 * K + G) / (3 * K + 4 * G);
     scene.damping = 2 * 1.5708 * std::sqrt(M / 1200) / 0.012;
@@ -175,7 +175,6 @@ TEST_SUITE("analytic") {
     simulation->advance_to(2e-3);
     const Balance at_rest = balance(simulation->snapshot(), scene);
     CHECK(at_rest.kinetic < 1e-6 * at_rest.strain);
-    // strain F/(H M) to first order; the ends are coarse
     CHECK(simulation->series().value[0].back() == Approx(300 / (H * M) * 0.012).epsilon(0.05));
   }
 }
@@ -200,7 +199,7 @@ TEST_SUITE("conservation") {
         CHECK((now.damped > 0) == (damping > 0));
         CHECK(now.work > 0);
         const double lost = now.work - now.damped - energy(now);
-        // the energy of enog-nonconservative is of a stress it does not integrate
+        // enog-nonconservative does not integrate the stress of its energy
         const double loose = method.name == "enog-nonconservative" ? 0.5 : 0.2;
         CHECK(std::abs(lost) < (keeps(method, "energy") ? 0.002 : loose) * now.work);
       }
@@ -276,7 +275,7 @@ TEST_SUITE("unit") {
       CAPTURE(std::string(method));
       drive.until = {};
       CHECK(momentum_of_free(method) == relative(3, 1e-6));
-      drive.until = 0.5 * scene.until;  // the driven half of the force has to wait
+      drive.until = 0.5 * scene.until;
       CHECK(momentum_of_free(method) == relative(1.5, 1e-6));
     }
   }

@@ -110,7 +110,6 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("probes: a point follows a linear field exactly") {
-    // v = ω × x in a first, tiny step: the displacement is ω dt × X
     Scene scene = rotating_plate(1e-6);
     const Point at = {0.0093, 0.01, 0};
     scene.probes = {at_point(Probe::Kind::displacement, 0, at, 0),
@@ -259,7 +258,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("probes and lines: a stress beside a driven region belongs to the free side, as beside a clamp") {
-    constexpr double strain = 1e-3, edge = 0.006;  // m
+    constexpr double strain = 1e-3, edge = 0.006;
     const auto shown = [&](const char* method, bool driven) {
       Scene scene = block({0.01, 0.005, 0});
       scene.dim = 2;
@@ -342,7 +341,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("probes: a point of a rotated body with particles on its faces belongs to the unrotated layout") {
     const auto last_values = [](double angle) {
-      constexpr double pitch = 0.25;  // m
+      constexpr double pitch = 0.25;
       const Rotation turn{{0, 0, 1}, {0.3, -0.2, 0}, angle}, back{{0, 0, 1}, {0.3, -0.2, 0}, -angle};
       const Rotation about_origin{{0, 0, 1}, {}, angle};
       Scene scene;
@@ -351,7 +350,7 @@ TEST_SUITE("unit") {
       scene.materials = {plate_elastic()};
       Body body;
       body.name = "body";
-      body.shapes = {Box{{0, 0, 0}, {8 * pitch, 3.6 * pitch, 0}}};  // four cells across, of another pitch
+      body.shapes = {Box{{0, 0, 0}, {8 * pitch, 3.6 * pitch, 0}}};
       body.on_boundary = true;
       body.rotation = turn;
       body.clamped = [=](const Point& x) { return rotated(back, x)[0] < 1.2 * pitch ? 1.0 : 0.0; };
@@ -366,7 +365,7 @@ TEST_SUITE("unit") {
         scene.probes.back().at = rotated(turn, at);
       };
       add(Probe::Kind::displacement, {pitch, 0.9 * pitch, 0});
-      add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});  // the corner: along x and y
+      add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});
       add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});
       scene.probes.back().axis = 1;
       add(Probe::Kind::stress, {4.3 * pitch, 3.6 * pitch, 0});
@@ -391,7 +390,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("probes: the velocity of a material point and the extent of a body are exact") {
-    const double rate = 50;  // 1/s
+    const double rate = 50;
     Scene scene = block({0.005, 0.003, 0.002});
     scene.bodies[0].on_boundary = true;
     scene.bodies[0].velocity[1] = [=](const Point& x) { return rate * x[1] - 0.5; };
@@ -414,7 +413,6 @@ TEST_SUITE("unit") {
     scene.probes = {make_probe("x", Probe::Kind::mirror_asymmetry, {0, 0}),
                     make_probe("y", Probe::Kind::mirror_asymmetry, {0, 0})};
     scene.probes[1].axis = 1;
-    // v_x is odd in x and even in y; v_y has a part even in y and is off by twice that
     scene.bodies[0].velocity[0] = [](const Point& x) { return 2 * x[0]; };
     scene.bodies[0].velocity[1] = [](const Point& x) { return x[1] + 0.001; };
     const auto simulation = make_simulation(scene, with_method("tl"));
@@ -442,7 +440,7 @@ TEST_SUITE("unit") {
       scene.probes = {turn, turn};
       scene.probes[1].turns_about = {0, 0, 1};
       const auto simulation = make_simulation(scene, with_method("tl"));
-      simulation->advance_to(0.05);  // 1.6 turns; strain 1e-4
+      simulation->advance_to(0.05);
       const Series& series = simulation->series();
       CHECK(std::abs(series.value[0].front()) < 1e-15);
       CHECK(series.value[0].back() == relative(omega * series.time.back(), 1e-3));

@@ -53,13 +53,12 @@ double mass_of(const Snapshot& now, int body) {
   return sum;
 }
 
-double momentum(const Snapshot& now) {  // total along y
+double momentum(const Snapshot& now) {  // along y
   double sum = 0;
   for (std::size_t i = 0; i < now.size(); ++i) sum += now.m[i] * now.velocity(i)[1];
   return sum;
 }
 
-/// Impulse ∫ F dt of a series of means over steps, N s.
 double summed(const Series& series, std::size_t probe) {
   double sum = 0;
   for (std::size_t k = 1; k < series.time.size(); ++k)
@@ -79,7 +78,7 @@ void for_each_method(const std::function<void(const std::string&, int)>& f) {
   }
 }
 
-constexpr double acceleration = 300;  // m/s²
+constexpr double acceleration = 300;
 Scene lifted(std::optional<double> until) {
   Scene scene = hanging(2);
   scene.bodies[0].clamped = {};
@@ -242,7 +241,7 @@ TEST_SUITE("conservation") {
                                                          {"oenog", ContactLaw::surface},
                                                          {"tl", ContactLaw::impulse},
                                                          {"pfj-jst", ContactLaw::penalty}}) {
-      const auto& method_now = method;  // clang cannot capture bindings
+      const auto& method_now = method;
       CAPTURE(method_now);
       const double speed = 0.02 * ring_rubber().sound_speed();
       Scene scene;
@@ -371,7 +370,7 @@ TEST_SUITE("unit") {
     }
     const auto simulation = make_simulation(scene, with_method("oenog"));
     simulation->advance_to(2e-3);
-    const double whole = 1200 * g * 0.008;  // Pa, of the whole hanging block
+    const double whole = 1200 * g * 0.008;
     const auto& value = simulation->series().value;
     const double layer = whole / 8;  // the outermost layer uses one-sided differences
     CHECK(std::abs(value[0].back()) < layer);

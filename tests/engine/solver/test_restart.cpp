@@ -36,8 +36,7 @@ void add_probes(Scene& scene) {
   if (scene.bodies[0].clamped) scene.probes.push_back(make_probe("clamp", Probe::Kind::reaction));
 }
 
-/// Collisions; in the second scene one body is clamped, loaded and driven half of the time, with gravity and damping;
-/// in the third driven to the end.
+/// In the second scene one body is clamped, loaded and driven half of the time, in the third driven to the end.
 std::vector<Scene> watched_scenes() {
   std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
   for (Scene& scene : scenes) add_probes(scene);

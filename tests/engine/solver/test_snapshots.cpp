@@ -23,7 +23,7 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// One particle on a path; its velocity lags by `lag` s.
+/// Velocity lags by `lag`.
 struct Path {
   std::function<Point(double)> x, v;
   double lag = 0;
@@ -36,7 +36,7 @@ struct Path {
     for (const std::size_t k : {0, 1}) now.x[k] = x(t)[k], now.v[k] = v(t - lag)[k];
     return now;
   }
-  /// Errors of x and v at a fifth of a step of length `dt` from 0.4.
+  /// Errors of x and v at a fifth of a step from 0.4.
   std::pair<double, double> errors(double dt) const {
     const double t = 0.4 + 0.2 * dt;
     const Snapshot shown = blend(at(0.4), at(0.4 + dt), t), exact = at(t);
@@ -92,7 +92,7 @@ TEST_SUITE("determinism") {
       settings.step = first->time();
       const auto exact = make_simulation(scene, settings);
       make_steps(*exact, 12);
-      settings.step *= 1 - 1e-12;  // ends short by round-off
+      settings.step *= 1 - 1e-12;  // the step ends short by round-off
       const auto shorter = make_simulation(scene, settings);
       const Snapshot shown = state_at(exact->time(), *shorter);
       CHECK(shown.time == exact->time());
@@ -157,7 +157,7 @@ TEST_SUITE("convergence") {
                       }};
     CHECK(flight.errors(0.1).first < 1e-15);
     CHECK(flight.errors(0.1).second < 1e-14);
-    for (const double lag : {0.0, 0.5}) {  // of a step: velocities at mid-step
+    for (const double lag : {0.0, 0.5}) {  // velocities at mid-step
       CAPTURE(lag);
       const auto turn = [&](double dt) {
         return Path{[](double t) {
@@ -173,7 +173,7 @@ TEST_SUITE("convergence") {
       const auto [finer_x, finer_v] = turn(0.01);
       CHECK(x / finer_x == relative(8, 0.02));
       CHECK(v / finer_v == relative(4, 0.02));
-      // θ (1 − θ) (1 − 2θ)/12 dt³ at θ = 0.2, less the part due to lagging acceleration
+      // θ (1 − θ) (1 − 2θ)/12 dt³ at θ = 0.2, less the part of the lagging acceleration
       CHECK(x == relative(std::abs(0.096 / 12 - lag * 0.16 / 2) * 8e-6, 0.02));
     }
   }
@@ -225,7 +225,7 @@ TEST_SUITE("unit") {
     const Snapshot before = simulation->snapshot();
     make_steps(*simulation, 3);
     Settings wild = with_method("enog");
-    wild.step = 1;  // s
+    wild.step = 1;
     const auto broken = make_simulation(small_collision(), wild);
     const Snapshot start = broken->snapshot();
     CHECK_THROWS_AS(broken->advance_to(100), NumericalError);

@@ -112,7 +112,7 @@ TEST_SUITE("term") {
     });
     const Mat2 tension = {{{5, 0}, {0, 5}}};
     const Vec2 e = Seen(first_of_pair, second_of_pair).e;
-    CHECK(dot(stress_divergence_term(tension, tension, 1.0, dW, e), e) == Approx(10 * dW));  // < 0: towards j
+    CHECK(dot(stress_divergence_term(tension, tension, 1.0, dW, e), e) == Approx(10 * dW));
   }
 
   TEST_CASE("xsph: momentum and the angular momentum of the transported motion are conserved") {
@@ -120,7 +120,7 @@ TEST_SUITE("term") {
       return i.m * xsph_term(Seen(i, j).v_ij, i.rho(), j.rho(), j.V, 0.7);
     };
     check_opposite(term);
-    // Σ m û × u = 0 for the pair
+    // Σ m û × u = 0
     const Vec2 d_i = term(first_of_pair, second_of_pair), d_j = term(second_of_pair, first_of_pair);
     const Vec2 v_i = first_of_pair.v, v_j = second_of_pair.v;
     const double turn = d_i[0] * v_i[1] - d_i[1] * v_i[0] + d_j[0] * v_j[1] - d_j[1] * v_j[0];
@@ -162,20 +162,20 @@ TEST_SUITE("term") {
     }
     const double to_i = density_diffusion_term(10.0, 12.0, slope, Vec2{1, 1}, 1.0, dW, 0.5, Vec2{0.6, 0.8});
     const double to_j = density_diffusion_term(12.0, 10.0, Vec2{1, 1}, slope, 1.0, dW, 0.5, Vec2{-0.6, -0.8});
-    CHECK(to_i == Approx(-to_j));  // conserves density for equal volumes
+    CHECK(to_i == Approx(-to_j));  // density is conserved for equal volumes
     CHECK(to_i == Approx(-(2 * 2 + 0.5 * (4 * 0.6 - 1 * 0.8)) * dW / 0.5));
   }
 
   TEST_CASE("Riemann term: a linear velocity has no dissipation, and forces are opposite") {
     const Sym2 D = symmetric_part(some_L);
     for (const Neighbor& j : neighbors()) {
-      const double closing = dot(some_L * j.x(), j.e);  // −v_ij·e with v_ij = −L x_j
+      const double closing = dot(some_L * j.x(), j.e);  // −v_ij·e
       CHECK(std::abs(closing) > 1e-3);
       CHECK(std::abs(reconstructed_closing_speed(closing, D, D, j.r, j.e)) < 1e-13);
     }
     CHECK(reconstructed_closing_speed(0.7, Sym2{}, Sym2{}, 1.0, Vec2{1, 0}) == 0.7);
     CHECK(riemann_dissipation(0.7, 6.0, 10.0, 1.5, 2.5) == Approx(16.0 / 4 * 0.7));
-    // C_ij of equal particles is the impedance c ρ
+    // C_ij of equal particles is c ρ
     CHECK(riemann_dissipation(1.0, 3 * 2 * std::sqrt(2.0), 3 * 2 * std::sqrt(2.0), std::sqrt(2.0),
                               std::sqrt(2.0)) == Approx(6));
     check_opposite([&](const PairedParticle& i, const PairedParticle& j) {
@@ -242,8 +242,7 @@ TEST_SUITE("term") {
   }
 
   TEST_CASE(
-      "rotated stress: in 3D a rigid rotation about any axis rotates it, and small steps have Jaumann's "
-      "rate") {
+      "rotated stress: in 3D a rigid rotation about any axis rotates it, and small steps have Jaumann's rate") {
     using Mat3 = Mat<double, 3>;
     const Sym<double, 3> s = {1.5, -0.6, 0.3, -0.7, 0.9, -0.8};
     const Vec<double, 3> axis = {2.0 / 7, 3.0 / 7, 6.0 / 7};

@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A force term as the momentum that j gives to i, which must be opposite for (j, i).
+/// A term as the momentum given to i, opposite for (j, i).
 struct ForceTerm {
   std::string name;
   Vec<double, 2> (*force)(const PairedParticle& i, const PairedParticle& j);
@@ -53,7 +53,7 @@ const ForceTerm force_terms[] = {
      }},
 };
 
-/// A term's value at the origin for the field v, summed over a fine lattice.
+/// Sum over a fine lattice.
 template <class Field, class Term>
 Vec<double, 2> operator_at_origin(const Field& v, const Term& term) {
   using K = Kernel<KernelName::wendland_c2>;

@@ -43,7 +43,7 @@ struct Cloud {
   }
 };
 
-constexpr double h = 1.3;  // the clouds' spacing is 1
+constexpr double h = 1.3;
 
 struct Gradient {
   Mat2 L{};
@@ -91,7 +91,7 @@ const Sym2 some_s = {1.5, -0.6, -1.5};
 Sym2 in_plane_rate(const Mat2& L, const Sym2& s) { return jaumann_rate<Deviator::in_plane>(L, s, G); }
 Sym2 plane_strain_rate(const Mat2& L, const Sym2& s) { return jaumann_rate<Deviator::plane_strain>(L, s, G); }
 
-/// a n ⊗ n + b t ⊗ t, n at `angle` to x and t normal to it.
+/// n at `angle` to x.
 Sym2 principal(double a, double b, double angle) { return turned(rotation(angle), Sym2{a, 0, b}); }
 
 }  // namespace
@@ -187,7 +187,7 @@ TEST_SUITE("term") {
     const auto rate = jaumann_rate<Deviator::plane_strain>(L, s, G);
     CHECK(trace(rate) == Approx(0).scale(1));
     CHECK(std::abs(rate(0, 0)) > 0.1);
-    CHECK(rate(0, 1) == jaumann_rate<Deviator::in_plane>(L, s, G)(0, 1));  // n = 3 either way
+    CHECK(rate(0, 1) == jaumann_rate<Deviator::in_plane>(L, s, G)(0, 1));
   }
 
   TEST_CASE("artificial stress: the positive part is that of given principal stresses") {

@@ -26,7 +26,7 @@ constexpr V2 X{0.6, 0.5};
 
 double cross_of(const V2& a, const V2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-/// Terms of the penalty that the velocity (−1)^(a + b) e_x exerts on the particle at the origin of a lattice.
+/// Penalty of the velocity (−1)^(a + b) e_x at a lattice's origin.
 V2 penalty_on_checkerboard(const M2& L_sum) {
   using K = Kernel<KernelName::wendland_c2>;
   const double h = 1.3;
@@ -56,7 +56,7 @@ TEST_SUITE("term") {
     CHECK(magnitude(hourglass_force(F + D, F + -1.0 * D, X, x, 2.0, 2.0)) < 1e-15);
     const V2 apart = hourglass_force(F, F, X, 1.1 * x, 3.0, 2.0),
              near = hourglass_force(F, F, X, 0.9 * x, 3.0, 2.0);
-    CHECK(dot(apart, x) < 0);  // pulls together a pair that is farther apart than F explains
+    CHECK(dot(apart, x) < 0);  // F explains a shorter distance
     CHECK(dot(near, x) > 0);
     CHECK(magnitude(apart) == relative(0.1 * magnitude(x) * (3 + 2), 1e-12));
     const V2 any{0.7, -0.2};
@@ -71,7 +71,7 @@ TEST_SUITE("term") {
 
   TEST_CASE("hourglass force: units of length, mass and time scale it") {
     for (const double length : {10.0, 0.3}) {
-      const double pressure = 7, area = length * length;  // in 2D W is in 1/area
+      const double pressure = 7, area = length * length;  // W is in 1/area
       const double w = hourglass_weight(10, 3 * pressure, 0.9 * area, 1.1 * area, 0.4 / area, 0.7 * length);
       CHECK(w == relative(pressure * hourglass_weight(10, 3, 0.9, 1.1, 0.4, 0.7), 1e-14));
       const V2 x{0.5, 0.4};
@@ -93,12 +93,12 @@ TEST_SUITE("term") {
     CHECK(magnitude(by_pairs - by_law) < 1e-13 * magnitude(by_law));
     const V2 opposite = pair_shear_force(P, P, g, g, -1.0 * X, -1.0 * (F * X), 0.7);
     CHECK(opposite[0] == -by_pairs[0]);
-    // at rest neither part nor their sum acts, also with the factor of the paper
+    // at rest neither part acts, also with the paper's factor
     const M2 one{{{1, 0}, {0, 1}}};
     const M2 rest = isotropic_piola(one, M2{}, K, 1.07 * G, 0.0);
     CHECK(rest(0, 0) == relative(-1.07 * G, 1e-14));
     CHECK(magnitude(pair_shear_force(rest, rest, 1.07 * G, 1.07 * G, X, X, 0.7)) < 1e-14);
-    // a zigzag that leaves F = I stretches or turns pairs and is opposed; s is negative
+    // F = I does not capture the zigzag; s is negative
     const V2 zigzag{0.05, -0.02};
     const V2 force = pair_shear_force(rest, rest, 1.07 * G, 1.07 * G, X, X + zigzag, -0.7);
     CHECK(dot(force, zigzag) == relative(-0.7 * 2 * 1.07 * G * dot(zigzag, zigzag), 1e-9));
@@ -124,7 +124,7 @@ TEST_SUITE("term") {
     const double slope = slope_of_pair;
     CHECK(magnitude(velocity_penalty_term(L * x_ij, L + L, 1.1, slope * g.inv_r, slope * g.e)) < 1e-14);
     CHECK(magnitude(velocity_penalty_term(L * x_ij, L, 1.1, slope * g.inv_r, slope * g.e)) > 0.1);
-    // the particle at the origin moves with +e_x; its neighbours with odd a + b move against it
+    // the particle at the origin moves with +e_x, neighbours with odd a + b against it
     const V2 penalty = penalty_on_checkerboard({});
     CHECK(penalty[0] < -1);
     CHECK(std::abs(penalty[1]) < 1e-14);

@@ -18,7 +18,6 @@ using namespace taut::test;
 
 namespace {
 
-/// A different colour in every pixel.
 Image gradient(int width, int height) {
   Image image(width, height);
   for (int row = 0; row < height; ++row) {
@@ -48,7 +47,7 @@ std::uint32_t checksum(const std::string& bytes) {
   return ~crc;
 }
 
-/// Simulates a full disk: limits the size of files to `bytes`.
+/// Simulates a full disk: limits the size of files.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -97,7 +96,7 @@ TEST_SUITE("unit") {
     CHECK(comes_back(noise(1, 3000)));
     CHECK(comes_back(Image(12000, 3)));  // exceeds the maximum match distance
     CHECK(comes_back(gradient(12000, 3)));
-    CHECK(comes_back(Image(700, 9000)));  // several blocks
+    CHECK(comes_back(Image(700, 9000)));
   }
 
   TEST_CASE("flat colours make small files") {
@@ -166,7 +165,7 @@ TEST_SUITE("unit") {
   TEST_CASE("a full disk leaves the old file and nothing else") {
     const TemporaryFolder folder;
     write_png(gradient(5, 4), folder / "a.png");
-    // fails at the flush, or during writing
+    // fails at the flush or earlier
     for (const rlim_t bytes : {rlim_t{0}, rlim_t{20000}}) {
       const FileSizeLimit limit(bytes);
       try {
@@ -207,7 +206,7 @@ TEST_SUITE("unit") {
     const TemporaryFolder folder;
     write_png(gradient(4, 4), folder / "a.png");
     std::string bytes = text_of(folder / "a.png");
-    bytes[18] = 0x4e, bytes[19] = 0x20;  // width, big-endian: 20000
+    bytes[18] = 0x4e, bytes[19] = 0x20;  // width 20000, big-endian
     const std::uint32_t sum = checksum(bytes.substr(12, 17));
     for (int i = 0; i < 4; ++i) bytes[29 + i] = static_cast<char>(sum >> (24 - 8 * i));
     std::ofstream(folder / "b.png", std::ios::binary) << bytes;
@@ -220,7 +219,7 @@ TEST_SUITE("unit") {
     const TemporaryFolder folder;
     write_png(gradient(4, 4), folder / "a.png");
     std::string bytes = text_of(folder / "a.png");
-    bytes[18] = bytes[22] = 0x40, bytes[19] = bytes[23] = 0;  // 16384 × 16384
+    bytes[18] = bytes[22] = 0x40, bytes[19] = bytes[23] = 0;
     const std::uint32_t sum = checksum(bytes.substr(12, 17));
     for (int i = 0; i < 4; ++i) bytes[29 + i] = static_cast<char>(sum >> (24 - 8 * i));
     std::ofstream(folder / "b.png", std::ios::binary) << bytes;

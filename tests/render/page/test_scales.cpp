@@ -32,7 +32,6 @@ TEST_SUITE("image") {
       with.range = {0, factor}, frame.unit = unit;
       return Image(Renderer(with).draw(frame));
     };
-    // equal numbers, different labels
     for (const std::string_view unit : {"", "1/s"}) CHECK_FALSE(drawn(1e6, unit) == drawn(1e9, unit));
     CHECK_FALSE(drawn(1, "kg/m³") == drawn(1, "1/s"));
     CHECK_FALSE(drawn(1e6, "Pa") == drawn(1e3, "Pa"));

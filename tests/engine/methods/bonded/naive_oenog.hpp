@@ -12,7 +12,7 @@
 
 namespace taut::test {
 
-/// Dual number: a value and its derivatives by the components of F.
+/// A value and its derivatives by F.
 template <int Components>
 struct Dual {
   double value = 0;
@@ -49,8 +49,8 @@ Dual<Components> operator/(double a, const Dual<Components>& b) {
   return Dual<Components>(a) / b;
 }
 
-/// Transcription of oenog; shares only make_bonds and make_interfaces with the solver. In 2D one body; in 3D several
-/// of one material with penalty contact and end-corrected masses.
+/// Transcription of oenog; shares only make_bonds and make_interfaces with the solver. One body in 2D; several of
+/// one material in 3D, with penalty contact and end-corrected masses.
 template <int Dim>
 class NaiveOenogIn {
  public:
@@ -78,10 +78,9 @@ class NaiveOenogIn {
   bool clamped(int i) const { return initial_.clamped[i]; }
   const Bonds& bonds() const { return bonds_; }
   const Interfaces& interfaces() const { return interfaces_; }
-  double contacts = 0;  // pairs in contact, summed over all steps
+  double contacts = 0;  // pairs, summed over steps
 
-  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))], J. Bonds between two materials take the harmonic mean of G; λ° is
-  /// limited to ½ … 2.
+  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))]. Interfaces use the harmonic mean of G; λ° is limited to ½ … 2.
   double energy(const Places& at) const {
     double E = 0;
     for (int i = 0; i < size(); ++i) {
@@ -102,7 +101,7 @@ class NaiveOenogIn {
     return E;
   }
 
-  /// −∂E/∂x in N, bond by bond from the particle that owns the energy.
+  /// −∂E/∂x.
   Places force(const Places& at) const {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
@@ -122,7 +121,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// The same with explicit derivatives, for the benchmark; not at material interfaces.
+  /// Explicit derivatives for the benchmark; not at material interfaces.
   Places force_by_hand(const Places& at) const {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
@@ -146,7 +145,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// Dashpot forces in N: V0 G w τ q̇/r0² (x_j − x_i) for each bond from both ends, q = ½ (r²/r0² − 1).
+  /// V0 G w τ q̇/r0² (x_j − x_i) for each bond from both ends, q = ½ (r²/r0² − 1).
   Places drag(double damping) const {
     double shear_speed = 0, share = 0;
     for (int i = 0; i < size(); ++i) {
@@ -172,7 +171,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// Contact forces between bodies in 3D, N: [TranDuc2023] Eq. 2.13 with the material's stiffness.
+  /// [TranDuc2023] Eq. 2.13.
   Places push() {
     Places f(x.size());
     const auto near = neighbors_within(scene_.spacing, x);
@@ -189,7 +188,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// Advances by `own` seconds if it is not 0, else by the CFL step.
+  /// Uses the CFL step if `own` is 0.
   void step(double cfl, double damping, double own = 0) {
     double c = interfaces_.wave_speed, fastest = 0;
     for (int i = 0; i < size(); ++i) {
@@ -217,7 +216,7 @@ class NaiveOenogIn {
     }
   }
 
-  Places x, v;  // m, m/s
+  Places x, v;
   bool by_hand = false;
 
  private:
@@ -237,9 +236,7 @@ class NaiveOenogIn {
   static double phi(double l) { return (2 * std::pow(l, 4) - 3 * l * l + std::pow(l, -2)) / 24; }
   static double dphi(double l) { return (8 * std::pow(l, 3) - 6 * l - 2 * std::pow(l, -3)) / 24; }
 
-  double strength(int i, int b) const {  // J
-    return initial_.V0[i] * modulus(i, b) * bonds_.of(i, b).weight;
-  }
+  double strength(int i, int b) const { return initial_.V0[i] * modulus(i, b) * bonds_.of(i, b).weight; }
   static constexpr int components = Dim * Dim;  // of F, row by row
   using Square = std::array<double, components>;
   using Number = Dual<components>;
@@ -249,7 +246,7 @@ class NaiveOenogIn {
     for (int k = 0; k < components; ++k) F[k] = Number::variable(F_now[k], k);
     return F;
   }
-  /// Stretch terms subtracted from a particle's energy: X and strength in J.
+  /// Subtracted stretch terms: X and strength.
   std::vector<std::pair<Point, double>> cancelled(int i) const {
     std::vector<std::pair<Point, double>> all;
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b)
@@ -267,7 +264,7 @@ class NaiveOenogIn {
     }
     return sum / Number(squared(X));
   }
-  /// Neo-Hookean energy with its derivatives by F; J ≥ ½.
+  /// Neo-Hookean, J ≥ ½.
   Number W(int i, const Duals& F) const { return neo_hookean_energy(material(i), F); }
   template <class N>
   static N neo_hookean_energy(const Material& m, const std::array<N, components>& F) {
@@ -281,7 +278,7 @@ class NaiveOenogIn {
     return m.shear_modulus() / 2 * (J.to(-2.0 / 3) * C - 3) + m.bulk_modulus() / 2 * (J - 1) * (J - 1);
   }
 
-  /// Derivatives at an interface: by F, b and s of the bonds.
+  /// Derivatives at an interface: by F, b and s.
   static constexpr int most_bonds = 26;
   using Wide = Dual<components + Dim + most_bonds>;
   using WideSquare = std::array<Wide, components>;
@@ -373,7 +370,7 @@ class NaiveOenogIn {
     return P;
   }
 
-  /// Adds the forces of i's bonds to f; T is the derivative of the subtracted energy by F.
+  /// Adds the forces of i's bonds; T is the derivative of the subtracted energy by F.
   void pull(const Places& at, int i, const Square& T, Places& f) const {
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
       const auto d = way(at, i, b);
@@ -383,12 +380,12 @@ class NaiveOenogIn {
         double on_i = along * d[k] / r;
         for (int l = 0; l < Dim; ++l) on_i += T[Dim * k + l] * bonds_.gradient(i, b)[l];
         f[i][k] += on_i;
-        f[bonds_.j[b]][k] -= on_i;  // unused if j is clamped
+        f[bonds_.j[b]][k] -= on_i;
       }
     }
   }
 
-  /// x_j − x_i, or to the fixed point on the clamp's face.
+  /// Way to j, or to the fixed point on the clamp's face.
   Place way(const Places& at, int i, int b) const {
     const int j = bonds_.j[b];
     Place d;
@@ -424,7 +421,7 @@ class NaiveOenogIn {
   Bonds bonds_;
   Interfaces interfaces_;
   std::vector<int> site_of_;  // −1: none
-  double stiffest_ = 1;       // greatest φ″ of the last step
+  double stiffest_ = 1;       // greatest φ″ of the step
 };
 using NaiveOenog = NaiveOenogIn<2>;
 

@@ -32,7 +32,7 @@ Bonds bonds_of(const Scene& scene, const InitialParticles& initial) {
   return make_bonds(scene, initial, oenog.h_over_dp * scene.spacing);
 }
 
-/// Σ_j w e_x^(4−k) e_y^k of one particle, for k = 0 … 4.
+/// Σ_j w e_x^(4−k) e_y^k, k = 0 … 4.
 std::array<double, 5> fourth_moments(const Bonds& bonds, int i) {
   std::array<double, 5> sum{};
   for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
@@ -49,8 +49,8 @@ Gradient gradient(double xx, double xy, double yx, double yy) { return {{{xx, xy
 
 ClosedNeoHookean<double> closed_law() { return {4.6, 1}; }  // over G: ν = 0.4
 
-/// Greatest change of the force on particles deeper than `rows` with a homogeneous strain, over G dp. Volumes near a
-/// face give forces in three rows, or nine with bonds of two spacings.
+/// Greatest change of the force on particles deeper than `rows` with a homogeneous strain, over G dp. Volumes
+/// near a face give forces in three rows, or nine with bonds of two spacings.
 double unbalanced(const Scene& scene, const InitialParticles& initial, const std::vector<double>& depth,
                   double rows) {
   constexpr double size = 1e-3;
@@ -91,7 +91,6 @@ Scene alone(const Shape& shape, double dp) {
   return scene;
 }
 
-/// Depth below the surface of a ring, disc or box, m.
 std::vector<double> depths(const InitialParticles& initial, double inner, double outer) {
   std::vector<double> depth;
   for (const Point& x : initial.x) {
@@ -107,8 +106,7 @@ std::vector<double> depths(const InitialParticles& initial, const Box& box) {
   return depth;
 }
 
-/// Least stiffness of a square lattice against zigzags (rows, columns, checkerboard), relative to rest. F is
-/// homogeneous, so only bonds resist.
+/// Least stiffness of a square lattice against zigzags, relative to rest. Only bonds resist.
 double zigzag_stiffness(const Gradient& F) {
   const auto least = [](const Gradient& H) {
     double result = 1e300;
@@ -201,7 +199,7 @@ TEST_SUITE("unit") {
       scene.bodies[0].shapes.push_back(Box{{x, 0, 0}, {x + high, height, 0}});
       return scene;
     };
-    // at their re-entrant corners the conditions contradict each other by round-off
+    // conditions contradict each other by round-off at re-entrant corners
     for (const double x : {0.0, 0.005, 0.05, 0.1, 0.15, 0.2})
       for (const Scene& scene : {step(x, 0.056, 0.04, 0.018, 0.028), step(x, 0.06, 0.05, 0.02, 0.02)}) {
         CAPTURE(x);
@@ -245,7 +243,7 @@ TEST_SUITE("unit") {
     Scene scene = alone(Disc{{}, 0.0153, RoundLayout::spaced}, 0.001);
     scene.bodies[0].clamped = [](const Point& x) { return x[0] + 0.3 * x[1] < -0.002 ? 1.0 : 0.0; };
     const auto simulation = make_simulation(scene, with_method("oenog"));
-    CHECK(std::abs(balance(simulation->snapshot(), scene).strain) < 1e-9);  // J
+    CHECK(std::abs(balance(simulation->snapshot(), scene).strain) < 1e-9);
     simulation->advance_to(1e-4);
     CHECK(balance(simulation->snapshot(), scene).kinetic < 1e-12);
   }
@@ -342,7 +340,6 @@ TEST_SUITE("term") {
       for (int a = 0; a < 2; ++a)
         for (int k = 0; k < 2; ++k) CHECK(std::abs(P(a, k) - exact(a, k)) < 1e-12);
     }
-    // the bonds add nothing, in any layout, at faces and corners, at a strain of 0.3
     for (const Scene& scene :
          {alone(Ring{{}, 0.004, 0.01}, 0.001), alone(Disc{{}, 0.006, RoundLayout::spaced}, 0.001),
           alone(Box{{0, 0, 0}, {0.008, 0.006, 0}}, 0.001)}) {

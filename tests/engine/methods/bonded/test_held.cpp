@@ -20,9 +20,9 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double dp = 0.02, omega = 1, length = 0.7, half = 0.05;  // m, rad/s
+constexpr double dp = 0.02, omega = 1, length = 0.7, half = 0.05;
 
-/// A bar clamped where x² + y² < held_to², in 3D along all of z, and rotating about the origin.
+/// A rotating bar, clamped where x² + y² < clamped_to².
 Scene bar(int dim, double clamped_to) {
   Scene scene;
   scene.dim = dim;
@@ -49,8 +49,7 @@ double turned(const Scene& scene, const char* method, double t) {
   return simulation->series().value[0].back();
 }
 
-/// Reaction over E A u/L of a bar of 32 × 12 mm (ν = 0), stretched by 10 µm from a clamp or, with `both`, a driven
-/// end at rest; released at `until`, s.
+/// Reaction over E A u/L of a bar (ν = 0) stretched from a clamp or, with `both`, from a driven end at rest.
 double resistance(double spacing, bool both, const char* method, std::optional<double> until = {}) {
   constexpr double E = 1e6, clamp = 0.004, width = 0.012, free = 0.032, u = 1e-5;
   Scene scene;
@@ -125,7 +124,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("driven: a rigid region exerts no force on a clamp beside it") {
-    constexpr double speed = 1;  // m/s
+    constexpr double speed = 1;
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
       Scene scene = bar(dim, 0);
@@ -138,7 +137,7 @@ TEST_SUITE("analytic") {
       body.drives = {drive};
       const auto simulation = make_simulation(scene, with_method("oenog"));
       simulation->advance_to(2 * dp / speed);
-      const double unit = scene.materials[0].youngs_modulus * 4 * half * half;  // N
+      const double unit = scene.materials[0].youngs_modulus * 4 * half * half;
       CHECK(std::abs(simulation->series().value[1].back()) < 1e-12 * unit);
     }
   }
@@ -161,7 +160,6 @@ TEST_SUITE("analytic") {
     double impulse = 0;
     for (std::size_t n = 1; n < series.time.size(); ++n)
       impulse += series.value[1][n] * (series.time[n] - series.time[n - 1]);
-    // the centre of mass lies beside the pin and moves with ω x e_y
     const double mass = 1000 * length * 2 * half, centre = 0.5 * length - half;
     CHECK(impulse == relative(mass * omega * centre * -std::sin(omega * 0.3), 0.03));
   }
@@ -183,8 +181,7 @@ TEST_SUITE("term") {
         const auto simulation = make_simulation(scene, with_method("oenog"));
         make_steps(*simulation, 1);
         const Snapshot& now = simulation->snapshot();
-        const double unit =
-            size * scene.materials[0].shear_modulus() / (scene.materials[0].density * dp);  // m/s²
+        const double unit = size * scene.materials[0].shear_modulus() / (scene.materials[0].density * dp);
         double greatest = 0;
         for (std::size_t i = 0; i < now.size(); ++i) {
           const Point X = now.initial(i);

@@ -19,14 +19,14 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double nu_stiff = 0.4, soft = 1e6;  // Pa
-constexpr double L = 0.05, H = 0.01;          // length of each half and thickness of the vibrating bar, m
+constexpr double nu_stiff = 0.4, soft = 1e6;
+constexpr double L = 0.05, H = 0.01;  // length of each half and thickness of the bar
 
-/// Poisson's ratio of the soft half at which both halves contract equally under one tension.
+/// Poisson's ratio with which both halves contract equally.
 double matched(double ratio) { return (std::sqrt(1 + 4 * nu_stiff * (1 + nu_stiff) / ratio) - 1) / 2; }
 double plane_modulus(double E, double nu) { return E / (1 - nu * nu); }
 
-/// The stiff half lies at x > 0 (axis 0) or y > 0; `half` is half the thickness.
+/// Stiff at x > 0 (axis 0) or y > 0.
 Scene bar(double ratio, double nu_soft, int axis, double spacing, double half = H) {
   Scene scene;
   scene.name = "bar";
@@ -40,7 +40,7 @@ Scene bar(double ratio, double nu_soft, int axis, double spacing, double half = 
   return scene;
 }
 
-/// Greatest force on a particle at least four from every face (end correction), over the traction on one particle.
+/// Greatest force on a particle away from faces, over the traction on one particle.
 double force_left(const Scene& scene, double traction) {
   const Snapshot now = state_after(1, scene, with_method("oenog"));
   const Box box = *scene.bodies[0].shapes[0].as<Box>();
@@ -55,8 +55,7 @@ double force_left(const Scene& scene, double traction) {
   return greatest / (traction * scene.spacing);
 }
 
-/// Lowest frequency, Hz, of a free bar of both materials, L each: rod waves with transverse inertia ([Love] §278), M
-/// u″ + ρ ω² (ν r)² u″ …, r² = H²/12, plane strain.
+/// Rod waves with transverse inertia ([Love] §278): M u″ + ρ ω² (ν r)² u″ …, r² = H²/12, plane strain.
 double lowest_frequency(double ratio) {
   struct Wave {
     double k, Z;  // 1/m; traction over velocity
@@ -70,7 +69,7 @@ double lowest_frequency(double ratio) {
     const Wave a = wave(soft, matched(ratio), omega), b = wave(soft * ratio, nu_stiff, omega);
     return a.Z * std::sin(a.k * L) * std::cos(b.k * L) + b.Z * std::sin(b.k * L) * std::cos(a.k * L);
   };
-  double below = 100, above = below;  // 1/s
+  double below = 100, above = below;
   while (mismatch(above) > 0) above += 10;
   for (int halving = 0; halving < 60; ++halving) {
     const double middle = (below + above) / 2;
@@ -79,7 +78,7 @@ double lowest_frequency(double ratio) {
   return above / (2 * std::numbers::pi);
 }
 
-/// Frequency in Hz from the bar's length over five periods, starting from a cosine on either side.
+/// From the bar's length over five periods; starts from a cosine on either side.
 double measured_frequency(double ratio, double spacing) {
   Scene scene = bar(ratio, matched(ratio), 0, spacing, H / 2);
   const double expected = lowest_frequency(ratio), omega = 2 * std::numbers::pi * expected;
@@ -95,7 +94,7 @@ double measured_frequency(double ratio, double spacing) {
   while (crossings.size() < 11) {
     simulation->advance_to(simulation->time() + 0.002 / expected);
     const Snapshot now = simulation->snapshot();
-    double ends = 0;  // ∫ u sign(x): the odd part of the displacement
+    double ends = 0;  // ∫ u sign(x)
     for (std::size_t i = 0; i < now.size(); ++i)
       ends += (now.x[2 * i] - now.x0[2 * i]) * (now.x0[2 * i] < -0.8 * L  ? -1
                                                 : now.x0[2 * i] > 0.8 * L ? 1
@@ -111,7 +110,7 @@ double measured_frequency(double ratio, double spacing) {
 
 TEST_SUITE("analytic") {
   TEST_CASE("oenog: layers of two materials under one stress leave no force where they meet") {
-    const double strain = 1e-6;  // small enough to neglect second order
+    const double strain = 1e-6;
     for (const double ratio : {2.0, 10.0}) {
       CAPTURE(ratio);
       SUBCASE("in series under tension") {

@@ -16,8 +16,8 @@ namespace {
 
 using Field = std::vector<Vec<double, 2>>;
 
-/// Greatest eigenvalue, at most 4, of a chain of unit masses with unit springs between two walls along x. Along y
-/// each particle has its own spring.
+/// Greatest eigenvalue of a chain of unit masses and springs between two walls. Along y each particle has its own
+/// spring.
 double of_chain(const std::vector<double>& springs, int threads, int& products) {
   products = 0;
   const int n = static_cast<int>(springs.size());
@@ -63,7 +63,7 @@ TEST_SUITE("unit") {
     Field field(n);
     for (int i = 0; i < n; ++i) field[i] = {scattered(2 * i), scattered(2 * i + 1)};
     const double alone = of_chain(springs, 1, products), square = dot(field, field, 1);
-    CHECK(square == test::relative(2 * n / 3.0, 0.02));  // uniform in −1 … 1
+    CHECK(square == test::relative(2 * n / 3.0, 0.02));
     for (const int threads : {2, 3, 8}) {
       CHECK(dot(field, field, threads) == square);
       CHECK(of_chain(springs, threads, products) == alone);

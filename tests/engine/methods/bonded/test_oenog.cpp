@@ -30,9 +30,9 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double damping = 0.01;  // the default
+constexpr double damping = 0.01;
 
-/// A perturbed plate clamped at its left end, with a softer, lighter right half.
+/// The right half is softer and lighter.
 Scene clamped_plate_of_two_materials() {
   Scene scene = small_clamped_plate();
   scene.bodies.pop_back();
@@ -41,7 +41,6 @@ Scene clamped_plate_of_two_materials() {
   return scene;
 }
 
-/// The same with negative Poisson's ratios, whose bonds have less than G.
 Scene auxetic_plate() {
   Scene scene = clamped_plate_of_two_materials();
   scene.name = "auxetic-plate";
@@ -55,8 +54,7 @@ Scene ring_alone() {
   return scene;
 }
 
-/// Checks a lattice with oblong cells, different bonds and strengths, then one off-lattice. At rest nothing is
-/// subtracted.
+/// Checks a lattice with oblong cells and different bonds, then one off-lattice. At rest nothing is subtracted.
 template <int Dim, class Kept>
 void check_cancelled(double precision) {
   using Cancelled = CancelledBonds<Dim, Kept>;
@@ -278,7 +276,6 @@ TEST_SUITE("term") {
     const auto parity = [dp](double x) { return std::lround(std::floor(x / dp)) % 2 == 0 ? 1.0 : -1.0; };
     zigzag.bodies[0].velocity[0] = [=](const Point& x) { return 1e-3 * c0 * parity(x[1]); };
     zigzag.bodies[0].velocity[1] = [=](const Point&) { return 0.0; };
-    // share of the energy at `from` that remains at `to`
     const auto kept = [](const Scene& scene, double from, double to, double damping) {
       Settings settings = with_method("oenog");
       settings.constants["damping"] = damping;
@@ -292,10 +289,10 @@ TEST_SUITE("term") {
       return energy_at(to) / start;
     };
     const double shear_speed = std::sqrt(ring_rubber().shear_modulus() / ring_rubber().density);
-    const double period = std::numbers::pi * dp / shear_speed;  // rows against each other: ω = 2 c_s/dp
+    const double period = std::numbers::pi * dp / shear_speed;  // rows move against each other: ω = 2 c_s/dp
     CHECK(kept(zigzag, 0, 18 * period, 0) > 0.95);
     CHECK(kept(zigzag, 0, 18 * period, damping) < 0.12);
-    // from one period on, when only the first mode is left
+    // after one period only the first mode is left
     const Scene plate = oscillating_plate(0.001, 5);
     CHECK(kept(plate, 0.25, 0.5, damping) > 0.999);
     CHECK(kept(plate, 0.25, 0.5, damping) < 1);
@@ -304,7 +301,7 @@ TEST_SUITE("term") {
 
 namespace {
 
-/// A block with velocities L x, too fast for surface waves to reach its middle.
+/// Velocities L x, too fast for surface waves to reach the middle.
 Scene straining_block(const Mat<double, 2>& L) {
   Scene scene = rotating_plate(0);
   for (const int axis : {0, 1})
@@ -430,7 +427,7 @@ TEST_SUITE("analytic") {
       const Snapshot before = state_after(steps - 1, scene, with_method("oenog")),
                      now = state_after(steps, scene, with_method("oenog")),
                      after = state_after(steps + 1, scene, with_method("oenog"));
-      double J = 1;  // least J at mid-step, where forces are evaluated; √J is interpolated
+      double J = 1;  // least J at mid-step, where forces are evaluated
       for (std::size_t i = 0; i < now.size(); ++i) {
         const auto root = [&](const Snapshot& at) { return std::sqrt(rubber.density / at.rho[i]); };
         J = std::min(J, std::pow(0.5 * (root(before) + root(now)), 2));
@@ -466,7 +463,7 @@ TEST_SUITE("determinism") {
 TEST_SUITE("convergence") {
   TEST_CASE("plate: the period of oenog is accurate with few rows at any Poisson's ratio") {
     struct Plate {
-      double nu, period;               // period from finite elements, s
+      double nu, period;               // from finite elements
       std::vector<double> error = {};  // with 5 and 10 rows
     };
     for (const Plate& plate : {Plate{0, 0.27868, {0.016, 0.003}}, Plate{0.3, 0.26575, {0.007, 0.0015}},

@@ -34,7 +34,7 @@ using Naive = NaiveOenogIn<3>;
 using Square = Eigen::Matrix3d;
 
 constexpr double dp = 0.001;
-constexpr double h_over_dp = 0.9;  // the default in 3D
+constexpr double h_over_dp = 0.9;
 
 Scene alone(const Shape& shape) {
   Scene scene = small_solid_collision();
@@ -44,20 +44,19 @@ Scene alone(const Shape& shape) {
   return scene;
 }
 Scene block(int x, int y, int z) { return alone(Box{{0, 0, 0}, {x * dp, y * dp, z * dp}}); }
-/// Clamped for X < 0, three particles deep.
 Scene clamped_block(int x, int y, int z) {
   Scene scene = alone(Box{{-3 * dp, 0, 0}, {x * dp, y * dp, z * dp}});
   scene.bodies[0].clamped = [](const Point& X) { return X[0] < 0 ? 1.0 : 0.0; };
   return scene;
 }
-/// Particles lie on its faces; the face x = 0 is clamped.
+/// Particles lie on the faces; x = 0 is clamped.
 Scene block_on_faces(int x, int y, int z) {
   Scene scene = block(x, y, z);
   scene.bodies[0].on_boundary = true;
   scene.bodies[0].clamped = [](const Point& X) { return X[0] <= 0 ? 1.0 : 0.0; };
   return scene;
 }
-/// A block with one particle on top, which has no neighbours along two axes.
+/// The tip has no neighbours along two axes.
 Scene block_with_tip() {
   Scene scene = block(3, 3, 3);
   scene.bodies[0].shapes.push_back(Box{{dp, dp, 3 * dp}, {2 * dp, 2 * dp, 4 * dp}});
@@ -94,7 +93,7 @@ Square random_rotation(std::mt19937& random) {
       .toRotationMatrix();
 }
 
-/// Greatest force on the particles selected by `counts`, over G ε dp, for random homogeneous strains of size ε.
+/// Greatest force on selected particles, over G ε dp, for random homogeneous strains of size ε.
 template <class Counts>
 double unbalanced(const Scene& scene, const Counts& counts) {
   const double G = scene.materials[0].shear_modulus();
@@ -121,7 +120,6 @@ double sum(const std::vector<double>& values) {
   return total;
 }
 
-/// Returns a run after `steps` steps; `scene` must outlive it.
 Naive strained(const Scene& scene, int steps) {
   Naive naive(scene, h_over_dp);
   for (int k = 0; k < steps; ++k) naive.step(oenog.cfl, 0);
@@ -154,7 +152,7 @@ bool same_bytes(const Snapshot& a, const Snapshot& b) {
 
 Scene twisting_cantilever(int across) {
   Scene scene = square_cantilever(across);
-  const auto rate = [](const Point& x) { return 5 * std::sin(std::numbers::pi * x[0] / 0.4); };  // rad/s
+  const auto rate = [](const Point& x) { return 5 * std::sin(std::numbers::pi * x[0] / 0.4); };
   scene.bodies[0].velocity[1] = [=](const Point& x) { return -rate(x) * x[2]; };
   scene.bodies[0].velocity[2] = [=](const Point& x) { return rate(x) * x[1]; };
   scene.probes[0].at[1] = 0.01 - scene.spacing / 2;
@@ -170,10 +168,10 @@ TEST_SUITE("unit") {
     const Bonds bonds = make_bonds(scene, make_initial_particles(scene), h_over_dp * dp);
     const int middle = 62;
     REQUIRE(bonds.begin[middle + 1] - bonds.begin[middle] == 26);
-    double moment[3][3] = {};  // e_a² e_b²
-    double odd = 0;            // e_x³ e_y
+    double moment[3][3] = {};
+    double odd = 0;
     int of_axes = 0;
-    std::map<double, int> weights;  // to 2^-36
+    std::map<double, int> weights;
     const auto known = [](double w) { return std::abs(w - 2.0 / 3) < 1e-10 ? 2.0 / 3 : w; };
     for (int b = bonds.begin[middle]; b < bonds.begin[middle + 1]; ++b) {
       const Eigen::Vector3d e = Eigen::Vector3d(bonds.of(middle, b).X.data()).normalized();
@@ -187,7 +185,7 @@ TEST_SUITE("unit") {
       for (int k = 0; k < 3; ++k) CHECK(moment[a][k] == relative(a == k ? 3 : 1, 1e-9));
     CHECK(std::abs(odd) < 1e-9);
     CHECK(of_axes == 6);
-    CHECK(weights[2.0 / 3] == 18);  // along axes and across faces
+    CHECK(weights[2.0 / 3] == 18);
     CHECK(weights[3.0 / 8] == 8);
   }
 
@@ -215,8 +213,8 @@ TEST_SUITE("unit") {
       CHECK(sum(start.m) == relative(density * sum(initial.V0), 1e-13));
       for (int i = 0; i < initial.size(); ++i) CHECK(start.m[i] == relative(density * bonds.mass[i], 1e-14));
     }
-    // a face's first moment is dp²/15 in volumes, dp²/24 in masses; with particles on faces the layout includes it,
-    // and volumes have dp²/25 less
+    // a face's first moment is dp²/15 in volumes, dp²/24 in masses; with particles on faces volumes have dp²/25
+    // less
     for (const bool on_faces : {false, true}) {
       CAPTURE(on_faces);
       const int n = on_faces ? 8 : 9;
@@ -224,7 +222,7 @@ TEST_SUITE("unit") {
       const InitialParticles initial = make_initial_particles(scene);
       const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
       const double middle = 0.5 * n * dp;
-      double moment = 0, of_mass = 0;  // first moment of the middle column
+      double moment = 0, of_mass = 0;
       for (int i = 0; i < initial.size(); ++i) {
         const Point& x = initial.x[i];
         if (std::abs(x[0] - middle) > 0.1 * dp || std::abs(x[1] - middle) > 0.1 * dp) continue;
@@ -241,7 +239,6 @@ TEST_SUITE("unit") {
     Scene scene = block(12, 12, 12);
     CHECK(make_bonds(scene, make_initial_particles(scene), h_over_dp * dp).rows.empty());
     scene.bodies[0].clamped = [](const Point& X) { return X[0] < 2 * dp ? 1.0 : 0.0; };
-    // three layers along x; along y and z the particle and its neighbours
     CHECK(make_bonds(scene, make_initial_particles(scene), h_over_dp * dp).rows.size() ==
           3 * 34 * 34 - 12 * 12);
   }
@@ -407,7 +404,7 @@ TEST_SUITE("determinism") {
 
 TEST_SUITE("convergence") {
   TEST_CASE("oenog: in 3D a square cantilever bends and twists with the periods of finite elements") {
-    constexpr double bending = 0.27691, torsion = 0.032507;  // s
+    constexpr double bending = 0.27691, torsion = 0.032507;
     const auto near = [](double error, double bound) { CHECK(std::abs(error) < bound); };
     near(error_of_period(bending_cantilever(3), bending), 0.03);
     near(error_of_period(bending_cantilever(5), bending), 0.01);
@@ -419,12 +416,12 @@ TEST_SUITE("convergence") {
 TEST_SUITE("failure") {
   TEST_CASE("oenog: in 3D thin bars on the lattice are stable at the default step for any Poisson's ratio") {
     struct Bar {
-      double side, poisson_ratio;  // side in spacings
+      double side, poisson_ratio;  // in spacings
     };
     for (const auto [side, poisson_ratio] : {Bar{3, 0.495}, {3, -0.7}, {2, 0.499}}) {
       CAPTURE(side);
       CAPTURE(poisson_ratio);
-      constexpr double bar_dp = 0.1;  // m
+      constexpr double bar_dp = 0.1;
       Scene scene;
       scene.name = "thin-bar";
       scene.dim = 3;

@@ -24,7 +24,7 @@ using namespace taut::test;
 namespace {
 
 constexpr double dp = 0.001;
-constexpr double h_over_dp = 0.9;  // the default in 3D
+constexpr double h_over_dp = 0.9;
 
 Scene block(int n) {
   Scene scene = small_solid_collision();
@@ -42,7 +42,7 @@ Scene square(int n) {
   return scene;
 }
 
-/// A body-centred lattice with the particle density of a cubic one.
+/// Has the particle density of a cubic lattice.
 Scene body_centred(int n) {
   Scene scene = block(n);
   const double cell = std::cbrt(2.0) * dp;
@@ -70,7 +70,7 @@ Own own_bonds(const Bonds& bonds, int i) {
   return own;
 }
 
-/// Time at which the first probe returns to its start, s.
+/// Time at which the first probe returns to its start.
 double half_period(const Scene& scene, double until, const Settings& settings = with_damping(0)) {
   const auto simulation = make_simulation(scene, settings);
   simulation->advance_to(until);
@@ -107,12 +107,10 @@ TEST_SUITE("unit") {
     std::vector<double> doubled = middle.w;
     for (double& w : doubled) w *= 2;
     CHECK(excess(middle.X, doubled) == relative(2, 1e-9));
-    // one axis: 3 of its e_x⁴ against λ + 2μ with strains of −ν that make σ_y = σ_z = 0
     CHECK(excess(std::vector{Eigen::Vector3d(1, 0, 0)}, {1}) == relative(0.4, 1e-9));
     using Flat = std::vector<Eigen::Vector2d>;
     const Flat square{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
     CHECK(excess(square, std::vector(8, 1.0)) == relative(1, 1e-9));
-    // one axis: 1 against λ + 2μ − λ²/(λ + 2μ) = 8/3, σ_y = 0
     CHECK(excess(Flat{{1, 0}}, {1}) == relative(0.375, 1e-9));
     CHECK_FALSE(is_at_surface(square));
     CHECK(is_at_surface(Flat{{1, 0}, {0, 1}}));
@@ -177,7 +175,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("oenog: an off-lattice bar bends slightly too slowly") {
-    constexpr double period = 0.27691;  // s, finite elements
+    constexpr double period = 0.27691;  // finite elements
     const double lattice = error_of_period(bending_cantilever(5), period),
                  little = error_of_period(jittered(bending_cantilever(5), 0.1), period),
                  much = error_of_period(jittered(bending_cantilever(5), 0.2), period);
@@ -192,7 +190,7 @@ TEST_SUITE("analytic") {
   TEST_CASE("oenog: a plate within round-off of a lattice vibrates as on the lattice") {
     const Scene plate = oscillating_plate(0.01, 5);
     const double lattice = half_period(plate, 0.15);
-    constexpr double exact = 0.25522 / 2;  // s, finite elements
+    constexpr double exact = 0.25522 / 2;
     CHECK(lattice == relative(exact, 0.003));
     // particles within round-off of a lattice must not be balanced like layers
     for (const double share : {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-7, 1e-5, 1e-3}) {

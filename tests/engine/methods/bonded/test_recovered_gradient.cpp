@@ -23,7 +23,7 @@ using namespace taut::test;
 
 namespace {
 
-constexpr double H = 0.02, L = 0.06;  // m
+constexpr double H = 0.02, L = 0.06;
 
 Scene block(int across, double length = L) {
   Scene scene;
@@ -56,7 +56,7 @@ RecoveredGradient recovered(const Scene& scene, const InitialParticles& initial,
                             /*threads*/ 1, halved);
 }
 
-/// Greatest relative error of the gradient over all monomials of `degree` at a particle, in units of dp.
+/// Greatest relative error over all monomials of `degree`, in units of dp.
 template <class Rows, class Gradient>
 double error(const Rows& rows, const Gradient& g, const InitialParticles& initial, int i, double dp,
              int degree) {
@@ -173,10 +173,10 @@ TEST_SUITE("unit") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("oenog: the stress of an imposed bending is exact at faces and corners") {
-    const double kappa = 1e3 / H, step = 1e-9;  // 1/m s, s: too short for motion by forces
+    const double kappa = 1e3 / H, step = 1e-9;  // too short for motion by forces
     for (const double rate : {1.0, -1.0}) {
       Scene scene = block(5, H);
-      // u = t κ (x y, −(x² + m y²)/2), m = ν/(1 − ν): pure bending
+      // pure bending: u = t κ (x y, −(x² + m y²)/2), m = ν/(1 − ν)
       const double m = 0.3 / 0.7, E = 2e6 / (1 - 0.09);
       scene.bodies[0].velocity[0] = [=](const Point& X) { return rate * kappa * X[0] * X[1]; };
       scene.bodies[0].velocity[1] = [=](const Point& X) {
@@ -196,10 +196,10 @@ TEST_SUITE("analytic") {
     }
   }
 
-  // A region to be released later belongs to the body, so its outermost particles are strained.
+  // A region to be released later belongs to the body, so it is strained.
   TEST_CASE(
       "oenog: the stress of the free part reaches to the face of a driven end, or inside once released") {
-    const double dp = H / 5, rate = 1e3, step = 1e-9;  // m, 1/s, s
+    const double dp = H / 5, rate = 1e3, step = 1e-9;
     for (const int variant : {0, 1, 2, 3, 4, 5, 6, 7}) {
       const int dim = variant % 2 == 0 ? 2 : 3;
       const bool grip_of_steel = variant / 2 % 2 == 1, ends_before_run = variant / 4 == 1;
@@ -222,10 +222,9 @@ TEST_SUITE("analytic") {
       Settings settings = with_method("oenog");
       settings.step = step;
       const Snapshot now = state_after(1, scene, settings);
-      const double M = 2e6 * 0.7 / (1.3 * 0.4);  // Pa, uniaxial strain
+      const double M = 2e6 * 0.7 / (1.3 * 0.4);
       for (std::size_t i = 0; i < now.size(); ++i) {
-        const double last =
-            ends_before_run && grip_of_steel ? kink - dp : kink;  // position of the last strained particle
+        const double last = ends_before_run && grip_of_steel ? kink - dp : kink;
         const double should = now.x0[dim * i] < last + 0.1 * dp ? 1 : 0;
         CHECK(now.stress(i).xx / (M * rate * step) == Approx(should).scale(1).epsilon(1e-3));
       }
