@@ -69,10 +69,8 @@ std::string read_criterion(TomlCursor& cursor, std::string_view key, const std::
 }
 
 ClaimState read_state(TomlCursor& cursor) {
-  const std::string text = cursor.text("state", state_names.front());
-  const auto* const found = std::ranges::find(state_names, text);
-  if (found == state_names.end()) cursor.choice("state", {state_names.begin(), state_names.end()});
-  return static_cast<ClaimState>(found - state_names.begin());
+  return static_cast<ClaimState>(std::ranges::find(state_names, cursor.choice("state")) -
+                                 state_names.begin());
 }
 
 Claim read_claim(TomlCursor& cursor, const fs::path& file) {
@@ -89,7 +87,7 @@ Claim read_claim(TomlCursor& cursor, const fs::path& file) {
   claim.published = cursor.line("published", "");
   claim.looser = cursor.line("looser", "");
   claim.scene = find_scene_of(cursor, file);
-  claim.quick = cursor.find("cost") == nullptr || cursor.choice("cost", {"quick", "slow"}) == "quick";
+  claim.quick = cursor.choice("cost") == "quick";
   claim.runs = read_runs(cursor);
   cursor.need("criterion");
   claim.criterion = read_criterion(cursor, "criterion", claim.runs);

@@ -58,9 +58,7 @@ void read_on_boundary(TomlCursor& cursor, Body& body) {
 }
 
 void read_lattice(TomlCursor& cursor, int dim, Body& body) {
-  if (!cursor.find("lattice")) cursor.table().set("lattice", TomlValue(std::string(name(Lattice::square))));
-  const std::string hexagonal(name(Lattice::hexagonal));
-  if (cursor.choice("lattice", {std::string(name(Lattice::square)), hexagonal}) != hexagonal) return;
+  if (cursor.choice("lattice") != name(Lattice::hexagonal)) return;
   body.lattice = Lattice::hexagonal;
   const TomlValue& value = cursor.need("lattice");
   if (dim == 3)
@@ -131,7 +129,7 @@ void read_drives(TomlCursor& cursor, const Scene& scene, Body& body) {
     std::size_t axis = 0;
     for (const TomlValue& component : components(entry, "velocity", scene.dim))
       drive.velocity[axis++] = entry.function_of_time(component, "velocity");
-    if (entry.find("until")) drive.until = entry.positive("until");
+    if (entry.find("until")) drive.until = entry.number("until");
     entry.finish();
     body.drives.push_back(std::move(drive));
   }
@@ -158,7 +156,6 @@ void read_loads(TomlCursor& cursor, const Scene& scene, Body& body) {
     std::size_t axis = 0;
     for (const TomlValue& component : components(entry, key, scene.dim))
       load.value[axis++] = entry.function_of(component, key);
-    if (!entry.find("ramp")) entry.table().set("ramp", TomlValue(1.0));
     const TomlValue& ramp = entry.need("ramp");
     load.ramp = entry.function_of_time(ramp, "ramp");
     if (!load.ramp)
@@ -252,7 +249,7 @@ void read_gravity_and_damping(TomlCursor& root, Scene& scene) {
   std::size_t axis = 0;
   for (const TomlValue& component : components(root, "gravity", scene.dim))
     scene.gravity[axis++] = root.function_of_time(component, "gravity");
-  scene.damping = root.number("damping", scene.damping);
+  scene.damping = root.number("damping");
   if (!(scene.damping >= 0))
     root.fail(root.need("damping"), "damping",
               "damping = " + exact(scene.damping) + " must not be negative (unit: 1/s)");

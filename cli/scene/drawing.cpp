@@ -34,7 +34,7 @@ DrawingValue given(TomlCursor& render, const DrawingKey& key) {
                   fmt::format("{} must be \"{}\" or {}, not {}", key.name, automatic, key.numbers.in_file,
                               value.kind_name()));
   }
-  if (key.numbers.count == 1) return std::vector{render.number(key.name)};
+  if (key.numbers.count == 1) return std::vector{render.value_of(value, key.name)};
   return render.numbers(key.name, key.numbers.count);
 }
 

@@ -43,7 +43,30 @@ std::string list_text(const KeyType& type, std::string text) {
   return text;
 }
 
+std::string bounds_sentence(const NumberRange& bounds) {
+  const bool low = std::isfinite(bounds.low), high = std::isfinite(bounds.high);
+  std::string text;
+  if (low) text = (bounds.open_low ? "greater than " : "at least ") + exact(bounds.low);
+  if (high)
+    text += (low ? " and " : "") + std::string(bounds.open_high ? "below " : "at most ") + exact(bounds.high);
+  return text;
+}
+
 }  // namespace
+
+std::string against_bounds(const KeyType& type, double value) {
+  const NumberRange& bounds = type.bounds;
+  const bool whole = type.kind == KeyType::Kind::whole;
+  const bool above = bounds.open_low ? value > bounds.low : value >= bounds.low;
+  const bool below = bounds.open_high ? value < bounds.high : value <= bounds.high;
+  if (above && below && (!whole || value == std::floor(value))) return "";
+  if (whole) return "must be a whole number from " + exact(bounds.low) + " to " + exact(bounds.high);
+  return "must be " + bounds_sentence(bounds);
+}
+
+std::optional<double> default_number(const KeyInfo& key) {
+  return parsed<double>(std::string(key.by_default));
+}
 
 std::vector<std::string> words_of(const KeyType& type) {
   if (type.names) return type.names();

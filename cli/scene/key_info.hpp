@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -79,6 +80,8 @@ struct KeyType {
 /// "number > 0, m", "spaced or lattice", "[[x, y], ...], m".
 std::string type_text(const KeyType& type);
 std::vector<std::string> words_of(const KeyType& type);
+/// "must be greater than 0"; empty for an allowed value.
+std::string against_bounds(const KeyType& type, double value);
 
 namespace types {
 
@@ -133,6 +136,9 @@ struct KeyInfo {
   std::string_view help;
 };
 
+/// Value of a default such as "0.5"; none for "the method's".
+std::optional<double> default_number(const KeyInfo& key);
+
 /// A key that the user chooses.
 inline constexpr std::string_view any_name = "NAME";
 inline constexpr KeyInfo named_by_user[] = {{any_name, {}, "", ""}};
@@ -151,5 +157,6 @@ std::span<const Section> sweep_sections();
 std::span<const Section> claim_sections();
 const Section& find_section(std::string_view name);
 std::span<const KeyInfo> keys_of(std::string_view section);
+const KeyInfo& key_of_scene(std::string_view name);
 
 }  // namespace taut::cli

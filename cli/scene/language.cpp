@@ -407,4 +407,8 @@ const Section& find_section(std::string_view name) {
 
 std::span<const KeyInfo> keys_of(std::string_view section) { return find_section(section).keys; }
 
+const KeyInfo& key_of_scene(std::string_view name) {
+  return *std::ranges::find(top_keys, name, &KeyInfo::name);
+}
+
 }  // namespace taut::cli

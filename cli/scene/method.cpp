@@ -11,8 +11,6 @@
 namespace taut::cli {
 namespace {
 
-const std::vector<std::string> stepping_names = {"dual", "single"};
-
 const std::vector<ContactChoice>& contacts() {
   static const auto all = [] {
     std::vector<ContactChoice> choices{
@@ -30,10 +28,9 @@ std::vector<std::string> names_of_contacts() {
 }
 
 /// The setting, else the file's value, else the first name.
-std::string chosen(TomlCursor& root, const std::string& key, const std::vector<std::string>& names,
-                   const Changes& changes, SceneFile& file) {
-  root.text(key, names.front());
-  const std::string in_scene = root.choice(key, names);
+std::string chosen(TomlCursor& root, const std::string& key, const Changes& changes, SceneFile& file) {
+  const std::vector<std::string> names = words_of(key_of_scene(key).type);
+  const std::string in_scene = root.choice(key);
   const std::string* change = changes.find(key);
   if (change && std::ranges::find(names, *change) == names.end())
     throw UsageError(unknown_name(key, *change, names));
@@ -144,27 +141,6 @@ void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& met
     root.table().set("law", TomlValue(law));
 }
 
-/// Smaller steps would take years and lose the motion to rounding.
-constexpr double least_cfl = 1e-6;
-
-std::string check_cfl(double cfl) {
-  return cfl >= least_cfl ? ""
-                          : "cfl = " + exact(cfl) + " must be at least " + exact(least_cfl) +
-                                "; in smaller time steps, particle motion is lost to rounding";
-}
-
-double file_cfl(TomlCursor& root) {
-  const double cfl = root.positive("cfl");
-  if (const std::string wrong = check_cfl(cfl); !wrong.empty()) root.fail(*root.find("cfl"), "cfl", wrong);
-  return cfl;
-}
-
-double changed_cfl(const std::string& text, const Names& names) {
-  const double cfl = changed_positive("cfl", text, names);
-  if (const std::string wrong = check_cfl(cfl); !wrong.empty()) throw UsageError(wrong);
-  return cfl;
-}
-
 }  // namespace
 
 std::span<const ContactChoice> contact_choices() { return contacts(); }
@@ -179,7 +155,7 @@ std::string law_name(std::string_view material_law) {
 
 std::vector<std::string> allowed_words(std::string_view name) {
   if (name == "method") return names_of(methods());
-  if (name == "stepping") return stepping_names;
+  if (name == "stepping") return words_of(key_of_scene(name).type);
   if (name == "law") return names_of_elastic_laws();
   return name == "contact" ? names_of_contacts() : std::vector<std::string>();
 }
@@ -201,19 +177,19 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   root.table().set("method", TomlValue(file.settings.method));
   check_names(changes, file);
 
-  const std::string stepping = chosen(root, "stepping", stepping_names, changes, file);
-  file.settings.stepping = stepping == stepping_names.front() ? Stepping::dual : Stepping::single;
-  const std::string contact = chosen(root, "contact", names_of_contacts(), changes, file);
+  const std::string stepping = chosen(root, "stepping", changes, file);
+  file.settings.stepping = stepping == "dual" ? Stepping::dual : Stepping::single;
+  const std::string contact = chosen(root, "contact", changes, file);
   file.scene.contact =
       std::ranges::find(contacts(), contact, [](const ContactChoice& c) { return name(c.law); })->law;
   name_touching(root, file);
 
   read_law(root, of_file, method, changes, file);
   // the file's constants and CFL number are for its method
-  const double cfl_of_file = root.find("cfl") ? file_cfl(root) : of_file.cfl;
+  const double cfl_of_file = root.find("cfl") ? root.number("cfl") : of_file.cfl;
   const double in_scene = &method == &of_file ? cfl_of_file : method.cfl;
   const std::string* cfl_change = changes.find("cfl");
-  const double cfl = cfl_change ? changed_cfl(*cfl_change, root.names()) : in_scene;
+  const double cfl = cfl_change ? changed_number(key_of_scene("cfl"), *cfl_change, root.names()) : in_scene;
   resolve(file, "cfl", cfl, in_scene, method.cfl);
   root.table().set("cfl", TomlValue(cfl));
   file.settings.cfl = cfl;

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/shown.hpp"
@@ -189,9 +191,10 @@ double changed_number(std::string_view name, const std::string& text, const Name
   return value;
 }
 
-double changed_positive(std::string_view name, const std::string& text, const Names& names) {
-  const double value = changed_number(name, text, names);
-  if (!(value > 0)) throw UsageError(std::string(name) + " = " + text + " must be greater than 0");
+double changed_number(const KeyInfo& key, const std::string& text, const Names& names) {
+  const double value = changed_number(key.name, text, names);
+  if (const std::string wrong = against_bounds(key.type, value); !wrong.empty())
+    throw UsageError(fmt::format("{} = {} {}", key.name, text, wrong));
   return value;
 }
 

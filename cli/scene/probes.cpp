@@ -201,7 +201,6 @@ std::vector<double> read_line_times(TomlCursor& cursor) {
 }
 
 SampleLine read_line(TomlCursor& cursor, const Scene& scene) {
-  constexpr int most_points = 100000;
   SampleLine line;
   line.name = label(cursor, names_of(scene.lines));
   line.body = body_index(cursor, cursor.need("body"), "body", scene);
@@ -210,11 +209,9 @@ SampleLine read_line(TomlCursor& cursor, const Scene& scene) {
     cursor.fail_unknown(cursor.need("field"), "field", "field", line.field, names_of_fields(scene.dim));
   line.from = cursor.point("from", scene.dim);
   line.to = cursor.point("to", scene.dim);
-  cursor.need("points");
-  line.points = cursor.whole("points", 2, 2, most_points);
+  line.points = cursor.whole("points");
   line.times = read_line_times(cursor);
-  if (!cursor.find("frame")) cursor.table().set("frame", TomlValue(std::string("body")));
-  line.in_space = cursor.choice("frame", {"body", "space"}) == "space";
+  line.in_space = cursor.choice("frame") == "space";
   cursor.finish();
   return line;
 }

@@ -44,9 +44,9 @@ RequestedSpacing requested_spacing(TomlValue tree, const Changes& changes, TomlS
       root.fail(
           spacing, "spacing",
           "spacing = '" + spacing.text + "' depends on dp, which is the spacing itself; remove dp from it");
-  const double asked = root.positive("spacing");
+  const double asked = root.number("spacing");
   const std::string* change = changes.find("spacing");
-  return {change ? changed_positive("spacing", *change, root.names()) : asked, asked};
+  return {change ? changed_number(key_of_scene("spacing"), *change, root.names()) : asked, asked};
 }
 
 void read_head(TomlCursor& root, SceneFile& file) {
@@ -58,8 +58,20 @@ void read_head(TomlCursor& root, SceneFile& file) {
                   "' must not contain '/' or be '.' or '..', because it names the run folder");
   scene.title = root.line("title", scene.name);
   scene.source = root.line("source", "");
-  constexpr int default_dim = 2;
-  scene.dim = root.whole("dim", default_dim, 2, 3);
+  scene.dim = root.whole("dim");
+}
+
+/// The setting, else the value in the file, else the default.
+double read_setting(TomlCursor& root, const char* key, const Changes& changes, SceneFile& file) {
+  const double in_scene = root.number(key);
+  const std::string* change = changes.find(key);
+  const double value = change ? changed_number(key_of_scene(key), *change, root.names()) : in_scene;
+  resolve(file, key, value, in_scene, default_number(key_of_scene(key)).value_or(in_scene));
+  if (!change) return value;
+  TomlValue written(value);
+  written.whole = root.need(key).whole;
+  root.table().set(key, std::move(written));
+  return value;
 }
 
 void read_times(TomlCursor& root, const Changes& changes, double dp, SceneFile& file) {
@@ -67,47 +79,14 @@ void read_times(TomlCursor& root, const Changes& changes, double dp, SceneFile& 
   root.find("spacing");
   root.table().set("spacing", TomlValue(dp));
   file.scene.spacing = dp;
-  const double in_scene = file.scene.until = root.positive("until");
-  if (const std::string* change = changes.find("until"))
-    file.scene.until = changed_positive("until", *change, root.names());
-  resolve(file, "until", file.scene.until, in_scene, in_scene);
+  file.scene.until = read_setting(root, "until", changes, file);
   constexpr double least_until = 1e-100;  // sums of smaller time steps lose digits
   if (file.scene.until < least_until)
     root.fail(root.need("until"), "until",
               "until = " + exact(file.scene.until) + " s must be at least " + exact(least_until) + " s");
   root.table().set("until", TomlValue(file.scene.until));
-  file.history = root.find("history") ? root.positive("history") : file.scene.until / default_rows;
+  file.history = root.find("history") ? root.number("history") : file.scene.until / default_rows;
   root.table().set("history", TomlValue(*file.history));
-}
-
-std::string check_jitter(double share) {
-  return share >= 0 && share < Jitter::least_unusable
-             ? ""
-             : "jitter = " + exact(share) + " must be at least 0 and below " + exact(Jitter::least_unusable) +
-                   "; it is the largest random shift of a particle along each axis, in spacings";
-}
-
-std::string check_seed(double seed) {
-  constexpr double greatest = 1e9;
-  return seed == std::floor(seed) && seed >= 1 && seed <= greatest
-             ? ""
-             : "jitter_seed = " + exact(seed) + " must be a whole number from 1 to " + exact(greatest);
-}
-
-/// `check` returns an error or "".
-double checked_number(TomlCursor& root, const char* key, double otherwise, const Changes& changes,
-                      SceneFile& file, std::string (*check)(double)) {
-  const double in_scene = root.number(key, otherwise);
-  if (const std::string wrong = check(in_scene); !wrong.empty()) root.fail(root.need(key), key, wrong);
-  const std::string* change = changes.find(key);
-  const double value = change ? changed_number(key, *change, root.names()) : in_scene;
-  resolve(file, key, value, in_scene, otherwise);
-  if (!change) return value;
-  if (const std::string wrong = check(value); !wrong.empty()) throw UsageError(wrong);
-  TomlValue written(value);
-  written.whole = root.need(key).whole;
-  root.table().set(key, std::move(written));
-  return value;
 }
 
 bool has_spacing(const std::string& expression) {
@@ -127,17 +106,13 @@ std::string in_spacings_already(const std::string& given) {
 
 void read_jitter(TomlCursor& root, const Changes& changes, SceneFile& file) {
   Jitter& jitter = file.scene.jitter;
-  if (!root.find("jitter_seed")) {
-    TomlValue seed(static_cast<double>(jitter.seed));
-    seed.whole = true;
-    root.table().set("jitter_seed", std::move(seed));
-  }
+  root.need("jitter_seed");
   if (const TomlValue* given = root.find("jitter"); given && has_spacing(given->text))
     root.fail(*given, "jitter", in_spacings_already(given->text));
   if (const std::string* change = changes.find("jitter"); change && has_spacing(*change))
     throw UsageError(in_spacings_already(*change));
-  jitter.share = checked_number(root, "jitter", jitter.share, changes, file, check_jitter);
-  jitter.seed = static_cast<int>(checked_number(root, "jitter_seed", jitter.seed, changes, file, check_seed));
+  jitter.share = read_setting(root, "jitter", changes, file);
+  jitter.seed = static_cast<int>(read_setting(root, "jitter_seed", changes, file));
 }
 
 /// Ignores parameters with `default`: a setting may have replaced the expression that used them.

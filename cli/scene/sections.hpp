@@ -36,8 +36,8 @@ void resolve(SceneFile& file, std::string name, const std::string& value, const 
 void resolve(SceneFile& file, std::string name, double value, double in_scene, double usual);
 /// Throws UsageError unless finite.
 double changed_number(std::string_view name, const std::string& text, const Names& names);
-/// Throws UsageError unless finite and positive.
-double changed_positive(std::string_view name, const std::string& text, const Names& names);
+/// Throws UsageError unless finite and within the bounds of the key.
+double changed_number(const KeyInfo& key, const std::string& text, const Names& names);
 
 /// Adds parameters to the names of `root`; without `dp`, only independent ones.
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file);

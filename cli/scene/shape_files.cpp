@@ -30,7 +30,7 @@ double read_size(TomlCursor& shape, double rows, double columns) {
     shape.fail(*width, "width",
                "width and height are both given; remove one of them, because the file gives the ratio");
   if (!height && !width) shape.need("height");
-  return height ? shape.positive("height") / rows : shape.positive("width") / columns;
+  return height ? shape.number("height") / rows : shape.number("width") / columns;
 }
 
 void read_where(TomlCursor& shape, Frame& frame) {
@@ -252,12 +252,8 @@ Shape read_mask_file(TomlCursor& shape, const ShapeSetting& setting) {
   const std::filesystem::path file = named_file(shape, setting.folder, "file");
   Frame frame;
   read_where(shape, frame);
-  const double threshold = shape.number("threshold", 0.5);
-  if (!(threshold > 0 && threshold < 1))
-    shape.fail(shape.need("threshold"), "threshold",
-               "threshold = " + exact(threshold) + " must be between 0 (white) and 1 (black)");
-  if (!shape.find("inside")) shape.table().set("inside", TomlValue(std::string("dark")));
-  const bool light = shape.choice("inside", {"dark", "light"}) == "light";
+  const double threshold = shape.number("threshold");
+  const bool light = shape.choice("inside") == "light";
   Mask mask = with_place(shape, [&] { return read_mask(file, MaskOf::darkness); });
   if (light)
     for (float& solid : mask.solid) solid = 1 - solid;
@@ -267,7 +263,7 @@ Shape read_mask_file(TomlCursor& shape, const ShapeSetting& setting) {
 
 Shape read_mesh_file(TomlCursor& shape, const ShapeSetting& setting) {
   const std::filesystem::path file = named_file(shape, setting.folder, "file");
-  const double scale = shape.find("scale") ? shape.positive("scale") : 1;
+  const double scale = shape.find("scale") ? shape.number("scale") : 1;
   Triangles mesh = with_place(shape, [&] { return read_mesh(file); });
   for (Point& x : mesh.points)
     for (double& component : x) component *= scale;
@@ -289,7 +285,7 @@ Shape read_particles(TomlCursor& shape, const ShapeSetting& setting) {
                "a shape of type \"particles\" must be the only shape of its body; "
                "it cannot be combined with other shapes or have cut-outs");
   std::optional<int> body;
-  if (shape.find("of_body")) body = shape.whole("of_body", 0, 0, 1000000);
+  if (shape.find("of_body")) body = shape.whole("of_body");
   GivenSites given = saved ? with_place(shape, [&] { return saved_sites(file, body, setting); })
                            : tabled_sites(file, setting);
   refuse_far(given, file, setting);

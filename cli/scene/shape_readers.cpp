@@ -61,15 +61,6 @@ std::vector<Chain> read_contours(TomlCursor& shape) {
 
 }  // namespace
 
-Point positive_point(TomlCursor& shape, std::string_view key, int dim) {
-  const Point point = shape.point(key, dim);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
-    if (!(point[k] > 0))
-      shape.fail(shape.need(key), key,
-                 fmt::format("{}[{}] = {} must be greater than 0", key, k, exact(point[k])));
-  return point;
-}
-
 Shape read_polygon(TomlCursor& shape, const ShapeSetting&) {
   const std::vector<Chain> contours = read_contours(shape);
   const std::string_view key = shape.find("points") ? "points" : "contours";
@@ -98,7 +89,7 @@ Shape read_polygon(TomlCursor& shape, const ShapeSetting&) {
 }
 
 Shape read_ellipse(TomlCursor& shape, const ShapeSetting& setting) {
-  return Ellipse{shape.point("centre", setting.dim), positive_point(shape, "semi_axes", setting.dim)};
+  return Ellipse{shape.point("centre", setting.dim), shape.point("semi_axes", setting.dim)};
 }
 
 Shape read_expression(TomlCursor& shape, const ShapeSetting& setting) {

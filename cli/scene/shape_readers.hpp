@@ -17,8 +17,6 @@ Shape read_svg(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_mesh_file(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_mask_file(TomlCursor& shape, const ShapeSetting& setting);
 
-/// Throws SceneError for components ≤ 0.
-Point positive_point(TomlCursor& shape, std::string_view key, int dim);
 /// Throws SceneError unless low < high.
 Box read_low_and_high(TomlCursor& shape, int dim);
 

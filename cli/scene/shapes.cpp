@@ -43,8 +43,7 @@ RoundLayout read_layout_of_hollow(TomlCursor& shape, const std::vector<RoundLayo
 Shape read_ring(TomlCursor& shape, const ShapeSetting& setting) {
   const int dim = setting.dim;
   const Layers layers = setting.layers;
-  Ring ring{shape.point("centre", dim), shape.positive("inner"), shape.positive("outer"),
-            RoundLayout::lattice};
+  Ring ring{shape.point("centre", dim), shape.number("inner"), shape.number("outer"), RoundLayout::lattice};
   if (!(ring.inner < ring.outer))
     shape.fail(shape.need("inner"), "inner",
                "inner = " + exact(ring.inner) + " must be less than outer = " + exact(ring.outer));
@@ -58,7 +57,7 @@ Shape read_ring(TomlCursor& shape, const ShapeSetting& setting) {
 }
 
 Shape read_disc(TomlCursor& shape, const ShapeSetting& setting) {
-  Disc disc{shape.point("centre", setting.dim), shape.positive("radius")};
+  Disc disc{shape.point("centre", setting.dim), shape.number("radius")};
   if (setting.dim == 2 && setting.layers != Layers::none)
     disc.layout =
         read_layout(shape, {RoundLayout::spaced, RoundLayout::lattice},
@@ -68,8 +67,7 @@ Shape read_disc(TomlCursor& shape, const ShapeSetting& setting) {
 
 /// The key `inner` makes the cylinder hollow.
 Shape read_cylinder(TomlCursor& shape, const ShapeSetting& setting) {
-  Cylinder cylinder{shape.point("from", setting.dim), shape.point("to", setting.dim),
-                    shape.positive("radius")};
+  Cylinder cylinder{shape.point("from", setting.dim), shape.point("to", setting.dim), shape.number("radius")};
   if (!(cylinder.length() > 0))
     shape.fail(shape.need("to"), "to",
                "from and to are the same point; they must be the centres of the two ends");
@@ -80,7 +78,7 @@ Shape read_cylinder(TomlCursor& shape, const ShapeSetting& setting) {
                  "remove it, because a solid cylinder is cut from a cubic lattice");
     return cylinder;
   }
-  cylinder.inner = shape.positive("inner");
+  cylinder.inner = shape.number("inner");
   if (!(cylinder.inner < cylinder.radius))
     shape.fail(shape.need("inner"), "inner",
                "inner = " + exact(cylinder.inner) + " must be less than radius = " + exact(cylinder.radius));

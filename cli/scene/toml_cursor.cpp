@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "cli/text/format.hpp"
 #include "cli/text/shown.hpp"
 #include "cli/text/suggest.hpp"
@@ -30,6 +32,21 @@ std::string time_text(double t) { return "t = " + exact(t) + " s"; }
 
 std::string quote(std::string_view name) { return std::string("'").append(name).append("'"); }
 
+std::optional<TomlValue> default_value(const KeyInfo& row) {
+  const KeyType& type = row.type;
+  if (type.kind == KeyType::Kind::word && type.form == KeyType::Form::one) {
+    const std::vector<std::string> words = words_of(type);
+    if (std::ranges::find(words, row.by_default) != words.end())
+      return TomlValue(std::string(row.by_default));
+  }
+  if (type.kind != KeyType::Kind::number && type.kind != KeyType::Kind::whole) return {};
+  const std::optional<double> number = default_number(row);
+  if (!number) return {};
+  TomlValue value(*number);
+  value.whole = type.kind == KeyType::Kind::whole;
+  return value;
+}
+
 }  // namespace
 
 bool is_identifier(std::string_view name) {
@@ -49,15 +66,17 @@ TomlCursor::TomlCursor(TomlValue& table, std::string path, std::string what, std
 }
 
 void TomlCursor::also_takes(std::span<const KeyInfo> keys) {
-  for (const KeyInfo& key : keys) keys_.emplace_back(key.name);
+  rows_.insert(rows_.end(), keys.begin(), keys.end());
 }
 
-bool TomlCursor::may_have(std::string_view key) const {
-  return std::ranges::any_of(keys_, [=](const std::string& k) { return k == key || k == any_name; });
+const KeyInfo* TomlCursor::row(std::string_view key) const {
+  const auto found =
+      std::ranges::find_if(rows_, [=](const KeyInfo& k) { return k.name == key || k.name == any_name; });
+  return found == rows_.end() ? nullptr : &*found;
 }
 
 TomlValue* TomlCursor::find(std::string_view key) {
-  if (!may_have(key)) throw std::logic_error("the table of keys of " + what_ + " lacks " + quote(key));
+  if (row(key) == nullptr) throw std::logic_error("the table of keys of " + what_ + " lacks " + quote(key));
   TomlEntry* entry = table_.find(key);
   if (!entry) return nullptr;
   entry->known = true;
@@ -68,7 +87,7 @@ TomlValue& TomlCursor::need(std::string_view key) {
   if (TomlValue* value = find(key)) return *value;
   std::vector<std::string> others;
   for (const TomlEntry& entry : table_.entries)
-    if (!may_have(entry.key)) others.push_back(entry.key);
+    if (row(entry.key) == nullptr) others.push_back(entry.key);
   std::vector<std::string> near = nearest(key, others);
   if (near.empty() && others.size() == 1) near = others;
   const FilePlace place = near.empty() ? table_.place : table_.find(near.front())->place;
@@ -102,6 +121,11 @@ std::string TomlCursor::line(std::string_view key, std::string_view otherwise) {
   return line(key);
 }
 
+std::string TomlCursor::choice(std::string_view key) {
+  need(key);
+  return choice(key, words_of(row(key)->type));
+}
+
 std::string TomlCursor::choice(std::string_view key, const std::vector<std::string>& allowed) {
   const std::string given = text(key);
   if (std::find(allowed.begin(), allowed.end(), given) == allowed.end())
@@ -109,34 +133,25 @@ std::string TomlCursor::choice(std::string_view key, const std::vector<std::stri
   return given;
 }
 
-double TomlCursor::number(std::string_view key) { return value_of(need(key), key); }
+void TomlCursor::check_bounds(const TomlValue& value, std::string_view key, std::string_view shown,
+                              double number) const {
+  if (const std::string wrong = against_bounds(row(key)->type, number); !wrong.empty())
+    fail(value, key, std::string(shown) + " = " + exact(number) + " " + wrong);
+}
+
+double TomlCursor::number(std::string_view key) {
+  const TomlValue& value = need(key);
+  const double number = value_of(value, key);
+  check_bounds(value, key, key, number);
+  return number;
+}
 
 double TomlCursor::number(std::string_view key, double otherwise) {
   if (!find(key)) table_.set(key, TomlValue(otherwise));
   return number(key);
 }
 
-double TomlCursor::positive(std::string_view key) {
-  const double value = number(key);
-  if (!(value > 0))
-    fail(*find(key), key, std::string(key) + " = " + exact(value) + " must be greater than 0");
-  return value;
-}
-
-int TomlCursor::whole(std::string_view key, int otherwise, int low, int high) {
-  if (!find(key)) {
-    TomlValue value(otherwise);
-    value.whole = true;
-    table_.set(key, std::move(value));
-  }
-  const TomlValue& value = *find(key);
-  const double given = value_of(value, key);
-  if (given != std::floor(given) || given < low || given > high)
-    fail(value, key,
-         std::string(key) + " = " + exact(given) + " must be a whole number from " + std::to_string(low) +
-             " to " + std::to_string(high));
-  return static_cast<int>(given);
-}
+int TomlCursor::whole(std::string_view key) { return static_cast<int>(number(key)); }
 
 bool TomlCursor::flag(std::string_view key) {
   const TomlValue* value = find(key);
@@ -153,7 +168,10 @@ std::vector<double> TomlCursor::numbers(std::string_view key, std::size_t size) 
              (value.kind == Kind::array ? "an array of " + std::to_string(value.items.size())
                                         : std::string(value.kind_name())));
   std::vector<double> result;
-  for (const TomlValue& item : value.items) result.push_back(value_of(item, key));
+  for (const TomlValue& item : value.items) {
+    result.push_back(value_of(item, key));
+    check_bounds(item, key, fmt::format("{}[{}]", key, result.size() - 1), result.back());
+  }
   return result;
 }
 
@@ -301,10 +319,10 @@ void TomlCursor::fail_expression(const TomlValue& value, std::string_view key,
 
 void TomlCursor::refuse_unknown_keys() const {
   for (const TomlEntry& entry : table_.entries)
-    if (!may_have(entry.key))
+    if (row(entry.key) == nullptr)
       fail(entry.place, entry.key,
-           "unknown key " + quote(entry.key) + " in " + what_ + did_you_mean(entry.key, keys_) +
-               "; known keys: " + join(keys_));
+           "unknown key " + quote(entry.key) + " in " + what_ + did_you_mean(entry.key, names_of(rows_)) +
+               "; known keys: " + join(names_of(rows_)));
 }
 
 void TomlCursor::finish() const {

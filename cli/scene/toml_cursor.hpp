@@ -46,11 +46,11 @@ class TomlCursor {
   /// One UTF-8 line of at most 200 bytes.
   std::string line(std::string_view key);
   std::string line(std::string_view key, std::string_view otherwise);
+  std::string choice(std::string_view key);
   std::string choice(std::string_view key, const std::vector<std::string>& allowed);
   double number(std::string_view key);
   double number(std::string_view key, double otherwise);
-  double positive(std::string_view key);
-  int whole(std::string_view key, int otherwise, int low, int high);
+  int whole(std::string_view key);
   /// False if missing; not written as default.
   bool flag(std::string_view key);
   std::vector<double> numbers(std::string_view key, std::size_t size);
@@ -93,13 +93,16 @@ class TomlCursor {
                                                const Compile& compile, const Show& show);
   void refuse_third_axis(const TomlValue& value, std::string_view key) const;
   std::string full_path(std::string_view key) const;
-  bool may_have(std::string_view key) const;
+  /// Null if the key is not allowed.
+  const KeyInfo* row(std::string_view key) const;
+  void check_bounds(const TomlValue& value, std::string_view key, std::string_view shown,
+                    double number) const;
 
   TomlValue& table_;
   std::string path_, what_;
   Names names_;
   TomlSource& source_;
-  std::vector<std::string> keys_;
+  std::vector<KeyInfo> rows_;
 };
 
 /// Letters, digits and '_', no digit first.

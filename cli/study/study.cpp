@@ -30,8 +30,7 @@ std::vector<std::pair<std::string, FilePlace>> texts(TomlCursor& section, std::s
 
 void read_charts(TomlCursor& section, FilePlace begins, StudyPictures& pictures) {
   const auto measures = texts(section, "measure");
-  const Cost cost =
-      section.find("cost") ? find_cost(section.choice("cost", cost_names())) : ChartRequest{}.cost;
+  const Cost cost = section.find("cost") ? find_cost(section.choice("cost")) : ChartRequest{}.cost;
   ChartRequest request{.measure = "", .cost = cost};
   for (const auto& [method, place] : texts(section, "methods")) {
     request.methods.push_back(method);

@@ -144,7 +144,7 @@ SweepFile read_sweep(const fs::path& path) {
     TomlCursor cursor = root.enter(*set, "set", "'set'", keys_of("set"));
     file.set = SettingsReader(cursor).settings();
   }
-  file.repeat = root.whole("repeat", file.repeat, 1, most_repetitions);
+  file.repeat = root.whole("repeat");
   file.pictures = read_pictures(root);
   try {
     file.rows = read_rows(root);
