@@ -18,10 +18,10 @@
 namespace taut {
 namespace {
 
-/// Warns of bodies whose shape the lattice does not fit.
+/// The lattice does not fit their shape.
 void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr double tolerated = 0.02;
-  std::vector<double> volume(scene.bodies.size());  // [body], undeformed, m^dim
+  std::vector<double> volume(scene.bodies.size());  // [body] undeformed, m^dim
   for (std::size_t i = 0; i < start.size(); ++i)
     volume[static_cast<std::size_t>(start.body[i])] +=
         start.m[i] / scene.materials[static_cast<std::size_t>(start.material[i])].density;
@@ -38,8 +38,7 @@ void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, c
   }
 }
 
-/// Speeds above the sound speed are mostly unit errors, such as a modulus in MPa. In a closed scene, speeds are
-/// relative to the common motion.
+/// Mostly unit errors, such as a modulus in MPa. In a closed scene, speeds are relative to the common motion.
 void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   const auto dim = static_cast<std::size_t>(start.dim);
   Point common{};  // m/s
@@ -47,7 +46,7 @@ void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, c
     const double mass = std::accumulate(start.m.begin(), start.m.end(), 0.0);
     for (std::size_t i = 0; i < start.v.size(); ++i) common[i % dim] += start.m[i / dim] * start.v[i] / mass;
   }
-  std::vector<double> mach(scene.bodies.size());  // [body] greatest speed / sound speed
+  std::vector<double> mach(scene.bodies.size());  // [body] greatest
   for (std::size_t i = 0; i < start.size(); ++i) {
     double v2 = 0;
     for (std::size_t k = 0; k < dim; ++k) v2 += std::pow(start.v[i * dim + k] - common[k], 2);
@@ -80,11 +79,11 @@ void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene,
                   stored, share));
 }
 
-/// Warns of two bodies that are less than two spacings apart and within the kernel support: `sph` may join them.
+/// Two bodies closer than two spacings and within the kernel support: `sph` may join them.
 void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start,
                               double support) {
   constexpr double parts = 2 - 1e-6;         // spacings; bodies this far apart separate with every method
-  std::optional<std::pair<int, int>> first;  // in scene order
+  std::optional<std::pair<int, int>> first;
   double nearest = std::min(support, parts * scene.spacing);
   for_each_meeting_pair(start, nearest, [&](int i, int j) {
     const std::pair bodies(start.body[static_cast<std::size_t>(i)], start.body[static_cast<std::size_t>(j)]);
@@ -103,7 +102,6 @@ void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& s
       body(first->first), body(first->second), nearest / scene.spacing, support / scene.spacing));
 }
 
-/// Particles of one body on its lattice.
 struct LatticeCells {
   std::array<int, 3> sides{1, 1, 1};
   std::vector<char> filled;
@@ -116,8 +114,7 @@ struct LatticeCells {
   }
 };
 
-/// Fills the cells that have all (`all`) or any of their neighbours up to `reach` along an axis filled. Outside, no
-/// cell is filled.
+/// Fills cells that have all (`all`) or any of their neighbours up to `reach` along an axis filled.
 LatticeCells along_axis(const LatticeCells& cells, std::size_t axis, int reach, bool all) {
   LatticeCells result = cells;
   std::array<int, 3> cell{};
@@ -141,7 +138,7 @@ struct LatticeBody {
   std::vector<std::array<int, 3>> places;  // [particle of the body]
 };
 
-/// Returns nullopt if a particle of `own` is not on a lattice along the axes, or for very sparse bodies.
+/// nullopt without a lattice along the axes, or for very sparse bodies.
 std::optional<LatticeBody> on_lattice(const Snapshot& start, std::span<const std::size_t> own, double dp) {
   constexpr double off_lattice = 1e-6;  // dp
   constexpr double most_cells = 5e7;
@@ -170,9 +167,9 @@ std::optional<LatticeBody> on_lattice(const Snapshot& start, std::span<const std
   return body;
 }
 
-/// Warns of parts one or two particles thick: they are far from any block of 3 × 3 (× 3) particles.
+/// Thin parts are far from any block of 3 × 3 (× 3) particles.
 void warn_about_thin_parts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
-  constexpr int steps_of_lattice = 2;  // the faces of a round body have steps of this height
+  constexpr int steps_of_lattice = 2;  // at the faces of a round body
   const auto dim = static_cast<std::size_t>(start.dim);
   std::vector<std::vector<std::size_t>> particles(scene.bodies.size());
   for (std::size_t i = 0; i < start.size(); ++i)

@@ -7,15 +7,14 @@
 #include "engine/scene/scene.hpp"
 #include "engine/solver/simulation.hpp"
 
-/// Warnings about scenes that run but are probably wrong; one sentence each, without a full stop.
+/// One sentence each, without a full stop.
 namespace taut {
 
-/// Warns of `reaction` and `contact_force` probes if the method does not conserve momentum; else returns an empty
-/// string.
+/// For `reaction` and `contact_force` probes if the method does not conserve momentum; may be empty.
 std::string warning_about_reactions(const Scene& scene, const MethodInfo& method);
 
-/// Warns of an unsuitable initial state: masses that differ from the shapes by 2 % or more, speeds above the sound
-/// speed, parts one or two particles thick, contacts that store energy, and bodies that contact by `sph` may join.
+/// Masses that differ from the shapes by 2 % or more, speeds above the sound speed, parts one or two particles
+/// thick, contacts that store energy, and bodies that contact by `sph` may join.
 std::vector<std::string> warnings_at_start(const Scene& scene, const MethodInfo& method,
                                            const Simulation& simulation);
 

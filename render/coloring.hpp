@@ -11,13 +11,13 @@
 
 namespace taut::render {
 
-/// Colours of values. The look must have no open members.
+/// The look must have no open members.
 class Coloring {
  public:
   explicit Coloring(const Look& look);
 
   std::uint32_t operator()(double value) const;  // bytes R, G, B, 255
-  /// Detects NaN, and values out of range by more than half a colour step.
+  /// NaN, and values out of range by more than half a colour step.
   OffScale off_scale(double value) const;
   const ColorKey& key() const { return key_; }
 

@@ -7,8 +7,8 @@
 namespace taut::render {
 namespace {
 
-// viridis, plasma, inferno, magma: van der Walt & Smith 2015 (CC0); cividis: Nuñez, Anderton & Renslow 2018.
-// Interpolation between these stops is within 4 of 255 levels of the original.
+// viridis, plasma, inferno, magma: van der Walt & Smith 2015 (CC0); cividis: Nuñez, Anderton & Renslow 2018. Within
+// 4 of 255 levels of the original.
 constexpr std::uint32_t viridis[] = {0x440154, 0x481668, 0x482878, 0x443a83, 0x3e4989, 0x375a8c, 0x31688e,
                                      0x2b758e, 0x26828e, 0x21908c, 0x1f9e89, 0x25ab82, 0x35b779, 0x4ec36b,
                                      0x6ece58, 0x90d741, 0xb5de2b, 0xdde31e, 0xfde725};
@@ -33,8 +33,7 @@ constexpr std::uint32_t rainbow[] = {0x0000ff, 0x00ffff, 0x00ff00, 0xffff00, 0xf
 // stops short of white, the default background
 constexpr std::uint32_t gray[] = {0x101010, 0xe0e0e0};
 
-// Okabe & Ito 2002, "Color Universal Design", for all kinds of colour vision. Gray replaces black, which would be
-// invisible on black.
+// Okabe & Ito 2002, "Color Universal Design". Gray replaces black, which would be invisible on black.
 constexpr std::uint32_t categories[] = {0x0072b2, 0xe69f00, 0x009e73, 0xd55e00,
                                         0x56b4e9, 0xcc79a7, 0xf0e442, 0x999999};
 constexpr double darker = 0.6;  // in the second round

@@ -17,8 +17,7 @@ Vector sum(const Vector& a, const Vector& b, double times = 1) {
   return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
 }
 
-// Cells overlap by this factor and by at least so many pixels. Otherwise bending would open gaps between them, of
-// second order in the spacing.
+// Otherwise bending would open gaps between cells, of second order in the spacing.
 constexpr double overlap = 1.02, least_overlap = 0.7;
 
 Vector widened(const Vector& half) {
@@ -42,7 +41,7 @@ Vector at(std::span<const double> of, std::size_t i) { return {of[3 * i], of[3 *
 double drawn_radius(double radius) {
   constexpr double full = 2.0;    // pixels; larger radii are kept
   constexpr double filled = 1.0;  // pixels; smaller discs fill a square
-  constexpr double rim = 0.25;    // pixels; half width of the rim
+  constexpr double rim = 0.25;    // half width, pixels
   const double small = std::clamp((full - radius) / (full - filled), 0.0, 1.0);
   return std::lerp(radius, std::numbers::sqrt2 * radius + rim, small);
 }
@@ -76,7 +75,7 @@ void Solids::place_balls(const FrameView& frame, const Projection& projection,
   drop_hidden();
 }
 
-/// Omits balls whose samples are covered, from front to back.
+/// From front to back.
 void Solids::drop_hidden() {
   constexpr std::size_t few = 2000;  // below, drawing all is faster
   if (balls_.size() < few) return;
@@ -89,7 +88,7 @@ void Solids::drop_hidden() {
   });
 }
 
-/// Sorts balls into slices of depth, nearest first. Exact order is not needed: it would only find more hidden balls.
+/// Slices of depth, nearest first. Exact order would only find more hidden balls.
 void Solids::sort_roughly() {
   constexpr std::size_t slices = 4096;
   const auto [far, near] = std::ranges::minmax(balls_, {}, &Ball::z);
@@ -153,7 +152,7 @@ void Solids::place_walls(const FrameView& frame, const Projection& projection, s
     for (const auto& [from, to] : grid_on(wall, seen, cell)) add_line(from, to, projection, color);
 }
 
-/// Adds a line as short pieces of constant width. Pieces behind the camera are omitted.
+/// Short pieces of constant width, in front of the camera.
 void Solids::add_line(const Vector& from, const Vector& to, const Projection& projection,
                       std::uint32_t color) {
   constexpr int pieces = 16;

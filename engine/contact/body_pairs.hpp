@@ -10,11 +10,11 @@
 
 namespace taut {
 
-/// Contact candidates of two bodies, by particle. Searches only particles in the widened box of another body.
+/// Contact candidates of two bodies, by particle.
 template <int Dim>
 class BodyPairs {
  public:
-  /// Lists pairs up to reach + skin, m, which remain valid until a particle has moved by half the skin.
+  /// Lists pairs up to reach + skin, m.
   BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
   double lasts_for() const { return 0.5 * skin_; }  // m, valid path of the fastest particle
@@ -39,7 +39,7 @@ class BodyPairs {
           if (dot(d, d) < reach_ * reach_) j.push_back(other);
         }
       });
-      // by id, as in mirrored bodies, for bit-exact symmetry
+      // by id, for bit-exact symmetry of mirrored bodies
       std::sort(j.begin() + from, j.end(), [&](int a, int b) { return s.id[a] < s.id[b]; });
     }
     while (next <= s.size()) begin[next++] = static_cast<int>(j.size());

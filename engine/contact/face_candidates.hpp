@@ -50,13 +50,13 @@ class FaceCandidates {
  private:
   // in spacings
   static constexpr double skin = 1;       // longer: fewer searches, more pairs
-  static constexpr double horizon = 4;    // search range, which limits how long a search is valid
-  static constexpr double far_apart = 3;  // opposite faces of a thinner wall do not interact
+  static constexpr double horizon = 4;    // search range
+  static constexpr double far_apart = 3;  // faces of a thicker wall do not interact
   static constexpr double aside = 0.5;    // greatest cosine of the normals of a candidate
   static constexpr double close_by =
-      4;  // initial distance; closer faces are candidates only if their cosine is below `folded`
-  static constexpr double folded = -0.1;     // see `close_by`
-  static constexpr double turn_slack = 0.5;  // for rotation of nodes about their particles
+      4;  // initial distance; closer faces need a cosine below `folded`
+  static constexpr double folded = -0.1;
+  static constexpr double turn_slack = 0.5;  // for rotation about the particles
 
   void search_others(const MovingFaces& faces, const WallContacts<2>& walls);
   void search_own(const Particles<2>& s, const MovingFaces& faces);
@@ -73,4 +73,4 @@ class FaceCandidates {
   std::vector<V> main_places_;  // [node] position of its main particle, m
 };
 
-}  // namespace taut
+}

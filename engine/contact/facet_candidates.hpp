@@ -16,13 +16,11 @@
 
 namespace taut {
 
-/// Contact candidates in 3D: facets of two bodies or one folding body, and facets near walls. A search is valid until
-/// particles behind facets have moved by the difference of its range and the range of contact.
+/// Contact candidates in 3D: facets of two bodies or one folding body, and facets near walls.
 class FacetCandidates {
  public:
   using V = Vec<double, 3>;
 
-  /// `reach`: range of contact, m.
   FacetCandidates(const SolverInput& input, const MovingFacets& facets, double reach)
       : dp_(input.constants.dp),
         reach_(reach),
@@ -33,7 +31,7 @@ class FacetCandidates {
     for (int f = 0; f < facets.size(); ++f) normal_.push_back(facets[f].normal);
   }
 
-  /// (facet, facet) in both orders, (facet, wall); ascending.
+  /// Both orders, ascending.
   std::vector<std::pair<int, int>> pairs, near_wall;
 
   bool search(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls,
@@ -69,13 +67,13 @@ class FacetCandidates {
  private:
   // in spacings
   static constexpr double skin = 1.4;        // longer: fewer searches, more pairs
-  static constexpr double horizon = 4.25;    // search range, which limits how long a search is valid
-  static constexpr double cluster = 4;       // width of the clusters of facets (see FacetPairs)
+  static constexpr double horizon = 4.25;    // search range
+  static constexpr double cluster = 4;       // width of the clusters (FacetPairs)
   static constexpr double far_apart = 4;     // initial distance along a bending face or across a gap
   static constexpr double far_inside = 8;    // initial distance through the body
-  static constexpr double flat = 1e-6;       // round-off of facets in one plane
+  static constexpr double flat = 1e-6;       // round-off
   static constexpr double aside = 0.5;       // greatest cosine of the normals of a candidate
-  static constexpr double turn_slack = 0.5;  // for rotation of facets about their particles
+  static constexpr double turn_slack = 0.5;  // for rotation about the particles
 
   void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
     constexpr double margin = horizon + 2;  // 2: distance of two particles from faces
@@ -114,7 +112,6 @@ class FacetCandidates {
     return beyond - reach_ - turn_slack * dp_;
   }
 
-  /// Sorts found pairs, in both orders.
   void list_both_ways(std::vector<std::pair<int, int>>& list) {
     std::vector<int> end(near_.size() + 1);  // [facet]
     for (const auto& [f, g] : found_) ++end[f + 1], ++end[g + 1];
@@ -138,7 +135,7 @@ class FacetCandidates {
   }
 
   double dp_, reach_;                 // m
-  bool meets_itself_, meets_others_;  // others: bodies or walls
+  bool meets_itself_, meets_others_;
   FacetPairs near_;
   std::vector<int> nodes_;          // all
   std::vector<V> normal_;           // [facet] initial

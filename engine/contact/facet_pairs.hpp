@@ -25,7 +25,7 @@ struct FacetColumns {
 };
 
 /// Finds midpoints among first … last − 1 nearer to facet p than √near2, initially farther than √far2, with normals
-/// below `cosine`. Stores indices and squared distances, m². Returns their number.
+/// below `cosine`. Returns their number.
 inline int find_near_facets(const FacetColumns& facets, int p, int first, int last, double near2, double far2,
                             double cosine, int* found, double* distance2) {
   int count = 0;
@@ -47,14 +47,13 @@ inline int find_near_facets(const FacetColumns& facets, int p, int first, int la
   return count;
 }
 
-/// Finds pairs of near facets with different normals. Compares clusters of facets first, by their boxes and the
-/// spread of their normals, then single facets.
+/// Finds pairs of near facets with different normals. Compares clusters of facets first, then single facets.
 class FacetPairs {
  public:
   using V = Vec<double, 3>;
 
   FacetPairs() = default;
-  /// A cluster contains the facets of a cell of this width, m, whose initial normals are similar.
+  /// A cluster contains the facets of a cell of this width, m, with similar initial normals.
   FacetPairs(const MovingFacets& facets, double width) {
     using Key = std::tuple<int, int, bool, std::array<double, 3>>;
     std::vector<Key> key;
@@ -78,7 +77,6 @@ class FacetPairs {
   }
 
   int size() const { return static_cast<int>(body_.size()); }
-  /// All facets, cluster by cluster.
   const std::vector<int>& order() const { return order_; }
   const V& start(int facet) const { return start_[facet]; }  // initial midpoint, m
   const std::vector<int>& bodies() const { return body_; }   // [facet]
@@ -113,7 +111,7 @@ class FacetPairs {
   struct Cluster {
     V low, high;    // m
     V normal;       // mean of the normals
-    double spread;  // greatest deviation of a normal from `normal`
+    double spread;  // greatest deviation from `normal`
   };
 
   static constexpr double room = 1e-9;  // tolerance of rounding

@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// The node's half of a side, where it lies over a segment and faces it.
+/// The node's half of a side over a segment.
 struct FacingHalf {
   int side = Outline::none;
   double half = 0;                   // initial, m
@@ -21,15 +21,14 @@ struct FacingHalf {
   std::array<double, 2> at{};        // crossing of segment ends: 0 at the node, 1 at its other end
   std::array<double, 2> over{1, 1};  // share of the half within each end
   std::array<double, 2> rise{};      // slope of `over` in `at`
-  double past = 1;                   // beyond an end: 1 − facing_share of the next face
-  double past_slope = 0;             // slope of `past` in the cosine
+  double past = 1;                   // 1 − facing_share of the next face
+  double past_slope = 0;             // slope of `past`
   int next = Outline::none;
 
   double covered() const { return over[0] * over[1]; }
   double area() const { return half * share * covered() * past; }  // m
 };
 
-/// Closest point of a segment to a node.
 struct ClosestPoint {
   int node = Outline::none, segment = Outline::none;
   double xi = 0;                                          // from the first end
@@ -42,7 +41,7 @@ struct ClosestPoint {
   double area() const { return weight * (halves[0].area() + halves[1].area()); }  // m
 };
 
-/// Current faces of layout/outline.hpp. Nodes are weighted means of particles, which take forces by the same weights.
+/// Current faces of layout/outline.hpp.
 class MovingFaces {
  public:
   using V = Vec<double, 2>;
@@ -88,7 +87,7 @@ class MovingFaces {
     for (int n = 0; n < size(); ++n) place(s, n);
     for (int k = 0; k < static_cast<int>(normal_.size()); ++k) set_normal(k);
   }
-  /// Requires that `place` has updated the nodes of segment k.
+  /// Requires `place` for the nodes of segment k.
   void set_normal(int k) {
     const auto& [node, length, sense] = outline_.segments[k];
     const V t = place_[node[1]] - place_[node[0]];
@@ -109,7 +108,6 @@ class MovingFaces {
       f(stored_[k], outline_.shares[k].weight);
   }
 
-  /// Outward unit normal.
   const V& normal_of(int k) const { return normal_[k]; }
 
   bool has_sharp_end(int k) const { return sharp_[k][0] || sharp_[k][1]; }
@@ -122,7 +120,7 @@ class MovingFaces {
     return dot(offset, offset);
   }
 
-  /// Initial length of the node's sides that faces `normal`, m.
+  /// Initial length of the sides that face `normal`, m.
   double facing(int node, const V& normal) const {
     double area = 0;
     for (const int k : outline_.beside[node])
@@ -140,10 +138,10 @@ class MovingFaces {
           turn(k, normal, energy * 0.5 * outline_.segments[k].length * slope, give);
   }
 
-  /// Replaces `best` by the closest point of segment k if the node faces the segment and the rank is lower. The rank
-  /// is the distance plus up to half a length for segments that the sides of the node face obliquely: a
-  /// corner is pushed back by the face in front of it and not by the one beside it. A node beyond a sharp end acts
-  /// with the length of its side over the segment and with the depth of the side at that end.
+  /// Replaces `best` by the closest point of segment k if the node faces it and the rank is lower. The rank is the
+  /// distance plus up to half a length for obliquely facing sides: the face in front pushes a corner back, not the
+  /// one beside it. A node beyond a sharp end acts with the length of its side over the segment and with the depth
+  /// of the side at that end.
   void measure(int node, int k, ClosestPoint& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -170,9 +168,9 @@ class MovingFaces {
 
   struct Touch {
     double depth;  // m, negative in front
-    V out;         // direction of the force
+    V out;
   };
-  /// At blunt ends the mean normal of both segments tells the inside. Nodes across it, past a tip, are outside.
+  /// At blunt ends the mean normal of both segments tells the inside.
   Touch touch(const ClosestPoint& closest) const {
     if (is_beyond(closest)) {
       const FacingHalf& half = closest.halves[closest.halves[0].side == Outline::none ? 1 : 0];
@@ -190,8 +188,7 @@ class MovingFaces {
     return {distance, (-1 / distance) * closest.offset};
   }
 
-  /// Forces own(n, f) on the node's face, other(n, f) on the segment's, N per metre depth, from slopes of depth,
-  /// overlap and facing. `k`: stiffness.
+  /// Forces own(n, f) on the node's face and other(n, f) on the segment's, N per metre depth. `k`: stiffness.
   template <class Own, class Other>
   void push(const ClosestPoint& closest, const Touch& touch, double k, const Own& own,
             const Other& other) const {
@@ -261,7 +258,7 @@ class MovingFaces {
     return h;
   }
 
-  /// Depth of a side where it crosses end e, m.
+  /// Depth of a side at end e, m.
   double depth_at(const ClosestPoint& closest, const FacingHalf& h, int e) const {
     const V place = place_[closest.node] + h.at[e] * way(closest.node, h.side);
     return -dot(place - place_[outline_.segments[closest.segment].node[e]], closest.normal);
@@ -298,7 +295,7 @@ class MovingFaces {
     other(ends[0], turning * closest.normal);
   }
 
-  /// Applies the slope of an energy in the cosine of two normals: δn = −t n·δt/|t|².
+  /// Applies the slope in the cosine of two normals: δn = −t n·δt/|t|².
   template <class Give>
   void turn(int side, const V& normal, double slope, const Give& give) const {
     const auto& ends = outline_.segments[side].node;
@@ -311,7 +308,7 @@ class MovingFaces {
     turn(side, normal_of(segment), slope, own), turn(segment, normal_of(side), slope, other);
   }
 
-  /// Marks ends where the face turns outwards by over 60°.
+  /// Marks ends where the face turns by over 60°.
   void find_sharp_ends() {
     for (int k = 0; k < static_cast<int>(outline_.segments.size()); ++k) {
       std::array<bool, 2>& sharp = sharp_.emplace_back();

@@ -14,14 +14,13 @@
 
 namespace taut {
 
-/// Contact candidates of a folding body: pairs of particles at faces (particles_at_faces.hpp) that were initially far
-/// apart and have come near. The storage order must not change.
+/// Contact candidates of a folding body: pairs of particles at faces that were initially far apart. The storage
+/// order must not change.
 template <int Dim>
 class OwnPairs {
  public:
   using V = Vec<double, Dim>;
 
-  /// `reach`: range of contact, m.
   OwnPairs(const SolverInput& input, double reach) : dp_(input.constants.dp), reach_(reach) {
     if (!input.keeps_neighbors) return;
     ids_ = particles_at_faces(input.scene, input.initial);
@@ -57,7 +56,7 @@ class OwnPairs {
  private:
   // in spacings
   static constexpr double skin = 1;       // longer: fewer searches, more pairs
-  static constexpr double horizon = 4;    // search range, which limits how long a search is valid
+  static constexpr double horizon = 4;    // search range
   static constexpr double far_apart = 4;  // opposite faces of a thinner wall do not interact
 
   void place(const Particles<Dim>& s) {

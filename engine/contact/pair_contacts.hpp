@@ -13,9 +13,9 @@ namespace taut {
 
 /// Contact of particles less than a spacing apart, of two bodies or of distant parts of one. Acts along the pair,
 /// equal and opposite to the last bit. Walls act as mirror images.
-/// Differs from [Khayyer2024] Eq. 53–54, whose force stops only the approach of the old velocities: faces under a
-/// pressure p creep into each other at about p/(ρ c0). Here new velocities are stopped before positions follow. The
-/// paper gives no contact distance; here it is one spacing, as between two layers of a body.
+/// Departs from [Khayyer2024] Eq. 53–54, which stops only the approach of the old velocities: faces under a pressure
+/// p creep into each other at about p/(ρ c0). Here new velocities are stopped before positions follow. The paper
+/// gives no contact distance.
 template <int Dim>
 class PairContacts final : public ContactMechanism<Dim> {
  public:
@@ -49,7 +49,7 @@ class PairContacts final : public ContactMechanism<Dim> {
   }
 
  private:
-  /// Contact modulus, Pa.
+  /// Pa.
   double modulus(const Particles<Dim>& s, int i, int j) const;
   template <class F>
   void for_each_touch(const Particles<Dim>& s, int i, double gone, const F& f) const;

@@ -8,7 +8,7 @@
 namespace taut {
 
 /// Ids of particles that determine faces, ascending: in 2D the particles of the nodes of layout/outline.hpp, in 3D
-/// particles without one or more of the 26 nearest neighbours of a cubic lattice.
+/// particles without all 26 nearest neighbours of a cubic lattice.
 std::vector<int> particles_at_faces(const Scene& scene, const InitialParticles& initial);
 
 }  // namespace taut

@@ -9,9 +9,7 @@
 
 namespace taut {
 
-/// Rigid frictionless walls, each a half-space. A wall acts on a particle by the contact law, like the mirror image
-/// of the particle at twice its height. A body at a wall thus behaves as if it met an equal body. Records the
-/// impulses that walls give to bodies.
+/// Rigid frictionless walls, each a half-space. A wall acts on a particle like the particle's mirror image.
 template <int Dim>
 class WallContacts {
  public:
@@ -27,8 +25,8 @@ class WallContacts {
 
   bool any() const { return !planes_.empty(); }
   int count() const { return static_cast<int>(planes_.size()); }
-  const V& normal(int wall) const { return planes_[wall].normal; }  // unit vector towards the bodies
-  double height(int wall, const V& x) const {                       // of x above the wall, m
+  const V& normal(int wall) const { return planes_[wall].normal; }  // unit vector
+  double height(int wall, const V& x) const {                       // m
     return dot(x - planes_[wall].at, planes_[wall].normal);
   }
 
@@ -50,7 +48,7 @@ class WallContacts {
 
  private:
   struct Plane {
-    V at, normal;  // m; unit vector
+    V at, normal;
   };
 
   std::vector<Plane> planes_;

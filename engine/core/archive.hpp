@@ -20,7 +20,7 @@ namespace taut {
 template <class T>
 concept Count = std::integral<T> && !std::same_as<T, bool>;
 
-/// Whether `value` is a valid index; pairs componentwise.
+/// Pairs componentwise.
 template <Count T, Count Bound>
 bool is_below(T value, Bound bound) {
   return std::cmp_greater_equal(value, 0) && std::cmp_less(value, bound);
@@ -30,17 +30,17 @@ bool is_below(const std::pair<T, T>& pair, const std::pair<Bound, Bound>& bound)
   return is_below(pair.first, bound.first) && is_below(pair.second, bound.second);
 }
 
-/// Whether `begin` holds `rows` offsets into a list, then its length `entries`.
+/// Whether `begin` holds `rows` offsets, then `entries`.
 template <Count T>
 bool are_rows(const std::vector<T>& begin, std::size_t rows, std::size_t entries) {
   return begin.size() == rows + 1 && begin.front() == 0 && std::cmp_equal(begin.back(), entries) &&
          std::is_sorted(begin.begin(), begin.end());
 }
 
-/// Common part of Saver and Loader: `archive(a, b, …)` visits values in a fixed order. A class lists its members in
-/// `serialize(Archive&)`; trivially copyable types need none. A state is valid for one machine and build only.
-/// Loaded data is untrusted, even with a right checksum: values used to address memory must be listed with `fixed`,
-/// `indices`, `rows` or `check`, and bytewise copies must contain numbers only.
+/// Common part of Saver and Loader. A class lists its members in `serialize(Archive&)`; trivially copyable types
+/// need none. A state is valid for one machine and build only. Loaded data is untrusted, even with a right checksum:
+/// values that address memory must be listed with `fixed`, `indices`, `rows` or `check`, and bytewise copies must
+/// contain numbers only.
 template <class Side>
 class Archive {
  public:
@@ -49,12 +49,12 @@ class Archive {
     (one(values), ...);
   }
 
-  /// Lists that must have the same length when loaded.
+  /// Lists of unchanged length.
   template <class... T>
   void fixed(std::vector<T>&... lists) {
     (one_fixed(lists), ...);
   }
-  /// Indices below `bound`, or pairs of them with a pair of bounds.
+  /// Indices below `bound`, or pairs.
   template <class T, class Bound>
   void indices(std::vector<T>& list, const Bound& bound) {
     one(list);
@@ -120,7 +120,7 @@ class Archive {
     check("the length of a list", [&] { return size == values.size(); });
     elements(values, size);
   }
-  /// Grows element by element, so that an invalid length allocates no memory.
+  /// Grows by element: an invalid length allocates nothing.
   template <class T>
   void elements(std::vector<T>& values, std::size_t size) {
     if constexpr (is_copied<T>) {
@@ -166,7 +166,7 @@ class Saver : public Archive<Saver> {
  public:
   static constexpr bool loads = false;
 
-  /// Saves a value that must be equal when loaded.
+  /// A value that must be equal when loaded.
   template <class T>
   void match(const T& value) {
     T copy = value;
@@ -187,7 +187,7 @@ class Saver : public Archive<Saver> {
   std::string bytes_;
 };
 
-/// Reads values. Throws UsageError for bytes that no Saver wrote for them.
+/// Throws UsageError for invalid bytes.
 class Loader : public Archive<Loader> {
  public:
   static constexpr bool loads = true;
@@ -200,7 +200,7 @@ class Loader : public Archive<Loader> {
     (*this)(found);
     if (!(found == value)) fail("the number of particles or probes");
   }
-  /// Call last: throws UsageError if bytes remain.
+  /// Throws UsageError if bytes remain.
   void finish() const {
     if (!rest_.empty()) fail("its length");
   }
@@ -212,7 +212,7 @@ class Loader : public Archive<Loader> {
     if (size > 0) std::memcpy(to, rest_.data(), size);
     rest_.remove_prefix(size);
   }
-  /// `least`: minimum size of an element, bytes.
+  /// `least`: minimum bytes of an element.
   std::size_t length(std::size_t, std::size_t least) {
     std::uint64_t n = 0;
     bytes(&n, sizeof n);

@@ -10,15 +10,14 @@
 
 namespace taut {
 
-/// Rows of constants. Bit-identical rows are stored once: particles inside a lattice share one.
+/// Rows of constants. Bit-identical rows are stored once.
 template <class T>
 class SharedRows {
  public:
   SharedRows() = default;
-  /// `rows`: expected number of rows.
   explicit SharedRows(int rows) : rows_(static_cast<std::size_t>(rows)) {}
 
-  /// Returns the hash of a row for `add`; may be called in parallel.
+  /// May be called in parallel.
   static std::size_t hash_of(const std::vector<T>& row) {
     return std::hash<std::string_view>()(bytes_of(row));
   }
@@ -39,14 +38,14 @@ class SharedRows {
     return begin;
   }
   const T& operator[](int k) const { return all_[k]; }
-  /// Returns the row that begins at k; an empty row may begin at the end of all rows.
+  /// An empty row may begin at the end of all rows.
   const T* from(int k) const { return all_.data() + k; }
   /// Frees the search table; no `add` may follow.
   void close() { table_ = std::vector<Known>(); }  // {} would keep the capacity
 
  private:
   struct Known {
-    std::size_t hash = 0;  // of the row's bytes
+    std::size_t hash = 0;
     int begin = -1;        // -1 = free
   };
 

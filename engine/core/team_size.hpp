@@ -5,11 +5,10 @@
 
 namespace taut {
 
-/// Chooses the number of threads of the next step: all, or one if more do not help, as on a busy machine. Results do
-/// not depend on it.
-/// After a block of steps on one thread, tries the team and keeps it while it is no slower. Then one thread continues
-/// until the trial has cost 1/`worth` of the time, twice as long after each repeated failure. A trial block ends as
-/// soon as it takes longer than the block on one thread.
+/// Chooses the number of threads of the next step: all, or one if more do not help. Results do not depend on it.
+/// After a block of steps on one thread, tries the team and keeps it while it is no slower. Then one thread
+/// continues until the trial has cost 1/`worth` of the time, twice as long after each repeated failure. A trial
+/// block ends when it takes longer than the block on one thread.
 class TeamSize {
  public:
   explicit TeamSize(int most) : most_(most) {}
@@ -24,7 +23,6 @@ class TeamSize {
     step_took(now - last_);
     last_ = now;
   }
-  /// Records a step of `time`, s.
   void step_took(double time) {
     taken_ += time;
     ++steps_;
@@ -42,7 +40,7 @@ class TeamSize {
   static constexpr int least_steps = 4;         // per block that lasts `long_enough`
   static constexpr double long_enough = 0.1;    // s
   static constexpr int often = 100;             // team blocks between two on one thread
-  static constexpr double worth = 50;           // a failed trial may cost 1/worth of the time
+  static constexpr double worth = 50;           // 1/share of time for failed trials
   static constexpr double most_patience = 1e3;  // blocks
 
   void block_alone_done() {
@@ -71,12 +69,12 @@ class TeamSize {
 
   int most_;
   int single_blocks_ = 1;   // remaining blocks on one thread
-  int block_ = 0;           // steps of the last block on one thread
+  int block_ = 0;           // last block on one thread
   double block_alone_ = 0;  // its duration, s
-  int team_blocks_ = 0;     // team blocks since then
+  int team_blocks_ = 0;     // team blocks since
   double patience_ = 1;     // least `single_blocks_` after a failed trial
-  int steps_ = 0;           // steps of the current block
-  double taken_ = 0;        // its duration so far, s
+  int steps_ = 0;
+  double taken_ = 0;        // s
   double last_ = 0;         // s, end of the last step
 };
 

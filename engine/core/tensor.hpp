@@ -4,12 +4,11 @@
 
 #include "engine/core/pack.hpp"
 
-/// Small vectors and tensors over T = double or Pack. The solver is compiled for several instruction sets and does
-/// not use Eigen, whose fixed-size types change alignment with the instruction set.
+/// Small vectors and tensors over T = double or Pack. Eigen's fixed-size types change alignment with the instruction
+/// set.
 namespace taut {
 
-/// Alignment of members of type T, equal in all builds, so that structs have one layout. Without AVX a bare Pack is
-/// aligned less.
+/// Equal in all builds, so structs have one layout. Without AVX a bare Pack is aligned less.
 template <class T>
 inline constexpr std::size_t alignment_of = sizeof(T) == sizeof(Pack) ? sizeof(Pack) : alignof(T);
 
@@ -55,7 +54,6 @@ Vec<T, 3> cross(const Vec<T, 3>& a, const Vec<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Full tensor, row by row.
 template <class T, int Dim>
 struct Mat {
   alignas(alignment_of<T>) T c[Dim][Dim];
@@ -88,7 +86,7 @@ struct Mat {
   }
 };
 
-/// Symmetric tensor, upper triangle: xx, xy, yy or xx, xy, xz, yy, yz, zz.
+/// Upper triangle: xx, xy, yy or xx, xy, xz, yy, yz, zz.
 template <class T, int Dim>
 struct Sym {
   static constexpr int size = Dim * (Dim + 1) / 2;
@@ -136,7 +134,6 @@ T trace(const Mat<T, Dim>& A) {
   return s;
 }
 
-/// C = Fᵀ F
 template <class T, int Dim>
 Sym<T, Dim> right_cauchy_green(const Mat<T, Dim>& F) {
   Sym<T, Dim> C;
@@ -208,7 +205,7 @@ template <class T, int Dim>
   return product(A, B);
 }
 
-/// A · B, in general not symmetric.
+/// In general not symmetric.
 template <class T, int Dim>
 [[gnu::always_inline]] inline Mat<T, Dim> product(const Sym<T, Dim>& A, const Sym<T, Dim>& B) {
   Mat<T, Dim> C;
@@ -262,8 +259,7 @@ T determinant(const Mat<T, 3>& A) {
          A(0, 2) * (A(1, 0) * A(2, 1) - A(1, 1) * A(2, 0));
 }
 
-/// Tensor cross product [A ⨯ B]_iI = ε_ijk ε_IJK A_jJ B_kK, symmetric in A and B: cof F = ½ F ⨯ F. [Lee2016] below
-/// Eq. 1
+/// [A ⨯ B]_iI = ε_ijk ε_IJK A_jJ B_kK: cof F = ½ F ⨯ F. [Lee2016] below Eq. 1
 template <class T>
 Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
   Mat<T, 3> C;
@@ -279,7 +275,7 @@ Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
   return C;
 }
 
-/// Inverse of a symmetric tensor; 0 if not clearly positive definite, as for a particle without neighbours.
+/// 0 if not clearly positive definite, as without neighbours.
 inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
   const double det = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);
   const double scale = trace(a) * trace(a);

@@ -24,7 +24,7 @@
 namespace taut {
 namespace {
 
-// √4 dp is in range, √5 dp is not
+// between √4 and √5
 constexpr double reach = 2.1;  // dp
 
 /// Least share of e_i that quadratics leave; lattice surfaces leave 0.53, corners 0.
@@ -39,7 +39,7 @@ bool alike(const Snapshot& now, std::size_t i, std::size_t j) {
   return now.material[i] == now.material[j] && now.clamped[i] == now.clamped[j];
 }
 
-/// Similar particles in range, the particle itself first.
+/// The particle itself comes first.
 struct Neighborhoods {
   std::vector<std::size_t> begin;  // [particle + 1]
   std::vector<int> all;
@@ -47,7 +47,7 @@ struct Neighborhoods {
   std::span<int> operator[](std::size_t i) { return {&all[begin[i]], begin[i + 1] - begin[i]}; }
 };
 
-/// Excludes neighbours across a slot: its opening is no zigzag.
+/// The opening of a slot is no zigzag.
 void exclude_across_slots(const Snapshot& start, double spacing, int threads, Neighborhoods& near) {
   const auto squared = [&](int i, int j) {
     const double r = distance_between(start.initial(static_cast<std::size_t>(i)),
@@ -94,7 +94,7 @@ Neighborhoods neighborhoods(const Snapshot& start, double spacing, int threads) 
   return near;
 }
 
-/// [particle of `near`][monomial] up to degree 2, about the first particle, in dp.
+/// [particle of `near`][monomial] up to degree 2, in dp.
 Eigen::MatrixXd quadratics(const Snapshot& start, std::span<const int> near, double spacing) {
   const int dim = start.dim;
   const Point xi = start.initial(static_cast<std::size_t>(near[0]));
@@ -116,17 +116,17 @@ Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
   const Eigen::VectorXd e_i = Eigen::VectorXd::Unit(quadratics.rows(), 0);
   const Gram G = quadratics.transpose().lazyProduct(quadratics);
   const Gram fast = solved_by_gram(G, quadratics.row(0).transpose());
-  // in thin bodies monomials may be dependent
+  // monomials may be dependent
   const Eigen::VectorXd coefficients =
       fast.size() > 0 ? Eigen::VectorXd(fast) : Eigen::VectorXd(least_squares(quadratics, e_i).x);
   const Eigen::VectorXd left = e_i - quadratics.lazyProduct(coefficients);
-  if (left[0] < least_left) return {};  // = |left|², because I − P is a projection
+  if (left[0] < least_left) return {};  // = |left|²
   return kappa / left.norm() * left;
 }
 
-/// Positions about the first particle, rounded to compare equal.
+/// Positions about the first particle, rounded.
 std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, double spacing) {
-  constexpr double fine = 1e6;  // parts of a spacing
+  constexpr double fine = 1e6;
   const Point xi = start.initial(static_cast<std::size_t>(near[0]));
   std::vector<int> places;
   for (const int j : near) {
@@ -137,17 +137,17 @@ std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, 
   return places;
 }
 
-/// Collects the rows. In 3D equal rows share weights, since lattices have few different ones.
+/// In 3D equal rows share weights: lattices have few different ones.
 class Rows {
  public:
-  /// Rows reuse the memory of `near`.
+  /// Reuses the memory of `near`.
   Rows(const Snapshot& start, double spacing, Neighborhoods& near)
       : start_(start), spacing_(spacing), kappa_(scale(start.dim)), near_(near) {}
 
-  /// Part of a row that is made in parallel.
+  /// Made in parallel.
   struct Made {
     std::vector<int> surroundings;           // in 3D
-    std::optional<Eigen::VectorXd> weights;  // none if probably shared
+    std::optional<Eigen::VectorXd> weights;  // none if shared
   };
   /// `near` begins with the particle; sorted in 3D.
   Made make(std::span<int> near) const {
@@ -192,7 +192,6 @@ class Rows {
     return std::hash<std::string_view>()(
         {reinterpret_cast<const char*>(places.data()), places.size() * sizeof(int)});
   }
-  /// Row with equal surroundings, or −1.
   int known(const std::vector<int>& places) const {
     for (auto [at, end] = known_.equal_range(hash_of(places)); at != end; ++at) {
       const auto row = static_cast<std::size_t>(at->second);

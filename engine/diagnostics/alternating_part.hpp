@@ -8,11 +8,10 @@ namespace taut {
 
 /// Alternating part of a field, r_i = Σ_j w_ij q_j, over i and the particles j of its body and material, clamped or
 /// not like i, initially within 2.1 dp. Weights depend on the initial configuration only:
-///   w_i = κ (I − P) e_i / |(I − P) e_i|,
-/// with e_i the unit vector of i and P the projection on quadratic polynomials. Quadratic fields give 0, smooth ones
-/// O(dp⁴), O(dp³) at surfaces, and noise of variance 1 gives κ². κ maps the checkerboard (−1)^(a+b+c) to itself. A
-/// mode that alternates across a surface appears in the second row only, since a parabola fits the three rows within
-/// range of the first. Clamped particles, corners and others with too few neighbours have no row.
+/// w_i = κ (I − P) e_i / |(I − P) e_i|,
+/// with e_i the unit vector of i and P the projection on quadratic polynomials. Smooth fields give O(dp⁴), O(dp³) at
+/// surfaces, noise of variance 1 gives κ². κ maps the checkerboard (−1)^(a+b+c) to itself. Clamped particles,
+/// corners and others with too few neighbours have no row.
 struct AlternatingPart {
   std::vector<int> begin;         // [row + 1] first entry
   std::vector<int> j;             // [entry] particle
@@ -26,15 +25,15 @@ struct AlternatingPart {
 
 AlternatingPart alternating_part(const Snapshot& start, double spacing, int threads = 1);
 
-/// Sums of squares, m² and Pa².
+/// m² and Pa².
 struct SquareSums {
   double x = 0, p = 0, von_mises = 0;
 };
-/// Sums over particles with a row.
+/// Over particles with a row.
 struct AlternatingSums {
-  std::vector<double> x;  // [row] square of the alternating part of x, at most one spacing², m²
-  SquareSums part;        // alternating parts; x at most one spacing each
-  SquareSums whole;       // fields; x is 0
+  std::vector<double> x;  // [row] square of the alternating part, at most one spacing², m²
+  SquareSums part;        // alternating parts
+  SquareSums whole;       // x is 0
 };
 AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing);
 

@@ -7,10 +7,10 @@
 
 namespace taut {
 
-/// A quantity over increasing times, linear between samples.
+/// Linear between samples.
 struct Curve {
   std::span<const double> t, y;
-  bool of_steps = false;  // samples are means since the previous one
+  bool of_steps = false;  // samples are means since the previous sample
 
   std::size_t size() const { return t.size(); }
 };
@@ -20,10 +20,10 @@ Curve finite_part(Curve curve);
 
 double value_at(const Curve& curve, double time);
 
-/// Crossing of `level` between samples k − 1 and k.
+/// Between samples k − 1 and k.
 double crossing_time(const Curve& curve, std::size_t k, double level);
 
-/// Part of a curve between two crossings of a level.
+/// Between two crossings of a level.
 struct HalfCycle {
   double begin, end;
   double peak;  // greatest deviation, a vertex through three samples
@@ -31,21 +31,21 @@ struct HalfCycle {
 };
 
 /// Complete half cycles, from a start at the level or the first crossing. Excursions below 1/20 of the previous peak
-/// are noise or tangency.
+/// are noise.
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level = 0);
 
 /// Mean over whole periods, between two crossings of this mean in the same direction; none without a whole period.
 std::optional<double> mean_of_periods(const Curve& curve);
 
-/// ∫ y dt, exact; begin < end within the curve.
+/// Exact; begin < end within the curve.
 double integral(const Curve& curve, double begin, double end);
 
-/// Returns `begin`, `end` and the sample times of all curves between them.
+/// Returns `begin`, `end` and all sample times between them.
 std::vector<double> joint_times(std::span<const Curve> curves, double begin, double end);
 
-/// RMS of a − b, exact; begin < end within both curves.
+/// Exact RMS of a − b; begin < end within both curves.
 double rms_difference(const Curve& a, const Curve& b, double begin, double end);
-/// RMS with three Gauss points between samples of `a`.
+/// Three Gauss points between samples of `a`.
 double rms_difference(const Curve& a, const std::function<double(double)>& b, double begin, double end);
 
 /// Angle by which (x, y) turns about the origin until `end`, rad, counter-clockwise, with full turns; below half a

@@ -14,7 +14,7 @@
 namespace taut {
 namespace {
 
-/// x, p and s of a particle, padded with zeros.
+/// Padded with zeros.
 template <int Dim>
 struct Fields {
   static constexpr int p = Dim, s = lanes, stored = Dim == 3 ? 6 : 4;
@@ -34,7 +34,7 @@ Fields<Dim> fields_of(const SnapshotView& now, int particle) {
     return {Pack{x[0], x[1], now.p[i]}, load(s)};
 }
 
-/// Returns Σ_j w_ij q_j of a row, for all fields.
+/// Σ_j w_ij q_j of a row.
 template <int Dim>
 Fields<Dim> filtered(const AlternatingView& part, int row, const SnapshotView& now) {
   Fields<Dim> sum{};

@@ -16,9 +16,9 @@ using LatticeSite = std::array<int, 3>;  // plane numbers
 using Vector = Eigen::Vector3d;
 using Corners = std::array<Vector, 8>;  // bit k: upper corner along axis k
 
-/// Plane number of each particle along one axis. Gaps in a body skip a number.
+/// Plane number of each particle along one axis; gaps skip a number.
 std::vector<int> planes(const std::vector<double>& x, double apart) {
-  constexpr double widest = 1.5;  // relative to the least plane distance
+  constexpr double widest = 1.5;  // relative to the least distance
   std::vector<double> sorted = x, first;
   std::ranges::sort(sorted);
   for (const double at : sorted)
@@ -61,7 +61,7 @@ double volume(const Corners& corner) {
   for (unsigned point = 0; point < 8; ++point) {
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
     for (unsigned c = 0; c < 8; ++c) {
-      double value[3];  // hat function of the corner
+      double value[3];  // hat function
       for (unsigned k = 0; k < 3; ++k) {
         const double at = 0.5 + ((point >> k & 1) ? offset : -offset);
         value[k] = (c >> k & 1) ? at : 1 - at;

@@ -9,11 +9,10 @@
 
 namespace taut {
 
-/// The field of a line at one time.
 struct LineSample {
   double time = 0;            // s
-  long step = 0;              // ends at or just after the requested time
-  std::vector<double> value;  // [point], in the field's unit; NaN outside the body
+  long step = 0;
+  std::vector<double> value;  // [point]; NaN outside the body
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -21,18 +20,17 @@ struct LineSample {
   }
 };
 
-/// Point k between `from` and `to`; initial position unless `in_space`.
+/// Initial position of point k unless `in_space`.
 Point line_point(const SampleLine& line, int k);
 double length_of(const SampleLine& line);  // m
 
 class LineRecorder {
  public:
-  /// `support`: radius of interaction, m. Throws SceneError if a line leaves its body.
+  /// `support`: m. Throws SceneError if a line leaves its body.
   LineRecorder(const Scene& scene, const Snapshot& start, double support);
 
-  /// Next time to sample, s; may be infinite.
+  /// s; may be infinite.
   double next() const;
-  /// Records samples due at the time of `now`.
   void sample(const Snapshot& now);
   /// [line][sample].
   const std::vector<std::vector<LineSample>>& samples() const { return samples_; }
@@ -47,7 +45,7 @@ class LineRecorder {
   bool fit_the_scene() const;
 
   using Points = std::vector<std::vector<PointWeight>>;
-  /// At initial positions if `scene` is given, else at current ones.
+  /// At initial positions if `scene` is given.
   Points points_of(const SampleLine& line, const Snapshot& now, const Scene* scene) const;
 
   std::vector<SampleLine> lines_;

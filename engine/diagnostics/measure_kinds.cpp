@@ -13,9 +13,9 @@ namespace taut {
 namespace {
 
 using Source = MeasureSource;
-using Value = std::optional<double>;  // of a reference
+using Value = std::optional<double>;
 
-/// Interval that run and reference cover; none before the run has reached its end.
+/// Interval that run and reference cover; none before the end of the run.
 std::optional<std::pair<double, double>> common_time(const Source& source) {
   if (source.reference.empty()) return std::nullopt;
   const double begin = std::max(source.curve.front().t.front(), source.reference.begin());
@@ -31,7 +31,7 @@ Measured without_common_time(const Source& source) {
   return reached < end ? too_short(end, reached) : none("the run and its reference do not overlap in time");
 }
 
-/// Returns number(half cycles) if there are at least `needed` about the level.
+/// Requires at least `needed` half cycles about the level.
 template <class Number>
 Measured of_half_cycles(const Source& source, std::size_t needed, const Number& number) {
   const Curve& curve = source.curve.front();
@@ -63,7 +63,7 @@ Measured peak_time(const Source& s) {
 }
 
 double decay_of(const std::vector<HalfCycle>& cycles) {
-  const std::size_t periods = (cycles.size() - 1) / 2;  // between peaks of one sign
+  const std::size_t periods = (cycles.size() - 1) / 2;  // peaks of one sign
   return 1 - std::pow(cycles[2 * periods].peak / cycles.front().peak, 1 / static_cast<double>(periods));
 }
 
@@ -114,7 +114,7 @@ Measured path_error(const Source& source) {
   return greatest ? Measured(*greatest) : none("no time of the reference is within the run");
 }
 
-/// Directions right-handed with the axis.
+/// Right-handed with the axis.
 std::pair<Point, Point> directions_across(const Point& axis) {
   const Eigen::Vector3d a(axis.data());
   const Eigen::Vector3d first = a.unitOrthogonal(), second = a.cross(first);
@@ -142,7 +142,6 @@ Measured turn_of_point(const Source& source) {
   return angle ? Measured(*angle) : too_short(source.until, source.curve.front().t.back());
 }
 
-/// Evaluates exact solutions at the run's steps.
 Value turn_of_reference(const Source& source) {
   const ReferenceCurves& reference = source.reference;
   if (reference.empty()) return std::nullopt;
@@ -169,7 +168,7 @@ Value given_then(const Source& source) {
   return source.reference.exact ? source.reference.at(0, source.measure->time) : source.reference_value;
 }
 
-/// Returns none if the extreme is at the end and may still grow (`end_extreme_may_grow`).
+/// None if the extreme is at the end and may still grow.
 Measured extreme(const Source& source, double value) {
   const auto &t = source.curve[0].t, &y = source.curve[0].y;
   if (!source.end_extreme_may_grow || y.back() != value) return value;
@@ -241,7 +240,6 @@ Measured at_rest(const Source& source) {
       (high - low) / size);
 }
 
-/// Reference of a difference.
 Value zero(const Source& source) { return source.reference.empty() ? std::nullopt : Value(0); }
 
 Value as_given(const Source& source) {

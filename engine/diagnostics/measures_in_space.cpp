@@ -29,7 +29,7 @@ struct Site {
   double mass = 0;
 };
 
-/// Subtracts the motion t + ω × X of least Σ m |difference|², in 2D.
+/// Subtracts the motion t + ω × X of least Σ m |difference|².
 void take_plane_motion_off(std::vector<Site>& sites) {
   double mass = 0;
   Point centre{}, mean{};
@@ -113,7 +113,7 @@ namespace {
 
 using Source = MeasureSource;
 
-/// RMS over a line of field − reference and of the reference.
+/// RMS of field − reference and of the reference.
 struct LineSquares {
   double difference = 0, reference = 0;
 };

@@ -35,7 +35,7 @@ class Lattice {
 
   /// Greatest |κ(q)|.
   double greatest_wave_number() const {
-    constexpr int waves = Dim == 2 ? 64 : 32;  // waves per axis, from 0 to π; the maximum is flat
+    constexpr int waves = Dim == 2 ? 64 : 32;  // per axis, from 0 to π; the maximum is flat
     constexpr double step = std::numbers::pi / waves;
     double greatest = 0;
     for (int a = 0; a <= waves; ++a)

@@ -19,7 +19,7 @@ namespace {
 // in spacings
 constexpr double near = 1.5;   // eight neighbours on a square lattice, six on a hexagonal one
 constexpr double far = 4;      // initially, as for contact
-constexpr double reach = 2.5;  // of lists; below `far`, so that they stay empty at small strain
+constexpr double reach = 2.5;  // of lists; below `far`, so they stay empty at small strain
 constexpr double skin = reach - near;
 
 constexpr double shallow(int dim) { return dim == 3 ? 0.41 : 0.29; }  // see penetration.hpp
@@ -45,7 +45,7 @@ struct Around<2> {
   bool leaves_gap() { return widest_gap(directions) > widest_inside; }
 };
 
-/// Unit vectors to the surface points of a 5 × 5 × 5 lattice; one is within 18° of any direction.
+/// To the surface points of a 5 × 5 × 5 lattice; one is within 18° of any direction.
 std::array<Vec<double, 3>, 98> spread_directions() {
   std::array<Vec<double, 3>, 98> all;
   std::size_t n = 0;
@@ -59,7 +59,7 @@ std::array<Vec<double, 3>, 98> spread_directions() {
 
 template <>
 struct Around<3> {
-  std::bitset<98> has_one;  // [direction] a particle lies within half of `widest_inside`
+  std::bitset<98> has_one;  // [direction] a particle is within half of `widest_inside`
 
   void clear() { has_one.reset(); }
   void add(const Vec<double, 3>& d) {
@@ -73,7 +73,7 @@ struct Around<3> {
   bool leaves_gap() const { return !has_one.all(); }
 };
 
-/// Initial vector from i to j, m; exactly antisymmetric, including the sign of zeros.
+/// From i to j, m; exactly antisymmetric, including the sign of zeros.
 template <int Dim>
 Vec<double, Dim> way(const Snapshot& start, int i, int j) {
   return i < j ? place<Dim>(start.x0, j) - place<Dim>(start.x0, i) : -1.0 * way<Dim>(start, j, i);
@@ -99,7 +99,6 @@ std::vector<int> surface_particles(const Snapshot& start, double radius, int thr
   return surface;
 }
 
-/// Particles sorted by cell.
 template <int Dim>
 class Cells {
  public:
@@ -134,7 +133,7 @@ class Cells {
   std::vector<Stored> stored_;  // by cell
 };
 
-/// Particles in the box of `some`, widened by `margin`, m.
+/// In the box of `some`, widened by `margin`, m.
 template <int Dim>
 std::vector<int> particles_around(const Snapshot& now, const std::vector<int>& some, double margin) {
   constexpr double infinite = std::numeric_limits<double>::infinity();

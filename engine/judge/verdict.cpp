@@ -21,7 +21,6 @@ constexpr std::array<std::pair<Verdict, std::string_view>, 5> verdicts = {{
     {Verdict::diverged, "diverged"},
 }};
 
-/// From i to j at positions `x`.
 template <int Dim>
 std::array<double, Dim> between(const std::vector<double>& x, int i, int j) {
   std::array<double, Dim> d;
@@ -151,8 +150,7 @@ double Judge::compliance(const Bond& bond, const Snapshot& now) const {
   return compliance_[now.material[bond.i]] + compliance_[now.material[bond.j]];
 }
 
-/// A crack stretches a bond but not its continuations within 26°. Smooth deformation stretches both, in proportion to
-/// their compliance.
+/// A crack stretches a bond but not its continuations within 26°.
 template <int Dim>
 bool Judge::stands_out(const Bond& bond, const Snapshot& now) const {
   constexpr double jump = 1.5, straight = 0.9;  // of stretches; cosine

@@ -10,13 +10,13 @@
 namespace taut {
 namespace {
 
-constexpr std::size_t most = 4;  // 1 and three components
+constexpr std::size_t most = 4;
 using Basis = std::array<double, most>;
 using Equations = std::array<std::array<double, most + 1>, most>;
 
-/// Solves for the right side in the last column; false if singular.
+/// The right side is the last column; false if singular.
 bool solve(Equations& A, std::size_t n) {
-  constexpr double least_pivot = 1e-9;  // relative; 0 across a line of particles
+  constexpr double least_pivot = 1e-9;  // 0 across a line of particles
   const double scale = A[0][0];
   for (std::size_t k = 0; k < n; ++k) {
     if (!(std::abs(A[k][k]) > least_pivot * scale)) return false;
@@ -36,8 +36,8 @@ Point pitch_on_boundary(const Box& box, double dp, int dim) {
   return pitch;
 }
 
-/// Multilinear weights along the axes of the lattice before reflection and rotation. Empty if the particles around
-/// the point are not on a lattice of this pitch.
+/// Multilinear weights along the unrotated lattice. Empty if the particles around the point are not on a lattice of
+/// this pitch.
 std::vector<PointWeight> point_in_cell(const std::vector<Point>& x, int begin, int end, const Point& at,
                                        const Body& body, double dp, int dim) {
   constexpr double round_off = 1e-9;

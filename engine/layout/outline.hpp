@@ -9,13 +9,13 @@
 
 namespace taut {
 
-/// Faces of all bodies in 2D.
+/// In 2D.
 struct Outline : FaceNodes {
   static constexpr int none = -1;
 
   struct Segment {
     std::array<int, 2> node{};
-    double length = 0;  // in the reference configuration, m
+    double length = 0;  // reference, m
     double sense = 1;   // outward normal: sense (t_y, −t_x), t from first to second node
   };
 

@@ -19,7 +19,7 @@ using Cell = std::array<long, dim>;
 
 bool stands_on_boundary(const Body& body) { return body.on_boundary && body.without.empty(); }
 
-/// Lattice before reflection and rotation; cell n is centred at anchor + (n + ½) pitch.
+/// Unrotated; cell n is centred at anchor + (n + ½) pitch.
 struct Cells {
   Shape first;
   Point anchor{}, pitch{};
@@ -52,7 +52,7 @@ FacePatches own_patches(const Body& body, double dp) {
   return body.shapes.size() == 1 && body.without.empty() ? body.shapes.front()->patches(dp) : FacePatches{};
 }
 
-/// Faces of a body before reflection and rotation.
+/// Before reflection and rotation.
 class Faces {
  public:
   Faces(const Body& laid, double dp) : body_(laid), dp_(dp) {}
@@ -96,7 +96,7 @@ class Faces {
  private:
   // in spacings
   static constexpr double fine = 1e-6, aside = 1e-3, farthest = 1.5, stride = 0.05;
-  static constexpr double least_slope = 0.1;  // squared slope of the height
+  static constexpr double least_slope = 0.1;  // squared
 
   std::optional<Point> descend_to_face(const Point& x) const {
     constexpr int steps = 20;
@@ -182,7 +182,7 @@ class BodyMesh {
  private:
   struct Corner {
     Cell cell{};
-    Point outwards{};  // sum of the cell faces' normals
+    Point outwards{};  // sum of face normals
   };
   struct Node {
     Point x{};
@@ -196,7 +196,7 @@ class BodyMesh {
     }
   }
 
-  /// Makes facets of corners, anticlockwise in the lattice.
+  /// Anticlockwise in the lattice.
   void find_facets() {
     std::vector<Cell> filled;  // [particle]
     for (int i = first_; i < initial_.first[as_index(index_) + 1]; ++i)
@@ -269,7 +269,7 @@ class BodyMesh {
     return faces_.nearest(cells_.corner(cell), cells_.corner(cell, outwards));
   }
 
-  /// Adds nodes at place(k), before reflection and rotation.
+  /// Adds nodes at place(k).
   template <class Place>
   void add_nodes(int number, int threads, const Place& place) {
     const auto make = [&](int k) {

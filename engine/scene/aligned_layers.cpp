@@ -42,7 +42,7 @@ class RoundCube {
   explicit RoundCube(long n) : n_(n) {}
 
   long n() const { return n_; }
-  /// Calls f(p, q, axis, side) for each cell (p, q) of each face; `axis` is the face's normal, `side` its sign.
+  /// Calls f(p, q, axis, side) for each cell (p, q) of each face; `side`: sign.
   template <class F>
   void for_each_cell(const F& f) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -64,7 +64,7 @@ class RoundCube {
     return on_face(axis, side, 2 * p, 2 * q);
   }
 
-  /// Unit vector from the centre to `place`. Adds squares in order of size: symmetric places give the same bits.
+  /// Unit vector to `place`. Adds squares in order of size: symmetric places give the same bits.
   Point direction(const Place& place) const {
     Point way{};
     std::array<double, 3> square{};
@@ -74,11 +74,11 @@ class RoundCube {
     for (double& component : way) component /= length;
     return way;
   }
-  /// Returns the solid angle of a cell, bit-identical for symmetric cells.
+  /// Bit-identical for symmetric cells.
   double solid_angle(long p, long q) const {
     p = std::max(p, n_ - 1 - p), q = std::max(q, n_ - 1 - q);
     if (p < q) std::swap(p, q);
-    // solid angle of the rectangle from the centre of a face to corner (a, b)
+    // of the rectangle from the centre of a face to corner (a, b)
     const auto below = [&](long a, long b) {
       const double x = tangent(2 * a - n_), y = tangent(2 * b - n_);
       return std::atan2(x * y, std::sqrt(1 + x * x + y * y));
@@ -96,7 +96,7 @@ class RoundCube {
 };
 
 RoundCube cube_of(const Ring& shell, double dp) {
-  // side of a square with a sixth of the middle sphere's area
+  // a square with a sixth of the middle sphere's area
   const double side = std::sqrt(4 * pi / 6) * 0.5 * (shell.inner + shell.outer);
   return RoundCube(std::max(1L, std::lround(side / dp)));
 }
@@ -139,7 +139,7 @@ struct Slices {
       at[k] = from[k] + pitches * pitch * along[k] + x[0] * u[k] + x[1] * v[k];
     return at;
   }
-  /// Corner of a cell in the plane of a slice: at the inner radius of `layer`, half a particle before particle `turn`.
+  /// At the inner radius of `layer`, half a particle before particle `turn`.
   Point corner(long layer, long turn) const {
     const double r =
         ring.inner + static_cast<double>(layer) * (ring.outer - ring.inner) / static_cast<double>(layers);

@@ -34,14 +34,14 @@ Bounds bounds_of_placed(const Bounds& box, const Place& place) {
   return all;
 }
 
-/// Closed chain of points on a face, m.
+/// On a face, m.
 using Chain = std::vector<Point>;
 
-/// Faces of a body in 3D: quadrilaterals whose corners lie exactly on the faces.
+/// Quadrilaterals whose corners lie exactly on the faces of a body.
 struct FacePatches {
   struct Patch {
     std::array<int, 4> node{};  // anticlockwise, seen from outside
-    int site = 0;               // index of the site behind it
+    int site = 0;               // behind it
   };
   std::vector<Point> node;  // m
   std::vector<Patch> patches;
@@ -50,10 +50,10 @@ struct FacePatches {
 struct InitialSite {
   Point x{};                      // m
   double V0 = 0;                  // m^dim
-  int turned = -1;                // next site under a round body's symmetry rotation; -1 = none
-  double inside = 1;              // fraction of the cell inside the body
-  std::array<bool, 3> on_face{};  // on a face normal to this axis
-  Point middle{};                 // x without jitter, m; decides membership of regions
+  int turned = -1;                // next site under a symmetry rotation; -1 = none
+  double inside = 1;              // fraction of the cell
+  std::array<bool, 3> on_face{};  // normal to this axis
+  Point middle{};                 // x without jitter, m; for regions
 };
 
 /// Interface of all shapes. Lengths are in m; components beyond `dim` are ignored. A shape can place particles in
@@ -66,33 +66,31 @@ struct ShapeBase {
   /// Whether x is inside, or at most `tolerance` outside.
   virtual bool holds(const Point& x, int dim, double tolerance) const = 0;
   virtual void shift(std::size_t axis, double by) = 0;
-  /// Area or volume, m^dim; an upper bound if not exact.
+  /// m^dim; an upper bound if not exact.
   virtual double measure(int dim) const = 0;
   virtual bool has_exact_measure() const;
-  /// Extent that must hold a whole number of particles, m; 0 = none.
+  /// Extent for a whole number of particles, m; 0 = none.
   virtual double extent_to_divide(int dim) const;
-  /// Centre of reflections and rotations.
+  /// Of reflections and rotations.
   virtual Point middle() const;
-  /// Corner of the lattice if this is the first shape.
+  /// Corner of the lattice.
   virtual Point anchor() const;
-  /// Particles of a body of this shape alone; empty if the lattice fills it.
+  /// Of a body of this shape alone; empty if the lattice fills it.
   virtual std::vector<InitialSite> sites(int dim, double dp) const;
-  /// Faces in 2D: closed chains of points exactly on the faces, about dp apart and at each corner, with the solid on
-  /// the left. Empty in 3D.
+  /// Closed chains of points exactly on the faces, about dp apart and at each corner, with the solid on the left.
+  /// Empty in 3D.
   virtual std::vector<Chain> outline(int dim, double dp) const;
-  /// Outline of a part of a combined shape. Combined parts give their own parts a finer dp, down to `finest`, since
-  /// otherwise each level would multiply the points.
+  /// Combined shapes give their parts a finer dp, down to `finest`: otherwise each level would multiply the points.
   virtual std::vector<Chain> outline_of_part(int dim, double dp, double finest) const;
   /// Faces in 3D, if the shape places its particles.
   virtual FacePatches patches(double dp) const;
-  /// For shapes that rotate the lattice: from lattice to space, from space to lattice, and the bounds of the shape
-  /// along the lattice axes.
+  /// For shapes that rotate the lattice: the maps, and the bounds along the lattice axes.
   virtual Point from_lattice(const Point& x) const;
   virtual Point to_lattice(const Point& x) const;
   virtual Bounds lattice_bounds() const;
 };
 
-/// A shape of any kind; copies share it.
+/// Copies share the shape.
 class Shape {
  public:
   template <std::derived_from<ShapeBase> S>
@@ -103,7 +101,7 @@ class Shape {
         }) {}
 
   const ShapeBase* operator->() const { return base_.get(); }
-  /// Returns nullptr for another kind.
+  /// nullptr for another kind.
   template <class S>
   const S* as() const {
     return dynamic_cast<const S*>(base_.get());

@@ -90,13 +90,13 @@ std::vector<Vec<double, Dim>> middle_velocities(const Particles<Dim>& s, int bod
 
 }  // namespace
 
-/// Throws NumericalError that names the diverged particle with the lowest id.
+/// Names the diverged particle with the lowest id.
 template <int Dim>
 void Common<Dim>::throw_if_diverged() const {
   const double limit = greatest_mach_number * constants.c0,
                of_bodies = greatest_mach_number_of_bodies * constants.c0;
   const std::vector<V> middle = middle_velocities(particles, static_cast<int>(initial.first.size()) - 1);
-  int failed_id = size();  // id
+  int failed_id = size();
   bool of_body = false;
   for (int i = 0; i < size(); ++i) {
     const V relative_velocity = particles.v[i] - middle[particles.body[i]];
@@ -124,7 +124,7 @@ double Common<Dim>::fastest() const {
   return std::sqrt(fastest2);
 }
 
-/// Checks a loaded state: each particle occurs once and has its body and material.
+/// Each particle occurs once and has its body and material.
 template <int Dim>
 bool Common<Dim>::are_of_this_scene() const {
   std::vector<bool> seen(size());
@@ -137,7 +137,7 @@ bool Common<Dim>::are_of_this_scene() const {
   return true;
 }
 
-/// Checks that the positions and velocities of a loaded state are finite.
+/// Positions and velocities are finite.
 template <int Dim>
 bool Common<Dim>::are_numbers() const {
   for (int i = 0; i < size(); ++i)

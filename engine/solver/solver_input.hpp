@@ -13,10 +13,10 @@
 
 namespace taut {
 
-/// Constants of a method by name, from the settings or by default; lengths in m.
+/// By name; lengths in m.
 using ConstantValues = std::map<std::string_view, double>;
 
-/// Returns `all` extended by the constants of a family, whose `rows` take their values from `values`.
+/// Extends `all` by the constants of a family.
 template <class C>
 C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, const ConstantValues& values) {
   C c{all};
@@ -24,20 +24,20 @@ C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, co
   return c;
 }
 
-/// Validated input of a solver.
+/// Validated.
 struct SolverInput {
   const Formulation& method;
   const Scene& scene;
   const InitialParticles& initial;
   Constants constants;
-  std::vector<Elasticity> materials;  // in the order of Scene::materials
-  Law law;                            // for methods with a choice of laws
+  std::vector<Elasticity> materials;  // as Scene::materials
+  Law law;
   ContactLaw contact;                 // never `published`
-  bool keeps_neighbors;  // see FamilyRow; parts of a body that were far apart then interact by contact
+  bool keeps_neighbors;  // see FamilyRow; parts that were far apart then interact by contact
   Stepping stepping;
   int threads;
   InstructionSet kernels{};    // best set allowed
-  ConstantValues values = {};  // constants of the family
+  ConstantValues values = {};  // of the family
 };
 
 }  // namespace taut

@@ -20,7 +20,6 @@ void require_same_size(const Image& a, const Image& b) {
                    "; draw both with the same --size");
 }
 
-/// Window with most differing pixels.
 class DensestWindow {
  public:
   DensestWindow(int width, int height)
@@ -30,7 +29,7 @@ class DensestWindow {
         history_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height_)) {}
 
   void add_row(int row, const std::vector<std::uint8_t>& differs) {
-    // ring buffer of the window's rows
+    // ring buffer of rows
     std::uint8_t* slot = &history_[static_cast<std::size_t>(row % height_) * differs.size()];
     for (std::size_t i = 0; i < differs.size(); ++i) {
       column_sums_[i] += differs[i] - slot[i];

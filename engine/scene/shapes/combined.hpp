@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Combination of shapes, with lattice and middle of the first.
+/// Has the lattice and middle of the first shape.
 struct Combined final : ShapeBase {
   Combination how{};
   std::vector<Shape> shapes;

@@ -97,8 +97,8 @@ class GivenParticles final : public ShapeBase {
   std::vector<Point> places_;
   std::vector<double> volumes_;
   Point by_{};                                               // shift, m
-  Bounds box_;                                               // of the cells
-  double volume_ = 0;                                        // total
+  Bounds box_;
+  double volume_ = 0;
   double size_ = 0;                                          // greatest cell, m
   std::vector<std::pair<std::array<long, 3>, int>> sorted_;  // by search cell
 };

@@ -21,13 +21,13 @@ double distance_to_side(const Point& x, const Point& a, const Point& b) {
   return distance_between(x, {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), 0}, 2);
 }
 
-/// Whether x, on line ab, is strictly between a and b.
+/// x is on line ab.
 bool within(const Point& x, const Point& a, const Point& b) {
   const std::size_t k = std::abs(b[0] - a[0]) > std::abs(b[1] - a[1]) ? 0 : 1;
   return (x[k] - a[k]) * (b[k] - x[k]) > 0;
 }
 
-/// Returns where two sides cross or overlap, not where they touch.
+/// Where two sides cross or overlap, not where they touch.
 std::optional<Point> crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
   const double of_c = turn(a, b, c), of_d = turn(a, b, d), of_a = turn(c, d, a), of_b = turn(c, d, b);
   if (of_c == 0 && of_d == 0) {

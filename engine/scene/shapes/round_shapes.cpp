@@ -10,7 +10,7 @@
 namespace taut {
 namespace {
 
-/// The k-th of n points, symmetric in y to the last bit: angles go from −π to π.
+/// Symmetric in y to the last bit: angles go from −π to π.
 Point on_circle(const Point& centre, double r, long k, long n) {
   const double angle =
       2 * std::numbers::pi * static_cast<double>(2 * k <= n ? k : k - n) / static_cast<double>(n);
@@ -26,7 +26,7 @@ Chain circle(const Point& centre, double r, long n, bool against) {
 
 long number_around(double r, double dp) { return std::max(1L, std::lround(2 * std::numbers::pi * r / dp)); }
 
-/// Number of particles per layer, from the innermost.
+/// Particles per layer, from the innermost.
 std::vector<long> numbers_of(const Ring& ring, double dp) {
   const long layers = std::max(1L, std::lround((ring.outer - ring.inner) / dp));
   const double thickness = (ring.outer - ring.inner) / static_cast<double>(layers);
@@ -43,7 +43,7 @@ std::vector<long> numbers_of(const Ring& ring, double dp) {
 constexpr int sectors = 6;
 long layers_of(const Disc& disc, double dp) { return std::max(0L, std::lround(disc.radius / dp - 0.5)); }
 
-/// Adds `n` particles that share `area`, m²; `fold`: rotational symmetry.
+/// `n` particles share `area`, m²; `fold`: rotational symmetry.
 void add_layer(std::vector<InitialSite>& sites, const Point& centre, double r, long n, double area,
                long fold) {
   const int first = static_cast<int>(sites.size());
@@ -153,7 +153,7 @@ Bounds Cylinder::bounds() const {
   for (std::size_t k = 0; k < 3; ++k) {
     const double along = (to[k] - from[k]) / length();
     const double half =
-        radius * std::sqrt(std::max(0.0, 1 - along * along));  // half width of an end face along k
+        radius * std::sqrt(std::max(0.0, 1 - along * along));  // half width of an end face
     box.low[k] = std::min(from[k], to[k]) - half;
     box.high[k] = std::max(from[k], to[k]) + half;
   }
