@@ -19,8 +19,8 @@ struct FrameView {
   std::span<const double> value;     // in `unit`
   std::span<const double> cell;      // edge vectors, n × dim vectors, m; empty = round
   std::span<const WallFace> walls;
-  std::string_view field;   // "von Mises stress"
-  std::string_view unit;    // "Pa"
+  std::string_view field;  // "von Mises stress"
+  std::string_view unit;   // "Pa"
   std::string_view title;
   std::string_view method;
 };

@@ -11,14 +11,14 @@ inline constexpr std::string_view default_method = "oenog";
 /// [Zhang2024] §5: `dual` caches the pair geometry between advection steps.
 enum class Stepping { dual, single };
 
-/// Upper bound; all sets produce identical bytes.
+/// Upper bound of the instruction set; all sets produce identical bytes.
 enum class InstructionSet { baseline, x86_64_v3, x86_64_v4 };
 
 /// Defaults select the method's published values.
 struct Settings {
   std::string method{default_method};
   std::map<std::string, double> constants;  // by name
-  std::string law;  // of MethodInfo::laws; empty = the first
+  std::string law;                          // of MethodInfo::laws; empty = the first
   Stepping stepping = Stepping::dual;
   double cfl = 0;   // time step × fastest wave speed / h (oenog: / dp); 0 = default
   double step = 0;  // s; 0 = from cfl

@@ -61,7 +61,6 @@ std::string of_several() {
   return names;
 }
 
-/// Throws SceneError.
 void check_materials(const Scene& scene, const InitialParticles& initial, const MethodInfo& method) {
   if (method.several_materials) return;
   const int first = initial.material.front();
@@ -89,14 +88,14 @@ void check_displacements(const Scene& scene, const MethodInfo& method) {
                              "use a method with initial neighbours, such as tl or oenog");
 }
 
-/// Throws SceneError if a particle is behind a wall, or if the shape of an undisplaced body reaches more than
-/// `greatest_depth` spacings behind it. Clamped regions may be inside walls.
+/// Throws SceneError if a particle is behind a wall, or an undisplaced shape more than `greatest_depth` spacings.
+/// Clamped regions may be inside walls.
 void check_walls(const Scene& scene, const InitialParticles& initial) {
   const double dp = scene.spacing;
   for (const Wall& wall : scene.walls) {
     for (int i = 0; i < initial.size(); ++i) {
       const Body& body = scene.bodies[initial.body[i]];
-      Point deep = initial.at_start(i);  // a particle, then the point below it
+      Point deep = initial.at_start(i);
       double height = 0;
       for (std::size_t k = 0; k < 3; ++k) height += (deep[k] - wall.at[k]) * wall.normal[k];
       if (initial.clamped[i] || height > dp) continue;

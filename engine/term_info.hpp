@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Defined below the term's function.
+/// Equation, source, function and test of a term.
 struct TermInfo {
   std::string_view what;      // "stress rate"
   std::string_view formula;   // in Unicode
@@ -13,11 +13,10 @@ struct TermInfo {
   std::string_view test;
 };
 
-/// Source in the method's own paper.
 struct Citation {
-  std::string_view what;    // TermInfo::what
+  std::string_view what;  // TermInfo::what
   std::string_view source;
-  std::string_view test;    // empty = unchanged
+  std::string_view test;  // empty = unchanged
 };
 
 }  // namespace taut

@@ -77,7 +77,6 @@ Projection::Projected Projection::operator()(const Vector& x) const {
 Vector Projection::project_vector(const Vector& way, const Projected& from) const {
   Vector seen{dot(axes_.right, way), dot(axes_.up, way), dot(axes_.back, way)};
   if (distance_ == 0) return seen;
-  // derivative of operator()
   const double nearer = from.scale / distance_ * seen[2];
   seen[0] = seen[0] * from.scale + (from.at[0] - middle_x_) * nearer;
   seen[1] = seen[1] * from.scale + (from.at[1] - middle_y_) * nearer;

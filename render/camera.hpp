@@ -13,19 +13,19 @@ struct Camera {
   Vector from = {1, -2, 1};  // towards the camera, any length
   Vector up = {0, 0, 1};     // y or x if parallel to `from`
   double field_of_view = 0;  // vertical, degrees; 0: parallel projection
-  double front = 0;          // height along `from` where lengths are true, m
+  double front = 0;          // height where lengths are true, m
   bool operator==(const Camera&) const = default;
 };
 
 inline constexpr double greatest_field_of_view = 120;  // degrees
 
-/// Right and up in the picture, towards the camera.
+/// Directions right and up in the picture, and towards the camera.
 struct CameraAxes {
   Vector right, up, back;
 };
 
 CameraAxes axes_of(const Camera& camera);
-/// Degrees: to the right around `up`, then upwards.
+/// Rotates by degrees: to the right around `up`, then upwards.
 Camera orbited(const Camera& camera, double right, double upwards);
 AxesMarker marker_of(const Camera& camera);
 
@@ -36,7 +36,7 @@ class Projection {
  public:
   Projection(const Camera& camera, const View& view);
 
-  /// Right, up and towards the camera, m; the first two are scaled.
+  /// Coordinates to the right, up and towards the camera, m; the first two are scaled.
   struct Projected {
     Vector at;
     double scale;  // projected / true length; not positive behind the camera

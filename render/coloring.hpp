@@ -17,7 +17,7 @@ class Coloring {
   explicit Coloring(const Look& look);
 
   std::uint32_t operator()(double value) const;  // bytes R, G, B, 255
-  /// NaN, and values out of range by more than half a colour step.
+  /// Detects NaN, and values out of range by more than half a colour step.
   OffScale off_scale(double value) const;
   const ColorKey& key() const { return key_; }
 

@@ -9,20 +9,19 @@
 
 namespace taut::render {
 
-/// In no map.
+/// Colour of NaN.
 inline constexpr Rgb not_a_number_color = {255, 0, 255};
 
-/// Evenly spaced, interpolated linearly in sRGB.
+/// Colours interpolated linearly in sRGB.
 struct Colormap {
   std::string_view key;
   std::string_view help;
-  bool diverging;                        // with a neutral middle
+  bool diverging;
   std::span<const std::uint32_t> stops;  // 0xRRGGBB from low to high
 
   /// NaN gives the low end.
   Rgb at(double t) const;
 
-  /// Part [from, to] of the map.
   std::array<Rgb, 256> table(double from = 0, double to = 1) const;
 };
 
@@ -31,7 +30,7 @@ Rgb category_color(std::size_t k);
 
 std::span<const Colormap> colormaps();
 
-/// nullptr for unknown names.
+/// Returns nullptr for unknown names.
 const Colormap* find_colormap(std::string_view key);
 
 }  // namespace taut::render

@@ -10,11 +10,10 @@ namespace taut::render {
 /// Whether balls hide other balls, at the 2 × 2 samples of SolidPainter.
 class Cover {
  public:
-  /// Pixels.
   Cover(int width, int height);
 
   void clear();
-  /// False if in doubt.
+  /// Returns false if in doubt.
   bool hides(const Ball& ball) const;
   void add(const Ball& ball);
 
@@ -23,10 +22,10 @@ class Cover {
   bool hides(const Tiles& tiles, float front) const;
   void update(const Tiles& tiles);
 
-  int width_, height_;            // samples
+  int width_, height_;  // samples
   int tile_columns_, tile_rows_;
-  std::vector<float> depth_;      // covered up to this z, pixels
-  std::vector<float> tile_;       // least depth
+  std::vector<float> depth_;  // covered up to this z, pixels
+  std::vector<float> tile_;   // least depth
 };
 
 }  // namespace taut::render

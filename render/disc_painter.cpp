@@ -12,7 +12,7 @@ namespace {
 constexpr int samples = 2;      // per direction
 constexpr int band_height = 8;  // pixels
 constexpr int tile_width = 16;  // pixels
-constexpr int lanes = 4;        // samples at once, on every x86-64
+constexpr int lanes = 4;
 
 using Floats = float __attribute__((vector_size(4 * lanes)));
 using Ints = std::int32_t __attribute__((vector_size(4 * lanes)));
@@ -26,7 +26,6 @@ Vector loaded(const void* from) {
   return vector;
 }
 
-/// Weight: alpha / 255.
 Colors blended(const Colors& over, const Colors& under, const Ints& alpha) {
   const Ints of256 = alpha + (alpha >> 7);
   const Words a = reinterpret_cast<Words>(of256 | of256 << 16), b = 256 - a;
@@ -36,10 +35,10 @@ Colors blended(const Colors& over, const Colors& under, const Ints& alpha) {
   return reinterpret_cast<Colors>(even | (odd & 0xff00));
 }
 
-/// One row of samples; lengths in samples.
+/// Lengths in samples.
 struct DiscRow {
-  float dy2;    // squared distance
-  float reach;  // of the rim
+  float dy2;  // squared distance
+  float reach;
   float depth;  // per distance
   std::uint32_t color;
 };
@@ -63,14 +62,12 @@ void paint(const DiscRow& row, float x, float* depth, std::uint32_t* color) {
   std::memcpy(color, &new_color, sizeof new_color);
 }
 
-/// Rounded up.
 std::uint32_t mean(std::uint32_t p, std::uint32_t q) {
   constexpr std::uint32_t even = 0x00ff00ff, halves = 0x00010001;
   return ((((p & even) + (q & even) + halves) >> 1) & even) |
          (((((p >> 8) & even) + ((q >> 8) & even) + halves) >> 1) & even) << 8;
 }
 
-/// Centres within `half` of `centre`.
 struct Span {
   int from, to;
 };

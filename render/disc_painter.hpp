@@ -15,14 +15,13 @@ struct Dot {
 };
 
 /// Draws antialiased discs, the same pixels on every machine. Each sample shows the disc with the nearest centre,
-/// measured in radii of the disc: overlapping discs of one size meet in a straight line. Discs are drawn in bands
-/// that fit into the cache.
+/// measured in radii of the disc: overlapping discs of one size meet in a straight line.
 class DiscPainter {
  public:
   /// The plot must be filled with `background`. Nothing else may draw into it.
   explicit DiscPainter(const Rect& plot, Rgb background = white);
 
-  /// In place of the previous discs.
+  /// Replaces the previous discs.
   void draw(Image& image, std::span<const Dot> discs);
 
  private:
@@ -38,15 +37,15 @@ class DiscPainter {
   std::size_t sample(int column, int row) const { return static_cast<std::size_t>(row) * stride_ + column; }
 
   Rect plot_;
-  std::uint32_t background_;             // bytes B, G, R, 255
+  std::uint32_t background_;  // bytes B, G, R, 255
   int bands_, tiles_;
-  std::size_t stride_;                   // from one row to the next
-  std::vector<std::uint32_t> end_;       // 0, then the end of each band in `sorted_`
-  std::vector<std::uint32_t> sorted_;    // by band
-  std::vector<std::uint32_t> color_;     // bytes B, G, R, 255
-  std::vector<float> depth_;             // from the nearest centre, 0 to 1
-  std::vector<std::uint8_t> touched_;    // in the band
-  std::vector<std::uint8_t> was_drawn_;  // in the plot
+  std::size_t stride_;
+  std::vector<std::uint32_t> end_;     // 0, then the end of each band in `sorted_`
+  std::vector<std::uint32_t> sorted_;  // by band
+  std::vector<std::uint32_t> color_;   // bytes B, G, R, 255
+  std::vector<float> depth_;           // 0 to 1
+  std::vector<std::uint8_t> touched_;
+  std::vector<std::uint8_t> was_drawn_;
 };
 
 }  // namespace taut::render

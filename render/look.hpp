@@ -9,11 +9,11 @@
 
 namespace taut::render {
 
-/// Pixels.
+/// Picture sides, pixels.
 inline constexpr int least_size = 64;
 inline constexpr int greatest_size = 8192;
 
-/// Drawn / true diameter.
+/// Ratio drawn / true diameter.
 inline constexpr double least_glyph = 0.05;
 inline constexpr double greatest_glyph = 20;
 
@@ -29,16 +29,16 @@ struct Size {
 
 /// Appearance of pictures. Members without a value are open, and must be set before drawing.
 struct Look {
-  std::optional<View> view;            // in 3D of the picture plane
+  std::optional<View> view;
   std::optional<Camera> camera{};      // only in 3D
   std::optional<Range> range;          // values outside are clamped
   const Colormap* colormap = nullptr;  // nullptr: open
   double middle = 0;                   // of a diverging map
   std::string unit{};                  // determines the width of numbers
-  std::optional<Size> size = Size{};   // least_size to greatest_size
-  bool bare = false;                   // only particles
-  PageTexts texts{};                   // unless bare
-  double glyph = 1;                    // drawn / true diameter
+  std::optional<Size> size = Size{};
+  bool bare = false;  // only particles
+  PageTexts texts{};  // unless bare
+  double glyph = 1;   // drawn / true diameter
   Rgb background = white;
   /// Values then count from 0, a legend replaces the bar, range and colour map may be open.
   std::vector<std::string> categories{};

@@ -15,14 +15,14 @@ struct Heading {
   std::string title, note;
 };
 
-/// Rows and columns with equal colours and scales.
+/// Pictures with equal colours and scales.
 struct PanelOptions {
-  Look look;                // an open size is chosen, legible at 1:1
-  std::string title, note;  // of all pictures
+  Look look;  // an open size is chosen, legible at 1:1
+  std::string title, note;
   std::string field, unit;
   std::vector<Heading> columns;
   std::vector<std::string> rows;  // "t = 3 ms"
-  int width = 0;                  // of the page, pixels; 0: legible at 1:1
+  int width = 0;                  // pixels; 0: legible at 1:1
 };
 
 class Panel {
@@ -34,7 +34,6 @@ class Panel {
 
   void draw(int column, int row, const FrameView& particles);
   void write_corner(int column, int row, const std::string& text);
-  /// In a picture without particles.
   void write_middle(int column, int row, const std::string& text);
   const Image& finish();
 

@@ -70,8 +70,8 @@ void check_room(const Look& look) {
   constexpr int least = 16;  // pixels
   if (plot.width < least || plot.height < least)
     throw UsageError(
-        fmt::format("texts of {:.0f} pixels leave no room in a picture of {}x{}; use a smaller font, a "
-                    "larger picture or fewer texts",
+        fmt::format("texts of {:.0f} pixels leave no room in a picture of {}x{}; "
+                    "use a smaller font, a larger picture or fewer texts",
                     look.texts.font, look.size->width, look.size->height));
 }
 
@@ -114,11 +114,11 @@ struct Renderer::Parts {
   PageLayout layout;
   Image image;
   std::optional<Projection> projection;
-  std::optional<DiscPainter> disc_painter;    // if only discs
-  std::optional<GlContext> context;           // on demand
-  std::optional<SolidPainter> solid_painter;  // also for 2D cells
-  std::optional<Annotation> annotation;       // not in small pictures
-  std::optional<Canvas> canvas;               // for 2D walls
+  std::optional<DiscPainter> disc_painter;  // if only discs
+  std::optional<GlContext> context;         // on demand
+  std::optional<SolidPainter> solid_painter;
+  std::optional<Annotation> annotation;  // not in small pictures
+  std::optional<Canvas> canvas;
   Rgb background;
   double glyph;
   std::vector<Dot> discs;
@@ -172,7 +172,7 @@ void Renderer::Parts::place_discs(const FrameView& frame) {
     const double y = layout.row(frame.x[2 * i + 1]);
     const double size = 0.5 * glyph * frame.diameter[i] * layout.pixels_per_metre;
     const double radius = drawn_radius(size);
-    const double reach = radius + 1;  // with its rim
+    const double reach = radius + 1;
     // false for NaN
     const bool seen = size > 0 && x > -reach && x < width + reach && y > -reach && y < height + reach;
     if (!seen) continue;

@@ -25,7 +25,6 @@ class Renderer {
   /// Valid until the next call. Equal frames give equal bytes. Particles with a position or size that is not finite
   /// are omitted.
   const Image& draw(const FrameView& frame);
-  /// In the last picture.
   const OffScale& off_scale() const;
 
  private:

@@ -75,7 +75,6 @@ void Solids::place_balls(const FrameView& frame, const Projection& projection,
   drop_hidden();
 }
 
-/// From front to back.
 void Solids::drop_hidden() {
   constexpr std::size_t few = 2000;  // below, drawing all is faster
   if (balls_.size() < few) return;
@@ -128,7 +127,6 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
       if (!(length > 0)) continue;
       const double side = normal[2] < 0 ? -1 : 1;  // towards the camera
       for (double& component : normal) component *= side / length;
-      // the nearer face
       const double towards = dot(half[k], normal) < 0 ? -1 : 1;
       add_face(sum(centre, half[k], towards), a, b,
                dimmed(colors[i], light_on(static_cast<float>(normal[0]), static_cast<float>(normal[1]),
@@ -139,7 +137,7 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
 
 void Solids::place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color) {
   if (frame.walls.empty()) return;
-  constexpr double cells = 7;  // minimum per picture
+  constexpr double cells = 7;
   const double scale = layout_.pixels_per_metre;
   const double cell = nice_length(std::min(layout_.plot.width, layout_.plot.height) / scale / cells);
   std::vector<Vector> seen;
@@ -152,7 +150,7 @@ void Solids::place_walls(const FrameView& frame, const Projection& projection, s
     for (const auto& [from, to] : grid_on(wall, seen, cell)) add_line(from, to, projection, color);
 }
 
-/// Short pieces of constant width, in front of the camera.
+/// Adds short pieces of constant width, in front of the camera.
 void Solids::add_line(const Vector& from, const Vector& to, const Projection& projection,
                       std::uint32_t color) {
   constexpr int pieces = 16;

@@ -12,24 +12,22 @@
 
 namespace taut::render {
 
-/// Picture coordinates.
+/// Particles in picture coordinates.
 class Solids {
  public:
-  /// Drawn / true diameter.
   explicit Solids(const PageLayout& layout, double glyph = 1)
       : layout_(layout), glyph_(glyph), cover_(layout.plot.width, layout.plot.height) {}
 
   /// Omits hidden spheres.
   void place_balls(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
-  /// Shaded faces towards the camera.
   void place_boxes(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
   /// Lines on 3D walls, except where a particle hides them.
   void place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color);
   void place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors);
 
-  /// Reach into the picture, including hidden ones.
+  /// Particles that reach into the picture, including hidden ones.
   std::span<const std::size_t> placed() const { return placed_; }
   std::span<const Ball> balls() const { return balls_; }
   std::span<const Corner> corners() const { return corners_; }
@@ -50,8 +48,8 @@ class Solids {
   Cover cover_;
 };
 
-/// Pixels. Gaps narrower than a pixel cause moiré: small particles grow, by less than 0.7 pixel, and below a
-/// diameter of 2 pixels fill a square.
+/// Drawn radius, pixels. Gaps narrower than a pixel cause moiré: small particles grow, by less than 0.7 pixel, and
+/// below a diameter of 2 pixels fill a square.
 double drawn_radius(double radius);
 
 }  // namespace taut::render

@@ -14,10 +14,9 @@ namespace taut {
 template <int Dim>
 class BodyPairs {
  public:
-  /// Lists pairs up to reach + skin, m.
   BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
-  double lasts_for() const { return 0.5 * skin_; }  // m, valid path of the fastest particle
+  double lasts_for() const { return 0.5 * skin_; }  // m, path of the fastest particle
 
   void search(const Particles<Dim>& s) {
     choose_candidates(s);
@@ -27,7 +26,7 @@ class BodyPairs {
     const std::vector<int>& order = grid_.sort(x_, reach_);
     stored_.resize(x_.size());
     for (std::size_t k = 0; k < order.size(); ++k) stored_[k] = candidates_[order[k]];
-    int next = 0;  // next list to begin
+    int next = 0;
     for (const int i : candidates_) {
       while (next <= i) begin[next++] = static_cast<int>(j.size());
       const auto from = static_cast<std::ptrdiff_t>(j.size());
@@ -71,7 +70,7 @@ class BodyPairs {
   double reach_, skin_;  // m
   CellGrid<Dim> grid_;
   std::vector<int> candidates_;  // ascending
-  std::vector<int> stored_;      // in grid order
+  std::vector<int> stored_;
   std::vector<Vec<double, Dim>> x_;
 };
 

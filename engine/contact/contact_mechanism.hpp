@@ -17,8 +17,8 @@ class FacetContacts;
 template <int Dim>
 using ContactsOfFaces = std::conditional_t<Dim == 3, FacetContacts, FaceContacts>;
 
-/// Contact between particles (pair_contacts.hpp), between faces (face_contacts.hpp, in 3D facet_contacts.hpp), or
-/// none. A search lists candidates, the geometry selects those that touch, a law gives the force, energy or impulse.
+/// Contact between particles, between faces, or none. A search lists candidates, the geometry selects those that
+/// touch, a law gives the force, energy or impulse.
 template <int Dim>
 class ContactMechanism {
  public:
@@ -42,7 +42,6 @@ class ContactMechanism {
                         std::vector<V>& /*force*/, int /*threads*/) {}
   virtual double energy(const Particles<Dim>&, const WallContacts<Dim>&) { return 0; }
   virtual double stiffening() const { return 1; }
-  /// Force of body `b` or of a wall on body `a`.
   virtual V between(const Particles<Dim>& /*particles*/, int /*a*/, int /*b*/) const { return {}; }
   virtual V of_wall(const Particles<Dim>& /*particles*/, int /*a*/, int /*wall*/,
                     const WallContacts<Dim>& /*walls*/) const {

@@ -12,7 +12,7 @@ namespace taut {
 
 namespace {
 
-/// K + 4G/3 at a node, Pa; between two materials, the weighted mean.
+/// K + 4G/3 at a node, Pa; a mean between two materials.
 double modulus(const Outline& outline, int node, const SolverInput& input) {
   double sum = 0, weights = 0, least = std::numeric_limits<double>::infinity(), most = 0;
   for (int k = outline.begin[node]; k < outline.begin[node + 1]; ++k) {
@@ -73,7 +73,7 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
     // a sharp end may be touched from beyond
     const auto is_sharp = [&](int l) { return faces_.has_sharp_end(l); };
     if (distance2[nearest] >= power<2>(reach * dp_) && std::ranges::none_of(segments, is_sharp)) continue;
-    faces_.measure(n, segments[nearest], closest);  // excludes most others
+    faces_.measure(n, segments[nearest], closest);
     for (std::ptrdiff_t l = 0; l < std::ssize(segments); ++l)
       if (l != nearest && (distance2[l] < closest.rank * closest.rank || is_sharp(segments[l])))
         faces_.measure(n, segments[l], closest);
@@ -97,7 +97,7 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
 }
 
 /// Calls f(node, wall, depth, area, k) for each node behind a wall. The depth below the mirror image is twice the
-/// depth in the wall. Half of the energy belongs to the node.
+/// depth in the wall.
 template <class F>
 void FaceContacts::for_each_wall(const WallContacts<2>& walls, const F& f) const {
   for (const auto& [n, wall] : candidates_.near_wall) {
@@ -153,7 +153,7 @@ double FaceContacts::energy(const Particles<2>& s, const WallContacts<2>& walls)
     });
   }
   for_each_wall(walls, [&](int, int, double depth, double area, double k) {
-    sum += surface_energy(depth, area, k);  // 2 passes, half of their energy
+    sum += surface_energy(depth, area, k);  // half of the energy belongs to the image
   });
   return sum;
 }

@@ -15,8 +15,8 @@
 namespace taut {
 
 /// Contact between overlapping faces in 2D (terms/surface_contact.hpp). Each node is pushed towards its closest
-/// point of the other face; its force is weighted by the length of its sides over that face. Conserves linear and
-/// angular momentum. Conserves energy, except where facing_share changes at a corner that turns.
+/// point of the other face, weighted by the length of its sides over that face. Conserves linear and angular
+/// momentum. Conserves energy, except where facing_share changes at a corner that turns.
 class FaceContacts final : public ContactMechanism<2> {
  public:
   using V = Vec<double, 2>;
@@ -33,7 +33,7 @@ class FaceContacts final : public ContactMechanism<2> {
   V between(const Particles<2>& s, int a, int b) const override;
   V of_wall(const Particles<2>& s, int a, int wall, const WallContacts<2>& walls) const override;
 
-  /// Least distance between nodes and faces of two bodies, m, negative if they overlap; at most `reach`.
+  /// Least distance between nodes and faces, m, negative if they overlap; at most `reach`.
   double gap(const Particles<2>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<2>& walls) override {
@@ -68,8 +68,8 @@ class FaceContacts final : public ContactMechanism<2> {
   std::vector<double> M_;  // [node] K + 4G/3, Pa
   FaceCandidates candidates_;
   // [node] N; two sums, for the same order of additions in mirrored bodies
-  std::vector<V> own_force_;  // from the same body
-  std::vector<V> reaction_;   // from other bodies
+  std::vector<V> own_force_;
+  std::vector<V> reaction_;
 };
 
 }  // namespace taut

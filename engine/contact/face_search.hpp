@@ -11,7 +11,7 @@
 
 namespace taut {
 
-/// Nodes with near segments of one body each: segment[begin[k]] … segment[begin[k + 1] − 1], ascending.
+/// Nodes with near segments of one body: segment[begin[k]] … segment[begin[k + 1] − 1].
 struct NearFaces {
   std::vector<int> node, begin{0}, segment;
 

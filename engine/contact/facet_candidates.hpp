@@ -31,7 +31,6 @@ class FacetCandidates {
     for (int f = 0; f < facets.size(); ++f) normal_.push_back(facets[f].normal);
   }
 
-  /// Both orders, ascending.
   std::vector<std::pair<int, int>> pairs, near_wall;
 
   bool search(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls,
@@ -66,14 +65,14 @@ class FacetCandidates {
 
  private:
   // in spacings
-  static constexpr double skin = 1.4;        // longer: fewer searches, more pairs
+  static constexpr double skin = 1.4;
   static constexpr double horizon = 4.25;    // search range
-  static constexpr double cluster = 4;       // width of the clusters (FacetPairs)
-  static constexpr double far_apart = 4;     // initial distance along a bending face or across a gap
-  static constexpr double far_inside = 8;    // initial distance through the body
+  static constexpr double cluster = 4;       // cluster width (FacetPairs)
+  static constexpr double far_apart = 4;     // initial, along a face or across a gap
+  static constexpr double far_inside = 8;    // initial, through the body
   static constexpr double flat = 1e-6;       // round-off
-  static constexpr double aside = 0.5;       // greatest cosine of the normals of a candidate
-  static constexpr double turn_slack = 0.5;  // for rotation about the particles
+  static constexpr double aside = 0.5;       // greatest cosine of the normals
+  static constexpr double turn_slack = 0.5;  // for rotation about particles
 
   void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
     constexpr double margin = horizon + 2;  // 2: distance of two particles from faces
@@ -98,8 +97,8 @@ class FacetCandidates {
     own_bound_.restart(find<PairsOf::one_body>(facets, near_.order(), wanted, own_), particle_places_);
   }
 
-  /// Returns by how much the nearest unlisted pair may approach, m. Facets with similar normals are skipped: they
-  /// would have to turn by 44° to interact (facing_share), which takes longer than until the next search.
+  /// Returns by how much the nearest unlisted pair may approach, m. Skips facets with similar normals: they would
+  /// have to turn by 44° to interact (facing_share).
   template <PairsOf kind, class Wanted>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Wanted& wanted,
               std::vector<std::pair<int, int>>& list) {
@@ -134,12 +133,12 @@ class FacetCandidates {
     std::merge(others_.begin(), others_.end(), own_.begin(), own_.end(), std::back_inserter(pairs));
   }
 
-  double dp_, reach_;                 // m
+  double dp_, reach_;  // m
   bool meets_itself_, meets_others_;
   FacetPairs near_;
   std::vector<int> nodes_;          // all
   std::vector<V> normal_;           // [facet] initial
-  std::vector<V> particle_places_;  // [facet] position of the particle behind it, m
+  std::vector<V> particle_places_;  // [facet] m
   std::vector<std::pair<int, int>> others_, own_, found_;
   MotionBound<3> others_bound_, own_bound_;
 };

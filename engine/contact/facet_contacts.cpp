@@ -97,8 +97,7 @@ void FacetContacts::for_each_pair(int row, const int* first, int count, const F&
 }
 
 /// Calls f(facet, wall, depth, projected share, k) for each facet behind a wall. The depth below the mirror image is
-/// twice the depth in the wall. Half of the energy belongs to the facet. Walls do not harden, since nothing
-/// penetrates them.
+/// twice the depth in the wall. Walls do not harden, since nothing penetrates them.
 template <class F>
 void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) const {
   for (const auto& [facet, wall] : candidates_.near_wall) {
@@ -110,7 +109,6 @@ void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) cons
   }
 }
 
-/// Updates facets and the touch of each row.
 void FacetContacts::place(const Particles<3>& s) {
   facets_.place(s, nodes_, watched_, threads_);
   near_.resize(other_.size());
@@ -208,7 +206,7 @@ double FacetContacts::energy(const Particles<3>& s, const WallContacts<3>& walls
     sum += hard_energy(-touches_[r].height, area_of(rows_[r].facet) * covered_share(touches_[r].cover),
                        touches_[r].k, dp_);
   for_each_wall(walls, [&](int facet, int, double depth, double share, double k) {
-    // 2 passes, half of their energy
+    // half of the energy belongs to the image
     sum += surface_energy(depth, area_of(facet) * share, k);
   });
   return sum;

@@ -45,9 +45,9 @@ class FacetContacts final : public ContactMechanism<3> {
 
  private:
   // in spacings
-  static constexpr double before = 1, behind = 1.5;  // range in front of and behind a facet
-  static constexpr double radius = 1.5;              // lateral range
-  static constexpr double apart = 2.13;              // √(behind² + radius²)
+  static constexpr double before = 1, behind = 1.5;
+  static constexpr double radius = 1.5;  // lateral range
+  static constexpr double apart = 2.13;  // √(behind² + radius²)
   double reach_at(double p) const { return (p < 0 ? behind : before) * dp_; }
 
   struct Row {
@@ -95,10 +95,10 @@ class FacetContacts final : public ContactMechanism<3> {
   std::vector<double> M_;  // [facet] K + 4G/3, Pa
   FacetCandidates candidates_;
 
-  std::vector<Row> rows_;           // by facet, then body
-  std::vector<int> begin_, other_;  // [row] rows of near facets
-  std::vector<Touch> touches_;      // [row]
-  std::vector<int> near_;           // rows of `other_` in range, from the same index on
+  std::vector<Row> rows_;
+  std::vector<int> begin_, other_;
+  std::vector<Touch> touches_;  // [row]
+  std::vector<int> near_;
   std::vector<MovingFacets::Slope> slopes_;  // [row]
   std::vector<int> watched_;                 // ascending
   std::vector<int> nodes_;                   // of `watched_`

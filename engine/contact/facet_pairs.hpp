@@ -25,7 +25,7 @@ struct FacetColumns {
 };
 
 /// Finds midpoints among first … last − 1 nearer to facet p than √near2, initially farther than √far2, with normals
-/// below `cosine`. Returns their number.
+/// below `cosine`.
 inline int find_near_facets(const FacetColumns& facets, int p, int first, int last, double near2, double far2,
                             double cosine, int* found, double* distance2) {
   int count = 0;
@@ -47,7 +47,7 @@ inline int find_near_facets(const FacetColumns& facets, int p, int first, int la
   return count;
 }
 
-/// Finds pairs of near facets with different normals. Compares clusters of facets first, then single facets.
+/// Finds pairs of near facets with different normals, first by clusters of facets.
 class FacetPairs {
  public:
   using V = Vec<double, 3>;
@@ -78,13 +78,13 @@ class FacetPairs {
 
   int size() const { return static_cast<int>(body_.size()); }
   const std::vector<int>& order() const { return order_; }
-  const V& start(int facet) const { return start_[facet]; }  // initial midpoint, m
+  const V& start(int facet) const { return start_[facet]; }  // m
   const std::vector<int>& bodies() const { return body_; }   // [facet]
 
   struct Limits {
     double listed, horizon;  // m
-    double far;              // initial distance in one body, m
-    double cosine;           // greatest cosine of normals
+    double far;              // initial distance, m
+    double cosine;           // greatest
   };
   /// Calls found(f, g) once for each pair `wanted(f, g)` nearer than `listed`. Returns the distance of the nearest
   /// other one, m, up to `horizon`. `candidates`: in `order()`.
@@ -110,7 +110,7 @@ class FacetPairs {
  private:
   struct Cluster {
     V low, high;    // m
-    V normal;       // mean of the normals
+    V normal;       // mean
     double spread;  // greatest deviation from `normal`
   };
 
@@ -194,7 +194,7 @@ class FacetPairs {
   std::vector<int> near_;
   std::vector<double> distance2_;  // m²
   std::vector<int> of_body_;
-  std::vector<int> begin_;  // [cluster] first candidate
+  std::vector<int> begin_;
   std::vector<Cluster> clusters_;
 };
 

@@ -32,7 +32,7 @@ class MotionBound {
     return 2 * gone_ <= free_;
   }
 
-  /// `x`: positions before that motion. If false, search.
+  /// Returns false if a search is needed.
   bool still_holds(const std::vector<V>& x, const std::vector<int>& body, double way) {
     gone_ = 0;
     const std::size_t n = x.size();

@@ -18,11 +18,11 @@ struct FacingHalf {
   int side = Outline::none;
   double half = 0;                   // initial, m
   double share = 0, slope = 0;       // facing_share and its slope
-  std::array<double, 2> at{};        // crossing of segment ends: 0 at the node, 1 at its other end
+  std::array<double, 2> at{};        // crossing of segment ends, 0 at the node
   std::array<double, 2> over{1, 1};  // share of the half within each end
-  std::array<double, 2> rise{};      // slope of `over` in `at`
+  std::array<double, 2> rise{};      // slope of `over`
   double past = 1;                   // 1 − facing_share of the next face
-  double past_slope = 0;             // slope of `past`
+  double past_slope = 0;
   int next = Outline::none;
 
   double covered() const { return over[0] * over[1]; }
@@ -31,7 +31,7 @@ struct FacingHalf {
 
 struct ClosestPoint {
   int node = Outline::none, segment = Outline::none;
-  double xi = 0;                                          // from the first end
+  double xi = 0;
   double distance2 = 0;                                   // m²
   double rank = std::numeric_limits<double>::infinity();  // m; least wins
   double weight = 1;                                      // 0.5 for two equally near segments
@@ -95,7 +95,7 @@ class MovingFaces {
     normal_[k] = {factor * t[1], -factor * t[0]};
   }
   const std::vector<V>& places() const { return place_; }  // [node] m
-  /// Position of the main particle of each node, m.
+  /// Positions of the main particles, m.
   void follow(const Particles<2>& s, std::vector<V>& x) const {
     x.clear();
     for (const int share : main_share_) x.push_back(s.x[stored_[share]]);
@@ -112,7 +112,6 @@ class MovingFaces {
 
   bool has_sharp_end(int k) const { return sharp_[k][0] || sharp_[k][1]; }
 
-  /// m².
   double distance2(int node, int k) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -140,8 +139,7 @@ class MovingFaces {
 
   /// Replaces `best` by the closest point of segment k if the node faces it and the rank is lower. The rank is the
   /// distance plus up to half a length for obliquely facing sides: the face in front pushes a corner back, not the
-  /// one beside it. A node beyond a sharp end acts with the length of its side over the segment and with the depth
-  /// of the side at that end.
+  /// one beside it. Beyond a sharp end a node acts with the length and depth of its side.
   void measure(int node, int k, ClosestPoint& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -158,7 +156,7 @@ class MovingFaces {
     one = facing_half(closest, outline_.beside[node][0]);
     two = facing_half(closest, outline_.beside[node][1]);
     if (!(closest.area() > 0)) return;
-    if (is_beyond(closest)) (one.area() > two.area() ? two : one) = {};  // it enters over the end
+    if (is_beyond(closest)) (one.area() > two.area() ? two : one) = {};
     const double straight = std::max(one.share, two.share);
     const double distance =
         is_beyond(closest) ? std::abs(touch(closest).depth) : std::sqrt(closest.distance2);
@@ -167,7 +165,7 @@ class MovingFaces {
   }
 
   struct Touch {
-    double depth;  // m, negative in front
+    double depth;  // m
     V out;
   };
   /// At blunt ends the mean normal of both segments tells the inside.
@@ -245,7 +243,7 @@ class MovingFaces {
     for (const int e : {0, 1}) {
       if (!sharp_[k][e]) continue;
       h.at[e] = -dot(t, place_[node] - place_[ends[e]]) / along;
-      const bool ahead = (along > 0) == (e == 0);  // the side enters over this end
+      const bool ahead = (along > 0) == (e == 0);
       const double u = std::clamp(ahead ? 1 - 2 * h.at[e] : 2 * h.at[e], 0.0, 1.0);
       h.over[e] = u * u * (3 - 2 * u);  // flat at 0 and 1, so that equal faces do not slide
       h.rise[e] = (ahead ? -12 : 12) * u * (1 - u);
@@ -258,7 +256,6 @@ class MovingFaces {
     return h;
   }
 
-  /// Depth of a side at end e, m.
   double depth_at(const ClosestPoint& closest, const FacingHalf& h, int e) const {
     const V place = place_[closest.node] + h.at[e] * way(closest.node, h.side);
     return -dot(place - place_[outline_.segments[closest.segment].node[e]], closest.normal);
@@ -330,8 +327,8 @@ class MovingFaces {
 
   Outline outline_;
   std::vector<std::array<bool, 2>> sharp_;  // [segment][end]
-  std::vector<int> stored_;                 // [share] storage index
-  std::vector<int> main_share_;             // [node] share of the main particle
+  std::vector<int> stored_;                 // [share]
+  std::vector<int> main_share_;             // [node]
   std::vector<V> place_;                    // [node] m
   std::vector<V> normal_;                   // [segment]
 };

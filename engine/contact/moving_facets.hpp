@@ -19,7 +19,7 @@ inline std::vector<int> indices_of(const std::vector<char>& seen) {
   return indices;
 }
 
-/// Current facets of layout/surface_mesh.hpp. Forces on facets go to nodes and particles by the nodes' weights.
+/// Current facets of layout/surface_mesh.hpp. Forces on facets go to particles by the weights of the nodes.
 class MovingFacets {
  public:
   using V = Vec<double, 3>;
@@ -49,7 +49,6 @@ class MovingFacets {
       for (const int node : mesh_.facets[facet].node) seen[node] = true;
     return indices_of(seen);
   }
-  /// Ascending.
   std::vector<int> particles_of(const std::vector<int>& nodes) const {
     std::vector<char> seen(stored_.empty() ? 0 : 1 + *std::ranges::max_element(stored_));
     for (const int node : nodes) for_each_share(node, [&](int i, double) { seen[i] = true; });
@@ -71,7 +70,6 @@ class MovingFacets {
     for (const int i : particle_of_facet_) x.push_back(s.x[i]);
   }
 
-  /// `nodes`: all nodes of `facets`.
   void place(const Particles<3>& s, const std::vector<int>& nodes, const std::vector<int>& facets,
              int threads) {
     parallel_for(static_cast<int>(nodes.size()), threads, [&](int k) {
@@ -83,7 +81,6 @@ class MovingFacets {
   }
   const Place& operator[](int facet) const { return place_[facet]; }
 
-  /// f(i, weight) for stored particles of a node.
   template <class F>
   void for_each_share(int node, const F& f) const {
     for (int k = mesh_.begin[node]; k < mesh_.begin[node + 1]; ++k) f(stored_[k], mesh_.shares[k].weight);

@@ -40,7 +40,7 @@ class OwnPairs {
     return true;
   }
 
-  /// j[begin[i]] … j[begin[i + 1] − 1] for stored particle i; may both be empty.
+  /// j[begin[i]] … j[begin[i + 1] − 1] for stored particle i.
   std::vector<int> begin, j;
 
   template <class Archive>
@@ -55,7 +55,7 @@ class OwnPairs {
 
  private:
   // in spacings
-  static constexpr double skin = 1;       // longer: fewer searches, more pairs
+  static constexpr double skin = 1;
   static constexpr double horizon = 4;    // search range
   static constexpr double far_apart = 4;  // opposite faces of a thinner wall do not interact
 
@@ -96,7 +96,7 @@ class OwnPairs {
   std::vector<V> x_;  // current, m
   std::vector<int> stored_;
   MotionBound<Dim> bound_;
-  std::vector<std::pair<int, int>> found_;  // storage index of i, index of j in `ids_`
+  std::vector<std::pair<int, int>> found_;
 };
 
 }  // namespace taut

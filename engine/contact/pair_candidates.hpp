@@ -17,7 +17,7 @@ namespace taut {
 template <int Dim>
 class PairCandidates {
  public:
-  /// `reach`: range of pairs for probes, m. Contact acts within one spacing.
+  /// `reach`: range of pairs for probes, m.
   PairCandidates(const SolverInput& input, bool between_bodies, double reach)
       : between_bodies_(between_bodies),
         dp_(input.constants.dp),
@@ -32,7 +32,6 @@ class PairCandidates {
     return others || own;
   }
 
-  /// Ascending.
   std::vector<int> particles(int count) const {
     std::vector<int> found;
     for (int i = 0; i < count; ++i)
@@ -76,7 +75,6 @@ class PairCandidates {
   }
 
  private:
-  /// In spacings; longer: fewer searches, more pairs.
   static constexpr double skin = 0.5;
 
   void search_others(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
@@ -93,7 +91,7 @@ class PairCandidates {
   BodyPairs<Dim> others_;
   OwnPairs<Dim> own_;
   std::vector<std::pair<int, int>> near_walls_;
-  double travelled_ = 0;  // m, since the last search
+  double travelled_ = 0;  // m
 };
 
 }  // namespace taut

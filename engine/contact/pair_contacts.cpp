@@ -78,7 +78,7 @@ void PairContacts<Dim>::evaluate(const Particles<Dim>& s, double dt, WallContact
 template <int Dim>
 double PairContacts<Dim>::energy(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
   const auto stored = law_.energy;
-  // each pair is visited twice; half of the energy of an image counts
+  // each pair is visited twice
   double twice = 0;
   if (!stored) return twice;
   for (const int i : touching_)

@@ -30,7 +30,6 @@ class WallContacts {
     return dot(x - planes_[wall].at, planes_[wall].normal);
   }
 
-  /// Adds the impulse, N s, of a wall on a particle at x, m.
   void record_impulse(const V& x, const V& impulse) {
     for (int k = 0; k < Dim; ++k) recorded_impulse_.linear[k] += impulse[k];
     recorded_impulse_.angular[2] += x[0] * impulse[1] - x[1] * impulse[0];

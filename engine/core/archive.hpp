@@ -20,7 +20,7 @@ namespace taut {
 template <class T>
 concept Count = std::integral<T> && !std::same_as<T, bool>;
 
-/// Pairs componentwise.
+/// Whether `value` is a valid index; pairs componentwise.
 template <Count T, Count Bound>
 bool is_below(T value, Bound bound) {
   return std::cmp_greater_equal(value, 0) && std::cmp_less(value, bound);
@@ -38,9 +38,8 @@ bool are_rows(const std::vector<T>& begin, std::size_t rows, std::size_t entries
 }
 
 /// Common part of Saver and Loader. A class lists its members in `serialize(Archive&)`; trivially copyable types
-/// need none. A state is valid for one machine and build only. Loaded data is untrusted, even with a right checksum:
-/// values that address memory must be listed with `fixed`, `indices`, `rows` or `check`, and bytewise copies must
-/// contain numbers only.
+/// need none. A state is valid for one machine and build only. Loaded data is untrusted: values that address memory
+/// must be listed with `fixed`, `indices`, `rows` or `check`, and bytewise copies must contain numbers only.
 template <class Side>
 class Archive {
  public:
@@ -49,18 +48,17 @@ class Archive {
     (one(values), ...);
   }
 
-  /// Lists of unchanged length.
+  /// Lists whose length must not change.
   template <class... T>
   void fixed(std::vector<T>&... lists) {
     (one_fixed(lists), ...);
   }
-  /// Indices below `bound`, or pairs.
   template <class T, class Bound>
   void indices(std::vector<T>& list, const Bound& bound) {
     one(list);
     check("an index", [&] { return are_below(list, bound); });
   }
-  /// `count` rows of indices below `bound`: row i is list[width · begin[i]] … list[width · begin[i + 1] − 1].
+  /// Row i is list[width · begin[i]] … list[width · begin[i + 1] − 1].
   template <class T, class Bound>
   void rows(std::vector<int>& begin, std::size_t count, std::vector<T>& list, const Bound& bound,
             std::size_t width = 1) {
@@ -120,7 +118,6 @@ class Archive {
     check("the length of a list", [&] { return size == values.size(); });
     elements(values, size);
   }
-  /// Grows by element: an invalid length allocates nothing.
   template <class T>
   void elements(std::vector<T>& values, std::size_t size) {
     if constexpr (is_copied<T>) {
@@ -166,7 +163,7 @@ class Saver : public Archive<Saver> {
  public:
   static constexpr bool loads = false;
 
-  /// A value that must be equal when loaded.
+  /// Saves a value that must be equal when loaded.
   template <class T>
   void match(const T& value) {
     T copy = value;
@@ -187,7 +184,7 @@ class Saver : public Archive<Saver> {
   std::string bytes_;
 };
 
-/// Throws UsageError for invalid bytes.
+/// Reads values. Throws UsageError for invalid bytes.
 class Loader : public Archive<Loader> {
  public:
   static constexpr bool loads = true;
@@ -212,7 +209,6 @@ class Loader : public Archive<Loader> {
     if (size > 0) std::memcpy(to, rest_.data(), size);
     rest_.remove_prefix(size);
   }
-  /// `least`: minimum bytes of an element.
   std::size_t length(std::size_t, std::size_t least) {
     std::uint64_t n = 0;
     bytes(&n, sizeof n);

@@ -7,7 +7,6 @@
 
 namespace taut {
 
-/// N numbers per particle, column by column.
 template <int N>
 struct ColumnsView {
   double* all = nullptr;
@@ -51,7 +50,6 @@ inline void interleave(const Pack (&columns)[3], Pack (&rows)[3]) {
   rows[1] = __builtin_shufflevector(x2y2y1, z, 2, 5, 0, 1);
   rows[2] = __builtin_shufflevector(x3y3, z, 6, 0, 1, 7);
 }
-/// Inverse of `interleave`.
 inline void separate(const Pack (&rows)[2], Pack (&columns)[2]) {
   const auto& [a, b] = rows;
   columns[0] = __builtin_shufflevector(a, b, 0, 2, 4, 6);

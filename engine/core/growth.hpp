@@ -5,8 +5,8 @@
 
 namespace taut {
 
-/// Reserves room for `more` entries. After some of the contributions (`done` of `all`) it extrapolates to all, since
-/// each reallocation holds the list twice.
+/// Reserves room for `more` entries. After some of the contributions it extrapolates to all, since each reallocation
+/// holds the list twice.
 template <class List>
 void make_room(List& list, std::size_t more, std::size_t done, std::size_t all) {
   constexpr std::size_t extrapolation_part = 16;

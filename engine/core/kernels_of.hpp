@@ -6,10 +6,9 @@
 #include "engine/settings.hpp"
 
 /// Kernels are loops on plain data, compiled once per instruction set. Special builds rename the namespace with the
-/// macro `taut` (engine/CMakeLists.txt): the linker must share no inline functions.
+/// macro `taut`: the linker must share no inline functions.
 namespace taut {
 
-/// Values differ from Family.
 enum class SharedKernels { neighbor_search = 100, history_row };
 
 /// Kernel table of this build, or null. `Key` is a Family or SharedKernels; `method` selects within a family.

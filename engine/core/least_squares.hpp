@@ -14,7 +14,7 @@ LeastSquares least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 /// Up to the 15 fourth-degree monomials in 3D.
 using Gram = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 15, 15>;
 
-/// G⁻¹ B for G = Aᵀ A, much faster than with A. Empty if A lacks full rank or half of the digits could be lost.
+/// G⁻¹ B for G = Aᵀ A, faster than with A. Empty if A lacks full rank or half of the digits could be lost.
 Gram solved_by_gram(const Gram& G, const Gram& B);
 
 }  // namespace taut

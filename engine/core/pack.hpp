@@ -11,7 +11,6 @@ inline constexpr int lanes = 4;
 typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
 
-/// For a factor that the calling pass includes elsewhere.
 inline constexpr Pack one = {1, 1, 1, 1};
 
 typedef double UnalignedPack __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double))));
@@ -76,9 +75,9 @@ T max(const T& a, const T& b) {
 inline Pack min(const Pack& a, const Pack& b) { return __builtin_ia32_minpd256(a, b); }
 inline Pack max(const Pack& a, const Pack& b) { return __builtin_ia32_maxpd256(a, b); }
 #endif
-/// NaN if either is NaN.
+/// Maximum; NaN if either is NaN.
 inline Pack max_or_nan(const Pack& a, const Pack& b) { return ((b <= a) | (a != a)) ? a : b; }
-/// NaN if any is NaN.
+/// Greatest lane; NaN if any is NaN.
 inline double greatest(const Pack& a) {
   double most = a[0];
   for (int lane = 1; lane < lanes; ++lane)
@@ -138,7 +137,7 @@ inline Pack halves(const double* a, const double* b) {
 #endif
 }
 
-/// Reads columns of four rows, aligned to 16 bytes, with an even number of doubles.
+/// Columns of four rows, aligned to 16 bytes, with an even number of doubles.
 struct RowsOfFour {
   const double* at[lanes];
 

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// NaN if either is NaN.
+/// Maximum; NaN if either is NaN.
 inline double greater(double a, double b) { return b <= a || a != a ? a : b; }
 
 /// Several chunks per thread balance the load.
@@ -55,7 +55,6 @@ template <class F>
   return most;
 }
 
-/// For loops that dominate a step.
 template <class F>
 void parallel_pass(int n, const Threads& threads, const F& f) {
   parallel_chunks(n, threads, [&](int, int first, int last) { inlined_loop(f, first, last); });

@@ -12,7 +12,6 @@ struct Principal {
   Vec<double, 3> axis[3];
 };
 
-/// Jacobi's rotations.
 inline Principal principal_axes(const Sym<double, 3>& symmetric) {
   Mat<double, 3> A = full(symmetric), Q{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   constexpr int most = 12;  // sweeps; mostly five suffice

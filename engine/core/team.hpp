@@ -14,7 +14,7 @@ namespace taut {
 
 /// Helper threads that share their owner's loops. The owner waits only for chunks already begun, so a sleeping
 /// helper delays nothing. (An OpenMP region waits for all its threads.) Each thread begins with the same chunks in
-/// every loop, which keeps its data in its cache, and then takes chunks of others.
+/// every loop, which keeps its data in its cache.
 class Team {
  public:
   static constexpr int most_threads = 1000, most_chunks = Threads::most_chunks;
@@ -25,15 +25,12 @@ class Team {
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  /// Helpers of the calling thread start at first use.
   static Team& own();
   /// Calls work(of, chunk) once per chunk, in any order. Nested loops run on the calling thread.
   void run(int threads, int chunks, Work work, const void* of);
-  /// CPU time of the calling thread and its helpers, s.
   double cpu_seconds();
 
  private:
-  /// One word; `number` counts jobs.
   struct Job {
     std::uint64_t number;
     int threads, chunks;

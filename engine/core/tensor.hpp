@@ -156,7 +156,6 @@ Mat<T, Dim> full(const Sym<T, Dim>& S) {
   return A;
 }
 
-/// A += s a ⊗ b
 template <class T, int Dim>
 void add_outer(Mat<T, Dim>& A, const T& s, const Vec<T, Dim>& a, const Vec<T, Dim>& b) {
 #pragma GCC unroll 3
@@ -165,7 +164,6 @@ void add_outer(Mat<T, Dim>& A, const T& s, const Vec<T, Dim>& a, const Vec<T, Di
     for (int l = 0; l < Dim; ++l) A(k, l) += s * a[k] * b[l];
 }
 
-/// A += s a ⊗ a
 template <class T, int Dim>
 void add_outer(Sym<T, Dim>& A, const T& s, const Vec<T, Dim>& a) {
 #pragma GCC unroll 3
@@ -205,7 +203,6 @@ template <class T, int Dim>
   return product(A, B);
 }
 
-/// In general not symmetric.
 template <class T, int Dim>
 [[gnu::always_inline]] inline Mat<T, Dim> product(const Sym<T, Dim>& A, const Sym<T, Dim>& B) {
   Mat<T, Dim> C;
@@ -275,7 +272,7 @@ Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
   return C;
 }
 
-/// 0 if not clearly positive definite, as without neighbours.
+/// Inverse, or 0 if not clearly positive definite, as without neighbours.
 inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
   const double det = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);
   const double scale = trace(a) * trace(a);
@@ -290,7 +287,6 @@ inline Sym<double, 3> inverse(const Sym<double, 3>& a) {
   return (1 / det) * Sym<double, 3>{H(0, 0), H(0, 1), H(0, 2), H(1, 1), H(1, 2), H(2, 2)};
 }
 
-/// Sums over lanes.
 template <int Dim>
 Vec<double, Dim> sum(const Vec<Pack, Dim>& a) {
   const Pack of_all = sums(a[0], a[1], a[Dim - 2], a[Dim - 1]);

@@ -6,16 +6,12 @@
 
 namespace taut {
 
-/// Alternating part of a field, r_i = Σ_j w_ij q_j, over i and the particles j of its body and material, clamped or
-/// not like i, initially within 2.1 dp. Weights depend on the initial configuration only:
-/// w_i = κ (I − P) e_i / |(I − P) e_i|,
-/// with e_i the unit vector of i and P the projection on quadratic polynomials. Smooth fields give O(dp⁴), O(dp³) at
-/// surfaces, noise of variance 1 gives κ². κ maps the checkerboard (−1)^(a+b+c) to itself. Clamped particles,
-/// corners and others with too few neighbours have no row.
+/// Alternating part of a field, r_i = Σ_j w_ij q_j, over i and particles j of its body and material, clamped or not
+/// like i, initially within 2.1 dp (THEORY.md). Smooth fields give about 0, a checkerboard its amplitude.
 struct AlternatingPart {
   std::vector<int> begin;         // [row + 1] first entry
   std::vector<int> j;             // [entry] particle
-  std::vector<int> first_weight;  // [row]; equal rows may share weights
+  std::vector<int> first_weight;  // equal rows may share weights
   std::vector<double> weight;
   int rows() const { return static_cast<int>(begin.size()) - 1; }
   const double* weights(int row) const {
@@ -25,13 +21,13 @@ struct AlternatingPart {
 
 AlternatingPart alternating_part(const Snapshot& start, double spacing, int threads = 1);
 
-/// m² and Pa².
+/// Sums of squares, m² and Pa².
 struct SquareSums {
   double x = 0, p = 0, von_mises = 0;
 };
-/// Over particles with a row.
+/// Sums over particles with a row.
 struct AlternatingSums {
-  std::vector<double> x;  // [row] square of the alternating part, at most one spacing², m²
+  std::vector<double> x;  // [row] square of the alternating part of x, at most one spacing², m²
   SquareSums part;        // alternating parts
   SquareSums whole;       // x is 0
 };

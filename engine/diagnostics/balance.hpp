@@ -6,15 +6,14 @@
 
 namespace taut {
 
-/// Sums over all particles.
 struct Balance {
   double kinetic = 0, strain = 0;  // J (per metre depth in 2D); strain with contact
   Point linear_momentum{};         // kg m/s
   Point angular_momentum{};        // about the origin, kg m²/s; in 2D only z
   double momentum_scale = 0;       // Σ |m v|
   double angular_scale = 0;        // Σ m |x| |v|
-  double work = 0;                 // of drives, loads and gravity, J
-  double damped = 0;               // removed by damping, J
+  double work = 0;                 // by drives, loads and gravity, J
+  double damped = 0;               // J
   Impulse of_walls;                // momenta minus these impulses are conserved
 };
 

@@ -7,26 +7,23 @@
 
 namespace taut {
 
-/// Linear between samples.
+/// Quantity over time, linear between samples.
 struct Curve {
   std::span<const double> t, y;
-  bool of_steps = false;  // samples are means since the previous sample
+  bool of_steps = false;  // samples are means over steps
 
   std::size_t size() const { return t.size(); }
 };
 
-/// Samples before the first non-finite one.
 Curve finite_part(Curve curve);
 
 double value_at(const Curve& curve, double time);
 
-/// Between samples k − 1 and k.
 double crossing_time(const Curve& curve, std::size_t k, double level);
 
-/// Between two crossings of a level.
 struct HalfCycle {
   double begin, end;
-  double peak;  // greatest deviation, a vertex through three samples
+  double peak;  // vertex through three samples
   double peak_at;
 };
 
@@ -34,22 +31,20 @@ struct HalfCycle {
 /// are noise.
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level = 0);
 
-/// Mean over whole periods, between two crossings of this mean in the same direction; none without a whole period.
+/// Mean over whole periods, between two crossings of this mean in the same direction.
 std::optional<double> mean_of_periods(const Curve& curve);
 
-/// Exact; begin < end within the curve.
+/// Requires begin < end within the curve.
 double integral(const Curve& curve, double begin, double end);
 
-/// Returns `begin`, `end` and all sample times between them.
 std::vector<double> joint_times(std::span<const Curve> curves, double begin, double end);
 
-/// Exact RMS of a − b; begin < end within both curves.
+/// RMS of a − b, exact; begin < end within both curves.
 double rms_difference(const Curve& a, const Curve& b, double begin, double end);
-/// Three Gauss points between samples of `a`.
+/// RMS with three Gauss points between samples of `a`.
 double rms_difference(const Curve& a, const std::function<double(double)>& b, double begin, double end);
 
-/// Angle by which (x, y) turns about the origin until `end`, rad, counter-clockwise, with full turns; below half a
-/// turn per sample.
+/// Angle by which (x, y) turns about the origin until `end`, rad, with full turns; below half a turn per sample.
 double turn(const Curve& x, const Curve& y, double end);
 
 }  // namespace taut

@@ -28,7 +28,7 @@ double stress_xz(const Snapshot& now, std::size_t i) { return now.deviator(i).xz
 double stress_yz(const Snapshot& now, std::size_t i) { return now.deviator(i).yz; }
 double stress_zz(const Snapshot& now, std::size_t i) { return now.stress(i).zz; }
 
-/// With σ_zz in 2D.
+/// Principal stress, with σ_zz in 2D.
 template <int Rank>
 double principal(const Snapshot& now, std::size_t i) {
   const StressTensor t = now.stress(i);

@@ -14,28 +14,25 @@ enum class Counted : std::uint8_t { nothing, bodies, materials };
 
 struct Field {
   std::string_view key;
-  std::string_view name;  // as on the colour bar
+  std::string_view name;
   std::string_view unit;  // empty if dimensionless
   std::string_view help;
   bool is_signed = false;  // diverging colours around `middle`
   double (*of_state)(const Snapshot&, std::size_t particle) = nullptr;
-  int least_dim = 2;                               // 3: in 3D only
+  int least_dim = 2;
   double (*of_map)(const LinearMap& F) = nullptr;  // instead of `of_state`
   double middle = 0;
   Counted counts = Counted::nothing;
-  std::vector<double> (*of_all)(const Snapshot&) =
-      nullptr;  // instead of `of_state`, for all particles
+  std::vector<double> (*of_all)(const Snapshot&) = nullptr;  // for all particles
 
-  /// `evaluate` is faster for many particles.
+  /// For many particles, `evaluate` is faster.
   double value(const Snapshot& now, std::size_t particle) const;
 };
 
-/// In listing order; `dim` = 3 includes all.
 std::span<const Field> fields(int dim = 3);
-/// nullptr if unknown.
+/// Returns nullptr if unknown.
 const Field* find_field(std::string_view key, int dim = 3);
 std::vector<double> evaluate(const Field& field, const Snapshot& snapshot);
-/// Fits the affine maps once.
 std::vector<std::vector<double>> evaluate(std::span<const Field* const> fields, const Snapshot& snapshot);
 
 }  // namespace taut

@@ -38,16 +38,9 @@ struct IndicatorRecord {
   void take(const Reading& now, double time);
 };
 
-/// Alternating parts r(q)_i of fields (AlternatingPart); rms over particles with a row.
-/// - hourglass_error: rms |r(x)| / dp of the worst body, or 0.2 times the value of the worst patch, if that is
-/// greater. A patch is a particle and the particles of its row. A zigzag of amplitude a gives a/dp.
-/// |r(x)| = |Σ_j w_ij E_ij| with the error vectors E_ij = F_i X_ij − x_ij of [Ganzenmueller2015], for any F_i.
-/// Particles count at most one spacing, since displacements at cracks mean nothing. Departure: the mean |½ (E_ij −
-/// E_ji)| / |X_ij| of the paper includes smooth fields where F is one-sided.
-/// - pressure_checkerboard = rms r(p) / rms p.
-/// - von_mises_checkerboard = rms √(3/2 r(s):r(s)) / rms √(3/2 s:s), since von Mises stress has kinks.
-/// For the last two a pure checkerboard gives 1, noise 0.59 (3D: 0.73). Denominators are at least 1e-8 E, the
-/// round-off of Young's modulus E. [Ganzenmueller2015]: see METHODS.md.
+/// Evaluates the indicators (THEORY.md): hourglass_error, the rms of |r(x)|/dp in the worst body or patch;
+/// pressure_checkerboard and von_mises_checkerboard, rms ratios of alternating parts. Departs from
+/// [Ganzenmueller2015], whose mean error includes smooth fields.
 class IndicatorGauge {
  public:
   IndicatorGauge(const Scene& scene, const Snapshot& start, int threads = 1);
@@ -57,11 +50,10 @@ class IndicatorGauge {
   Reading hourglass(const std::vector<double>& squared) const;
 
   AlternatingPart part_;
-  std::vector<int> row_of_;  // [particle] −1: none
-  std::vector<int>
-      first_row_;       // [body] and one past the last; bodies at the end without rows are left out
-  double spacing_ = 0;  // m
-  double least_stress_ = 0;  // Pa
+  std::vector<int> row_of_;     // [particle] −1: none
+  std::vector<int> first_row_;  // [body] and one past the last
+  double spacing_ = 0;          // m
+  double least_stress_ = 0;     // Pa
 };
 
 }  // namespace taut

@@ -28,18 +28,17 @@ struct AlternatingView {
   const int *begin, *j, *first_weight;
   const double* weight;
 };
-/// Of p²/2K + s:s/4G, Pa.
+/// Divisors of p²/2K + s:s/4G, Pa.
 struct StrainDivisors {
   double twice_K, four_G;
 };
 
-/// Bit-identical for all instruction sets.
+/// Sums for the history, bit-identical for all instruction sets.
 struct HistoryKernels {
-  /// Writes to `out` the three sums of AlternatingSums::part, with x at most `spacing`² each, then of `whole`.
-  /// `squared`: [row] AlternatingSums::x.
+  /// Writes the three sums of AlternatingSums::part, then of `whole`. `squared`: [row] AlternatingSums::x.
   void (*alternating_sums)(const AlternatingView& part, const SnapshotView& now, double spacing, double* out,
                            double* squared);
-  /// 4 + 3 + 3 numbers: kinetic and strain energy, scales of linear and angular momentum; linear; angular momentum.
+  /// Writes kinetic and strain energy, scales of linear and angular momentum; linear; angular momentum.
   void (*balance)(const SnapshotView& now, const StrainDivisors* materials, double contact_energy,
                   double* out);
 };

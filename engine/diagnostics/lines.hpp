@@ -10,7 +10,7 @@
 namespace taut {
 
 struct LineSample {
-  double time = 0;            // s
+  double time = 0;  // s
   long step = 0;
   std::vector<double> value;  // [point]; NaN outside the body
 
@@ -20,7 +20,7 @@ struct LineSample {
   }
 };
 
-/// Initial position of point k unless `in_space`.
+/// Point k; its initial position unless `in_space`.
 Point line_point(const SampleLine& line, int k);
 double length_of(const SampleLine& line);  // m
 
@@ -29,10 +29,9 @@ class LineRecorder {
   /// `support`: m. Throws SceneError if a line leaves its body.
   LineRecorder(const Scene& scene, const Snapshot& start, double support);
 
-  /// s; may be infinite.
+  /// Next time, s; may be infinite.
   double next() const;
   void sample(const Snapshot& now);
-  /// [line][sample].
   const std::vector<std::vector<LineSample>>& samples() const { return samples_; }
 
   template <class Archive>
@@ -45,12 +44,11 @@ class LineRecorder {
   bool fit_the_scene() const;
 
   using Points = std::vector<std::vector<PointWeight>>;
-  /// At initial positions if `scene` is given.
   Points points_of(const SampleLine& line, const Snapshot& now, const Scene* scene) const;
 
   std::vector<SampleLine> lines_;
-  double reach_;                // m
-  std::vector<Points> points_;  // [line][point], if material
+  double reach_;  // m
+  std::vector<Points> points_;
   std::vector<std::vector<LineSample>> samples_;
 };
 

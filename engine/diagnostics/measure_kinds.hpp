@@ -17,7 +17,6 @@
 
 namespace taut {
 
-/// Table or exact solution for each probe, or neither.
 struct ReferenceCurves {
   std::vector<Curve> table;
   const std::vector<Solution>* exact = nullptr;
@@ -32,14 +31,14 @@ struct ReferenceCurves {
 
 struct MeasureSource {
   const Measure* measure = nullptr;
-  std::vector<Curve> curve;   // [probe] not empty
-  std::optional<Curve> free;  // of the probe `free`
-  ReferenceCurves reference;  // may be empty
+  std::vector<Curve> curve;  // [probe]
+  std::optional<Curve> free;
+  ReferenceCurves reference;
   std::optional<double> reference_value;
-  const SampleLine* line = nullptr;  // may be null
+  const SampleLine* line = nullptr;
   const std::vector<LineSample>* samples = nullptr;
-  const Snapshot* now = nullptr;     // may be null
-  double until = 0;                  // s
+  const Snapshot* now = nullptr;
+  double until = 0;  // s
   bool end_extreme_may_grow = true;
 };
 
@@ -61,13 +60,12 @@ inline Measured too_short(double wanted, double reached) {
 
 inline constexpr const char* no_reference = "there is no reference to compare with";
 
-/// Function and row in measure_kinds.cpp.
 struct MeasureKind {
   using Value = Measured (*)(const MeasureSource&);
   using Reference = std::optional<double> (*)(const MeasureSource&);
 
   std::string_view name, help;
-  /// Keys beside `name`, `of` and `unit`, the source first. `probes`: one per axis.
+  /// Keys beside `name`, `of` and `unit`. `probes`: one per axis.
   std::vector<std::string_view> keys;
   /// Possible references. A solution can also give the number: its value at the end of the run, or for `value` at
   /// its time.
@@ -76,9 +74,8 @@ struct MeasureKind {
   Reference reference;
 };
 
-/// In listing order.
 std::span<const MeasureKind> measure_kinds();
-/// nullptr if unknown.
+/// Returns nullptr if unknown.
 const MeasureKind* find_measure_kind(std::string_view name);
 
 /// Kinds with reference 0.

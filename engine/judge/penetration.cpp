@@ -17,9 +17,9 @@ namespace taut {
 namespace {
 
 // in spacings
-constexpr double near = 1.5;   // eight neighbours on a square lattice, six on a hexagonal one
-constexpr double far = 4;      // initially, as for contact
-constexpr double reach = 2.5;  // of lists; below `far`, so they stay empty at small strain
+constexpr double near = 1.5;  // eight neighbours on a square lattice, six on a hexagonal one
+constexpr double far = 4;
+constexpr double reach = 2.5;  // below `far`: lists stay empty at small strain
 constexpr double skin = reach - near;
 
 constexpr double shallow(int dim) { return dim == 3 ? 0.41 : 0.29; }  // see penetration.hpp
@@ -45,7 +45,7 @@ struct Around<2> {
   bool leaves_gap() { return widest_gap(directions) > widest_inside; }
 };
 
-/// To the surface points of a 5 × 5 × 5 lattice; one is within 18° of any direction.
+/// Unit vectors to the surface points of a 5 × 5 × 5 lattice; one is within 18° of any direction.
 std::array<Vec<double, 3>, 98> spread_directions() {
   std::array<Vec<double, 3>, 98> all;
   std::size_t n = 0;
@@ -59,7 +59,7 @@ std::array<Vec<double, 3>, 98> spread_directions() {
 
 template <>
 struct Around<3> {
-  std::bitset<98> has_one;  // [direction] a particle is within half of `widest_inside`
+  std::bitset<98> has_one;  // [direction]
 
   void clear() { has_one.reset(); }
   void add(const Vec<double, 3>& d) {
@@ -73,7 +73,7 @@ struct Around<3> {
   bool leaves_gap() const { return !has_one.all(); }
 };
 
-/// From i to j, m; exactly antisymmetric, including the sign of zeros.
+/// Initial vector from i to j, m; exactly antisymmetric, including the sign of zeros.
 template <int Dim>
 Vec<double, Dim> way(const Snapshot& start, int i, int j) {
   return i < j ? place<Dim>(start.x0, j) - place<Dim>(start.x0, i) : -1.0 * way<Dim>(start, j, i);
@@ -133,7 +133,6 @@ class Cells {
   std::vector<Stored> stored_;  // by cell
 };
 
-/// In the box of `some`, widened by `margin`, m.
 template <int Dim>
 std::vector<int> particles_around(const Snapshot& now, const std::vector<int>& some, double margin) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -228,7 +227,6 @@ void Penetration::search(const Snapshot& now) {
   }
 }
 
-/// Surface particles with a far one in range.
 template <int Dim>
 std::vector<int> Penetration::particles_to_test(const Snapshot& now) const {
   const Cells<Dim> surface(now, surface_, reach * spacing_);

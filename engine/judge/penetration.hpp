@@ -7,18 +7,11 @@
 
 namespace taut {
 
-/// Widest angle between neighbouring directions, rad, sorted here; a full turn for fewer than two.
+/// Widest angle between neighbouring directions, rad; a full turn for fewer than two.
 double widest_gap(std::span<double> directions);
 
-/// Finds particles that have passed through a surface. A particle lies inside a far part if the particles of that
-/// part within 1.5 dp leave no gap wider than 2π/3 around it (3D: no empty cone with this opening angle). Far
-/// particles belong to another body, or were initially more than 4 dp away. A touching face leaves a gap near π. Far
-/// particles nearer than 0.29 dp (3D: 0.41 dp) do not count: behind a surface the gap reaches 2π/3 only at this
-/// depth.
-/// Only surface particles, which have such a gap among their initial neighbours, are tested, near far surface
-/// particles. A body inside another one is missed if no observed state shows the crossing.
-/// Candidates are listed out to 2.5 dp. The lists are renewed once two particles may have approached each other by 1
-/// dp; results do not depend on the time of renewal.
+/// Finds particles inside another body, or inside a part of their own that was initially far (THEORY.md,
+/// Penetration). Misses a body that lies inside another one if no observed state shows the crossing.
 class Penetration {
  public:
   Penetration(const Snapshot& start, double spacing, int threads = 1);

@@ -153,7 +153,7 @@ double Judge::compliance(const Bond& bond, const Snapshot& now) const {
 /// A crack stretches a bond but not its continuations within 26°.
 template <int Dim>
 bool Judge::stands_out(const Bond& bond, const Snapshot& now) const {
-  constexpr double jump = 1.5, straight = 0.9;  // of stretches; cosine
+  constexpr double jump = 1.5, straight = 0.9;  // ratio of stretches; cosine
   const auto continues = [](const std::array<double, Dim>& a, const std::array<double, Dim>& b) {
     const double along = dot(a, b);
     return along < 0 && along * along > straight * straight * dot(a, a) * dot(b, b);
@@ -194,7 +194,7 @@ int Judge::count_pieces() const {
 }
 
 bool Judge::has_crack() const {
-  std::vector<int> seen(particles_, -1);  // [particle] last bond that reached it
+  std::vector<int> seen(particles_, -1);  // [particle]
   for (std::size_t b = 0; b < bonds_.size(); ++b)
     if (bonds_[b].broken && !bypassed(static_cast<int>(b), seen)) return true;
   return false;

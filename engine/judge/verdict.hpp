@@ -20,17 +20,16 @@
 
 namespace taut {
 
-/// From best to worst; a run has its worst verdict.
+/// Verdicts from best to worst; a run has its worst one.
 enum class Verdict { stable, hourglass, penetrated, fractured, diverged };
 std::string_view name(Verdict);
 std::optional<Verdict> find_verdict(std::string_view name);
-/// From `stable` to the worst; and without `stable`.
 std::vector<std::string> names_of_verdicts();
 std::vector<std::string> names_of_failures();
 
 /// Smooth results in the papers stay below 0.012 ([Zhang2024] Fig. 3, 12, 18; [Khayyer2024] Fig. 9, 10), zigzags
-/// exceed 0.04 ([Zhang2024] Fig. 6, 12–14, 18; [Khayyer2024] Fig. 13; [Lee2016] Fig. 11). Smooth bending exceeds it
-/// at radii of about a spacing. Checkerboards are not judged: low stress raises them too.
+/// exceed 0.04 ([Zhang2024] Fig. 6, 12–14, 18; [Khayyer2024] Fig. 13; [Lee2016] Fig. 11). Checkerboards are not
+/// judged: low stress raises them too.
 inline constexpr double hourglass_threshold = 0.03;
 
 /// Bonds stretched further than the method follows its law.
@@ -39,14 +38,8 @@ struct BeyondLaw {
   double since = 0;  // s
 };
 
-/// Judges a run from observed states.
-/// - hourglass: the hourglass error exceeds its threshold.
-/// - penetrated: a particle lies inside another body or a far part of its own (Penetration).
-/// - fractured: the graph of unbroken bonds has more pieces than initially, or the ends of a broken bond are more
-/// than 8 unbroken bonds apart. Bonds join particles of a body initially within 1.5 dp. A bond is broken while
-/// longer than max(support, 2 dp). With initial neighbours its stretch must also exceed 1.5 times the stretch of the
-/// bonds that continue it in a straight line; cracks one row apart are missed.
-/// - diverged: a value is not finite, or the energy of a body departs from its received energy (EnergyTest).
+/// Judges a run from observed states (THEORY.md): hourglass error above the threshold, penetration, fracture, or
+/// divergence (a value that is not finite, or an excess of energy).
 class Judge {
  public:
   /// The scene must outlive the judge.
@@ -56,7 +49,7 @@ class Judge {
   void observe(const Snapshot& now, const Balance& balance, const Readings& readings = {});
 
   Verdict verdict() const;
-  /// First times, s.
+  /// First time of each failure, s.
   const std::map<Verdict, double>& since() const { return since_; }
   int pieces() const { return pieces_; }
   const BeyondLaw& beyond_law() const { return beyond_law_; }
@@ -96,7 +89,7 @@ class Judge {
 
   std::vector<double> compliance_;  // [material] 1/Pa
   std::vector<Bond> bonds_;
-  std::vector<int> first_of_;  // [particle + 1]
+  std::vector<int> first_of_;
   std::vector<int> bonds_of_;
   std::size_t particles_ = 0;
   double longest_ = 0;  // m; shorter bonds are unbroken

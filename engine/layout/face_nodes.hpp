@@ -27,8 +27,8 @@ class NodeWeights {
  public:
   NodeWeights(const InitialParticles& initial, int body, double dp);
 
-  /// Shares of a node at x, from the smallest reach for which Σ weight² is low. Empty if too few particles are near,
-  /// or all in a plane.
+  /// Shares of a node at x, from the smallest reach with low Σ weight². Empty if too few particles are near, or all
+  /// in a plane.
   std::vector<PointWeight> shares_of(const Point& x) const;
 
  private:

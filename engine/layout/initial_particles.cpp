@@ -16,10 +16,9 @@
 namespace taut {
 namespace {
 
-constexpr double edge_tolerance = 1e-6;        // of dp
+constexpr double edge_tolerance = 1e-6;  // of dp
 constexpr double greatest_place_number = 1e9;
 
-/// Counts overlaps of shapes repeatedly.
 double expected_number(const Body& body, int dim, double dp) {
   double volume = 0;
   for (const Shape& shape : body.shapes) volume += shape->measure(dim);
@@ -50,12 +49,11 @@ void check_cuts(const Body& body, const std::vector<long>& cut) {
                                                              "'; correct or remove it");
 }
 
-/// Before rotation.
 struct LatticeRows {
   Point anchor{};
   std::array<double, 3> pitch{};
   std::array<long, 3> from{}, to{};
-  std::size_t along = 0;  // axis of hexagonal rows
+  std::size_t along = 0;  // of hexagonal rows
   double staggered = 0;   // pitches
 
   Point at(long i, long j, long k, int dim) const {
@@ -118,7 +116,7 @@ std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   return sites;
 }
 
-/// V0 is the part of the cell inside.
+/// Particles from face to face; V0 is the part of the cell inside.
 std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
   long last[3] = {0, 0, 0};
   double pitch[3] = {1, 1, 1};
@@ -223,7 +221,6 @@ std::vector<double> shares_along(long n, const bool (&free)[2]) {
   return share;
 }
 
-/// Bit k: the particle at x is fixed along axis k.
 unsigned char guide_at(const Body& body, const Point& x) {
   unsigned guide = 0;
   for (unsigned k = 0; k < body.guided.size(); ++k)
@@ -247,7 +244,7 @@ bool may_mirror(const InitialParticles& layout, int first, int axis, int dim, co
 
 void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, double dp) {
   const Box& box = *body.shapes.front().as<Box>();
-  long stride = 1;  // along the axis
+  long stride = 1;
   for (int axis = 0; axis < dim; ++axis) {
     const long n = box.cells(axis, dp);
     const auto number = [=](long i) { return i / stride % (n + 1); };

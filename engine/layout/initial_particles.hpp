@@ -6,19 +6,19 @@
 
 namespace taut {
 
-/// Body after body.
+/// Particles of all bodies, body after body.
 struct InitialParticles {
   int dim = 2;
-  std::vector<Point> x, v;             // reference position, m; m/s
-  std::vector<Point> middle;           // of cells, m, for regions and images; empty = x
-  std::vector<Point> start;            // m; empty = x
-  std::vector<double> V0;              // m^dim
-  std::vector<double> inside;          // V0 / cell: < 1 on a face, slightly > 1 next to a free one
+  std::vector<Point> x, v;     // reference position, m; m/s
+  std::vector<Point> middle;   // of cells, m, for regions and images; empty = x
+  std::vector<Point> start;    // m; empty = x
+  std::vector<double> V0;      // m^dim
+  std::vector<double> inside;  // V0 / cell: < 1 on a face, slightly > 1 next to a free one
   std::vector<int> body;
   std::vector<int> material;
-  std::vector<int> drive;              // of the body, or -1
+  std::vector<int> drive;
   std::vector<unsigned char> clamped;
-  std::vector<unsigned char> guided;   // bit k: fixed along axis k; empty = none
+  std::vector<unsigned char> guided;  // bit k: fixed along axis k; empty = none
   // image under a symmetry rotation, or itself
   std::vector<int> turned;
   std::vector<int> first;  // [body], then the total
@@ -35,11 +35,10 @@ struct InitialParticles {
 
 inline constexpr double greatest_particle_number = 20e6;
 
-/// Fills bodies with a square (cubic) lattice, or whole round bodies with layers (RoundLayout) of exact mass. In a
-/// box with particles on its faces, n cells become ½ − δ, 1 + δ, 1 … of a cell, δ = n/(12 (n − 1)): exact for degree
-/// 2 (Simpson's rule for n = 2 and 3, Gregory's for many), so for mass, moments of inertia and bending stiffness.
-/// Faces guided along the normal or all other axes keep half cells. Then jitters (volumes stay), reflects, rotates
-/// and displaces. Throws SceneError: no particles, too many, overlapping bodies.
+/// Fills bodies with a lattice, or whole round bodies with layers (RoundLayout) of exact mass. In a box with
+/// particles on its faces, n cells become ½ − δ, 1 + δ, 1 … of a cell, δ = n/(12 (n − 1)), as in Gregory's rule:
+/// mass, moments of inertia and bending stiffness are exact. Guided faces may be planes of symmetry and keep half
+/// cells. Throws SceneError: no particles, too many, overlapping bodies.
 InitialParticles make_initial_particles(const Scene& scene);
 
 }  // namespace taut

@@ -12,11 +12,11 @@ struct PointWeight {
   double weight;
 };
 
-/// Radius of the particles around a point, m; below two spacings they may be collinear at a face.
+/// Radius around a point, m; closer particles may be collinear.
 constexpr double reach_of_points(double support, double dp) { return std::max(support, 2 * dp); }
 
 /// Weights by moving least squares, exact for linear fields:
-/// w_k = W_k (1, d_k)·A⁻¹·(1, 0),  A = Σ W_k (1, d_k) ⊗ (1, d_k),  d_k = X_k − X.
+///   w_k = W_k (1, d_k)·A⁻¹·(1, 0),  A = Σ W_k (1, d_k) ⊗ (1, d_k),  d_k = X_k − X.
 /// Uses particles begin … end − 1 within `reach`, m. Empty if too few or collinear.
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, int dim);
@@ -28,8 +28,7 @@ inline constexpr double link_of_neighbors = 1.8;
 std::vector<int> linked_to_nearest(const std::vector<Point>& x, const std::vector<int>& some, const Point& at,
                                    double link);
 
-/// Ignores particles beyond a slot. With Body::on_boundary interpolates in a lattice cell, so that points on clamped
-/// particles are clamped.
+/// Ignores particles beyond a slot. With Body::on_boundary interpolates in a lattice cell.
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, const Scene& scene, int body);
 
@@ -50,8 +49,8 @@ struct Surroundings {
 std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const Surroundings& all,
                                          const Point& at);
 
-/// Replaces a `point` at kinks of the displacement. If the nearest particle is clamped or driven, uses particles
-/// that move with it, else particles of its material. `motion_group[i]`: 0 = free.
+/// Replaces a `point` at kinks of the displacement by particles that move with the nearest one, or are of its
+/// material. `motion_group[i]`: 0 = free.
 std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const Surroundings& all,
                                          const std::vector<int>& motion_group, const Point& at);
 

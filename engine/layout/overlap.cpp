@@ -49,7 +49,7 @@ class ParticleGrid {
   }
 
   double side_;  // m
-  long depth_;   // cells along z
+  long depth_;
   std::unordered_multimap<std::size_t, int> at_;
 };
 
@@ -105,7 +105,7 @@ void refuse_close_particles(const InitialParticles& layout, const Scene& scene) 
   }
 }
 
-/// Maps starting positions in a displaced body to reference positions, linearly about the nearest particle.
+/// Maps positions in a displaced body to reference positions, linearly about the nearest particle.
 class LaidPlaces {
  public:
   LaidPlaces(const InitialParticles& layout, const Scene& scene, std::size_t b)

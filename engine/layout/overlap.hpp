@@ -4,11 +4,11 @@
 
 namespace taut {
 
-/// Depth of particles in another body, or of faces in walls, spacings.
+/// Greatest depth of particles in another body, or of faces in walls, spacings.
 inline constexpr double greatest_depth = 0.25;
 
-/// Throws SceneError if particles of two bodies start less than half a spacing apart, which contact could not
-/// separate, or deeper than `greatest_depth` in another body.
+/// Throws SceneError if particles of two bodies start less than half a spacing apart, or deeper than
+/// `greatest_depth` in another body: contact could not separate them.
 void refuse_overlap(const InitialParticles& layout, const Scene& scene);
 
 }  // namespace taut

@@ -74,9 +74,9 @@ class March {
     }
   }
 
-  long columns_, rows_;  // with a border of outside points
+  long columns_, rows_;
   std::vector<char> inside_;
-  std::map<long, Way> next_;  // by side number
+  std::map<long, Way> next_;
 };
 
 void mark(const Chain& chain, std::size_t first, std::size_t last, double tolerance,
@@ -129,7 +129,6 @@ std::vector<std::size_t> corners_of(const Chain& chain, const std::vector<char>&
   return corners;
 }
 
-/// Adds points from `from` on, without `to`.
 void add_evenly(const Chain& chain, std::size_t from, std::size_t to, double dp, std::size_t least,
                 Chain& result) {
   const std::size_t n = chain.size();

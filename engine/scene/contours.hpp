@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// (a − o) × (b − o), m²; positive if b is left of a.
+/// Cross product (a − o) × (b − o), m²; positive if b is left of a.
 double turn(const Point& o, const Point& a, const Point& b);
 
 struct PlaceGrid {
@@ -21,9 +21,8 @@ struct PlaceGrid {
   }
 };
 
-/// Contours of the solid where inside(column, row) is true. Marching squares makes closed chains with the solid on
-/// the left. Between a point `in` of the solid and its neighbour `out` outside, a contour passes through face(in,
-/// out). Parts that touch at a corner are separate. Points beyond the grid are outside.
+/// Contours of the solid where inside(column, row) is true, by marching squares, with the solid on the left. Between
+/// a point `in` of the solid and its neighbour `out`, a contour passes through face(in, out).
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(long, long)>& inside,
                             const std::function<Point(const Point&, const Point&)>& face);
 

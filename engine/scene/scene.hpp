@@ -15,7 +15,7 @@
 
 namespace taut {
 
-/// Evaluated at set-up only; empty = 0. A region is where it is not 0.
+/// Function of the reference position, evaluated at set-up only; empty = 0. A region is where it is not 0.
 using Expression = std::function<double(const Point&)>;
 /// Function of the reference position and the time, s.
 using Solution = std::function<double(const Point&, double)>;
@@ -40,7 +40,7 @@ struct Part {
   Expression where;
 };
 
-/// A region with prescribed velocity.
+/// Region with prescribed velocity.
 struct Drive {
   Expression where;
   std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s; empty = 0
@@ -57,7 +57,7 @@ struct Load {
   Expression where;
   Kind kind{};
   std::array<Expression, 3> value;
-  std::function<double(double)> ramp;  // factor, of the time in s; empty = 1
+  std::function<double(double)> ramp;  // of the time in s; empty = 1
 };
 
 std::string_view name(Load::Kind kind);
@@ -65,20 +65,20 @@ std::string_view name(Load::Kind kind);
 /// A rigid half-space. Acts by the contact law; with `sph`, by the penalty law.
 struct Wall {
   std::string name;
-  Point at{};      // on its face, m
-  Point normal{};  // unit vector towards bodies
+  Point at{};      // m
+  Point normal{};  // towards bodies
 };
 
-/// dp² (dp³) per particle.
+/// Lattice with dp² (dp³) per particle.
 enum class Lattice : std::uint8_t {
   square,     // 3D: cubic
-  hexagonal,  // 2D: triangular, rows along the longer side of the first shape
+  hexagonal,  // 2D: triangular, rows along the longer side
 };
 std::string_view name(Lattice lattice);
-/// In spacings, √(√3/2); its inverse is the distance in a row.
+/// Row distance in spacings, √(√3/2); its inverse is the distance in a row.
 inline constexpr double hexagonal_row = 0.93060485910209959893;
 
-/// Right-handed; `angle` in degrees.
+/// Right-handed rotation; `angle` in degrees.
 struct Rotation {
   Point axis{0, 0, 1};  // unit vector
   Point about{};        // m
@@ -87,7 +87,6 @@ struct Rotation {
 /// Exact to the last bit for quarter turns and mirror images.
 Point rotated(const Rotation& rotation, const Point& x);
 
-/// Uniform displacement within ± `share` spacings.
 struct Jitter {
   static constexpr double least_unusable = 0.5;  // particles of a square lattice can coincide
   double share = 0;
@@ -99,17 +98,17 @@ struct Body {
   std::vector<Shape> shapes;   // the first one anchors the lattice
   std::vector<Shape> without;  // cut out
   Lattice lattice = Lattice::square;
-  bool on_boundary = false;            // one box with particles on its faces
+  bool on_boundary = false;  // one box with particles on its faces
   int material = 0;
-  std::vector<Part> parts;             // the last one counts
-  std::vector<Drive> drives;           // the last one counts
-  std::vector<Load> loads;             // all add up
+  std::vector<Part> parts;             // last one counts
+  std::vector<Drive> drives;           // last one counts
+  std::vector<Load> loads;             // add up
   std::array<Expression, 3> velocity;  // m/s
   Expression clamped;
-  std::array<Expression, 3> guided;    // fixed along this axis
-  std::array<bool, 3> mirror{};        // about the first shape's centre
-  std::optional<Rotation> rotation;    // after reflection
-  std::array<Expression, 3> displacement;  // from the reference position, m
+  std::array<Expression, 3> guided;        // fixed along this axis
+  std::array<bool, 3> mirror{};            // about the first shape's centre
+  std::optional<Rotation> rotation;        // after reflection
+  std::array<Expression, 3> displacement;  // m
 };
 
 /// Whether x is inside, or at most `tolerance` outside; ignores displacements.
@@ -117,32 +116,30 @@ bool holds(const Body& body, const Point& x, int dim, double tolerance);
 
 /// Before rotation and reflection, shifted such that x → −x reflects the body into place.
 Body unplaced_body(Body body, int dim);
-/// From unplaced_body(body) to its place.
 Point placed(const Body& body, Point x, int dim);
 Point unplaced_point(const Body& body, Point x, int dim);
 
-/// Component, positive in tension, or invariant, Pa.
+/// Stress component, positive in tension, or invariant, Pa.
 enum class StressPart : std::uint8_t { xx, yy, zz, xy, xz, yz, von_mises, pressure };
 
-/// Sampled in every step. Forces are means over the last step, 0 at the start, in 2D per metre depth.
+/// Quantity sampled in every step. Forces are means over the last step, 0 at the start, in 2D per metre depth.
 struct Probe {
-  /// See solver/probe_kinds.cpp. Unless stated, of `bodies[0]`, component `axis`.
+  /// Kind (solver/probe_kinds.cpp); unless stated, of `bodies[0]`, component `axis`.
   struct Kind {
     std::string_view name;
     bool is_force = false;
 
     bool operator==(const Kind&) const = default;
 
-    static const Kind displacement, position,
-        velocity;
+    static const Kind displacement, position, velocity;
     static const Kind distance;                      // from `at` to `to`, m
     static const Kind mean_velocity, mean_position;  // mass-weighted
-    static const Kind greatest_position;             // any particle, m
-    // least distance between particles of two bodies minus their mean diameter, or between faces, m
+    static const Kind greatest_position;
+    // least distance between particles minus their mean diameter, or between faces, m
     static const Kind gap;
     // largest |x_a − mirror(x_b)| of two bodies of equal layout, or of one symmetric body, plane ⊥ axis, m
     static const Kind mirror_asymmetry;
-    // angle of `at` about `turns_about` since the start, with whole turns, rad
+    // angle of `at` about `turns_about`, with whole turns, rad
     static const Kind turn;
     static const Kind stress;  // as the method reports it, Pa
     // on clamped, guided or driven particles, N
@@ -155,11 +152,11 @@ struct Probe {
   std::vector<int> bodies;
   Point at{}, to{};
   int axis = 0;
-  Point turns_about{0, 0, 1};  // axis through the origin, unit vector
+  Point turns_about{0, 0, 1};  // unit vector through the origin
   StressPart part{};
-  Expression where;  // of a reaction; empty = all
+  Expression where;  // empty = all
   int wall = -1;
-  /// Of the preceding probes' values and the time, s.
+  /// Function of the preceding probes' values and the time, s.
   std::function<double(const std::vector<double>&, double)> value;
   bool of_forces = false;
 };
@@ -188,7 +185,7 @@ struct SampleLine {
 struct Measure {
   std::string name;
   std::string kind;                 // see diagnostics/measure_kinds.hpp
-  std::vector<std::string> probes;  // of a point: one per axis
+  std::vector<std::string> probes;  // one per axis
   std::string line;
   int body = 0;
   std::vector<std::string> fields;  // compared components
@@ -197,29 +194,27 @@ struct Measure {
   double threshold = 0;
   double scale = 1;
   std::array<double, 2> band{};  // Hz
-  double about = 0;              // level of an oscillation
+  double about = 0;              // level
   bool about_mean = false;       // level = mean over whole periods
   double from = 0;               // s
   std::optional<double> until;   // s; none = end
   double time = 0;               // s
-  std::string free;              // gap between separating bodies; may be empty
-  Point axis{0, 0, 1};           // of a turn in 3D
+  std::string free;              // may be empty
+  Point axis{0, 0, 1};           // in 3D
 };
 
-/// Linearly interpolated: a column per probe over time, or one along a line.
+/// Values over time, one column per probe, or along a line.
 struct ReferenceTable {
   std::vector<double> t;                   // s, or m along a line
   std::vector<std::vector<double>> value;  // [probe]
 };
 
-/// For one law.
 struct Reference {
   std::string name;                       // lists all sources
   std::map<std::string, double> value{};  // by measure
   std::map<std::string, ReferenceTable> table{};
-  std::map<std::string, std::vector<Solution>>
-      solution{};                              // by measure: [probe], of the line or [field]
-  std::map<std::string, std::string> names{};  // by measure, if `name` lists several sources
+  std::map<std::string, std::vector<Solution>> solution{};  // by measure: [probe], of the line or [field]
+  std::map<std::string, std::string> names{};               // by measure
 
   bool has(const std::string& measure) const {
     return value.contains(measure) || table.contains(measure) || solution.contains(measure);
@@ -244,17 +239,17 @@ struct Scene {
   std::vector<Wall> walls;
   ContactLaw contact = ContactLaw::published;
   std::array<std::function<double(double)>, 3> gravity;  // m/s², of the time in s; empty = 0
-  double damping = 0;  // c, 1/s, of a force −c m v; see solver/loads.hpp
+  double damping = 0;                                    // c, 1/s, of a force −c m v; see solver/loads.hpp
   std::vector<Probe> probes;
   std::vector<SampleLine> lines;
   std::vector<Measure> measures;
-  /// By deviator law ("2d_deviator", "neo_hookean"); empty if these parameters have none.
+  /// References by deviator law ("2d_deviator", "neo_hookean").
   std::map<std::string, Reference> references;
 };
 
-/// An end with the run does not count, as the last step overshoots.
+/// Returns false for an end with the run, since the last step overshoots.
 bool ends_before_run(const Drive& drive, const Scene& scene);
-/// −1 = none.
+/// Returns −1 if no region contains x.
 template <class Region>
 int last_that_holds(const std::vector<Region>& regions, const Point& x) {
   int k = static_cast<int>(regions.size()) - 1;
@@ -269,8 +264,8 @@ bool has_guides(const Scene& scene);
 bool has_gravity(const Scene& scene);
 bool has_loads(const Scene& scene);
 
-/// Nearest spacing that divides the thinnest extent of the first body's first shape into whole particles, or rows of
-/// a hexagonal lattice; `spacing` if there is no such extent.
+/// Nearest spacing that divides the thinnest extent of the first shape into whole particles, or rows of a hexagonal
+/// lattice.
 double fitted_spacing(const Body& first, int dim, double spacing);
 
 }  // namespace taut

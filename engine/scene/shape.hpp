@@ -34,7 +34,7 @@ Bounds bounds_of_placed(const Bounds& box, const Place& place) {
   return all;
 }
 
-/// On a face, m.
+/// Points on a face, m.
 using Chain = std::vector<Point>;
 
 /// Quadrilaterals whose corners lie exactly on the faces of a body.
@@ -48,12 +48,12 @@ struct FacePatches {
 };
 
 struct InitialSite {
-  Point x{};                      // m
-  double V0 = 0;                  // m^dim
-  int turned = -1;                // next site under a symmetry rotation; -1 = none
-  double inside = 1;              // fraction of the cell
-  std::array<bool, 3> on_face{};  // normal to this axis
-  Point middle{};                 // x without jitter, m; for regions
+  Point x{};          // m
+  double V0 = 0;      // m^dim
+  int turned = -1;    // next site under a symmetry rotation; -1 = none
+  double inside = 1;  // fraction of the cell
+  std::array<bool, 3> on_face{};
+  Point middle{};  // x without jitter, m; for regions
 };
 
 /// Interface of all shapes. Lengths are in m; components beyond `dim` are ignored. A shape can place particles in
@@ -66,31 +66,28 @@ struct ShapeBase {
   /// Whether x is inside, or at most `tolerance` outside.
   virtual bool holds(const Point& x, int dim, double tolerance) const = 0;
   virtual void shift(std::size_t axis, double by) = 0;
-  /// m^dim; an upper bound if not exact.
+  /// Area or volume, m^dim; an upper bound if not exact.
   virtual double measure(int dim) const = 0;
   virtual bool has_exact_measure() const;
   /// Extent for a whole number of particles, m; 0 = none.
   virtual double extent_to_divide(int dim) const;
-  /// Of reflections and rotations.
+  /// Centre of reflections and rotations.
   virtual Point middle() const;
-  /// Corner of the lattice.
   virtual Point anchor() const;
-  /// Of a body of this shape alone; empty if the lattice fills it.
+  /// Particles of a body of this shape alone; empty if the lattice fills it.
   virtual std::vector<InitialSite> sites(int dim, double dp) const;
   /// Closed chains of points exactly on the faces, about dp apart and at each corner, with the solid on the left.
   /// Empty in 3D.
   virtual std::vector<Chain> outline(int dim, double dp) const;
   /// Combined shapes give their parts a finer dp, down to `finest`: otherwise each level would multiply the points.
   virtual std::vector<Chain> outline_of_part(int dim, double dp, double finest) const;
-  /// Faces in 3D, if the shape places its particles.
   virtual FacePatches patches(double dp) const;
-  /// For shapes that rotate the lattice: the maps, and the bounds along the lattice axes.
+  /// Maps and bounds of shapes that rotate the lattice.
   virtual Point from_lattice(const Point& x) const;
   virtual Point to_lattice(const Point& x) const;
   virtual Bounds lattice_bounds() const;
 };
 
-/// Copies share the shape.
 class Shape {
  public:
   template <std::derived_from<ShapeBase> S>
@@ -101,7 +98,7 @@ class Shape {
         }) {}
 
   const ShapeBase* operator->() const { return base_.get(); }
-  /// nullptr for another kind.
+  /// Returns nullptr for another kind.
   template <class S>
   const S* as() const {
     return dynamic_cast<const S*>(base_.get());

@@ -90,7 +90,6 @@ std::vector<Vec<double, Dim>> middle_velocities(const Particles<Dim>& s, int bod
 
 }  // namespace
 
-/// Names the diverged particle with the lowest id.
 template <int Dim>
 void Common<Dim>::throw_if_diverged() const {
   const double limit = greatest_mach_number * constants.c0,
@@ -107,13 +106,13 @@ void Common<Dim>::throw_if_diverged() const {
     failed_id = particles.id[i], of_body = !leaves;
   }
   if (failed_id == size()) return;
-  const std::string what =
-      of_body ? fmt::format("particle {} and its body are faster than {:g} m/s ({:g} c0)", failed_id,
-                            of_bodies, greatest_mach_number_of_bodies)
-              : fmt::format(
-                    "particle {} is faster than its body by more than {:g} m/s ({:g} c0), or its speed is "
-                    "not a number",
-                    failed_id, limit, greatest_mach_number);
+  const std::string what = of_body
+                               ? fmt::format("particle {} and its body are faster than {:g} m/s ({:g} c0)",
+                                             failed_id, of_bodies, greatest_mach_number_of_bodies)
+                               : fmt::format(
+                                     "particle {} is faster than its body by more than {:g} m/s ({:g} c0), "
+                                     "or its speed is not a number",
+                                     failed_id, limit, greatest_mach_number);
   throw NumericalError(run.steps, run.time, failed_id, "velocity", what);
 }
 

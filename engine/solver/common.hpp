@@ -18,9 +18,9 @@
 
 namespace taut {
 
-/// Divergence limit of a particle's speed relative to its body, in c0.
+/// Limit of a particle's speed relative to its body, in c0.
 inline constexpr double greatest_mach_number = 10;
-/// Divergence limit of whole bodies, which may fly or spin fast.
+/// Limit for whole bodies, which may fly or spin fast.
 inline constexpr double greatest_mach_number_of_bodies = 1000;
 /// A saved state with more steps is damaged.
 inline constexpr long most_steps = 1L << 53;
@@ -30,7 +30,7 @@ class Common {
  public:
   using V = Vec<double, Dim>;
 
-  /// `support`: m. Particles are in creation order.
+  /// `support`: radius of interaction, m.
   Common(const SolverInput& input, double support);
 
   Constants constants;
@@ -42,7 +42,7 @@ class Common {
   TeamSize team;
   bool stepping = false;  // set-up uses all threads
   RunState run;
-  double vmax = 0;  // greatest speed, m/s
+  double vmax = 0;  // m/s
 
   int size() const { return particles.size(); }
   int threads_now() const { return stepping ? team.threads() : run.threads; }
@@ -57,7 +57,6 @@ class Common {
                               : by_speed / std::sqrt(std::max(1.0, contact.stiffening() / spare));
   }
 
-  /// For a step of `dt`, s, at time `t`, s.
   Kick<Dim> kick(double dt, double t);
   /// See Contact::stop_approach. `follow(i, change)` updates data that depend on v.
   template <class Follow>
@@ -91,21 +90,17 @@ class Common {
     if (!is_within_bounds(vmax)) throw_if_diverged();
   }
 
-  /// For methods that search only contacts.
   void show_contacts_to_probes() {
     probes.rebuilt(particles, contact.neighbors(size()), Contact<Dim>::reach * constants.dp);
   }
-  /// Mean over the last step, N.
   V contact_force(const Probe& probe, double dt) const {
     return (1 / dt) * contact.impulse(probe.bodies[0], probe.wall < 0 ? probe.bodies[1] : -1, probe.wall);
   }
 
-  /// For store_motion.
   void begin_motion(Snapshot& out) const;
   void store_motion(Snapshot& out, int i) const;
-  /// Except data of particles that change in time.
   void begin_snapshot(Snapshot& out) const;
-  /// kg/m³; Pa; `s_zz` in 2D only.
+  /// Units kg/m³ and Pa; `s_zz` in 2D only.
   void store(Snapshot& out, int i, double rho, double p, const Sym<double, Dim>& s, double s_zz) const;
 
   template <class Archive, class Method>
@@ -130,7 +125,7 @@ class Common {
   }
 
  private:
-  /// False for NaN.
+  /// Returns false for NaN.
   bool is_within_bounds(double speed) const {
     return speed >= 0 && speed <= greatest_mach_number * constants.c0;
   }

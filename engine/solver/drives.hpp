@@ -41,8 +41,8 @@ class Guides {
   std::vector<unsigned char> along_;  // [id]
 };
 
-/// Particles with prescribed velocity. Their density and stress evolve as for clamped particles (strains_clamped in
-/// methods/ul_split/). In each step call `set_time`, then `replace` for each new velocity.
+/// Particles with prescribed velocity. Their density and stress evolve as for clamped particles. In each step call
+/// `set_time`, then `replace` for each new velocity.
 template <int Dim>
 class Drives {
  public:
@@ -50,7 +50,6 @@ class Drives {
 
   Drives(const Scene& scene, const InitialParticles& initial);
 
-  /// False after the last drive.
   bool active() const { return active_; }
   int number_of_active() const { return static_cast<int>(std::ranges::count_if(drives_, &Timed::on)); }
 
@@ -58,7 +57,7 @@ class Drives {
   /// both give prescribed positions to second order. Expressions are not thread-safe.
   void set_time(double t);
 
-  /// Until the end of the run.
+  /// Whether the particle is driven until the end.
   bool lasts(int id) const { return !drives_.empty() && drive_[id] >= 0 && drives_[drive_[id]].lasts(); }
   bool moves(int id) const { return active_ && drive_[id] >= 0 && drives_[drive_[id]].on; }
   const V& velocity(int id) const { return drives_[drive_[id]].now; }  // m/s
@@ -72,7 +71,7 @@ class Drives {
     v = given;
   }
 
-  /// On a particle so far, J (per metre depth in 2D).
+  /// Work on a particle so far, J (per metre depth in 2D).
   double work(int id) const { return work_.empty() ? 0 : work_[id]; }
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
 
@@ -120,7 +119,6 @@ class Reactions {
   }
   double dt() const { return dt_; }          // s; initially 0
   V* impulses() { return impulse_.data(); }  // [i] N s
-  /// N s.
   void add(int i, const V& impulse) { impulse_[i] += impulse; }
 
   /// Mean force over the step that the recorded impulses do not explain, N.

@@ -45,7 +45,7 @@ struct External {
 
   Steering<Dim> steering() const { return {drives.active() || guides.active() ? axes_.data() : nullptr}; }
 
-  /// Force of clamp, guide or drive over the last step, N. Includes the weight that they carry, but no loads.
+  /// Force of clamp, guide or drive over the last step, N. Includes their weight, but no loads.
   V reaction(const Particles<Dim>& p, int i) const {
     const int id = p.id[i];
     const bool free = p.mobile[i] != 0 && !drives.moves(id);
@@ -70,7 +70,7 @@ struct External {
     update_steering();
   }
 
-  std::vector<unsigned char> axes_;  // [id] see Steering
+  std::vector<unsigned char> axes_;
 };
 
 }  // namespace taut

@@ -18,8 +18,8 @@ template <int Dim>
 using Place = Eigen::Vector<double, Dim>;
 
 constexpr double layer_reach = 2.1;  // dp, for the normal of a layer
-constexpr double close_reach = 2.2;  // dp, along the face
-constexpr double aside = 0.75;       // dp, greatest offset of a particle below another
+constexpr double close_reach = 2.2;  // dp
+constexpr double aside = 0.75;       // dp, greatest offset below another particle
 
 /// Least n · S per area of a column that shares a force; ends of bars have 0.95 to 1.5.
 constexpr double least_scaled = 0.5;
@@ -41,17 +41,16 @@ Place<Dim> way(const InitialParticles& initial, int i, int j) {
   return place<Dim>(initial.x[j]) - place<Dim>(initial.x[i]);
 }
 
-/// In the layer, or −1.
 int position(const std::vector<int>& layer, int i) {
   const auto found = std::ranges::lower_bound(layer, i);
   return found != layer.end() && *found == i ? static_cast<int>(found - layer.begin()) : -1;
 }
 
-/// Outward unit normal of the layer: the direction in which it is thin, away from the rest of the body; or 0.
+/// Outward unit normal of the layer at particle i, or 0: the direction in which the layer is thin.
 template <int Dim>
 Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int> near,
                     const std::vector<int>& layer, double spacing) {
-  constexpr double thin = 0.1;  // variance across over along the layer
+  constexpr double thin = 0.1;  // variance ratio
   Eigen::Matrix<double, Dim, Dim> spread = Eigen::Matrix<double, Dim, Dim>::Zero();
   Place<Dim> away = Place<Dim>::Zero();
   for (const int j : near) {
@@ -69,7 +68,7 @@ Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int>
   return side > 0 ? n : Place<Dim>(-n);
 }
 
-/// Face area over layer area at particle k, from the chords to its neighbours.
+/// Ratio of face area to layer area, from the chords to the neighbours.
 template <int Dim>
 double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                std::span<const int> near, double spacing) {
@@ -88,13 +87,12 @@ double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& in
 
 /// Particles below a layer particle; in a thin body down to the middle.
 struct Column {
-  bool thin = false;  // both faces may be in reach
-  double middle = std::numeric_limits<double>::infinity();  // depth, m; infinite unless thin
+  bool thin = false;                                        // both faces may be in reach
+  double middle = std::numeric_limits<double>::infinity();  // m; infinite unless thin
   double area = 0;                                          // Σ n · S, m^(dim − 1)
-  int at_middle = 0;                                        // number of particles
+  int at_middle = 0;
 };
 
-/// Deepest particle below i, and its depth, m.
 template <int Dim>
 std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticles& initial,
                                const NeighborsOfOne<Dim>& near, double spacing) {
@@ -107,7 +105,7 @@ std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticle
   return known;
 }
 
-/// Two faces interact if they are closer than twice the range of `near`.
+/// Column below particle i. Two faces interact if they are closer than twice the range of `near`.
 template <int Dim>
 Column column(int i, const Place<Dim>& n, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
               double spacing) {
@@ -124,11 +122,11 @@ Column column(int i, const Place<Dim>& n, const InitialParticles& initial, const
 
 struct Below {
   double distance = std::numeric_limits<double>::infinity();  // m
-  std::size_t k = 0;                                          // in the layer
-  double depth = 0;                                           // m
+  std::size_t k = 0;
+  double depth = 0;  // m
 };
 
-/// By id: the nearest layer particle above each free particle.
+/// Nearest layer particle above each free particle, by id.
 template <int Dim>
 std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initial,
                            const NeighborsOfOne<Dim>& near, double spacing) {
@@ -181,8 +179,7 @@ std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const 
   }
 }
 
-/// End correction of the midpoint rule at corners and edges. Without it, the moment of a linear traction along a
-/// face of n rows is too small by the fraction 1/n².
+/// End correction of the midpoint rule at corners and edges (THEORY.md).
 template <int Dim>
 std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& initial,
                                 const NeighborsOfOne<Dim>& near, double spacing) {
@@ -203,7 +200,7 @@ std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& 
 /// Whether some normals are almost perpendicular to the first one.
 template <int Dim>
 bool are_of_two_faces(const std::vector<Point>& normals) {
-  constexpr double across = 0.3;  // greatest |n · m|
+  constexpr double across = 0.3;
   const auto first = std::ranges::find_if(normals, [](const Point& n) { return n != Point{}; });
   return std::ranges::any_of(normals, [&](const Point& n) {
     return n != Point{} && std::abs(place<Dim>(n).dot(place<Dim>(*first))) < across;

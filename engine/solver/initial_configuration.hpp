@@ -26,7 +26,7 @@ class InitialConfiguration {
   std::vector<double> V0;  // m^Dim
   InitialPairs<Dim> pairs;
   std::vector<Sites<Dim>> sites;
-  std::vector<int> material;  // padded to groups
+  std::vector<int> material;
   Materials materials;
   double wave_speed = 0;  // greatest c_p = √((K + 4G/3)/ρ0), m/s
 
@@ -48,10 +48,10 @@ class InitialConfiguration {
   Common<Dim>& common_;
 };
 
-/// m.
+/// Radius of interaction, m.
 double initial_support(const SolverInput& input);
 
-/// h/dp.
+/// Constant h/dp.
 constexpr MethodConstant smoothing_length(const Formulation& m, int dim, double least) {
   const double h = dim == 3 && m.h_over_dp_3d > 0 ? m.h_over_dp_3d : m.h_over_dp;
   return {"h", h, least, 3.0, "smoothing length over the spacing", true, true};

@@ -22,9 +22,9 @@ namespace taut {
 enum class GradientCorrection : std::uint8_t { corrected, normalised };
 
 /// Pairs of initial neighbours within a body, from both sides: k_ij = V_i V_j ∇_i W(X_i − X_j) = −k_ji. Forces
-/// (internal_force_info, also [TranDuc2023] §2.3) are equal and opposite to the last bit.
-/// V in k_ij is the whole cell even for a particle on a face; V in forces is only the part inside the body.
-/// Gradients and forces are then of second order (summation by parts), and the reaction of a clamp does not spread.
+/// (internal_force_info, also [TranDuc2023] §2.3) are equal and opposite to the last bit. V in k_ij is the whole
+/// cell even on a face, V in forces only the part inside the body: gradients and forces are then of second order
+/// (summation by parts).
 template <int Dim>
 struct InitialPairs {
   std::vector<int> begin, j;        // begin[i] … begin[i + 1] − 1; j ascends
@@ -34,8 +34,7 @@ struct InitialPairs {
   int size() const { return static_cast<int>(B.size()); }
 };
 
-/// Pairs for passes over four particles, `Width` constants each, k_ij first; 0 in lanes without neighbour. Equal
-/// neighbourhoods share them.
+/// Pairs for passes over four particles, `Width` constants each, k_ij first; 0 in lanes without neighbour.
 template <int Dim, int Width = Dim>
 struct PairLanesView {
   struct Group {
@@ -100,7 +99,7 @@ class PairLanes {
   using Constants = typename View::Constants;
 
   PairLanes() = default;
-  /// `constants(p)`: array of pair p; must be thread-safe.
+  /// `constants(p)` returns the array of pair p; must be thread-safe.
   template <class Of>
   PairLanes(const InitialPairs<Dim>& pairs, int threads, const Of& constants);
 
@@ -126,7 +125,7 @@ inline constexpr TermInfo internal_force_info{
 /// Correction B:
 /// - corrected: B_i = [Σ_j (X_j − X_i) ⊗ k_ij]⁻¹, exact for linear fields. [Lee2016] Eq. 21, [TranDuc2023] §2.3
 /// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1) with i itself. [Zhang2020] below Eq. 11 prints no
-/// equation; here the force derives from an energy.
+///   equation; here the force derives from an energy.
 template <int Dim>
 Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<double, Dim>& moment, double V,
                                      double S) {
@@ -150,13 +149,14 @@ Vec<double, Dim> difference_on_grid(const Vec<double, Dim>& X_i, const Vec<doubl
   return d;
 }
 
-/// m. Excludes lattice neighbours at the end of the support, where kernels may not vanish.
+/// Greatest distance of a pair, m. Excludes lattice neighbours at the end of the support, where kernels may not
+/// vanish.
 template <class K>
 double reach_of_pairs(double h) {
   return (1 - 1e-9) * K::support * h;
 }
 
-/// `V`: cells, m^Dim; `near`: neighbours in the body within reach_of_pairs.
+/// `V`: cells, m^Dim; `near`: neighbours within reach_of_pairs.
 template <class K, int Dim>
 InitialPairs<Dim> make_initial_pairs(const NeighborLists& near, const std::vector<Vec<double, Dim>>& X,
                                      const std::vector<double>& V, double h, GradientCorrection gradient,

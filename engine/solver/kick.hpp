@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Plain data for passes; made by Common::kick.
+/// Kick as plain data for passes; made by Common::kick.
 template <int Dim>
 struct Kick {
   using V = Vec<double, Dim>;
@@ -92,7 +92,6 @@ struct Kick {
   }
 };
 
-/// Guides and drives, for passes.
 template <int Dim>
 struct Steering {
   static constexpr unsigned char driven = 1 << 7;

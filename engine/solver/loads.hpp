@@ -23,7 +23,6 @@ class Loads {
   /// Throws SceneError if a region is clamped or driven to the end.
   Loads(const Scene& scene, const InitialParticles& initial);
 
-  /// Moves tractions from the layer to the face; see face_shares.
   void act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,
                     const std::vector<Point>& surface, double reach);
 
@@ -35,10 +34,10 @@ class Loads {
   /// `t`: middle of the update, s. Expressions are not thread-safe.
   void set_time(double t);
 
-  /// Without damping, m/s². Only gravity unless `free`.
+  /// Acceleration without damping, m/s². Only gravity unless `free`.
   V pull(const Particles<Dim>& s, int i, bool free) const { return free && active_ ? push(s, i) : g_; }
 
-  /// With damping, m/s².
+  /// Acceleration with damping, m/s².
   V acceleration(const Particles<Dim>& s, int i) const { return push(s, i) - damping_ * s.v[i]; }
 
   /// Damping uses the mean of the old and the new velocity.
@@ -47,16 +46,15 @@ class Loads {
     v += (dt * s.mobile[i]) * push(s, i);
     v = (1 / (1 + half)) * (v - half * s.v[i]);
   }
-  /// Work at velocity `mean`, m/s.
+  /// Records the work at velocity `mean`, m/s.
   void count(const Particles<Dim>& s, int i, double dt, const V& mean) {
     work_[s.id[i]] += dt * s.mobile[i] * s.m[i] * dot(push(s, i), mean);
     damped_[s.id[i]] += dt * s.mobile[i] * s.m[i] * damping_ * dot(mean, mean);
   }
 
-  /// J (per metre depth in 2D).
+  /// Work so far, J (per metre depth in 2D).
   double work(int id) const { return work_.empty() ? 0 : work_[id]; }
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
-  /// J.
   double damped() const { return std::accumulate(damped_.begin(), damped_.end(), 0.0); }
 
   template <class Archive>
@@ -67,7 +65,7 @@ class Loads {
  private:
   struct Region {
     std::function<double(double)> ramp;
-    std::vector<std::pair<int, V>> shares;  // [id] N at ramp factor 1
+    std::vector<std::pair<int, V>> shares;  // [id] N
     double now = 0;
   };
 

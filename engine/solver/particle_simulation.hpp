@@ -39,13 +39,11 @@ class ParticleSimulation final : public Simulation, private ProbeSource<Dim> {
   Snapshot probe_snapshot_;  // only the groups of stress probes are current
 };
 
-/// Kernels of family F; see best_kernels.
 template <Family F, class Kernels, bool with_v4 = false>
 const Kernels& kernels_for(const SolverInput& input) {
   return best_kernels<F, Kernels, with_v4>(input.scene.dim, input.method.name, input.kernels);
 }
 
-/// The constructor takes the Common part, `input` and `more`.
 template <class Method, int Dim, class... More>
 std::unique_ptr<Simulation> simulation_by(const SolverInput& input, double support, const More&... more) {
   auto common = std::make_unique<Common<Dim>>(input, support);

@@ -22,7 +22,6 @@ using Points = std::vector<PointWeight>;
   throw SceneError("probe." + probe.name, "the probe '" + probe.name + "' " + reason);
 }
 
-
 Points point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
   const auto& [scene, initial, reach] = in;
   const int body = probe.bodies[0], begin = initial.first[body], end = initial.first[body + 1];
@@ -70,7 +69,7 @@ Points moving_point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
 template <int Dim>
 Vec<double, Dim> offset(const InitialParticles& initial, const Points& point, const Point& at) {
   Vec<double, Dim> way{};
-  if (point.size() != 1) return way;  // a mean of several particles is exact
+  if (point.size() != 1) return way;
   for (int k = 0; k < Dim; ++k) way[k] = at[k] - initial.x[point.front().particle][k];
   return way;
 }
@@ -100,7 +99,6 @@ void follow_stress(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
   if (f.at.empty()) refuse(f.probe, "has too few free particles around its point");
 }
 
-/// Follows particles that are clamped, driven, or guided along the component.
 template <int Dim>
 void follow_constrained(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
   const InitialParticles& initial = in.initial;
@@ -149,7 +147,6 @@ void follow_images(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
   }
 }
 
-
 template <int Dim>
 void find_close_pairs(ProbeFollower<Dim>& f, const ProbeView<Dim>& now, const Neighbors& neighbors) {
   f.pairs.clear();
@@ -177,13 +174,11 @@ void update_mirror_asymmetry(ProbeFollower<Dim>& f, const ProbeView<Dim>& now) {
   f.last = std::sqrt(greatest2);
 }
 
-
 template <int Dim>
 Vec<double, Dim> place(const ProbeFollower<Dim>& f, const ProbeView<Dim>& now) {
   return now.place(f.at) + f.beside;
 }
 
-/// Mass-weighted; `of` is [stored particle].
 template <int Dim>
 double mean(const ProbeFollower<Dim>& f, const ProbeView<Dim>& now, const std::vector<Vec<double, Dim>>& of) {
   double moment = 0, mass = 0;
@@ -220,7 +215,6 @@ double gap(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
   const std::vector<int>& bodies = f.probe.bodies;
   if (ContactsOfFaces<Dim>* const faces = now.source.faces()) return faces->gap(now.s, bodies[0], bodies[1]);
   const auto& diameter = now.diameter;
-  // lower bound, if no pair is in range
   double least = now.support - 0.5 * (diameter[now.first[bodies[0]]] + diameter[now.first[bodies[1]]]);
   for (const auto& [i, j] : f.pairs) {
     const Vec<double, Dim> d = now.s.x[i] - now.s.x[j];
@@ -236,7 +230,7 @@ double mirror_asymmetry(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
   return f.last;
 }
 
-/// From the initial direction, −π to π, right-handed.
+/// Angle from the initial direction, −π to π, right-handed.
 template <int Dim>
 double angle(const ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
   const Point& a = f.probe.turns_about;

@@ -19,10 +19,9 @@ class ProbeSource {
   using V = Vec<double, Dim>;
 
   virtual ~ProbeSource() = default;
-  virtual ContactsOfFaces<Dim>* faces() = 0;                   // may be null
+  virtual ContactsOfFaces<Dim>* faces() = 0;
   virtual V reaction(int i) = 0;                               // N
   virtual V contact_force(const Probe& probe, double dt) = 0;  // N
-  /// Current stresses of the particles with these storage indices.
   virtual const Snapshot& shown(const std::vector<int>& stored) = 0;
 };
 
@@ -35,7 +34,7 @@ struct ProbeFollower {
   const ProbeRow<Dim>* row = nullptr;
   std::vector<PointWeight> at, to;
   Vec<double, Dim> beside{}, to_beside{};  // offset from a single particle, m
-  std::vector<std::pair<int, int>> pairs;  // storage indices, within `support`
+  std::vector<std::pair<int, int>> pairs;  // storage indices
   std::vector<int> image;                  // [particle] id
   double last = 0;                         // m or rad
 };
@@ -64,7 +63,7 @@ struct ProbeView {
 template <int Dim>
 struct ProbeStep : ProbeView<Dim> {
   ProbeSource<Dim>& source;
-  const Snapshot* shown;              // for rows with `takes_stress`
+  const Snapshot* shown;
   double time, dt;                    // s; initially dt = 0
   const std::vector<double>& before;  // earlier probes
   bool evaluates_expensive;           // true every few steps

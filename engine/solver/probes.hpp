@@ -26,7 +26,6 @@ class ProbeRecorder {
     return true;
   }
 
-  /// Members that depend on the storage order or on earlier steps.
   template <class Archive>
   void serialize(Archive& archive) {
     archive.fixed(storage_of_id_);

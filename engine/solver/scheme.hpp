@@ -18,7 +18,7 @@ class Scheme {
   virtual double step_size() const = 0;  // s
   virtual void step(double dt) = 0;
 
-  /// Stores these groups of four, ascending, in a snapshot that Common::begin_snapshot has begun.
+  /// Stores groups of four, ascending, in a snapshot that Common::begin_snapshot has begun.
   virtual void show(Snapshot& out, std::span<const int> groups) const = 0;
   /// See Simulation::motion. Returns false if energies depend on stresses.
   virtual bool show_motion(Snapshot& /*out*/) const { return false; }

@@ -11,7 +11,6 @@
 
 namespace taut {
 
-/// One row per step.
 struct Series {
   std::vector<double> time;                // s
   std::vector<std::vector<double>> value;  // [probe][step]
@@ -34,7 +33,7 @@ struct RunState {
   long steps = 0;
   Series series;
   long pairs = 0;                // directed, at the last rebuild
-  double support = 0;            // radius of interaction, m
+  double support = 0;            // m
   bool keeps_neighbors = false;  // keeps initial neighbours inside a body
   /// Greatest stretch up to which the method follows its elastic law.
   double lawful_stretch = std::numeric_limits<double>::infinity();
@@ -61,7 +60,7 @@ class Simulation {
   /// no access outside arrays.
   virtual void load(std::string_view state) = 0;
 
-  /// Computed on request. After a NumericalError: the last snapshot taken before it.
+  /// State after the last step. After a NumericalError: the last snapshot taken before it.
   const Snapshot& snapshot() const {
     if (outdated_) take_snapshot(snapshot_);
     outdated_ = false;
@@ -87,7 +86,7 @@ class Simulation {
   bool has_snapshot() const { return !snapshot_.m.empty(); }
 
   mutable Snapshot snapshot_;
-  mutable bool outdated_ = true;  // snapshot_ and motion_
+  mutable bool outdated_ = true;
 
  private:
   static inline const std::atomic<int> never_{0};

@@ -13,10 +13,9 @@
 
 namespace taut {
 
-/// By name; lengths in m.
+/// Constants by name; lengths in m.
 using ConstantValues = std::map<std::string_view, double>;
 
-/// Extends `all` by the constants of a family.
 template <class C>
 C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, const ConstantValues& values) {
   C c{all};
@@ -24,7 +23,7 @@ C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, co
   return c;
 }
 
-/// Validated.
+/// Validated input of a solver.
 struct SolverInput {
   const Formulation& method;
   const Scene& scene;
@@ -32,12 +31,12 @@ struct SolverInput {
   Constants constants;
   std::vector<Elasticity> materials;  // as Scene::materials
   Law law;
-  ContactLaw contact;                 // never `published`
+  ContactLaw contact;    // never `published`
   bool keeps_neighbors;  // see FamilyRow; parts that were far apart then interact by contact
   Stepping stepping;
   int threads;
-  InstructionSet kernels{};    // best set allowed
-  ConstantValues values = {};  // of the family
+  InstructionSet kernels{};  // best set allowed
+  ConstantValues values = {};
 };
 
 }  // namespace taut

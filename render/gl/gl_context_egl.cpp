@@ -42,7 +42,7 @@ EGLDisplay display() {
 
 struct GlContext::Handle {
   EGLContext context = EGL_NO_CONTEXT;
-  GLuint framebuffer = 0, color = 0;  // deleted with the context
+  GLuint framebuffer = 0, color = 0;
   ~Handle() {
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display(), context);
   }

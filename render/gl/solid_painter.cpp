@@ -25,7 +25,7 @@ constexpr int samples_per_band = 1 << 24;
 // x to the right, y downwards, z towards the camera. Surfaces that face away from the light keep the share `ambient`
 // of their colour.
 constexpr std::array<float, 3> to_light = {-0.32f, -0.44f, 0.839f};
-constexpr float ambient = 0.72f;  // of a particle
+constexpr float ambient = 0.72f;
 #define TAUT_LIGHT                                                  \
   "float light_on(vec3 normal, float ambient) {\n"                  \
   "  const vec3 to_light = vec3(-0.32, -0.44, 0.839);\n"            \
@@ -143,7 +143,6 @@ GLuint make_texture(GLint format, GLenum kind, GLenum type, GLint filter, int wi
   return texture;
 }
 
-/// Floats, then a colour.
 void declare_attributes(int floats, std::size_t stride) {
   const auto place = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
   const auto bytes = static_cast<GLsizei>(stride);
@@ -160,7 +159,7 @@ float light_on(float x, float y, float z) {
   return std::min(ambient + (1 - ambient) * light, 1.0f);
 }
 
-/// Pixels.
+/// Bounds in pixels.
 struct SolidPainter::Extent {
   float left = 1e30f, right = -1e30f, top = 1e30f, bottom = -1e30f, far = 1e30f, near = -1e30f;
 
@@ -253,7 +252,7 @@ void SolidPainter::draw_band(int top, int height, int ball_corners, int corners,
 
 /// The band has `below` further rows under them.
 void SolidPainter::resolve(std::uint32_t picture, int top, int height, int below, const Extent& extent) {
-  const int bottom = image_height_ - (plot_.y + top + height);  // OpenGL's row 0 is the bottom
+  const int bottom = image_height_ - (plot_.y + top + height);
   glBindFramebuffer(GL_FRAMEBUFFER, picture);
   glViewport(0, 0, image_width_, image_height_);
   glDisable(GL_DEPTH_TEST);

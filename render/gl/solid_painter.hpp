@@ -8,7 +8,6 @@
 
 namespace taut::render {
 
-/// Pixels.
 struct Ball {
   float x, y;  // from the plot's top left, y downwards
   float z;     // towards the camera
@@ -22,8 +21,8 @@ struct Corner {
 };
 
 /// Draws spheres and triangles with OpenGL. Requires a current context throughout its lifetime. The light comes from
-/// the upper left, behind the camera. All visible surfaces are also shaded by the depths around each pixel: hollows
-/// are darker [Luft, Colditz, Deussen: Image enhancement by unsharp masking the depth buffer, 2006].
+/// the upper left, behind the camera. The depths around each pixel make hollows darker [Luft, Colditz, Deussen:
+/// Image enhancement by unsharp masking the depth buffer, 2006].
 class SolidPainter {
  public:
   /// Throws UsageError without enough memory.
@@ -46,7 +45,7 @@ class SolidPainter {
   int image_width_, image_height_;
   Rect plot_;
   std::array<float, 3> background_;
-  int reach_;        // of the shading, pixels
+  int reach_;  // pixels
   int band_height_;
   std::uint32_t framebuffer_ = 0, color_ = 0, depth_ = 0;
   Shape ball_, triangle_;

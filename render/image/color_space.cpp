@@ -6,7 +6,7 @@
 namespace taut::render {
 namespace {
 
-/// IEC 61966-2-1.
+/// Linear light (IEC 61966-2-1).
 std::array<double, 256> linear_table() {
   std::array<double, 256> table;
   for (int i = 0; i < 256; ++i) {
@@ -16,7 +16,7 @@ std::array<double, 256> linear_table() {
   return table;
 }
 
-/// CIE 15.
+/// Lightness (CIE 15).
 double lightness_root(double t) {
   constexpr double delta = 6.0 / 29.0;
   return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29.0;

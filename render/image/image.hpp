@@ -7,7 +7,7 @@
 
 namespace taut::render {
 
-/// Pixels from the top left.
+/// Area in pixels from the top left.
 struct Rect {
   int x = 0, y = 0, width = 0, height = 0;
 };
@@ -19,7 +19,7 @@ inline constexpr Rgb white = {255, 255, 255};
 /// both contrasts are about equal.
 inline bool is_light(Rgb color) { return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] > 118; }
 
-/// Rows from the top. A pixel has the bytes B, G, R, 255, since OSMesa and Cairo draw into it.
+/// Picture by rows from the top. A pixel has the bytes B, G, R, 255, since OSMesa and Cairo draw into it.
 struct Image {
   int width = 0;
   int height = 0;

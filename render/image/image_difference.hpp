@@ -11,11 +11,11 @@ inline constexpr double just_noticeable = 2.3;
 
 /// The share measures widespread changes, the densest window local ones, such as one moved particle.
 struct ImageDifference {
-  double share = 0;           // of pixels beyond the tolerance, 0 to 1
-  double greatest = 0;        // ΔE*ab
-  double densest = 0;         // share in the worst window of 16 × 16 pixels
-  int column = 0, row = 0;    // of that window
-  int width = 0, height = 0;  // smaller in small pictures
+  double share = 0;     // of pixels
+  double greatest = 0;  // ΔE*ab
+  double densest = 0;   // share in the worst window of 16 × 16 pixels
+  int column = 0, row = 0;
+  int width = 0, height = 0;
 };
 
 /// Rounding may move edges across pixel centres, but rarely at many adjacent pixels.
@@ -33,8 +33,7 @@ double excess(const ImageDifference& difference, const DifferenceLimit& limit = 
 
 bool alike(const ImageDifference& difference, const DifferenceLimit& limit = {});
 
-/// `a` in pale gray, differences from orange to dark red, a frame around the densest window. Throws UsageError for
-/// different sizes.
+/// Shows `a` in pale gray and differences from orange to dark red. Throws UsageError for different sizes.
 Image difference_picture(const Image& a, const Image& b, double tolerance = just_noticeable);
 
 }  // namespace taut::render

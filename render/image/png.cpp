@@ -107,7 +107,6 @@ struct Deflater {
   isal_hufftables code;
   std::uint8_t deflated[1 << 16];
 
-  /// `seen`: some bytes.
   explicit Deflater(isal_huff_histogram& seen) {
     isal_deflate_init(&stream);
     stream.gzip_flag = IGZIP_ZLIB;
@@ -132,7 +131,6 @@ struct Deflater {
   }
 };
 
-/// Bands fit into the cache.
 class Bands {
  public:
   explicit Bands(const Image& image)
@@ -153,7 +151,6 @@ class Bands {
   std::vector<std::uint8_t> rows_;
 };
 
-/// Every sixth band.
 std::unique_ptr<isal_huff_histogram> histogram(Bands& bands) {
   constexpr int apart = 6;
   auto seen = std::make_unique<isal_huff_histogram>();  // zeros

@@ -18,10 +18,10 @@ class ColorKey {
   explicit ColorKey(ColorBar bar) : key_(std::move(bar)) {}
   explicit ColorKey(Legend legend) : key_(std::move(legend)) {}
 
-  /// From the left edge of `room`.
+  /// Fills the height of `room`, from its left edge.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& off_scale);
-  /// In em, for a height in pixels.
+  /// Width in em, for a height in pixels.
   double width(int height, double em, std::string_view unit) const;
 
  private:
@@ -59,7 +59,6 @@ class Annotation {
   std::string field_, unit_;
 };
 
-/// Bold title and gray note.
 void draw_title(Canvas& canvas, const std::string& title, const std::string& note, double left, double y,
                 double room, double em);
 

@@ -16,7 +16,7 @@ inline constexpr double ink = 0.13;
 inline constexpr double faint = 0.42;
 inline constexpr double cap_height = 0.73;  // of digits, per font size
 
-/// In whole pixels.
+/// Width in whole pixels.
 double line_width(double em);
 
 /// Draws with Cairo; pixels from the top left.
@@ -52,7 +52,7 @@ class Canvas {
   };
   Font regular_, bold_;
   Rgb background_;
-  double contrast_;  // strongest, 0 or 1
+  double contrast_;
   std::unique_ptr<cairo_surface_t, Deleter> surface_;
   std::unique_ptr<cairo_t, Deleter> cairo_;
 };

@@ -10,7 +10,7 @@ namespace taut::render {
 
 enum class Weight { regular, bold };
 
-/// DejaVu Sans in the system's folders. Throws OutputError, which names the package.
+/// Finds DejaVu Sans in the system's folders. Throws OutputError, which names the package.
 std::filesystem::path find_font(Weight weight);
 
 /// Without fontconfig and hinting: letters are equal on all machines.
@@ -18,7 +18,6 @@ class Font {
  public:
   explicit Font(const std::filesystem::path& file);
 
-  /// In pixels.
   void use(cairo_t* cairo, double size) const;
 
  private:

@@ -14,7 +14,7 @@ constexpr double text_left = 1.4;
 constexpr double letter_width = 0.62;  // average
 constexpr double small_size = 0.94;
 
-/// Characters, not bytes.
+/// Counts characters, not bytes.
 double length_of(std::string_view text) {
   return static_cast<double>(
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));

@@ -6,7 +6,7 @@
 
 namespace taut::render {
 
-/// In m; the picture extends it to its aspect ratio.
+/// Visible region, m; the picture extends it to its aspect ratio.
 struct View {
   double x_min = 0, x_max = 1, y_min = 0, y_max = 1;
   bool operator==(const View&) const = default;
@@ -16,12 +16,12 @@ struct View {
 using AxesMarker = std::array<std::array<double, 3>, 3>;
 
 struct PageLayout {
-  double font = 0;   // em in pixels; 0: no texts
+  double font = 0;  // em in pixels; 0: no texts
   Rect plot;
   Rect key;
-  double right = 0;  // of the texts, pixels
+  double right = 0;  // pixels
   double pixels_per_metre = 1;
-  double x_origin = 0, y_origin = 0;  // from the plot's top left, pixels
+  double x_origin = 0, y_origin = 0;  // pixels
 
   double column(double x) const { return x_origin + x * pixels_per_metre; }
   double row(double y) const { return y_origin - y * pixels_per_metre; }  // downwards
@@ -29,14 +29,14 @@ struct PageLayout {
 
 struct TextParts {
   bool title = true, method = true, time = true;
-  bool bar = true;                                // or legend
+  bool bar = true;  // or legend
   bool scale = true, axes = true;
   bool operator==(const TextParts&) const = default;
 
   bool header() const { return title || method || time; }
 };
 
-/// Minimum width, em.
+/// Minimum width of the colour key, em.
 inline constexpr double room_of_bar = 5.75;
 
 struct PageTexts {
@@ -44,7 +44,7 @@ struct PageTexts {
   TextParts parts{};
 };
 
-/// Pixels; 0 in a picture that is too small for texts, unless `texts` sets the font.
+/// Sizes in pixels; 0 in a picture that is too small for texts, unless `texts` sets the font.
 struct TextSize {
   double font = 0;
   int key_height = 0;

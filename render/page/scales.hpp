@@ -20,10 +20,9 @@ struct OffScale {
 
 class ColorBar {
  public:
-  /// `no_number`: colour of NaN.
   ColorBar(double low, double high, const std::array<Rgb, 256>& colors, Rgb no_number);
 
-  /// In em, for a height in pixels.
+  /// Width in em, for a height in pixels.
   double width(int height, double em, std::string_view unit) const;
   /// Omits numbers if they, or their unit, do not fit.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
@@ -44,7 +43,6 @@ class ColorBar {
 /// "von Mises stress (MPa)", at most `room` pixels long: the name is shortened, never the unit. May be empty.
 std::string label_of_bar(Canvas& canvas, std::string_view field, const std::string& unit, double room);
 
-/// About a fifth of the plot.
 void draw_scale_bar(Canvas& canvas, const Rect& plot, double pixels_per_metre, double em);
 
 }  // namespace taut::render

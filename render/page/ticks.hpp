@@ -6,13 +6,13 @@
 
 namespace taut::render {
 
-/// Shown as `value * factor`, e.g. 1e-6 and "MPa".
+/// Factor and unit of shown numbers, e.g. 1e-6 and "MPa".
 struct Scale {
   double factor = 1;
   std::string unit;
 };
 
-/// At most three digits before the point, by an SI prefix or, e.g. for 1/s, a power of ten.
+/// Gives at most three digits before the point, by an SI prefix or, e.g. for 1/s, a power of ten.
 Scale scale_for(double greatest, std::string_view unit);
 
 struct Tick {
@@ -31,10 +31,10 @@ Ticks nice_ticks(double low, double high, std::string_view unit, int most);
 /// Greatest 1, 2 or 5 times a power of ten up to `length` > 0.
 double nice_length(double length);
 
-/// Typographic minus; never "−0".
+/// Formats with a typographic minus; never "−0".
 std::string format_fixed(double value, int decimals);
 
-/// "5.004 ms". With the last time `until`, s, all times have the same unit.
+/// Formats as "5.004 ms". With the last time `until`, s, all times have the same unit.
 std::string format_time(double t, double until = 0);
 
 }  // namespace taut::render

@@ -78,7 +78,7 @@ struct Combined final : ShapeBase {
   }
 
  private:
-  static constexpr double finely = 0.125;  // chords limit the accuracy of crossings
+  static constexpr double finely = 0.125;
 };
 
 }  // namespace taut

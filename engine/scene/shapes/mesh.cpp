@@ -71,7 +71,7 @@ Bounds bounds_of(std::span<const Point> points) {
 }  // namespace
 
 MeshFaults faults_of(const Triangles& mesh) {
-  std::map<std::pair<int, int>, std::pair<int, int>> uses;  // [edge] per direction
+  std::map<std::pair<int, int>, std::pair<int, int>> uses;
   for (const auto& corner : mesh.corners)
     for (std::size_t k = 0; k < 3; ++k) {
       const int a = corner[k], b = corner[(k + 1) % 3];
@@ -89,7 +89,6 @@ MeshFaults faults_of(const Triangles& mesh) {
 
 Mesh::Mesh(Triangles mesh) : mesh_(std::move(mesh)), box_(bounds_of(mesh_.points)) {
   volume_ = std::abs(volume_of(mesh_));
-  // about as many cells as triangles
   const double most = std::sqrt(static_cast<double>(mesh_.corners.size()));
   const double width = box_.high[0] - box_.low[0], depth = box_.high[1] - box_.low[1];
   const double ratio = width > 0 && depth > 0 ? std::sqrt(width / depth) : 1;
@@ -120,7 +119,6 @@ Mesh::Range Mesh::cells(std::size_t axis, double low, double high) const {
   return {cell(low), cell(high)};
 }
 
-/// May repeat triangles.
 template <class Visit>
 void Mesh::visit_near(const Point& x, double distance, const Visit& visit) const {
   const Range across = cells(0, x[0] - distance, x[0] + distance),
@@ -130,7 +128,7 @@ void Mesh::visit_near(const Point& x, double distance, const Visit& visit) const
       for (const int triangle : triangles_[static_cast<std::size_t>(j * sides_[0] + i)]) visit(triangle);
 }
 
-/// Signs of all triangles above x.
+/// Sum of the signs of all triangles above x.
 int Mesh::winding_number(const Point& x) const {
   if (x[0] < box_.low[0] || x[0] > box_.high[0] || x[1] < box_.low[1] || x[1] > box_.high[1]) return 0;
   int number = 0;

@@ -13,7 +13,7 @@ struct Triangles {
   std::vector<std::array<int, 3>> corners;
 };
 
-/// Edges not shared by triangles in pairs, and edges whose triangles face opposite sides.
+/// Edges not shared by two triangles, and edges whose triangles face opposite sides.
 struct MeshFaults {
   int open = 0, turned = 0;
 };
@@ -42,9 +42,9 @@ class Mesh final : public ShapeBase {
   Triangles mesh_;
   Point from_{};
   Bounds box_{};
-  double volume_ = 0;                        // m³
-  std::array<int, 2> sides_{1, 1};           // cells along x and y
-  std::vector<std::vector<int>> triangles_;  // [cell of x and y]
+  double volume_ = 0;  // m³
+  std::array<int, 2> sides_{1, 1};
+  std::vector<std::vector<int>> triangles_;
 };
 
 }  // namespace taut

@@ -27,7 +27,7 @@ bool within(const Point& x, const Point& a, const Point& b) {
   return (x[k] - a[k]) * (b[k] - x[k]) > 0;
 }
 
-/// Where two sides cross or overlap, not where they touch.
+/// Returns where two sides cross or overlap, not where they touch.
 std::optional<Point> crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
   const double of_c = turn(a, b, c), of_d = turn(a, b, d), of_a = turn(c, d, a), of_b = turn(c, d, b);
   if (of_c == 0 && of_d == 0) {
@@ -86,7 +86,7 @@ Polygon::Polygon(std::vector<Chain> contours, const std::optional<Point>& centre
     std::size_t k = 0;
     while (k + 1 < contour.size() && contour[k] == contour[k + 1]) ++k;
     const Point &a = contour[k], &b = contour[(k + 1) % contour.size()];
-    const double off = 1e-6;  // of the side's length
+    const double off = 1e-6;
     const Point left{0.5 * (a[0] + b[0]) - off * (b[1] - a[1]), 0.5 * (a[1] + b[1]) + off * (b[0] - a[0]), 0};
     if (!is_inside(left)) std::ranges::reverse(contour);
     area_ += area_of(contour);

@@ -31,11 +31,10 @@ class Polygon final : public ShapeBase {
   Point from_{};
   bool about_centre_;
   Bounds box_;
-  double area_ = 0;                        // m²
-  std::vector<std::vector<Side>> strips_;  // in equal strips of the box, from below
+  double area_ = 0;  // m²
+  std::vector<std::vector<Side>> strips_;
 };
 
-/// Where sides cross or overlap.
 std::optional<Point> crossing(const std::vector<Chain>& contours);
 
 }  // namespace taut

@@ -17,7 +17,6 @@ Point on_circle(const Point& centre, double r, long k, long n) {
   return {centre[0] + r * std::cos(angle), centre[1] + r * std::sin(angle), 0};
 }
 
-/// `against`: anticlockwise.
 Chain circle(const Point& centre, double r, long n, bool against) {
   Chain chain;
   for (long k = 0; k < n; ++k) chain.push_back(on_circle(centre, r, against ? k : (n - k) % n, n));
@@ -43,7 +42,6 @@ std::vector<long> numbers_of(const Ring& ring, double dp) {
 constexpr int sectors = 6;
 long layers_of(const Disc& disc, double dp) { return std::max(0L, std::lround(disc.radius / dp - 0.5)); }
 
-/// `n` particles share `area`, m²; `fold`: rotational symmetry.
 void add_layer(std::vector<InitialSite>& sites, const Point& centre, double r, long n, double area,
                long fold) {
   const int first = static_cast<int>(sites.size());
@@ -152,8 +150,7 @@ Bounds Cylinder::bounds() const {
   Bounds box;
   for (std::size_t k = 0; k < 3; ++k) {
     const double along = (to[k] - from[k]) / length();
-    const double half =
-        radius * std::sqrt(std::max(0.0, 1 - along * along));  // half width of an end face
+    const double half = radius * std::sqrt(std::max(0.0, 1 - along * along));  // half width
     box.low[k] = std::min(from[k], to[k]) - half;
     box.high[k] = std::max(from[k], to[k]) + half;
   }

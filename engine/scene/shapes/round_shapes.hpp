@@ -7,8 +7,8 @@
 
 namespace taut {
 
-/// Initial neighbours work best with layers along the faces, searched neighbours with equal distances in all
-/// directions.
+/// Layout of round bodies. Initial neighbours work best with layers along the faces, searched neighbours with equal
+/// distances in all directions.
 enum class RoundLayout : std::uint8_t {
   aligned,  // equally many per layer; hollow only
   spaced,   // about dp apart
@@ -16,12 +16,11 @@ enum class RoundLayout : std::uint8_t {
 };
 std::string_view name(RoundLayout);
 
-/// Whether distances on the inner face are at least a third of those on the outer.
+/// Whether inner distances are at least a third of outer ones.
 bool can_be_aligned(double inner, double outer);
 
 double measure_of_ball(int dim, double r);
 
-/// In 3D a ball.
 struct Disc final : ShapeBase {
   Point centre{};
   double radius = 0;
@@ -30,7 +29,7 @@ struct Disc final : ShapeBase {
   Disc(const Point& centre, double radius, RoundLayout layout = RoundLayout::lattice)
       : centre(centre), radius(radius), layout(layout) {}
 
-  /// In 2D.
+  /// Default in 2D.
   static RoundLayout default_layout(bool keeps_neighbors);
 
   Bounds bounds() const override;
@@ -46,7 +45,6 @@ struct Disc final : ShapeBase {
   bool operator==(const Disc&) const = default;
 };
 
-/// In 3D a hollow ball.
 struct Ring final : ShapeBase {
   Point centre{};
   double inner = 0, outer = 0;
@@ -65,10 +63,9 @@ struct Ring final : ShapeBase {
   Point middle() const override { return centre; }
   Point anchor() const override { return bounds().middle(); }
   /// Layers at r = inner + (k + ½) dp begin on the positive x axis. Aligned layers form a polar grid with particles
-  /// dp apart at the mean radius; spaced layers have a whole number of particles about dp apart. In 3D all layers
-  /// are aligned: a cube's six faces made round, with n × n particles each of mean volume dp³.
+  /// dp apart at the mean radius; spaced layers have particles about dp apart. In 3D layers are a cube's six faces
+  /// made round, with n × n particles each of mean volume dp³.
   std::vector<InitialSite> sites(int dim, double dp) const override;
-  /// At the angles of the innermost and outermost particles.
   std::vector<Chain> outline(int dim, double dp) const override;
   FacePatches patches(double dp) const override;
   bool operator==(const Ring&) const = default;

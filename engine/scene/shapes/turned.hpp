@@ -4,7 +4,6 @@
 
 namespace taut {
 
-/// Rotates a shape with its lattice or layers.
 struct Turned final : ShapeBase {
   Shape shape;
   Rotation rotation;
