@@ -39,7 +39,7 @@ struct Snapshot {
   std::vector<int> body;
   std::vector<int> material;
   std::vector<unsigned char> clamped;
-  std::vector<unsigned char> driven;  // at some time
+  std::vector<unsigned char> driven;  // moved by a drive at some time
 
   std::size_t size() const { return m.size(); }
 

@@ -78,7 +78,7 @@ void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene,
                   stored, share));
 }
 
-/// Two bodies closer than two spacings and within the kernel support: `sph` may join them.
+/// Warns of two bodies closer than two spacings and within the kernel support: `sph` may join them.
 void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start,
                               double support) {
   constexpr double parts = 2 - 1e-6;  // spacings; bodies this far apart separate with every method

@@ -11,7 +11,6 @@ Vector normalised(const Vector& a) {
   return {a[0] / length, a[1] / length, a[2] / length};
 }
 
-/// Rodrigues' rotation by degrees.
 Vector turned(const Vector& a, const Vector& axis, double degrees) {
   const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
   const Vector across = cross(axis, a);

@@ -15,7 +15,7 @@ struct Dot {
 };
 
 /// Draws antialiased discs, the same pixels on every machine. Each sample shows the disc with the nearest centre,
-/// measured in radii of the disc: overlapping discs of one size meet in a straight line.
+/// measured in radii of the disc.
 class DiscPainter {
  public:
   /// The plot must be filled with `background`. Nothing else may draw into it.

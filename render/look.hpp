@@ -40,7 +40,7 @@ struct Look {
   PageTexts texts{};  // unless bare
   double glyph = 1;   // drawn / true diameter
   Rgb background = white;
-  /// Values then count from 0, a legend replaces the bar, range and colour map may be open.
+  /// Names of categories; values then count from 0, a legend replaces the bar, range and colour map may be open.
   std::vector<std::string> categories{};
 };
 

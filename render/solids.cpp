@@ -17,7 +17,7 @@ Vector sum(const Vector& a, const Vector& b, double times = 1) {
   return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
 }
 
-// Otherwise bending would open gaps between cells, of second order in the spacing.
+// Overlap of cells; otherwise bending would open gaps between them, of second order in the spacing.
 constexpr double overlap = 1.02, least_overlap = 0.7;
 
 Vector widened(const Vector& half) {

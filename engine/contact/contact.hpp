@@ -11,7 +11,8 @@
 namespace taut {
 
 /// Contact of bodies, folds and walls. Forces in N, impulses in N s, energies in J (per metre depth in 2D).
-/// In each step: `prepare`; move positions; `evaluate`; add `force` if `acting`; `stop_approach`.
+/// In each step: `prepare`; move positions; `evaluate`; add `force` if `acting`; `stop_approach`. After reordering:
+/// `search`.
 template <int Dim>
 class Contact {
  public:
@@ -39,7 +40,8 @@ class Contact {
   const V& force(int i) const { return force_[i]; }
 
   /// Calls `change(i, impulse)` for touching particles. Impulses follow from the state before the first call. They
-  /// act where the forces acted, `gone`, s, ago, to conserve angular momentum. `inverse_mass(i)`: 1/kg.
+  /// act where the forces acted, `gone`, s, ago, to conserve angular momentum. `inverse_mass(i)`: 1/kg, 0 if
+  /// immovable.
   template <class InverseMass, class Change>
   void stop_approach(const Particles<Dim>& s, double gone, const InverseMass& inverse_mass,
                      const Change& change) {

@@ -72,4 +72,4 @@ class FaceCandidates {
   std::vector<V> main_places_;  // [node] m
 };
 
-}
+}  // namespace taut

@@ -97,8 +97,8 @@ class FacetContacts final : public ContactMechanism<3> {
 
   std::vector<Row> rows_;
   std::vector<int> begin_, other_;
-  std::vector<Touch> touches_;  // [row]
-  std::vector<int> near_;
+  std::vector<Touch> touches_;               // [row]
+  std::vector<int> near_;                    // rows of `other_` in range, from the same index on
   std::vector<MovingFacets::Slope> slopes_;  // [row]
   std::vector<int> watched_;                 // ascending
   std::vector<int> nodes_;                   // of `watched_`

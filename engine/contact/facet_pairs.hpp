@@ -25,7 +25,7 @@ struct FacetColumns {
 };
 
 /// Finds midpoints among first … last − 1 nearer to facet p than √near2, initially farther than √far2, with normals
-/// below `cosine`.
+/// below `cosine`. Returns their number.
 inline int find_near_facets(const FacetColumns& facets, int p, int first, int last, double near2, double far2,
                             double cosine, int* found, double* distance2) {
   int count = 0;
@@ -124,7 +124,6 @@ class FacetPairs {
       gap2 += gap * gap;
     }
     if (gap2 > apart2 * (1 + room)) return false;
-    // least n_f · n_g
     const double least = dot(A.normal, B.normal) - A.spread * std::sqrt(dot(B.normal, B.normal)) -
                          B.spread * std::sqrt(dot(A.normal, A.normal)) - A.spread * B.spread;
     return least < cosine + room;

@@ -165,7 +165,7 @@ class MovingFaces {
   }
 
   struct Touch {
-    double depth;  // m
+    double depth;  // m, negative in front
     V out;
   };
   /// At blunt ends the mean normal of both segments tells the inside.

@@ -25,7 +25,7 @@ class WallContacts {
 
   bool any() const { return !planes_.empty(); }
   int count() const { return static_cast<int>(planes_.size()); }
-  const V& normal(int wall) const { return planes_[wall].normal; }  // unit vector
+  const V& normal(int wall) const { return planes_[wall].normal; }  // unit vector towards the bodies
   double height(int wall, const V& x) const {                       // m
     return dot(x - planes_[wall].at, planes_[wall].normal);
   }
@@ -47,7 +47,7 @@ class WallContacts {
 
  private:
   struct Plane {
-    V at, normal;
+    V at, normal;  // m; unit vector
   };
 
   std::vector<Plane> planes_;

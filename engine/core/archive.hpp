@@ -197,7 +197,7 @@ class Loader : public Archive<Loader> {
     (*this)(found);
     if (!(found == value)) fail("the number of particles or probes");
   }
-  /// Throws UsageError if bytes remain.
+  /// Call last: throws UsageError if bytes remain.
   void finish() const {
     if (!rest_.empty()) fail("its length");
   }

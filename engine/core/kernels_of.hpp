@@ -9,6 +9,7 @@
 /// macro `taut`: the linker must share no inline functions.
 namespace taut {
 
+/// Values differ from Family.
 enum class SharedKernels { neighbor_search = 100, history_row };
 
 /// Kernel table of this build, or null. `Key` is a Family or SharedKernels; `method` selects within a family.

@@ -8,7 +8,7 @@
 /// set.
 namespace taut {
 
-/// Equal in all builds, so structs have one layout. Without AVX a bare Pack is aligned less.
+/// Alignment, equal in all builds, so structs have one layout. Without AVX a bare Pack is aligned less.
 template <class T>
 inline constexpr std::size_t alignment_of = sizeof(T) == sizeof(Pack) ? sizeof(Pack) : alignof(T);
 

@@ -6,8 +6,8 @@
 
 namespace taut {
 
-/// Alternating part of a field, r_i = Σ_j w_ij q_j, over i and particles j of its body and material, clamped or not
-/// like i, initially within 2.1 dp (THEORY.md). Smooth fields give about 0, a checkerboard its amplitude.
+/// Alternating part of a field, r_i = Σ_j w_ij q_j (THEORY.md, Alternating part). Smooth fields give about 0, a
+/// checkerboard its amplitude.
 struct AlternatingPart {
   std::vector<int> begin;         // [row + 1] first entry
   std::vector<int> j;             // [entry] particle

@@ -18,14 +18,14 @@ struct CriticalStep {
   std::optional<double> stable;    // s; none: unstable down to 1/16 default step
   std::optional<double> unstable;  // s; none: stable up to 256 default steps
   double default_step = 0;         // s
-  double covered = 0;              // s
+  double covered = 0;              // s, shortest trial
   int trials = 0;
-  bool interrupted = false;
+  bool interrupted = false;  // before reaching `tolerance`
 };
 
 /// Bisects over fixed steps with random initial velocities (THEORY.md, Critical step). Trials cover `search.steps`
-/// default steps or the scene, but at least 300 steps. The search ends when `goes_on` returns false. Throws the same
-/// errors as make_simulation.
+/// default steps or the scene, whichever is shorter, but at least 300 steps. The search ends when `goes_on` returns
+/// false. Throws the same errors as make_simulation.
 CriticalStep find_critical_step(
     const Scene& scene, const Settings& settings, const CriticalStepSearch& search = {},
     const std::function<bool(const CriticalStep&)>& goes_on = [](const CriticalStep&) { return true; });

@@ -35,10 +35,11 @@ struct StrainDivisors {
 
 /// Sums for the history, bit-identical for all instruction sets.
 struct HistoryKernels {
-  /// Writes the three sums of AlternatingSums::part, then of `whole`. `squared`: [row] AlternatingSums::x.
+  /// Writes the three sums of AlternatingSums::part, with x at most `spacing`² each, then of `whole`. `squared`:
+  /// [row] AlternatingSums::x.
   void (*alternating_sums)(const AlternatingView& part, const SnapshotView& now, double spacing, double* out,
                            double* squared);
-  /// Writes kinetic and strain energy, scales of linear and angular momentum; linear; angular momentum.
+  /// 4 + 3 + 3 numbers: kinetic and strain energy, scales of linear and angular momentum; linear; angular momentum.
   void (*balance)(const SnapshotView& now, const StrainDivisors* materials, double contact_energy,
                   double* out);
 };

@@ -10,8 +10,8 @@
 namespace taut {
 
 struct LineSample {
-  double time = 0;  // s
-  long step = 0;
+  double time = 0;            // s
+  long step = 0;              // ends at or after the requested time
   std::vector<double> value;  // [point]; NaN outside the body
 
   template <class Archive>

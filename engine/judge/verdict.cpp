@@ -64,7 +64,6 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool kee
       energies_(scene, start, support, keeps_neighbors),
       penetration_(start, scene.spacing, threads) {
   for (const Material& material : scene.materials) compliance_.push_back(1 / material.youngs_modulus);
-  // eight neighbours on a square lattice, six on a hexagonal one
   const auto add = [this](int i, int j) { bonds_.push_back({i, j, false}); };
   for_each_close_pair(start, 1.5 * scene.spacing, add, threads);
   bonds_.shrink_to_fit();

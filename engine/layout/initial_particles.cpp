@@ -180,7 +180,6 @@ std::vector<InitialSite> body_sites(const Body& as_given, const Scene& scene) {
 
 double value_of(const Expression& f, const Point& x) { return f ? f(x) : 0; }
 
-/// An empty region is most likely a mistake.
 template <class Region>
 void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialSite>& sites, const Body& body,
                   const std::string& key) {

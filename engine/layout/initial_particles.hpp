@@ -38,7 +38,8 @@ inline constexpr double greatest_particle_number = 20e6;
 /// Fills bodies with a lattice, or whole round bodies with layers (RoundLayout) of exact mass. In a box with
 /// particles on its faces, n cells become ½ − δ, 1 + δ, 1 … of a cell, δ = n/(12 (n − 1)), as in Gregory's rule:
 /// mass, moments of inertia and bending stiffness are exact. Guided faces may be planes of symmetry and keep half
-/// cells. Throws SceneError: no particles, too many, overlapping bodies.
+/// cells. Then jitters, reflects, rotates and displaces. Throws SceneError: no particles, too many, overlapping
+/// bodies.
 InitialParticles make_initial_particles(const Scene& scene);
 
 }  // namespace taut

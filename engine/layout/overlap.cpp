@@ -113,7 +113,6 @@ class LaidPlaces {
     for (int i = layout.first[b]; i < layout.first[b + 1]; ++i) grid_.add(layout.at_start(i), i);
   }
 
-  /// Empty if no particle is near.
   std::optional<Point> operator()(const Point& y) const {
     int nearest = -1;
     double least = reach * spacing_;

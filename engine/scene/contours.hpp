@@ -22,7 +22,8 @@ struct PlaceGrid {
 };
 
 /// Contours of the solid where inside(column, row) is true, by marching squares, with the solid on the left. Between
-/// a point `in` of the solid and its neighbour `out`, a contour passes through face(in, out).
+/// a point `in` of the solid and its neighbour `out`, a contour passes through face(in, out). Parts that touch at a
+/// corner are separate.
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(long, long)>& inside,
                             const std::function<Point(const Point&, const Point&)>& face);
 

@@ -35,6 +35,7 @@ struct Material {
   double sound_speed() const;  // c0 = √(K/ρ0), m/s [Zhang2024] Eq. 5
 };
 
+/// Region of another material.
 struct Part {
   int material = 0;
   Expression where;
@@ -87,6 +88,7 @@ struct Rotation {
 /// Exact to the last bit for quarter turns and mirror images.
 Point rotated(const Rotation& rotation, const Point& x);
 
+/// Uniform displacement within ± `share` spacings.
 struct Jitter {
   static constexpr double least_unusable = 0.5;  // particles of a square lattice can coincide
   double share = 0;
@@ -114,8 +116,9 @@ struct Body {
 /// Whether x is inside, or at most `tolerance` outside; ignores displacements.
 bool holds(const Body& body, const Point& x, int dim, double tolerance);
 
-/// Before rotation and reflection, shifted such that x → −x reflects the body into place.
+/// Body before rotation and reflection, shifted such that x → −x reflects it into place.
 Body unplaced_body(Body body, int dim);
+/// Maps a point of unplaced_body(body) to its place.
 Point placed(const Body& body, Point x, int dim);
 Point unplaced_point(const Body& body, Point x, int dim);
 
@@ -152,9 +155,9 @@ struct Probe {
   std::vector<int> bodies;
   Point at{}, to{};
   int axis = 0;
-  Point turns_about{0, 0, 1};  // unit vector through the origin
+  Point turns_about{0, 0, 1};  // axis through the origin, unit vector
   StressPart part{};
-  Expression where;  // empty = all
+  Expression where;  // region of a reaction; empty = all
   int wall = -1;
   /// Function of the preceding probes' values and the time, s.
   std::function<double(const std::vector<double>&, double)> value;
@@ -199,11 +202,11 @@ struct Measure {
   double from = 0;               // s
   std::optional<double> until;   // s; none = end
   double time = 0;               // s
-  std::string free;              // may be empty
+  std::string free;              // probe of the gap between separating bodies
   Point axis{0, 0, 1};           // in 3D
 };
 
-/// Values over time, one column per probe, or along a line.
+/// Values over time, one column per probe, or along a line; linearly interpolated.
 struct ReferenceTable {
   std::vector<double> t;                   // s, or m along a line
   std::vector<std::vector<double>> value;  // [probe]
@@ -265,7 +268,7 @@ bool has_gravity(const Scene& scene);
 bool has_loads(const Scene& scene);
 
 /// Nearest spacing that divides the thinnest extent of the first shape into whole particles, or rows of a hexagonal
-/// lattice.
+/// lattice; `spacing` without such an extent.
 double fitted_spacing(const Body& first, int dim, double spacing);
 
 }  // namespace taut

@@ -34,7 +34,7 @@ Bounds bounds_of_placed(const Bounds& box, const Place& place) {
   return all;
 }
 
-/// Points on a face, m.
+/// Closed chain of points on a face, m.
 using Chain = std::vector<Point>;
 
 /// Quadrilaterals whose corners lie exactly on the faces of a body.
@@ -88,6 +88,7 @@ struct ShapeBase {
   virtual Bounds lattice_bounds() const;
 };
 
+/// Copies share the shape.
 class Shape {
  public:
   template <std::derived_from<ShapeBase> S>

@@ -144,7 +144,6 @@ std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initi
   return all;
 }
 
-/// Nearest particle beside i along a unit vector, or −1.
 template <int Dim>
 int beside(int i, const Place<Dim>& along, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
            double spacing) {

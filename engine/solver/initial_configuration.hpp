@@ -16,8 +16,8 @@ class InitialConfiguration {
  public:
   using V = Vec<double, Dim>;
 
-  /// Throws SceneError if a body is too thin. `normalised`: see TlDisplacementConstants. `corrected_forces`: see
-  /// internal_force_info; else pair_shear_force.
+  /// Moves particles to their start and lets loads act on faces. Throws SceneError if a body is too thin.
+  /// `normalised`: see TlDisplacementConstants. `corrected_forces`: see internal_force_info; else pair_shear_force.
   InitialConfiguration(Common<Dim>& common, const SolverInput& input,
                        GradientCorrection gradient = GradientCorrection::corrected, double normalised = 0,
                        bool corrected_forces = true);
@@ -32,8 +32,8 @@ class InitialConfiguration {
 
   int groups() const { return static_cast<int>(sites.size()); }
   LawsInUse laws() const { return materials.in_use(); }
-  /// CFL h/(c_p + |v|max), s. Departs from [Lee2016] Eq. 44, which has the spacing and the wave speed of the
-  /// strained body.
+  /// Time step CFL h/(c_p + |v|max), s. Departs from [Lee2016] Eq. 44, which has the spacing and the wave speed of
+  /// the strained body.
   double step_size() const;
   static void begin(Snapshot& out) { out.strain_energy.resize(out.size()); }
   void begin_motion(Snapshot& out) const { common_.begin_motion(out), begin(out); }

@@ -65,7 +65,7 @@ class Loads {
  private:
   struct Region {
     std::function<double(double)> ramp;
-    std::vector<std::pair<int, V>> shares;  // [id] N
+    std::vector<std::pair<int, V>> shares;  // id, N at ramp factor 1
     double now = 0;
   };
 

@@ -225,7 +225,6 @@ double gap(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
 
 template <int Dim>
 double mirror_asymmetry(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
-  // a body without contact may never be searched again
   if (now.evaluates_expensive && f.probe.bodies[0] == f.probe.bodies[1]) update_mirror_asymmetry<Dim>(f, now);
   return f.last;
 }

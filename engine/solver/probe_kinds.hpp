@@ -19,7 +19,7 @@ class ProbeSource {
   using V = Vec<double, Dim>;
 
   virtual ~ProbeSource() = default;
-  virtual ContactsOfFaces<Dim>* faces() = 0;
+  virtual ContactsOfFaces<Dim>* faces() = 0;                   // may be null
   virtual V reaction(int i) = 0;                               // N
   virtual V contact_force(const Probe& probe, double dt) = 0;  // N
   virtual const Snapshot& shown(const std::vector<int>& stored) = 0;

@@ -32,7 +32,7 @@ struct SolverInput {
   std::vector<Elasticity> materials;  // as Scene::materials
   Law law;
   ContactLaw contact;    // never `published`
-  bool keeps_neighbors;  // see FamilyRow; parts that were far apart then interact by contact
+  bool keeps_neighbors;  // see FamilyRow
   Stepping stepping;
   int threads;
   InstructionSet kernels{};  // best set allowed

@@ -25,7 +25,7 @@ GlContext::GlContext(int width, int height)
   // threads share the environment
   static std::mutex one_at_a_time;
   const std::scoped_lock lock(one_at_a_time);
-  // A cache would write to the home folder, and warn if that is read-only.
+  // see gl_context_egl.cpp
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_BGRA,
@@ -57,7 +57,7 @@ GlContext::Current::Current(GlContext& context, Image& target) : context_(contex
 }
 
 GlContext::Current::~Current() {
-  glFinish();
+  glFinish();  // completes the picture
   OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
 }
 

@@ -20,9 +20,9 @@ struct Corner {
   std::uint32_t color;
 };
 
-/// Draws spheres and triangles with OpenGL. Requires a current context throughout its lifetime. The light comes from
-/// the upper left, behind the camera. The depths around each pixel make hollows darker [Luft, Colditz, Deussen:
-/// Image enhancement by unsharp masking the depth buffer, 2006].
+/// Draws spheres and triangles with OpenGL. Requires a current context throughout its lifetime. The depths around
+/// each pixel make hollows darker [Luft, Colditz, Deussen: Image enhancement by unsharp masking the depth buffer,
+/// 2006].
 class SolidPainter {
  public:
   /// Throws UsageError without enough memory.

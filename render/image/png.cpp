@@ -24,12 +24,12 @@
 namespace taut::render {
 namespace {
 
-// Against forged headers; panels can be twice the largest drawn side.
+// Limits against forged headers; panels can be twice the largest drawn side.
 constexpr png_uint_32 greatest_side = 16384;
 constexpr png_alloc_size_t max_chunk_bytes = 8 << 20;
 constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
-// The simplified API of libpng converts to sRGB.
+// The classic API of libpng: the simplified one converts to sRGB.
 
 /// Outlives the frames that longjmp skips.
 struct Complaint {
@@ -193,11 +193,11 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 void write_png(const Image& image, const std::filesystem::path& path) { write_png(encode_png(image), path); }
 
 void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  // a rename is atomic only within a file system
+  // same folder: a rename is atomic only within a file system
   std::filesystem::path part = path;
   part += ".part" + std::to_string(getpid());
 
-  // a link with this name may have been laid by a stranger
+  // a new file: a link with this name may have been laid by a stranger
   ::unlink(part.c_str());
   const int descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   std::FILE* const file = descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");

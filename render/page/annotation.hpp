@@ -30,8 +30,7 @@ class ColorKey {
 
 class Annotation {
  public:
-  /// The image must outlive the annotation and must not move its pixels. `until` (last time, s) sets the unit of all
-  /// times; 0: each has its own.
+  /// The image must outlive the annotation and must not move its pixels. `until`: see Renderer.
   Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background,
              const TextParts& parts = {});
 

@@ -12,7 +12,6 @@ constexpr int least_prefix = -15;
 constexpr std::array<std::string_view, 10> prefixes = {"f", "p", "n", "µ", "m", "", "k", "M", "G", "T"};
 constexpr int greatest_prefix = 12;
 
-/// Rounds 999.9999999 up to 1000.
 int decade(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
 
 int floor_to_three(int exponent) {

@@ -23,6 +23,7 @@ MeshFaults faults_of(const Triangles& mesh);
 /// face belong to the side that a fixed infinitesimal shift selects.
 class Mesh final : public ShapeBase {
  public:
+  /// The mesh must have no faults.
   explicit Mesh(Triangles mesh);
 
   Bounds bounds() const override;

@@ -21,7 +21,7 @@ double distance_to_side(const Point& x, const Point& a, const Point& b) {
   return distance_between(x, {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), 0}, 2);
 }
 
-/// x is on line ab.
+/// Requires x on line ab.
 bool within(const Point& x, const Point& a, const Point& b) {
   const std::size_t k = std::abs(b[0] - a[0]) > std::abs(b[1] - a[1]) ? 0 : 1;
   return (x[k] - a[k]) * (b[k] - x[k]) > 0;

@@ -50,8 +50,7 @@ void add_layer(std::vector<InitialSite>& sites, const Point& centre, double r, l
                      fold > 1 ? first + static_cast<int>((k + n / fold) % n) : -1});
 }
 
-/// Small holes distort the cells of aligned layers. Error of breathing hollow balls: at inner = 0.6 outer 1.4 %
-/// (lattice: 4.7 %), at 0.35 outer 5 % (lattice: 0.8 %).
+/// Small holes distort the cells of aligned layers: at inner = 0.35 outer the lattice has the smaller error.
 RoundLayout default_layout_in_3d(double inner, double outer, bool keeps_neighbors) {
   const bool fits = keeps_neighbors && inner >= 0.6 * outer * (1 - 1e-9);
   return fits ? RoundLayout::aligned : RoundLayout::lattice;
