@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Each has a specialisation of Kernel in engine/kernels/kernel.hpp.
+/// Names of the specialisations of Kernel.
 enum class KernelName : std::uint8_t { wendland_c2, cubic_spline, sinc, gauss };
 
 }  // namespace taut

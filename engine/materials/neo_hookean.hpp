@@ -7,12 +7,9 @@
 namespace taut {
 
 /// Nearly incompressible neo-Hookean law, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G:
-///   ψ = G/2 (j^(−2/3) F:F − 3) + K/2 (J − 1)²,   j = det F,
-///   P = G j^(−2/3) F + (K (J − 1) − G/3 j^(−5/3) F:F) H,   H = cof F.
-/// In plane strain F:F includes F_zz² = 1.
-/// Differs from the paper, which has J for j even where J is an unknown. Dissipation separates J from det F. With J
-/// for j, the deviator would then answer a volume change of F at J = 1 with the stiffness −4G/3, and collisions
-/// would diverge; with j it does not answer.
+///   ψ = G/2 (j^(−2/3) F:F − 3) + K/2 (J − 1)²,   j = det F.
+/// In plane strain F:F includes F_zz² = 1. Departure: the paper has J for j where J is an unknown. Dissipation
+/// separates J from det F; the deviator would then have the stiffness −4G/3, and collisions would diverge.
 struct NeoHookean {
   double K, G;  // Pa
 
@@ -20,7 +17,7 @@ struct NeoHookean {
   static T square(const Mat<T, Dim>& F) {
     return contraction(F, F) + (3 - Dim);
   }
-  /// Σ_F/F, Σ_H/H and Σ_j of the shear part, Pa.
+  /// As MooneyRivlin::Slopes.
   template <class T>
   struct Slopes {
     T F, H, j;
@@ -36,7 +33,6 @@ struct NeoHookean {
     const double root = inverse_cube_root(j);
     return 0.5 * G * (root * root * square(F) - 3);
   }
-  /// H is cof F, or the unknown of a method that integrates it.
   template <class T, int Dim>
   Mat<T, Dim> piola(const Mat<T, Dim>& F, const Mat<T, Dim>& H, const T& J) const {
     const Slopes<T> by = slopes(F, H, determinant(F));

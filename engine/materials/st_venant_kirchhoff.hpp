@@ -5,9 +5,8 @@
 
 namespace taut {
 
-/// St Venant–Kirchhoff law P = F S, with Hooke's law between the second Piola–Kirchhoff stress S and the
-/// Green–Lagrange strain E. It softens without limit in compression, so use it for large rotations with moderate
-/// strains.
+/// Hooke's law between the second Piola–Kirchhoff stress S and the Green–Lagrange strain. It softens without limit in
+/// compression.
 struct StVenantKirchhoff {
   double K, G;  // Pa
 

@@ -27,7 +27,7 @@ T greatest_eigenvalue(const Sym<T, 3>& A) {
   return q + 2 * p * c;
 }
 
-/// Principal stretches, descending; in 2D the last is the 1 normal to the plane.
+/// In descending order; in 2D the last is 1, normal to the plane.
 template <class T>
 using PrincipalStretches = Vec<T, 3>;
 
@@ -48,8 +48,8 @@ PrincipalStretches<T> principal_stretches(const Mat<T, 3>& F) {
 /// Upper bound of m·Q m over unit vectors m, n; Q: acoustic tensor of waves along n. For isotropic laws, in principal
 /// axes,
 ///   m·Q m = Σ_k along_k m_k² n_k² + Σ_{k≠l} across_kl m_k² n_l² + 2 Σ_{k<l} coupling_kl m_k n_k m_l n_l.
-/// The weights m_k² n_l² add up to 1 and m_k n_k m_l n_l = (m_k n_l)(m_l n_k): the bound is the greatest `along` or
-/// eigenvalue of ((across_kl, coupling_kl), (coupling_kl, across_lk)). NaN for NaN; infinite or NaN for det F = 0.
+/// The weights m_k² n_l² add up to 1: the bound is the greatest `along` or eigenvalue of ((across_kl, coupling_kl),
+/// (coupling_kl, across_lk)). NaN for NaN; infinite or NaN for det F = 0.
 template <int Dim, class Along, class Across, class Coupling>
 auto greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
   using T = decltype(along(0));

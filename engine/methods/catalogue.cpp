@@ -16,7 +16,7 @@
 namespace taut {
 namespace {
 
-/// Terms of the family with the method's citations, then the terms of walls and self-contact.
+/// Terms of the family with the method's citations, walls and self-contact.
 std::vector<TermInfo> terms(const Formulation& m) {
   std::vector<TermInfo> all = row_of(m.family).terms(m);
   for (TermInfo& term : all) {
@@ -30,7 +30,7 @@ std::vector<TermInfo> terms(const Formulation& m) {
   return all;
 }
 
-/// `sph` requires searched neighbours, `surface` initial ones, with which its faces move.
+/// `sph` requires searched neighbours, `surface` initial ones.
 std::vector<ContactLaw> contact_laws_of(bool searches) {
   std::vector<ContactLaw> all;
   for (const ContactLawRow& row : contact_laws)
@@ -91,7 +91,7 @@ std::vector<MethodInfo> table() {
   return all;
 }
 
-/// Law of the settings, or the method's default. Throws UsageError if the method does not accept it.
+/// Law of the settings, or the default. Throws UsageError if the method does not accept it.
 const LawChoice& chosen_law(const MethodInfo& method, const Settings& settings) {
   for (const LawChoice& choice : method.laws)
     if (settings.law.empty() || choice.name == settings.law) return choice;

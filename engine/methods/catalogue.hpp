@@ -48,7 +48,7 @@ struct MethodInfo {
   bool several_materials;                 // allowed in a scene
 };
 
-/// All methods, in listing order.
+/// In listing order.
 std::span<const MethodInfo> methods();
 /// Returns nullptr for unknown names.
 const MethodInfo* find_method(std::string_view name);

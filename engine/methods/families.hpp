@@ -53,7 +53,6 @@ constexpr FamilyRow family_row(std::unique_ptr<Simulation> (*make)(const SolverI
           .make = make};
 }
 
-/// Each family has a folder, an enumerator and a row.
 inline constexpr std::array families{
     family_row<UlSplitFormulation, ul_split::terms, ul_split::constants>(ul_split::make),
     family_row<UlCauchyFormulation, ul_cauchy::terms, ul_cauchy::constants>(ul_cauchy::make),

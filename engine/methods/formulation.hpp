@@ -36,7 +36,7 @@ struct Formulation {
   std::span<const Citation> citations = {};  // override the family's citations
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
-  ContactLaw contact = ContactLaw::sph;  // by default the law of the paper
+  ContactLaw contact = ContactLaw::sph;  // of the paper
   double contact_stiffness = 1;          // see terms/penalty_contact.hpp
   bool several_materials = false;        // allowed in a scene
   double h_over_dp = 1.3;                // smoothing length over spacing

@@ -40,8 +40,8 @@ class PlacesInCells {
   std::vector<int> order_;
 };
 
-/// Calls visit(i, j), i < j, for all pairs with `wanted`(i, j) at most `reach`, m, apart; `x` is n × Dim. Visits on
-/// one thread, in an order that does not depend on `threads`.
+/// Calls visit(i, j), i < j, for all `wanted` pairs at most `reach`, m, apart. Visits on one thread, in an order that
+/// does not depend on `threads`.
 template <int Dim, class Wanted, class Visit>
 void for_each_pair_within(const std::vector<double>& x, double reach, const Wanted& wanted,
                           const Visit& visit, int threads = 1) {

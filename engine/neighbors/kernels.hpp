@@ -43,10 +43,10 @@ struct SearchFields {
 template <int Dim>
 struct SearchKernels {
   /// Writes neighbours of particles first … last − 1 to `found` from `size` on, padded with the particle to whole
-  /// packs, and their numbers to `count`. Returns the first particle for which `room` is too small.
+  /// packs. Returns the first particle for which `room` is too small.
   int (*find)(const SearchFields<Dim>& f, int first, int last, int* count, int* found, std::size_t room,
               std::size_t& size);
-  /// `room`, counted from `size`, that is enough for particle i.
+  /// Room that is enough for particle i.
   std::size_t (*room_for)(const SearchFields<Dim>& f, int i);
 };
 

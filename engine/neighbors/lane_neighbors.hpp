@@ -8,18 +8,16 @@
 
 #include "engine/core/columns.hpp"
 
-/// Neighbours of four consecutive particles, one per lane. Along lattice rows or layers they are mostly consecutive
-/// too, and one load per column gathers them. Each lane sums in the order of its neighbours, so that the result does
-/// not depend on the grouping.
+/// Neighbours of four consecutive particles, one per lane. Mostly they are consecutive too, and one load per column
+/// gathers them. Each lane sums in the order of its neighbours: the result does not depend on the grouping.
 namespace taut {
 
-/// One neighbour per lane; equal neighbourhoods have equal slots.
+/// One neighbour per lane.
 struct LaneSlot {
   int step[lanes];  // offset in storage from the group's first particle
   int in_line;      // 1: neighbours are consecutive
 };
 
-/// Loads columns at a slot's neighbours.
 template <int N>
 [[gnu::always_inline]] inline void gather(const ColumnsView<N>& columns, int first, const LaneSlot& slot,
                                           Pack (&out)[N]) {
@@ -102,8 +100,7 @@ inline LaneSlot slot(int first, const Neighbors& neighbors, const LaneSlots::Tak
 
 }  // namespace lane_neighbors
 
-/// Slots of the group that begins with `first`, from ascending neighbours. Takes the cheaper of two choices;
-/// neighbours that are not consecutive cost twice.
+/// Slots of the group that begins with `first`, the cheaper of two choices. `neighbors` must be ascending.
 inline LaneSlots lane_slots(int first, const std::array<std::vector<int>, lanes>& neighbors, int size) {
   LaneSlots best;
   std::size_t least = 0;

@@ -9,8 +9,7 @@
 
 namespace taut {
 
-/// Computes initial_neighbors (initial_neighbors.hpp) for one particle at a time. With a wide reach, lists of all
-/// particles would dominate the memory.
+/// Computes initial_neighbors for one particle at a time; lists of all would dominate the memory.
 template <int Dim>
 class NeighborsOfOne {
  public:

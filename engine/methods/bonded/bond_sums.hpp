@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Sums over the bonds of four particles, for the stress pass.
+/// Sums over the bonds of four particles.
 template <int Dim>
 struct BondSums {
   Mat<Pack, Dim> A{};      // Σ_j (x_j − x_i) ⊗ a_ij
@@ -17,9 +17,8 @@ struct BondSums {
   Pack stiffest{};         // maximum s + 1/(4s²)
 };
 
-/// Returns the sums, with damping. `places` contains x and x + 3 τ v. With d = x_j − x_i, and `ahead` the same
-/// difference of x + 3 τ v, the value d·ahead/r0² = s + 3 τ q̇ replaces s in 3 φ′/λ = s − ¾ − 1/(4s²). r² is at least
-/// `least_r2`, in m².
+/// Sums with damping. `places` contains x and x + 3 τ v, with differences d and `ahead`; d·ahead/r0² = s + 3 τ q̇
+/// replaces s in 3 φ′/λ. r² is at least `least_r2`, m².
 template <bool WithEnergy, int Dim, class Storage>
 [[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBondsView<Dim, Storage>& bonds,
                                                       const ColumnsView<2 * Dim>& places, int group,
@@ -60,7 +59,7 @@ inline constexpr TermInfo bonded_damping_info{
     "methods/bonded/bond_sums.hpp:bond_sums",
     "oenog: damping removes a zigzag and leaves the first mode unchanged"};
 
-/// Adds the stress force Σ_j (Q_i + Q_j) a_ij, in N, on four particles.
+/// Adds the stress force Σ_j (Q_i + Q_j) a_ij, N.
 template <int Dim, class Storage>
 [[gnu::always_inline]] inline void add_stress_force(const PackedBondsView<Dim, Storage>& bonds,
                                                     const ColumnsView<Dim * Dim>& Q, int group,

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// The default law of the family for four particles.
+/// Default law of four particles.
 struct alignas(sizeof(Pack)) GroupLaw {
   Pack V;  // m^Dim, weight of the energy; 0 in padding and for particles without F
   ClosedNeoHookean<Pack> law;
@@ -33,13 +33,13 @@ struct BondedFields {
   int size;
   V* x;                         // m
   const V* v;                   // m/s
-  ColumnsView<2 * Dim> places;  // x, x + 3 τ v of the particles, then of the clamp places (clamps.hpp)
+  ColumnsView<2 * Dim> places;  // x, x + 3 τ v of particles, then of clamp places
   ColumnsView<Dim * Dim> Q;     // T B, row by row
   const double* mobility;       // 1/kg; 0 if constrained
   Vec<Pack, Dim>* bond_force;   // [group] N
   double lead;                  // 3 τ of the bonds, s
   double least_r2;              // minimum r², (dp/100)², m²
-  bool uses_group_law;          // uses GroupLaw, otherwise `laws`
+  bool uses_group_law;          // else uses `laws`
   LawsInUse laws;
   const int* material;  // padded to whole groups
   const GroupRows* groups;
@@ -55,7 +55,6 @@ struct BondedFields {
   void set_place(int i) const {
     for (int k = 0; k < Dim; ++k) places[k][i] = x[i][k], places[Dim + k][i] = x[i][k] + lead * v[i][k];
   }
-  /// Returns pass(bonds) with the bonds in use.
   template <class Pass>
   auto with_bonds(const Pass& pass) const {
     if constexpr (Dim == 3)

@@ -75,8 +75,7 @@ Point BoundaryProjection::interpolated(const BoundaryPoint& point, const std::ve
   return sum;
 }
 
-/// C contains the sums of (ii), (iii) over w_B, A those over rigid motions:
-///   K β + C δ = r,   Cᵀ β + A δ = 0   →   (A − Cᵀ K⁻¹ C) δ = −Cᵀ K⁻¹ r,   β = K⁻¹ (r − C δ).
+/// C contains the sums of (ii), (iii) over w_B, A those over rigid motions: K β + C δ = r, Cᵀ β + A δ = 0.
 void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z) const {
   refer_to_centroid(Z, m_);  // (iii) holds about any origin
   Eigen::Matrix<double, 6, 6> S = Eigen::Matrix<double, 6, 6>::Zero();

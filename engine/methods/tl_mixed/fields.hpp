@@ -8,15 +8,15 @@
 
 namespace taut {
 
-/// The unknowns F, J and H, or their rates, in groups of four particles.
+/// Unknowns or their rates, in groups of four particles.
 template <int Dim>
 struct Strains {
   Mat<Pack, Dim>* F;
-  AlignedPack* J;     // volume ratio; null unless it is an unknown
-  Mat<Pack, Dim>* H;  // cofactor of F; null unless it is an unknown
+  AlignedPack* J;     // volume ratio; null unless an unknown
+  Mat<Pack, Dim>* H;  // cofactor of F; null unless an unknown
 };
 
-/// External actions on particle i in the stages of a step. A function is null if no such action exists.
+/// External actions on particle i in the stages of a step, or null.
 template <int Dim>
 struct StageActions {
   using V = Vec<double, Dim>;
@@ -26,8 +26,7 @@ struct StageActions {
   void (*load)(void* of, int i, V& a);
   /// Sets `v` after the first stage where drives or guides prescribe it.
   void (*steer)(void* of, int i, V& v);
-  /// Sets `v` where prescribed, at the end of a step of `dt` that began with the velocity `before`. Counts the work
-  /// of loads and drives.
+  /// Sets prescribed `v` at the end of a step of `dt` that began with `before`. Counts the work of loads and drives.
   void (*close)(void* of, int i, double dt, const V& before, V& v);
 };
 

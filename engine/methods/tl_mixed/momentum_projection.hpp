@@ -43,11 +43,9 @@ inline Pack volumes_of_four(const double* V, int i, int last) {
   return four;
 }
 
-/// Changes the accelerations of a body least, weighted by volume, to zero force and torque:
-///   Σ V a = 0,  Σ V Z × a = 0.                                                           [Lee2016] Eq. 45–48
-/// The result is a_i − ω × (Z_i − Z̄) − ā with ω = torque/inertia, for particles first … last − 1 of one density; `a`
-/// is padded by a pack. `share` < 1 applies that part of the change. The result does not depend on the number of
-/// threads or on where the body is stored.
+/// Changes the accelerations of a body of one density least, weighted by volume, to zero force and torque, [Lee2016]
+/// Eq. 45–48. `a` is padded by a pack; `share` scales the change. The result does not depend on the number of threads
+/// or on where the body is stored.
 template <int Dim>
 void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, const double* V, int first,
                         int last, double share = 1) {

@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// V_a W̃_a(X_i) of particle i and its initial neighbours. W̃ = α (1 + β·(X_i − X_a)) W satisfies
-/// Σ V_a W̃_a = 1 and Σ V_a W̃_a (X_i − X_a) = 0. [Lee2016] Eq. 23
+/// V_a W̃_a(X_i) of particle i and its initial neighbours, exact for linear fields with W̃ = α (1 + β·(X_i − X_a)) W.
+/// [Lee2016] Eq. 23
 template <class K, int Dim>
 std::vector<std::pair<int, double>> corrected_kernel(const InitialPairs<Dim>& pairs,
                                                      const std::vector<Vec<double, Dim>>& X,

@@ -69,7 +69,7 @@ Motion<Dim> spread_motion(const MotionRow<Dim>& row) {
   return motion_of<Dim>(column, true);
 }
 
-/// Row that the stress pass gathers of each neighbour. Columns that method M does not use are omitted.
+/// Row of a neighbour in the stress pass, without columns that method M does not use.
 template <const UlCauchyFormulation& M, int Dim>
 struct StressRow {
   static constexpr bool riemann = M.viscosity == Viscosity::riemann;
@@ -126,7 +126,7 @@ struct StressRow {
     Pack column(int k) const { return spread[k]; }
   };
 
-  /// Rows of four neighbours. Each column is loaded where it is used, because all columns do not fit the registers.
+  /// Loads each column where it is used, because all columns do not fit the registers.
   [[gnu::always_inline]] static Values<RowsOfFour> gather(const StressRow* rows, const int* j) {
     return {RowsOfFour(rows[0].c, width, j)};
   }
@@ -148,7 +148,7 @@ struct StressRow {
   }
 };
 
-/// −σ⁺ of the artificial stress, in the form of StressRow::T. Separate, because not every particle needs it.
+/// −σ⁺ of the artificial stress, in the form of StressRow::T. Not every particle needs it.
 template <int Dim>
 struct RepulsionRow : Row<Dim * Dim> {
   using Row<Dim * Dim>::c;
@@ -167,7 +167,7 @@ struct RepulsionRow : Row<Dim * Dim> {
   }
 };
 
-/// Results of the gradient pass for one particle.
+/// Results of the gradient pass.
 template <int Dim>
 struct Gradients {
   Sym<double, Dim> L{};         // kernel gradient correction
@@ -176,17 +176,17 @@ struct Gradients {
   double colour = 0;            // Σ W V
 };
 
-/// Returns whether the method uses W itself, not only its gradient.
+/// Whether the method uses W itself.
 constexpr bool needs_kernel(const UlCauchyFormulation& m) {
   return m.artificial_stress || m.transport_velocity;
 }
 
-/// Pointers to the fields of all particles and pairs, for the passes. Arrays that a method does not use are null.
+/// Unused arrays are null.
 template <int Dim>
 struct UlCauchyFields {
   using V = Vec<double, Dim>;
 
-  int size;    // number of particles
+  int size;
   V* x;        // m
   const V* v;  // m/s
   const double *m, *mobile;
@@ -201,7 +201,7 @@ struct UlCauchyFields {
   RepulsionRow<Dim>* repulsion;
   const int *begin, *j;                // neighbours in the same body, or under `sph` in any; see Neighbors
   AlignedPack* w;                      // w(q) of kernels/kernel.hpp for each pair, if needs_kernel
-  const AlignedPack* of_one_material;  // 1 if both particles of a pair have one material, else 0; null: all 1
+  const AlignedPack* of_one_material;  // 1 if a pair has one material, else 0; null: all 1
   // [body] rigid motion since the last neighbour search
   const V *drift, *centre;  // m/s, m
   const Spin<Dim>* spin;    // 1/s
@@ -212,7 +212,7 @@ struct UlCauchyFields {
   }
   const int* pack(int b) const { return j + static_cast<std::ptrdiff_t>(lanes) * b; }
   const Elasticity& material_of(int i) const { return materials[material[i]]; }
-  /// Returns x_i − x_j at the start of the step, in m, for neighbour pack `b` of i; exactly opposite for (j, i).
+  /// x_i − x_j at the start of the step, m, for neighbour pack `b`; exactly opposite for (j, i).
   [[gnu::always_inline]] Vec<Pack, Dim> apart(int i, int b) const {
     const RowsOfFour rows(motion[0].c, MotionRow<Dim>::width, pack(b));
     Vec<Pack, Dim> d;

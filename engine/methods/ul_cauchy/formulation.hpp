@@ -45,7 +45,7 @@ struct UlCauchyConstants : Constants {
   double xsph = 0;            // ε of XSPH
   double delta = 0;           // of the density diffusion
   double epsilon = 0, exponent = 0;
-  double surface_colour = 0;             // a particle with a lower colour function is at the surface
+  double surface_colour = 0;             // maximum colour function of surface particles
   double vicinity = 0;                   // of a surface, in spacings
   double surface_artificial_stress = 0;  // share of artificial stress without TIC
   double step_speed = 0;                 // wave speed for steps, m/s

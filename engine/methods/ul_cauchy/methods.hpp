@@ -2,8 +2,7 @@
 
 #include "engine/methods/ul_cauchy/formulation.hpp"
 
-/// AV: artificial viscosity, AS: artificial stress, R: second-order Riemann term, TIC: tensile instability control, d
-/// (δ): density diffusion.
+/// engine/METHODS.md explains the parts of the names.
 namespace taut {
 
 inline constexpr Citation khayyer2024_citations[] = {{"pressure", "[Khayyer2024] Eq. 5", ""}};

@@ -49,7 +49,7 @@ class InterfaceMaker {
 
  private:
   bool is_across(int i, int j) const { return taut::is_across(bonds_, initial_, materials_, i, j); }
-  /// Returns nothing if i is bonded to no other material, to several, or to a clamp.
+  /// Nothing if i is bonded to no other material, to several, or to a clamp.
   std::optional<int> other_material(int i) const {
     std::optional<int> other;
     if (bonds_.is_rigid(i) || !(bonds_.B[i][0][0] > 0)) return {};
@@ -62,7 +62,7 @@ class InterfaceMaker {
     }
     return other;
   }
-  /// Normal of the plane through the midpoints of bonds across, of i and its neighbours; nothing if they lie on none.
+  /// Normal of the plane through the midpoints of bonds across near i, if there is one.
   std::optional<Place> normal(int i, int other) const {
     // maximum ratio of the variances across and along the plane; with 0.15 some discs fly apart
     constexpr double flat = 0.08;
@@ -95,8 +95,8 @@ class InterfaceMaker {
     const Place N{axis[0], axis[1], initial_.dim == 2 ? 0 : axis[2]};
     return N.dot(towards) < 0 ? -N : N;
   }
-  /// Returns the gradient at i from bonds within its material. Returns nothing where they hardly determine it: with
-  /// steep gradients the energy would have no minimum.
+  /// Gradient at i from bonds within its material. Nothing where they hardly determine it: the energy would have no
+  /// minimum.
   std::vector<SideGradient> own_gradient(int i) const {
     constexpr double least = 0.5;  // det A over isotropic A; flat sides have 0.84
     Square A = Square::Zero();
@@ -150,8 +150,7 @@ class InterfaceMaker {
     for (const auto& [j, weight] : beta) out_.j.push_back(j), out_.weight.push_back(weight);
     out_.begin.push_back(static_cast<int>(out_.j.size()));
   }
-  /// Estimates the wave speed, m/s, from row sums of stiffness over mass. On a lattice of one material such a sum is
-  /// (wave speed · dimension/spacing)².
+  /// Wave speed, m/s, estimated from row sums of stiffness over mass; on a lattice (wave speed · dimension/spacing)².
   double wave_speed() const {
     std::vector<double> stiffness(bonds_.begin.size() - 1);  // N/m
     for (std::size_t s = 0; s < out_.sites.size(); ++s) {

@@ -7,23 +7,22 @@
 
 namespace taut {
 
-inline constexpr double greatest_across = 8;  // maximum of the own G over G_ij of a bond across an interface
+inline constexpr double greatest_across = 8;  // maximum of own G over G_ij
 
-/// Particles beside another material, whose deformation has a kink there (THEORY.md, Interfaces). Such a particle has
-/// a site unless the normal is not determined (corners, three materials), a side is one layer thin, it is bonded to a
-/// clamp, or the materials differ only in density.
+/// Sites are particles beside another material, where the deformation has a kink (THEORY.md, Interfaces). A particle
+/// has none at a corner, between three materials, in a side one layer thin, at a clamp, or if only densities differ.
 struct Interfaces {
   struct Site {
-    int id;        // of the particle
-    int other;     // index of the material beyond the interface
-    double share;  // θ, share of the other material
-    Point N, m;    // unit normal; see THEORY.md, Interfaces
+    int id;
+    int other;     // material beyond the interface
+    double share;  // θ
+    Point N, m;    // unit normal; m of THEORY.md
   };
   std::vector<Site> sites;
   std::vector<int> begin;      // [sites + 1] first β_ij of each site
-  std::vector<int> j;          // id of the particle
+  std::vector<int> j;          // id
   std::vector<double> weight;  // β_ij, 1/m
-  double wave_speed = 0;       // m/s; steps that this speed allows are stable for all neighbours of sites
+  double wave_speed = 0;       // m/s, for stable steps around sites
 };
 Interfaces make_interfaces(const InitialParticles& initial, const std::vector<Elasticity>& materials,
                            const Bonds& bonds, double spacing);

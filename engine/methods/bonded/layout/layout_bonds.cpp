@@ -43,10 +43,10 @@ class LayoutBonds {
   }
 
  private:
-  /// Minimum strength (V_i w_ij + V_j w_ji)/V_i of a pair, about 2 on lattices; at a clamp minimum of w_ij.
+  /// Minimum strength (V_i w_ij + V_j w_ji)/V_i of a pair, about 2 on lattices.
   static constexpr double least_strength = 0.4;
   static constexpr double not_selected = -1;
-  static constexpr double greatest_at_surface = 1;  // w in irregular bodies; the weight on a lattice
+  static constexpr double greatest_at_surface = 1;  // w in irregular bodies
 
   void make_balanced() {
     select();
@@ -70,7 +70,7 @@ class LayoutBonds {
       for (int i = first; i < last; ++i) select(i, moments, own);
     });
   }
-  /// At the surface of an irregular body all bonds get one weight, with which they are nowhere stiffer than the solid.
+  /// At the surface of irregular bodies all bonds have one weight (THEORY.md, Irregular bodies).
   void select(int i, const Moments<2>& moments, Selection& own) {
     std::vector<Eigen::Vector2d>& X = own.X;
     std::vector<double>& w = own.w;
@@ -138,8 +138,8 @@ class LayoutBonds {
       }
     });
   }
-  /// Returns the bodies in which the balance left a pair below the minimum strength. Irregular bodies are exempt: a
-  /// few pairs of negative strength do less harm there than no balance.
+  /// Bodies in which the balance left a pair below the minimum strength. Irregular bodies are exempt: a few negative
+  /// pairs do less harm there than no balance.
   std::vector<int> bodies_with_pair_below(double least) const {
     std::vector<unsigned char> below(initial_.size());
     parallel_for(initial_.size(), threads_, [&](int i) {

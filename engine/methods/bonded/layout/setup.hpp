@@ -8,10 +8,10 @@
 
 namespace taut {
 
-/// Constants of a bond, as the particle at one end sums over it.
+/// Constants of a bond, seen from one end.
 struct BondConstants {
   int j;          // id of the other end; −1 − p: the bond ends at clamp place p
-  double k;       // G (V0_i w_ij + V0_j w_ji)/r0², N/m (per metre depth in 2D); equal bits from both ends
+  double k;       // G (V0_i w_ij + V0_j w_ji)/r0², N/m; equal bits from both ends
   double r2;      // r0², m²
   double energy;  // G V0_i w_ij, J
   Point area;     // a_ij
@@ -26,15 +26,15 @@ struct CancelledTerm {
 /// The point where a bond enters a clamp.
 struct ClampPlace {
   Point x;             // initial, m
-  int rigid_particle;  // id of the rigid particle behind the face
+  int rigid_particle;  // id, behind the face
 };
 
-/// Data that the bonded family computes once. Arrays are by id. `initial` must outlive the setup.
+/// Data that the family computes once, by id. `initial` must outlive the setup.
 struct BondedSetup {
   const InitialParticles& initial;
   std::vector<Elasticity> materials;
   Bonds bonds;
-  std::vector<double> mass;  // [n] kg (per metre depth in 2D)
+  std::vector<double> mass;  // [n] kg
   Interfaces interfaces;
   double wave_speed;                     // of compression in the stiffest material, or at an interface, m/s
   double damping_lead;                   // 3 τ of the bonds, s
@@ -48,7 +48,7 @@ struct BondedSetup {
 /// `damping`: see BondedConstants.
 BondedSetup make_bonded_setup(const SolverInput& input, double damping);
 
-/// Returns the particles with all rigid ones marked as clamped, because loads do not act on rigid particles.
+/// Marks all rigid particles as clamped, because loads do not act on them.
 InitialParticles with_rigid_clamped(const InitialParticles& initial, const Bonds& bonds);
 
 }  // namespace taut

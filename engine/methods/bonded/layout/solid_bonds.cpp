@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t whole = 26;
 
-/// Returns w for `r` in spacings (THEORY.md, Three dimensions).
+/// w for `r` in spacings (THEORY.md, Three dimensions).
 double lattice_weight(double r) {
   constexpr double t = 3.0 / 8;
   static const double axis = rounded_weight(0.5 + 4 * t / 9), face = rounded_weight(1 - 8 * t / 9);
@@ -105,8 +105,8 @@ class SolidBonds {
     }
     near_ = std::move(chosen);
   }
-  /// Returns w of each neighbour; empty for the weights of a lattice. At an off-lattice surface the weights are
-  /// reduced where bonds would be stiffer than the solid: the energy would have no minimum.
+  /// w of each neighbour; empty for lattice weights. At off-lattice surfaces, bonds are no stiffer than the solid
+  /// (THEORY.md, Three dimensions).
   std::vector<double> own_weights(int i) const {
     static const Moments<3> moments;
     Selection own = selection(i);
@@ -164,7 +164,7 @@ class SolidBonds {
 
 }  // namespace
 
-/// Rounds X to 2^-40 spacings, so that equal bonds of a lattice have equal bits everywhere.
+/// Rounds X to 2^-40 spacings: equal bonds of a lattice have equal bits.
 ReferenceBond SolidGeometry::bond(int i, int j, std::size_t k) const {
   const Point &from = x[i], &to = x[j];
   ReferenceBond one{};

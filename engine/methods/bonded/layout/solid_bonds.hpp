@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Computes 3D bonds on request, because the 26 bonds of a particle would take 1.5 kB.
+/// Computes 3D bonds on request, because the 26 bonds of a particle take 1.5 kB.
 struct SolidGeometry {
   /// Decay of a_ij with the distance (THEORY.md, Gradient).
   enum class Gradient : unsigned char { of_axes, steep, even };
@@ -17,13 +17,13 @@ struct SolidGeometry {
   std::vector<int> irregular;  // [n] first of its weights in `weights`; −1: lattice weights
   std::vector<double> weights;
   std::vector<Gradient> gradient;  // [n]
-  bool off_lattice = false;        // some bonds differ from the bonds of a (nearly) cubic lattice
+  bool off_lattice = false;        // some bonds differ from a cubic lattice
 
-  /// Returns the bond from i to j, the k-th neighbour of i.
+  /// Bond from i to j, the k-th neighbour of i.
   ReferenceBond bond(int i, int j, std::size_t k) const;
 };
 
-/// Returns the bonds of 3D bodies. They do not end at clamps yet and have no volumes and masses. h in m.
+/// Bonds of 3D bodies, not yet cut at clamps, without volumes and masses. h in m.
 Bonds solid_bonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
                   int threads);
 
