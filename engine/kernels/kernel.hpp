@@ -10,8 +10,7 @@
 
 namespace taut {
 
-/// W(r) = α/h^Dim w(q) with q = r/h; 0 for q ≥ `support`. `dw` is w′, `ddw` is w″, and `dw_per_q` is w′/q, finite at
-/// 0.
+/// W(r) = α/h^Dim w(q), q = r/h; 0 for q ≥ `support`. `dw` is w′, `ddw` w″ and `dw_per_q` w′/q, finite at 0.
 template <KernelName Name>
 struct Kernel;
 
@@ -101,8 +100,7 @@ struct Kernel<KernelName::sinc> {
 
  private:
   static constexpr double scale = std::numbers::pi * std::numbers::pi / 4;
-  /// Polynomial for sinc of u = (πq/2)² ≤ π², equal on all machines: the Taylor series without its highest Chebyshev
-  /// polynomials, accurate to 2e-18.
+  /// Polynomial for sinc of u = (πq/2)², equal on all machines and accurate to 2e-18.
   static constexpr int degree = 10;
   static constexpr std::array<double, degree + 1> coefficients = [] {
     constexpr int long_degree = 15;
@@ -141,8 +139,7 @@ struct Kernel<KernelName::sinc> {
   }
 };
 
-/// exp(−q²), [Zhang2020] validation case 1; slow, only for cached pairs. Departure: the cut-off at q = 3; the paper
-/// states none.
+/// exp(−q²), [Zhang2020] validation case 1. Departure: the cut-off at q = 3; the paper states none.
 template <>
 struct Kernel<KernelName::gauss> {
   static constexpr std::string_view name = "Gauss";
@@ -170,7 +167,6 @@ struct Kernel<KernelName::gauss> {
   }
 };
 
-/// Calls f(Kernel<name>{}).
 template <class F>
 auto with_kernel(KernelName name, const F& f) {
   switch (name) {

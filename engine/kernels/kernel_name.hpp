@@ -4,7 +4,6 @@
 
 namespace taut {
 
-/// Names of the specialisations of Kernel.
 enum class KernelName : std::uint8_t { wendland_c2, cubic_spline, sinc, gauss };
 
 }  // namespace taut

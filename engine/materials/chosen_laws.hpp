@@ -19,7 +19,6 @@ struct LawsOfFour {
   const L* laws;         // [material]
   const int* materials;  // [particle]
 
-  /// Returns f(law), a pack or a tensor of packs.
   template <class F>
   [[gnu::always_inline]] auto operator()(int group, const F& f) const {
     const int* const of = materials + static_cast<std::ptrdiff_t>(lanes) * group;

@@ -59,7 +59,6 @@ Mat<T, 2> stress_of_cofactor(const Mat<T, 2>& F, const Mat<T, 2>& H) {
   return combination(1.0, cofactor(H), determinant(F), cofactor(F));
 }
 
-/// Green–Lagrange strain.
 template <class T, int Dim>
 Sym<T, Dim> green_strain(const Mat<T, Dim>& F) {
   Sym<T, Dim> E;

@@ -56,9 +56,7 @@ struct MooneyRivlin {
     const double zz = (by.F + by.H * contraction(F, F)) / j + by.j + K * (J - 1);
     return {push_forward(piola(F, J), F, j), beside_plane<Dim>(zz)};
   }
-  /// From the acoustic tensor, with f = F n, b = H n, g = (H⨯F) n/|H|, w = |H| b/j − g,
-  ///   Q = (2ζ j^(−2/3)) I − ⁴⁄₃ζ j^(−5/3) (f⊗b + b⊗f) + (¹⁰⁄₉ζ j^(−8/3) F:F + K) b⊗b
-  ///     + 3ξ j^(−2) |H| ((F:F − f·f) I − F Fᵀ + f⊗f + 2 w⊗w − g⊗g).
+  /// From the acoustic tensor (THEORY.md), with w = |H| b/j − g and g = (H⨯F) n/|H|.
   template <class T, int Dim>
   T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
     const PrincipalStretches<T> l = principal_stretches(F);

@@ -93,7 +93,7 @@ struct RotatedPiola {
     return {push_forward(piola(F, J), F, J),
             beside_plane<Dim>((K - 2.0 / 3 * G) * trace(green_strain(F)) / J)};
   }
-  /// Bound for the symmetric part of the acoustic tensor, with the principal stresses t_k of σ⁰.
+  /// Bound for the symmetric part of the acoustic tensor (THEORY.md).
   template <class T, int Dim>
   T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
     const PrincipalStretches<T> l = principal_stretches(F);

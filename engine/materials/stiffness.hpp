@@ -45,11 +45,8 @@ PrincipalStretches<T> principal_stretches(const Mat<T, 3>& F) {
   return {root(greatest), root(second), root(T(product / second))};
 }
 
-/// Upper bound of m·Q m over unit vectors m, n; Q: acoustic tensor of waves along n. For isotropic laws, in principal
-/// axes,
-///   m·Q m = Σ_k along_k m_k² n_k² + Σ_{k≠l} across_kl m_k² n_l² + 2 Σ_{k<l} coupling_kl m_k n_k m_l n_l.
-/// The weights m_k² n_l² add up to 1: the bound is the greatest `along` or eigenvalue of ((across_kl, coupling_kl),
-/// (coupling_kl, across_lk)). NaN for NaN; infinite or NaN for det F = 0.
+/// Upper bound of m·Q m over unit vectors m, n; Q: acoustic tensor of waves along n of an isotropic law (THEORY.md).
+/// NaN for NaN; infinite or NaN for det F = 0.
 template <int Dim, class Along, class Across, class Coupling>
 auto greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
   using T = decltype(along(0));

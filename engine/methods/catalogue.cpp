@@ -16,7 +16,7 @@
 namespace taut {
 namespace {
 
-/// Terms of the family with the method's citations, walls and self-contact.
+/// With the method's citations, walls and self-contact.
 std::vector<TermInfo> terms(const Formulation& m) {
   std::vector<TermInfo> all = row_of(m.family).terms(m);
   for (TermInfo& term : all) {
@@ -50,7 +50,7 @@ std::string joined(const std::vector<ContactLaw>& laws) {
   return names;
 }
 
-/// Laws that a method accepts, its default first.
+/// The default first.
 std::vector<LawChoice> laws(const ElasticSwitches* m) {
   std::vector<LawChoice> all;
   if (!m) return all;
@@ -91,7 +91,7 @@ std::vector<MethodInfo> table() {
   return all;
 }
 
-/// Law of the settings, or the default. Throws UsageError if the method does not accept it.
+/// Throws UsageError if the method does not accept the law.
 const LawChoice& chosen_law(const MethodInfo& method, const Settings& settings) {
   for (const LawChoice& choice : method.laws)
     if (settings.law.empty() || choice.name == settings.law) return choice;

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Particles at `x`, n × Dim, sorted by cells.
+/// Positions `x`, n × Dim, sorted by cells.
 template <int Dim>
 class PlacesInCells {
  public:
@@ -35,7 +35,7 @@ class PlacesInCells {
 
  private:
   double reach_;
-  std::vector<Vec<double, Dim>> x_;  // m
+  std::vector<Vec<double, Dim>> x_;
   CellGrid<Dim> grid_;
   std::vector<int> order_;
 };
@@ -63,7 +63,7 @@ void for_each_pair_within(const std::vector<double>& x, double reach, const Want
   });
 }
 
-/// Visits pairs within a body, by initial positions.
+/// Pairs within a body, by initial positions.
 template <class Visit>
 void for_each_close_pair(const Snapshot& start, double reach, const Visit& visit, int threads = 1) {
   const auto of_one = [&](int i, int j) { return start.body[i] == start.body[j]; };
@@ -71,7 +71,7 @@ void for_each_close_pair(const Snapshot& start, double reach, const Visit& visit
                  : for_each_pair_within<2>(start.x0, reach, of_one, visit, threads);
 }
 
-/// Visits pairs of two bodies, by current positions.
+/// Pairs of two bodies, by current positions.
 template <class Visit>
 void for_each_meeting_pair(const Snapshot& now, double reach, const Visit& visit) {
   const auto of_two = [&](int i, int j) { return now.body[i] != now.body[j]; };

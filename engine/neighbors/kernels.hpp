@@ -46,7 +46,6 @@ struct SearchKernels {
   /// packs. Returns the first particle for which `room` is too small.
   int (*find)(const SearchFields<Dim>& f, int first, int last, int* count, int* found, std::size_t room,
               std::size_t& size);
-  /// Room that is enough for particle i.
   std::size_t (*room_for)(const SearchFields<Dim>& f, int i);
 };
 

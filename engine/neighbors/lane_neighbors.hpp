@@ -8,11 +8,10 @@
 
 #include "engine/core/columns.hpp"
 
-/// Neighbours of four consecutive particles, one per lane. Mostly they are consecutive too, and one load per column
-/// gathers them. Each lane sums in the order of its neighbours: the result does not depend on the grouping.
+/// Neighbours of four consecutive particles, one per lane. Most are consecutive, too: one load per column gathers
+/// them. The result does not depend on the grouping.
 namespace taut {
 
-/// One neighbour per lane.
 struct LaneSlot {
   int step[lanes];  // offset in storage from the group's first particle
   int in_line;      // 1: neighbours are consecutive
@@ -37,7 +36,7 @@ template <int N>
 struct LaneSlots {
   using Taken = std::array<int, lanes>;
   std::vector<LaneSlot> slots;
-  /// Index of each lane's neighbour, or −1: then any particle is loaded, and the pair's factor must be 0.
+  /// Index of each lane's neighbour; −1: any particle is loaded, and the pair's factor must be 0.
   std::vector<Taken> taken;
 };
 
@@ -100,7 +99,7 @@ inline LaneSlot slot(int first, const Neighbors& neighbors, const LaneSlots::Tak
 
 }  // namespace lane_neighbors
 
-/// Slots of the group that begins with `first`, the cheaper of two choices. `neighbors` must be ascending.
+/// Slots of the group at `first`, the cheaper of two choices; `neighbors` must be ascending.
 inline LaneSlots lane_slots(int first, const std::array<std::vector<int>, lanes>& neighbors, int size) {
   LaneSlots best;
   std::size_t least = 0;

@@ -102,7 +102,7 @@ struct Neighbors {
   }
 };
 
-/// All pairs nearer than the support, for particles in the grid's order; independent of the number of threads.
+/// Pairs nearer than the support, in the grid's order; independent of the number of threads.
 template <int Dim>
 class NeighborSearch {
  public:
@@ -111,7 +111,7 @@ class NeighborSearch {
                   int threads, Neighbors& out, const int* body = nullptr);
 
  private:
-  std::array<std::vector<double>, Dim> x_;  // [axis], m
+  std::array<std::vector<double>, Dim> x_;
   std::vector<int> count_;
   std::vector<std::vector<int>> found_;  // [chunk]
 };

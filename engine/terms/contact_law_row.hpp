@@ -7,7 +7,6 @@
 
 namespace taut {
 
-/// Partners of a contact law.
 enum class ContactBetween {
   particles,      // pairs of two bodies or a fold, less than a spacing apart; all methods
   faces,          // methods with initial neighbours
@@ -22,8 +21,7 @@ struct ContactLawRow {
   // gap below which faces count as touching, spacings; particles of oblique faces touch early
   double touching = 0.1;
 
-  // Force along a pair, N, and its energy, J (per metre depth in 2D); r in m, contact modulus K in Pa. `sph`: at
-  // walls.
+  // Force along a pair, N, and its energy, J (per metre depth in 2D). `sph`: at walls.
   double (*force)(double r, double dp, double K, int dim) = nullptr;
   double (*energy)(double r, double dp, double K, int dim) = nullptr;
   // Impulse instead of a force, N s (2D: N s/m).

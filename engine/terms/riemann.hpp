@@ -26,7 +26,7 @@ inline constexpr TermInfo riemann_pressure_info{"pressure force", "dv/dt = −2 
                                                 "[Zhang2024] Eq. 12", "terms/riemann.hpp:riemann_pressure",
                                                 "riemann: P* is symmetric in the two states"};
 
-/// Term j of (dρ_i/dt)/ρ_i, 1/s. [Zhang2024] Eq. 11. Departure: the pressure part of U* is separate, see
+/// Term j of (dρ_i/dt)/ρ_i, 1/s. [Zhang2024] Eq. 11. Departure: pressures in U* are separate, see
 /// `pressure_diffusion_term`.
 template <class T>
 T compression_term(const T& V_j, const T& dW, const T& closing_speed) {

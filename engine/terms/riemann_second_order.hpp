@@ -6,7 +6,6 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// Riemann problem of reconstructed velocities; linear velocities are not damped.
 namespace taut {
 
 /// Closing speed of the velocities reconstructed half way to the other particle, m/s; D: symmetric part of ∇u.

@@ -50,11 +50,7 @@ inline constexpr ContactLawRow surface_contact{
 inline double facing_share(double cosine) { return std::clamp(-4 * cosine - 1, 0.0, 1.0); }
 inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.25 ? -4 : 0; }
 
-// In 3D the depth of a facet f behind a face is a mean over its facets g,
-//   δ = −Σ_g W p / Σ_g W,   p = (x_f − x_g) · (n_g − n_f)/|n_g − n_f|,   W = A_g s(n_f · n_g) w(ℓ²) c(p),
-// with the height p over the plane half way between, the projected share s, the weight w of the lateral distance ℓ <
-// R(p), and the share c of near heights. δ is exact for parallel flat faces, objective and smooth: the force is the
-// energy's gradient. The cover Σ_g W of f is 1 amid the face and ½ over its rim.
+// Depth of facets in 3D: THEORY.md.
 
 /// R, m: 1.5 dp above the plane, 1.05 dp from a depth of dp on. A smaller radius lets edges and corners through; a
 /// greater one includes rims of steps.
@@ -119,9 +115,7 @@ inline double covered_second_derivative(double cover) {
   return t > 0 && t < 1 ? 6 / 0.49 * (1 - 2 * t) : 0;
 }
 
-/// Greatest stiffness relative to first touch, ½ k A. It grows with the depth, and with the cover as edges and
-/// corners slide past each other; otherwise tilted boxes gain energy. Per spacing the cover changes by at most 1.2,
-/// its slope by 4. Terms with these changes are doubled, since facets share nodes.
+/// Greatest stiffness relative to first touch, ½ k A (THEORY.md).
 inline double hardening(double depth, double cover, double dp) {
   constexpr double soon = 0.1, first = 0.2, steepest = 1.2, bend = 4;
   if (cover < soon) return 1;

@@ -8,7 +8,6 @@
 
 namespace taut {
 
-/// Sums over the bonds of four particles.
 template <int Dim>
 struct BondSums {
   Mat<Pack, Dim> A{};      // Σ_j (x_j − x_i) ⊗ a_ij
@@ -17,8 +16,7 @@ struct BondSums {
   Pack stiffest{};         // maximum s + 1/(4s²)
 };
 
-/// Sums with damping. `places` contains x and x + 3 τ v, with differences d and `ahead`; d·ahead/r0² = s + 3 τ q̇
-/// replaces s in 3 φ′/λ. r² is at least `least_r2`, m².
+/// Sums with damping: d·ahead/r0² = s + 3 τ q̇ replaces s in 3 φ′/λ. `places`: x and x + 3 τ v.
 template <bool WithEnergy, int Dim, class Storage>
 [[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBondsView<Dim, Storage>& bonds,
                                                       const ColumnsView<2 * Dim>& places, int group,
@@ -34,7 +32,7 @@ template <bool WithEnergy, int Dim, class Storage>
   const auto* springs = bonds.springs(own);
   const auto* areas = bonds.a_ij(own);
   const auto add_bond = [&](int b) {  // returns x_j − x_i
-    Pack place[2 * Dim];              // of j
+    Pack place[2 * Dim];
     gather(places, first, slots[b], place);
     Vec<Pack, Dim> d, ahead;
     for (int k = 0; k < Dim; ++k) d[k] = place[k] - x_i[k], ahead[k] = place[Dim + k] - ahead_i[k];

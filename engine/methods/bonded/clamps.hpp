@@ -39,7 +39,7 @@ class Clamps {
 
   bool has_driven() const { return !driven_.empty(); }
 
-  /// Moves places on driven regions and sets x and x + `ahead` v; `ahead` in s.
+  /// Moves places on driven regions. `ahead` in s.
   void follow(const Particles<Dim>& s, double ahead, const ColumnsView<2 * Dim>& places) const {
     for (const auto& [place, rigid_particle, from_rigid_particle] : driven_)
       for (int k = 0; k < Dim; ++k) {
@@ -48,7 +48,7 @@ class Clamps {
       }
   }
 
-  /// Calls use(rigid particle, force on the free particle in N) for each bond into a clamp.
+  /// Calls use(rigid particle, force on the free particle in N).
   template <class Storage, class Use>
   void for_each_pull(const PackedBonds<Dim, Storage>& packed, const ColumnsView<2 * Dim>& places,
                      const ColumnsView<Dim * Dim>& Q, double least_r2, const Use& use) const {
@@ -78,7 +78,7 @@ class Clamps {
     int place, rigid_particle;  // stored indices
     V from_rigid_particle;      // m
   };
-  int first_ = 0;                    // column of the first place
+  int first_ = 0;                    // first column
   std::vector<int> rigid_particle_;  // [place] stored index
   std::vector<Driven> driven_;
 };

@@ -12,10 +12,10 @@ namespace taut {
 
 /// Default law of four particles.
 struct alignas(sizeof(Pack)) GroupLaw {
-  Pack V;  // m^Dim, weight of the energy; 0 in padding and for particles without F
+  Pack V;  // m^Dim; 0 in padding and without F
   ClosedNeoHookean<Pack> law;
 };
-/// Indices of a group's constants, which groups share.
+/// Indices of shared constants.
 struct GroupRows {
   int law, B;
 };
@@ -39,14 +39,14 @@ struct BondedFields {
   Vec<Pack, Dim>* bond_force;   // [group] N
   double lead;                  // 3 τ of the bonds, s
   double least_r2;              // minimum r², (dp/100)², m²
-  bool uses_group_law;          // else uses `laws`
+  bool uses_group_law;
   LawsInUse laws;
   const int* material;  // padded to whole groups
   const GroupRows* groups;
   const GroupLaw* group_laws;
   const Mat<Pack, Dim>* B;
   BondsView<Dim, AlignedPack> bonds;
-  BondsView<Dim, HalfPack> halved_bonds;  // off-lattice in 3D, where no particles share constants
+  BondsView<Dim, HalfPack> halved_bonds;  // off-lattice in 3D
   bool halved;
 
   int group_count() const { return (size + lanes - 1) / lanes; }

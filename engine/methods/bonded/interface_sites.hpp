@@ -14,7 +14,7 @@
 
 namespace taut {
 
-/// W by the default law of the family or the chosen law.
+/// W by the default or the chosen law.
 struct LawOfOne {
   const std::vector<Elasticity>& materials;
   bool own;
@@ -57,7 +57,7 @@ class InterfaceSites {
     Direction g, e;                 // 1/m; initial direction
     double per_r0_squared;          // 1/m²
     double strength, own_strength;  // J, see SiteBond
-    int pull;                       // index in pulls_ if across, else −1
+    int pull;                       // index in pulls_, or −1
   };
   struct Kink {
     int j;
@@ -73,7 +73,7 @@ class InterfaceSites {
   struct Deformations {
     Square mean, own, other, across;
   };
-  /// A lane of a group receives the force weight × pulls_[pull].
+  /// Force weight × pulls_[pull] on a lane.
   struct PullShare {
     int pull, lane;
     double weight;

@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// Constants of one bond of each of four particles; 0 in padding.
+/// Constants of four bonds; 0 in padding.
 template <class Storage>
 struct alignas(sizeof(Pack)) Spring {
   Pack third_of_k;       // k/3, N/m
@@ -49,7 +49,6 @@ struct Spring<HalfPack> {
   }
 };
 
-/// A bond that ends at a clamp place.
 struct BondToClamp {
   int group, lane, bond, place;
 };
@@ -73,7 +72,7 @@ struct PackedBondsView {
   const LaneSlot* slots(const GroupRows& own) const { return all_slots + own.slot; }
   const Spring<Storage>* springs(const GroupRows& own) const { return all_springs + own.spring; }
   const Vec<Storage, Dim>* a_ij(const GroupRows& own) const { return all_a_ij + own.a; }
-  /// G V0_i w_ij of each bond, J.
+  /// G V0_i w_ij, J.
   const Storage* energy_scales(const GroupRows& own) const { return all_energy_scales + own.scale; }
 };
 

@@ -41,7 +41,7 @@ ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   return {J, p, sigma, zz + p};
 }
 
-/// F of four particles from `first` on, replaced where there is a recovered gradient of the displacements u, m.
+/// F, replaced by the recovered gradient of the displacements u, m, where there is one.
 template <int Dim>
 Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const AlignedPack* u, int size,
                                       int first, Mat<Pack, Dim> F) {
@@ -49,7 +49,7 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const Alig
   for (int lane = 0; lane < count; ++lane) {
     const int i = first + lane, begin = recovered.begin[i], end = recovered.begin[i + 1];
     if (begin == end) continue;
-    Pack column[Dim]{};  // of F
+    Pack column[Dim]{};
     for (int k = 0; k < Dim; ++k) column[k][k] = 1;
     const auto add_steps = [&](const auto* g) {
       for (int b = begin; b < end; ++b, g += Dim) {
@@ -66,10 +66,10 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const Alig
   return F;
 }
 
-/// Scales F to the volume ratio J of the own gradient, unless that gradient averages two sides.
+/// Scales F to the volume ratio J of the own gradient, unless that averages two sides.
 template <int Dim>
 void keep_volume(const RecoveredView& recovered, int size, int first, Mat<Pack, Dim>& F, const Pack& J) {
-  const Pack least = filled<Pack>(0.05);  // crushed or inverted particles do not keep their volume
+  const Pack least = filled<Pack>(0.05);  // for crushed or inverted particles
   const Pack ratio = max(J, least) / max(determinant(F), least);
   const Pack root = inverse_cube_root(ratio);
   Pack scale = ratio * root * root;

@@ -22,9 +22,8 @@ struct StoredBonds {
   BondsView<Dim, Storage> view() const { return {packed.view(), cancelled.view()}; }
 };
 
-/// Bodies of bonds (THEORY.md) with position Verlet, in groups of four particles. The stress pass computes F_i, the
-/// bond forces and Q_i = T_i B_i, the force pass the stress force Σ_j (Q_i + Q_j) a_ij: both share one vector per
-/// bond.
+/// Bodies of bonds (THEORY.md) with position Verlet. The stress pass computes F_i, bond forces and Q_i = T_i B_i, the
+/// force pass the stress force Σ_j (Q_i + Q_j) a_ij.
 template <int Dim>
 class Bonded final : public Scheme<Dim> {
  public:
@@ -70,7 +69,7 @@ class Bonded final : public Scheme<Dim> {
   std::vector<int> material_;  // [stored], padded to whole groups
   Constraints constraints_;    // [id]
   double wave_speed_;          // m/s
-  double layout_ = 1;          // initial highest ω² over that of a lattice, at least 1
+  double layout_ = 1;          // initial highest ω² over that of a lattice
   double stiffest_ = 1;        // maximum stiffness in the last step, relative to rest
   SharedRows<GroupLaw> group_laws_;
   SharedRows<Mat<Pack, Dim>> B_;
@@ -83,7 +82,7 @@ class Bonded final : public Scheme<Dim> {
   Columns<1> mobility_;
   std::vector<Vec<Pack, Dim>> bond_force_;
   BondedFields<Dim> f_{};
-  // computed for the first snapshot, and again after a drive ends
+  // renewed after a drive ends
   mutable RecoveredGradient recovered_;
   mutable long released_ = 0;  // particles whose drives have ended
 };

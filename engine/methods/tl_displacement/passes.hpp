@@ -63,7 +63,7 @@ Mat<Pack, Dim> tensor_at(const ColumnsView<Dim * Dim>& columns, int first) {
   return A;
 }
 
-/// Pair forces on four particles, N (2D: N/m).
+/// N (2D: N/m)
 template <const TlDisplacementFormulation& M, int Dim>
 Vec<Pack, Dim> pair_force(const TlDisplacementFields<Dim>& f, int group) {
   constexpr bool shear = M.pair_force == PairForce::shear;

@@ -8,8 +8,8 @@
 
 namespace taut {
 
-/// Weights of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale`, m²:
-///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²),   r_ij = X_i − X_j,            [Lee2016] Eq. A.1, A.2
+/// Weights of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale`, m², [Lee2016] Eq. A.1, A.2:
+///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²)
 /// With α and β, L of a linear field is 0 and L of |X − X_i|² is 2 Dim (A.3–A.5, printed for 3D). Departure: β = 0
 /// where neighbours hardly distinguish the two fields, as at corners; large w_ij would require tiny time steps.
 template <class K, int Dim>

@@ -8,11 +8,11 @@
 
 namespace taut {
 
-/// Unknowns or their rates, in groups of four particles.
+/// Unknowns or their rates.
 template <int Dim>
 struct Strains {
   Mat<Pack, Dim>* F;
-  AlignedPack* J;     // volume ratio; null unless an unknown
+  AlignedPack* J;     // null unless an unknown
   Mat<Pack, Dim>* H;  // cofactor of F; null unless an unknown
 };
 
@@ -22,9 +22,9 @@ struct StageActions {
   using V = Vec<double, Dim>;
 
   void* of;
-  /// Adds the acceleration by loads, m/s², to `a`.
+  /// Adds the acceleration by loads, m/s².
   void (*load)(void* of, int i, V& a);
-  /// Sets `v` after the first stage where drives or guides prescribe it.
+  /// Sets prescribed `v` after the first stage.
   void (*steer)(void* of, int i, V& v);
   /// Sets prescribed `v` at the end of a step of `dt` that began with `before`. Counts the work of loads and drives.
   void (*close)(void* of, int i, double dt, const V& before, V& v);
@@ -37,7 +37,7 @@ struct TlMixedFields {
   int size;
   V *x, *v;  // m, m/s
   const double* m;
-  V* v_start;  // m/s, at the start of the step
+  V* v_start;  // at the start of the step
   const V* X;
   const double* V0;
   const int* material;
@@ -49,7 +49,7 @@ struct TlMixedFields {
   Strains<Dim> now, start, rate;                  // at the stage; at the start of the step; rates, 1/s
   ColumnsView<Dim + 1> flow;                      // v, m/s, and J
   ColumnsView<Dim * Dim> stress;                  // V P B, row by row
-  ColumnsView<Dim + 1> once;                      // Laplacian of (v, J), once applied, times dp²
+  ColumnsView<Dim + 1> once;                      // L of (v, J), times dp²
   ColumnsView<Dim> a, a_start;                    // internal; total at the start of the step, m/s²
   ColumnsView<1> dissipation_J;                   // 1/s
 

@@ -45,7 +45,6 @@ struct UnknownsOf {
     else
       return f.pairs;
   }
-  /// Columns of (v, J) that method M uses.
   static ColumnsView<fields> own(const ColumnsView<Dim + 1>& columns) {
     return {columns.all, columns.length};
   }
@@ -62,7 +61,7 @@ void start_gradients(const TlMixedFields<Dim>& f) {
   }
 }
 
-/// Maximum stiffness_bound (law.hpp) over all particles, Pa.
+/// Maximum over all particles, Pa.
 template <const TlMixedFormulation& M, int Dim>
 double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -76,7 +75,7 @@ double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Writes the stiffness_bound of each group to out[group], Pa.
+/// stiffness_bound of each group, Pa.
 template <const TlMixedFormulation& M, int Dim>
 void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   using U = UnknownsOf<M, Dim>;
@@ -89,7 +88,7 @@ void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   });
 }
 
-/// Fills the columns that the next passes gather: `flow` with (v, J) and `stress` with V P B.
+/// Fills `flow` with (v, J) and `stress` with V P B.
 template <const TlMixedFormulation& M, int Dim>
 void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -156,14 +155,13 @@ void dissipation_pass(const TlMixedFields<Dim>& f, const TlMixedConstants& c, co
   }
 }
 
-/// Removes the total force and torque of a body ([Lee2016] Eq. 45–49), and the total dissipation of J (Eq. 51).
+/// [Lee2016] Eq. 45–49, and for J Eq. 51.
 template <const TlMixedFormulation& M, int Dim>
 void project(const TlMixedFields<Dim>& f, const TlMixedConstants& c, int first, int last) {
   project_on_momenta(f.a, f.x, f.V0, first, last, c.projection);
   if constexpr (UnknownsOf<M, Dim>::has_J) subtract_mean(f.dissipation_J, f.V0, first, last, c.projection);
 }
 
-/// Calls use(i) for each particle of a group.
 template <int Dim, class F>
 [[gnu::always_inline]] inline void each_of(const TlMixedFields<Dim>& f, int group, const F& use) {
   const int first = lanes * group, last = std::min(first + lanes, f.size);
@@ -250,7 +248,7 @@ double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageAc
   });
 }
 
-/// Advances F, J and H to positions that have moved by `dt` times the velocities in `flow`.
+/// Advances F, J and H by `dt` times the velocities in `flow`.
 template <const TlMixedFormulation& M, int Dim>
 void follow(const TlMixedFields<Dim>& f, double dt, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;

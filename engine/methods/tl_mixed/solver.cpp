@@ -100,8 +100,7 @@ void TlMixed<Dim>::set_start_gradients() {
   kernels_.start_gradients(f_);
 }
 
-/// Time step limit of the dissipation, s: 2 over its greatest rate, less a tenth for waves. It matters only in bodies
-/// of few layers.
+/// Time step limit of the dissipation, s: 2 over its greatest rate, less a tenth for waves.
 template <int Dim>
 double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
   const double square = biharmonic_spectral_radius(dissipating_lanes_.view(), p_.size(), threads),
@@ -148,7 +147,7 @@ void TlMixed<Dim>::step(double dt) {
   find_rates(dt);
   kernels_.predict(f_, kick, outside, common_.threads_now());
   project_on_boundary(dt);
-  // the mean of both stages conserves momenta; clamped particles do not move
+  // the mean of both stages conserves momenta
   parallel_for(p_.size(), common_.threads_now(),
                [&](int i) { p_.x[i] += (0.5 * dt * p_.mobile[i]) * (v_start_[i] + p_.v[i]); });
   find_rates(dt);
@@ -205,8 +204,7 @@ StageActions<Dim> TlMixed<Dim>::actions() {
           .close = loaded || steered ? +close : nullptr};
 }
 
-/// Projects bodies with clamped, guided or driven particles, [Lee2016] Algorithm 1, step 9. The added energy is not
-/// counted as work.
+/// [Lee2016] Algorithm 1, step 9. The added energy is not counted as work.
 template <int Dim>
 void TlMixed<Dim>::project_on_boundary(double ahead) {
   if (c_.boundary_projection == 0) return;

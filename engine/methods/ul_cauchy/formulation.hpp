@@ -7,19 +7,19 @@ namespace taut {
 
 /// Stress term of a pair in (1/ρ) ∇·σ.
 enum class PairStress : std::uint8_t {
-  product,  // m_j (σ_i + σ_j)/(ρ_i ρ_j), [Khayyer2024] Eq. 9
-  squares,  // m_j (σ_i/ρ_i² + σ_j/ρ_j²), [TranDuc2023] Eq. 2.3
+  product,  // [Khayyer2024] Eq. 9
+  squares,  // [TranDuc2023] Eq. 2.3
 };
 
 enum class Continuity : std::uint8_t {
-  velocity_gradient,  // −ρ tr ∇û, [Khayyer2024] Eq. 8, 29
-  masses,             // Σ m_j u_ij·∇W, [TranDuc2023] §2.2
+  velocity_gradient,  // [Khayyer2024] Eq. 8, 29
+  masses,             // [TranDuc2023] §2.2
 };
 
 enum class Viscosity : std::uint8_t {
   none,
   artificial,  // [Khayyer2024] Eq. 15, 16
-  riemann,     // second-order Riemann problem, [Khayyer2024] Eq. 39–45
+  riemann,     // second order, [Khayyer2024] Eq. 39–45
 };
 
 struct UlCauchySwitches {
@@ -31,7 +31,7 @@ struct UlCauchySwitches {
   bool corrected = false;           // kernel gradients, [Khayyer2024] Eq. 27–31
   bool transport_velocity = false;  // XSPH, [Khayyer2024] Eq. 14
   bool density_diffusion = false;   // [Khayyer2024] Eq. 32–35
-  bool tensile_control = false;     // TIC inside, artificial stress at surfaces, [Khayyer2024] §3.4
+  bool tensile_control = false;     // [Khayyer2024] §3.4
 };
 
 struct UlCauchyFormulation : Formulation, UlCauchySwitches {
@@ -39,15 +39,15 @@ struct UlCauchyFormulation : Formulation, UlCauchySwitches {
 };
 
 struct UlCauchyConstants : Constants {
-  double alpha = 0;           // of the artificial viscosity
-  double riemann_factor = 0;  // factor of the dissipation
-  double geometry = 0;        // evaluates ∇u at 0: start, 1: end of the step
-  double xsph = 0;            // ε of XSPH
-  double delta = 0;           // of the density diffusion
+  double alpha = 0;  // of the artificial viscosity
+  double riemann_factor = 0;
+  double geometry = 0;  // time of ∇u; 0: start, 1: end of the step
+  double xsph = 0;      // ε of XSPH
+  double delta = 0;     // of the density diffusion
   double epsilon = 0, exponent = 0;
   double surface_colour = 0;             // maximum colour function of surface particles
   double vicinity = 0;                   // of a surface, in spacings
-  double surface_artificial_stress = 0;  // share of artificial stress without TIC
+  double surface_artificial_stress = 0;  // share of artificial stress
   double step_speed = 0;                 // wave speed for steps, m/s
 };
 

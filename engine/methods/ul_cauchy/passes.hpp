@@ -25,7 +25,7 @@ template <int Dim>
 struct CauchyPair {
   Vec<Pack, Dim> d;  // x_i − x_j, m
   Pack r;            // m
-  Pack dw_per_q;     // w′(q)/q of kernels/kernel.hpp
+  Pack dw_per_q;     // w′(q)/q
 };
 
 /// To avoid divisions, terms get w′/q, `one` and x_i − x_j for ∂W/∂r, r and e_ij; α/h^(Dim+2) scales their sums.

@@ -47,7 +47,6 @@ UlCauchyConstants cauchy_constants(const SolverInput& input) {
 double magnitude(double spin) { return std::abs(spin); }
 double magnitude(const Vec<double, 3>& spin) { return std::sqrt(dot(spin, spin)); }
 
-/// Angular momentum and moment of inertia of a body about its centre.
 template <int Dim>
 struct BodyRotation;
 template <>
@@ -218,7 +217,6 @@ void UlCauchy<Dim>::set_motion() {
   for (int i = 0; i < p_.size(); ++i) motion_[i].set(p_.v[i], rho_[i], p_.m[i] / rho_[i], p_.x[i]);
 }
 
-/// Sets velocity and spin of each body from its momenta.
 template <int Dim>
 void UlCauchy<Dim>::set_rigid_motion() {
   const std::size_t bodies = common_.initial.first.size() - 1;

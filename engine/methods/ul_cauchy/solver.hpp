@@ -70,7 +70,7 @@ class UlCauchy final : public Scheme<Dim> {
   std::vector<V> drift_;          // m/s
   std::vector<Spin<Dim>> spin_;   // 1/s
   std::vector<V> centre_;         // drifted position, m
-  double relative_distance_ = 0;  // maximum distance moved relative to it, m
+  double relative_distance_ = 0;  // maximum, relative to it, m
   UlCauchyFields<Dim> f_{};
 };
 

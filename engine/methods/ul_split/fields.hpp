@@ -102,7 +102,6 @@ Tensor<Dim> spread_tensor(const TensorRow<Dim>& row) {
   return t;
 }
 
-/// Geometry of four pairs.
 template <int Dim>
 struct PairGeometry {
   Vec<Pack, Dim> gradient;  // ∇_i W = ∂W/∂r e_ij, 1/m^(Dim+1)
@@ -149,7 +148,7 @@ struct PairCache {
   }
 };
 
-/// A pack of neighbours of i in another body.
+/// Neighbours of i in another body.
 struct MixedPack {
   int i, pack;
 };

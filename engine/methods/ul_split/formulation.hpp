@@ -6,17 +6,17 @@
 namespace taut {
 
 enum class Shear : std::uint8_t {
-  nested_stress,       // ∇·s with the Jaumann rate; [Zhang2024] Eq. 7, 13, 14
-  laplacian_velocity,  // ∫ G/ρ ∇²v dt, conserving angular momentum; [Zhang2024] Eq. 19, 20
-  laplacian_velocity_nonconservative,  // with the plain operator; [Zhang2024] Eq. 18
-  nested_with_penalty,                 // with corrected gradients and velocity_penalty.hpp; [Zhang2024b]
+  nested_stress,                       // [Zhang2024] Eq. 7, 13, 14
+  laplacian_velocity,                  // ∫ G/ρ ∇²v dt, [Zhang2024] Eq. 19, 20
+  laplacian_velocity_nonconservative,  // [Zhang2024] Eq. 18
+  nested_with_penalty,                 // [Zhang2024b]
 };
 
 struct UlSplitSwitches {
   Shear shear = Shear::nested_stress;
   bool artificial_stress = false;    // Gray's
   double epsilon = 0, exponent = 0;  // of the artificial stress
-  double beta_least = 1;             // 1: linear, 0: limited dissipation in P*; see terms/riemann.hpp
+  double beta_least = 1;             // 1: linear, 0: limited; see terms/riemann.hpp
   double cfl_advection = 0.2;        // [Zhang2024] Eq. 21
 };
 
@@ -25,8 +25,8 @@ struct UlSplitFormulation : Formulation, UlSplitSwitches {
 };
 
 struct UlSplitConstants : Constants {
-  double zeta = 0;                             // factor of the Laplacian, [Zhang2024] Eq. 19
-  double xi = 0;                               // factor of the velocity penalty
+  double zeta = 0;                             // of the Laplacian, [Zhang2024] Eq. 19
+  double xi = 0;                               // of the velocity penalty
   double epsilon = 0, exponent = 0;            // of the artificial stress
   double riemann_limiter = 0, beta_least = 1;  // of β, see terms/riemann.hpp
   double pressure_diffusion = 0;               // see terms/riemann.hpp

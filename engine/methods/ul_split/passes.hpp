@@ -56,7 +56,6 @@ class PairKernel {
   double per_h_, alpha_, least_, per_w_dp_, exponent_;
 };
 
-/// Calls f.operator()<Name> for the kernel of a run.
 template <const UlSplitFormulation& M, class F>
 auto with_kernel(const UlSplitConstants& c, const F& f) {
   return c.cubic_spline != 0 ? f.template operator()<KernelName::cubic_spline>()
@@ -160,7 +159,7 @@ double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, con
       const Flow<Dim, Pack> f_j = gather_flow(s.flow, j);
       const Pack closing_speed = s.pairs.inverse_slope(b) * dot(f_j.v - f_i.v, grad_W);
       const Pack p = riemann_pressure(f_i.p, f_j.p, closing_speed, dissipation);
-      force -= Pack(2 * f_j.V * p) * grad_W;  // −2 Σ m_j P*/ρ_j ∇W, [Zhang2024] Eq. 12
+      force -= Pack(2 * f_j.V * p) * grad_W;  // [Zhang2024] Eq. 12
       if constexpr (carries_stress(M))
         force += nested_shear_term(s_i.s, gather_tensor(s.stress, j).s, f_j.V, one, gradient_inside(s, i, b));
       if constexpr (M.artificial_stress) {

@@ -64,7 +64,7 @@ double UlSplit<Dim>::step_size() const {
 /// One acoustic step, [Zhang2024] Eq. 22–25.
 template <int Dim>
 void UlSplit<Dim>::step(double dt) {
-  // Eq. 21 as a distance, at the greatest speed so far: also in time if a body speeds up or turns back
+  // Eq. 21 with the greatest speed so far, in case a body speeds up or turns back
   if (stepping_ == Stepping::single ? common_.run.steps > 0
                                     : distance_since_rebuild_ >= c_.cfl_advection * c_.h)
     rebuild();

@@ -46,7 +46,7 @@ class UlSplit final : public Scheme<Dim> {
   CellGrid<Dim> grid_;
   NeighborSearch<Dim> search_;
   Neighbors near_;
-  double greatest_speed_ = 0;          // maximum since the start, m/s
+  double greatest_speed_ = 0;          // since the start, m/s
   double distance_since_rebuild_ = 0;  // m
 
   // see UlSplitFields

@@ -3,7 +3,6 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// Penalty on relative velocities that the velocity gradients do not explain.
 namespace taut {
 
 /// Term j of a sum that times ξ G/ρ_i is the rate of the penalty acceleration, 1/(m s). `L_sum` = L_i + L_j,

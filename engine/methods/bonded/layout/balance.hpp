@@ -7,8 +7,7 @@
 
 namespace taut {
 
-/// Changes a_ij, then w_ij, as little as possible so that a homogeneous strain causes no force inside 2D bodies
-/// (THEORY.md, Balance). `irregular`: [body].
+/// Balances the bonds inside 2D bodies (THEORY.md, Balance). `irregular`: [body].
 void balance(const InitialParticles& initial, const Constraints& constraints,
              const std::vector<bool>& irregular, Bonds& bonds, int threads);
 

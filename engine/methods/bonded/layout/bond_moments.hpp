@@ -12,7 +12,7 @@
 
 namespace taut {
 
-/// Fourth moments of the bonds of a particle, and their isotropic targets (THEORY.md, Bonds).
+/// Fourth moments of bonds and their isotropic targets (THEORY.md, Bonds).
 template <int Dim>
 class Moments {
  public:
@@ -22,8 +22,7 @@ class Moments {
     for (int m = 0; m < count; ++m) target_[m] = isotropic(powers_[m]);
   }
 
-  /// Changes the weights w of bonds X as little as possible to satisfy the targets. Returns false if no such w ≥ 0
-  /// exist.
+  /// Changes w least to satisfy the targets. Returns false if no such w ≥ 0 exist.
   bool make_right(const std::vector<Eigen::Vector<double, Dim>>& X, std::vector<double>& w) const {
     std::vector<Vector> M(X.size());
     for (std::size_t b = 0; b < X.size(); ++b) M[b] = of(X[b].normalized());
@@ -66,7 +65,7 @@ class Moments {
   bool is_right(const std::vector<Vector>& M, const std::vector<double>& w) const {
     return missing(M, w).cwiseAbs().maxCoeff() < 1e-9;
   }
-  /// Solves w = ω ∘ (1 + Mᵀ α) with M w = target. Sets negative weights to 0 and solves again.
+  /// Solves w = ω ∘ (1 + Mᵀ α) with M w = target. Negative weights become 0.
   void correct(const std::vector<Vector>& M, std::vector<double>& omega) const {
     std::vector<double> w(omega.size());
     for (std::size_t round = 0; round <= omega.size(); ++round) {

@@ -12,7 +12,6 @@
 
 namespace taut {
 
-/// A bond in the reference configuration, seen from i.
 struct ReferenceBond {
   Point X;        // from i to j or to the face of a clamp, m
   double weight;  // w_ij; 0 if only j selected the bond
@@ -22,7 +21,7 @@ struct ReferenceBond {
 /// B = (Σ_j a_ij ⊗ X_ij)⁻¹, column by column.
 using InverseMoment = std::array<Point, 3>;
 
-/// Gradient vector g_ij = B a_ij, 1/m.
+/// g_ij = B a_ij, 1/m.
 inline Point gradient_of(const InverseMoment& B, const ReferenceBond& bond) {
   Point g{};
   for (std::size_t k = 0; k < g.size(); ++k)
@@ -30,7 +29,7 @@ inline Point gradient_of(const InverseMoment& B, const ReferenceBond& bond) {
   return g;
 }
 
-/// Term that particle i cancels like one more bond along t (THEORY.md, Faces).
+/// Cancelled like one more bond along t (THEORY.md, Faces).
 struct FaceTerm {
   int i;
   Point t;
@@ -39,20 +38,19 @@ struct FaceTerm {
 
 struct SolidGeometry;
 
-/// Bonds inside bodies, stored from both ends. Rigid particles have none of their own, unless they are on the face of
-/// a clamp.
+/// Bonds inside bodies, stored from both ends. Rigid particles have none of their own, except on the face of a clamp.
 struct Bonds {
-  std::vector<int> begin;           // [n + 1] first bond of each particle
-  std::vector<int> j;               // [bond] the other particle
+  std::vector<int> begin;           // [n + 1] first bond
+  std::vector<int> j;               // [bond] other particle
   std::vector<ReferenceBond> rows;  // contiguous per particle
-  std::vector<int> row;  // [n] first of its bonds in `rows`; −1: `solid` computes them; empty: as `begin`
+  std::vector<int> row;             // [n] first in `rows`; −1: computed by `solid`; empty: as `begin`
   std::shared_ptr<const SolidGeometry> solid;  // in 3D
-  bool off_lattice = false;                    // some particles are off-lattice
-  Constraints constraints;                     // [n]
-  std::vector<InverseMoment> B;                // [n]; 0 where bonds hardly span the space
-  std::vector<double> volume;                  // [n] V, m^dim, weight of the strain energy
-  std::vector<double> mass;                    // [n] mass over density, m^dim
-  std::vector<FaceTerm> face_terms;            // sorted by particle; in 2D
+  bool off_lattice = false;
+  Constraints constraints;           // [n]
+  std::vector<InverseMoment> B;      // [n]; 0 where bonds hardly span the space
+  std::vector<double> volume;        // [n] V, m^dim, weight of the strain energy
+  std::vector<double> mass;          // [n] mass over density, m^dim
+  std::vector<FaceTerm> face_terms;  // sorted by particle; in 2D
 
   int size() const { return static_cast<int>(begin.size()) - 1; }
   bool is_rigid(int i) const { return taut::is_rigid(constraints[i]); }
@@ -64,7 +62,7 @@ struct Bonds {
     return {std::ranges::lower_bound(face_terms, i, {}, &FaceTerm::i),
             std::ranges::upper_bound(face_terms, i, {}, &FaceTerm::i)};
   }
-  /// g_ij, 1/m: Σ_j (f_j − f_i) g_ij is the gradient of f at i.
+  /// g_ij, 1/m.
   Point gradient(int i, int b) const { return gradient_of(B[i], of(i, b)); }
   template <class F>
   void for_each(int i, const F& f) const {
@@ -81,14 +79,14 @@ inline Bonds make_bonds(const Scene& scene, const InitialParticles& initial, dou
   return make_bonds(scene, initial, make_constraints(scene, initial), h);
 }
 
-/// Modulus in place of G in bonds of this material, Pa (terms/bond.hpp).
+/// Replaces G in bonds, Pa (terms/bond.hpp).
 double modulus_of_bonds(int dim, const Elasticity& m);
-/// G of bond b of particle i, Pa: the harmonic mean of both ends, as of springs in series. A rigid particle takes the
-/// modulus of the other end.
+/// G of bond b of particle i, Pa: the harmonic mean of both ends. A rigid particle takes the modulus of the other
+/// end.
 double modulus_of_bond(const Bonds& bonds, const InitialParticles& initial,
                        const std::vector<Elasticity>& materials, int i, int b);
 
-/// Surface S_j of each particle, on which a uniform stress acts; 0 inside a lattice (THEORY.md, Volumes and masses).
+/// Surface S_j of each particle (THEORY.md, Volumes and masses).
 std::vector<Point> surface(const Bonds& bonds);
 
 inline constexpr double least_bond_reach = 2, wide_bond_reach = 2.625;  // in h

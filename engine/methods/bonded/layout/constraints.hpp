@@ -6,12 +6,11 @@
 
 namespace taut {
 
-/// Constraint of a particle, as far as bonds are concerned.
 enum class Constraint : unsigned char {
-  free,     // also driven for part of the run, or on the face of a driven region
+  free,     // also driven for part of the run, or on a driven face
   pinned,   // does not move; bonded like a free particle
   clamped,  // does not move
-  driven    // has a prescribed velocity until the end of the run
+  driven    // to the end of the run
 };
 using Constraints = std::vector<Constraint>;  // by id
 

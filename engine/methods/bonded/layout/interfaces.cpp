@@ -64,7 +64,7 @@ class InterfaceMaker {
   }
   /// Normal of the plane through the midpoints of bonds across near i, if there is one.
   std::optional<Place> normal(int i, int other) const {
-    // maximum ratio of the variances across and along the plane; with 0.15 some discs fly apart
+    // maximum ratio of variances across and along the plane; with 0.15 some discs fly apart
     constexpr double flat = 0.08;
     std::vector<Place> middles;
     Place mean = Place::Zero(), towards = Place::Zero();
@@ -95,7 +95,7 @@ class InterfaceMaker {
     const Place N{axis[0], axis[1], initial_.dim == 2 ? 0 : axis[2]};
     return N.dot(towards) < 0 ? -N : N;
   }
-  /// Gradient at i from bonds within its material. Nothing where they hardly determine it: the energy would have no
+  /// Gradient at i within its material; empty where bonds hardly determine it, because the energy would have no
   /// minimum.
   std::vector<SideGradient> own_gradient(int i) const {
     constexpr double least = 0.5;  // det A over isotropic A; flat sides have 0.84
@@ -121,7 +121,7 @@ class InterfaceMaker {
     Place m = Place::Zero();
     std::map<int, double> beta;
     double weights = 0;
-    std::vector<std::pair<double, std::vector<SideGradient>>> beyond;  // gradients at neighbours across
+    std::vector<std::pair<double, std::vector<SideGradient>>> beyond;
     std::vector<int> of;
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
       const int k = bonds_.j[b];
@@ -150,13 +150,13 @@ class InterfaceMaker {
     for (const auto& [j, weight] : beta) out_.j.push_back(j), out_.weight.push_back(weight);
     out_.begin.push_back(static_cast<int>(out_.j.size()));
   }
-  /// Wave speed, m/s, estimated from row sums of stiffness over mass; on a lattice (wave speed · dimension/spacing)².
+  /// Wave speed, m/s, from row sums of stiffness over mass; on a lattice (wave speed · dimension/spacing)².
   double wave_speed() const {
     std::vector<double> stiffness(bonds_.begin.size() - 1);  // N/m
     for (std::size_t s = 0; s < out_.sites.size(); ++s) {
       const Interfaces::Site& site = out_.sites[s];
       const Place m = column(site.m), beyond = m - column(site.N);
-      std::map<int, std::pair<Place, Place>> slopes;  // derivatives of both deformations along N
+      std::map<int, std::pair<Place, Place>> slopes;  // derivatives along N
       const auto add = [&](int j, const Place& own, const Place& other) {
         for (const auto& [p, sign] : {std::pair{j, 1.0}, std::pair{site.id, -1.0}}) {
           auto& of = slopes.try_emplace(p, Place::Zero(), Place::Zero()).first->second;

@@ -14,7 +14,7 @@ inline constexpr double greatest_across = 8;  // maximum of own G over G_ij
 struct Interfaces {
   struct Site {
     int id;
-    int other;     // material beyond the interface
+    int other;     // beyond the interface
     double share;  // θ
     Point N, m;    // unit normal; m of THEORY.md
   };
@@ -22,17 +22,16 @@ struct Interfaces {
   std::vector<int> begin;      // [sites + 1] first β_ij of each site
   std::vector<int> j;          // id
   std::vector<double> weight;  // β_ij, 1/m
-  double wave_speed = 0;       // m/s, for stable steps around sites
+  double wave_speed = 0;       // m/s, for stable steps
 };
 Interfaces make_interfaces(const InitialParticles& initial, const std::vector<Elasticity>& materials,
                            const Bonds& bonds, double spacing);
 
-/// A bond of a particle with a site.
 struct SiteBond {
   int j;
   Point g, e;                     // g_ij, 1/m; initial direction
   double per_r0_squared;          // 1/m²
-  double strength, own_strength;  // G V0_i w_ij, J; the same with G of the own material, ≤ greatest_across G
+  double strength, own_strength;  // G V0_i w_ij, J; with the own G, ≤ greatest_across G
   bool is_across;
 };
 std::vector<SiteBond> site_bonds(const Bonds& bonds, const InitialParticles& initial,

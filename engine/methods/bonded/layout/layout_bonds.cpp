@@ -70,7 +70,7 @@ class LayoutBonds {
       for (int i = first; i < last; ++i) select(i, moments, own);
     });
   }
-  /// At the surface of irregular bodies all bonds have one weight (THEORY.md, Irregular bodies).
+  /// All bonds at the surface of irregular bodies have one weight.
   void select(int i, const Moments<2>& moments, Selection& own) {
     std::vector<Eigen::Vector2d>& X = own.X;
     std::vector<double>& w = own.w;
@@ -138,8 +138,7 @@ class LayoutBonds {
       }
     });
   }
-  /// Bodies in which the balance left a pair below the minimum strength. Irregular bodies are exempt: a few negative
-  /// pairs do less harm there than no balance.
+  /// Irregular bodies are exempt: a few weak pairs do less harm there than no balance.
   std::vector<int> bodies_with_pair_below(double least) const {
     std::vector<unsigned char> below(initial_.size());
     parallel_for(initial_.size(), threads_, [&](int i) {
@@ -171,8 +170,8 @@ class LayoutBonds {
   int threads_;
   NeighborLists near_;
   std::vector<bool> irregular_;      // [body]
-  std::vector<double> least_reach_;  // [body] of the bonds, in h
-  std::vector<double> selected_;     // [pair of near_] w_ij or not_selected
+  std::vector<double> least_reach_;  // [body] in h
+  std::vector<double> selected_;     // [pair of near_]
   std::vector<double> unbalanced_;
   bool changed_by_balance_ = false;
   Bonds out_;

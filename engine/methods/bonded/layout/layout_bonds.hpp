@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Balanced bonds of 2D bodies, not yet cut at clamps, without volumes and masses. Lengths in m.
+/// Bonds that are not yet cut at clamps, without volumes and masses. Lengths in m.
 Bonds layout_bonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
                    int threads);
 

@@ -18,10 +18,10 @@ std::vector<bool> irregular_bodies(const InitialParticles& initial, const Constr
 double steep_share(double per_r);
 double even_share(double per_r);
 
-/// Whether the neighbours X have the distances of a cubic lattice.
+/// By the distances of the neighbours X.
 bool is_on_lattice(const std::vector<Eigen::Vector3d>& X, double spacing);
 
-/// Whether some direction has no neighbour X within 60 degrees (in 2D 50).
+/// Whether no neighbour X lies within 60 degrees (2D: 50) of some direction.
 bool is_at_surface(const std::vector<Eigen::Vector2d>& X);
 bool is_at_surface(const std::vector<Eigen::Vector3d>& X);
 

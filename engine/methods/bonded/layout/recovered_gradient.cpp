@@ -53,8 +53,8 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
 }
 
 constexpr int rigid = 1;
-/// Motion of each particle: 0 free, 1 rigid, else a number per drive and guide. The outermost particles of a driven
-/// or guided region count as their freest neighbours, because the gradient jumps there.
+/// Motions: 0 free, 1 rigid, else a number per drive and guide. The outermost particles of a driven or guided region
+/// count as their freest neighbours.
 template <int Dim>
 std::vector<int> motions(const InitialParticles& initial, const Constraints& constraints,
                          const std::vector<int>& drive, double spacing, int threads) {
@@ -85,7 +85,7 @@ std::vector<int> motions(const InitialParticles& initial, const Constraints& con
   return motion;
 }
 
-/// Neighbours with the material and motion of i. X is rounded to 2^-40 dp: on a lattice the bits are equal.
+/// X is rounded to 2^-40 dp: on a lattice the bits are equal.
 template <int Dim>
 Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>& motion, int i,
                         std::span<const int> near, double spacing) {
@@ -101,7 +101,6 @@ Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>&
   return some;
 }
 
-/// Whether the gradient of i averages two sides, of other material or motion.
 template <int Dim>
 bool has_other_side(const InitialParticles& initial, const std::vector<int>& motion, int i,
                     std::span<const int> near, double reach) {
@@ -127,7 +126,7 @@ bool is_symmetric(const Neighborhood<Dim>& near) {
   });
 }
 
-/// g_j, 1/dp, of the fit with `terms` of X, X ⊗ X; empty if undetermined or too sensitive.
+/// In 1/dp; empty if undetermined or too sensitive.
 template <int Dim>
 Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, int terms) {
   const auto n = static_cast<Eigen::Index>(near.size());

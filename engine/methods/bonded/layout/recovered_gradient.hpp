@@ -21,7 +21,7 @@ struct RecoveredGradient {
   std::vector<int> row;                // [n] first index in `g`, shared by equal neighbourhoods
   std::vector<double> g;               // 1/m, dim numbers per entry
   std::vector<float> halved;           // replaces g if requested
-  std::vector<unsigned char> between;  // [n] 1: the own gradient averages two sides (3D); may be empty
+  std::vector<unsigned char> between;  // [n] 1: the own gradient averages two sides; may be empty
   int dim = 0;
 
   bool empty() const { return begin.empty(); }

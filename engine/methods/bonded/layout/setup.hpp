@@ -8,7 +8,6 @@
 
 namespace taut {
 
-/// Constants of a bond, seen from one end.
 struct BondConstants {
   int j;          // id of the other end; −1 − p: the bond ends at clamp place p
   double k;       // G (V0_i w_ij + V0_j w_ji)/r0², N/m; equal bits from both ends
@@ -17,26 +16,24 @@ struct BondConstants {
   Point area;     // a_ij
 };
 
-/// A cancelled bond or face term.
 struct CancelledTerm {
-  Point X;          // direction
+  Point X;
   double strength;  // G V0_i w_ij, J
 };
 
-/// The point where a bond enters a clamp.
 struct ClampPlace {
   Point x;             // initial, m
   int rigid_particle;  // id, behind the face
 };
 
-/// Data that the family computes once, by id. `initial` must outlive the setup.
+/// Arrays by id. `initial` must outlive the setup.
 struct BondedSetup {
   const InitialParticles& initial;
   std::vector<Elasticity> materials;
   Bonds bonds;
   std::vector<double> mass;  // [n] kg
   Interfaces interfaces;
-  double wave_speed;                     // of compression in the stiffest material, or at an interface, m/s
+  double wave_speed;                     // m/s, greatest of materials and interfaces
   double damping_lead;                   // 3 τ of the bonds, s
   std::vector<ClampPlace> clamp_places;  // sorted by the particle whose bond ends there
   std::vector<int> first_clamp_place;    // [n]

@@ -53,8 +53,8 @@ class SolidBonds {
  private:
   struct Selection {
     std::vector<Eigen::Vector3d> X;
-    std::vector<std::size_t> of;  // indices of neighbours
-    std::vector<double> w;        // lattice weights
+    std::vector<std::size_t> of;
+    std::vector<double> w;  // lattice weights
   };
 
   bool is_irregular(int i) const { return irregular_bodies_[initial_.body[i]]; }
@@ -105,8 +105,7 @@ class SolidBonds {
     }
     near_ = std::move(chosen);
   }
-  /// w of each neighbour; empty for lattice weights. At off-lattice surfaces, bonds are no stiffer than the solid
-  /// (THEORY.md, Three dimensions).
+  /// Empty for lattice weights (THEORY.md, Three dimensions).
   std::vector<double> own_weights(int i) const {
     static const Moments<3> moments;
     Selection own = selection(i);
@@ -136,7 +135,7 @@ class SolidBonds {
   }
   /// Uses all bonds where the nearest hardly determine the gradient.
   void choose_gradients(int threads) {
-    // least det A over the determinant of the isotropic A of the same trace
+    // least det A, relative to the isotropic A of the same trace
     constexpr double least = 0.5, least_of_irregular = 0.7;
     using enum SolidGeometry::Gradient;
     geometry_.gradient.assign(initial_.size(), of_axes);
@@ -158,7 +157,7 @@ class SolidBonds {
   double spacing_;
   NeighborLists near_;
   std::vector<bool> irregular_bodies_;
-  std::vector<double> reach_;  // [n] m, of the bonds that each selects; empty: all neighbours
+  std::vector<double> reach_;  // [n] m; empty: all neighbours
   SolidGeometry geometry_;
 };
 
