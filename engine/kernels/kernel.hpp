@@ -105,7 +105,7 @@ struct Kernel<KernelName::sinc> {
   static constexpr std::array<double, degree + 1> coefficients = [] {
     constexpr int long_degree = 15;
     constexpr double interval = 4 * scale;
-    std::array<double, long_degree + 1> c{};  // of powers of u/π²
+    std::array<double, long_degree + 1> c{};
     c[0] = 1;
     for (int k = 1; k <= long_degree; ++k) c[k] = -c[k - 1] * interval / (2.0 * k * (2 * k + 1));
     std::array<std::array<double, long_degree + 1>, long_degree + 1> T{};  // T_n(2x − 1)

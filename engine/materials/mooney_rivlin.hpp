@@ -9,10 +9,9 @@
 
 namespace taut {
 
-/// Nearly incompressible Mooney–Rivlin law, [Lee2016] Eq. 8–12:
-///   ψ = ζ (j^(−2/3) F:F − 3) + ξ (j^(−2) (H:H)^(3/2) − 3√3) + K/2 (J − 1)².
-/// G = 2ζ + 3√3 ξ; a `cofactor_share` of 0 is neo-Hookean, 1 is [Lee2016] §8.7. In plane strain F_zz = 1 and H_zz =
-/// det F. Departure: j = det F even where J is an unknown, see NeoHookean.
+/// Nearly incompressible Mooney–Rivlin law, [Lee2016] Eq. 8–12, with G = 2ζ + 3√3 ξ. A `cofactor_share` of 0 is
+/// neo-Hookean, 1 is [Lee2016] §8.7. In plane strain F_zz = 1 and H_zz = det F. Departure: j = det F even where J is
+/// an unknown, see NeoHookean.
 struct MooneyRivlin {
   double K, G;            // Pa
   double cofactor_share;  // 3√3 ξ/G
@@ -56,7 +55,7 @@ struct MooneyRivlin {
     const double zz = (by.F + by.H * contraction(F, F)) / j + by.j + K * (J - 1);
     return {push_forward(piola(F, J), F, j), beside_plane<Dim>(zz)};
   }
-  /// From the acoustic tensor (THEORY.md), with w = |H| b/j − g and g = (H⨯F) n/|H|.
+  /// From the acoustic tensor (THEORY.md).
   template <class T, int Dim>
   T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
     const PrincipalStretches<T> l = principal_stretches(F);

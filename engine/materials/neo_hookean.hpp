@@ -6,10 +6,9 @@
 
 namespace taut {
 
-/// Nearly incompressible neo-Hookean law, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G:
-///   ψ = G/2 (j^(−2/3) F:F − 3) + K/2 (J − 1)²,   j = det F.
-/// In plane strain F:F includes F_zz² = 1. Departure: the paper has J for j where J is an unknown. Dissipation
-/// separates J from det F; the deviator would then have the stiffness −4G/3, and collisions would diverge.
+/// Nearly incompressible neo-Hookean law, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G. In plane strain F:F includes
+/// F_zz² = 1. Departure: the paper has J for j = det F where J is an unknown. Dissipation separates J from det F; the
+/// deviator would then have the stiffness −4G/3, and collisions would diverge.
 struct NeoHookean {
   double K, G;  // Pa
 

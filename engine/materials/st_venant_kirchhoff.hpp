@@ -5,8 +5,7 @@
 
 namespace taut {
 
-/// Hooke's law between the second Piola–Kirchhoff stress S and the Green–Lagrange strain. It softens without limit in
-/// compression.
+/// St Venant–Kirchhoff law, which softens without limit in compression.
 struct StVenantKirchhoff {
   double K, G;  // Pa
 

@@ -2,7 +2,6 @@
 
 #include "engine/core/tensor.hpp"
 
-/// Bounds of wave stiffness in a strained body.
 namespace taut {
 
 template <class T>
@@ -11,7 +10,7 @@ T greatest_eigenvalue(const Sym<T, 2>& A) {
   return 0.5 * (A(0, 0) + A(1, 1)) + root(T(half * half + A(0, 1) * A(0, 1)));
 }
 
-/// q + 2p cos(θ/3), cos θ = det(A − q I)/(2p³). Newton's method starts within 1e-3, from above.
+/// q + 2p cos(θ/3), cos θ = det(A − q I)/(2p³). Newton's method starts within 1e-3.
 template <class T>
 T greatest_eigenvalue(const Sym<T, 3>& A) {
   const T one = filled<T>(1), q = trace(A) / 3;

@@ -16,7 +16,6 @@
 namespace taut {
 namespace {
 
-/// With the method's citations, walls and self-contact.
 std::vector<TermInfo> terms(const Formulation& m) {
   std::vector<TermInfo> all = row_of(m.family).terms(m);
   for (TermInfo& term : all) {
@@ -50,7 +49,6 @@ std::string joined(const std::vector<ContactLaw>& laws) {
   return names;
 }
 
-/// The default first.
 std::vector<LawChoice> laws(const ElasticSwitches* m) {
   std::vector<LawChoice> all;
   if (!m) return all;

@@ -24,7 +24,6 @@ struct FamilyRow {
   std::unique_ptr<Simulation> (*make)(const SolverInput& input);
 };
 
-/// Methods on the initial configuration have an elastic law.
 template <class F, auto terms, auto constants>
 constexpr FamilyRow family_row(std::unique_ptr<Simulation> (*make)(const SolverInput& input)) {
   constexpr bool elastic = std::is_base_of_v<ElasticSwitches, F>;

@@ -51,7 +51,7 @@ class CellGrid {
   /// Throws NumericalError if a position has no cell; the caller adds the time.
   void place(const std::vector<Vec<double, Dim>>& x, double support) {
     Vec<double, Dim> low = x[0], high = x[0];
-    constexpr double farthest = 1e300;  // m
+    constexpr double farthest = 1e300;
     for (const auto& p : x) {
       for (int k = 0; k < Dim; ++k) {
         if (!(std::abs(p[k]) <= farthest)) refuse();

@@ -21,10 +21,10 @@ struct ContactLawRow {
   // gap below which faces count as touching, spacings; particles of oblique faces touch early
   double touching = 0.1;
 
-  // Force along a pair, N, and its energy, J (per metre depth in 2D). `sph`: at walls.
+  // Force along a pair, N, and its energy, J. `sph`: at walls.
   double (*force)(double r, double dp, double K, int dim) = nullptr;
   double (*energy)(double r, double dp, double K, int dim) = nullptr;
-  // Impulse instead of a force, N s (2D: N s/m).
+  // Impulse instead of a force, N s.
   double (*impulse)(double closing_speed, double inv_m_i, double inv_m_j) = nullptr;
 };
 

@@ -7,9 +7,8 @@
 
 namespace taut {
 
-/// Impulse on each particle along the pair, N s (2D: N s/m): [Khayyer2024] Eq. 54 times Δt. Departure: inverse
-/// masses, 0 for clamped particles. A particle with pairs at angles θ_k to the normal is stopped Σ cos²θ_k times;
-/// above 2 this would add energy.
+/// Impulse on each particle along the pair, N s: [Khayyer2024] Eq. 54 times Δt. Departure: inverse masses, 0 for
+/// clamped particles.
 inline double stopping_impulse(double closing_speed, double inv_m_i, double inv_m_j) {
   const double inv_mu = inv_m_i + inv_m_j;
   return inv_mu > 0 ? std::max(closing_speed, 0.0) / inv_mu : 0;

@@ -25,12 +25,12 @@ inline double surface_stiffness_slope(double M1, double M2, double stiffness, do
 /// Contact stiffness relative to the material, at least 1.
 inline double stiffer_than_material(double stiffness) { return std::max(1.0, stiffness / 2); }
 
-/// Energy, J (2D: J/m), of a piece of a face, m (3D: m²), at `depth`, m, behind another; both faces count for half.
+/// Energy, J, of a piece of a face at `depth` behind another; both faces count for half.
 inline double surface_energy(double depth, double area, double k) {
   return depth > 0 ? 0.25 * k * area * depth * depth : 0;
 }
 
-/// Force that separates the faces, N (2D: N/m): the slope of surface_energy.
+/// Force that separates the faces, N: the slope of surface_energy.
 inline double surface_force(double depth, double area, double k) {
   return depth > 0 ? 0.5 * k * area * depth : 0;
 }
@@ -50,7 +50,7 @@ inline constexpr ContactLawRow surface_contact{
 inline double facing_share(double cosine) { return std::clamp(-4 * cosine - 1, 0.0, 1.0); }
 inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.25 ? -4 : 0; }
 
-// Depth of facets in 3D: THEORY.md.
+// THEORY.md explains the depth of facets in 3D.
 
 /// R, m: 1.5 dp above the plane, 1.05 dp from a depth of dp on. A smaller radius lets edges and corners through; a
 /// greater one includes rims of steps.

@@ -36,7 +36,6 @@ struct alignas(sizeof(Pack)) CancelledOnLattice {
 
  private:
   static constexpr std::array<int, 2> plane(int n) { return {n == 2 ? 1 : 0, n == 0 ? 1 : 2}; }
-  /// False if another value is stored.
   static bool can_store(Pack& known, int lane, double value) {
     if (known[lane] == 0) known[lane] = value;
     return std::abs(known[lane] - value) < 1e-12;

@@ -17,7 +17,6 @@ class Clamps {
  public:
   using V = Vec<double, Dim>;
 
-  /// Appends all places, with Q = 0.
   void add_places(const std::vector<ClampPlace>& all, const Particles<Dim>& s, const Drives<Dim>& drives,
                   Columns<2 * Dim>& places, Columns<Dim * Dim>& Q) {
     const std::vector<int> where = stored_places(s.id);

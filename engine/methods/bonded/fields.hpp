@@ -31,8 +31,8 @@ struct BondedFields {
   using V = Vec<double, Dim>;
 
   int size;
-  V* x;                         // m
-  const V* v;                   // m/s
+  V* x;
+  const V* v;
   ColumnsView<2 * Dim> places;  // x, x + 3 τ v of particles, then of clamp places
   ColumnsView<Dim * Dim> Q;     // T B, row by row
   const double* mobility;       // 1/kg; 0 if constrained

@@ -14,7 +14,6 @@
 
 namespace taut {
 
-/// W by the default or the chosen law.
 struct LawOfOne {
   const std::vector<Elasticity>& materials;
   bool own;
@@ -73,7 +72,6 @@ class InterfaceSites {
   struct Deformations {
     Square mean, own, other, across;
   };
-  /// Force weight × pulls_[pull] on a lane.
   struct PullShare {
     int pull, lane;
     double weight;

@@ -16,8 +16,8 @@ namespace taut {
 /// Constants of four bonds; 0 in padding.
 template <class Storage>
 struct alignas(sizeof(Pack)) Spring {
-  Pack third_of_k;       // k/3, N/m
-  Pack per_r0_squared;   // 1/m²
+  Pack third_of_k;  // k/3, N/m
+  Pack per_r0_squared;
   Pack half_r0_squared;  // ½ r0², m²
 
   static Spring of(const Pack& third_of_k, const Pack& per_r0_squared, const Pack& half_r0_squared) {

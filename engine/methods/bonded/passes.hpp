@@ -188,7 +188,7 @@ void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& th
   });
 }
 
-/// 0 for rigid particles.
+/// Stress of four particles, 0 for rigid ones.
 template <const BondedFormulation& M, int Dim>
 ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, const Mat<Pack, Dim>& F) {
   if (f.uses_group_law) return shown_neo_hookean(f.law(group).law.K, f.law(group).law.G, F);

@@ -17,7 +17,7 @@ struct alignas(alignment_of<T>) ShownStress {
   T s_zz;         // out of plane, in 2D, Pa
 };
 
-/// Default law, with J ≥ 0.05 in s.
+/// Stress by the default law, with J ≥ 0.05 in s.
 template <int Dim>
 ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat<Pack, Dim>& F) {
   const Pack J = determinant(F), root = inverse_cube_root(max(J, filled<Pack>(0.05)));

@@ -13,7 +13,7 @@ struct TlDisplacementFields {
   using V = Vec<double, Dim>;
 
   int size;
-  V* x;  // m
+  V* x;
   const V *v, *X;
   const int* material;
   const Sites<Dim>* sites;

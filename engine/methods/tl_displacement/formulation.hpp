@@ -23,9 +23,9 @@ struct TlDisplacementFormulation : Formulation, ElasticSwitches, TlDisplacementS
 };
 
 struct TlDisplacementConstants : Constants {
-  double normalised = 0;                 // 1: divides uncorrected gradients by the kernel sum
-  double alpha = 0;                      // of the hourglass force
-  double shear_factor = 0, damping = 0;  // of pair shear
+  double normalised = 0;
+  double alpha = 0;
+  double shear_factor = 0, damping = 0;
 };
 
 }  // namespace taut

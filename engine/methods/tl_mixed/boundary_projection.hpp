@@ -16,10 +16,8 @@ struct BoundaryPoint {
   Point velocity{};                       // m/s
 };
 
-/// Changes v as little as possible, weighted by mass:
-///   v̂_a = v_a + Σ_B V_a/m_a W̃_a(X_B) β_B + β_lin + β_ang × Z_a,
-///   (i) v̂(X_B) = v_B,   (ii) Σ m_a v̂_a = Σ m_a v_a,   (iii) Σ m_a Z_a × v̂_a = Σ m_a Z_a × v_a.
-/// [Lee2016] Appendix B with the missing B.6. Boundary particles must have their prescribed velocities before.
+/// Changes v as little as possible, weighted by mass, so that interpolated velocities are prescribed and both momenta
+/// stay, [Lee2016] Appendix B (THEORY.md). Boundary particles must have their prescribed velocities before.
 class BoundaryProjection {
  public:
   /// m: kg. Throws SceneError for linearly dependent points.

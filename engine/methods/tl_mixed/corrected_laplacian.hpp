@@ -8,10 +8,9 @@
 
 namespace taut {
 
-/// Weights of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale`, m², [Lee2016] Eq. A.1, A.2:
-///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²)
-/// With α and β, L of a linear field is 0 and L of |X − X_i|² is 2 Dim (A.3–A.5, printed for 3D). Departure: β = 0
-/// where neighbours hardly distinguish the two fields, as at corners; large w_ij would require tiny time steps.
+/// Weights w_ij of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale`, m², [Lee2016] Eq. A.1–A.5 (THEORY.md). Departure: β
+/// = 0 where neighbours hardly distinguish linear from quadratic fields, as at corners; large w_ij would require tiny
+/// time steps.
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
@@ -70,7 +69,7 @@ inline constexpr TermInfo corrected_laplacian_info{
     "methods/tl_mixed/corrected_laplacian.hpp:corrected_laplacian",
     "corrected Laplacian: linear fields give 0 and the squared distance 2 d, also at surfaces"};
 
-/// Weights V_j w_ji/V_i of the adjoint L*.
+/// Weights V_j w_ji/V_i of the adjoint L* (THEORY.md).
 template <int Dim>
 std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
                                     const std::vector<double>& V, int threads) {

@@ -8,7 +8,6 @@
 
 namespace taut {
 
-/// Unknowns or their rates.
 template <int Dim>
 struct Strains {
   Mat<Pack, Dim>* F;
@@ -35,7 +34,7 @@ struct TlMixedFields {
   using V = Vec<double, Dim>;
 
   int size;
-  V *x, *v;  // m, m/s
+  V *x, *v;
   const double* m;
   V* v_start;  // at the start of the step
   const V* X;

@@ -155,7 +155,7 @@ void dissipation_pass(const TlMixedFields<Dim>& f, const TlMixedConstants& c, co
   }
 }
 
-/// [Lee2016] Eq. 45–49, and for J Eq. 51.
+/// Projects accelerations ([Lee2016] Eq. 45–49) and the dissipation of J (Eq. 51).
 template <const TlMixedFormulation& M, int Dim>
 void project(const TlMixedFields<Dim>& f, const TlMixedConstants& c, int first, int last) {
   project_on_momenta(f.a, f.x, f.V0, first, last, c.projection);

@@ -204,7 +204,7 @@ StageActions<Dim> TlMixed<Dim>::actions() {
           .close = loaded || steered ? +close : nullptr};
 }
 
-/// [Lee2016] Algorithm 1, step 9. The added energy is not counted as work.
+/// Follows [Lee2016] Algorithm 1, step 9. The added energy is not counted as work.
 template <int Dim>
 void TlMixed<Dim>::project_on_boundary(double ahead) {
   if (c_.boundary_projection == 0) return;

@@ -15,12 +15,9 @@ namespace taut {
 
 /// Mixed total-Lagrangian methods, [Lee2016] Algorithm 1. Momentum is stored as the velocity p/ρ0. In plane strain H
 /// is linear in F, so {p, F, H, J} runs as {p, F, J}.
-///
-/// Departures:
-/// - L*[L[U]] with the adjoint replaces L[L[U]] (Eq. 37b), which can add energy at surfaces, unless `adjoint` = 0.
-/// - Interpolated velocities are prescribed only with `boundary_projection` = 1 (step 9).
-/// - Contact and loads are not projected but use its Z, where central forces have no moment.
-/// - The sum of force and dissipation is projected (Eq. 49).
+/// Departures: L*[L[U]] replaces L[L[U]] (Eq. 37b), which can add energy at surfaces. Step 9 requires
+/// `boundary_projection` = 1. Contact and loads are not projected but use its Z, where central forces have no moment.
+/// The sum of force and dissipation is projected (Eq. 49).
 template <int Dim>
 class TlMixed final : public Scheme<Dim> {
  public:

@@ -54,7 +54,6 @@ Motion<Dim> gather_motion(const MotionRow<Dim>* rows, const int* j) {
   gather<MotionRow<Dim>::width>(rows[0].c, j, column);
   return motion_of<Dim>(column, true);
 }
-/// Without the position.
 template <int Dim>
 Motion<Dim> gather_motion_only(const MotionRow<Dim>* rows, const int* j) {
   constexpr int width = Row<Dim + 2>::width;
@@ -69,7 +68,7 @@ Motion<Dim> spread_motion(const MotionRow<Dim>& row) {
   return motion_of<Dim>(column, true);
 }
 
-/// Without columns that method M does not use.
+/// Columns that method M does not use are omitted.
 template <const UlCauchyFormulation& M, int Dim>
 struct StressRow {
   static constexpr bool riemann = M.viscosity == Viscosity::riemann;
@@ -83,7 +82,6 @@ struct StressRow {
   static constexpr int width = row_width(columns);
   alignas(row_alignment(columns)) double c[width] = {};
 
-  /// `Columns` provides column(k).
   template <class Columns>
   struct Values : Columns {
     using Columns::column;
@@ -186,8 +184,8 @@ struct UlCauchyFields {
   using V = Vec<double, Dim>;
 
   int size;
-  V* x;        // m
-  const V* v;  // m/s
+  V* x;
+  const V* v;
   const double *m, *mobile;
   const int *id, *body, *material;
   const Elasticity* materials;

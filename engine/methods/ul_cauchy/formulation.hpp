@@ -39,16 +39,16 @@ struct UlCauchyFormulation : Formulation, UlCauchySwitches {
 };
 
 struct UlCauchyConstants : Constants {
-  double alpha = 0;  // of the artificial viscosity
+  double alpha = 0;
   double riemann_factor = 0;
   double geometry = 0;  // time of ∇u; 0: start, 1: end of the step
-  double xsph = 0;      // ε of XSPH
-  double delta = 0;     // of the density diffusion
+  double xsph = 0;
+  double delta = 0;
   double epsilon = 0, exponent = 0;
-  double surface_colour = 0;             // maximum colour function of surface particles
-  double vicinity = 0;                   // of a surface, in spacings
-  double surface_artificial_stress = 0;  // share of artificial stress
-  double step_speed = 0;                 // wave speed for steps, m/s
+  double surface_colour = 0;
+  double vicinity = 0;  // in spacings
+  double surface_artificial_stress = 0;
+  double step_speed = 0;  // wave speed for steps, m/s
 };
 
 constexpr bool carries_stress(const UlCauchyFormulation&) { return true; }

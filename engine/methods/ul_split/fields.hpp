@@ -160,8 +160,8 @@ struct UlSplitFields {
   using S = Sym<double, Dim>;
 
   int size;
-  V* x;        // m
-  const V* v;  // m/s
+  V* x;
+  const V* v;
   const double *m, *mobile;
   const int *id, *body;
   double *rho, *drho;     // kg/m³ and its rate

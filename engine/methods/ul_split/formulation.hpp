@@ -25,14 +25,14 @@ struct UlSplitFormulation : Formulation, UlSplitSwitches {
 };
 
 struct UlSplitConstants : Constants {
-  double zeta = 0;                             // of the Laplacian, [Zhang2024] Eq. 19
-  double xi = 0;                               // of the velocity penalty
-  double epsilon = 0, exponent = 0;            // of the artificial stress
-  double riemann_limiter = 0, beta_least = 1;  // of β, see terms/riemann.hpp
+  double zeta = 0;  // [Zhang2024] Eq. 19
+  double xi = 0;
+  double epsilon = 0, exponent = 0;
+  double riemann_limiter = 0, beta_least = 1;  // see terms/riemann.hpp
   double pressure_diffusion = 0;               // see terms/riemann.hpp
   double cfl_advection = 0;
-  double cubic_spline = 0;  // 1: replaces the kernel
-  double step_speed = 0;    // wave speed for steps, m/s
+  double cubic_spline = 0;
+  double step_speed = 0;  // wave speed for steps, m/s
 };
 
 /// False if stress is only recovered for display.

@@ -179,7 +179,7 @@ double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, con
   });
 }
 
-/// Force of body `b` on `a` in the last momentum_pass, N (2D: N/m).
+/// Force of body `b` on `a` in the last momentum_pass, N.
 template <const UlSplitFormulation& M, int Dim>
 Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const UlSplitConstants& c, int a, int b) {
   const Dissipation dissipation{c.rho0 * c.c0, c.riemann_limiter / c.c0, c.beta_least};

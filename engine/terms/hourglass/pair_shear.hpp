@@ -31,7 +31,7 @@ Mat<T, Dim> isotropic_piola(const Mat<T, Dim>& F, const Mat<T, Dim>& rate, const
   return T(1 / j) * product(tau, cofactor(F));
 }
 
-/// Force of j on i, N (2D: N/m); s = V_i V_j (∂W/∂r)/|X_ij|.
+/// Force of j on i, N; s = V_i V_j (∂W/∂r)/|X_ij|.
 template <class T, int Dim>
 Vec<T, Dim> pair_shear_force(const Mat<T, Dim>& P_i, const Mat<T, Dim>& P_j, const T& g_i, const T& g_j,
                              const Vec<T, Dim>& X_ij, const Vec<T, Dim>& x_ij, const T& s) {

@@ -224,7 +224,6 @@ class Sector {
       inside_[k] = inside;
     });
   }
-  /// Flat faces have parallel surfaces S_j.
   void find_faces() {
     const int n = last_ - first_;
     along_face_.assign(n, Vector::Zero());

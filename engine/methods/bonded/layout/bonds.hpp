@@ -29,7 +29,7 @@ inline Point gradient_of(const InverseMoment& B, const ReferenceBond& bond) {
   return g;
 }
 
-/// Cancelled like one more bond along t (THEORY.md, Faces).
+/// Term that is cancelled like one more bond along t (THEORY.md, Faces).
 struct FaceTerm {
   int i;
   Point t;

@@ -21,7 +21,7 @@ Point point(const Place& v) { return {v[0], v[1], v[2]}; }
 
 struct SideGradient {
   int j;
-  Place g;  // 1/m
+  Place g;
 };
 
 bool is_across(const Bonds& bonds, const InitialParticles& initial, const std::vector<Elasticity>& materials,
@@ -139,7 +139,7 @@ class InterfaceMaker {
     if (beyond.empty() || !(share > 0 && share < 0.75)) return;
     for (const SideGradient& e : own) beta[e.j] += N->dot(e.g);
     for (std::size_t k = 0; k < beyond.size(); ++k) {
-      for (const SideGradient& e : beyond[k].second) {  // x_j − x_k = (x_j − x_i) − (x_k − x_i)
+      for (const SideGradient& e : beyond[k].second) {
         const double of_one = beyond[k].first / weights * N->dot(e.g);
         beta[e.j] -= of_one;
         beta[of[k]] += of_one;
@@ -150,13 +150,13 @@ class InterfaceMaker {
     for (const auto& [j, weight] : beta) out_.j.push_back(j), out_.weight.push_back(weight);
     out_.begin.push_back(static_cast<int>(out_.j.size()));
   }
-  /// Wave speed, m/s, from row sums of stiffness over mass; on a lattice (wave speed · dimension/spacing)².
+  /// Wave speed, m/s, estimated from row sums of stiffness over mass.
   double wave_speed() const {
-    std::vector<double> stiffness(bonds_.begin.size() - 1);  // N/m
+    std::vector<double> stiffness(bonds_.begin.size() - 1);
     for (std::size_t s = 0; s < out_.sites.size(); ++s) {
       const Interfaces::Site& site = out_.sites[s];
       const Place m = column(site.m), beyond = m - column(site.N);
-      std::map<int, std::pair<Place, Place>> slopes;  // derivatives along N
+      std::map<int, std::pair<Place, Place>> slopes;
       const auto add = [&](int j, const Place& own, const Place& other) {
         for (const auto& [p, sign] : {std::pair{j, 1.0}, std::pair{site.id, -1.0}}) {
           auto& of = slopes.try_emplace(p, Place::Zero(), Place::Zero()).first->second;
@@ -177,7 +177,7 @@ class InterfaceMaker {
             V * ((1 - site.share) * wave_modulus(initial_.material[site.id]) * of.first.norm() * own +
                  site.share * wave_modulus(site.other) * of.second.norm() * other);
     }
-    double greatest = 0;  // 1/s²
+    double greatest = 0;
     for (int p = 0; p < initial_.size(); ++p)
       greatest = std::max(greatest, stiffness[p] / (materials_[initial_.material[p]].rho0 * bonds_.mass[p]));
     return spacing_ * std::sqrt(greatest) / initial_.dim;

@@ -29,8 +29,8 @@ Interfaces make_interfaces(const InitialParticles& initial, const std::vector<El
 
 struct SiteBond {
   int j;
-  Point g, e;                     // g_ij, 1/m; initial direction
-  double per_r0_squared;          // 1/m²
+  Point g, e;  // g_ij, 1/m; initial direction
+  double per_r0_squared;
   double strength, own_strength;  // G V0_i w_ij, J; with the own G, ≤ greatest_across G
   bool is_across;
 };

@@ -70,7 +70,6 @@ class LayoutBonds {
       for (int i = first; i < last; ++i) select(i, moments, own);
     });
   }
-  /// All bonds at the surface of irregular bodies have one weight.
   void select(int i, const Moments<2>& moments, Selection& own) {
     std::vector<Eigen::Vector2d>& X = own.X;
     std::vector<double>& w = own.w;
@@ -104,7 +103,6 @@ class LayoutBonds {
       own.pairs.push_back(near_.begin[i] + k);
     }
   }
-  /// Creates bonds that either end selected.
   void set_ends() {
     const auto is_selected = [&](std::size_t pair, std::size_t back) {
       return selected_[pair] != not_selected || selected_[back] != not_selected;

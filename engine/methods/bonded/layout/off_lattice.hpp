@@ -18,7 +18,6 @@ std::vector<bool> irregular_bodies(const InitialParticles& initial, const Constr
 double steep_share(double per_r);
 double even_share(double per_r);
 
-/// By the distances of the neighbours X.
 bool is_on_lattice(const std::vector<Eigen::Vector3d>& X, double spacing);
 
 /// Whether no neighbour X lies within 60 degrees (2D: 50) of some direction.

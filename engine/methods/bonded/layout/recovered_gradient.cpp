@@ -126,7 +126,7 @@ bool is_symmetric(const Neighborhood<Dim>& near) {
   });
 }
 
-/// In 1/dp; empty if undetermined or too sensitive.
+/// g in 1/dp; empty if undetermined or too sensitive.
 template <int Dim>
 Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, int terms) {
   const auto n = static_cast<Eigen::Index>(near.size());

@@ -33,7 +33,7 @@ struct BondedSetup {
   Bonds bonds;
   std::vector<double> mass;  // [n] kg
   Interfaces interfaces;
-  double wave_speed;                     // m/s, greatest of materials and interfaces
+  double wave_speed;                     // m/s
   double damping_lead;                   // 3 τ of the bonds, s
   std::vector<ClampPlace> clamp_places;  // sorted by the particle whose bond ends there
   std::vector<int> first_clamp_place;    // [n]

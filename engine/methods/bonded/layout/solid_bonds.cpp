@@ -67,7 +67,6 @@ class SolidBonds {
     }
     return out;
   }
-  /// Extends the reach of inner off-lattice particles until right weights exist.
   void extend_reach(double h, int threads) {
     const int n = initial_.size();
     std::vector<unsigned char> further(n);
@@ -133,7 +132,6 @@ class SolidBonds {
       weights.insert(weights.end(), w.begin(), w.end());
     });
   }
-  /// Uses all bonds where the nearest hardly determine the gradient.
   void choose_gradients(int threads) {
     // least det A, relative to the isotropic A of the same trace
     constexpr double least = 0.5, least_of_irregular = 0.7;

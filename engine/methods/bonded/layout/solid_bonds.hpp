@@ -9,7 +9,7 @@ namespace taut {
 
 /// Computes 3D bonds on request, because the 26 bonds of a particle take 1.5 kB.
 struct SolidGeometry {
-  /// THEORY.md, Gradient.
+  /// Decay of a_ij with the distance (THEORY.md, Gradient).
   enum class Gradient : unsigned char { of_axes, steep, even };
 
   std::vector<Point> x;        // [n] m
