@@ -6,9 +6,9 @@
 
 namespace taut {
 
-/// Nearly incompressible neo-Hookean law, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G. In plane strain F:F includes
-/// F_zz² = 1. Departure: the paper has J for j = det F where J is an unknown. Dissipation separates J from det F; the
-/// deviator would then have the stiffness −4G/3, and collisions would diverge.
+/// Nearly incompressible neo-Hookean law, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G. Departure: the paper has J for j
+/// = det F where J is an unknown. The deviator would then respond to volume changes of F with the stiffness −4G/3,
+/// and collisions would diverge.
 struct NeoHookean {
   double K, G;  // Pa
 

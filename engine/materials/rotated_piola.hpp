@@ -75,8 +75,7 @@ inline Mat<Pack, 3> nearest_rotation(const Mat<Pack, 3>& F) {
   return R;
 }
 
-/// Stress of `icb`, P = R σ⁰, [TranDuc2023] §2.3; St Venant–Kirchhoff has F σ⁰. No energy has this derivative:
-/// `energy` is a diagnostic.
+/// Stress of `icb`, [TranDuc2023] §2.3. No energy has this derivative: `energy` is a diagnostic.
 struct RotatedPiola {
   double K, G;  // Pa
 

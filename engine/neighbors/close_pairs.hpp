@@ -14,7 +14,6 @@ namespace taut {
 template <int Dim>
 class PlacesInCells {
  public:
-  /// reach in m
   PlacesInCells(const std::vector<double>& x, double reach) : reach_(reach), x_(x.size() / Dim) {
     for (std::size_t i = 0; i < x_.size(); ++i)
       for (std::size_t k = 0; k < Dim; ++k) x_[i][static_cast<int>(k)] = x[Dim * i + k];
@@ -22,7 +21,7 @@ class PlacesInCells {
   }
 
   const std::vector<int>& order() const { return order_; }
-  /// Calls visit(j) for every j within `reach`, including i.
+  /// Calls visit(j) for all within `reach`, including i.
   template <class Visit>
   void for_each_around(int i, const Visit& visit) const {
     grid_.for_each_row(x_[i], [&](int first, int last) {
@@ -40,8 +39,8 @@ class PlacesInCells {
   std::vector<int> order_;
 };
 
-/// Calls visit(i, j), i < j, for all `wanted` pairs at most `reach`, m, apart. Visits on one thread, in an order that
-/// does not depend on `threads`.
+/// Calls visit(i, j), i < j, for all `wanted` pairs at most `reach`, m, apart, on one thread, in an order independent
+/// of `threads`.
 template <int Dim, class Wanted, class Visit>
 void for_each_pair_within(const std::vector<double>& x, double reach, const Wanted& wanted,
                           const Visit& visit, int threads = 1) {

@@ -8,12 +8,12 @@
 
 #include "engine/core/columns.hpp"
 
-/// Neighbours of four consecutive particles, one per lane. Most are consecutive, too: one load per column gathers
-/// them. The result does not depend on the grouping.
+/// Neighbours of four consecutive particles, one per lane. Most are consecutive, too: one load gathers them. The
+/// result does not depend on the grouping.
 namespace taut {
 
 struct LaneSlot {
-  int step[lanes];  // offset in storage from the group's first particle
+  int step[lanes];  // offset from the group's first particle
   int in_line;      // 1: neighbours are consecutive
 };
 
@@ -80,7 +80,7 @@ inline std::vector<LaneSlots::Taken> by_distance(const Neighbors& neighbors) {
 
 inline LaneSlot slot(int first, const Neighbors& neighbors, const LaneSlots::Taken& taken, int size) {
   LaneSlot slot{};
-  int begin = 0;  // of consecutive neighbours
+  int begin = 0;
   bool found = false, in_line = true;
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const int own = static_cast<int>(lane);

@@ -13,7 +13,6 @@ namespace taut {
 template <int Dim>
 class NeighborsOfOne {
  public:
-  /// reach in m
   NeighborsOfOne(const InitialParticles& initial, double reach)
       : initial_(initial), reach_(reach), x_(initial.size()) {
     for (int i = 0; i < initial.size(); ++i) x_[i] = place(i);
@@ -46,7 +45,7 @@ class NeighborsOfOne {
 
   const InitialParticles& initial_;
   double reach_;
-  std::vector<Vec<double, Dim>> x_;  // in the order of the grid, m
+  std::vector<Vec<double, Dim>> x_;  // in grid order
   CellGrid<Dim> grid_;
   std::vector<int> order_;  // ids
 };

@@ -36,8 +36,8 @@ inline constexpr TermInfo compression_info{"continuity", "dρ/dt = ρ_i Σ V_j v
                                            "terms/riemann.hpp:compression_term",
                                            "riemann: approaching pairs grow denser, whatever their order"};
 
-/// Part of Eq. 11 from the pressures in U*, 1/s. Departure: by default share = 0, as in the authors' program, since
-/// it diffuses pressure gradients and softens bending.
+/// Part of Eq. 11 from the pressures in U*, 1/s. Departure: share = 0 by default, as in the authors' program, since
+/// it softens bending.
 template <class T>
 T pressure_diffusion_term(const T& V_j, const T& dW, const T& p_i, const T& p_j, double share, double rho0,
                           double c0) {

@@ -17,15 +17,15 @@ T reconstructed_closing_speed(const T& closing_speed, const Sym<T, Dim>& D_i, co
 }
 
 /// p**, Pa, [Khayyer2024] Eq. 40, 41; `impedance` is c ρ √ρ. Departure: the force is −p** V_j ∇_i W, as Eq. 39
-/// implies; with the factor 2 of Eq. 43 the highest lattice mode grows at the paper's CFL number.
+/// implies, without the unstable factor 2 of Eq. 43.
 template <class T>
 T riemann_dissipation(const T& closing_speed, const T& impedance_i, const T& impedance_j, const T& root_rho_i,
                       const T& root_rho_j) {
   return (impedance_i + impedance_j) / (root_rho_i + root_rho_j) * closing_speed;
 }
 
-/// CFL speed at a material interface, m/s: dense neighbours damp a light particle at C_ij/ρ_light. Departure:
-/// [Khayyer2024] has no such limit, but density ratios of 5 to 50 need it.
+/// CFL speed at a material interface, m/s: dense neighbours damp light particles. Departure: [Khayyer2024] has no
+/// such limit.
 inline double riemann_step_speed(double rho_i, double c_i, double rho_j, double c_j) {
   const double root_i = std::sqrt(rho_i), root_j = std::sqrt(rho_j);
   return riemann_dissipation(1.0, c_i * rho_i * root_i, c_j * rho_j * root_j, root_i, root_j) /

@@ -10,7 +10,7 @@
 namespace taut {
 
 /// Contact pressure per depth, Pa/m, of two materials with M = K + 4G/3. With s = 2 faces overlap by the compression
-/// of two spacings of material; a greater s needs shorter steps. Symmetric to the last bit.
+/// of two spacings of material. Symmetric to the last bit.
 inline double surface_stiffness(double M1, double M2, double stiffness, double dp) {
   const double softer = std::min(M1, M2), harder = std::max(M1, M2);
   return 0.5 * stiffness * (softer * (harder / (softer + harder))) / dp;

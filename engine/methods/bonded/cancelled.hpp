@@ -113,7 +113,7 @@ struct CancelledView {
   };
   class Stretch;
   struct GroupRows {
-    int dyad, third, count;  // first indices; count is even, padded with strength 0
+    int dyad, third, count;  // first indices; count is even
     int on_lattice;          // −1 if off-lattice
   };
 

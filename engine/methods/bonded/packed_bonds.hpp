@@ -53,8 +53,8 @@ struct BondToClamp {
   int group, lane, bond, place;
 };
 
-/// Bonds of groups of four particles. Bonds with an a_ij come first; each part is in the storage order of the
-/// neighbours. Storage is AlignedPack, or HalfPack if no two groups share constants.
+/// Bonds of groups of four particles: first those with an a_ij, each part in storage order. Storage is AlignedPack,
+/// or HalfPack if no two groups share constants.
 template <int Dim, class Storage>
 struct PackedBondsView {
   struct GroupRows {  // first indices

@@ -23,8 +23,8 @@ enum class Viscosity : std::uint8_t {
 };
 
 struct UlCauchySwitches {
-  bool artificial_stress = false;    // Gray's
-  double epsilon = 0, exponent = 0;  // of the artificial stress
+  bool artificial_stress = false;  // Gray's
+  double epsilon = 0, exponent = 0;
   PairStress pair_stress = PairStress::product;
   Continuity continuity = Continuity::velocity_gradient;
   Viscosity viscosity = Viscosity::none;

@@ -199,8 +199,8 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Computes the transport velocity û, [Khayyer2024] Eq. 14, and sets `transported` to the time `ahead`, s, after the
-/// start of the step. Returns the maximum squared velocity relative to the rigid motion of the body, m²/s².
+/// Computes the transport velocity û, [Khayyer2024] Eq. 14, and sets `transported` to the time `ahead`, s, of the
+/// step. Returns the maximum squared velocity relative to the rigid motion of the body, m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
                       double ahead, const Threads& threads) {

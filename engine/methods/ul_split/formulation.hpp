@@ -14,10 +14,10 @@ enum class Shear : std::uint8_t {
 
 struct UlSplitSwitches {
   Shear shear = Shear::nested_stress;
-  bool artificial_stress = false;    // Gray's
-  double epsilon = 0, exponent = 0;  // of the artificial stress
-  double beta_least = 1;             // 1: linear, 0: limited; see terms/riemann.hpp
-  double cfl_advection = 0.2;        // [Zhang2024] Eq. 21
+  bool artificial_stress = false;  // Gray's
+  double epsilon = 0, exponent = 0;
+  double beta_least = 1;       // 1: linear, 0: limited; see terms/riemann.hpp
+  double cfl_advection = 0.2;  // [Zhang2024] Eq. 21
 };
 
 struct UlSplitFormulation : Formulation, UlSplitSwitches {

@@ -103,7 +103,7 @@ void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const
 }
 
 /// Recomputes the geometry of pairs of two bodies. Departure: [Zhang2024] §5 caches these pairs, too; bodies then
-/// separate on steeper gradients than they met on, and stick.
+/// stick.
 template <const UlSplitFormulation& M, int Dim, KernelName Name>
 void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c) {
   const PairKernel<Name, Dim> kernel(c);
@@ -140,8 +140,8 @@ Vec<Pack, Dim> gradient_inside(const UlSplitFields<Dim>& s, int i, int b) {
   return g;
 }
 
-/// Advances v over the whole step (Eq. 24), then x to its end (Eq. 25). Terms receive `one` and ∇_i W for ∂W/∂r and
-/// e_ij. Returns the maximum v², m²/s².
+/// Advances v (Eq. 24), then x to the end of the step (Eq. 25). Terms receive `one` and ∇_i W for ∂W/∂r and e_ij.
+/// Returns the maximum v², m²/s².
 template <const UlSplitFormulation& M, int Dim>
 double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Kick<Dim>& kick,
                      const Threads& threads) {

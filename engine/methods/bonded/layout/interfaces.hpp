@@ -9,8 +9,8 @@ namespace taut {
 
 inline constexpr double greatest_across = 8;  // maximum of own G over G_ij
 
-/// Sites are particles beside another material, where the deformation has a kink (THEORY.md, Interfaces). A particle
-/// has none at a corner, between three materials, in a side one layer thin, at a clamp, or if only densities differ.
+/// Sites are particles beside another material (THEORY.md, Interfaces). None are at corners, between three materials,
+/// in a side one layer thin, at clamps, or if only densities differ.
 struct Interfaces {
   struct Site {
     int id;

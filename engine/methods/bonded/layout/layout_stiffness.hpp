@@ -13,8 +13,7 @@
 
 namespace taut {
 
-/// Maximum eigenvalue of a symmetric tridiagonal matrix T with the off-diagonal `beside`: above it all pivots of T −
-/// λ are negative. NaN for NaN.
+/// Maximum eigenvalue of a symmetric tridiagonal matrix with the off-diagonal `beside`, by bisection. NaN for NaN.
 inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside) {
   const std::size_t n = diagonal.size();
   const auto is_above = [&](double lambda) {
