@@ -37,7 +37,6 @@ struct LawsOfFour {
   }
 };
 
-/// Law of a run as plain data.
 struct LawsInUse {
   Law law;
   const void* laws;  // LawOf<law> [material]

@@ -5,8 +5,8 @@
 #include "engine/core/tensor.hpp"
 #include "engine/materials/law_row.hpp"
 
-/// Elastic laws of the deformation gradient F, in 2D in plane strain (F_zz = 1). A law is a struct of K, G (Pa) and
-/// its parameters, with a specialisation of LawOf and
+/// Elastic laws of F, in 2D in plane strain (F_zz = 1): structs of K, G (Pa) and their parameters, with a
+/// specialisation of LawOf and
 ///   piola(F, J)           first Piola–Kirchhoff stress, N per initial m²
 ///   energy(F, J)          strain energy density, J per initial m³, 0 at rest
 ///   cauchy(F, J)          Pa

@@ -33,7 +33,7 @@ inline bool is_half_turn(const Mat<double, 3>& R, const Mat<double, 3>& F) {
   return determinant(F) > 0 && !(trace(U) > 0 && minors > 0);
 }
 
-/// Rotation nearest to F; R of F = R U if det F > 0. [TranDuc2023] §2.3 iterates to the same R.
+/// Rotation nearest to F; R of F = R U if det F > 0.
 template <class T>
 Mat<T, 2> nearest_rotation(const Mat<T, 2>& F) {
   const T c = F(0, 0) + F(1, 1), s = F(1, 0) - F(0, 1);

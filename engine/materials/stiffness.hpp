@@ -44,8 +44,8 @@ PrincipalStretches<T> principal_stretches(const Mat<T, 3>& F) {
   return {root(greatest), root(second), root(T(product / second))};
 }
 
-/// Upper bound of m·Q m over unit vectors m, n; Q: acoustic tensor of waves along n of an isotropic law (THEORY.md).
-/// NaN for NaN; infinite or NaN for det F = 0.
+/// Upper bound of m·Q m over unit vectors m, n for the acoustic tensor Q of an isotropic law (THEORY.md). NaN for
+/// NaN; infinite or NaN for det F = 0.
 template <int Dim, class Along, class Across, class Coupling>
 auto greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
   using T = decltype(along(0));

@@ -40,7 +40,6 @@ class Moments {
     if (axis == Dim - 1) return powers_.push_back(powers);
     for (; powers[axis] >= 0; --powers[axis]) fill(powers, axis + 1, left - powers[axis]);
   }
-  /// 3 for e_x⁴, 1 for e_x² e_y², 0 for odd powers.
   static double isotropic(const std::array<int, Dim>& powers) {
     double value = 1;
     for (int p : powers) value *= p % 2 == 1 ? 0 : (p == 4 ? 3 : 1);

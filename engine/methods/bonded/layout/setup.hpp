@@ -42,7 +42,6 @@ struct BondedSetup {
   std::vector<CancelledTerm> cancelled_terms(int i) const;
 };
 
-/// `damping`: see BondedConstants.
 BondedSetup make_bonded_setup(const SolverInput& input, double damping);
 
 /// Marks all rigid particles as clamped, because loads do not act on them.
