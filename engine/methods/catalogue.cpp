@@ -118,9 +118,8 @@ const MethodInfo* find_method(std::string_view name) {
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim) {
   std::vector<MethodConstant> all = row_of(m.family).constants(m, dim);
   all.push_back({"contact_stiffness", m.contact_stiffness, 0.01, 100.0,
-                 "contact stiffness over K1 K2/(K1 + K2); `surface`: over half of the same of K + 4G/3; 1: "
-                 "published, 2: as "
-                 "stiff as the material"});
+                 "contact stiffness over K1 K2/(K1 + K2); `surface`: over half of the same of K + 4G/3; "
+                 "1: published, 2: as stiff as the material"});
   return all;
 }
 
@@ -155,8 +154,8 @@ std::string reason_against_law(const MethodInfo& method, std::string_view law) {
   if (std::ranges::find(Laws::rows, law, &LawRow::choice) == Laws::rows.end())
     return fmt::format("method '{}' has no law '{}'; it has: {}", method.name, law, known);
   return fmt::format(
-      "method '{}' cannot run with the law '{}', which is of the deformation gradient alone: its volume "
-      "ratio is an unknown of its own; it can with: {}",
+      "method '{}' cannot run with the law '{}', which is of the deformation gradient alone: "
+      "its volume ratio is an unknown of its own; it can with: {}",
       method.name, law, known);
 }
 
@@ -173,11 +172,10 @@ ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
   if (needs_faces(scene.contact) && !has_faces(scene)) {
     std::vector<ContactLaw> others = contact_laws_of(false);
     std::erase_if(others, needs_faces);
-    throw SceneError(
-        "contact",
-        fmt::format("the contact law '{}' needs bodies that are cut from a lattice, and in 3 dimensions "
-                    "particles given one by one have no faces; of those: {}",
-                    scene.contact.name, joined(others)));
+    throw SceneError("contact",
+                     fmt::format("the contact law '{}' needs bodies that are cut from a lattice, "
+                                 "and in 3 dimensions particles given one by one have no faces; of those: {}",
+                                 scene.contact.name, joined(others)));
   }
   if (std::ranges::find(method.contact_laws, scene.contact) != method.contact_laws.end())
     return scene.contact;

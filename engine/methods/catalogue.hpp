@@ -43,8 +43,8 @@ struct MethodInfo {
   double cfl;                             // default
   ContactLaw contact;                     // published
   std::vector<ContactLaw> contact_laws;
-  bool keeps_neighbors;    // if true, contact also acts within a body
-  bool several_materials;  // allowed in a scene
+  bool keeps_neighbors;  // if true, contact also acts within a body
+  bool several_materials;
 };
 
 /// In listing order.

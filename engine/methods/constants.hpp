@@ -36,8 +36,8 @@ struct MethodConstant {
   double value;  // published
   double low, high;
   std::string_view help;
-  bool in_spacings = false;  // `value` is in spacings
-  bool at_set_up = false;    // cannot change during a run
+  bool in_spacings = false;
+  bool at_set_up = false;  // cannot change during a run
 };
 
 template <class C>

@@ -38,9 +38,9 @@ struct Formulation {
   ContactLaw contact = ContactLaw::sph;  // of the paper
   double contact_stiffness = 1;          // see terms/penalty_contact.hpp
   bool several_materials = false;        // allowed in a scene
-  double h_over_dp = 1.3;                // smoothing length over spacing
-  double h_over_dp_3d = 0;               // 0: as in 2D
-  double cfl = 0.4;                      // acoustic, [Zhang2024] Eq. 22
+  double h_over_dp = 1.3;
+  double h_over_dp_3d = 0;  // 0: as in 2D
+  double cfl = 0.4;         // acoustic, [Zhang2024] Eq. 22
 };
 
 /// Returns null for a method of another family.

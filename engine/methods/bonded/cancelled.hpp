@@ -27,7 +27,7 @@ struct alignas(sizeof(Pack)) CancelledOnLattice {
   };
   Pack axis[Dim];  // ⅓ G V0_i w_ij, J
   Face face[faces];
-  Across across;  // in 3D
+  Across across;
 
   /// Adds a bond of strength Gw, J. Returns false if it does not fit the lattice.
   bool add(int lane, const Sym<double, Dim>& dyad, double Gw);

@@ -131,11 +131,11 @@ void TlMixed<Dim>::throw_crushed() const {
   for (int i = 0; i < p_.size(); ++i)
     if (!(bound[i / lanes].value[i % lanes] <= c_.rho0 * limit * limit))
       failed_id = std::min(failed_id, p_.id[i]);
-  throw NumericalError(
-      common_.run.steps, common_.run.time, failed_id, "deformation",
-      fmt::format("particle {} is crushed or turned inside out: waves in it are more than {:g} "
-                  "times as fast as at the start, or its deformation is not a number",
-                  failed_id, greatest_wave_ratio));
+  throw NumericalError(common_.run.steps, common_.run.time, failed_id, "deformation",
+                       fmt::format("particle {} is crushed or turned inside out: "
+                                   "waves in it are more than {:g} times as fast as at the start, "
+                                   "or its deformation is not a number",
+                                   failed_id, greatest_wave_ratio));
 }
 
 /// [Lee2016] Eq. 43

@@ -62,8 +62,8 @@ inline constexpr UlCauchyFormulation d_ulsph_r_as = ladder(
     {
         .name = "d-ulsph-r-as",
         .paper = "Khayyer2024 §3.3",
-        .summary = "d-ulsph-av-as with a second-order Riemann term instead of artificial viscosity: noisy in "
-                   "tension",
+        .summary = "d-ulsph-av-as with a second-order Riemann term instead of artificial viscosity: "
+                   "noisy in tension",
         .conserves = "linear momentum",
     },
     {.viscosity = Viscosity::riemann, .corrected = true, .density_diffusion = true});

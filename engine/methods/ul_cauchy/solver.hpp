@@ -67,8 +67,8 @@ class UlCauchy final : public Scheme<Dim> {
   Neighbors near_;
   std::vector<AlignedPack> w_, of_one_material_;
   // rigid motion at the last search; 0 under sph_contact_
-  std::vector<V> drift_;          // m/s
-  std::vector<Spin<Dim>> spin_;   // 1/s
+  std::vector<V> drift_;
+  std::vector<Spin<Dim>> spin_;
   std::vector<V> centre_;         // drifted position, m
   double relative_distance_ = 0;  // maximum, relative to it, m
   UlCauchyFields<Dim> f_{};

@@ -100,8 +100,8 @@ Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen:
   return alpha;
 }
 
-constexpr int far = 12;                        // bonds
-constexpr int strains = 3;                     // in the plane
+constexpr int far = 12;  // bonds
+constexpr int strains = 3;
 double stretch(int strain, const Vector& e) {  // e·H e for unit ε_xx, ε_yy, ε_xy
   return strain == 0 ? e[0] * e[0] : strain == 1 ? e[1] * e[1] : e[0] * e[1];
 }

@@ -54,7 +54,7 @@ class SolidBonds {
   struct Selection {
     std::vector<Eigen::Vector3d> X;
     std::vector<std::size_t> of;
-    std::vector<double> w;  // lattice weights
+    std::vector<double> w;
   };
 
   bool is_irregular(int i) const { return irregular_bodies_[initial_.body[i]]; }
