@@ -43,7 +43,7 @@ struct Formulation {
   double cfl = 0.4;         // acoustic, [Zhang2024] Eq. 22
 };
 
-/// Returns null for a method of another family.
+/// Null for a method of another family.
 template <class F>
 constexpr const F* as(const Formulation& m) {
   return m.family == F::own_family ? static_cast<const F*>(&m) : nullptr;

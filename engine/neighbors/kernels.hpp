@@ -35,7 +35,7 @@ struct CellsView {
 template <int Dim>
 struct SearchFields {
   CellsView<Dim> cells;
-  const double* x[Dim];  // m, padded
+  const double* x[Dim];  // m, padded for a pack at the end
   double support;        // m
   const int* body;       // null, or: only pairs within a body
 };

@@ -84,7 +84,7 @@ inline LaneSlot slot(int first, const Neighbors& neighbors, const LaneSlots::Tak
   bool found = false, in_line = true;
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const int own = static_cast<int>(lane);
-    slot.step[lane] = own;  // the particle itself
+    slot.step[lane] = own;
     if (taken[lane] < 0) continue;
     const int j = neighbors[lane][static_cast<std::size_t>(taken[lane])];
     slot.step[lane] = j - first;

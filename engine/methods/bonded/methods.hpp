@@ -14,7 +14,7 @@ inline constexpr BondedFormulation oenog{
         .family = Family::bonded,
         .deviator = Deviator::plane_strain,
         .contact = ContactLaw::surface,
-        .contact_stiffness = 2,  // see terms/surface_contact.hpp
+        .contact_stiffness = 2,
         .several_materials = true,
         .h_over_dp = 0.8,     // 8 neighbours on a square lattice
         .h_over_dp_3d = 0.9,  // 26 on a cubic lattice

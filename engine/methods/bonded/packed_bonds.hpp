@@ -114,7 +114,6 @@ class PackedBonds {
   std::vector<BondToClamp> bonds_to_clamp_;
 };
 
-/// Stored index of each id.
 inline std::vector<int> stored_places(const std::vector<int>& ids) {
   std::vector<int> where(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) where[ids[i]] = static_cast<int>(i);

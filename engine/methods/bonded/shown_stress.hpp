@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Stress for snapshots, without the continuation below J = ½. T: one particle or four.
+/// Stress for snapshots, without the continuation below J = ½.
 template <class T, int Dim>
 struct alignas(alignment_of<T>) ShownStress {
   T J, p;         // Pa

@@ -43,7 +43,8 @@ inline Pack volumes_of_four(const double* V, int i, int last) {
 }
 
 /// Makes force and torque of a body of one density 0 by the least change, weighted by volume, [Lee2016] Eq. 45–48.
-/// `a` is padded by a pack. The result does not depend on threads and storage.
+/// `a` is padded by a pack; `share` scales the change. The result depends neither on the number of threads nor on the
+/// place in storage.
 template <int Dim>
 void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, const double* V, int first,
                         int last, double share = 1) {
