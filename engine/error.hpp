@@ -11,8 +11,8 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Invalid scene. `key` is the dotted path of the wrong value ("body.left.velocity"). The engine reads no files; the
-/// scene reader adds the place in the file.
+/// Invalid scene. `key` is the dotted path of the wrong value ("body.left.velocity"). The scene reader adds the
+/// place in the file.
 class SceneError : public std::runtime_error {
  public:
   SceneError(std::string key, const std::string& what) : SceneError("", 0, 0, std::move(key), what) {}
@@ -21,11 +21,11 @@ class SceneError : public std::runtime_error {
 
   std::string file;
   int line;    // 1-based, 0 = unknown
-  int column;  // 1-based, 0 = unknown
+  int column;  // 1-based
   std::string key;
 };
 
-/// A simulation diverged: a value of a particle is infinite or NaN, or its speed exceeds the limit of the solver.
+/// A value is infinite or NaN, or a speed exceeds the solver's limit.
 class NumericalError : public std::runtime_error {
  public:
   NumericalError(long step, double time, long particle, std::string field, const std::string& what)
@@ -33,11 +33,10 @@ class NumericalError : public std::runtime_error {
 
   long step;
   double time;    // s
-  long particle;  // in order of creation
+  long particle;  // creation order
   std::string field;
 };
 
-/// Output could not be written.
 class OutputError : public std::runtime_error {
  public:
   OutputError(std::string path, const std::string& what) : std::runtime_error(what), path(std::move(path)) {}

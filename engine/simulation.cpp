@@ -15,7 +15,6 @@
 namespace taut {
 namespace {
 
-/// Throws UsageError if the method lacks a constant of the settings or its value is out of bounds.
 void check_constants(const MethodInfo& method, const Settings& settings, int dim) {
   const std::vector<MethodConstant> constants = method_constants(method.formulation, dim);
   for (const auto& [name, value] : settings.constants) {
@@ -32,7 +31,7 @@ void check_constants(const MethodInfo& method, const Settings& settings, int dim
   }
 }
 
-/// `parameters`: parameters of the elastic law; the material overrides their defaults.
+/// `parameters`: of the elastic law; the material overrides them.
 Elasticity elasticity(const Material& material, std::span<const LawParameter> parameters) {
   Elasticity e{material.density, material.sound_speed(), material.bulk_modulus(), material.shear_modulus()};
   for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -55,7 +54,6 @@ bool same(const Material& a, const Material& b) {
          a.law_parameters == b.law_parameters;
 }
 
-/// Names of the methods that support several materials.
 std::string of_several() {
   std::string names;
   for (const MethodInfo& method : methods())
@@ -63,7 +61,6 @@ std::string of_several() {
   return names;
 }
 
-/// Throws SceneError if the scene has several materials and the method supports only one.
 void check_materials(const Scene& scene, const InitialParticles& initial, const MethodInfo& method) {
   if (method.several_materials) return;
   const int first = initial.material.front();
@@ -78,7 +75,7 @@ void check_materials(const Scene& scene, const InitialParticles& initial, const 
   }
 }
 
-/// Throws SceneError if a body starts displaced and the method has no reference configuration.
+/// Without a reference configuration no body starts displaced.
 void check_displacements(const Scene& scene, const MethodInfo& method) {
   if (method.keeps_neighbors) return;
   for (const Body& body : scene.bodies)
@@ -91,15 +88,14 @@ void check_displacements(const Scene& scene, const MethodInfo& method) {
                              "use a method with initial neighbours, such as tl or oenog");
 }
 
-/// Throws SceneError if a body starts inside a wall: if a particle is behind the face of the wall, or if the shape
-/// of an undisplaced body reaches more than `greatest_depth` spacings behind it. Clamped regions may be inside
-/// walls.
+/// Throws SceneError if a particle is behind a wall, or an undisplaced shape more than `greatest_depth` spacings.
+/// Clamped regions may be inside walls.
 void check_walls(const Scene& scene, const InitialParticles& initial) {
   const double dp = scene.spacing;
   for (const Wall& wall : scene.walls) {
     for (int i = 0; i < initial.size(); ++i) {
       const Body& body = scene.bodies[initial.body[i]];
-      Point deep = initial.at_start(i);  // a particle, then the point below it
+      Point deep = initial.at_start(i);
       double height = 0;
       for (std::size_t k = 0; k < 3; ++k) height += (deep[k] - wall.at[k]) * wall.normal[k];
       if (initial.clamped[i] || height > dp) continue;
@@ -121,7 +117,6 @@ void check_walls(const Scene& scene, const InitialParticles& initial) {
   }
 }
 
-/// Constants that all methods have.
 Constants common_constants(const std::vector<Elasticity>& materials, const InitialParticles& initial,
                            const Scene& scene, const Settings& settings, const MethodInfo& method,
                            const ConstantValues& values) {
@@ -136,7 +131,6 @@ Constants common_constants(const std::vector<Elasticity>& materials, const Initi
   return c;
 }
 
-/// Default number of threads: all cores, fewer for small scenes.
 int useful_threads(int particles) {
   constexpr int least_particles = 300;  // per thread
   return std::clamp(particles / least_particles, 1, cores());

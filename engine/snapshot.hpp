@@ -7,41 +7,39 @@
 
 namespace taut {
 
-/// Impulse on bodies from outside.
 struct Impulse {
   Point linear{};   // N s (per metre depth in 2D)
-  Point angular{};  // about the origin, N m s (per metre depth in 2D, where only z is not 0)
+  Point angular{};  // about the origin, N m s (per metre depth in 2D, only z)
 };
 
-/// Stress, Pa. In 2D xz and yz are 0.
+/// Stress, Pa.
 struct StressTensor {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
 };
 
-/// All particles at one time, in order of creation whatever the storage order. In 2D, masses and energies are per
-/// metre depth.
+/// All particles at one time, in creation order. In 2D, masses and energies are per metre depth.
 struct Snapshot {
   int dim = 2;
   double time = 0;  // s
   long step = 0;
-  std::vector<double> x0;   // initial position, n × dim, m
-  std::vector<double> x;    // position, n × dim, m
-  std::vector<double> v;    // velocity, n × dim, m/s
-  std::vector<double> m;    // mass, kg
-  std::vector<double> rho;  // density, kg/m³
-  std::vector<double> p;    // pressure, positive in compression, Pa
-  std::vector<double> s;    // deviatoric stress xx, xy, yy, zz (2D) or xx, xy, xz, yy, yz, zz (3D), Pa
+  std::vector<double> x0;             // initial, n × dim, m
+  std::vector<double> x;              // n × dim, m
+  std::vector<double> v;              // n × dim, m/s
+  std::vector<double> m;              // kg
+  std::vector<double> rho;            // kg/m³
+  std::vector<double> p;              // positive in compression, Pa
+  std::vector<double> s;              // xx, xy, yy, zz (2D) or xx, xy, xz, yy, yz, zz (3D), Pa
   std::vector<double> strain_energy;  // J; empty for methods that do not define it
-  double contact_energy = 0;          // stored in contacts, J
-  double work = 0;                    // done by drives, loads and gravity since the start, J
-  std::vector<double> body_work;      // [body] its share of `work`, J
-  double damped = 0;                  // removed by Scene::damping since the start, J
-  Impulse of_walls;                   // from all walls since the start
-  std::vector<double> diameter;       // as drawn: V0^(1/dim), m
-  std::vector<int> body;              // index into Scene::bodies
-  std::vector<int> material;          // index into Scene::materials
+  double contact_energy = 0;          // J
+  double work = 0;                    // by drives, loads and gravity, J
+  std::vector<double> body_work;      // [body] J
+  double damped = 0;                  // by Scene::damping, J
+  Impulse of_walls;
+  std::vector<double> diameter;  // as drawn: V0^(1/dim), m
+  std::vector<int> body;
+  std::vector<int> material;
   std::vector<unsigned char> clamped;
-  std::vector<unsigned char> driven;  // in a region that a drive moves at some time
+  std::vector<unsigned char> driven;  // moved by a drive at some time
 
   std::size_t size() const { return m.size(); }
 
@@ -54,14 +52,14 @@ struct Snapshot {
     else
       return {c[0], c[2], c[3], c[1], 0, 0};
   }
-  /// σ = s − p I, Pa
+  /// Stress σ = s − p I, Pa.
   StressTensor stress(std::size_t i) const {
     StressTensor sigma = deviator(i);
     for (double* normal : {&sigma.xx, &sigma.yy, &sigma.zz}) *normal -= p[i];
     return sigma;
   }
 
-  /// Allocates the fields of n particles except `strain_energy`.
+  /// Allocates all fields except `strain_energy`.
   void resize(int dimensions, std::size_t n) {
     dim = dimensions;
     const auto d = static_cast<std::size_t>(dim);
@@ -79,7 +77,7 @@ struct Snapshot {
   }
 
  private:
-  static std::size_t stored(int dim) { return dim == 3 ? 6 : 4; }  // components of s
+  static std::size_t stored(int dim) { return dim == 3 ? 6 : 4; }
   Point point(const std::vector<double>& of, std::size_t i) const {
     const auto d = static_cast<std::size_t>(dim);
     Point value{};

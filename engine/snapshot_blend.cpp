@@ -5,7 +5,7 @@
 namespace taut {
 namespace {
 
-/// Interpolates between `before` and `after` into `after`. Equal values stay bit-identical.
+/// Interpolates into `after`. Equal values stay bit-identical.
 void move_back(std::span<double> after, std::span<const double> before, double share) {
   for (std::size_t k = 0; k < after.size(); ++k) after[k] = before[k] + share * (after[k] - before[k]);
 }
@@ -16,7 +16,7 @@ Snapshot blend(const Snapshot& before, const Snapshot& after, double t) {
   Snapshot out = after;
   if (t == after.time) return out;
   const double dt = after.time - before.time, share = (t - before.time) / dt;
-  // all members: a new one must be interpolated here or left as in `after`
+  // a new member must be interpolated here or left as in `after`
   auto& [dim, time, step, x0, x, v, m, rho, p, s, strain_energy, contact_energy, work, body_work, damped,
          of_walls, diameter, body, material, clamped, driven] = out;
   time = t;

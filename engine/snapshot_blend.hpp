@@ -4,13 +4,9 @@
 
 namespace taut {
 
-/// Interpolates a run at time `t` between two successive steps.
-///
-/// Positions follow the parabola through both steps with the mean acceleration of the step, (v_after −
-/// v_before)/dt. If x advances by the mean velocity, as in position Verlet, this parabola is the cubic through
-/// positions and velocities. It needs v at the same time offset from x at both steps. On a smooth path its error is
-/// θ (1 − θ) (1 − 2θ)/12 dt³ d³x/dt³ with θ = (t − before)/dt, at most 0.008 dt³ d³x/dt³.
-/// Other time-dependent fields are interpolated linearly. Constant fields and the step number are those in `after`.
+/// Interpolates a run at time `t` between two successive steps. Positions follow the parabola through both steps
+/// with the mean acceleration of the step; on a smooth path its error is at most 0.008 dt³ d³x/dt³. Requires v at
+/// the same time offset from x at both steps. Other time-dependent fields are interpolated linearly.
 Snapshot blend(const Snapshot& before, const Snapshot& after, double t);
 
 }  // namespace taut

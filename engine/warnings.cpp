@@ -21,7 +21,7 @@ namespace {
 /// Warns of bodies whose shape the lattice does not fit.
 void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr double tolerated = 0.02;
-  std::vector<double> volume(scene.bodies.size());  // [body], undeformed, m^dim
+  std::vector<double> volume(scene.bodies.size());  // [body] undeformed, m^dim
   for (std::size_t i = 0; i < start.size(); ++i)
     volume[static_cast<std::size_t>(start.body[i])] +=
         start.m[i] / scene.materials[static_cast<std::size_t>(start.material[i])].density;
@@ -31,15 +31,13 @@ void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, c
     const double excess = volume[b] / shapes[0]->measure(scene.dim) - 1;
     if (std::abs(excess) < tolerated) continue;
     warnings.push_back(
-        fmt::format("the particles of body '{}' weigh {:.3g} % {} than its shape, since the lattice does not "
-                    "fit it; a smaller "
-                    "spacing fits better",
+        fmt::format("the particles of body '{}' weigh {:.3g} % {} than its shape, "
+                    "since the lattice does not fit it; a smaller spacing fits better",
                     scene.bodies[b].name, 100 * std::abs(excess), excess > 0 ? "more" : "less"));
   }
 }
 
-/// Speeds above the sound speed are mostly unit errors, such as a modulus in MPa. In a closed scene, speeds are
-/// relative to the common motion.
+/// Speeds above the sound speed are mostly unit errors. In a closed scene, speeds are relative to the common motion.
 void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   const auto dim = static_cast<std::size_t>(start.dim);
   Point common{};  // m/s
@@ -47,7 +45,7 @@ void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, c
     const double mass = std::accumulate(start.m.begin(), start.m.end(), 0.0);
     for (std::size_t i = 0; i < start.v.size(); ++i) common[i % dim] += start.m[i / dim] * start.v[i] / mass;
   }
-  std::vector<double> mach(scene.bodies.size());  // [body] greatest speed / sound speed
+  std::vector<double> mach(scene.bodies.size());  // [body] greatest
   for (std::size_t i = 0; i < start.size(); ++i) {
     double v2 = 0;
     for (std::size_t k = 0; k < dim; ++k) v2 += std::pow(start.v[i * dim + k] - common[k], 2);
@@ -58,8 +56,8 @@ void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, c
   const auto fastest = std::ranges::max_element(mach);
   if (fastest == mach.end() || !(*fastest > 1)) return;
   warnings.push_back(
-      fmt::format("body '{}' starts at {:.3g} times its sound speed; check the units of its velocity (m/s) "
-                  "and moduli (Pa)",
+      fmt::format("body '{}' starts at {:.3g} times its sound speed; "
+                  "check the units of its velocity (m/s) and moduli (Pa)",
                   scene.bodies[static_cast<std::size_t>(fastest - mach.begin())].name, *fastest));
 }
 
@@ -80,11 +78,11 @@ void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene,
                   stored, share));
 }
 
-/// Warns of two bodies that are less than two spacings apart and within the kernel support: `sph` may join them.
+/// Warns of two bodies closer than two spacings and within the kernel support: `sph` may join them.
 void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start,
                               double support) {
-  constexpr double parts = 2 - 1e-6;         // spacings; bodies this far apart separate with every method
-  std::optional<std::pair<int, int>> first;  // in scene order
+  constexpr double parts = 2 - 1e-6;  // spacings; bodies this far apart separate with every method
+  std::optional<std::pair<int, int>> first;
   double nearest = std::min(support, parts * scene.spacing);
   for_each_meeting_pair(start, nearest, [&](int i, int j) {
     const std::pair bodies(start.body[static_cast<std::size_t>(i)], start.body[static_cast<std::size_t>(j)]);
@@ -96,14 +94,13 @@ void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& s
   });
   if (!first) return;
   const auto body = [&](int b) { return scene.bodies[static_cast<std::size_t>(b)].name; };
-  warnings.push_back(fmt::format(
-      "bodies '{}' and '{}' start {:.4g} spacings apart, within the kernel support of {:.4g}: contact = "
-      "\"sph\" may "
-      "join them into one body; start them farther apart, or use another contact law, such as \"penalty\"",
-      body(first->first), body(first->second), nearest / scene.spacing, support / scene.spacing));
+  warnings.push_back(
+      fmt::format("bodies '{}' and '{}' start {:.4g} spacings apart, within the kernel support of {:.4g}: "
+                  "contact = \"sph\" may join them into one body; "
+                  "start them farther apart, or use another contact law, such as \"penalty\"",
+                  body(first->first), body(first->second), nearest / scene.spacing, support / scene.spacing));
 }
 
-/// Particles of one body on its lattice.
 struct LatticeCells {
   std::array<int, 3> sides{1, 1, 1};
   std::vector<char> filled;
@@ -116,8 +113,7 @@ struct LatticeCells {
   }
 };
 
-/// Fills the cells that have all (`all`) or any of their neighbours up to `reach` along an axis filled. Outside, no
-/// cell is filled.
+/// Fills cells that have all (`all`) or any of their neighbours up to `reach` along an axis filled.
 LatticeCells along_axis(const LatticeCells& cells, std::size_t axis, int reach, bool all) {
   LatticeCells result = cells;
   std::array<int, 3> cell{};
@@ -138,10 +134,10 @@ LatticeCells along_axis(const LatticeCells& cells, std::size_t axis, int reach, 
 
 struct LatticeBody {
   LatticeCells cells;
-  std::vector<std::array<int, 3>> places;  // [particle of the body]
+  std::vector<std::array<int, 3>> places;
 };
 
-/// Returns nullopt if a particle of `own` is not on a lattice along the axes, or for very sparse bodies.
+/// Returns nullopt without a lattice along the axes, or for very sparse bodies.
 std::optional<LatticeBody> on_lattice(const Snapshot& start, std::span<const std::size_t> own, double dp) {
   constexpr double off_lattice = 1e-6;  // dp
   constexpr double most_cells = 5e7;
@@ -170,9 +166,9 @@ std::optional<LatticeBody> on_lattice(const Snapshot& start, std::span<const std
   return body;
 }
 
-/// Warns of parts one or two particles thick: they are far from any block of 3 × 3 (× 3) particles.
+/// Thin parts are far from any block of 3 × 3 (× 3) particles.
 void warn_about_thin_parts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
-  constexpr int steps_of_lattice = 2;  // the faces of a round body have steps of this height
+  constexpr int steps_of_lattice = 2;  // of round bodies
   const auto dim = static_cast<std::size_t>(start.dim);
   std::vector<std::vector<std::size_t>> particles(scene.bodies.size());
   for (std::size_t i = 0; i < start.size(); ++i)
@@ -206,10 +202,9 @@ std::string warning_about_reactions(const Scene& scene, const MethodInfo& method
   const auto* cauchy = as<UlCauchyFormulation>(method.formulation);
   if (!cauchy || !cauchy->tensile_control || std::ranges::none_of(scene.probes, is_force)) return "";
   return fmt::format(
-      "reaction and contact forces of {} do not balance the loads, since tensile instability control does "
-      "not conserve "
-      "momentum: they are 0.63 to 0.98 of the load in a bent bar, 0.95 of the weight of a block on a wall "
-      "(METHODS.md)",
+      "reaction and contact forces of {} do not balance the loads, "
+      "since tensile instability control does not conserve momentum: "
+      "they are 0.63 to 0.98 of the load in a bent bar, 0.95 of the weight of a block on a wall (METHODS.md)",
       method.name);
 }
 

@@ -7,15 +7,14 @@
 #include "engine/scene/scene.hpp"
 #include "engine/solver/simulation.hpp"
 
-/// Warnings about scenes that run but are probably wrong; one sentence each, without a full stop.
+/// Warnings of one sentence each, without a full stop.
 namespace taut {
 
-/// Warns of `reaction` and `contact_force` probes if the method does not conserve momentum; else returns an empty
-/// string.
+/// Warns of `reaction` and `contact_force` probes if the method does not conserve momentum.
 std::string warning_about_reactions(const Scene& scene, const MethodInfo& method);
 
-/// Warns of an unsuitable initial state: masses that differ from the shapes by 2 % or more, speeds above the sound
-/// speed, parts one or two particles thick, contacts that store energy, and bodies that contact by `sph` may join.
+/// Warns of masses that differ from the shapes, speeds above the sound speed, thin parts, contacts that store
+/// energy, and bodies that contact by `sph` may join.
 std::vector<std::string> warnings_at_start(const Scene& scene, const MethodInfo& method,
                                            const Simulation& simulation);
 

@@ -11,7 +11,6 @@ Vector normalised(const Vector& a) {
   return {a[0] / length, a[1] / length, a[2] / length};
 }
 
-/// Rotates around a unit vector by degrees (Rodrigues).
 Vector turned(const Vector& a, const Vector& axis, double degrees) {
   const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
   const Vector across = cross(axis, a);
@@ -77,7 +76,6 @@ Projection::Projected Projection::operator()(const Vector& x) const {
 Vector Projection::project_vector(const Vector& way, const Projected& from) const {
   Vector seen{dot(axes_.right, way), dot(axes_.up, way), dot(axes_.back, way)};
   if (distance_ == 0) return seen;
-  // derivative of operator()
   const double nearer = from.scale / distance_ * seen[2];
   seen[0] = seen[0] * from.scale + (from.at[0] - middle_x_) * nearer;
   seen[1] = seen[1] * from.scale + (from.at[1] - middle_y_) * nearer;

@@ -6,36 +6,32 @@
 
 namespace taut::render {
 
-/// A vector, m or dimensionless.
 using Vector = std::array<double, 3>;
 
-/// Viewpoint of a 3D scene. The View of such a scene is in the picture plane, to the right and up from the scene's
-/// origin.
+/// Viewpoint in 3D. The View is in the picture plane, from the scene's origin.
 struct Camera {
   Vector from = {1, -2, 1};  // towards the camera, any length
-  Vector up = {0, 0, 1};     // any length; y or x if parallel to `from`
+  Vector up = {0, 0, 1};     // y or x if parallel to `from`
   double field_of_view = 0;  // vertical, degrees; 0: parallel projection
-  double front = 0;          // in perspective, height along `from` where lengths are true, m
+  double front = 0;          // in perspective, height where lengths are true, m
   bool operator==(const Camera&) const = default;
 };
 
 inline constexpr double greatest_field_of_view = 120;  // degrees
 
-/// Orthonormal axes: right and up in the picture, towards the camera.
+/// Directions right and up in the picture, and towards the camera.
 struct CameraAxes {
   Vector right, up, back;
 };
 
 CameraAxes axes_of(const Camera& camera);
-/// Turns the camera around the scene, degrees: to the right around `up`, then upwards around the picture's right
-/// axis.
+/// Rotates by degrees: to the right around `up`, then upwards.
 Camera orbited(const Camera& camera, double right, double upwards);
 AxesMarker marker_of(const Camera& camera);
 
 double dot(const Vector& a, const Vector& b);
 Vector cross(const Vector& a, const Vector& b);
 
-/// Projects points of the scene onto the picture plane.
 class Projection {
  public:
   Projection(const Camera& camera, const View& view);
@@ -46,13 +42,13 @@ class Projection {
     double scale;  // projected / true length; not positive behind the camera
   };
   Projected operator()(const Vector& x) const;
-  /// Projects a short vector at the projected point `from`.
+  /// Short vector at the projected point `from`.
   Vector project_vector(const Vector& way, const Projected& from) const;
 
  private:
   CameraAxes axes_;
   double middle_x_, middle_y_;  // of the view, m
-  double front_, distance_;     // camera to front plane, m; 0: parallel
+  double front_, distance_;     // to the front plane, m; 0: parallel
 };
 
 }  // namespace taut::render

@@ -11,7 +11,7 @@
 
 namespace taut::render {
 
-/// Colours of values. The look must have no open members.
+/// The look must have no open members.
 class Coloring {
  public:
   explicit Coloring(const Look& look);

@@ -7,8 +7,7 @@
 namespace taut::render {
 namespace {
 
-// viridis, plasma, inferno, magma: van der Walt & Smith 2015 (CC0); cividis: Nuñez, Anderton & Renslow 2018.
-// Interpolation between these stops is within 4 of 255 levels of the original.
+// viridis, plasma, inferno, magma: van der Walt & Smith 2015 (CC0); cividis: Nuñez, Anderton & Renslow 2018
 constexpr std::uint32_t viridis[] = {0x440154, 0x481668, 0x482878, 0x443a83, 0x3e4989, 0x375a8c, 0x31688e,
                                      0x2b758e, 0x26828e, 0x21908c, 0x1f9e89, 0x25ab82, 0x35b779, 0x4ec36b,
                                      0x6ece58, 0x90d741, 0xb5de2b, 0xdde31e, 0xfde725};
@@ -25,7 +24,7 @@ constexpr std::uint32_t cividis[] = {0x00224e, 0x002c65, 0x123570, 0x2b406d, 0x3
                                      0x646770, 0x707173, 0x7c7b78, 0x8a8678, 0x979177, 0xa59c74, 0xb4a76f,
                                      0xc3b369, 0xd2bf60, 0xe1cc55, 0xf1d945, 0xfee838};
 // Moreland 2009, "Diverging Color Maps for Scientific Visualization", by a seventh darker in the middle, to be
-// visible on white. His interpolation to this gray would turn blue violet.
+// visible on white.
 constexpr std::uint32_t coolwarm[] = {0x3b4cc0, 0x4d66d3, 0x5f7de2, 0x7192ea, 0x83a4ec, 0x95b1e9,
                                       0xa5badf, 0xb3bed1, 0xbebebe, 0xcfb9ae, 0xdbaf9b, 0xe1a287,
                                       0xe38f72, 0xe0785e, 0xd65e49, 0xc73d37, 0xb40426};
@@ -33,8 +32,7 @@ constexpr std::uint32_t rainbow[] = {0x0000ff, 0x00ffff, 0x00ff00, 0xffff00, 0xf
 // stops short of white, the default background
 constexpr std::uint32_t gray[] = {0x101010, 0xe0e0e0};
 
-// Okabe & Ito 2002, "Color Universal Design", for all kinds of colour vision. Gray replaces black, which would be
-// invisible on black.
+// Okabe & Ito 2002, "Color Universal Design". Gray replaces black, which would be invisible on black.
 constexpr std::uint32_t categories[] = {0x0072b2, 0xe69f00, 0x009e73, 0xd55e00,
                                         0x56b4e9, 0xcc79a7, 0xf0e442, 0x999999};
 constexpr double darker = 0.6;  // in the second round

@@ -7,11 +7,10 @@ namespace taut::render {
 namespace {
 
 constexpr int samples = 2;  // per direction
-constexpr int side = 8;     // samples of a tile
+constexpr int side = 8;
 constexpr float nothing = -1e30f;
 constexpr float rounding_margin = 0.1f;  // samples; OpenGL rounds differently
 
-/// Samples with centres within `half` of `centre`.
 struct Span {
   int from, to;
 };
@@ -21,7 +20,6 @@ Span span_of(float centre, float half, int most) {
           std::clamp(static_cast<int>(std::floor(centre + half - 0.5f)) + 1, 0, most)};
 }
 
-/// Visits samples [from, to) of each row within `radius`.
 template <class Visit>
 void for_rows(float x, float y, float radius, int width, int height, const Visit& visit) {
   const Span rows = span_of(y, radius, height);

@@ -7,14 +7,13 @@
 
 namespace taut::render {
 
-/// Tests whether balls hide other balls, at the samples of SolidPainter, 2 × 2 per pixel.
+/// Whether balls hide other balls, at the 2 × 2 samples of SolidPainter.
 class Cover {
  public:
-  /// Takes the plot's size, pixels.
   Cover(int width, int height);
 
   void clear();
-  /// Whether the added balls hide `ball`; false if in doubt.
+  /// Returns false if in doubt.
   bool hides(const Ball& ball) const;
   void add(const Ball& ball);
 
@@ -23,10 +22,10 @@ class Cover {
   bool hides(const Tiles& tiles, float front) const;
   void update(const Tiles& tiles);
 
-  int width_, height_;            // samples
-  int tile_columns_, tile_rows_;  // squares of samples
-  std::vector<float> depth_;      // samples are covered up to this z, pixels
-  std::vector<float> tile_;       // least depth in each tile
+  int width_, height_;  // samples
+  int tile_columns_, tile_rows_;
+  std::vector<float> depth_;  // covered up to this z, pixels
+  std::vector<float> tile_;   // least depth
 };
 
 }  // namespace taut::render

@@ -12,7 +12,7 @@ namespace {
 constexpr int samples = 2;      // per direction
 constexpr int band_height = 8;  // pixels
 constexpr int tile_width = 16;  // pixels
-constexpr int lanes = 4;        // samples at once, on every x86-64
+constexpr int lanes = 4;
 
 using Floats = float __attribute__((vector_size(4 * lanes)));
 using Ints = std::int32_t __attribute__((vector_size(4 * lanes)));
@@ -26,7 +26,6 @@ Vector loaded(const void* from) {
   return vector;
 }
 
-/// Blends `over`, with weight alpha / 255, and `under`.
 Colors blended(const Colors& over, const Colors& under, const Ints& alpha) {
   const Ints of256 = alpha + (alpha >> 7);
   const Words a = reinterpret_cast<Words>(of256 | of256 << 16), b = 256 - a;
@@ -36,11 +35,11 @@ Colors blended(const Colors& over, const Colors& under, const Ints& alpha) {
   return reinterpret_cast<Colors>(even | (odd & 0xff00));
 }
 
-/// A disc as seen from one row of samples; lengths in samples.
+/// Lengths in samples.
 struct DiscRow {
-  float dy2;    // squared distance from the centre
-  float reach;  // outer radius of the rim
-  float depth;  // depth per distance from the centre
+  float dy2;  // squared distance
+  float reach;
+  float depth;  // per distance
   std::uint32_t color;
 };
 
@@ -63,14 +62,12 @@ void paint(const DiscRow& row, float x, float* depth, std::uint32_t* color) {
   std::memcpy(color, &new_color, sizeof new_color);
 }
 
-/// Mean of each byte, rounded up.
 std::uint32_t mean(std::uint32_t p, std::uint32_t q) {
   constexpr std::uint32_t even = 0x00ff00ff, halves = 0x00010001;
   return ((((p & even) + (q & even) + halves) >> 1) & even) |
          (((((p >> 8) & even) + ((q >> 8) & even) + halves) >> 1) & even) << 8;
 }
 
-/// Samples with centres within `half` of `centre`.
 struct Span {
   int from, to;
 };
@@ -104,7 +101,7 @@ DiscPainter::DiscPainter(const Rect& plot, Rgb background)
       bands_(parts(plot.height, band_height)),
       tiles_(parts(plot.width, tile_width)),
       stride_(static_cast<std::size_t>(tiles_) * tile_width * samples),
-      color_(stride_ * band_height * samples + lanes),  // space for the last vector
+      color_(stride_ * band_height * samples + lanes),  // last vector
       depth_(color_.size()),
       touched_(static_cast<std::size_t>(tiles_)),
       was_drawn_(touched_.size() * static_cast<std::size_t>(bands_)) {}
@@ -117,7 +114,7 @@ DiscPainter::Bands DiscPainter::bands_of(const Dot& disc) const {
 }
 
 void DiscPainter::sort_into_bands(std::span<const Dot> discs) {
-  // `end_` first contains each band's start, one place later; filling moves it to the band's end
+  // `end_` first contains each band's start, one place later; filling moves it to the end
   end_.assign(static_cast<std::size_t>(bands_) + 2, 0);
   for (const Dot& disc : discs)
     for (auto [band, last] = bands_of(disc); band <= last; ++band) ++end_[static_cast<std::size_t>(band) + 2];
@@ -168,7 +165,6 @@ void DiscPainter::draw_disc(const Dot& disc, int band) {
   }
 }
 
-/// Writes means of samples, or the background.
 void DiscPainter::resolve_tile(Image& image, int band, int tile) const {
   const int left = tile * tile_width, top = band * band_height;
   const auto bytes = static_cast<std::size_t>(std::min(tile_width, plot_.width - left)) * 4;

@@ -9,15 +9,14 @@
 
 namespace taut::render {
 
-/// Bounds of width and height, pixels.
+/// Picture sides, pixels.
 inline constexpr int least_size = 64;
 inline constexpr int greatest_size = 8192;
 
-/// Bounds of the ratio drawn / true diameter of a particle.
+/// Ratio drawn / true diameter.
 inline constexpr double least_glyph = 0.05;
 inline constexpr double greatest_glyph = 20;
 
-/// Values in the field's unit.
 struct Range {
   double low = 0, high = 1;
   bool operator==(const Range&) const = default;
@@ -30,17 +29,17 @@ struct Size {
 
 /// Appearance of pictures. Members without a value are open, and must be set before drawing.
 struct Look {
-  std::optional<View> view;            // visible region; in 3D of the picture plane
+  std::optional<View> view;
   std::optional<Camera> camera{};      // only in 3D
-  std::optional<Range> range;          // of the colours; values outside are clamped
+  std::optional<Range> range;          // values outside are clamped
   const Colormap* colormap = nullptr;  // nullptr: open
-  double middle = 0;                   // value of a diverging map's middle, if in range
-  std::string unit{};                  // of the values; determines the width of their numbers
-  std::optional<Size> size = Size{};   // sides from least_size to greatest_size
-  bool bare = false;                   // only particles, over the whole picture
-  PageTexts texts{};                   // unless bare
-  double glyph = 1;                    // drawn / true diameter
-  Rgb background = white;              // texts contrast with it
+  double middle = 0;                   // of a diverging map
+  std::string unit{};                  // determines the width of numbers
+  std::optional<Size> size = Size{};
+  bool bare = false;  // only particles
+  PageTexts texts{};  // unless bare
+  double glyph = 1;   // drawn / true diameter
+  Rgb background = white;
   /// Names of categories; values then count from 0, a legend replaces the bar, range and colour map may be open.
   std::vector<std::string> categories{};
 };

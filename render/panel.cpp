@@ -24,7 +24,7 @@ constexpr double row_label = 1.7;
 constexpr double gap = 0.7;  // between pictures
 constexpr double key_margin = 0.55;
 constexpr double footer = 2.3;
-constexpr double least_bar = 13;  // minimum height of a bar with its label
+constexpr double least_bar = 13;
 constexpr double note_size = 0.94;
 constexpr double corner_gap = 0.4;
 constexpr double frame_gray = 0.85;
@@ -35,11 +35,10 @@ constexpr double most_grid_width = 1440, most_grid_height = 1080, most_cell = 54
 
 int pixels(double length) { return static_cast<int>(std::lround(length)); }
 
-/// Layout, pixels.
 struct Grid {
   double em = own_font;
   int columns = 0, rows = 0;
-  int left = 0, top = 0, right = 0, bottom = 0;  // around all pictures
+  int left = 0, top = 0, right = 0, bottom = 0;
   int gap_size = 0;
   int cell_width = 0, cell_height = 0;
 
@@ -71,12 +70,10 @@ Grid empty_grid(const PanelOptions& options, double em) {
   return grid;
 }
 
-/// Width of bar or legend, em.
 double key_width(const PanelOptions& options, const Grid& grid) {
   return Coloring(options.look).key().width(grid.grid_height(), grid.em, options.unit);
 }
 
-/// Requires the height of the pictures.
 void make_room_for_key(Grid& grid, const PanelOptions& options) {
   if (options.look.bare) return;
   if (!options.look.texts.parts.bar) {
@@ -90,7 +87,7 @@ double font_or(const PanelOptions& options, double by_default) {
   return options.look.texts.font > 0 ? options.look.texts.font : by_default;
 }
 
-/// Keeps the view's aspect ratio on a page of a given width. The key's width depends on the height, a little.
+/// Keeps the view's aspect ratio. The key's width depends on the height, a little.
 Grid grid_of_width(const PanelOptions& options) {
   Grid grid = empty_grid(options, font_or(options, own_font));
   const View view = options.look.view.value();
@@ -108,7 +105,6 @@ Grid grid_of_width(const PanelOptions& options) {
   return grid;
 }
 
-/// Keeps the view's aspect ratio, as large as a page allows.
 Grid own_grid(const PanelOptions& options) {
   if (options.width > 0) return grid_of_width(options);
   Grid grid = empty_grid(options, font_or(options, own_font));

@@ -63,15 +63,15 @@ void check_range(const Range& range) {
   }
 }
 
-/// A font that the user has set may leave no room for particles.
+/// A font that the user has set may leave no room.
 void check_room(const Look& look) {
   const Rect plot =
       make_layout(look.size->width, look.size->height, *look.view, true, room_of_bar, look.texts).plot;
   constexpr int least = 16;  // pixels
   if (plot.width < least || plot.height < least)
     throw UsageError(
-        fmt::format("texts of {:.0f} pixels leave no room in a picture of {}x{}; use a smaller font, a "
-                    "larger picture or fewer texts",
+        fmt::format("texts of {:.0f} pixels leave no room in a picture of {}x{}; "
+                    "use a smaller font, a larger picture or fewer texts",
                     look.texts.font, look.size->width, look.size->height));
 }
 
@@ -95,7 +95,7 @@ double width_of(const ColorKey& key, const Look& look) {
   return size.font > 0 ? key.width(size.key_height, size.font, look.unit) : 0;
 }
 
-/// Faint colour of lines among solids; bytes R, G, B, 255.
+/// Bytes R, G, B, 255.
 std::uint32_t line_color(Rgb background) {
   constexpr double contrast = 0.4;
   const double most = is_light(background) ? 0 : 255;
@@ -113,17 +113,17 @@ struct Renderer::Parts {
   PageTexts texts;
   PageLayout layout;
   Image image;
-  std::optional<Projection> projection;       // in 3D
-  std::optional<DiscPainter> disc_painter;    // if the plot has only discs
-  std::optional<GlContext> context;           // on demand
-  std::optional<SolidPainter> solid_painter;  // also for 2D cells
-  std::optional<Annotation> annotation;       // none in small pictures
-  std::optional<Canvas> canvas;               // for 2D walls
+  std::optional<Projection> projection;
+  std::optional<DiscPainter> disc_painter;  // if only discs
+  std::optional<GlContext> context;         // on demand
+  std::optional<SolidPainter> solid_painter;
+  std::optional<Annotation> annotation;  // not in small pictures
+  std::optional<Canvas> canvas;
   Rgb background;
   double glyph;
   std::vector<Dot> discs;
   Solids solids;
-  OffScale off_scale;  // of placed particles
+  OffScale off_scale;
 
   Parts(const Look& look, double until);
   void check(const FrameView& frame) const;
@@ -167,12 +167,12 @@ void Renderer::Parts::place_discs(const FrameView& frame) {
   discs.reserve(frame.value.size());
   off_scale = {};
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
-    // double, because float could not separate particles far from the origin
+    // float could not separate particles far from the origin
     const double x = layout.column(frame.x[2 * i]);
     const double y = layout.row(frame.x[2 * i + 1]);
     const double size = 0.5 * glyph * frame.diameter[i] * layout.pixels_per_metre;
     const double radius = drawn_radius(size);
-    const double reach = radius + 1;  // with its rim
+    const double reach = radius + 1;
     // false for NaN
     const bool seen = size > 0 && x > -reach && x < width + reach && y > -reach && y < height + reach;
     if (!seen) continue;
@@ -187,10 +187,9 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-/// Draws 2D walls over the particles.
 void Renderer::Parts::draw_walls(const FrameView& frame) {
   if (frame.walls.empty()) return;
-  constexpr double em_of_height = 0.022;  // in pictures without text
+  constexpr double em_of_height = 0.022;  // without text
   const double em = layout.font > 0 ? layout.font : std::max(6.0, em_of_height * layout.plot.height);
   if (!canvas) canvas.emplace(image, background);
   canvas->begin();
@@ -200,7 +199,7 @@ void Renderer::Parts::draw_walls(const FrameView& frame) {
   canvas->end();
 }
 
-/// Keeps the previous page if both have only discs, without walls.
+/// Keeps the previous page if both have only discs.
 void Renderer::Parts::draw_discs(const FrameView& frame) {
   const bool page_stands =
       disc_painter && frame.walls.empty() && (!annotation || annotation->is_current_for(frame));

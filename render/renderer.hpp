@@ -10,23 +10,21 @@ namespace taut::render {
 
 struct OffScale;
 
-/// Draws frames into its image.
 class Renderer {
  public:
-  /// The look must have no open members. `until` (last time, s) sets the unit of all times; 0: each has its own unit.
+  /// The look must have no open members. `until` (last time, s) sets the unit of all times; 0: each has its own.
   /// Throws UsageError for values out of bounds, OutputError without the font.
   explicit Renderer(const Look& look, double until = 0);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Moves the camera of a 3D scene. `view` must have the size of the look's view.
+  /// `view` must have the size of the look's view.
   void look_from(const Camera& camera, const View& view);
 
-  /// The picture is valid until the next call. Equal frames give equal bytes. Particles whose position or size is not
-  /// finite are omitted.
+  /// Valid until the next call. Equal frames give equal bytes. Particles with a position or size that is not finite
+  /// are omitted.
   const Image& draw(const FrameView& frame);
-  /// Off-scale values in the last picture.
   const OffScale& off_scale() const;
 
  private:

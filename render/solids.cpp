@@ -17,8 +17,7 @@ Vector sum(const Vector& a, const Vector& b, double times = 1) {
   return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
 }
 
-// Cells overlap by this factor and by at least so many pixels. Otherwise bending would open gaps between them, of
-// second order in the spacing.
+// Overlap of cells; otherwise bending would open gaps between them, of second order in the spacing.
 constexpr double overlap = 1.02, least_overlap = 0.7;
 
 Vector widened(const Vector& half) {
@@ -42,7 +41,7 @@ Vector at(std::span<const double> of, std::size_t i) { return {of[3 * i], of[3 *
 double drawn_radius(double radius) {
   constexpr double full = 2.0;    // pixels; larger radii are kept
   constexpr double filled = 1.0;  // pixels; smaller discs fill a square
-  constexpr double rim = 0.25;    // pixels; half width of the rim
+  constexpr double rim = 0.25;    // half width, pixels
   const double small = std::clamp((full - radius) / (full - filled), 0.0, 1.0);
   return std::lerp(radius, std::numbers::sqrt2 * radius + rim, small);
 }
@@ -76,7 +75,6 @@ void Solids::place_balls(const FrameView& frame, const Projection& projection,
   drop_hidden();
 }
 
-/// Omits balls whose samples are covered, from front to back.
 void Solids::drop_hidden() {
   constexpr std::size_t few = 2000;  // below, drawing all is faster
   if (balls_.size() < few) return;
@@ -89,7 +87,7 @@ void Solids::drop_hidden() {
   });
 }
 
-/// Sorts balls into slices of depth, nearest first. Exact order is not needed: it would only find more hidden balls.
+/// Slices of depth, nearest first. Exact order would only find more hidden balls.
 void Solids::sort_roughly() {
   constexpr std::size_t slices = 4096;
   const auto [far, near] = std::ranges::minmax(balls_, {}, &Ball::z);
@@ -129,7 +127,6 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
       if (!(length > 0)) continue;
       const double side = normal[2] < 0 ? -1 : 1;  // towards the camera
       for (double& component : normal) component *= side / length;
-      // the nearer face
       const double towards = dot(half[k], normal) < 0 ? -1 : 1;
       add_face(sum(centre, half[k], towards), a, b,
                dimmed(colors[i], light_on(static_cast<float>(normal[0]), static_cast<float>(normal[1]),
@@ -140,7 +137,7 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
 
 void Solids::place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color) {
   if (frame.walls.empty()) return;
-  constexpr double cells = 7;  // minimum per picture
+  constexpr double cells = 7;
   const double scale = layout_.pixels_per_metre;
   const double cell = nice_length(std::min(layout_.plot.width, layout_.plot.height) / scale / cells);
   std::vector<Vector> seen;
@@ -153,7 +150,7 @@ void Solids::place_walls(const FrameView& frame, const Projection& projection, s
     for (const auto& [from, to] : grid_on(wall, seen, cell)) add_line(from, to, projection, color);
 }
 
-/// Adds a line as short pieces of constant width. Pieces behind the camera are omitted.
+/// Adds short pieces of constant width, in front of the camera.
 void Solids::add_line(const Vector& from, const Vector& to, const Projection& projection,
                       std::uint32_t color) {
   constexpr int pieces = 16;

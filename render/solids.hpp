@@ -15,22 +15,19 @@ namespace taut::render {
 /// Particles in picture coordinates.
 class Solids {
  public:
-  /// `glyph`: drawn / true diameter.
   explicit Solids(const PageLayout& layout, double glyph = 1)
       : layout_(layout), glyph_(glyph), cover_(layout.plot.width, layout.plot.height) {}
 
-  /// Places spheres of the particles' size, without hidden ones.
+  /// Omits hidden spheres.
   void place_balls(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
-  /// Places the shaded cell faces that face the camera.
   void place_boxes(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
-  /// Adds lines of `color` on the faces of 3D walls, except where a particle hides them.
+  /// Lines on 3D walls, except where a particle hides them.
   void place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color);
-  /// Places 2D cells.
   void place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors);
 
-  /// Numbers of the particles that reach into the picture, including hidden ones.
+  /// Particles that reach into the picture, including hidden ones.
   std::span<const std::size_t> placed() const { return placed_; }
   std::span<const Ball> balls() const { return balls_; }
   std::span<const Corner> corners() const { return corners_; }
@@ -51,8 +48,8 @@ class Solids {
   Cover cover_;
 };
 
-/// Drawn radius, pixels. Gaps narrower than a pixel cause moiré and pale colours: small particles grow, by less than
-/// 0.7 pixel, and below a diameter of 2 pixels fill a square.
+/// Drawn radius, pixels. Gaps narrower than a pixel cause moiré: small particles grow, by less than 0.7 pixel, and
+/// below a diameter of 2 pixels fill a square.
 double drawn_radius(double radius);
 
 }  // namespace taut::render

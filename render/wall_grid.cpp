@@ -6,7 +6,7 @@
 namespace taut::render {
 namespace {
 
-/// Orthonormal directions in the plane of the wall, the first close to a coordinate axis.
+/// Axes in the plane, the first close to a coordinate axis.
 std::pair<Vector, Vector> axes_on(const Vector& normal) {
   const auto least = std::ranges::min_element(normal, {}, [](double n) { return std::abs(n); });
   Vector axis{};
@@ -18,11 +18,9 @@ std::pair<Vector, Vector> axes_on(const Vector& normal) {
   return {along, cross(normal, along)};
 }
 
-/// First and last line of one direction; `x` in cells.
 std::pair<double, double> ends(std::vector<double> x) {
-  constexpr double margin = 2;  // cells beyond the points
-  constexpr double farthest =
-      50;  // cells from the median point, so that a lost particle does not extend the grid
+  constexpr double margin = 2;     // cells
+  constexpr double farthest = 50;  // cells from the median point; excludes a lost particle
   const auto [low, high] = std::ranges::minmax(x);
   const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
   std::ranges::nth_element(x, middle);

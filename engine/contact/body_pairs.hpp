@@ -10,14 +10,13 @@
 
 namespace taut {
 
-/// Contact candidates of two bodies, by particle. Searches only particles in the widened box of another body.
+/// Contact candidates of two bodies, by particle.
 template <int Dim>
 class BodyPairs {
  public:
-  /// Lists pairs up to reach + skin, m, which remain valid until a particle has moved by half the skin.
   BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
-  double lasts_for() const { return 0.5 * skin_; }  // m, valid path of the fastest particle
+  double lasts_for() const { return 0.5 * skin_; }  // m, path of the fastest particle
 
   void search(const Particles<Dim>& s) {
     choose_candidates(s);
@@ -27,7 +26,7 @@ class BodyPairs {
     const std::vector<int>& order = grid_.sort(x_, reach_);
     stored_.resize(x_.size());
     for (std::size_t k = 0; k < order.size(); ++k) stored_[k] = candidates_[order[k]];
-    int next = 0;  // next list to begin
+    int next = 0;
     for (const int i : candidates_) {
       while (next <= i) begin[next++] = static_cast<int>(j.size());
       const auto from = static_cast<std::ptrdiff_t>(j.size());
@@ -39,7 +38,7 @@ class BodyPairs {
           if (dot(d, d) < reach_ * reach_) j.push_back(other);
         }
       });
-      // by id, as in mirrored bodies, for bit-exact symmetry
+      // by id, for bit-exact symmetry of mirrored bodies
       std::sort(j.begin() + from, j.end(), [&](int a, int b) { return s.id[a] < s.id[b]; });
     }
     while (next <= s.size()) begin[next++] = static_cast<int>(j.size());
@@ -71,7 +70,7 @@ class BodyPairs {
   double reach_, skin_;  // m
   CellGrid<Dim> grid_;
   std::vector<int> candidates_;  // ascending
-  std::vector<int> stored_;      // in grid order
+  std::vector<int> stored_;
   std::vector<Vec<double, Dim>> x_;
 };
 

@@ -11,8 +11,8 @@
 namespace taut {
 
 /// Contact of bodies, folds and walls. Forces in N, impulses in N s, energies in J (per metre depth in 2D).
-/// In each step: `prepare`; move positions; `evaluate`; add `force` if `acting`; `stop_approach`. After reordering
-/// particles: `search`.
+/// In each step: `prepare`; move positions; `evaluate`; add `force` if `acting`; `stop_approach`. After reordering:
+/// `search`.
 template <int Dim>
 class Contact {
  public:
@@ -23,26 +23,24 @@ class Contact {
 
   explicit Contact(const SolverInput& input);
 
-  /// Particles of two bodies interact by contact only.
   bool between_bodies() const { return between_bodies_; }
-  /// Returns whether some particles may have a force.
   bool acting() const { return !mechanism_->touching().empty(); }
 
-  /// Searches if a particle moving by `way`, m, may leave the range of the last search. Returns whether it searched.
+  /// Searches if a particle moving by `way`, m, may leave the last range. Returns whether it searched.
   bool prepare(const Particles<Dim>& s, double way);
   void search(const Particles<Dim>& s);
 
-  /// Evaluates the forces, which act for `dt`, s, at the current positions.
+  /// Evaluates the forces that act for `dt`, s.
   void evaluate(const Particles<Dim>& s, double dt, int threads);
 
-  /// Greatest ratio of contact stiffness to the material's stiffness, at least 1.
+  /// Greatest ratio of contact stiffness to material stiffness, at least 1.
   double stiffening() const { return mechanism_->stiffening(); }
 
-  /// Force on particle i as last evaluated. Requires `acting`.
+  /// Requires `acting`.
   const V& force(int i) const { return force_[i]; }
 
-  /// Impulse law: calls `change(i, impulse)` for touching particles. Impulses follow from the state before the first
-  /// call and act where the forces acted, `gone`, s, ago, to conserve angular momentum. `inverse_mass(i)`: 1/kg, 0 if
+  /// Calls `change(i, impulse)` for touching particles. Impulses follow from the state before the first call. They
+  /// act where the forces acted, `gone`, s, ago, to conserve angular momentum. `inverse_mass(i)`: 1/kg, 0 if
   /// immovable.
   template <class InverseMass, class Change>
   void stop_approach(const Particles<Dim>& s, double gone, const InverseMass& inverse_mass,
@@ -54,19 +52,16 @@ class Contact {
     for (const int i : mechanism_->touching()) change(i, impulse_[i]);
   }
 
-  /// Impulse on `body` in the last step, exerted by body `other`, or by `wall` if that is not negative. Recorded only
-  /// if a probe measures it.
+  /// Impulse on `body` in the last step by another body, or by `wall` if not negative. Recorded only if probed.
   V impulse(int body, int other, int wall) const;
 
-  /// Total impulses of walls on bodies.
   const Impulse& of_walls() const { return walls_.recorded_impulse(); }
 
-  /// Energy of all contacts at the current positions; 0 for laws of impulses.
+  /// Energy of all contacts; 0 for laws of impulses.
   double energy(const Particles<Dim>& s) const { return mechanism_->energy(s, walls_); }
 
-  /// Pairs of two bodies, for probes.
   Neighbors neighbors(int particles) const { return mechanism_->neighbors(particles); }
-  /// Returns the faces from which gaps are measured; null if gaps are measured between particles.
+  /// Faces from which gaps are measured, or null.
   ContactsOfFaces<Dim>* faces() { return faces_; }
 
   template <class Archive>

@@ -5,13 +5,12 @@
 
 namespace taut {
 
-/// A law of contact, given by its name in scene files. terms/contact_laws.hpp lists the laws.
+/// Law of contact (terms/contact_laws.hpp).
 struct ContactLaw {
   std::string_view name;
 
   auto operator<=>(const ContactLaw&) const = default;
 
-  // laws that code names
   static const ContactLaw published;  // of the method's paper
   static const ContactLaw sph, impulse, penalty, lennard_jones, surface;
 };

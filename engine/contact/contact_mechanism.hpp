@@ -17,25 +17,24 @@ class FacetContacts;
 template <int Dim>
 using ContactsOfFaces = std::conditional_t<Dim == 3, FacetContacts, FaceContacts>;
 
-/// Contact between particles (pair_contacts.hpp), between faces (face_contacts.hpp, in 3D facet_contacts.hpp), or, in
-/// this base class, none. A search lists candidates, the geometry selects those that touch, a law
-/// (terms/contact_laws.hpp) gives the force, energy or impulse. Units as in Contact.
+/// Contact between particles, between faces, or none. A search lists candidates, the geometry selects those that
+/// touch, a law gives the force, energy or impulse.
 template <int Dim>
 class ContactMechanism {
  public:
   using V = Vec<double, Dim>;
 
-  static constexpr double reach = 2;  // spacings, see Contact::reach
+  static constexpr double reach = 2;  // spacings
 
   virtual ~ContactMechanism() = default;
 
-  /// Searches if the fastest particle, moving by `way`, m, may leave the range of the last search, or, without `way`,
-  /// after reordering. Returns whether it searched.
+  /// Searches if the fastest particle, moving by `way`, m, may leave the last range, or without `way`. Returns
+  /// whether it searched.
   virtual bool search(const Particles<Dim>& /*particles*/, const WallContacts<Dim>& /*walls*/,
                       std::optional<double> /*way*/) {
     return false;
   }
-  /// Particles that may get a force before the next search, ascending.
+  /// Particles that may get a force, ascending.
   const std::vector<int>& touching() const { return touching_; }
 
   /// Sets forces on `touching`, and records impulses of walls over `dt`, s.
@@ -43,7 +42,6 @@ class ContactMechanism {
                         std::vector<V>& /*force*/, int /*threads*/) {}
   virtual double energy(const Particles<Dim>&, const WallContacts<Dim>&) { return 0; }
   virtual double stiffening() const { return 1; }
-  /// Force of body `b` or of a wall on body `a`, as last evaluated.
   virtual V between(const Particles<Dim>& /*particles*/, int /*a*/, int /*b*/) const { return {}; }
   virtual V of_wall(const Particles<Dim>& /*particles*/, int /*a*/, int /*wall*/,
                     const WallContacts<Dim>& /*walls*/) const {
@@ -51,7 +49,7 @@ class ContactMechanism {
   }
 
   virtual bool has_impulses() const { return false; }
-  /// See Contact::stop_approach. `inverse_mass`: [particle] 1/kg.
+  /// See Contact::stop_approach. `inverse_mass`: 1/kg.
   virtual void stop_approach(const Particles<Dim>& /*particles*/, double /*dt*/, WallContacts<Dim>& /*walls*/,
                              const std::vector<double>& /*inverse_mass*/, std::vector<V>& /*impulse*/) {}
   virtual V impulse(int /*a*/, int /*b*/, int /*wall*/) const { return {}; }

@@ -28,7 +28,6 @@ bool FaceCandidates::search(const Particles<2>& s, MovingFaces& faces, const Wal
   return true;
 }
 
-/// Also lists the nodes near walls; this list stays valid as long as the candidates.
 void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<2>& walls) {
   constexpr double margin = horizon + 2;  // 2: one end of a segment lies within its length
   const std::vector<char> near = near_other_bodies<2>(faces.places(), faces.outline().body, margin * dp_);
@@ -48,9 +47,8 @@ void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<
       if (walls.height(w, faces.places()[n]) < 0.5 * horizon * dp_) near_wall.emplace_back(n, w);
 }
 
-/// Whether no side of the node can face this segment before the next search (facet_candidates.hpp:find). Faces that
-/// were initially close count only once they begin to face each other: they are often at right angles, which would
-/// require a search every few steps.
+/// Whether no side of the node can face this segment before the next search. Initially close faces count only once
+/// they begin to face each other: right angles would require a search every few steps.
 bool FaceCandidates::cannot_face(const MovingFaces& faces, int node, int segment) const {
   const auto& [a, b] = faces.segment(segment).node;
   const V D = faces.x0(node) - 0.5 * (faces.x0(a) + faces.x0(b));
@@ -78,7 +76,6 @@ void FaceCandidates::search_own(const Particles<2>& s, const MovingFaces& faces)
   own_bound_.restart(beyond - (reach_ + turn_slack) * dp_, main_places_);
 }
 
-/// Lists the nodes of all candidates and the adjacent nodes, with their segments and particles.
 void FaceCandidates::watch(const MovingFaces& faces) {
   std::vector<bool> seen(faces.size());
   const auto with_neighbors = [&](int n) {

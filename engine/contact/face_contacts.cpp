@@ -12,8 +12,7 @@ namespace taut {
 
 namespace {
 
-/// K + 4G/3 at a node, Pa. Between two materials, the mean over the particles that determine the position of the
-/// node.
+/// K + 4G/3 at a node, Pa; a mean between two materials.
 double modulus(const Outline& outline, int node, const SolverInput& input) {
   double sum = 0, weights = 0, least = std::numeric_limits<double>::infinity(), most = 0;
   for (int k = outline.begin[node]; k < outline.begin[node + 1]; ++k) {
@@ -59,9 +58,8 @@ void FaceContacts::place_watched(const Particles<2>& s) {
   for (const int k : candidates_.watched_segments) faces_.set_normal(k);
 }
 
-/// Calls f(node, closest point, touch) for each listed node that faces a segment within `reach`, and for some nodes
-/// farther away. If a node inside a corner is equally near to both sides, each side counts half: a single side
-/// would break the symmetry.
+/// Calls f(node, closest point, touch) for nodes that face a segment within `reach`, and for some farther ones. If
+/// both sides at a corner are equally near, each counts half, which preserves symmetry.
 template <class F>
 void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
   std::vector<double> distance2;  // [segment] m²
@@ -72,10 +70,10 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
     distance2.clear();
     for (const int l : segments) distance2.push_back(faces_.distance2(n, l));
     const auto nearest = std::ranges::min_element(distance2) - distance2.begin();
-    // a segment with a sharp end may be touched from beyond this end
+    // a sharp end may be touched from beyond
     const auto is_sharp = [&](int l) { return faces_.has_sharp_end(l); };
     if (distance2[nearest] >= power<2>(reach * dp_) && std::ranges::none_of(segments, is_sharp)) continue;
-    faces_.measure(n, segments[nearest], closest);  // first, since it excludes most of the others
+    faces_.measure(n, segments[nearest], closest);
     for (std::ptrdiff_t l = 0; l < std::ssize(segments); ++l)
       if (l != nearest && (distance2[l] < closest.rank * closest.rank || is_sharp(segments[l])))
         faces_.measure(n, segments[l], closest);
@@ -99,7 +97,7 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
 }
 
 /// Calls f(node, wall, depth, area, k) for each node behind a wall. The depth below the mirror image is twice the
-/// depth in the wall. Half of the energy of node and image belongs to the node.
+/// depth in the wall.
 template <class F>
 void FaceContacts::for_each_wall(const WallContacts<2>& walls, const F& f) const {
   for (const auto& [n, wall] : candidates_.near_wall) {
@@ -123,7 +121,7 @@ void FaceContacts::act_on_nodes(const Particles<2>& s, double dt, WallContacts<2
   for_each_touch(candidates_.other_faces, push_back_to(reaction_));
   for_each_touch(candidates_.own_faces, push_back_to(own_force_));
   for_each_wall(walls, [&](int n, int wall, double depth, double area, double k) {
-    // 2: one pass over the node and one over its image
+    // 2: one pass over the node, one over its image
     const auto give = [&](int node, const V& f) {
       own_force_[node] += f;
       faces_.for_each_share(
@@ -155,7 +153,7 @@ double FaceContacts::energy(const Particles<2>& s, const WallContacts<2>& walls)
     });
   }
   for_each_wall(walls, [&](int, int, double depth, double area, double k) {
-    sum += surface_energy(depth, area, k);  // two passes; half of their energy belongs to the image
+    sum += surface_energy(depth, area, k);  // half of the energy belongs to the image
   });
   return sum;
 }

@@ -14,11 +14,9 @@
 
 namespace taut {
 
-/// Contact between overlapping faces in 2D, by the law of terms/surface_contact.hpp. Each node is pushed towards its
-/// closest point of the other face; its force is weighted by the length of its sides that lies over that face. The
-/// reaction is split between the ends of the segment by ξ, and nodes pass forces to particles by their weights.
-/// Conserves linear and angular momentum. Also conserves energy, except where facing_share changes at a corner that
-/// turns. A body that folds meets itself.
+/// Contact between overlapping faces in 2D (terms/surface_contact.hpp). Each node is pushed towards its closest
+/// point of the other face, weighted by the length of its sides over that face. Conserves linear and angular
+/// momentum. Conserves energy, except where facing_share changes at a corner that turns.
 class FaceContacts final : public ContactMechanism<2> {
  public:
   using V = Vec<double, 2>;
@@ -35,7 +33,7 @@ class FaceContacts final : public ContactMechanism<2> {
   V between(const Particles<2>& s, int a, int b) const override;
   V of_wall(const Particles<2>& s, int a, int wall, const WallContacts<2>& walls) const override;
 
-  /// Least distance between nodes and faces of two bodies, m, negative if they overlap; at most `reach`.
+  /// Least distance between nodes and faces, m, negative if they overlap; at most `reach`.
   double gap(const Particles<2>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<2>& walls) override {
@@ -69,9 +67,9 @@ class FaceContacts final : public ContactMechanism<2> {
   MovingFaces faces_;
   std::vector<double> M_;  // [node] K + 4G/3, Pa
   FaceCandidates candidates_;
-  // [node] N; two sums, so that the order of additions is the same in mirrored bodies
-  std::vector<V> own_force_;  // from nodes of the same body
-  std::vector<V> reaction_;   // from nodes of other bodies
+  // [node] N; two sums, for the same order of additions in mirrored bodies
+  std::vector<V> own_force_;
+  std::vector<V> reaction_;
 };
 
 }  // namespace taut

@@ -16,13 +16,11 @@
 
 namespace taut {
 
-/// Contact candidates in 3D: facets of two bodies or one folding body, and facets near walls. A search is valid until
-/// particles behind facets have moved by the difference of its range and the range of contact.
+/// Contact candidates in 3D: facets of two bodies or one folding body, and facets near walls.
 class FacetCandidates {
  public:
   using V = Vec<double, 3>;
 
-  /// `reach`: range of contact, m.
   FacetCandidates(const SolverInput& input, const MovingFacets& facets, double reach)
       : dp_(input.constants.dp),
         reach_(reach),
@@ -33,7 +31,6 @@ class FacetCandidates {
     for (int f = 0; f < facets.size(); ++f) normal_.push_back(facets[f].normal);
   }
 
-  /// (facet, facet) in both orders, (facet, wall); ascending.
   std::vector<std::pair<int, int>> pairs, near_wall;
 
   bool search(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls,
@@ -68,14 +65,14 @@ class FacetCandidates {
 
  private:
   // in spacings
-  static constexpr double skin = 1.4;        // longer: fewer searches, more pairs
-  static constexpr double horizon = 4.25;    // search range, which limits how long a search is valid
-  static constexpr double cluster = 4;       // width of the clusters of facets (see FacetPairs)
-  static constexpr double far_apart = 4;     // initial distance along a bending face or across a gap
-  static constexpr double far_inside = 8;    // initial distance through the body
-  static constexpr double flat = 1e-6;       // round-off of facets in one plane
-  static constexpr double aside = 0.5;       // greatest cosine of the normals of a candidate
-  static constexpr double turn_slack = 0.5;  // for rotation of facets about their particles
+  static constexpr double skin = 1.4;
+  static constexpr double horizon = 4.25;    // search range
+  static constexpr double cluster = 4;       // cluster width (FacetPairs)
+  static constexpr double far_apart = 4;     // initial, along a face or across a gap
+  static constexpr double far_inside = 8;    // initial, through the body
+  static constexpr double flat = 1e-6;       // round-off
+  static constexpr double aside = 0.5;       // greatest cosine of the normals
+  static constexpr double turn_slack = 0.5;  // for rotation about particles
 
   void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
     constexpr double margin = horizon + 2;  // 2: distance of two particles from faces
@@ -100,8 +97,8 @@ class FacetCandidates {
     own_bound_.restart(find<PairsOf::one_body>(facets, near_.order(), wanted, own_), particle_places_);
   }
 
-  /// Returns by how much the nearest unlisted pair may approach, m. Facets with similar normals are skipped: they
-  /// would have to turn by 44° to interact (facing_share), which takes longer than until the next search.
+  /// Returns by how much the nearest unlisted pair may approach, m. Skips facets with similar normals: they would
+  /// have to turn by 44° to interact (facing_share).
   template <PairsOf kind, class Wanted>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Wanted& wanted,
               std::vector<std::pair<int, int>>& list) {
@@ -114,7 +111,6 @@ class FacetCandidates {
     return beyond - reach_ - turn_slack * dp_;
   }
 
-  /// Sorts found pairs, in both orders.
   void list_both_ways(std::vector<std::pair<int, int>>& list) {
     std::vector<int> end(near_.size() + 1);  // [facet]
     for (const auto& [f, g] : found_) ++end[f + 1], ++end[g + 1];
@@ -137,12 +133,12 @@ class FacetCandidates {
     std::merge(others_.begin(), others_.end(), own_.begin(), own_.end(), std::back_inserter(pairs));
   }
 
-  double dp_, reach_;                 // m
-  bool meets_itself_, meets_others_;  // others: bodies or walls
+  double dp_, reach_;  // m
+  bool meets_itself_, meets_others_;
   FacetPairs near_;
   std::vector<int> nodes_;          // all
   std::vector<V> normal_;           // [facet] initial
-  std::vector<V> particle_places_;  // [facet] position of the particle behind it, m
+  std::vector<V> particle_places_;  // [facet] m
   std::vector<std::pair<int, int>> others_, own_, found_;
   MotionBound<3> others_bound_, own_bound_;
 };

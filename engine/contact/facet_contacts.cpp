@@ -39,7 +39,6 @@ bool FacetContacts::search(const Particles<3>& s, const WallContacts<3>& walls, 
   return searched;
 }
 
-/// Lists the rows, watched facets, nodes and particles of the candidates.
 void FacetContacts::list() {
   rows_.clear();
   begin_.assign(1, 0);
@@ -97,9 +96,8 @@ void FacetContacts::for_each_pair(int row, const int* first, int count, const F&
   }
 }
 
-/// Calls f(facet, wall, depth, projected share, k) for each facet behind a wall. The depth below the mirror image
-/// is twice the depth in the wall. Half of the energy of facet and image belongs to the facet. Walls do not harden,
-/// since nothing penetrates them.
+/// Calls f(facet, wall, depth, projected share, k) for each facet behind a wall. The depth below the mirror image is
+/// twice the depth in the wall. Walls do not harden, since nothing penetrates them.
 template <class F>
 void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) const {
   for (const auto& [facet, wall] : candidates_.near_wall) {
@@ -111,7 +109,6 @@ void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) cons
   }
 }
 
-/// Updates facets and the touch of each row to the positions in `s`.
 void FacetContacts::place(const Particles<3>& s) {
   facets_.place(s, nodes_, watched_, threads_);
   near_.resize(other_.size());
@@ -144,8 +141,7 @@ auto FacetContacts::measured(int r) -> Touch {
   return touch;
 }
 
-/// Derivative of the energies with respect to the middle, normal and area of the facet of row r. Sums the energy of
-/// this facet and of all facets to whose mean it contributes.
+/// Slope of the energies of a facet and of all facets to whose mean it contributes.
 MovingFacets::Slope FacetContacts::slope_of(int r) const {
   const Touch& own = touches_[r];
   const double area = facets_[rows_[r].facet].area, M = M_[rows_[r].facet];
@@ -185,7 +181,7 @@ void FacetContacts::evaluate(const Particles<3>& s, double dt, WallContacts<3>& 
   for_each_wall(walls, [&](int facet, int wall, double depth, double share, double k) {
     const V& normal = walls.normal(wall);
     const double area = area_of(facet), slope = projected_slope(dot(facets_[facet].normal, normal));
-    // 2: one pass over the facet and one over its image
+    // 2: one pass over the facet, one over its image
     facets_.push(facet,
                  {.middle = (-2 * surface_force(depth, area * share, k)) * normal,
                   .normal = (surface_energy(depth, area, k) * slope) * normal},
@@ -210,7 +206,7 @@ double FacetContacts::energy(const Particles<3>& s, const WallContacts<3>& walls
     sum += hard_energy(-touches_[r].height, area_of(rows_[r].facet) * covered_share(touches_[r].cover),
                        touches_[r].k, dp_);
   for_each_wall(walls, [&](int facet, int, double depth, double share, double k) {
-    // two passes; half of their energy belongs to the image
+    // half of the energy belongs to the image
     sum += surface_energy(depth, area_of(facet) * share, k);
   });
   return sum;

@@ -45,9 +45,9 @@ class FacetContacts final : public ContactMechanism<3> {
 
  private:
   // in spacings
-  static constexpr double before = 1, behind = 1.5;  // range in front of and behind a facet
-  static constexpr double radius = 1.5;              // lateral range
-  static constexpr double apart = 2.13;              // √(behind² + radius²)
+  static constexpr double before = 1, behind = 1.5;
+  static constexpr double radius = 1.5;  // lateral range
+  static constexpr double apart = 2.13;  // √(behind² + radius²)
   double reach_at(double p) const { return (p < 0 ? behind : before) * dp_; }
 
   struct Row {
@@ -56,12 +56,12 @@ class FacetContacts final : public ContactMechanism<3> {
   struct Touch {
     int near = 0;              // facets in range
     double cover = 0;          // Σ W
-    double height = 0, M = 0;  // means of p, m, and M, Pa, weighted by W
+    double height = 0, M = 0;  // means of p, m, and M, Pa
     double k = 0;              // Pa/m
-    // slopes of the energy: in `cover`, J; in the means of p and M, divided by `cover`, N and m³
+    // slopes of the energy in `cover`, J, and in the means of p and M, divided by `cover`, N and m³
     double per_sum = 0, per_p = 0, per_M = 0;
     double per_weight(double p,
-                      double modulus) const {  // slope of the energy in the weight W of one facet, J
+                      double modulus) const {  // slope in the weight W of one facet, J
       return per_sum + per_p * (p - height) + per_M * (modulus - M);
     }
   };
@@ -89,16 +89,16 @@ class FacetContacts final : public ContactMechanism<3> {
   void for_each_wall(const WallContacts<3>& walls, const F& f) const;
 
   double dp_, stiffness_;
-  double hardening_ = 1;  // greatest ratio of the stiffness to the stiffness at first touch
+  double hardening_ = 1;  // greatest ratio to the stiffness at first touch
   int threads_ = 1;
   MovingFacets facets_;
   std::vector<double> M_;  // [facet] K + 4G/3, Pa
   FacetCandidates candidates_;
 
-  std::vector<Row> rows_;           // by facet, then body
-  std::vector<int> begin_, other_;  // [row] rows of near facets
-  std::vector<Touch> touches_;      // [row]
-  std::vector<int> near_;           // rows of `other_` that are in range, stored from the same index on
+  std::vector<Row> rows_;
+  std::vector<int> begin_, other_;
+  std::vector<Touch> touches_;               // [row]
+  std::vector<int> near_;                    // rows of `other_` in range, from the same index on
   std::vector<MovingFacets::Slope> slopes_;  // [row]
   std::vector<int> watched_;                 // ascending
   std::vector<int> nodes_;                   // of `watched_`

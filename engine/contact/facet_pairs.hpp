@@ -25,7 +25,7 @@ struct FacetColumns {
 };
 
 /// Finds midpoints among first … last − 1 nearer to facet p than √near2, initially farther than √far2, with normals
-/// below `cosine`. Stores indices and squared distances, m². Returns their number.
+/// below `cosine`. Returns their number.
 inline int find_near_facets(const FacetColumns& facets, int p, int first, int last, double near2, double far2,
                             double cosine, int* found, double* distance2) {
   int count = 0;
@@ -47,14 +47,13 @@ inline int find_near_facets(const FacetColumns& facets, int p, int first, int la
   return count;
 }
 
-/// Finds pairs of near facets with different normals. Compares clusters of facets first, by their boxes and the
-/// spread of their normals, then single facets.
+/// Finds pairs of near facets with different normals, first by clusters of facets.
 class FacetPairs {
  public:
   using V = Vec<double, 3>;
 
   FacetPairs() = default;
-  /// A cluster contains the facets of a cell of this width, m, whose initial normals are similar.
+  /// A cluster contains the facets of a cell of this width, m, with similar initial normals.
   FacetPairs(const MovingFacets& facets, double width) {
     using Key = std::tuple<int, int, bool, std::array<double, 3>>;
     std::vector<Key> key;
@@ -78,15 +77,14 @@ class FacetPairs {
   }
 
   int size() const { return static_cast<int>(body_.size()); }
-  /// All facets, cluster by cluster.
   const std::vector<int>& order() const { return order_; }
-  const V& start(int facet) const { return start_[facet]; }  // initial midpoint, m
+  const V& start(int facet) const { return start_[facet]; }  // m
   const std::vector<int>& bodies() const { return body_; }   // [facet]
 
   struct Limits {
     double listed, horizon;  // m
-    double far;              // initial distance in one body, m
-    double cosine;           // greatest cosine of normals
+    double far;              // initial distance, m
+    double cosine;           // greatest
   };
   /// Calls found(f, g) once for each pair `wanted(f, g)` nearer than `listed`. Returns the distance of the nearest
   /// other one, m, up to `horizon`. `candidates`: in `order()`.
@@ -112,8 +110,8 @@ class FacetPairs {
  private:
   struct Cluster {
     V low, high;    // m
-    V normal;       // mean of the normals
-    double spread;  // greatest deviation of a normal from `normal`
+    V normal;       // mean
+    double spread;  // greatest deviation from `normal`
   };
 
   static constexpr double room = 1e-9;  // tolerance of rounding
@@ -126,7 +124,6 @@ class FacetPairs {
       gap2 += gap * gap;
     }
     if (gap2 > apart2 * (1 + room)) return false;
-    // least n_f · n_g
     const double least = dot(A.normal, B.normal) - A.spread * std::sqrt(dot(B.normal, B.normal)) -
                          B.spread * std::sqrt(dot(A.normal, A.normal)) - A.spread * B.spread;
     return least < cosine + room;
@@ -196,7 +193,7 @@ class FacetPairs {
   std::vector<int> near_;
   std::vector<double> distance2_;  // m²
   std::vector<int> of_body_;
-  std::vector<int> begin_;  // [cluster] first candidate
+  std::vector<int> begin_;
   std::vector<Cluster> clusters_;
 };
 

@@ -11,28 +11,28 @@
 
 namespace taut {
 
-/// Decides when the points of a body must be searched again. `holds` returns true while no two of them can have
-/// approached each other by more than `free`. The bound is twice the path of the fastest particle; when that is used
-/// up, twice the greatest deviation from the rigid motion of the body.
+/// Decides when the points of a body must be searched again. `holds` returns true while no two points can have
+/// approached by more than `free`. The bound is twice the path of the fastest particle, then twice the greatest
+/// deviation from rigid motion.
 template <int Dim>
 class MotionBound {
  public:
   using V = Vec<double, Dim>;
 
-  /// `free`: allowed approach of two points, m; `x`: positions by body, m.
+  /// `free`: allowed approach, m; `x`: positions by body, m.
   void restart(double free, std::vector<V> x) {
     free_ = free;
     gone_ = 0;
     from_ = std::move(x);
   }
 
-  /// Call before moving by `way`, m, at most. If false, call `still_holds`.
+  /// Call before moving by `way`, m. If false, call `still_holds`.
   bool holds(double way) {
     gone_ += way;
     return 2 * gone_ <= free_;
   }
 
-  /// `x`: positions before that motion. If false, search.
+  /// Returns false if a search is needed.
   bool still_holds(const std::vector<V>& x, const std::vector<int>& body, double way) {
     gone_ = 0;
     const std::size_t n = x.size();
@@ -58,7 +58,7 @@ class MotionBound {
       }
     }
     gone_ = std::sqrt(gone_);
-    constexpr double worthwhile = 0.75;  // share of `free_`; with less left this test would run every step
+    constexpr double worthwhile = 0.75;  // share of `free_`; with less this test would run every step
     return 2 * gone_ <= worthwhile * free_ && holds(way);
   }
 

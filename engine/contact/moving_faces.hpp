@@ -13,26 +13,25 @@
 
 namespace taut {
 
-/// The node's half of a side, where it lies over a segment and faces it.
+/// The node's half of a side over a segment.
 struct FacingHalf {
   int side = Outline::none;
   double half = 0;                   // initial, m
   double share = 0, slope = 0;       // facing_share and its slope
-  std::array<double, 2> at{};        // crossing of segment ends: 0 at the node, 1 at its other end
+  std::array<double, 2> at{};        // crossing of segment ends, 0 at the node
   std::array<double, 2> over{1, 1};  // share of the half within each end
-  std::array<double, 2> rise{};      // slope of `over` in `at`
-  double past = 1;                   // beyond an end: 1 − facing_share of the next face
-  double past_slope = 0;             // slope of `past` in the cosine
+  std::array<double, 2> rise{};      // slope of `over`
+  double past = 1;                   // 1 − facing_share of the next face
+  double past_slope = 0;
   int next = Outline::none;
 
   double covered() const { return over[0] * over[1]; }
   double area() const { return half * share * covered() * past; }  // m
 };
 
-/// Closest point of a segment to a node.
 struct ClosestPoint {
   int node = Outline::none, segment = Outline::none;
-  double xi = 0;                                          // from the first end
+  double xi = 0;
   double distance2 = 0;                                   // m²
   double rank = std::numeric_limits<double>::infinity();  // m; least wins
   double weight = 1;                                      // 0.5 for two equally near segments
@@ -42,7 +41,7 @@ struct ClosestPoint {
   double area() const { return weight * (halves[0].area() + halves[1].area()); }  // m
 };
 
-/// Current faces of layout/outline.hpp. Nodes are weighted means of particles, which take forces by the same weights.
+/// Current faces of layout/outline.hpp.
 class MovingFaces {
  public:
   using V = Vec<double, 2>;
@@ -88,7 +87,7 @@ class MovingFaces {
     for (int n = 0; n < size(); ++n) place(s, n);
     for (int k = 0; k < static_cast<int>(normal_.size()); ++k) set_normal(k);
   }
-  /// Requires that `place` has updated the nodes of segment k.
+  /// Requires `place` for the nodes of segment k.
   void set_normal(int k) {
     const auto& [node, length, sense] = outline_.segments[k];
     const V t = place_[node[1]] - place_[node[0]];
@@ -96,7 +95,7 @@ class MovingFaces {
     normal_[k] = {factor * t[1], -factor * t[0]};
   }
   const std::vector<V>& places() const { return place_; }  // [node] m
-  /// Position of the main particle of each node, m.
+  /// Positions of the main particles, m.
   void follow(const Particles<2>& s, std::vector<V>& x) const {
     x.clear();
     for (const int share : main_share_) x.push_back(s.x[stored_[share]]);
@@ -109,12 +108,10 @@ class MovingFaces {
       f(stored_[k], outline_.shares[k].weight);
   }
 
-  /// Outward unit normal.
   const V& normal_of(int k) const { return normal_[k]; }
 
   bool has_sharp_end(int k) const { return sharp_[k][0] || sharp_[k][1]; }
 
-  /// m².
   double distance2(int node, int k) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -122,7 +119,7 @@ class MovingFaces {
     return dot(offset, offset);
   }
 
-  /// Initial length of the node's sides that faces `normal`, m.
+  /// Initial length of the sides that face `normal`, m.
   double facing(int node, const V& normal) const {
     double area = 0;
     for (const int k : outline_.beside[node])
@@ -140,10 +137,9 @@ class MovingFaces {
           turn(k, normal, energy * 0.5 * outline_.segments[k].length * slope, give);
   }
 
-  /// Replaces `best` by the closest point of segment k if the node faces the segment and the rank is lower. The rank
-  /// is the distance plus up to half a length for segments that the sides of the node face obliquely: a
-  /// corner is pushed back by the face in front of it and not by the one beside it. A node beyond a sharp end acts
-  /// with the length of its side over the segment and with the depth of the side at that end.
+  /// Replaces `best` by the closest point of segment k if the node faces it and the rank is lower. The rank is the
+  /// distance plus up to half a length for obliquely facing sides: the face in front pushes a corner back, not the
+  /// one beside it. Beyond a sharp end a node acts with the length and depth of its side.
   void measure(int node, int k, ClosestPoint& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -160,7 +156,7 @@ class MovingFaces {
     one = facing_half(closest, outline_.beside[node][0]);
     two = facing_half(closest, outline_.beside[node][1]);
     if (!(closest.area() > 0)) return;
-    if (is_beyond(closest)) (one.area() > two.area() ? two : one) = {};  // it enters over the end
+    if (is_beyond(closest)) (one.area() > two.area() ? two : one) = {};
     const double straight = std::max(one.share, two.share);
     const double distance =
         is_beyond(closest) ? std::abs(touch(closest).depth) : std::sqrt(closest.distance2);
@@ -170,9 +166,9 @@ class MovingFaces {
 
   struct Touch {
     double depth;  // m, negative in front
-    V out;         // direction of the force
+    V out;
   };
-  /// At blunt ends the mean normal of both segments tells the inside. Nodes across it, past a tip, are outside.
+  /// At blunt ends the mean normal of both segments tells the inside.
   Touch touch(const ClosestPoint& closest) const {
     if (is_beyond(closest)) {
       const FacingHalf& half = closest.halves[closest.halves[0].side == Outline::none ? 1 : 0];
@@ -190,8 +186,7 @@ class MovingFaces {
     return {distance, (-1 / distance) * closest.offset};
   }
 
-  /// Forces own(n, f) on the node's face, other(n, f) on the segment's, N per metre depth, from slopes of depth,
-  /// overlap and facing. `k`: stiffness.
+  /// Forces own(n, f) on the node's face and other(n, f) on the segment's, N per metre depth. `k`: stiffness.
   template <class Own, class Other>
   void push(const ClosestPoint& closest, const Touch& touch, double k, const Own& own,
             const Other& other) const {
@@ -248,7 +243,7 @@ class MovingFaces {
     for (const int e : {0, 1}) {
       if (!sharp_[k][e]) continue;
       h.at[e] = -dot(t, place_[node] - place_[ends[e]]) / along;
-      const bool ahead = (along > 0) == (e == 0);  // the side enters over this end
+      const bool ahead = (along > 0) == (e == 0);
       const double u = std::clamp(ahead ? 1 - 2 * h.at[e] : 2 * h.at[e], 0.0, 1.0);
       h.over[e] = u * u * (3 - 2 * u);  // flat at 0 and 1, so that equal faces do not slide
       h.rise[e] = (ahead ? -12 : 12) * u * (1 - u);
@@ -261,7 +256,6 @@ class MovingFaces {
     return h;
   }
 
-  /// Depth of a side where it crosses end e, m.
   double depth_at(const ClosestPoint& closest, const FacingHalf& h, int e) const {
     const V place = place_[closest.node] + h.at[e] * way(closest.node, h.side);
     return -dot(place - place_[outline_.segments[closest.segment].node[e]], closest.normal);
@@ -298,7 +292,7 @@ class MovingFaces {
     other(ends[0], turning * closest.normal);
   }
 
-  /// Applies the slope of an energy in the cosine of two normals: δn = −t n·δt/|t|².
+  /// Applies the slope in the cosine of two normals: δn = −t n·δt/|t|².
   template <class Give>
   void turn(int side, const V& normal, double slope, const Give& give) const {
     const auto& ends = outline_.segments[side].node;
@@ -311,7 +305,7 @@ class MovingFaces {
     turn(side, normal_of(segment), slope, own), turn(segment, normal_of(side), slope, other);
   }
 
-  /// Marks ends where the face turns outwards by over 60°.
+  /// Marks ends where the face turns by over 60°.
   void find_sharp_ends() {
     for (int k = 0; k < static_cast<int>(outline_.segments.size()); ++k) {
       std::array<bool, 2>& sharp = sharp_.emplace_back();
@@ -333,8 +327,8 @@ class MovingFaces {
 
   Outline outline_;
   std::vector<std::array<bool, 2>> sharp_;  // [segment][end]
-  std::vector<int> stored_;                 // [share] storage index
-  std::vector<int> main_share_;             // [node] share of the main particle
+  std::vector<int> stored_;                 // [share]
+  std::vector<int> main_share_;             // [node]
   std::vector<V> place_;                    // [node] m
   std::vector<V> normal_;                   // [segment]
 };

@@ -12,7 +12,6 @@
 
 namespace taut {
 
-/// Indices of non-zero entries.
 inline std::vector<int> indices_of(const std::vector<char>& seen) {
   std::vector<int> indices;
   for (std::size_t k = 0; k < seen.size(); ++k)
@@ -20,8 +19,7 @@ inline std::vector<int> indices_of(const std::vector<char>& seen) {
   return indices;
 }
 
-/// Current facets of layout/surface_mesh.hpp. A node is a weighted mean of particles; the midpoint of a facet is the
-/// mean of its nodes. Forces on facets go to nodes and particles by the same weights.
+/// Current facets of layout/surface_mesh.hpp. Forces on facets go to particles by the weights of the nodes.
 class MovingFacets {
  public:
   using V = Vec<double, 3>;
@@ -45,14 +43,12 @@ class MovingFacets {
   const SurfaceMesh& mesh() const { return mesh_; }
   int size() const { return static_cast<int>(mesh_.facets.size()); }
   int body(int facet) const { return mesh_.facets[facet].body; }
-  /// Ascending.
   std::vector<int> nodes_of(const std::vector<int>& facets) const {
     std::vector<char> seen(mesh_.size());
     for (const int facet : facets)
       for (const int node : mesh_.facets[facet].node) seen[node] = true;
     return indices_of(seen);
   }
-  /// Stored particles, ascending.
   std::vector<int> particles_of(const std::vector<int>& nodes) const {
     std::vector<char> seen(stored_.empty() ? 0 : 1 + *std::ranges::max_element(stored_));
     for (const int node : nodes) for_each_share(node, [&](int i, double) { seen[i] = true; });
@@ -68,13 +64,12 @@ class MovingFacets {
     for (const SurfaceMesh::Facet& facet : mesh_.facets) particle_of_facet_.push_back(where[facet.particle]);
   }
 
-  /// Position of the particle behind each facet, m.
+  /// Positions of the particles behind facets, m.
   void follow(const Particles<3>& s, std::vector<V>& x) const {
     x.clear();
     for (const int i : particle_of_facet_) x.push_back(s.x[i]);
   }
 
-  /// `nodes`: all nodes of `facets`.
   void place(const Particles<3>& s, const std::vector<int>& nodes, const std::vector<int>& facets,
              int threads) {
     parallel_for(static_cast<int>(nodes.size()), threads, [&](int k) {
@@ -86,13 +81,11 @@ class MovingFacets {
   }
   const Place& operator[](int facet) const { return place_[facet]; }
 
-  /// f(i, weight) for stored particles of a node.
   template <class F>
   void for_each_share(int node, const F& f) const {
     for (int k = mesh_.begin[node]; k < mesh_.begin[node + 1]; ++k) f(stored_[k], mesh_.shares[k].weight);
   }
 
-  /// Adds forces by an energy of this slope, N.
   void push(int facet, const Slope& slope, std::vector<V>& force) const {
     const Place& place = place_[facet];
     const auto& n = mesh_.facets[facet].node;
@@ -129,8 +122,8 @@ class MovingFacets {
   }
 
   SurfaceMesh mesh_;
-  std::vector<int> stored_;             // [share] storage index
-  std::vector<int> particle_of_facet_;  // [facet] storage index
+  std::vector<int> stored_;             // [share]
+  std::vector<int> particle_of_facet_;  // [facet]
   std::vector<V> x_;                    // [node] m
   std::vector<Place> place_;
 };

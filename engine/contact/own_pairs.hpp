@@ -14,14 +14,13 @@
 
 namespace taut {
 
-/// Contact candidates of a folding body: pairs of particles at faces (particles_at_faces.hpp) that were initially far
-/// apart and have come near. The storage order must not change.
+/// Contact candidates of a folding body: pairs of particles at faces that were initially far apart. The storage
+/// order must not change.
 template <int Dim>
 class OwnPairs {
  public:
   using V = Vec<double, Dim>;
 
-  /// `reach`: range of contact, m.
   OwnPairs(const SolverInput& input, double reach) : dp_(input.constants.dp), reach_(reach) {
     if (!input.keeps_neighbors) return;
     ids_ = particles_at_faces(input.scene, input.initial);
@@ -41,7 +40,7 @@ class OwnPairs {
     return true;
   }
 
-  /// j[begin[i]] … j[begin[i + 1] − 1] for stored particle i; may both be empty.
+  /// j[begin[i]] … j[begin[i + 1] − 1] for stored particle i.
   std::vector<int> begin, j;
 
   template <class Archive>
@@ -56,8 +55,8 @@ class OwnPairs {
 
  private:
   // in spacings
-  static constexpr double skin = 1;       // longer: fewer searches, more pairs
-  static constexpr double horizon = 4;    // search range, which limits how long a search is valid
+  static constexpr double skin = 1;
+  static constexpr double horizon = 4;    // search range
   static constexpr double far_apart = 4;  // opposite faces of a thinner wall do not interact
 
   void place(const Particles<Dim>& s) {
@@ -97,7 +96,7 @@ class OwnPairs {
   std::vector<V> x_;  // current, m
   std::vector<int> stored_;
   MotionBound<Dim> bound_;
-  std::vector<std::pair<int, int>> found_;  // storage index of i, index of j in `ids_`
+  std::vector<std::pair<int, int>> found_;
 };
 
 }  // namespace taut

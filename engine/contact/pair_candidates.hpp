@@ -13,11 +13,11 @@
 
 namespace taut {
 
-/// Contact candidates: pairs of two bodies or of a folding body, and particles near walls.
+/// Pairs of two bodies or of a folding body, and particles near walls.
 template <int Dim>
 class PairCandidates {
  public:
-  /// `reach`: range of pairs of two bodies, for probes, m. Contact acts within one spacing.
+  /// `reach`: range of pairs for probes, m.
   PairCandidates(const SolverInput& input, bool between_bodies, double reach)
       : between_bodies_(between_bodies),
         dp_(input.constants.dp),
@@ -32,7 +32,6 @@ class PairCandidates {
     return others || own;
   }
 
-  /// Particles with candidates, ascending.
   std::vector<int> particles(int count) const {
     std::vector<int> found;
     for (int i = 0; i < count; ++i)
@@ -52,7 +51,6 @@ class PairCandidates {
     if (between_bodies_) visit(others_);
     if (!own_.begin.empty()) visit(own_);
   }
-  /// (particle, wall).
   const std::vector<std::pair<int, int>>& near_walls() const { return near_walls_; }
 
   Neighbors neighbors(int particles) const {
@@ -77,7 +75,6 @@ class PairCandidates {
   }
 
  private:
-  /// In spacings; longer: fewer searches, more pairs.
   static constexpr double skin = 0.5;
 
   void search_others(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
@@ -94,7 +91,7 @@ class PairCandidates {
   BodyPairs<Dim> others_;
   OwnPairs<Dim> own_;
   std::vector<std::pair<int, int>> near_walls_;
-  double travelled_ = 0;  // m, since the last search of other bodies
+  double travelled_ = 0;  // m
 };
 
 }  // namespace taut

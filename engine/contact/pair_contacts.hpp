@@ -12,10 +12,10 @@
 namespace taut {
 
 /// Contact of particles less than a spacing apart, of two bodies or of distant parts of one. Acts along the pair,
-/// equal and opposite to the last bit. Walls act as mirror images.
-/// Differs from [Khayyer2024] Eq. 53–54, whose force stops only the approach of the old velocities: faces under a
-/// pressure p creep into each other at about p/(ρ c0). Here new velocities are stopped before positions follow. The
-/// paper gives no contact distance; here it is one spacing, as between two layers of a body.
+/// equal and opposite to the last bit.
+/// Departs from [Khayyer2024] Eq. 53–54, which stops only the approach of the old velocities: faces under a pressure
+/// p creep into each other at about p/(ρ c0). Here new velocities are stopped before positions follow. The paper
+/// gives no contact distance.
 template <int Dim>
 class PairContacts final : public ContactMechanism<Dim> {
  public:
@@ -66,7 +66,7 @@ class PairContacts final : public ContactMechanism<Dim> {
   double stiffness_;       // over K1 K2/(K1 + K2)
   std::vector<double> K_;  // [id] Pa
   PairCandidates<Dim> candidates_;
-  std::vector<std::vector<V>> recorded_impulses_;  // [body][body, then wall] N s, for probes
+  std::vector<std::vector<V>> recorded_impulses_;  // [body][body, then wall] N s
 };
 
 }  // namespace taut

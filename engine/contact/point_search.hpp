@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Points of bodies as columns, each with `lanes` readable entries after the last point.
+/// Columns with `lanes` readable entries after the last point.
 template <int Dim>
 struct PointColumns {
   const double* now[Dim];    // m
@@ -19,7 +19,7 @@ struct PointColumns {
 };
 
 /// Finds the points first … last − 1 of the body of point p that are nearer to p than √near2 and were initially
-/// farther than √far2. Stores their indices and squared distances, m². Returns their number.
+/// farther than √far2. Returns their number.
 template <int Dim>
 int find_near_points(const PointColumns<Dim>& points, int p, int first, int last, double near2, double far2,
                      int* found, double* distance2) {
@@ -42,13 +42,12 @@ int find_near_points(const PointColumns<Dim>& points, int p, int first, int last
   return count;
 }
 
-/// Finds close pairs of points that belong to the same body.
 template <int Dim>
 class PointSearch {
  public:
   using V = Vec<double, Dim>;
 
-  /// Adds a point with its initial position, m. `body` must not decrease from call to call.
+  /// `start`: m. `body` must not decrease from call to call.
   void add(const V& start, int body) {
     X_.push_back(start);
     body_.push_back(body);
@@ -56,9 +55,8 @@ class PointSearch {
   int size() const { return static_cast<int>(X_.size()); }
   const std::vector<int>& bodies() const { return body_; }
 
-  /// Calls found(a, b) once for each pair that is nearer than `listed` and was initially farther apart than `far`,
-  /// m. Returns the distance of the nearest such pair beyond `listed`, m, or `horizon` if it is farther. `x`:
-  /// current positions, m, in the order of `add`; they determine the order of the calls.
+  /// Calls found(a, b) once for each pair nearer than `listed` and initially farther apart than `far`, m. Returns
+  /// the distance of the nearest pair beyond `listed`, m, at most `horizon`. `x`: in the order of `add`.
   template <class Found>
   double find(const std::vector<V>& x, double listed, double horizon, double far, const Found& found) {
     if (x.empty()) return horizon;
@@ -85,7 +83,6 @@ class PointSearch {
   }
 
  private:
-  /// Sorts the columns by grid cell.
   void sort_columns(const std::vector<V>& x, double horizon) {
     order_ = grid_.sort(x, horizon);
     const std::size_t n = x.size();
@@ -100,7 +97,6 @@ class PointSearch {
 
   std::vector<V> X_;       // m
   std::vector<int> body_;  // ascending
-  // state of a search:
   CellGrid<Dim> grid_;
   std::vector<int> order_;
   std::array<std::vector<double>, Dim> now_, start_;  // m

@@ -9,9 +9,7 @@
 
 namespace taut {
 
-/// Rigid frictionless walls, each a half-space. A wall acts on a particle by the contact law, like the mirror image
-/// of the particle at twice its height. A body at a wall thus behaves as if it met an equal body. Records the
-/// impulses that walls give to bodies.
+/// Rigid frictionless walls, each a half-space. A wall acts on a particle like the particle's mirror image.
 template <int Dim>
 class WallContacts {
  public:
@@ -28,11 +26,10 @@ class WallContacts {
   bool any() const { return !planes_.empty(); }
   int count() const { return static_cast<int>(planes_.size()); }
   const V& normal(int wall) const { return planes_[wall].normal; }  // unit vector towards the bodies
-  double height(int wall, const V& x) const {                       // of x above the wall, m
+  double height(int wall, const V& x) const {                       // m
     return dot(x - planes_[wall].at, planes_[wall].normal);
   }
 
-  /// Adds the impulse, N s, of a wall on a particle at x, m.
   void record_impulse(const V& x, const V& impulse) {
     for (int k = 0; k < Dim; ++k) recorded_impulse_.linear[k] += impulse[k];
     recorded_impulse_.angular[2] += x[0] * impulse[1] - x[1] * impulse[0];

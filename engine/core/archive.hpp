@@ -30,17 +30,16 @@ bool is_below(const std::pair<T, T>& pair, const std::pair<Bound, Bound>& bound)
   return is_below(pair.first, bound.first) && is_below(pair.second, bound.second);
 }
 
-/// Whether `begin` holds `rows` offsets into a list, then its length `entries`.
+/// Whether `begin` holds `rows` offsets, then `entries`.
 template <Count T>
 bool are_rows(const std::vector<T>& begin, std::size_t rows, std::size_t entries) {
   return begin.size() == rows + 1 && begin.front() == 0 && std::cmp_equal(begin.back(), entries) &&
          std::is_sorted(begin.begin(), begin.end());
 }
 
-/// Common part of Saver and Loader: `archive(a, b, …)` visits values in a fixed order. A class lists its members in
-/// `serialize(Archive&)`; trivially copyable types need none. A state is valid for one machine and build only.
-/// Loaded data is untrusted, even with a right checksum: values used to address memory must be listed with `fixed`,
-/// `indices`, `rows` or `check`, and bytewise copies must contain numbers only.
+/// Common part of Saver and Loader. A class lists its members in `serialize(Archive&)`; trivially copyable types
+/// need none. A state is valid for one machine and build only. Loaded data is untrusted: values that address memory
+/// must be listed with `fixed`, `indices`, `rows` or `check`, and bytewise copies must contain numbers only.
 template <class Side>
 class Archive {
  public:
@@ -49,18 +48,17 @@ class Archive {
     (one(values), ...);
   }
 
-  /// Lists that must have the same length when loaded.
+  /// Lists whose length must not change.
   template <class... T>
   void fixed(std::vector<T>&... lists) {
     (one_fixed(lists), ...);
   }
-  /// Indices below `bound`, or pairs of them with a pair of bounds.
   template <class T, class Bound>
   void indices(std::vector<T>& list, const Bound& bound) {
     one(list);
     check("an index", [&] { return are_below(list, bound); });
   }
-  /// `count` rows of indices below `bound`: row i is list[width · begin[i]] … list[width · begin[i + 1] − 1].
+  /// Row i is list[width · begin[i]] … list[width · begin[i + 1] − 1].
   template <class T, class Bound>
   void rows(std::vector<int>& begin, std::size_t count, std::vector<T>& list, const Bound& bound,
             std::size_t width = 1) {
@@ -120,7 +118,6 @@ class Archive {
     check("the length of a list", [&] { return size == values.size(); });
     elements(values, size);
   }
-  /// Grows element by element, so that an invalid length allocates no memory.
   template <class T>
   void elements(std::vector<T>& values, std::size_t size) {
     if constexpr (is_copied<T>) {
@@ -187,7 +184,7 @@ class Saver : public Archive<Saver> {
   std::string bytes_;
 };
 
-/// Reads values. Throws UsageError for bytes that no Saver wrote for them.
+/// Reads values. Throws UsageError for invalid bytes.
 class Loader : public Archive<Loader> {
  public:
   static constexpr bool loads = true;
@@ -212,7 +209,6 @@ class Loader : public Archive<Loader> {
     if (size > 0) std::memcpy(to, rest_.data(), size);
     rest_.remove_prefix(size);
   }
-  /// `least`: minimum size of an element, bytes.
   std::size_t length(std::size_t, std::size_t least) {
     std::uint64_t n = 0;
     bytes(&n, sizeof n);

@@ -7,11 +7,10 @@
 
 namespace taut {
 
-/// N numbers per particle, column by column: four consecutive particles form a pack.
 template <int N>
 struct ColumnsView {
   double* all = nullptr;
-  int length = 0;  // of a column, a multiple of `lanes`
+  int length = 0;  // a multiple of `lanes`
 
   double* operator[](int k) const { return all + static_cast<std::ptrdiff_t>(k) * length; }
   int size() const { return length; }
@@ -26,7 +25,6 @@ class Columns : public ColumnsView<N> {
   Columns(const Columns&) = delete;
   Columns& operator=(const Columns&) = delete;
 
-  /// Sets all numbers to 0.
   void resize(int size) {
     length = (size + lanes - 1) / lanes * lanes;
     numbers_.assign(static_cast<std::size_t>(N) * length, 0.0);
@@ -37,7 +35,7 @@ class Columns : public ColumnsView<N> {
   std::vector<double> numbers_;
 };
 
-/// Converts four vectors from columns (x0 x1 x2 x3, y0 …) to rows (x0 y0 x1 …).
+/// Converts columns (x0 x1 x2 x3, y0 …) to rows (x0 y0 x1 …).
 inline void interleave(const Pack (&columns)[2], Pack (&rows)[2]) {
   const auto& [x, y] = columns;
   rows[0] = __builtin_shufflevector(x, y, 0, 4, 1, 5);
@@ -52,7 +50,6 @@ inline void interleave(const Pack (&columns)[3], Pack (&rows)[3]) {
   rows[1] = __builtin_shufflevector(x2y2y1, z, 2, 5, 0, 1);
   rows[2] = __builtin_shufflevector(x3y3, z, 6, 0, 1, 7);
 }
-/// Inverse of `interleave`.
 inline void separate(const Pack (&rows)[2], Pack (&columns)[2]) {
   const auto& [a, b] = rows;
   columns[0] = __builtin_shufflevector(a, b, 0, 2, 4, 6);
@@ -84,7 +81,7 @@ void put(const Mat<Pack, Dim>& A, const ColumnsView<Dim * Dim>& columns, int fir
     for (int b = 0; b < Dim; ++b) store(A(a, b), columns[a * Dim + b] + first);
 }
 
-/// Loads four consecutive vectors, or the first `count` of them; the other lanes are 0.
+/// Loads the first `count` of four vectors; the other lanes are 0.
 template <int Dim>
 Vec<Pack, Dim> load_four(const Vec<double, Dim>* rows, int count) {
   Vec<Pack, Dim> v{};

@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// x^(−1/3) to a relative 4e-16 for |x| from 1e-300 to 1e300; odd. Faster than std::cbrt, bit-identical on all
-/// machines. Each round raises the error r of x y³ = 1 − r to the fourth power by a series of (1 − r)^(−1/3).
+/// x^(−1/3) to a relative 4e-16 for |x| from 1e-300 to 1e300; odd. Bit-identical on all machines. Each round raises
+/// the error r of x y³ = 1 − r to the fourth power.
 inline double inverse_cube_root(double x) {
   constexpr std::uint64_t guess = 0x553ef0ff289dd796u;  // Moroz et al., Energies 14 (2021) 1058
   const double a = std::abs(x);
@@ -21,7 +21,7 @@ inline double inverse_cube_root(double x) {
   }
   return std::copysign(y, x);
 }
-/// Cube roots of four numbers; their last bits may differ from the scalar function's.
+/// The last bits may differ from the scalar function's.
 inline Pack inverse_cube_root(const Pack& x) {
   constexpr long long guess = 0x553ef0ff289dd796, third = 0x55555556;
   constexpr long long sign = std::numeric_limits<long long>::min();

@@ -5,11 +5,11 @@
 
 namespace taut {
 
-/// Reserves room for `more` entries. After some of the contributions (`done` of `all`) it extrapolates to all, since
-/// each reallocation holds the list twice.
+/// Reserves room for `more` entries. After some of the contributions it extrapolates to all, since each reallocation
+/// holds the list twice.
 template <class List>
 void make_room(List& list, std::size_t more, std::size_t done, std::size_t all) {
-  constexpr std::size_t extrapolation_part = 16;  // part of all to extrapolate from: 1/16
+  constexpr std::size_t extrapolation_part = 16;
   const std::size_t needed = list.size() + more;
   if (needed <= list.capacity()) return;
   if (extrapolation_part * done < all) return list.reserve(2 * needed);

@@ -5,15 +5,14 @@
 #include "engine/core/machine.hpp"
 #include "engine/settings.hpp"
 
-/// Kernels are loops on plain data, compiled once per instruction set (kernels.cpp). Special builds rename the
-/// namespace with the macro `taut` (engine/CMakeLists.txt), so that the linker shares no inline functions.
+/// Kernels are loops on plain data, compiled once per instruction set. Special builds rename the namespace with the
+/// macro `taut`: the linker must share no inline functions.
 namespace taut {
 
-/// Kernels outside the families; values from 100 on differ from Family.
+/// Values differ from Family.
 enum class SharedKernels { neighbor_search = 100, history_row };
 
 /// Kernel table of this build, or null. `Key` is a Family or SharedKernels; `method` selects within a family.
-/// Specialised in kernels.cpp.
 template <int Key>
 const void* kernels_of(int dim, std::string_view method);
 
@@ -32,8 +31,7 @@ const void* kernels_of(int dim, std::string_view method);
 
 namespace taut {
 
-/// Kernel table for the machine's best instruction set up to `allowed`; types have equal layouts in all builds.
-/// `with_v4`: kernels for x86-64-v4 exist.
+/// Kernel table for the machine's best instruction set up to `allowed`. `with_v4`: kernels for x86-64-v4 exist.
 template <auto Key, class Kernels, bool with_v4 = false>
 const Kernels& best_kernels(int dim, std::string_view method = "",
                             InstructionSet allowed = InstructionSet::x86_64_v4) {

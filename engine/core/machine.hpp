@@ -12,7 +12,6 @@
 
 namespace taut {
 
-/// Number of cores that this process may use.
 inline int cores() {
 #if defined(__linux__)
   cpu_set_t mine;
@@ -31,7 +30,7 @@ inline bool has_lzcnt_movbe_f16c() {
 }
 #endif
 
-/// Returns whether this machine executes all instructions of x86-64-v3. A virtual machine may hide any of them.
+/// Whether the machine has all instructions of x86-64-v3: a virtual machine may hide any.
 inline bool has_x86_64_v3() {
 #if defined(__x86_64__)
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&

@@ -5,8 +5,8 @@
 
 namespace taut {
 
-/// Four doubles: for four neighbours of one particle, or for one neighbour of each of four particles. Pack is a vector
-/// type of the compiler, so a term written for a type T accepts Pack and double. Results are bit-identical without AVX.
+/// Four doubles: four neighbours of one particle, or one neighbour of each of four particles. Terms written for a
+/// type T accept Pack and double. Results are bit-identical without AVX.
 inline constexpr int lanes = 4;
 typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
@@ -24,7 +24,7 @@ inline Pack load(const double* from, int count) {
 }
 inline void store(const Pack& a, double* to) { *reinterpret_cast<UnalignedPack*>(to) = a; }
 
-/// Pack as an array element, aligned to 32 bytes: without AVX, GCC aligns a bare Pack to fewer.
+/// Without AVX, GCC aligns a bare Pack to fewer than 32 bytes.
 struct AlignedPack {
   alignas(lanes * sizeof(double)) Pack value;
 };
@@ -44,7 +44,6 @@ inline void pack_into(HalfPack& to, const Pack& a) {
 
 inline double sum(const Pack& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 
-/// sum(a), sum(b), sum(c), sum(d)
 inline Pack sums(const Pack& a, const Pack& b, const Pack& c, const Pack& d) {
 #ifdef __AVX__
   const Pack ab = __builtin_ia32_haddpd256(a, b), cd = __builtin_ia32_haddpd256(c, d);
@@ -93,7 +92,7 @@ T power(const T& a) {
   for (int k = 1; k < N; ++k) r *= a;
   return r;
 }
-/// aⁿ for a, n ≥ 0, by squares and roots: a library call would spill a loop's registers.
+/// aⁿ for n ≥ 0, by squares and roots: a library call would spill a loop's registers.
 inline Pack power(const Pack& a, double n) {
   if (n == 4) return (a * a) * (a * a);
   const auto whole = static_cast<unsigned>(n);
@@ -132,15 +131,14 @@ inline Pack halves(const double* a, const double* b) {
   typedef double Half __attribute__((vector_size(2 * sizeof(double))));
   const Half &low = *reinterpret_cast<const Half*>(a), &high = *reinterpret_cast<const Half*>(b);
 #if defined(__AVX__) && !defined(__clang__)
-  // one instruction that loads the upper half; GCC 12 turns a shuffle into several moves
+  // one instruction; GCC 12 turns a shuffle into several moves
   return __builtin_ia32_vinsertf128_pd256(__builtin_ia32_pd256_pd(low), high, 1);
 #else
   return __builtin_shufflevector(low, high, 0, 1, 2, 3);
 #endif
 }
 
-/// Reads columns of four rows. Rows are aligned to 16 bytes, with an even number of doubles. Two neighbouring columns
-/// cost little more than one.
+/// Columns of four rows, aligned to 16 bytes, with an even number of doubles.
 struct RowsOfFour {
   const double* at[lanes];
 
@@ -155,7 +153,7 @@ struct RowsOfFour {
   }
 };
 
-/// Transposes the first `Columns` of rows j[0…3] of a table with `Stride` doubles per row: out[k] is column k.
+/// Transposes the first `Columns` of rows j[0…3] of a table with `Stride` doubles per row.
 template <int Columns, int Stride = Columns>
 [[gnu::always_inline]] inline void gather(const double* table, const int* j, Pack* out) {
   static_assert(Stride % 2 == 0);

@@ -13,13 +13,12 @@ namespace taut {
 /// Maximum; NaN if either is NaN.
 inline double greater(double a, double b) { return b <= a || a != a ? a : b; }
 
-/// Number of chunks: several per thread balance the load; too short ones do not pay.
+/// Several chunks per thread balance the load.
 inline int chunks_of(int n, int threads) {
   constexpr int of_each = 4, least = 32;
   return threads == 1 ? 1 : std::clamp(n / least, 1, std::min(of_each * threads, Threads::most_chunks));
 }
 
-/// Calls f(chunk, first, last) for ranges of 0 … n−1.
 template <class F>
 void parallel_chunks(int n, const Threads& threads, const F& f) {
   struct Loop {
@@ -42,7 +41,7 @@ void parallel_for(int n, const Threads& threads, const F& f) {
   });
 }
 
-/// Inlines all calls of f; otherwise the compiler passes packs through memory.
+/// Inlines all calls of f; otherwise packs pass through memory.
 template <class F>
 [[gnu::flatten, gnu::noinline]] void inlined_loop(const F& f, int first, int last) {
   const F own = f;  // a local copy stays in registers: no store can alias it
@@ -56,7 +55,6 @@ template <class F>
   return most;
 }
 
-/// parallel_for for loops that dominate a step.
 template <class F>
 void parallel_pass(int n, const Threads& threads, const F& f) {
   parallel_chunks(n, threads, [&](int, int first, int last) { inlined_loop(f, first, last); });

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// A point or vector, in SI units; components beyond the scene's dimension are 0.
+/// Point or vector in SI units; unused components are 0.
 using Point = std::array<double, 3>;
 
 inline double distance_between(const Point& a, const Point& b, int dim) {

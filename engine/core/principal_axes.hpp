@@ -6,13 +6,12 @@
 
 namespace taut {
 
-/// A = Σ_k value_k axis_k ⊗ axis_k with orthonormal axes, unsorted.
+/// A = Σ_k value_k axis_k ⊗ axis_k, orthonormal, unsorted.
 struct Principal {
   double value[3];
   Vec<double, 3> axis[3];
 };
 
-/// Uses Jacobi's rotations.
 inline Principal principal_axes(const Sym<double, 3>& symmetric) {
   Mat<double, 3> A = full(symmetric), Q{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   constexpr int most = 12;  // sweeps; mostly five suffice

@@ -10,19 +10,17 @@
 
 namespace taut {
 
-/// Rows of constants. Bit-identical rows are stored once: particles inside a lattice share one.
+/// Rows of constants. Bit-identical rows are stored once.
 template <class T>
 class SharedRows {
  public:
   SharedRows() = default;
-  /// `rows`: expected number of rows.
   explicit SharedRows(int rows) : rows_(static_cast<std::size_t>(rows)) {}
 
-  /// Returns the hash of a row for `add`; may be called in parallel.
+  /// Thread-safe.
   static std::size_t hash_of(const std::vector<T>& row) {
     return std::hash<std::string_view>()(bytes_of(row));
   }
-  /// Returns where the row begins.
   int add(const std::vector<T>& row) { return add(row, hash_of(row)); }
   int add(const std::vector<T>& row, std::size_t hash) {
     const std::string_view bytes = bytes_of(row);
@@ -39,15 +37,15 @@ class SharedRows {
     return begin;
   }
   const T& operator[](int k) const { return all_[k]; }
-  /// Returns the row that begins at k; an empty row may begin at the end of all rows.
+  /// An empty row may begin at the end of all rows.
   const T* from(int k) const { return all_.data() + k; }
   /// Frees the search table; no `add` may follow.
   void close() { table_ = std::vector<Known>(); }  // {} would keep the capacity
 
  private:
   struct Known {
-    std::size_t hash = 0;  // of the row's bytes
-    int begin = -1;        // -1 = free
+    std::size_t hash = 0;
+    int begin = -1;
   };
 
   static std::string_view bytes_of(const std::vector<T>& row) {
@@ -58,7 +56,6 @@ class SharedRows {
     return size <= all_.size() - static_cast<std::size_t>(begin) &&
            std::string_view(there, bytes.size()) == bytes;
   }
-  // open addressing with linear probing
   std::size_t first_of(std::size_t hash) const { return hash & (table_.size() - 1); }
   std::size_t next(std::size_t at) const { return first_of(at + 1); }
   void grow() {
@@ -73,7 +70,7 @@ class SharedRows {
   }
 
   std::vector<T> all_;
-  std::vector<Known> table_;  // at most half full
+  std::vector<Known> table_;
   std::size_t known_ = 0, added_ = 0, rows_ = 0;
 };
 

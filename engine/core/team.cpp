@@ -10,10 +10,9 @@ namespace taut {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// Time for which a helper spins before it sleeps: waking it takes as long as a loop of a small scene, and the serial
-// work between two loops of a step, such as contact, mostly takes less.
+// Time for which a helper spins before it sleeps: waking it takes as long as a loop of a small scene.
 constexpr std::chrono::microseconds patience{100};
-constexpr int spins = 50;  // between clock reads, or before the owner yields
+constexpr int spins = 50;
 
 double time_on(clockid_t clock) {
   std::timespec time{};

@@ -12,10 +12,9 @@
 
 namespace taut {
 
-/// Helper threads that share their owner's loops. The owner works too and waits only for chunks already begun, so
-/// that a helper that is asleep or not scheduled delays nothing. (An OpenMP region waits for all its threads, on a
-/// busy machine for milliseconds per loop.) Each thread begins with the same chunks in every loop, so that its data
-/// stay in its cache, and then takes chunks of others.
+/// Helper threads that share their owner's loops. The owner waits only for chunks already begun, so a sleeping
+/// helper delays nothing. (An OpenMP region waits for all its threads.) Each thread begins with the same chunks in
+/// every loop, which keeps its data in its cache.
 class Team {
  public:
   static constexpr int most_threads = 1000, most_chunks = Threads::most_chunks;
@@ -26,16 +25,12 @@ class Team {
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  /// Team of the calling thread; helpers start at first use.
   static Team& own();
-  /// Calls work(of, chunk) once per chunk, in any order, on at most `threads` threads. Nested loops run on the
-  /// calling thread.
+  /// Calls work(of, chunk) once per chunk, in any order. Nested loops run on the calling thread.
   void run(int threads, int chunks, Work work, const void* of);
-  /// CPU time of the calling thread and its helpers since their start, s.
   double cpu_seconds();
 
  private:
-  /// A job packed into one word; `number` counts jobs.
   struct Job {
     std::uint64_t number;
     int threads, chunks;
@@ -51,7 +46,7 @@ class Team {
   std::uint64_t jobs_ = 0;
   Work work_ = nullptr;  // null between jobs
   const void* of_ = nullptr;
-  /// [chunk] last job whose chunk was taken. A late helper finds all of its job taken.
+  /// [chunk] last job whose chunk was taken. A late helper finds all taken.
   std::unique_ptr<std::atomic<std::uint64_t>[]> taken_;
   alignas(64) std::atomic<std::uint64_t> job_{0};
   alignas(64) std::atomic<int> left_{0};  // unfinished chunks

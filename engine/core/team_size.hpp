@@ -5,11 +5,9 @@
 
 namespace taut {
 
-/// Chooses the number of threads of the next step: all, or one if more do not help, as on a busy machine. Results do
-/// not depend on it.
-/// After a block of steps on one thread, tries the team and keeps it while it is no slower. Then one thread continues
-/// until the trial has cost 1/`worth` of the time, twice as long after each repeated failure. A trial block ends as
-/// soon as it takes longer than the block on one thread.
+/// Chooses the number of threads of the next step: all, or one if more do not help. Results do not depend on it.
+/// After a block of steps on one thread, tries the team and keeps it while it is no slower. Then one thread
+/// continues until the trial has cost 1/`worth` of the time, twice as long after each repeated failure.
 class TeamSize {
  public:
   explicit TeamSize(int most) : most_(most) {}
@@ -24,7 +22,6 @@ class TeamSize {
     step_took(now - last_);
     last_ = now;
   }
-  /// Records a step of `time`, s.
   void step_took(double time) {
     taken_ += time;
     ++steps_;
@@ -39,7 +36,7 @@ class TeamSize {
 
  private:
   static constexpr int most_steps = 16;         // per block, includes some rebuilds
-  static constexpr int least_steps = 4;         // per block that lasts `long_enough`
+  static constexpr int least_steps = 4;         // per long block
   static constexpr double long_enough = 0.1;    // s
   static constexpr int often = 100;             // team blocks between two on one thread
   static constexpr double worth = 50;           // a failed trial may cost 1/worth of the time
@@ -70,14 +67,14 @@ class TeamSize {
   }
 
   int most_;
-  int single_blocks_ = 1;   // remaining blocks on one thread
-  int block_ = 0;           // steps of the last block on one thread
-  double block_alone_ = 0;  // its duration, s
-  int team_blocks_ = 0;     // team blocks since then
-  double patience_ = 1;     // least `single_blocks_` after a failed trial
-  int steps_ = 0;           // steps of the current block
-  double taken_ = 0;        // its duration so far, s
-  double last_ = 0;         // s, end of the last step
+  int single_blocks_ = 1;
+  int block_ = 0;
+  double block_alone_ = 0;  // s
+  int team_blocks_ = 0;
+  double patience_ = 1;
+  int steps_ = 0;
+  double taken_ = 0;  // s
+  double last_ = 0;   // s
 };
 
 }  // namespace taut

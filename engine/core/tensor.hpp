@@ -4,12 +4,11 @@
 
 #include "engine/core/pack.hpp"
 
-/// Small vectors and tensors over T = double or Pack. The solver is compiled for several instruction sets and does
-/// not use Eigen, whose fixed-size types change alignment with the instruction set.
+/// Small vectors and tensors over T = double or Pack. Eigen's fixed-size types change alignment with the instruction
+/// set.
 namespace taut {
 
-/// Alignment of members of type T, equal in all builds, so that structs have one layout. Without AVX a bare Pack is
-/// aligned less.
+/// Alignment, equal in all builds, so structs have one layout. Without AVX a bare Pack is aligned less.
 template <class T>
 inline constexpr std::size_t alignment_of = sizeof(T) == sizeof(Pack) ? sizeof(Pack) : alignof(T);
 
@@ -55,7 +54,6 @@ Vec<T, 3> cross(const Vec<T, 3>& a, const Vec<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Full tensor, row by row.
 template <class T, int Dim>
 struct Mat {
   alignas(alignment_of<T>) T c[Dim][Dim];
@@ -88,7 +86,7 @@ struct Mat {
   }
 };
 
-/// Symmetric tensor, upper triangle: xx, xy, yy or xx, xy, xz, yy, yz, zz.
+/// Upper triangle: xx, xy, yy or xx, xy, xz, yy, yz, zz.
 template <class T, int Dim>
 struct Sym {
   static constexpr int size = Dim * (Dim + 1) / 2;
@@ -136,7 +134,6 @@ T trace(const Mat<T, Dim>& A) {
   return s;
 }
 
-/// C = Fᵀ F
 template <class T, int Dim>
 Sym<T, Dim> right_cauchy_green(const Mat<T, Dim>& F) {
   Sym<T, Dim> C;
@@ -159,7 +156,6 @@ Mat<T, Dim> full(const Sym<T, Dim>& S) {
   return A;
 }
 
-/// A += s a ⊗ b
 template <class T, int Dim>
 void add_outer(Mat<T, Dim>& A, const T& s, const Vec<T, Dim>& a, const Vec<T, Dim>& b) {
 #pragma GCC unroll 3
@@ -168,7 +164,6 @@ void add_outer(Mat<T, Dim>& A, const T& s, const Vec<T, Dim>& a, const Vec<T, Di
     for (int l = 0; l < Dim; ++l) A(k, l) += s * a[k] * b[l];
 }
 
-/// A += s a ⊗ a
 template <class T, int Dim>
 void add_outer(Sym<T, Dim>& A, const T& s, const Vec<T, Dim>& a) {
 #pragma GCC unroll 3
@@ -208,7 +203,6 @@ template <class T, int Dim>
   return product(A, B);
 }
 
-/// A · B, in general not symmetric.
 template <class T, int Dim>
 [[gnu::always_inline]] inline Mat<T, Dim> product(const Sym<T, Dim>& A, const Sym<T, Dim>& B) {
   Mat<T, Dim> C;
@@ -262,8 +256,7 @@ T determinant(const Mat<T, 3>& A) {
          A(0, 2) * (A(1, 0) * A(2, 1) - A(1, 1) * A(2, 0));
 }
 
-/// Tensor cross product [A ⨯ B]_iI = ε_ijk ε_IJK A_jJ B_kK, symmetric in A and B: cof F = ½ F ⨯ F. [Lee2016] below
-/// Eq. 1
+/// [A ⨯ B]_iI = ε_ijk ε_IJK A_jJ B_kK: cof F = ½ F ⨯ F. [Lee2016] below Eq. 1
 template <class T>
 Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
   Mat<T, 3> C;
@@ -279,7 +272,7 @@ Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
   return C;
 }
 
-/// Inverse of a symmetric tensor; 0 if not clearly positive definite, as for a particle without neighbours.
+/// Inverse, or 0 if not clearly positive definite, as without neighbours.
 inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
   const double det = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);
   const double scale = trace(a) * trace(a);
@@ -294,7 +287,6 @@ inline Sym<double, 3> inverse(const Sym<double, 3>& a) {
   return (1 / det) * Sym<double, 3>{H(0, 0), H(0, 1), H(0, 2), H(1, 1), H(1, 2), H(2, 2)};
 }
 
-/// Sums over lanes.
 template <int Dim>
 Vec<double, Dim> sum(const Vec<Pack, Dim>& a) {
   const Pack of_all = sums(a[0], a[1], a[Dim - 2], a[Dim - 1]);

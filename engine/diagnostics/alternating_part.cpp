@@ -24,22 +24,19 @@
 namespace taut {
 namespace {
 
-// √4 dp is in range, √5 dp is not
 constexpr double reach = 2.1;  // dp
 
 /// Least share of e_i that quadratics leave; lattice surfaces leave 0.53, corners 0.
 constexpr double least_left = 0.3;
 
-/// κ: with n_k lattice points at distance √k dp, the fit without i has weights ω = a + b k, Σ n_k ω = 1, Σ n_k k ω =
-/// 0. The row has norm √(1 + a) and maps the checkerboard to 1 − Σ (−1)^k n_k ω: 2D a = 3/8, b = −1/8, 2; 3D a =
-/// 37/170, b = −13/170, 128/85.
+/// κ (THEORY.md, Alternating part).
 double scale(int dim) { return dim == 3 ? std::sqrt(207.0 / 170) * 85 / 128 : std::sqrt(11.0 / 8) / 2; }
 
 bool alike(const Snapshot& now, std::size_t i, std::size_t j) {
   return now.material[i] == now.material[j] && now.clamped[i] == now.clamped[j];
 }
 
-/// Similar particles in range, the particle itself first.
+/// Similar particles in range; the particle itself comes first.
 struct Neighborhoods {
   std::vector<std::size_t> begin;  // [particle + 1]
   std::vector<int> all;
@@ -47,7 +44,6 @@ struct Neighborhoods {
   std::span<int> operator[](std::size_t i) { return {&all[begin[i]], begin[i + 1] - begin[i]}; }
 };
 
-/// Excludes neighbours across a slot: its opening is no zigzag.
 void exclude_across_slots(const Snapshot& start, double spacing, int threads, Neighborhoods& near) {
   const auto squared = [&](int i, int j) {
     const double r = distance_between(start.initial(static_cast<std::size_t>(i)),
@@ -94,7 +90,7 @@ Neighborhoods neighborhoods(const Snapshot& start, double spacing, int threads) 
   return near;
 }
 
-/// [particle of `near`][monomial] up to degree 2, about the first particle, in dp.
+/// Monomials up to degree 2 about the first particle, in dp.
 Eigen::MatrixXd quadratics(const Snapshot& start, std::span<const int> near, double spacing) {
   const int dim = start.dim;
   const Point xi = start.initial(static_cast<std::size_t>(near[0]));
@@ -116,17 +112,15 @@ Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
   const Eigen::VectorXd e_i = Eigen::VectorXd::Unit(quadratics.rows(), 0);
   const Gram G = quadratics.transpose().lazyProduct(quadratics);
   const Gram fast = solved_by_gram(G, quadratics.row(0).transpose());
-  // in thin bodies monomials may be dependent
   const Eigen::VectorXd coefficients =
       fast.size() > 0 ? Eigen::VectorXd(fast) : Eigen::VectorXd(least_squares(quadratics, e_i).x);
   const Eigen::VectorXd left = e_i - quadratics.lazyProduct(coefficients);
-  if (left[0] < least_left) return {};  // = |left|², because I − P is a projection
+  if (left[0] < least_left) return {};  // = |left|²
   return kappa / left.norm() * left;
 }
 
-/// Positions about the first particle, rounded to compare equal.
 std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, double spacing) {
-  constexpr double fine = 1e6;  // parts of a spacing
+  constexpr double fine = 1e6;
   const Point xi = start.initial(static_cast<std::size_t>(near[0]));
   std::vector<int> places;
   for (const int j : near) {
@@ -137,19 +131,16 @@ std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, 
   return places;
 }
 
-/// Collects the rows. In 3D equal rows share weights, since lattices have few different ones.
+/// In 3D equal rows share weights: lattices have few different ones.
 class Rows {
  public:
-  /// Rows reuse the memory of `near`.
   Rows(const Snapshot& start, double spacing, Neighborhoods& near)
       : start_(start), spacing_(spacing), kappa_(scale(start.dim)), near_(near) {}
 
-  /// Part of a row that is made in parallel.
   struct Made {
-    std::vector<int> surroundings;           // in 3D
-    std::optional<Eigen::VectorXd> weights;  // none if probably shared
+    std::vector<int> surroundings;  // in 3D
+    std::optional<Eigen::VectorXd> weights;
   };
-  /// `near` begins with the particle; sorted in 3D.
   Made make(std::span<int> near) const {
     if (start_.dim == 2) return {{}, weights(near)};
     std::ranges::sort(near.begin() + 1, near.end());
@@ -180,7 +171,6 @@ class Rows {
   Eigen::VectorXd weights(std::span<const int> near) const {
     return row(quadratics(start_, near, spacing_), kappa_);
   }
-  /// Index of the first weight, or −1.
   int add_weights(const Eigen::VectorXd& w) {
     if (w.size() == 0) return -1;
     make_room(part_.weight, static_cast<std::size_t>(w.size()), part_.first_weight.size(), start_.size());
@@ -192,7 +182,6 @@ class Rows {
     return std::hash<std::string_view>()(
         {reinterpret_cast<const char*>(places.data()), places.size() * sizeof(int)});
   }
-  /// Row with equal surroundings, or −1.
   int known(const std::vector<int>& places) const {
     for (auto [at, end] = known_.equal_range(hash_of(places)); at != end; ++at) {
       const auto row = static_cast<std::size_t>(at->second);
@@ -207,7 +196,7 @@ class Rows {
   double spacing_, kappa_;
   Neighborhoods& near_;
   AlternatingPart part_{{0}, {}, {}, {}};
-  std::unordered_multimap<std::size_t, int> known_;  // hash of surroundings → row
+  std::unordered_multimap<std::size_t, int> known_;
 };
 
 }  // namespace

@@ -6,17 +6,12 @@
 
 namespace taut {
 
-/// Alternating part of a field, r_i = Σ_j w_ij q_j, over i and the particles j of its body and material, clamped or
-/// not like i, initially within 2.1 dp. Weights depend on the initial configuration only:
-///   w_i = κ (I − P) e_i / |(I − P) e_i|,
-/// with e_i the unit vector of i and P the projection on quadratic polynomials. Quadratic fields give 0, smooth ones
-/// O(dp⁴), O(dp³) at surfaces, and noise of variance 1 gives κ². κ maps the checkerboard (−1)^(a+b+c) to itself. A
-/// mode that alternates across a surface appears in the second row only, since a parabola fits the three rows within
-/// range of the first. Clamped particles, corners and others with too few neighbours have no row.
+/// Alternating part of a field, r_i = Σ_j w_ij q_j (THEORY.md, Alternating part). Smooth fields give about 0, a
+/// checkerboard its amplitude.
 struct AlternatingPart {
   std::vector<int> begin;         // [row + 1] first entry
   std::vector<int> j;             // [entry] particle
-  std::vector<int> first_weight;  // [row]; equal rows may share weights
+  std::vector<int> first_weight;  // equal rows may share weights
   std::vector<double> weight;
   int rows() const { return static_cast<int>(begin.size()) - 1; }
   const double* weights(int row) const {
@@ -33,8 +28,8 @@ struct SquareSums {
 /// Sums over particles with a row.
 struct AlternatingSums {
   std::vector<double> x;  // [row] square of the alternating part of x, at most one spacing², m²
-  SquareSums part;        // alternating parts; x at most one spacing each
-  SquareSums whole;       // fields; x is 0
+  SquareSums part;        // alternating parts
+  SquareSums whole;       // x is 0
 };
 AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing);
 

@@ -6,21 +6,20 @@
 
 namespace taut {
 
-/// Sums over all particles, of the state in a Snapshot.
 struct Balance {
   double kinetic = 0, strain = 0;  // J (per metre depth in 2D); strain with contact
   Point linear_momentum{};         // kg m/s
   Point angular_momentum{};        // about the origin, kg m²/s; in 2D only z
   double momentum_scale = 0;       // Σ |m v|
   double angular_scale = 0;        // Σ m |x| |v|
-  double work = 0;                 // work of drives, loads and gravity, J (per metre depth in 2D)
-  double damped = 0;               // energy removed by damping, J (per metre depth in 2D)
-  Impulse of_walls;                // so far; momenta minus these impulses are conserved
+  double work = 0;                 // by drives, loads and gravity, J
+  double damped = 0;               // J
+  Impulse of_walls;                // momenta minus these impulses are conserved
 };
 
 Balance balance(const Snapshot& now, const Scene& scene);
 
-/// Energy of speeds of 1e-8 c0, J, above the round-off of bodies at rest.
+/// Energy of speeds of 1e-8 c0, J, above round-off.
 double energy_of_rounding(const Scene& scene, const Snapshot& start);
 
 }  // namespace taut

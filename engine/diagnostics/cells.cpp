@@ -16,9 +16,9 @@ namespace {
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
-constexpr double adjacent = 1.35;  // spacings, greatest distance of cells that share a side
+constexpr double adjacent = 1.35;  // spacings, of cells that share a side
 constexpr double torn = 1.5;       // stretch from which a neighbour covers no more
-constexpr double straight = 0.8;   // least cosine between the direction of a neighbour and an axis
+constexpr double straight = 0.8;   // least cosine between a neighbour and an axis
 
 Vector vector(const Point& a) { return {a[0], a[1], a[2]}; }
 Point point(const Vector& a) { return {a[0], a[1], a[2]}; }
@@ -54,7 +54,7 @@ std::span<const std::size_t> Cells::neighbors(std::size_t i) const {
 }
 
 /// In 3D the axes point to the nearest neighbour, towards the most perpendicular one, and at right angles to both.
-/// In 2D they are the best fit to the adjacent neighbours, since the layers of a ring are staggered.
+/// In 2D they are the best fit to the adjacent neighbours: the layers of a ring are staggered.
 void Cells::find_axes(std::size_t i) {
   std::array<Vector, 3> axes{Vector::UnitX(), Vector::UnitY(), Vector::UnitZ()};
   Vector across = Vector::Zero();
@@ -87,7 +87,7 @@ void Cells::find_axes(std::size_t i) {
 void Cells::find_ends(std::size_t i, double diameter) {
   Cell& cell = cells_[i];
   constexpr double open = 1e300;
-  std::array<std::array<double, 2>, 3> half;  // distance to each side, m
+  std::array<std::array<double, 2>, 3> half;  // m
   for (auto& ends : half) ends = {open, open};
   for (const std::size_t j : neighbors(i)) {
     const Vector X = vector(initial(i, j));
@@ -99,7 +99,7 @@ void Cells::find_ends(std::size_t i, double diameter) {
     }
   }
   const auto one_open = [&](std::size_t k) { return (half[k][0] < open) != (half[k][1] < open); };
-  // on the boundary, cells are at most about half
+  // cells on the boundary are at most about half
   const double part = std::pow(diameter / cell.spacing, static_cast<double>(dim_));
   const bool on_boundary = part < 0.75;
   cell.inside = true;
@@ -123,7 +123,6 @@ void Cells::find_inverse(std::size_t i) {
   cells_[i].inverse = inverse_moment(symmetric, static_cast<int>(dim_));
 }
 
-/// Keeps only the adjacent neighbours of inner cells: these decide whether a cell is hidden, and its shape if not.
 void Cells::forget_distant() {
   std::vector<std::size_t> first{0}, kept;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -138,7 +137,6 @@ void Cells::forget_distant() {
     if (cells_[i].inside) find_inverse(i);
 }
 
-/// Displacement of j relative to i, m.
 Point Cells::change(std::size_t i, std::size_t j, std::span<const double> x) const {
   Point way = initial(j, i);
   for (std::size_t k = 0; k < dim_; ++k) way[k] += x[dim_ * j + k] - x[dim_ * i + k];

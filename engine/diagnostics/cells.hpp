@@ -9,22 +9,20 @@
 
 namespace taut {
 
-/// Shapes of cells at one time: parallelograms, in 3D parallelepipeds.
+/// Parallelograms, in 3D parallelepipeds.
 struct CellShapes {
   std::vector<std::size_t> particle;  // [cell]
   std::vector<double> centre;         // [cell] dim coordinates, m
   std::vector<double> edge;           // [cell] dim vectors, m
 };
 
-/// The part of a body that each particle represents: initially a box with sides half-way to adjacent neighbours, or
-/// the part of it inside the body. Moves with the best affine map of the initial neighbours within 1.6 spacings. Gaps
-/// are of second order.
+/// The part of a body that each particle represents, initially a box. Moves with the best affine map of the initial
+/// neighbours within 1.6 spacings.
 class Cells {
  public:
   /// `x0`: n × dim, m; `diameter` in m.
   Cells(int dim, std::span<const double> x0, std::span<const double> diameter, std::span<const int> body);
 
-  /// Copies cell ends from `all`, where particle k is shown[k].
   void take_ends(const Cells& all, std::span<const std::size_t> shown);
 
   /// Shapes at positions `x`, n × dim, m; in 3D without covered cells.
@@ -33,16 +31,16 @@ class Cells {
  private:
   struct Side {
     Point axis{};              // unit vector
-    double low = 0, high = 0;  // ends from the particle, m
+    double low = 0, high = 0;  // m
   };
   struct Cell {
     std::array<Side, 3> sides;
     std::array<double, 9> inverse{};  // of Σ X_ij ⊗ X_ij, 1/m²
     double spacing = 0;               // m
-    bool inside = false;              // covered on all sides
+    bool inside = false;
   };
 
-  Point initial(std::size_t i, std::size_t j) const;  // X_j − X_i, m
+  Point initial(std::size_t i, std::size_t j) const;  // m
   std::span<const std::size_t> neighbors(std::size_t i) const;
   void find_axes(std::size_t i);
   void find_ends(std::size_t i, double diameter);
@@ -53,7 +51,7 @@ class Cells {
 
   std::size_t dim_;
   std::vector<double> x0_;
-  std::vector<std::size_t> first_, neighbor_;  // of i: first_[i] … first_[i + 1] − 1
+  std::vector<std::size_t> first_, neighbor_;
   std::vector<Cell> cells_;
 };
 

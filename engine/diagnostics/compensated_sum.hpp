@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Four compensated sums (Knuth 1969), one per lane, to show momenta conserved to round-off.
+/// Compensated sums (Knuth 1969), one per lane.
 class CompensatedSums {
  public:
   void operator+=(const Pack& term) {

@@ -8,18 +8,17 @@
 
 namespace taut {
 
-/// Greatest relative drifts, corrected for walls; none for quantities that the scene exchanges with its surroundings.
+/// Greatest relative drifts, corrected for walls; none for quantities exchanged with the surroundings.
 struct Conservation {
   std::optional<double> linear_momentum;   // |Δp| over greatest Σ|m v|
   std::optional<double> angular_momentum;  // |ΔL| over greatest Σ m|x||v|
-  /// Greatest |E + D − W − E0| over greatest E0 + W; W: work of drives, loads and gravity, D: energy removed by
-  /// damping. None if energies are only round-off.
+  /// Greatest |E + D − W − E0| over greatest E0 + W; W: external work, D: damped energy. None if energies are only
+  /// round-off.
   std::optional<double> energy;
-  /// Greatest gain and loss, both ≥ 0.
   std::optional<double> energy_gained, energy_lost;
 };
 
-/// Whether clamps, guides, drives, loads, gravity or damping change the momentum of the scene, which is not recorded.
+/// Whether the scene changes its momentum by clamps, guides, drives, loads, gravity or damping.
 bool exchanges_momentum(const Scene& scene, const Snapshot& start);
 
 class ConservationWatch {
@@ -27,7 +26,6 @@ class ConservationWatch {
   ConservationWatch(const Scene& scene, const Snapshot& start)
       : exchanges_momentum_(exchanges_momentum(scene, start)), nothing_(energy_of_rounding(scene, start)) {}
 
-  /// The first call sets the reference.
   void follow(const Balance& now);
   Conservation so_far() const;
 
@@ -38,7 +36,7 @@ class ConservationWatch {
 
  private:
   bool exchanges_momentum_;
-  double nothing_;  // round-off of energy, J
+  double nothing_;  // round-off, J
   std::optional<Balance> start_;
   double linear_ = 0, angular_ = 0;  // greatest |change|
   double gained_ = 0, lost_ = 0;     // J

@@ -10,26 +10,22 @@
 namespace taut {
 
 struct CriticalStepSearch {
-  int steps = 1000;         // duration of a trial in default steps
-  double tolerance = 1e-3;  // relative width of the bracket
+  int steps = 1000;         // of a trial, in default steps
+  double tolerance = 1e-3;  // relative
 };
 
 struct CriticalStep {
   std::optional<double> stable;    // s; none: unstable down to 1/16 default step
   std::optional<double> unstable;  // s; none: stable up to 256 default steps
-  double default_step = 0;         // s, by the method's rule
+  double default_step = 0;         // s
   double covered = 0;              // s, shortest trial
   int trials = 0;
   bool interrupted = false;  // before reaching `tolerance`
 };
 
-/// Bisects over fixed steps. Trials cover `search.steps` default steps or the scene, whichever is shorter, but at
-/// least 300 steps. Particles get random velocities up to 1e-6 c0, the same in all trials. A trial is unstable if a
-/// velocity or energy is not finite, or a particle is faster than 10 c0. It is also unstable if kinetic and strain
-/// energy exceed 100 times the given energy (start and work) plus the energy of speeds of 1e-3 c0: near the limit the
-/// energy of a stable leap-frog oscillates, so that a factor of 2 would give a limit some per cent too low. Tearing is
-/// allowed, as in [Zhang2020] Fig. 18.
-/// The search ends when `goes_on` returns false. Throws the same errors as make_simulation.
+/// Bisects over fixed steps with random initial velocities (THEORY.md, Critical step). Trials cover `search.steps`
+/// default steps or the scene, whichever is shorter, but at least 300 steps. The search ends when `goes_on` returns
+/// false. Throws the same errors as make_simulation.
 CriticalStep find_critical_step(
     const Scene& scene, const Settings& settings, const CriticalStepSearch& search = {},
     const std::function<bool(const CriticalStep&)>& goes_on = [](const CriticalStep&) { return true; });

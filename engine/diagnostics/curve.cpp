@@ -8,7 +8,7 @@
 namespace taut {
 namespace {
 
-/// Vertex (time, value) through samples k − 1, k, k + 1, or sample k if they are collinear.
+/// Vertex (time, value) through samples k − 1, k, k + 1; sample k if they are collinear.
 std::pair<double, double> vertex(const Curve& c, std::size_t k) {
   const double before = (c.y[k] - c.y[k - 1]) / (c.t[k] - c.t[k - 1]);
   const double after = (c.y[k + 1] - c.y[k]) / (c.t[k + 1] - c.t[k]);
@@ -40,15 +40,15 @@ double crossing_time(const Curve& curve, std::size_t k, double level) {
 }
 
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level) {
-  constexpr double round_off = 1e-9;  // relative to the greatest value; less counts as 0
-  constexpr double least = 1.0 / 20;  // relative to the previous peak
+  constexpr double round_off = 1e-9;  // of the greatest value
+  constexpr double least = 1.0 / 20;  // of the previous peak
   std::vector<HalfCycle> found;
   const auto deviation = [&](std::size_t k) { return curve.y[k] - level; };
   double greatest = 0;
   for (std::size_t k = 0; k < curve.size(); ++k) greatest = std::max(greatest, std::abs(deviation(k)));
   double begin = curve.t.empty() ? 0 : curve.t.front();
-  std::size_t top = 0, over = 0;  // peaks: current and next half cycle; 0: none
-  std::size_t crossed = 0;        // first sample of the next one
+  std::size_t top = 0, over = 0;
+  std::size_t crossed = 0;
   const auto end_half_cycle = [&] {
     const auto [time, peak] = vertex(curve, top);
     const double end = crossing_time(curve, crossed, level);
@@ -59,7 +59,7 @@ std::vector<HalfCycle> half_cycles(const Curve& curve, double level) {
     top = over;
     over = 0;
   };
-  for (std::size_t k = 1; k < curve.size(); ++k) {  // skips the start
+  for (std::size_t k = 1; k < curve.size(); ++k) {
     const double y = deviation(k);
     if (std::abs(y) <= round_off * greatest) continue;
     if (top == 0) {
@@ -129,7 +129,7 @@ double rms_difference(const Curve& a, const Curve& b, double begin, double end) 
 }
 
 double rms_difference(const Curve& a, const std::function<double(double)>& b, double begin, double end) {
-  const double node = std::sqrt(3.0 / 5);  // Gauss–Legendre on [−1, 1]
+  const double node = std::sqrt(3.0 / 5);  // Gauss–Legendre
   const std::vector<double> times = joint_times(std::span(&a, 1), begin, end);
   double integral = 0;
   for (std::size_t k = 1; k < times.size(); ++k) {

@@ -7,23 +7,20 @@
 
 namespace taut {
 
-/// A quantity over increasing times, linear between samples.
+/// Quantity over time, linear between samples.
 struct Curve {
   std::span<const double> t, y;
-  bool of_steps = false;  // samples are means since the previous one
+  bool of_steps = false;  // samples are means over steps
 
   std::size_t size() const { return t.size(); }
 };
 
-/// Samples before the first non-finite one.
 Curve finite_part(Curve curve);
 
 double value_at(const Curve& curve, double time);
 
-/// Crossing of `level` between samples k − 1 and k.
 double crossing_time(const Curve& curve, std::size_t k, double level);
 
-/// Part of a curve between two crossings of a level.
 struct HalfCycle {
   double begin, end;
   double peak;  // greatest deviation, a vertex through three samples
@@ -31,16 +28,15 @@ struct HalfCycle {
 };
 
 /// Complete half cycles, from a start at the level or the first crossing. Excursions below 1/20 of the previous peak
-/// are noise or tangency.
+/// are noise.
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level = 0);
 
 /// Mean over whole periods, between two crossings of this mean in the same direction; none without a whole period.
 std::optional<double> mean_of_periods(const Curve& curve);
 
-/// ∫ y dt, exact; begin < end within the curve.
+/// Requires begin < end within the curve.
 double integral(const Curve& curve, double begin, double end);
 
-/// Returns `begin`, `end` and the sample times of all curves between them.
 std::vector<double> joint_times(std::span<const Curve> curves, double begin, double end);
 
 /// RMS of a − b, exact; begin < end within both curves.
@@ -48,8 +44,7 @@ double rms_difference(const Curve& a, const Curve& b, double begin, double end);
 /// RMS with three Gauss points between samples of `a`.
 double rms_difference(const Curve& a, const std::function<double(double)>& b, double begin, double end);
 
-/// Angle by which (x, y) turns about the origin until `end`, rad, counter-clockwise, with full turns; below half a
-/// turn per sample.
+/// Angle by which (x, y) turns about the origin until `end`, rad, with full turns; below half a turn per sample.
 double turn(const Curve& x, const Curve& y, double end);
 
 }  // namespace taut

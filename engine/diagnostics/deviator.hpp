@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// s:s of the stored components, with s_zz in 2D; off-diagonal components count twice.
+/// Sum s:s, with s_zz in 2D.
 template <int Dim>
 double contracted(const double* s) {
   if constexpr (Dim == 3)  // xx, xy, xz, yy, yz, zz
@@ -15,13 +15,11 @@ double contracted(const double* s) {
     return s[0] * s[0] + s[2] * s[2] + s[3] * s[3] + 2 * s[1] * s[1];
 }
 
-/// Deviatoric stress of a particle as stored in Snapshot, Pa.
 inline std::span<const double> deviator(const Snapshot& now, std::size_t particle) {
   const std::size_t stored = now.dim == 3 ? 6 : 4;
   return {now.s.data() + stored * particle, stored};
 }
 
-/// s:s, Pa².
 inline double deviator_squared(const Snapshot& now, std::size_t particle) {
   const double* s = deviator(now, particle).data();
   return now.dim == 3 ? contracted<3>(s) : contracted<2>(s);

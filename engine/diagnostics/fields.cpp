@@ -17,7 +17,7 @@ double von_mises(const Snapshot& now, std::size_t i) { return std::sqrt(1.5 * de
 
 double pressure(const Snapshot& now, std::size_t i) { return now.p[i]; }
 
-/// Cauchy stress σ = −p I + s, positive in tension.
+/// σ = −p I + s, positive in tension.
 double stress_xx(const Snapshot& now, std::size_t i) { return -now.p[i] + deviator(now, i)[0]; }
 double stress_xy(const Snapshot& now, std::size_t i) { return deviator(now, i)[1]; }
 double stress_yy(const Snapshot& now, std::size_t i) {
@@ -28,7 +28,7 @@ double stress_xz(const Snapshot& now, std::size_t i) { return now.deviator(i).xz
 double stress_yz(const Snapshot& now, std::size_t i) { return now.deviator(i).yz; }
 double stress_zz(const Snapshot& now, std::size_t i) { return now.stress(i).zz; }
 
-/// `Rank`-th greatest principal stress, with σ_zz in 2D.
+/// Principal stress, with σ_zz in 2D.
 template <int Rank>
 double principal(const Snapshot& now, std::size_t i) {
   const StressTensor t = now.stress(i);
@@ -68,7 +68,7 @@ Eigen::Matrix3d matrix(const LinearMap& map) {
 
 double volume_ratio(const LinearMap& F) { return matrix(F).determinant(); }
 
-/// Hencky strain ½ ln(F Fᵀ) in spatial axes; trace ln J.
+/// Hencky strain ½ ln(F Fᵀ) in spatial axes.
 Eigen::Matrix3d logarithmic_strain(const LinearMap& map) {
   const Eigen::Matrix3d F = matrix(map);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> stretch(F * F.transpose());
@@ -81,13 +81,13 @@ double strain(const LinearMap& F) {
   return logarithmic_strain(F)(A, B);
 }
 
-/// Equals the axial strain of a bar in isochoric tension.
+/// Equals the axial strain in isochoric tension.
 double equivalent_strain(const LinearMap& F) {
   const Eigen::Matrix3d e = logarithmic_strain(F);
   return std::sqrt(2.0 / 3.0) * (e - e.trace() / 3 * Eigen::Matrix3d::Identity()).norm();
 }
 
-/// |r(x)|/dp of AlternatingPart; 0 for particles without a row.
+/// |r(x)|/dp of AlternatingPart; 0 without a row.
 std::vector<double> zigzag(const Snapshot& now) {
   std::vector<double> values(now.size());
   if (values.empty()) return values;

@@ -10,33 +10,29 @@
 
 namespace taut {
 
-/// Objects that a field counts, each with a name and colour.
 enum class Counted : std::uint8_t { nothing, bodies, materials };
 
 struct Field {
-  std::string_view key;   // as on the command line
-  std::string_view name;  // as on the colour bar
+  std::string_view key;
+  std::string_view name;
   std::string_view unit;  // empty if dimensionless
   std::string_view help;
   bool is_signed = false;  // diverging colours around `middle`
   double (*of_state)(const Snapshot&, std::size_t particle) = nullptr;
-  int least_dim = 2;                               // 3: in 3D only
+  int least_dim = 2;
   double (*of_map)(const LinearMap& F) = nullptr;  // instead of `of_state`
   double middle = 0;
   Counted counts = Counted::nothing;
-  std::vector<double> (*of_all)(const Snapshot&) =
-      nullptr;  // instead of `of_state`, for all particles at once
+  std::vector<double> (*of_all)(const Snapshot&) = nullptr;  // for all particles
 
   /// For many particles, `evaluate` is faster.
   double value(const Snapshot& now, std::size_t particle) const;
 };
 
-/// Fields in listing order; `dim` = 3 includes all.
 std::span<const Field> fields(int dim = 3);
-/// nullptr if unknown in `dim` dimensions.
+/// Returns nullptr if unknown.
 const Field* find_field(std::string_view key, int dim = 3);
 std::vector<double> evaluate(const Field& field, const Snapshot& snapshot);
-/// Fits the affine maps only once.
 std::vector<std::vector<double>> evaluate(std::span<const Field* const> fields, const Snapshot& snapshot);
 
 }  // namespace taut

@@ -7,11 +7,11 @@
 namespace taut {
 namespace {
 
-/// Weight of a patch: a zigzag of 0.15 dp in a patch is judged like one of 0.03 dp in a body. Patches stay below 0.02 dp
-/// in runs that the papers show as smooth, and below 0.13 dp in creases folded to a radius of one spacing.
+/// A zigzag of 0.15 dp in a patch is judged like one of 0.03 dp in a body. Patches stay below 0.02 dp in smooth runs
+/// of the papers, and below 0.13 dp in sharp creases.
 constexpr double weight_of_patch = 0.2;
 
-constexpr double least_strain = 1e-8;  // strain of round-off: times Young's modulus, a stress
+constexpr double least_strain = 1e-8;  // round-off
 
 }  // namespace
 
@@ -55,7 +55,7 @@ Reading IndicatorGauge::hourglass(const std::vector<double>& squared) const {
     if (const double mean = weight * sum / count; mean > greatest)
       greatest = mean, worst.particle = part_.j[part_.begin[row]];
   };
-  // a patch is worse than a body only if one of its particles is
+  // a patch is worse only if one of its particles is
   for (int row = 0; row < part_.rows(); ++row) {
     if (weight * squared[row] <= greatest) continue;
     for (int k = part_.begin[row]; k < part_.begin[row + 1]; ++k)

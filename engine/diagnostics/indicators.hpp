@@ -10,7 +10,7 @@ namespace taut {
 
 /// Measure of failure: `part` of a `whole`.
 struct Indicator {
-  std::string_view key;  // in history.csv and run.json
+  std::string_view key;
   std::string_view part, whole;
 };
 
@@ -23,36 +23,24 @@ inline constexpr std::array indicators = {
 
 struct Reading {
   double part = 0, whole = 0;  // same unit
-  int particle = -1;           // at the centre of the worst patch; −1: a whole body is worse
+  int particle = -1;           // centre of the worst patch; −1: a whole body is worse
   double share() const { return part == 0 ? 0 : part / whole; }
 };
-/// In the order of `indicators`.
 using Readings = std::array<Reading, indicators.size()>;
 
 struct IndicatorRecord {
   double greatest_part = 0, greatest_whole = 0;
-  double at = 0;       // s, of the greatest part
+  double at = 0;       // s
   long particle = -1;  // see Reading
   double last = 0;     // share
-  /// Relative to the greatest whole, so that noise in unloaded bodies counts little.
+  /// Relative to the greatest whole: noise in unloaded bodies counts little.
   double greatest() const { return Reading{greatest_part, greatest_whole}.share(); }
   void take(const Reading& now, double time);
 };
 
-/// Alternating parts r(q)_i = Σ_j w_ij q_j of fields (AlternatingPart); rms over particles with a row.
-/// - hourglass_error: rms |r(x)| / dp of the worst body, or 0.2 times the value of the worst patch, if that is greater.
-///   A patch is a particle and the particles of its row. Bodies and parts without zigzags thus do not dilute the error.
-///   |r(x)| = |Σ_j w_ij E_ij| with the error vectors E_ij = F_i X_ij − x_ij of [Ganzenmueller2015], for any F_i. A
-///   zigzag of amplitude a gives a/dp.
-///   Particles count at most one spacing, since displacements at cracks mean nothing. Departure: the mean
-///   |½ (E_ij − E_ji)| / |X_ij| of the paper includes smooth fields where F is one-sided.
-/// - pressure_checkerboard = rms r(p) / rms p.
-/// - von_mises_checkerboard = rms √(3/2 r(s):r(s)) / rms √(3/2 s:s), by components, because von Mises stress has
-///   kinks.
-/// For the last two a pure checkerboard gives 1, noise 0.59 (3D: 0.73). Their denominators are at least 1e-8 E, E
-/// being Young's modulus, so that round-off is no checkerboard.
-/// [Ganzenmueller2015] G. C. Ganzenmüller: An hourglass control algorithm for Lagrangian smooth particle
-/// hydrodynamics. Computer Methods in Applied Mechanics and Engineering 286 (2015) 87–106.
+/// Evaluates the indicators (THEORY.md): hourglass_error, the rms of |r(x)|/dp in the worst body or patch;
+/// pressure_checkerboard and von_mises_checkerboard, rms ratios of alternating parts. Departs from
+/// [Ganzenmueller2015], whose mean error includes smooth fields.
 class IndicatorGauge {
  public:
   IndicatorGauge(const Scene& scene, const Snapshot& start, int threads = 1);
@@ -62,11 +50,10 @@ class IndicatorGauge {
   Reading hourglass(const std::vector<double>& squared) const;
 
   AlternatingPart part_;
-  std::vector<int> row_of_;  // [particle] −1: none
-  std::vector<int>
-      first_row_;       // [body] and one past the last of all; bodies at the end without rows are left out
-  double spacing_ = 0;  // m
-  double least_stress_ = 0;  // Pa
+  std::vector<int> row_of_;     // [particle] −1: none
+  std::vector<int> first_row_;  // [body] and one past the last
+  double spacing_ = 0;          // m
+  double least_stress_ = 0;     // Pa
 };
 
 }  // namespace taut

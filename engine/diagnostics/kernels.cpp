@@ -14,7 +14,6 @@
 namespace taut {
 namespace {
 
-/// x, p and s of a particle, padded with zeros.
 template <int Dim>
 struct Fields {
   static constexpr int p = Dim, s = lanes, stored = Dim == 3 ? 6 : 4;
@@ -34,7 +33,6 @@ Fields<Dim> fields_of(const SnapshotView& now, int particle) {
     return {Pack{x[0], x[1], now.p[i]}, load(s)};
 }
 
-/// Returns Σ_j w_ij q_j of a row, for all fields.
 template <int Dim>
 Fields<Dim> filtered(const AlternatingView& part, int row, const SnapshotView& now) {
   Fields<Dim> sum{};
@@ -52,15 +50,14 @@ void add_squares(Fields<Dim>& sum, const Fields<Dim>& q) {
   for (int a = 0; a < Fields<Dim>::packs; ++a) sum.of[a] += q.of[a] * q.of[a];
 }
 
-/// Combines squares to x, p and 3/2 s:s.
 template <int Dim>
 void put_by_kind(double x, const Fields<Dim>& squares, double* out) {
   using F = Fields<Dim>;
   const auto s = [&](int k) { return squares[F::s + k]; };
   out[0] = x, out[1] = squares[F::p];
-  if constexpr (Dim == 3)  // xx, xy, xz, yy, yz, zz
+  if constexpr (Dim == 3)
     out[2] = 1.5 * (s(0) + s(3) + s(5) + 2 * (s(1) + s(2) + s(4)));
-  else  // xx, xy, yy, zz
+  else
     out[2] = 1.5 * (s(0) + s(2) + s(3) + 2 * s(1));
 }
 

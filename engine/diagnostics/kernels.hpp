@@ -33,10 +33,10 @@ struct StrainDivisors {
   double twice_K, four_G;
 };
 
-/// Sums for a row of history.csv, bit-identical for all instruction sets.
+/// Sums for the history, bit-identical for all instruction sets.
 struct HistoryKernels {
-  /// Writes to `out` the three sums of AlternatingSums::part, with x at most `spacing`² each, then the three sums of
-  /// `whole`. `squared`: [row] AlternatingSums::x.
+  /// Writes the three sums of AlternatingSums::part, with x at most `spacing`² each, then of `whole`. `squared`:
+  /// [row] AlternatingSums::x.
   void (*alternating_sums)(const AlternatingView& part, const SnapshotView& now, double spacing, double* out,
                            double* squared);
   /// 4 + 3 + 3 numbers: kinetic and strain energy, scales of linear and angular momentum; linear; angular momentum.

@@ -16,9 +16,9 @@ using LatticeSite = std::array<int, 3>;  // plane numbers
 using Vector = Eigen::Vector3d;
 using Corners = std::array<Vector, 8>;  // bit k: upper corner along axis k
 
-/// Plane number of each particle along one axis. Gaps in a body skip a number.
+/// Plane numbers along one axis; gaps skip a number.
 std::vector<int> planes(const std::vector<double>& x, double apart) {
-  constexpr double widest = 1.5;  // relative to the least plane distance
+  constexpr double widest = 1.5;
   std::vector<double> sorted = x, first;
   std::ranges::sort(sorted);
   for (const double at : sorted)
@@ -54,14 +54,14 @@ std::map<LatticeSite, std::size_t> sites(const Snapshot& now, int body) {
   return at;
 }
 
-/// ∫ det of the trilinear map; two Gauss points per axis are exact.
+/// Integral of det of the trilinear map; two Gauss points per axis are exact.
 double volume(const Corners& corner) {
   const double offset = 0.5 / std::sqrt(3.0);
   double sum = 0;
   for (unsigned point = 0; point < 8; ++point) {
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
     for (unsigned c = 0; c < 8; ++c) {
-      double value[3];  // hat function of the corner
+      double value[3];  // hat function
       for (unsigned k = 0; k < 3; ++k) {
         const double at = 0.5 + ((point >> k & 1) ? offset : -offset);
         value[k] = (c >> k & 1) ? at : 1 - at;
@@ -93,7 +93,7 @@ double lattice_volume(const Snapshot& now, int body, std::span<const double> x) 
       if (!whole) break;
       corner[c] = Vector::Zero();
       for (unsigned k = 0; k < dim; ++k) corner[c][k] = x[found->second * dim + k];
-      if (dim == 2) corner[c][2] = c >> 2 & 1;  // per metre depth
+      if (dim == 2) corner[c][2] = c >> 2 & 1;
     }
     if (whole) total += volume(corner);
   }

@@ -13,9 +13,9 @@ namespace taut {
 namespace {
 
 using Source = MeasureSource;
-using Value = std::optional<double>;  // of a reference
+using Value = std::optional<double>;
 
-/// Interval that run and reference cover; none before the run has reached its end.
+/// Interval of run and reference; none before the end of the run.
 std::optional<std::pair<double, double>> common_time(const Source& source) {
   if (source.reference.empty()) return std::nullopt;
   const double begin = std::max(source.curve.front().t.front(), source.reference.begin());
@@ -31,7 +31,6 @@ Measured without_common_time(const Source& source) {
   return reached < end ? too_short(end, reached) : none("the run and its reference do not overlap in time");
 }
 
-/// Returns number(half cycles) if there are at least `needed` about the level.
 template <class Number>
 Measured of_half_cycles(const Source& source, std::size_t needed, const Number& number) {
   const Curve& curve = source.curve.front();
@@ -63,7 +62,7 @@ Measured peak_time(const Source& s) {
 }
 
 double decay_of(const std::vector<HalfCycle>& cycles) {
-  const std::size_t periods = (cycles.size() - 1) / 2;  // between peaks of one sign
+  const std::size_t periods = (cycles.size() - 1) / 2;
   return 1 - std::pow(cycles[2 * periods].peak / cycles.front().peak, 1 / static_cast<double>(periods));
 }
 
@@ -114,7 +113,6 @@ Measured path_error(const Source& source) {
   return greatest ? Measured(*greatest) : none("no time of the reference is within the run");
 }
 
-/// Directions right-handed with the axis.
 std::pair<Point, Point> directions_across(const Point& axis) {
   const Eigen::Vector3d a(axis.data());
   const Eigen::Vector3d first = a.unitOrthogonal(), second = a.cross(first);
@@ -128,7 +126,7 @@ std::vector<double> component(const std::vector<Curve>& point, const Point& alon
   return y;
 }
 
-/// In 3D seen along the axis. The curves must have equal times.
+/// Requires equal times. In 3D the angle is seen along the axis.
 Value turn_until(const std::vector<Curve>& point, const Point& axis, double until) {
   if (!std::ranges::all_of(point, [=](const Curve& c) { return c.t.back() >= until; })) return std::nullopt;
   if (point.size() < 3) return turn(point[0], point[1], until);
@@ -142,7 +140,6 @@ Measured turn_of_point(const Source& source) {
   return angle ? Measured(*angle) : too_short(source.until, source.curve.front().t.back());
 }
 
-/// Evaluates exact solutions at the run's steps.
 Value turn_of_reference(const Source& source) {
   const ReferenceCurves& reference = source.reference;
   if (reference.empty()) return std::nullopt;
@@ -169,7 +166,7 @@ Value given_then(const Source& source) {
   return source.reference.exact ? source.reference.at(0, source.measure->time) : source.reference_value;
 }
 
-/// Returns none if the extreme is at the end and may still grow (`end_extreme_may_grow`).
+/// Returns none if the extreme is at the end and may still grow.
 Measured extreme(const Source& source, double value) {
   const auto &t = source.curve[0].t, &y = source.curve[0].y;
   if (!source.end_extreme_may_grow || y.back() != value) return value;
@@ -192,7 +189,7 @@ Measured first_below(const Source& source) {
 Measured last_below(const Source& source) {
   const Curve& curve = source.curve.front();
   const double threshold = source.measure->threshold;
-  std::size_t above = curve.size();  // first sample of the last interval above
+  std::size_t above = curve.size();
   while (above > 0 && curve.y[above - 1] > threshold) --above;
   if (above == 0) return none("the series was never {:g} or less", threshold);
   if (above == curve.size())
@@ -200,7 +197,7 @@ Measured last_below(const Source& source) {
   return crossing_time(curve, above, threshold);
 }
 
-/// None while bodies touch, before they have touched, or for negative ratios, because bodies may touch again.
+/// Returns none while bodies touch or may touch again.
 Measured final_ratio(const Source& source) {
   const double ratio = source.curve[0].y.back() / source.measure->scale;
   if (!source.free) return ratio;
@@ -224,7 +221,7 @@ Measured frequency(const Source& source) {
 }
 
 Measured at_rest(const Source& source) {
-  constexpr double last = 0.1, still = 1e-3;  // of the run; of the greatest |value|
+  constexpr double last = 0.1, still = 1e-3;  // shares
   const Curve& curve = source.curve.front();
   if (curve.t.back() < source.until) return too_short(source.until, curve.t.back());
   double size = 0, low = curve.y.back(), high = low;
@@ -241,7 +238,6 @@ Measured at_rest(const Source& source) {
       (high - low) / size);
 }
 
-/// Reference of a difference.
 Value zero(const Source& source) { return source.reference.empty() ? std::nullopt : Value(0); }
 
 Value as_given(const Source& source) {

@@ -17,7 +17,6 @@
 
 namespace taut {
 
-/// Table or exact solution for each probe, or neither.
 struct ReferenceCurves {
   std::vector<Curve> table;
   const std::vector<Solution>* exact = nullptr;
@@ -32,15 +31,15 @@ struct ReferenceCurves {
 
 struct MeasureSource {
   const Measure* measure = nullptr;
-  std::vector<Curve> curve;   // [probe] not empty
-  std::optional<Curve> free;  // of the probe `free`
+  std::vector<Curve> curve;  // [probe]
+  std::optional<Curve> free;
   ReferenceCurves reference;  // may be empty
   std::optional<double> reference_value;
   const SampleLine* line = nullptr;  // may be null
   const std::vector<LineSample>* samples = nullptr;
-  const Snapshot* now = nullptr;     // may be null
-  double until = 0;                  // s
-  bool end_extreme_may_grow = true;  // an extreme at the end may still grow
+  const Snapshot* now = nullptr;  // may be null
+  double until = 0;               // s
+  bool end_extreme_may_grow = true;
 };
 
 struct Measured {
@@ -61,27 +60,25 @@ inline Measured too_short(double wanted, double reached) {
 
 inline constexpr const char* no_reference = "there is no reference to compare with";
 
-/// A new kind is a function and a row in measure_kinds.cpp.
 struct MeasureKind {
   using Value = Measured (*)(const MeasureSource&);
   using Reference = std::optional<double> (*)(const MeasureSource&);
 
   std::string_view name, help;
-  /// Keys beside `name`, `of` and `unit`, the source first. `probes`: one per axis.
+  /// Keys beside `name`, `of` and `unit`. `probes`: one per axis.
   std::vector<std::string_view> keys;
-  /// Possible references: a number, a table over time, a solution over time or place. A solution can also give the
-  /// number: its value at the end of the run, or for `value` at its time.
+  /// Possible references. A solution can also give the number: its value at the end of the run, or for `value` at
+  /// its time.
   bool number = false, table = false, solution = false;
   Value value;
-  Reference reference;  // called if the scene has one
+  Reference reference;
 };
 
-/// Kinds in listing order.
 std::span<const MeasureKind> measure_kinds();
-/// nullptr if unknown.
+/// Returns nullptr if unknown.
 const MeasureKind* find_measure_kind(std::string_view name);
 
-/// Kinds whose value is a difference, with reference 0.
+/// Kinds with reference 0.
 constexpr bool is_difference(std::string_view kind) {
   return kind == "rmse" || kind == "path_error" || kind.starts_with("line_") || kind.starts_with("field_");
 }

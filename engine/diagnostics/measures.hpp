@@ -14,16 +14,15 @@ namespace taut {
 
 struct MeasureResult {
   std::string name, kind, unit;
-  std::optional<double> value;      // if none, see `why`
-  std::optional<double> reference;  // none for these parameters or this law; 0 for differences
+  std::optional<double> value;      // none: see `why`
+  std::optional<double> reference;  // none for this law; 0 for differences
   std::string reference_name;
   std::optional<double> error;  // relative; absolute if the reference is 0
   std::string why;
 };
 
-/// Evaluates the scene's measures (measure_kinds.hpp) against the reference of law `law`. Series are linear between
-/// steps and end before their first non-finite value; peaks are vertices of parabolas. Throws SceneError for an
-/// unknown kind, probe or field.
+/// Evaluates the scene's measures against the reference of law `law`. Series end before their first non-finite
+/// value. Throws SceneError for an unknown kind, probe or field.
 std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std::string_view law,
                                    const std::vector<std::vector<LineSample>>& lines = {},
                                    const Snapshot* now = nullptr);

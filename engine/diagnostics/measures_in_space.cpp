@@ -24,12 +24,12 @@ std::vector<const Field*> fields_of(const Measure& measure, int dim) {
 }
 
 struct Site {
-  Point X{};           // m
-  Point difference{};  // field − exact
+  Point X{};  // m
+  Point difference{};
   double mass = 0;
 };
 
-/// Subtracts the motion t + ω × X of least Σ m |difference|², in 2D.
+/// Subtracts the motion t + ω × X of least Σ m |difference|².
 void take_plane_motion_off(std::vector<Site>& sites) {
   double mass = 0;
   Point centre{}, mean{};
@@ -56,7 +56,7 @@ void take_plane_motion_off(std::vector<Site>& sites) {
 
 Eigen::Vector3d vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
-/// 3D: Σ m (r² I − r rᵀ) ω = Σ m r × difference, r from the mass centre.
+/// Solves Σ m (r² I − r rᵀ) ω = Σ m r × difference, r from the mass centre.
 void take_space_motion_off(std::vector<Site>& sites) {
   double mass = 0;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(), mean = centre, moment = centre;
@@ -113,12 +113,11 @@ namespace {
 
 using Source = MeasureSource;
 
-/// RMS over a line of field − reference and of the reference.
 struct LineSquares {
   double difference = 0, reference = 0;
 };
 
-/// A table has one time. None before the last sample, or if a point left the body.
+/// Returns none before the last sample, or if a point left the body.
 std::optional<LineSquares> line_squares(const Source& source) {
   if (source.reference.empty() || !source.samples) return std::nullopt;
   const SampleLine& line = *source.line;
@@ -145,7 +144,6 @@ Measured without_line(const Source& source) {
                                   : none("the line has no samples, or one of its points has left the body");
 }
 
-/// None before the end.
 std::optional<FieldError> error_at_end(const Source& source) {
   if (!source.reference.exact || !source.now || source.now->time < source.until) return std::nullopt;
   return field_error(*source.measure, *source.now, *source.reference.exact);

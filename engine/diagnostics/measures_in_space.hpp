@@ -11,26 +11,23 @@ namespace taut {
 
 /// Errors relative to the greatest |exact|.
 struct FieldError {
-  double rms = 0;  // √ of the mean square
+  double rms = 0;
   double greatest = 0;
 };
 
-/// Error of the measure's fields, components of one vector, at unclamped particles of its body. `exact`: functions
-/// of initial position and time.
-/// Subtracts the best small rigid motion t + ω × X if rigid motion is free. None if `exact` is 0. Throws SceneError
-/// for an unknown field.
+/// Error of the components of one vector at unclamped particles. Subtracts the best small rigid motion t + ω × X if
+/// rigid motion is free. None if `exact` is 0. Throws SceneError for an unknown field.
 std::optional<FieldError> field_error(const Measure& measure, const Snapshot& now,
                                       const std::vector<Solution>& exact);
 
-/// RMS of field − reference, and its ratio to the RMS of the reference.
+/// RMS of field − reference, absolute and relative.
 Measured line_rmse(const MeasureSource& source);
 Measured line_error(const MeasureSource& source);
 
-/// field_error at the end of the run.
 Measured field_rmse(const MeasureSource& source);
 Measured greatest_field_error(const MeasureSource& source);
 
-/// Relative volume change at the end (lattice_volume.hpp).
+/// Relative change at the end.
 Measured volume_change(const MeasureSource& source);
 
 }  // namespace taut

@@ -37,13 +37,12 @@ std::vector<double> windowed(const Curve& curve, double begin, double end, std::
   return y;
 }
 
-/// Offset of the vertex through three equidistant values.
 double vertex(double left, double middle, double right) {
   const double bend = left - 2 * middle + right;
   return bend < 0 ? 0.5 * (left - right) / bend : 0;
 }
 
-/// Greatest height within 1/(end − begin) to both sides, since the zeros of the window lie that close.
+/// Greatest height within 1/(end − begin): the zeros of the window lie that close.
 template <class Height>
 std::vector<double> without_zeros(std::size_t n, const Height& height) {
   std::vector<double> hull(n);
@@ -53,7 +52,6 @@ std::vector<double> without_zeros(std::size_t n, const Height& height) {
   return hull;
 }
 
-/// Distinguishes lines from other parts of a spectrum.
 class Lines {
  public:
   explicit Lines(std::vector<double> hull)
@@ -64,16 +62,13 @@ class Lines {
       below_[k] = least;
       most = std::max(most, hull_[k]);
     }
-    highest_ =
-        static_cast<std::size_t>(std::ranges::max_element(hull_) - hull_.begin()) + padding;  // its middle
+    highest_ = static_cast<std::size_t>(std::ranges::max_element(hull_) - hull_.begin()) + padding;
     floor_ = 1e-9 * most;
     least = std::numeric_limits<double>::infinity();
     for (std::size_t k = hull_.size(); k-- > 0;) above_[k] = least = std::min(least, hull_[k]);
   }
 
-  /// Whether a peak is a line: beyond its width it falls to half its height on both sides. The remainder of a trend
-  /// falls on one side only, the remainder of an impact on neither. With only a few periods, no lower frequency may
-  /// have a greater height, and the upper side must fall at once.
+  /// Whether a peak is a line (THEORY.md, Peak frequency).
   bool have(std::size_t k, double height) const {
     if (height <= floor_ || height <= of_highest(k) || k + width >= hull_.size()) return false;
     if (k <= slowest + width)
@@ -93,7 +88,7 @@ class Lines {
     return 2 * side * side * hull_[highest_];
   }
 
-  std::vector<double> hull_, below_, above_;  // minima up to and from an index
+  std::vector<double> hull_, below_, above_;
   std::size_t highest_ = 0;
   double floor_ = 0;
 };
@@ -114,7 +109,7 @@ std::optional<double> peak_frequency(const Curve& curve, double begin, double en
   y.resize(padding * n);
   std::vector<std::complex<double>> spectrum;
   Eigen::FFT<double>().fwd(spectrum, y);
-  const double line = 1 / (static_cast<double>(padding) * (end - begin));  // Hz between two points
+  const double line = 1 / (static_cast<double>(padding) * (end - begin));  // Hz
   const auto height = [&](std::size_t k) { return std::norm(spectrum[k]); };
   const Lines lines(without_zeros(y.size() / 2, height));
   std::size_t top = 0;

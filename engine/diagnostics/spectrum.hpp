@@ -7,12 +7,9 @@
 
 namespace taut {
 
-/// Frequency of the highest peak of a curve within `band`, Hz; `begin`, `end` in s. Returns none for less than two
-/// periods, or if the band has no peak: a spectrum that only rises towards an end of the band has none. Trends,
-/// impacts, round-off, side lobes and amplitudes below 3e-5 of the highest are not peaks.
-/// Samples the curve evenly, subtracts a linear fit, applies a Hann window and pads with zeros to four times its
-/// length. A parabola through the logarithms of three points locates the top of a peak. Lines closer than
-/// 2/(end − begin) merge; the error of a lasting line is far below 1/(end − begin).
+/// Frequency of the highest peak within `band`, Hz (THEORY.md, Peak frequency); `begin`, `end` in s. Returns none
+/// for less than two periods, or if the band has no peak. Trends, impacts, round-off, side lobes and amplitudes
+/// below 3e-5 of the highest are not peaks.
 std::optional<double> peak_frequency(const Curve& curve, double begin, double end,
                                      const std::array<double, 2>& band);
 

@@ -13,12 +13,11 @@ struct StepLimit {
   double step;  // s
 };
 
-/// Largest stable time steps in theory, s, for small waves in an unbounded square or cubic lattice of the first
-/// body's material; none unless the method is a law on initial neighbours in one leap-frog step.
-/// - sharp: Δt = 2/(c_p max |κ(q)|) over plane waves q with gradient κ(q) = Σ_j V B W′ e_ij sin(q·X_ij). Two nearest
-///   neighbours per axis in d dimensions give (ρ/|m W′|) √(ρ/d(K + 4G/3)).
-/// - [Zhang2020] Eq. 15b, 2D: (ρ/|m W′|) √(ρ (1 − 2ν)/((3 − 4ν) E/(1 + ν))), sufficient for four neighbours. Its G is
-///   twice the shear modulus. W′ is normalised here, which the paper does not specify.
+/// Largest stable time steps in theory, s, for small waves in an unbounded lattice of the first body's material;
+/// none unless the method is a law on initial neighbours in one leap-frog step.
+/// - sharp: Δt = 2/(c_p max |κ(q)|) over plane waves q with gradient κ(q) = Σ_j V B W′ e_ij sin(q·X_ij).
+/// - [Zhang2020] Eq. 15b, 2D: (ρ/|m W′|) √(ρ (1 − 2ν)/((3 − 4ν) E/(1 + ν))). Its G is twice the shear modulus. W′ is
+///   normalised here, which the paper does not specify.
 std::vector<StepLimit> step_limits(const Scene& scene, const Settings& settings);
 
 }  // namespace taut

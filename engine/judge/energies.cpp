@@ -14,7 +14,7 @@ namespace taut {
 namespace {
 
 constexpr double small_part = 0.1;         // of the received energy
-constexpr std::size_t most_of_pairs = 64;  // bodies; more are one group
+constexpr std::size_t most_of_pairs = 64;  // more bodies are one group
 
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Point cross(const Point& a, const Point& b) {
@@ -54,7 +54,7 @@ EnergyTest::EnergyTest(const Scene& scene, const Snapshot& start, double support
   merge(start_, start.time);
 }
 
-/// One pass over the particles of each body, since a run is judged 200 times.
+/// One pass, since a run is judged 200 times.
 template <int Dim>
 void EnergyTest::add_up(const Snapshot& now, std::vector<Sums>& all) const {
   std::vector<StrainDivisors> divisors;
@@ -108,8 +108,7 @@ double EnergyTest::work(const Snapshot& now, std::size_t body) const {
   return now.body_work[body];
 }
 
-/// Whether, in the frame of body a, the boxes that both bodies swept since the last observation come within range.
-/// The boxes are widened by the distance that particles may have moved beyond them.
+/// Whether the boxes that both bodies swept since the last observation come within range, in the frame of body a.
 bool EnergyTest::may_meet(std::size_t a, std::size_t b, const std::vector<Sums>& now, double time) const {
   const double beyond =
       reach_ + 0.5 * (time - last_time_) *
@@ -130,7 +129,7 @@ bool EnergyTest::may_meet(std::size_t a, std::size_t b, const std::vector<Sums>&
 bool EnergyTest::may_touch_wall(std::size_t b, const std::vector<Sums>& now, double time) const {
   const double beyond = reach_ + 0.5 * (time - last_time_) * std::max(now[b].fastest, last_[b].fastest);
   return std::ranges::any_of(scene_->walls, [&](const Wall& wall) {
-    const auto height = [&](const Sums& of) {  // of the lowest corner of the box
+    const auto height = [&](const Sums& of) {
       double least = 0;
       for (std::size_t k = 0; k < static_cast<std::size_t>(scene_->dim); ++k)
         least += wall.normal[k] * ((wall.normal[k] > 0 ? of.low[k] : of.high[k]) - wall.at[k]);

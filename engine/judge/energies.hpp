@@ -8,36 +8,26 @@
 
 namespace taut {
 
-/// Greatest excess of a quantity over its bound, and the time at which it first exceeded the bound.
+/// Greatest excess over a bound, and its first time.
 struct Excess {
-  double greatest = 0;  // 0: never above the bound
-  double since = 0;     // s
+  double greatest = 0;
+  double since = 0;  // s
 };
 
-/// Compares the energy of bodies with the energy that they received.
-/// - Groups: bodies that may have met share one. They may have met if, in a frame that moves with one of them, the boxes
-///   swept between two observations come into the range of contact. A group is closed unless it has clamped, guided,
-///   driven or loaded particles, may have reached a wall, or is damped.
-/// - Energy: kinetic + strain, of closed groups in the frame of their initial momentum (with gravity: of their momentum).
-///   Contact energy counts if only one group has contacts.
-/// - Received energy: initial energy, unless closed plus the greatest work of drives, loads and gravity. If it is
-///   round-off, the energy of a speed of 1e-4 sound speeds replaces it.
-/// A group diverges when kinetic, or kinetic + strain energy exceeds twice its received energy. For searched neighbours
-/// strain energy counts only while a tenth of the received energy is kinetic: their forces do not derive from it. With
-/// initial neighbours it also diverges when its strain energy lies a tenth of the received energy below its start in two
-/// successive observations: a law without a minimum of its energy.
+/// Compares the energy of groups of bodies with the energy that they received (THEORY.md, Energies). Bodies that may
+/// have met share a group.
 class EnergyTest {
  public:
-  /// `support`: range of the interaction between particles, m. The scene must outlive the test.
+  /// `support`: range of interaction, m. The scene must outlive the test.
   EnergyTest(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors);
 
-  /// Returns whether a group diverges. Observations are in the order of their times.
+  /// Returns whether a group diverges. Observations must be in the order of their times.
   bool diverges(const Snapshot& now);
 
-  /// Energy of a group over its received energy, where above 1.1.
+  /// Energy over received energy, where above 1.1.
   const Excess& gain() const { return gain_; }
-  /// Change of the angular momentum of a closed group about its centre of mass, over its greatest
-  /// √(moment of inertia · 2 kinetic energy), where above 0.01.
+  /// Change of the angular momentum of a closed group over its greatest √(moment of inertia · 2 kinetic energy),
+  /// where above 0.01.
   const Excess& turn() const { return turn_; }
 
   template <class Archive>
@@ -57,14 +47,13 @@ class EnergyTest {
   }
 
  private:
-  /// Sums over the particles of a body.
   struct Sums {
     double mass = 0, kinetic = 0, strain = 0;
     Point momentum{}, spin{};  // kg m/s; kg m²/s about the origin
-    Point centre{};            // of mass, m
+    Point centre{};            // m
     double inertia = 0;        // Σ m |x − centre|², kg m²
-    Point low{}, high{};       // of the positions, m
-    double fastest = 0;        // greatest speed relative to the first particle, m/s
+    Point low{}, high{};       // m
+    double fastest = 0;        // relative, m/s
   };
   struct Group {
     double mass = 0, kinetic = 0, strain = 0, start_strain = 0, start_kinetic = 0, work = 0;
@@ -79,19 +68,19 @@ class EnergyTest {
   void merge(const std::vector<Sums>& now, double time);
   bool may_meet(std::size_t a, std::size_t b, const std::vector<Sums>& now, double time) const;
   bool may_touch_wall(std::size_t b, const std::vector<Sums>& now, double time) const;
-  std::vector<Group> groups(const std::vector<Sums>& now) const;  // [root of a group]
+  std::vector<Group> groups(const std::vector<Sums>& now) const;
   void watch_turn(const std::vector<Group>& all, const std::vector<Sums>& now, double time);
 
   const Scene* scene_;
-  double reach_;  // m, at which bodies may act on each other
+  double reach_;  // m
   bool keeps_neighbors_;
-  double rounding_;                             // J/kg
-  double start_contact_;                        // J
-  std::vector<std::size_t> first_;              // [body + 1] its first particle
+  double rounding_;       // J/kg
+  double start_contact_;  // J
+  std::vector<std::size_t> first_;
   std::vector<bool> is_acted_on_;               // [body]
   std::vector<Sums> start_, last_;              // [body]
   double last_time_ = 0;                        // s
-  std::vector<int> group_;                      // [body] lowest body of its group
+  std::vector<int> group_;                      // [body] its lowest body
   std::vector<unsigned char> at_wall_, fell_;   // [body]; fell_ of the lowest body of a group
   std::vector<double> most_work_, spin_scale_;  // [body] J; kg m²/s
   Excess gain_, turn_;

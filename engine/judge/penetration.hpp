@@ -7,24 +7,15 @@
 
 namespace taut {
 
-/// Widest angle between neighbouring directions, rad, sorted here; a full turn for fewer than two.
+/// Widest angle between neighbouring directions, rad; a full turn for fewer than two.
 double widest_gap(std::span<double> directions);
 
-/// Finds particles that have passed through a surface. A particle lies inside a far part if the particles of that
-/// part within 1.5 dp leave no gap wider than 2π/3 around it (3D: no empty cone with this opening angle). Far
-/// particles belong to another body, or were initially more than 4 dp away. A touching face lies on one side and
-/// leaves a gap near π. Far particles nearer than 0.29 dp (3D: 0.41 dp) do not count: behind a surface the gap
-/// reaches 2π/3 only at this depth.
-/// Only surface particles, which have such a gap among their initial neighbours, are tested, and only near far
-/// surface particles: the outlines of overlapping parts cross. A body inside another one is missed if no observed
-/// state shows the crossing.
-/// Candidates are listed out to 2.5 dp. The lists are renewed once two particles may have approached each other by
-/// 1 dp, measured by the diagonal of the box of all displacements since; results do not depend on the time of
-/// renewal.
+/// Finds particles inside another body, or inside a part of their own that was initially far (THEORY.md,
+/// Penetration). Misses a body that lies inside another one if no observed state shows the crossing.
 class Penetration {
  public:
   Penetration(const Snapshot& start, double spacing, int threads = 1);
-  /// Returns the number of surface particles that lie inside a far part.
+  /// Returns the number of surface particles inside a far part.
   int operator()(const Snapshot& now);
 
  private:
@@ -48,9 +39,9 @@ class Penetration {
   double spacing_;            // m
   std::vector<int> surface_;  // ascending
   std::vector<bool> on_surface_;
-  std::vector<double> at_search_;  // Snapshot::x; initially empty
+  std::vector<double> at_search_;  // Snapshot::x
   std::vector<Tested> tested_;
-  std::vector<int> near_;  // far candidates
+  std::vector<int> near_;
 };
 
 }  // namespace taut

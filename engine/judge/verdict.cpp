@@ -21,7 +21,6 @@ constexpr std::array<std::pair<Verdict, std::string_view>, 5> verdicts = {{
     {Verdict::diverged, "diverged"},
 }};
 
-/// From i to j at positions `x`.
 template <int Dim>
 std::array<double, Dim> between(const std::vector<double>& x, int i, int j) {
   std::array<double, Dim> d;
@@ -65,7 +64,6 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool kee
       energies_(scene, start, support, keeps_neighbors),
       penetration_(start, scene.spacing, threads) {
   for (const Material& material : scene.materials) compliance_.push_back(1 / material.youngs_modulus);
-  // eight neighbours on a square lattice, six on a hexagonal one
   const auto add = [this](int i, int j) { bonds_.push_back({i, j, false}); };
   for_each_close_pair(start, 1.5 * scene.spacing, add, threads);
   bonds_.shrink_to_fit();
@@ -151,11 +149,10 @@ double Judge::compliance(const Bond& bond, const Snapshot& now) const {
   return compliance_[now.material[bond.i]] + compliance_[now.material[bond.j]];
 }
 
-/// A crack stretches a bond but not its continuations within 26°. Smooth deformation stretches both, in proportion to
-/// their compliance.
+/// A crack stretches a bond but not its continuations within 26°.
 template <int Dim>
 bool Judge::stands_out(const Bond& bond, const Snapshot& now) const {
-  constexpr double jump = 1.5, straight = 0.9;  // of stretches; cosine
+  constexpr double jump = 1.5, straight = 0.9;  // ratio of stretches; cosine
   const auto continues = [](const std::array<double, Dim>& a, const std::array<double, Dim>& b) {
     const double along = dot(a, b);
     return along < 0 && along * along > straight * straight * dot(a, a) * dot(b, b);
@@ -196,7 +193,7 @@ int Judge::count_pieces() const {
 }
 
 bool Judge::has_crack() const {
-  std::vector<int> seen(particles_, -1);  // [particle] last bond that reached it
+  std::vector<int> seen(particles_, -1);  // [particle]
   for (std::size_t b = 0; b < bonds_.size(); ++b)
     if (bonds_[b].broken && !bypassed(static_cast<int>(b), seen)) return true;
   return false;

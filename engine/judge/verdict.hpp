@@ -20,46 +20,38 @@
 
 namespace taut {
 
-/// From best to worst; a run has its worst verdict.
+/// Verdicts from best to worst; a run has its worst one.
 enum class Verdict { stable, hourglass, penetrated, fractured, diverged };
 std::string_view name(Verdict);
 std::optional<Verdict> find_verdict(std::string_view name);
-/// Names of all verdicts, from `stable` to the worst; and without `stable`.
 std::vector<std::string> names_of_verdicts();
 std::vector<std::string> names_of_failures();
 
-/// Hourglass error (indicators.hpp) from which particles zigzag. Smooth results in the papers stay below 0.012
-/// ([Zhang2024] Fig. 3, 12, 18; [Khayyer2024] Fig. 9, 10), zigzags exceed 0.04 ([Zhang2024] Fig. 6, 12–14, 18;
-/// [Khayyer2024] Fig. 13; [Lee2016] Fig. 11). Smooth bending exceeds it at radii of about a spacing. Checkerboards
-/// are not judged: low stress raises them too.
+/// Smooth results in the papers stay below 0.012 ([Zhang2024] Fig. 3, 12, 18; [Khayyer2024] Fig. 9, 10), zigzags
+/// exceed 0.04 ([Zhang2024] Fig. 6, 12–14, 18; [Khayyer2024] Fig. 13; [Lee2016] Fig. 11). Checkerboards are not
+/// judged: low stress raises them too.
 inline constexpr double hourglass_threshold = 0.03;
 
-/// Bonds stretched further than the method follows its law of elasticity.
+/// Bonds stretched further than the method follows its law.
 struct BeyondLaw {
-  double share = 0;  // greatest share of the bonds so far
+  double share = 0;  // greatest share of the bonds
   double since = 0;  // s
 };
 
-/// Judges a run from observed states.
-/// - hourglass: the hourglass error exceeds its threshold.
-/// - penetrated: a particle lies inside another body or a far part of its own; see Penetration.
-/// - fractured: the graph of unbroken bonds has more pieces than initially, or the ends of a broken bond are more
-///   than 8 unbroken bonds apart. Bonds join particles of a body initially within 1.5 dp. A bond is broken while
-///   longer than max(support, 2 dp). With initial neighbours its stretch must also exceed 1.5 times the
-///   stretch of the bonds that continue it in a straight line, so that cracks one row apart are missed.
-/// - diverged: a value is not finite, or the energy of a body departs from its received energy; see EnergyTest.
+/// Judges a run from observed states (THEORY.md): hourglass error above the threshold, penetration, fracture, or
+/// divergence (a value that is not finite, or an excess of energy).
 class Judge {
  public:
   /// The scene must outlive the judge.
   Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors, int threads = 1);
   Judge(const Scene& scene, const Simulation& simulation);
-  /// Records when each failure began. Without readings, hourglass is not judged.
+  /// Without readings, hourglass is not judged.
   void observe(const Snapshot& now, const Balance& balance, const Readings& readings = {});
 
   Verdict verdict() const;
   /// First time of each failure, s.
   const std::map<Verdict, double>& since() const { return since_; }
-  int pieces() const { return pieces_; }  // of the graph of unbroken bonds
+  int pieces() const { return pieces_; }
   const BeyondLaw& beyond_law() const { return beyond_law_; }
   const Excess& energy_gain() const { return energies_.gain(); }
   const Excess& turn() const { return energies_.turn(); }
@@ -95,9 +87,9 @@ class Judge {
   bool has_crack() const;
   bool bypassed(int bond, std::vector<int>& seen) const;
 
-  std::vector<double> compliance_;  // [material] 1/Young's modulus, 1/Pa
+  std::vector<double> compliance_;  // [material] 1/Pa
   std::vector<Bond> bonds_;
-  std::vector<int> first_of_;  // [particle + 1] begin in bonds_of_
+  std::vector<int> first_of_;
   std::vector<int> bonds_of_;
   std::size_t particles_ = 0;
   double longest_ = 0;  // m; shorter bonds are unbroken

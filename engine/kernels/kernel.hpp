@@ -10,12 +10,11 @@
 
 namespace taut {
 
-/// W(r) = α/h^Dim w(q), ∂W/∂r = α/h^(Dim+1) w′(q), q = r/h; both are 0 for q ≥ `support`. `dw_per_q` is w′/q, finite
-/// at 0: ∇_i W = α/h^(Dim+2) w′/q (x_i − x_j) needs no division and no unit vector. `ddw` is w″.
+/// W(r) = α/h^Dim w(q), q = r/h; 0 for q ≥ `support`. `dw` is w′, `ddw` w″ and `dw_per_q` w′/q, finite at 0.
 template <KernelName Name>
 struct Kernel;
 
-/// Wendland's C2 function, "5th-order Wendland" of [Zhang2024] §6.
+/// Wendland's C2 function, [Zhang2024] §6.
 template <>
 struct Kernel<KernelName::wendland_c2> {
   static constexpr std::string_view name = "Wendland C2";
@@ -48,7 +47,7 @@ struct Kernel<KernelName::wendland_c2> {
   }
 };
 
-/// Cubic B-spline of Monaghan and Lattanzio (1985) with its support of 2 h.
+/// Cubic B-spline of Monaghan and Lattanzio (1985).
 template <>
 struct Kernel<KernelName::cubic_spline> {
   static constexpr std::string_view name = "cubic B-spline";
@@ -75,8 +74,7 @@ struct Kernel<KernelName::cubic_spline> {
   }
 };
 
-/// (sin(πq/2)/(πq/2))⁵, [TranDuc2023] §2.1. Departure: the paper's α is 0.7103 (2D); these digits make the integral
-/// 1.
+/// (sin(πq/2)/(πq/2))⁵, [TranDuc2023] §2.1. Departure: the paper's α is 0.7103 (2D); here the integral is 1.
 template <>
 struct Kernel<KernelName::sinc> {
   static constexpr std::string_view name = "sinc";
@@ -102,13 +100,12 @@ struct Kernel<KernelName::sinc> {
 
  private:
   static constexpr double scale = std::numbers::pi * std::numbers::pi / 4;
-  /// sinc of u = (πq/2)² ≤ π² as a polynomial, equal on all machines. 16 terms of Σ (−u)ᵏ/(2k+1)! are accurate to
-  /// 1e-20; removing the highest Chebyshev polynomials leaves 11 terms, accurate to 2e-18.
+  /// Polynomial for sinc of u = (πq/2)², equal on all machines and accurate to 2e-18.
   static constexpr int degree = 10;
   static constexpr std::array<double, degree + 1> coefficients = [] {
     constexpr int long_degree = 15;
     constexpr double interval = 4 * scale;
-    std::array<double, long_degree + 1> c{};  // of powers of u/π²
+    std::array<double, long_degree + 1> c{};
     c[0] = 1;
     for (int k = 1; k <= long_degree; ++k) c[k] = -c[k - 1] * interval / (2.0 * k * (2 * k + 1));
     std::array<std::array<double, long_degree + 1>, long_degree + 1> T{};  // T_n(2x − 1)
@@ -142,8 +139,7 @@ struct Kernel<KernelName::sinc> {
   }
 };
 
-/// exp(−q²), [Zhang2020] validation case 1. Slow: only for cached pairs. Departure: the paper gives no cut-off; cut
-/// off at q = 3 (value 1e-4), with α for integral 1.
+/// exp(−q²), [Zhang2020] validation case 1. Departure: the cut-off at q = 3; the paper states none.
 template <>
 struct Kernel<KernelName::gauss> {
   static constexpr std::string_view name = "Gauss";
@@ -171,7 +167,6 @@ struct Kernel<KernelName::gauss> {
   }
 };
 
-/// Calls f(Kernel<…>{}) with the kernel of this name.
 template <class F>
 auto with_kernel(KernelName name, const F& f) {
   switch (name) {

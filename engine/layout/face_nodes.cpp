@@ -12,8 +12,7 @@ namespace {
 
 // spacings; a small reach smooths faces less
 constexpr double least_reach = 2, greatest_reach = 4, reach_step = 0.25;
-/// Limit of Σ weight², by which nodes are lighter than particles; above it the reach grows. 2.5 at a lattice face,
-/// (3/2)² + (1/2)² from two layers.
+/// Limit of Σ weight²: nodes are lighter than particles. 2.5 at a lattice face, (3/2)² + (1/2)² from two layers.
 constexpr double greatest_square = 3;
 
 }  // namespace

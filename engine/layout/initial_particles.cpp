@@ -16,17 +16,15 @@
 namespace taut {
 namespace {
 
-constexpr double edge_tolerance = 1e-6;        // of dp; closer to an edge is inside
-constexpr double greatest_place_number = 1e9;  ///< lattice sites per body
+constexpr double edge_tolerance = 1e-6;  // of dp
+constexpr double greatest_place_number = 1e9;
 
-/// Estimated number of particles; counts overlaps of shapes repeatedly.
 double expected_number(const Body& body, int dim, double dp) {
   double volume = 0;
   for (const Shape& shape : body.shapes) volume += shape->measure(dim);
   return volume / std::pow(dp, dim);
 }
 
-/// Index of the first shape that holds x, or their number.
 std::size_t first_that_holds(const std::vector<Shape>& shapes, const Point& x, int dim, double tolerance) {
   const auto found =
       std::ranges::find_if(shapes, [&](const Shape& s) { return s->holds(x, dim, tolerance); });
@@ -51,13 +49,12 @@ void check_cuts(const Body& body, const std::vector<long>& cut) {
                                                              "'; correct or remove it");
 }
 
-/// Lattice sites before the first shape rotates them.
 struct LatticeRows {
   Point anchor{};
   std::array<double, 3> pitch{};
   std::array<long, 3> from{}, to{};
-  std::size_t along = 0;  // axis of hexagonal rows
-  double staggered = 0;   // offset of hexagonal rows, pitches
+  std::size_t along = 0;  // of hexagonal rows
+  double staggered = 0;   // pitches
 
   Point at(long i, long j, long k, int dim) const {
     const std::array<long, 3> n{i, j, k};
@@ -119,7 +116,7 @@ std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   return sites;
 }
 
-/// Particles from face to face; their V0 is the part of the cell inside.
+/// Particles from face to face; V0 is the part of the cell inside.
 std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
   long last[3] = {0, 0, 0};
   double pitch[3] = {1, 1, 1};
@@ -147,15 +144,13 @@ std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
   return sites;
 }
 
-/// Sites of a body that the lattice does not fill.
 std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
   if (body.shapes.size() != 1 || !body.without.empty()) return {};
   if (body.on_boundary) return sites_on_boundary(*body.shapes.front().as<Box>(), dim, dp);
   return body.shapes.front()->sites(dim, dp);
 }
 
-/// Jitters along the axes of the lattice; particles on faces stay on them. Random numbers are the same with every
-/// compiler.
+/// Jitters along the lattice axes; particles on faces stay on them. Random numbers are the same with every compiler.
 void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, const Shape& first, int dim,
                   double dp) {
   if (jitter.share == 0) return;
@@ -171,7 +166,7 @@ void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, const S
   }
 }
 
-/// Reflects after the layout, so that mirrored bodies are exact images.
+/// Reflects last: mirrored bodies are exact images.
 std::vector<InitialSite> body_sites(const Body& as_given, const Scene& scene) {
   const int dim = scene.dim;
   const Body body = unplaced_body(as_given, dim);
@@ -185,7 +180,6 @@ std::vector<InitialSite> body_sites(const Body& as_given, const Scene& scene) {
 
 double value_of(const Expression& f, const Point& x) { return f ? f(x) : 0; }
 
-/// An empty region is most likely a mistake.
 template <class Region>
 void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialSite>& sites, const Body& body,
                   const std::string& key) {
@@ -215,8 +209,7 @@ void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
   if (!by_component && is_idle(body.clamped)) refuse("held");
 }
 
-/// Weights of n + 1 particles along an axis of n cells, in cells. An end that is not `free` may be a plane of
-/// symmetry.
+/// Weights of n + 1 particles along n cells, in cells. An end that is not `free` may be a plane of symmetry.
 std::vector<double> shares_along(long n, const bool (&free)[2]) {
   std::vector<double> share(static_cast<std::size_t>(n) + 1, 1.0);
   share.front() = share.back() = 0.5;
@@ -227,7 +220,6 @@ std::vector<double> shares_along(long n, const bool (&free)[2]) {
   return share;
 }
 
-/// Bit k: the particle at x is fixed along axis k.
 unsigned char guide_at(const Body& body, const Point& x) {
   unsigned guide = 0;
   for (unsigned k = 0; k < body.guided.size(); ++k)
@@ -249,10 +241,9 @@ bool may_mirror(const InitialParticles& layout, int first, int axis, int dim, co
   return guided;
 }
 
-/// Weights the particles of a box with particles on its faces.
 void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, double dp) {
   const Box& box = *body.shapes.front().as<Box>();
-  long stride = 1;  // to the next particle along the axis
+  long stride = 1;
   for (int axis = 0; axis < dim; ++axis) {
     const long n = box.cells(axis, dp);
     const auto number = [=](long i) { return i / stride % (n + 1); };

@@ -9,22 +9,21 @@ namespace taut {
 /// Particles of all bodies, body after body.
 struct InitialParticles {
   int dim = 2;
-  std::vector<Point> x, v;             // reference position, m; velocity, m/s
-  std::vector<Point> middle;           // of cells, m, for tests of regions and images; empty = x
-  std::vector<Point> start;            // starting position, m; empty = x
-  std::vector<double> V0;              // m^dim
-  std::vector<double> inside;          // V0 / cell: < 1 on a face, slightly > 1 next to a free one
-  std::vector<int> body;               // index into Scene::bodies
-  std::vector<int> material;           // index into Scene::materials
-  std::vector<int> drive;              // index into the body's drives, or -1
-  std::vector<unsigned char> clamped;  // 1: clamped
-  std::vector<unsigned char> guided;   // bit k: fixed along axis k; empty = none
-  // image under a symmetry rotation of the body, or itself
+  std::vector<Point> x, v;     // reference position, m; m/s
+  std::vector<Point> middle;   // of cells, m, for regions and images; empty = x
+  std::vector<Point> start;    // m; empty = x
+  std::vector<double> V0;      // m^dim
+  std::vector<double> inside;  // V0 / cell: < 1 on a face, slightly > 1 next to a free one
+  std::vector<int> body;
+  std::vector<int> material;
+  std::vector<int> drive;
+  std::vector<unsigned char> clamped;
+  std::vector<unsigned char> guided;  // bit k: fixed along axis k; empty = none
+  // image under a symmetry rotation, or itself
   std::vector<int> turned;
-  std::vector<int> first;  // first particle of each body, then the total
+  std::vector<int> first;  // [body], then the total
 
   int size() const { return static_cast<int>(x.size()); }
-  /// [particle] 1: in a driven region.
   std::vector<unsigned char> driven() const {
     std::vector<unsigned char> all;
     for (const int of : drive) all.push_back(of >= 0);
@@ -36,11 +35,11 @@ struct InitialParticles {
 
 inline constexpr double greatest_particle_number = 20e6;
 
-/// Fills bodies with a square (cubic) lattice, or whole round bodies with layers (RoundLayout) of exact mass. In a
-/// box with particles on its faces, n cells become ½ − δ, 1 + δ, 1 … of a cell, δ = n/(12 (n − 1)): exact for degree
-/// 2 (Simpson's rule for n = 2 and 3, Gregory's for many), so for mass, moments of inertia and bending stiffness.
-/// Faces guided along the normal or all other axes may be planes of symmetry and keep half cells. Then jitters
-/// (volumes stay), reflects, rotates and displaces. Throws SceneError: no particles, too many, overlapping bodies.
+/// Fills bodies with a lattice, or whole round bodies with layers (RoundLayout) of exact mass. In a box with
+/// particles on its faces, n cells become ½ − δ, 1 + δ, 1 … of a cell, δ = n/(12 (n − 1)), as in Gregory's rule:
+/// mass, moments of inertia and bending stiffness are exact. Guided faces may be planes of symmetry and keep half
+/// cells. Then jitters, reflects, rotates and displaces. Throws SceneError: no particles, too many, overlapping
+/// bodies.
 InitialParticles make_initial_particles(const Scene& scene);
 
 }  // namespace taut

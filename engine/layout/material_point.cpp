@@ -10,13 +10,13 @@
 namespace taut {
 namespace {
 
-constexpr std::size_t most = 4;  // 1 and three components
+constexpr std::size_t most = 4;
 using Basis = std::array<double, most>;
 using Equations = std::array<std::array<double, most + 1>, most>;
 
-/// Solves for the right side in the last column; false if singular.
+/// Solves for the last column; false if singular.
 bool solve(Equations& A, std::size_t n) {
-  constexpr double least_pivot = 1e-9;  // relative; 0 across a line of particles
+  constexpr double least_pivot = 1e-9;
   const double scale = A[0][0];
   for (std::size_t k = 0; k < n; ++k) {
     if (!(std::abs(A[k][k]) > least_pivot * scale)) return false;
@@ -36,8 +36,7 @@ Point pitch_on_boundary(const Box& box, double dp, int dim) {
   return pitch;
 }
 
-/// Multilinear weights along the axes of the lattice before reflection and rotation. Empty if the particles around
-/// the point are not on a lattice of this pitch.
+/// Multilinear weights; empty if the particles around the point are not on a lattice of this pitch.
 std::vector<PointWeight> point_in_cell(const std::vector<Point>& x, int begin, int end, const Point& at,
                                        const Body& body, double dp, int dim) {
   constexpr double round_off = 1e-9;
@@ -77,7 +76,6 @@ int nearest_of(const std::vector<Point>& x, const std::vector<int>& some, const 
   return *std::ranges::min_element(some, {}, [&](int i) { return squared_distance(x[i], at); });
 }
 
-/// Particles of `some` that steps of at most `link`, m, connect to `first`; ascending.
 std::vector<int> linked(const std::vector<Point>& x, const std::vector<int>& some, int first, double link) {
   std::vector<int> found = {first}, left = some;
   std::erase(left, first);
@@ -100,7 +98,6 @@ std::vector<PointWeight> point_of(const std::vector<Point>& x, const std::vector
   return point;
 }
 
-/// `point` if all its particles count, else one of those that do and are linked to `nearest`.
 template <class Counts>
 std::vector<PointWeight> point_of_matching(std::vector<PointWeight> point, std::vector<int> near, int nearest,
                                            const Surroundings& all, const Point& at, const Counts& counts) {

@@ -12,25 +12,23 @@ struct PointWeight {
   double weight;
 };
 
-/// Radius of the particles around a point, m; at least two spacings, so that they are not collinear at a face or
-/// corner.
+/// Radius around a point, m; closer particles may be collinear.
 constexpr double reach_of_points(double support, double dp) { return std::max(support, 2 * dp); }
 
-/// Weights by moving least squares, exact for linear fields even on faces, half a spacing outside the particles:
+/// Weights by moving least squares, exact for linear fields:
 ///   w_k = W_k (1, d_k)·A⁻¹·(1, 0),  A = Σ W_k (1, d_k) ⊗ (1, d_k),  d_k = X_k − X.
 /// Uses particles begin … end − 1 within `reach`, m. Empty if too few or collinear.
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, int dim);
 
-/// Greatest step between linked neighbours, spacings: across a cell's diagonal, not a slot.
+/// In spacings: across a cell's diagonal, not a slot.
 inline constexpr double link_of_neighbors = 1.8;
 
 /// Particles linked to the one nearest to `at` by steps up to `link`, m; ascending.
 std::vector<int> linked_to_nearest(const std::vector<Point>& x, const std::vector<int>& some, const Point& at,
                                    double link);
 
-/// Ignores particles beyond a slot, not linked to the nearest one. With Body::on_boundary interpolates in a lattice
-/// cell, so that points on clamped particles are clamped.
+/// Ignores particles beyond a slot. With Body::on_boundary interpolates in a lattice cell.
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, const Scene& scene, int body);
 
@@ -41,18 +39,18 @@ struct Surroundings {
   const std::vector<int>& material;
   int begin, end;
   double reach;  // m
-  double link;   // greatest step between linked particles, m; infinite = any
+  double link;   // m; infinite = any
   int dim;
 };
 
 /// Replaces a `point` with particles of several materials, or with clamped or driven ones, which mostly have no
-/// stress of their own. Extrapolates linearly from free particles of the nearest free one's material, or from driven
-/// ones if none is free. Empty if all are clamped.
+/// stress of their own. Extrapolates linearly from free particles of one material, or from driven ones if none is
+/// free. Empty if all are clamped.
 std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const Surroundings& all,
                                          const Point& at);
 
-/// Replaces a `point` at kinks of the displacement. If the nearest particle is clamped or driven, uses particles that
-/// move with it, else particles of its material. `motion_group[i]`: number of the joint motion, 0 = free.
+/// Replaces a `point` at kinks of the displacement by particles that move with the nearest one, or are of its
+/// material. `motion_group[i]`: 0 = free.
 std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const Surroundings& all,
                                          const std::vector<int>& motion_group, const Point& at);
 

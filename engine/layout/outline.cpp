@@ -26,7 +26,6 @@ bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, 
   return false;
 }
 
-/// Whether a segment of shape or cut-out `own` bounds the body.
 bool is_face(const Body& body, bool cut, std::size_t own, const Point& a, const Point& b, double dp) {
   const double off = 1e-3 * dp / distance_between(a, b, 2);  // 1e-3 dp
   const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0};
@@ -104,7 +103,7 @@ class OutlineMaker {
     }
   }
 
-  /// Node of a chain point, created at first use; shared where chains meet.
+  /// Node of a chain point; shared where chains meet.
   int node_at(int& known, int b, const Point& laid, const NodeWeights& particles) {
     if (known != Outline::none) return known;
     const Point x = placed(scene_.bodies[as_index(b)], laid, scene_.dim);
@@ -126,7 +125,7 @@ class OutlineMaker {
   const Scene& scene_;
   const InitialParticles& initial_;
   Outline out_;
-  std::vector<int> open_;  // nodes that lack a segment
+  std::vector<int> open_;
 };
 
 }  // namespace

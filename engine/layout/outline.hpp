@@ -15,7 +15,7 @@ struct Outline : FaceNodes {
 
   struct Segment {
     std::array<int, 2> node{};
-    double length = 0;  // in the reference configuration, m
+    double length = 0;  // reference, m
     double sense = 1;   // outward normal: sense (t_y, −t_x), t from first to second node
   };
 
@@ -26,8 +26,8 @@ struct Outline : FaceNodes {
   int body_of(const Segment& segment) const { return body[static_cast<std::size_t>(segment.node[0])]; }
 };
 
-/// Outlines the union of each body's shapes minus cut-outs; mirrored bodies have exact mirror images. Empty in 3D,
-/// for shapes without outline, and where too few particles surround a node.
+/// Outlines the union of shapes minus cut-outs; mirrored bodies have exact mirror images. Empty in 3D, for shapes
+/// without outline, and where too few particles surround a node.
 Outline make_outline(const Scene& scene, const InitialParticles& initial);
 
 }  // namespace taut

@@ -16,7 +16,7 @@
 namespace taut {
 namespace {
 
-constexpr double least_distance = 0.5;  // between bodies, spacings
+constexpr double least_distance = 0.5;  // spacings
 
 class ParticleGrid {
  public:
@@ -26,7 +26,6 @@ class ParticleGrid {
     const auto [a, b, c] = cell(x);
     at_.emplace(key(a, b, c), i);
   }
-  /// Visits the cell of x and adjacent ones.
   template <class Visit>
   void for_each_near(const Point& x, const Visit& visit) const {
     const auto [a, b, c] = cell(x);
@@ -50,7 +49,7 @@ class ParticleGrid {
   }
 
   double side_;  // m
-  long depth_;   // neighbouring cells along z
+  long depth_;
   std::unordered_multimap<std::size_t, int> at_;
 };
 
@@ -106,7 +105,7 @@ void refuse_close_particles(const InitialParticles& layout, const Scene& scene) 
   }
 }
 
-/// Maps starting positions in a displaced body to reference positions, linearly about the nearest particle.
+/// Maps positions in a displaced body to reference positions, linearly about the nearest particle.
 class LaidPlaces {
  public:
   LaidPlaces(const InitialParticles& layout, const Scene& scene, std::size_t b)
@@ -114,7 +113,6 @@ class LaidPlaces {
     for (int i = layout.first[b]; i < layout.first[b + 1]; ++i) grid_.add(layout.at_start(i), i);
   }
 
-  /// Empty if no particle is near.
   std::optional<Point> operator()(const Point& y) const {
     int nearest = -1;
     double least = reach * spacing_;
@@ -153,7 +151,6 @@ class LaidPlaces {
   ParticleGrid grid_;
 };
 
-/// Throws SceneError for particles of `a` inside `b`.
 void refuse_particles_inside(const InitialParticles& layout, const Scene& scene, std::size_t a, std::size_t b,
                              const Bounds& box) {
   std::optional<LaidPlaces> laid;

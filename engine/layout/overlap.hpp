@@ -7,8 +7,8 @@ namespace taut {
 /// Greatest depth of particles in another body, or of faces in walls, spacings.
 inline constexpr double greatest_depth = 0.25;
 
-/// Throws SceneError, with the place, if particles of two bodies start less than half a spacing apart, which contact
-/// could not separate, or deeper than `greatest_depth` in another body.
+/// Throws SceneError if particles of two bodies start less than half a spacing apart, or deeper than
+/// `greatest_depth` in another body: contact could not separate them.
 void refuse_overlap(const InitialParticles& layout, const Scene& scene);
 
 }  // namespace taut

@@ -19,7 +19,7 @@ using Cell = std::array<long, dim>;
 
 bool stands_on_boundary(const Body& body) { return body.on_boundary && body.without.empty(); }
 
-/// Lattice before reflection and rotation; cell n is centred at anchor + (n + ½) pitch.
+/// Lattice before rotation; cell n is centred at anchor + (n + ½) pitch.
 struct Cells {
   Shape first;
   Point anchor{}, pitch{};
@@ -40,7 +40,6 @@ struct Cells {
     for (std::size_t k = 0; k < dim; ++k) n[k] = std::lround((at[k] - anchor[k]) / pitch[k] - 0.5);
     return n;
   }
-  /// Lowest corner of cell n, plus `off` pitches.
   Point corner(const Cell& n, const Point& off = {}) const {
     Point at{};
     for (std::size_t k = 0; k < dim; ++k) at[k] = anchor[k] + (static_cast<double>(n[k]) + off[k]) * pitch[k];
@@ -52,7 +51,7 @@ FacePatches own_patches(const Body& body, double dp) {
   return body.shapes.size() == 1 && body.without.empty() ? body.shapes.front()->patches(dp) : FacePatches{};
 }
 
-/// Faces of a body before reflection and rotation.
+/// Faces before reflection and rotation.
 class Faces {
  public:
   Faces(const Body& laid, double dp) : body_(laid), dp_(dp) {}
@@ -71,7 +70,7 @@ class Faces {
           (is_filled({x[0] + a * dp_, x[1] + b * dp_, x[2] + c * dp_}) ? filled : empty) = true;
     return filled && empty;
   }
-  /// First face outwards of a solid x, or inwards of an outside one; x if none is near.
+  /// First face outwards of a solid x, or inwards of an outside one, or x.
   Point on_the_line(const Point& x, const Point& outside) const {
     const double length = distance_between(outside, x, dim);
     if (!(length > 0)) return x;
@@ -96,7 +95,7 @@ class Faces {
  private:
   // in spacings
   static constexpr double fine = 1e-6, aside = 1e-3, farthest = 1.5, stride = 0.05;
-  static constexpr double least_slope = 0.1;  // squared slope of the height
+  static constexpr double least_slope = 0.1;  // squared
 
   std::optional<Point> descend_to_face(const Point& x) const {
     constexpr int steps = 20;
@@ -121,8 +120,7 @@ class Faces {
     return std::nullopt;
   }
 
-  /// Signed distance to a face, m, negative inside: the tolerance from which `holds` is true. Also 0 on seams of
-  /// shapes.
+  /// Signed distance to a face, m, negative inside; also 0 on seams of shapes.
   double height(const Point& x) const {
     if (on_face(x)) return 0;
     double low = -2 * farthest * dp_, high = 2 * farthest * dp_;
@@ -182,7 +180,7 @@ class BodyMesh {
  private:
   struct Corner {
     Cell cell{};
-    Point outwards{};  // sum of the cell faces' normals
+    Point outwards{};
   };
   struct Node {
     Point x{};
@@ -196,7 +194,6 @@ class BodyMesh {
     }
   }
 
-  /// Makes facets of corners, anticlockwise in the lattice.
   void find_facets() {
     std::vector<Cell> filled;  // [particle]
     for (int i = first_; i < initial_.first[as_index(index_) + 1]; ++i)
@@ -238,7 +235,7 @@ class BodyMesh {
     Point off{};  // pitches
     for (std::size_t a = 0; a < dim; ++a) {
       if (outwards[a] == 0) continue;
-      std::array<double, 2> way{};  // half a cell and a whole one from the rim
+      std::array<double, 2> way{};  // half a cell and a whole one
       for (std::size_t n = 0; n < way.size(); ++n) {
         Point beside{};
         for (std::size_t b = 0; b < dim; ++b)
@@ -269,7 +266,6 @@ class BodyMesh {
     return faces_.nearest(cells_.corner(cell), cells_.corner(cell, outwards));
   }
 
-  /// Adds nodes at place(k), before reflection and rotation.
   template <class Place>
   void add_nodes(int number, int threads, const Place& place) {
     const auto make = [&](int k) {
@@ -330,7 +326,7 @@ class BodyMesh {
   std::vector<SurfaceMesh::Facet> facets_;
   std::vector<Corner> corner_;
   std::map<Cell, int> number_;  // of corners
-  std::vector<int> node_;       // [corner or patch node] −1 = none
+  std::vector<int> node_;
 };
 
 }  // namespace

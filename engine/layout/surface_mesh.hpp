@@ -14,9 +14,9 @@ struct SurfaceMesh : FaceNodes {
   struct Facet {
     std::array<int, 4> node{};  // anticlockwise, seen from outside
     int body = 0;
-    int particle = 0;  // behind the facet
-    double area = 0;   // length of its vector area, reference configuration, m²
-    double bulge = 0;  // of the face over the mean of the corners, outwards, m
+    int particle = 0;
+    double area = 0;   // m²
+    double bulge = 0;  // outwards, over the mean of the corners, m
   };
   std::vector<Facet> facets;  // by body
   std::vector<bool> closed;   // [body] no node is missing
@@ -26,8 +26,7 @@ struct SurfaceMesh : FaceNodes {
 Point vector_area(const std::array<Point, 4>& corner);
 
 /// Takes the patches of layered shapes, or the faces of lattice cells without a neighbour, with corners moved to the
-/// nearest face of the shapes, which smooths lattice steps. Mirrored bodies have exact mirror images. Omits facets
-/// where a body is too thin to locate its faces. Empty in 2D.
+/// nearest face. Mirrored bodies have exact mirror images. Omits facets where a body is too thin. Empty in 2D.
 SurfaceMesh make_surface_mesh(const Scene& scene, const InitialParticles& initial, int threads = 1);
 
 /// False if a body has particles listed one by one.

@@ -13,13 +13,12 @@ namespace taut {
 template <const auto& M, Law L>
 constexpr bool may_run_with = L == M.law || may_be_given(M, LawOf<L>::row);
 
-/// Laws of four particles; with `several`, of different materials.
+/// Laws of four particles; their materials may differ if `several`.
 template <class L, bool several = true>
 struct LawsOfFour {
   const L* laws;         // [material]
-  const int* materials;  // of all particles
+  const int* materials;  // [particle]
 
-  /// Returns `f`(law), a Pack or a tensor of packs.
   template <class F>
   [[gnu::always_inline]] auto operator()(int group, const F& f) const {
     const int* const of = materials + static_cast<std::ptrdiff_t>(lanes) * group;
@@ -38,12 +37,11 @@ struct LawsOfFour {
   }
 };
 
-/// Law of a run as plain data, with constants per material.
 struct LawsInUse {
   Law law;
   const void* laws;  // LawOf<law> [material]
 
-  /// Calls `pass`(laws), compiled per law: a call per particle would be slow.
+  /// Calls pass(laws), compiled for each law.
   template <const auto& M, class Pass>
   auto visit(const Pass& pass) const {
     return visit_among<M>(pass, Laws{});

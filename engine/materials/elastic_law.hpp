@@ -16,7 +16,7 @@ enum class Law : std::uint8_t {
 /// Whether volume ratio and cofactor of F may be unknowns.
 constexpr bool takes_volume_ratio(Law law) { return law == Law::neo_hookean || law == Law::mooney_rivlin; }
 
-/// Laws with LawRow::choice that users may choose.
+/// Laws that users may choose.
 enum class OtherLaws : std::uint8_t { none, all, with_volume_ratio };
 
 struct ElasticSwitches {

@@ -5,31 +5,29 @@
 #include "engine/core/tensor.hpp"
 #include "engine/materials/law_row.hpp"
 
-/// Elastic laws of the deformation gradient F = ∂x/∂X, in 2D in plane strain (F_zz = 1). Each law has its own header
-/// with a struct of K, G (Pa) and its parameters. The struct has the members
-///   P = piola(F, J)       first Piola–Kirchhoff stress, N per initial m²
-///   ψ = energy(F, J)      strain energy density, J per initial m³, 0 at rest
-///   σ = cauchy(F, J)      stress in the deformed body, Pa
-///   stiffness_bound(F, J) upper bound of ρ0 c² of all waves, Pa; c counts initial lengths (stiffness.hpp)
-/// and a specialisation of LawOf. J is det F, or the J of a method that integrates it ([Lee2016] Eq. 33c).
-/// A law that takes_volume_ratio also has
-///   P = piola(F, H, J)    H is cof F, or the H of a method that integrates it ([Lee2016] Eq. 12)
+/// Elastic laws of F, in 2D in plane strain (F_zz = 1): structs of K, G (Pa) and their parameters, with a
+/// specialisation of LawOf and
+///   piola(F, J)           first Piola–Kirchhoff stress, N per initial m²
+///   energy(F, J)          strain energy density, J per initial m³, 0 at rest
+///   cauchy(F, J)          Pa
+///   stiffness_bound(F, J) upper bound of ρ0 c² of all waves, Pa; c counts initial lengths
+/// J is det F or an unknown ([Lee2016] Eq. 33c). A law that takes_volume_ratio also has
+///   piola(F, H, J)        H is cof F or an unknown ([Lee2016] Eq. 12)
 ///   slopes(F, H, j), shear_energy(F, H, j) of the shear part, with j = det F.
 namespace taut {
 
-/// Cauchy stress with the component normal to the plane, which `sigma` lacks in 2D.
+/// Cauchy stress, Pa; `zz`, normal to the plane, is 0 in 3D.
 template <int Dim>
 struct Cauchy {
-  Sym<double, Dim> sigma;  // Pa
-  double zz;               // Pa; 0 in 3D
+  Sym<double, Dim> sigma;
+  double zz;
 };
-/// Returns the normal component `zz` in 2D, 0 in 3D.
 template <int Dim>
 double beside_plane(double zz) {
   return Dim == 2 ? zz : 0;
 }
 
-/// Each specialisation derives from the law's struct and has a static LawRow `row`.
+/// Each derives from the law's struct and has a static LawRow `row`.
 template <Law law>
 struct LawOf;
 
@@ -51,7 +49,7 @@ Mat<T, Dim> combination(const S& s, const Mat<T, Dim>& A, const R& t, const Mat<
   return C;
 }
 
-/// H ⨯ F, the part of P that an energy slope H with respect to cof F causes. In plane strain F_zz = 1, H_zz = det F.
+/// H ⨯ F; in plane strain F_zz = 1, H_zz = det F.
 template <class T>
 Mat<T, 3> stress_of_cofactor(const Mat<T, 3>& F, const Mat<T, 3>& H) {
   return tensor_cross(H, F);
@@ -61,7 +59,6 @@ Mat<T, 2> stress_of_cofactor(const Mat<T, 2>& F, const Mat<T, 2>& H) {
   return combination(1.0, cofactor(H), determinant(F), cofactor(F));
 }
 
-/// Green–Lagrange strain E = ½ (Fᵀ F − I)
 template <class T, int Dim>
 Sym<T, Dim> green_strain(const Mat<T, Dim>& F) {
   Sym<T, Dim> E;
@@ -75,7 +72,7 @@ Sym<T, Dim> green_strain(const Mat<T, Dim>& F) {
   return E;
 }
 
-/// Hooke's law, 2G ε + (K − 2G/3) tr ε I, in Pa; plane strain in 2D.
+/// Hooke's law, Pa; plane strain in 2D.
 template <class T, int Dim>
 Sym<T, Dim> hooke(const Sym<T, Dim>& strain, double K, double G) {
   Sym<T, Dim> stress = filled<T>(2 * G) * strain;

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Parameter of a law besides K and G: an optional key of [material].
+/// Parameter besides K and G: an optional key of [material].
 struct LawParameter {
   std::string_view key;
   double value;      // default
@@ -18,8 +18,8 @@ struct LawParameter {
 
 struct LawRow {
   Law law;
-  std::string_view choice;        // name for users: "neo-hookean"; empty = not available
-  std::string_view material_law;  // reference solution, as in run.json
+  std::string_view choice;        // name for users, or empty
+  std::string_view material_law;  // as in run.json
   TermInfo term;
   std::span<const LawParameter> parameters = {};  // struct members after K and G
 };

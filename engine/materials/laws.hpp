@@ -22,7 +22,7 @@ struct LawList {
   using Each = std::variant<std::vector<LawOf<L>>...>;  // of one law, [material]
 };
 
-/// All laws, in the order of display.
+/// In the order of display.
 using Laws = LawList<Law::neo_hookean, Law::mooney_rivlin, Law::st_venant_kirchhoff, Law::linear_elastic,
                      Law::rotated_piola>;
 

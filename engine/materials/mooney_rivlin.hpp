@@ -9,12 +9,8 @@
 
 namespace taut {
 
-/// Nearly incompressible Mooney–Rivlin, [Lee2016] Eq. 8–12:
-///   ψ = ζ (j^(−2/3) F:F − 3) + ξ (j^(−2) (H:H)^(3/2) − 3√3) + K/2 (J − 1)²,
-///   P = Σ_F + Σ_H ⨯ F + (Σ_j + K (J − 1)) H,   H = cof F, j = det F.
-/// For small strains G = 2ζ + 3√3 ξ; a `cofactor_share` of 0 is neo-Hookean, 1 is [Lee2016] §8.7. Plane strain: F_zz
-/// = 1, H_zz = det F. Departures: constants make the energy 0 at rest; j = det F even where J is an unknown, see
-/// NeoHookean.
+/// Nearly incompressible Mooney–Rivlin law, [Lee2016] Eq. 8–12, with G = 2ζ + 3√3 ξ. A `cofactor_share` of 0 is
+/// neo-Hookean, 1 is [Lee2016] §8.7. Departure: j = det F even where J is an unknown, see NeoHookean.
 struct MooneyRivlin {
   double K, G;            // Pa
   double cofactor_share;  // 3√3 ξ/G
@@ -38,7 +34,6 @@ struct MooneyRivlin {
            xi() * (inv_j * inv_j * HH * std::sqrt(HH) - 3 * std::numbers::sqrt3);
   }
 
-  /// H may be an unknown, but H_zz is det F.
   template <class T, int Dim>
   Mat<T, Dim> piola(const Mat<T, Dim>& F, const Mat<T, Dim>& H, const T& J) const {
     const Slopes<T> by = slopes(F, H, determinant(F));
@@ -59,10 +54,7 @@ struct MooneyRivlin {
     const double zz = (by.F + by.H * contraction(F, F)) / j + by.j + K * (J - 1);
     return {push_forward(piola(F, J), F, j), beside_plane<Dim>(zz)};
   }
-  /// From the acoustic tensor
-  ///   Q = (2ζ j^(−2/3)) I − ⁴⁄₃ζ j^(−5/3) (f⊗b + b⊗f) + (¹⁰⁄₉ζ j^(−8/3) F:F + K) b⊗b
-  ///     + 3ξ j^(−2) |H| ((F:F − f·f) I − F Fᵀ + f⊗f + 2 w⊗w − g⊗g),   f = F n, b = H n, g = (H⨯F) n/|H|,
-  /// w = |H| b/j − g: in principal axes f_k = λ_k n_k, b_k = H_k n_k, w_k = H_k³/(j |H|) n_k, H_k = j/λ_k.
+  /// From the acoustic tensor (THEORY.md).
   template <class T, int Dim>
   T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
     const PrincipalStretches<T> l = principal_stretches(F);

@@ -6,13 +6,9 @@
 
 namespace taut {
 
-/// Nearly incompressible neo-Hookean law, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G:
-///   ψ = G/2 (j^(−2/3) F:F − 3) + K/2 (J − 1)²,   j = det F,
-///   P = G j^(−2/3) F + (K (J − 1) − G/3 j^(−5/3) F:F) H,   H = cof F.
-/// In plane strain F:F includes F_zz² = 1.
-/// Differs from the paper, which has J for j even where J is an unknown. Dissipation separates J from det F. With J
-/// for j, the deviator would then answer a volume change of F at J = 1 with the stiffness −4G/3, and collisions
-/// would diverge; with j it does not answer.
+/// Nearly incompressible neo-Hookean law, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G. Departure: the paper has J for j
+/// = det F where J is an unknown. The deviator would then respond to volume changes of F with the stiffness −4G/3,
+/// and collisions would diverge.
 struct NeoHookean {
   double K, G;  // Pa
 
@@ -20,7 +16,7 @@ struct NeoHookean {
   static T square(const Mat<T, Dim>& F) {
     return contraction(F, F) + (3 - Dim);
   }
-  /// Σ_F/F, Σ_H/H and Σ_j of the shear part, Pa.
+  /// As MooneyRivlin::Slopes.
   template <class T>
   struct Slopes {
     T F, H, j;
@@ -36,7 +32,6 @@ struct NeoHookean {
     const double root = inverse_cube_root(j);
     return 0.5 * G * (root * root * square(F) - 3);
   }
-  /// H is cof F, or the unknown of a method that integrates it.
   template <class T, int Dim>
   Mat<T, Dim> piola(const Mat<T, Dim>& F, const Mat<T, Dim>& H, const T& J) const {
     const Slopes<T> by = slopes(F, H, determinant(F));
@@ -55,7 +50,7 @@ struct NeoHookean {
     const double j = determinant(F), root = inverse_cube_root(j), shear = G * root * root / j;
     return {push_forward(piola(F, J), F, j), beside_plane<Dim>(K * (J - 1) + shear * (1 - square(F) / 3))};
   }
-  /// From Q = s I − ⅔ s/j (f⊗b + b⊗f) + (⁵⁄₉ s F:F/j² + K) b⊗b, s = G j^(−2/3), f = F n, b = H n.
+  /// From the acoustic tensor (THEORY.md).
   template <class T, int Dim>
   T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
     const PrincipalStretches<T> l = principal_stretches(F);

@@ -33,7 +33,7 @@ inline bool is_half_turn(const Mat<double, 3>& R, const Mat<double, 3>& F) {
   return determinant(F) > 0 && !(trace(U) > 0 && minors > 0);
 }
 
-/// Rotation nearest to F, R of F = R U if det F > 0; in 2D R ∝ F + cof F. [TranDuc2023] §2.3 iterates to the same R.
+/// Rotation nearest to F; R of F = R U if det F > 0.
 template <class T>
 Mat<T, 2> nearest_rotation(const Mat<T, 2>& F) {
   const T c = F(0, 0) + F(1, 1), s = F(1, 0) - F(0, 1);
@@ -43,9 +43,8 @@ Mat<T, 2> nearest_rotation(const Mat<T, 2>& F) {
   return {{{cosine, -sine}, {sine, cosine}}};
 }
 
-/// Müller's iteration, [TranDuc2023] §2.3: ω = Σ_k R_k × F_k/(|Σ_k R_k · F_k| + ε),  R ← exp(ω) R. Departures: the
-/// paper lacks the bars, without which rotations beyond 90° diverge; if the torque vanishes because two axes are
-/// turned by 180°, the iteration restarts from another rotation.
+/// Müller's iteration, [TranDuc2023] §2.3. Departures: the absolute value of `along`, without which rotations beyond
+/// 90° diverge; a restart from another rotation if the torque vanishes because two axes are turned by 180°.
 inline Mat<double, 3> nearest_rotation(const Mat<double, 3>& F) {
   Mat<double, 3> R{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   constexpr int most = 100;
@@ -76,9 +75,7 @@ inline Mat<Pack, 3> nearest_rotation(const Mat<Pack, 3>& F) {
   return R;
 }
 
-/// Stress of `icb`, P = R σ⁰ with σ⁰ = 2G dev E + K tr E I ([TranDuc2023] §2.3).
-/// It differs from St Venant–Kirchhoff, F σ⁰, by the order of the strain. No energy has this
-/// derivative (∂t_1/∂λ_2 ≠ ∂t_2/∂λ_1 of the principal stresses): `energy`, ½ σ⁰:E, is a diagnostic.
+/// Stress of `icb`, [TranDuc2023] §2.3. No energy has this derivative: `energy` is a diagnostic.
 struct RotatedPiola {
   double K, G;  // Pa
 
@@ -95,8 +92,7 @@ struct RotatedPiola {
     return {push_forward(piola(F, J), F, J),
             beside_plane<Dim>((K - 2.0 / 3 * G) * trace(green_strain(F)) / J)};
   }
-  /// Bound for the symmetric part of the acoustic tensor; no wave is faster. t_k = 2G E_k + (K − 2G/3) tr E are the
-  /// principal stresses.
+  /// Bound for the symmetric part of the acoustic tensor (THEORY.md).
   template <class T, int Dim>
   T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
     const PrincipalStretches<T> l = principal_stretches(F);

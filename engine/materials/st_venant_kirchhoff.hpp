@@ -5,9 +5,7 @@
 
 namespace taut {
 
-/// St Venant–Kirchhoff law P = F S, with Hooke's law between the second Piola–Kirchhoff stress S and the
-/// Green–Lagrange strain E. It softens without limit in compression, so use it for large rotations with moderate
-/// strains.
+/// St Venant–Kirchhoff law, which softens without limit in compression.
 struct StVenantKirchhoff {
   double K, G;  // Pa
 
@@ -24,7 +22,7 @@ struct StVenantKirchhoff {
     return {push_forward(piola(F, J), F, J),
             beside_plane<Dim>((K - 2.0 / 3 * G) * trace(green_strain(F)) / J)};
   }
-  /// From Q = (n·S n) I + (K + G/3) f⊗f + G F Fᵀ, f = F n.
+  /// From the acoustic tensor (THEORY.md).
   template <class T, int Dim>
   T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
     const PrincipalStretches<T> l = principal_stretches(F);

@@ -2,7 +2,6 @@
 
 #include "engine/core/tensor.hpp"
 
-/// Bounds of wave stiffness in a strained body.
 namespace taut {
 
 template <class T>
@@ -11,7 +10,7 @@ T greatest_eigenvalue(const Sym<T, 2>& A) {
   return 0.5 * (A(0, 0) + A(1, 1)) + root(T(half * half + A(0, 1) * A(0, 1)));
 }
 
-/// q + 2p cos(θ/3), cos θ = det(A − q I)/(2p³). Newton's method starts within 1e-3, from above.
+/// q + 2p cos(θ/3), cos θ = det(A − q I)/(2p³). Newton's method starts within 1e-3.
 template <class T>
 T greatest_eigenvalue(const Sym<T, 3>& A) {
   const T one = filled<T>(1), q = trace(A) / 3;
@@ -27,7 +26,7 @@ T greatest_eigenvalue(const Sym<T, 3>& A) {
   return q + 2 * p * c;
 }
 
-/// Principal stretches, descending; in 2D the last is the 1 normal to the plane.
+/// In descending order; in 2D the last is 1, normal to the plane.
 template <class T>
 using PrincipalStretches = Vec<T, 3>;
 
@@ -45,11 +44,8 @@ PrincipalStretches<T> principal_stretches(const Mat<T, 3>& F) {
   return {root(greatest), root(second), root(T(product / second))};
 }
 
-/// Upper bound of m·Q m over unit vectors m, n; Q: acoustic tensor of waves along n. For isotropic laws, in principal
-/// axes,
-///   m·Q m = Σ_k along_k m_k² n_k² + Σ_{k≠l} across_kl m_k² n_l² + 2 Σ_{k<l} coupling_kl m_k n_k m_l n_l.
-/// The weights m_k² n_l² add up to 1 and m_k n_k m_l n_l = (m_k n_l)(m_l n_k): the bound is the greatest `along` or
-/// eigenvalue of ((across_kl, coupling_kl), (coupling_kl, across_lk)). NaN for NaN; infinite or NaN for det F = 0.
+/// Upper bound of m·Q m over unit vectors m, n for the acoustic tensor Q of an isotropic law (THEORY.md). NaN for
+/// NaN; infinite or NaN for det F = 0.
 template <int Dim, class Along, class Across, class Coupling>
 auto greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
   using T = decltype(along(0));

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// All methods, in listing order. Colours in charts follow from the place, so a new method is the last.
+/// In listing order. Colours in charts follow from the place: append new methods.
 inline constexpr std::array<const Formulation*, 24> all_methods{&og,
                                                                 &oas,
                                                                 &enog,

@@ -16,7 +16,6 @@
 namespace taut {
 namespace {
 
-/// Terms of the family with the method's citations, then the terms of walls and self-contact.
 std::vector<TermInfo> terms(const Formulation& m) {
   std::vector<TermInfo> all = row_of(m.family).terms(m);
   for (TermInfo& term : all) {
@@ -30,7 +29,7 @@ std::vector<TermInfo> terms(const Formulation& m) {
   return all;
 }
 
-/// `sph` requires searched neighbours, `surface` initial ones, with which its faces move.
+/// `sph` requires searched neighbours, `surface` initial ones.
 std::vector<ContactLaw> contact_laws_of(bool searches) {
   std::vector<ContactLaw> all;
   for (const ContactLawRow& row : contact_laws)
@@ -50,7 +49,6 @@ std::string joined(const std::vector<ContactLaw>& laws) {
   return names;
 }
 
-/// Laws that a method accepts, its default first.
 std::vector<LawChoice> laws(const ElasticSwitches* m) {
   std::vector<LawChoice> all;
   if (!m) return all;
@@ -91,7 +89,7 @@ std::vector<MethodInfo> table() {
   return all;
 }
 
-/// Law of the settings, or the method's default. Throws UsageError if the method does not accept it.
+/// Throws UsageError if the method does not accept the law.
 const LawChoice& chosen_law(const MethodInfo& method, const Settings& settings) {
   for (const LawChoice& choice : method.laws)
     if (settings.law.empty() || choice.name == settings.law) return choice;
@@ -120,9 +118,8 @@ const MethodInfo* find_method(std::string_view name) {
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim) {
   std::vector<MethodConstant> all = row_of(m.family).constants(m, dim);
   all.push_back({"contact_stiffness", m.contact_stiffness, 0.01, 100.0,
-                 "contact stiffness over K1 K2/(K1 + K2); `surface`: over half of the same of K + 4G/3; 1: "
-                 "published, 2: as "
-                 "stiff as the material"});
+                 "contact stiffness over K1 K2/(K1 + K2); `surface`: over half of the same of K + 4G/3; "
+                 "1: published, 2: as stiff as the material"});
   return all;
 }
 
@@ -157,8 +154,8 @@ std::string reason_against_law(const MethodInfo& method, std::string_view law) {
   if (std::ranges::find(Laws::rows, law, &LawRow::choice) == Laws::rows.end())
     return fmt::format("method '{}' has no law '{}'; it has: {}", method.name, law, known);
   return fmt::format(
-      "method '{}' cannot run with the law '{}', which is of the deformation gradient alone: its volume "
-      "ratio is an unknown of its own; it can with: {}",
+      "method '{}' cannot run with the law '{}', which is of the deformation gradient alone: "
+      "its volume ratio is an unknown of its own; it can with: {}",
       method.name, law, known);
 }
 
@@ -175,11 +172,10 @@ ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
   if (needs_faces(scene.contact) && !has_faces(scene)) {
     std::vector<ContactLaw> others = contact_laws_of(false);
     std::erase_if(others, needs_faces);
-    throw SceneError(
-        "contact",
-        fmt::format("the contact law '{}' needs bodies that are cut from a lattice, and in 3 dimensions "
-                    "particles given one by one have no faces; of those: {}",
-                    scene.contact.name, joined(others)));
+    throw SceneError("contact",
+                     fmt::format("the contact law '{}' needs bodies that are cut from a lattice, "
+                                 "and in 3 dimensions particles given one by one have no faces; of those: {}",
+                                 scene.contact.name, joined(others)));
   }
   if (std::ranges::find(method.contact_laws, scene.contact) != method.contact_laws.end())
     return scene.contact;

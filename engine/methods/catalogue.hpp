@@ -22,11 +22,10 @@ struct LawChoice {
   Law law;
 };
 
-/// Meaning of the reported strain energy.
 enum class StrainEnergy {
-  potential,  // of the forces; only the method itself changes the total energy
-  of_stress,  // computed from an integrated stress; no potential of the forces
-  recovered,  // computed from a stress that is recovered for display
+  potential,  // of the forces
+  of_stress,  // of an integrated stress; the forces have no potential
+  recovered,  // of a stress that is recovered for display
 };
 StrainEnergy strain_energy(const Formulation& m);
 
@@ -35,32 +34,32 @@ struct MethodInfo {
   std::string_view name;
   std::string_view paper;
   std::string_view summary;
-  std::string_view material_law;  // reference: "2d_deviator" or "neo_hookean"
+  std::string_view material_law;  // of the reference
   std::vector<LawChoice> laws;    // the published one first
-  Law law;                        // published; none: the stress is integrated
+  Law law;                        // none: the stress is integrated
   std::string_view conserves;
   std::vector<TermInfo> terms;
   std::vector<MethodConstant> constants;  // in 2D
-  double cfl;                             // default acoustic CFL number
+  double cfl;                             // default
   ContactLaw contact;                     // published
-  std::vector<ContactLaw> contact_laws;   // available
-  bool keeps_neighbors;                   // see FamilyRow; if true, contact also acts within a body
-  bool several_materials;                 // allowed in a scene
+  std::vector<ContactLaw> contact_laws;
+  bool keeps_neighbors;  // if true, contact also acts within a body
+  bool several_materials;
 };
 
-/// All methods, in listing order.
+/// In listing order.
 std::span<const MethodInfo> methods();
 /// Returns nullptr for unknown names.
 const MethodInfo* find_method(std::string_view name);
-/// User-settable constants, with defaults for `dim`.
+/// User-settable, with defaults for `dim`.
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim);
-/// Values in the settings, otherwise the defaults. `dp` in m.
+/// `dp` in m.
 ConstantValues constant_values(const Formulation& m, int dim, double dp, const Settings& settings);
 
 std::span<const LawRow> laws();
 /// Law of a run, or nullptr. Throws UsageError if the method lacks it.
 const LawRow* law_row(const MethodInfo& method, const Settings& settings);
-/// Reason why the method cannot use a law (LawRow::choice), or "".
+/// Empty if the method accepts the law.
 std::string reason_against_law(const MethodInfo& method, std::string_view law);
 /// Reference of a run. Throws UsageError if the method lacks the law.
 std::string_view material_law(const MethodInfo& method, const Settings& settings, int dim = 2);

@@ -21,11 +21,11 @@ inline double compression_wave_speed(const Elasticity& m) {
   return std::sqrt((m.K + 4.0 / 3 * m.G) / m.rho0);
 }
 
-/// In SI units. With several materials, the first body's constants, but the maximum c0.
+/// With several materials those of the first body, but the maximum c0.
 struct Constants : Elasticity {
   double dp = 0;                 // particle spacing, m
   double h = 0;                  // smoothing length, m
-  double contact_stiffness = 1;  // relative to K1 K2/(K1 + K2), see terms/
+  double contact_stiffness = 1;  // relative to K1 K2/(K1 + K2)
   double cfl = 0;
   double step = 0;  // fixed time step, s; 0: by cfl
 };
@@ -36,8 +36,8 @@ struct MethodConstant {
   double value;  // published
   double low, high;
   std::string_view help;
-  bool in_spacings = false;  // `value` is in spacings
-  bool at_set_up = false;    // cannot change during a run
+  bool in_spacings = false;
+  bool at_set_up = false;  // cannot change during a run
 };
 
 template <class C>

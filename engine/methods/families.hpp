@@ -24,7 +24,6 @@ struct FamilyRow {
   std::unique_ptr<Simulation> (*make)(const SolverInput& input);
 };
 
-/// Methods on the initial configuration have an elastic law.
 template <class F, auto terms, auto constants>
 constexpr FamilyRow family_row(std::unique_ptr<Simulation> (*make)(const SolverInput& input)) {
   constexpr bool elastic = std::is_base_of_v<ElasticSwitches, F>;
@@ -53,7 +52,6 @@ constexpr FamilyRow family_row(std::unique_ptr<Simulation> (*make)(const SolverI
           .make = make};
 }
 
-/// Each family has a folder, an enumerator and a row.
 inline constexpr std::array families{
     family_row<UlSplitFormulation, ul_split::terms, ul_split::constants>(ul_split::make),
     family_row<UlCauchyFormulation, ul_cauchy::terms, ul_cauchy::constants>(ul_cauchy::make),

@@ -11,40 +11,39 @@
 
 namespace taut {
 
-/// Algorithm of a method, a folder of engine/methods/.
 enum class Family : std::uint8_t {
-  ul_split,         // updated Lagrangian, separate pressure and shear; [Zhang2024] §5
-  ul_cauchy,        // updated Lagrangian, divergence of σ = −pI + s; [Khayyer2024] Eq. 9
-  bonded,           // energy of bonds between initial neighbours; terms/bond.hpp
-  tl_displacement,  // total Lagrangian, F from positions; [Lee2016] Eq. 29c
-  tl_mixed,         // total Lagrangian, F is an unknown; [Lee2016] §3.3.2
+  ul_split,         // separate pressure and shear, [Zhang2024] §5
+  ul_cauchy,        // divergence of the Cauchy stress, [Khayyer2024] Eq. 9
+  bonded,           // energy of bonds, terms/bond.hpp
+  tl_displacement,  // F from positions, [Lee2016] Eq. 29c
+  tl_mixed,         // F is an unknown, [Lee2016] §3.3.2
 };
 
-/// Share of the trace that is removed from the strain rate.
+/// Share of the trace removed from the strain rate.
 enum class Deviator : std::uint8_t {
-  in_plane,      // 1/d, [Zhang2024] Eq. 7: in-plane bulk modulus K, s_zz = 0
-  plane_strain,  // 1/3, [Khayyer2024] Eq. 6: in-plane bulk modulus K + G/3
+  in_plane,      // 1/d, [Zhang2024] Eq. 7; s_zz = 0
+  plane_strain,  // 1/3, [Khayyer2024] Eq. 6
 };
 
-/// Data of every method; families derive structs with switches.
+/// Data of every method; families add switches.
 struct Formulation {
   std::string_view name;
   std::string_view paper;
   std::string_view summary;
   std::string_view conserves;
   Family family = Family::ul_split;
-  std::span<const Citation> citations = {};  // override the family's citations
+  std::span<const Citation> citations = {};  // override the family's
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
-  ContactLaw contact = ContactLaw::sph;  // by default the law of the paper
+  ContactLaw contact = ContactLaw::sph;  // of the paper
   double contact_stiffness = 1;          // see terms/penalty_contact.hpp
   bool several_materials = false;        // allowed in a scene
-  double h_over_dp = 1.3;                // smoothing length over spacing
-  double h_over_dp_3d = 0;               // 0: as in 2D
-  double cfl = 0.4;                      // acoustic, [Zhang2024] Eq. 22
+  double h_over_dp = 1.3;
+  double h_over_dp_3d = 0;  // 0: as in 2D
+  double cfl = 0.4;         // acoustic, [Zhang2024] Eq. 22
 };
 
-/// Returns null for a method of another family.
+/// Null for a method of another family.
 template <class F>
 constexpr const F* as(const Formulation& m) {
   return m.family == F::own_family ? static_cast<const F*>(&m) : nullptr;

@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Returns the kernels Tables::of<M, dim> of the method, or null.
+/// Tables::of<M, dim> of the method, or null.
 template <class Tables, const auto&... M>
 const void* table_among(int dim, std::string_view method, MethodList<M...>) {
   const void* found = nullptr;

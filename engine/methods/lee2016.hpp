@@ -2,8 +2,7 @@
 
 #include "engine/methods/formulation.hpp"
 
-/// Common data of the methods of [Lee2016]. The paper has no contact: they use the penalty of [TranDuc2023] with the
-/// stiffness of a layer of material.
+/// Common data of the methods of [Lee2016]. Departure: the contact of [TranDuc2023]; the paper has none.
 namespace taut {
 
 constexpr Formulation lee2016(Formulation m) {
@@ -11,8 +10,7 @@ constexpr Formulation lee2016(Formulation m) {
   m.several_materials = m.family != Family::tl_mixed;  // momentum is not smooth where materials meet
   m.contact = ContactLaw::penalty;
   m.contact_stiffness = 2;
-  // [Lee2016] states neither kernel nor h. Short supports (8 neighbours, in 3D 26) are least one-sided at faces; with
-  // longer ones, zigzags hardly decay.
+  // [Lee2016] states neither kernel nor h. Short supports (8 neighbours, in 3D 26) are least one-sided at faces.
   m.h_over_dp = 0.8;
   m.h_over_dp_3d = 0.87;
   // [Lee2016] §5 has 0.3; the bending column fails there at ν = 0.499.

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Linear map in space, 3 × 3, row by row.
+/// 3 × 3, row by row.
 using LinearMap = std::array<double, 9>;
 
 struct InitialPositions {
@@ -26,8 +26,8 @@ struct InitialPositions {
 
 /// Neighbours in the same body, up to 1.6 times as far as the nearest.
 struct FirstNeighbors {
-  std::vector<std::size_t> first, neighbor;  // neighbours of i: first[i] … first[i + 1] − 1
-  std::vector<double> spacing;               // to the nearest, m
+  std::vector<std::size_t> first, neighbor;
+  std::vector<double> spacing;  // to the nearest, m
 
   std::span<const std::size_t> operator[](std::size_t i) const {
     return std::span(neighbor).subspan(first[i], first[i + 1] - first[i]);
@@ -35,12 +35,10 @@ struct FirstNeighbors {
 };
 FirstNeighbors first_neighbors(const InitialPositions& start);
 
-/// Regularised inverse of Σ X ⊗ X over neighbours, 1/m²; in 2D without the third axis.
+/// Regularised inverse of Σ X ⊗ X, 1/m²; in 2D without the third axis.
 LinearMap inverse_moment(const LinearMap& moment, int dim);
 
-/// Least-squares affine map of each particle's first neighbours, F = 1 + Σ (x_ij − X_ij) ⊗ X_ij (Σ X_ij ⊗ X_ij)⁻¹.
-/// Exact for affine motions with any method; meaningless where a body has torn. In 2D F_zz = 1
-/// (plane strain).
+/// Least-squares affine map of the first neighbours, in 2D with F_zz = 1; meaningless where a body has torn.
 std::vector<LinearMap> affine_maps(const Snapshot& now);
 LinearMap affine_map(const Snapshot& now, std::size_t i);
 

@@ -10,11 +10,10 @@
 
 namespace taut {
 
-/// Particles at `x`, n × Dim, sorted by cells.
+/// Positions `x`, n × Dim, sorted by cells.
 template <int Dim>
 class PlacesInCells {
  public:
-  /// reach in m
   PlacesInCells(const std::vector<double>& x, double reach) : reach_(reach), x_(x.size() / Dim) {
     for (std::size_t i = 0; i < x_.size(); ++i)
       for (std::size_t k = 0; k < Dim; ++k) x_[i][static_cast<int>(k)] = x[Dim * i + k];
@@ -22,7 +21,7 @@ class PlacesInCells {
   }
 
   const std::vector<int>& order() const { return order_; }
-  /// Calls visit(j) for every j within `reach`, including i.
+  /// Calls visit(j) for all within `reach`, including i.
   template <class Visit>
   void for_each_around(int i, const Visit& visit) const {
     grid_.for_each_row(x_[i], [&](int first, int last) {
@@ -35,13 +34,13 @@ class PlacesInCells {
 
  private:
   double reach_;
-  std::vector<Vec<double, Dim>> x_;  // m
+  std::vector<Vec<double, Dim>> x_;
   CellGrid<Dim> grid_;
   std::vector<int> order_;
 };
 
-/// Calls visit(i, j), i < j, for all pairs with `wanted`(i, j) at most `reach`, m, apart; `x` is n × Dim. Visits on
-/// one thread, in an order that does not depend on `threads`.
+/// Calls visit(i, j), i < j, for all `wanted` pairs at most `reach`, m, apart, on one thread, in an order independent
+/// of `threads`.
 template <int Dim, class Wanted, class Visit>
 void for_each_pair_within(const std::vector<double>& x, double reach, const Wanted& wanted,
                           const Visit& visit, int threads = 1) {
@@ -63,7 +62,7 @@ void for_each_pair_within(const std::vector<double>& x, double reach, const Want
   });
 }
 
-/// Visits pairs within a body, by initial positions.
+/// Pairs within a body, by initial positions.
 template <class Visit>
 void for_each_close_pair(const Snapshot& start, double reach, const Visit& visit, int threads = 1) {
   const auto of_one = [&](int i, int j) { return start.body[i] == start.body[j]; };
@@ -71,7 +70,7 @@ void for_each_close_pair(const Snapshot& start, double reach, const Visit& visit
                  : for_each_pair_within<2>(start.x0, reach, of_one, visit, threads);
 }
 
-/// Visits pairs of two bodies, by current positions.
+/// Pairs of two bodies, by current positions.
 template <class Visit>
 void for_each_meeting_pair(const Snapshot& now, double reach, const Visit& visit) {
   const auto of_two = [&](int i, int j) { return now.body[i] != now.body[j]; };

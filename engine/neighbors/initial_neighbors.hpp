@@ -18,7 +18,7 @@ struct NeighborLists {
   std::size_t find(int i, int other) const;
 };
 
-/// Other particles of the same body that are nearer than `reach`, m, in the initial configuration.
+/// Neighbours in the same body within `reach`, m.
 NeighborLists initial_neighbors(const InitialParticles& initial, double reach, int threads = 1);
 /// Excludes particles beyond a slot, see linked.hpp.
 NeighborLists linked_neighbors(const InitialParticles& initial, double reach, double spacing,

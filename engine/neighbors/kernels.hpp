@@ -35,18 +35,17 @@ struct CellsView {
 template <int Dim>
 struct SearchFields {
   CellsView<Dim> cells;
-  const double* x[Dim];  // m, padded for a pack at the last particle
+  const double* x[Dim];  // m, padded for a pack at the end
   double support;        // m
   const int* body;       // null, or: only pairs within a body
 };
 
 template <int Dim>
 struct SearchKernels {
-  /// Writes neighbours of particles first … last − 1 to `found` from `size` on, padded with the particle to whole
-  /// packs, and their numbers to `count`. Returns the first particle for which `room` is too small.
+  /// Writes neighbours of first … last − 1 to `found` from `size` on, padded to whole packs. Returns the first
+  /// particle for which `room` is too small.
   int (*find)(const SearchFields<Dim>& f, int first, int last, int* count, int* found, std::size_t room,
               std::size_t& size);
-  /// `room`, counted from `size`, that is enough for particle i.
   std::size_t (*room_for)(const SearchFields<Dim>& f, int i);
 };
 

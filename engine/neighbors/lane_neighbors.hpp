@@ -8,18 +8,15 @@
 
 #include "engine/core/columns.hpp"
 
-/// Neighbours of four consecutive particles, one per lane. Along lattice rows or layers they are mostly consecutive
-/// too, and one load per column gathers them. Each lane sums in the order of its neighbours, so that the result does
-/// not depend on the grouping.
+/// Neighbours of four consecutive particles, one per lane. Most are consecutive, too: one load gathers them. The
+/// result does not depend on the grouping.
 namespace taut {
 
-/// One neighbour per lane; equal neighbourhoods have equal slots.
 struct LaneSlot {
-  int step[lanes];  // offset in storage from the group's first particle
+  int step[lanes];  // offset from the group's first particle
   int in_line;      // 1: neighbours are consecutive
 };
 
-/// Loads columns at a slot's neighbours.
 template <int N>
 [[gnu::always_inline]] inline void gather(const ColumnsView<N>& columns, int first, const LaneSlot& slot,
                                           Pack (&out)[N]) {
@@ -39,7 +36,7 @@ template <int N>
 struct LaneSlots {
   using Taken = std::array<int, lanes>;
   std::vector<LaneSlot> slots;
-  /// Index of each lane's neighbour, or −1: then any particle is loaded, and the pair's factor must be 0.
+  /// Index of each lane's neighbour; −1: any particle is loaded, and the pair's factor must be 0.
   std::vector<Taken> taken;
 };
 
@@ -83,11 +80,11 @@ inline std::vector<LaneSlots::Taken> by_distance(const Neighbors& neighbors) {
 
 inline LaneSlot slot(int first, const Neighbors& neighbors, const LaneSlots::Taken& taken, int size) {
   LaneSlot slot{};
-  int begin = 0;  // of consecutive neighbours
+  int begin = 0;
   bool found = false, in_line = true;
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const int own = static_cast<int>(lane);
-    slot.step[lane] = own;  // the particle itself
+    slot.step[lane] = own;
     if (taken[lane] < 0) continue;
     const int j = neighbors[lane][static_cast<std::size_t>(taken[lane])];
     slot.step[lane] = j - first;
@@ -102,8 +99,7 @@ inline LaneSlot slot(int first, const Neighbors& neighbors, const LaneSlots::Tak
 
 }  // namespace lane_neighbors
 
-/// Slots of the group that begins with `first`, from ascending neighbours. Takes the cheaper of two choices;
-/// neighbours that are not consecutive cost twice.
+/// Slots of the group at `first`, the cheaper of two choices; `neighbors` must be ascending.
 inline LaneSlots lane_slots(int first, const std::array<std::vector<int>, lanes>& neighbors, int size) {
   LaneSlots best;
   std::size_t least = 0;

@@ -11,7 +11,7 @@
 namespace taut {
 
 /// Moves linked items to the front, in order, and returns their number. Items beyond a slot are not linked: no step
-/// leads to them from an item beside the place. Squared distances, in spacings: from_place(one), between(one, other).
+/// leads to them from an item beside the place. Distances are squared, in spacings.
 template <class T, class FromPlace, class Between>
 std::size_t bring_linked_to_front(std::span<T> near, const FromPlace& from_place, const Between& between) {
   constexpr double link2 = link_of_neighbors * link_of_neighbors;

@@ -13,12 +13,11 @@
 
 namespace taut {
 
-/// Cells at least as wide as the support, with a border. If particles are in the order of cells, x fastest, three
-/// adjacent cells are one range of memory.
+/// Cells at least as wide as the support, with a border. Three cells along x are one range of sorted particles.
 template <int Dim>
 class CellGrid {
  public:
-  /// Places the grid around `x` and returns the order for storage (stable).
+  /// Places the grid around `x` and returns the stable storage order.
   const std::vector<int>& sort(const std::vector<Vec<double, Dim>>& x, double support) {
     place(x, support);
     const int n = static_cast<int>(x.size());
@@ -52,7 +51,7 @@ class CellGrid {
   /// Throws NumericalError if a position has no cell; the caller adds the time.
   void place(const std::vector<Vec<double, Dim>>& x, double support) {
     Vec<double, Dim> low = x[0], high = x[0];
-    constexpr double farthest = 1e300;  // m; the sums below stay finite
+    constexpr double farthest = 1e300;
     for (const auto& p : x) {
       for (int k = 0; k < Dim; ++k) {
         if (!(std::abs(p[k]) <= farthest)) refuse();
@@ -76,7 +75,7 @@ class CellGrid {
       if (std::max(std::abs(low[k]), std::abs(high[k])) > farthest_cell) refuse();
     cells_ = 1;
     for (int k = 0; k < Dim; ++k) {
-      cells_at_.origin[k] = low[k] - 1.5 * size;  // more than one cell, since rounding could reach the border
+      cells_at_.origin[k] = low[k] - 1.5 * size;  // rounding could reach a border of one cell
       cells_at_.stride[k] = cells_;
       cells_ *= static_cast<int>(along(k));
     }
@@ -103,16 +102,16 @@ struct Neighbors {
   }
 };
 
-/// All pairs nearer than the support, for particles in the grid's order; independent of the number of threads.
+/// Pairs nearer than the support, in the grid's order; independent of the number of threads.
 template <int Dim>
 class NeighborSearch {
  public:
-  /// `body`: [particle], restricts the search to pairs within a body; null = all pairs.
+  /// `body` restricts the search to pairs within a body.
   void operator()(const CellGrid<Dim>& grid, const std::vector<Vec<double, Dim>>& x, double support,
                   int threads, Neighbors& out, const int* body = nullptr);
 
  private:
-  std::array<std::vector<double>, Dim> x_;  // [axis], m
+  std::array<std::vector<double>, Dim> x_;
   std::vector<int> count_;
   std::vector<std::vector<int>> found_;  // [chunk]
 };

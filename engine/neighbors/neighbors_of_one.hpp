@@ -9,12 +9,10 @@
 
 namespace taut {
 
-/// Computes initial_neighbors (initial_neighbors.hpp) for one particle at a time. With a wide reach, lists of all
-/// particles would dominate the memory.
+/// Computes initial_neighbors for one particle at a time; lists of all would dominate the memory.
 template <int Dim>
 class NeighborsOfOne {
  public:
-  /// reach in m
   NeighborsOfOne(const InitialParticles& initial, double reach)
       : initial_(initial), reach_(reach), x_(initial.size()) {
     for (int i = 0; i < initial.size(); ++i) x_[i] = place(i);
@@ -47,7 +45,7 @@ class NeighborsOfOne {
 
   const InitialParticles& initial_;
   double reach_;
-  std::vector<Vec<double, Dim>> x_;  // in the order of the grid, m
+  std::vector<Vec<double, Dim>> x_;  // in grid order
   CellGrid<Dim> grid_;
   std::vector<int> order_;  // ids
 };

@@ -42,7 +42,6 @@ class RoundCube {
   explicit RoundCube(long n) : n_(n) {}
 
   long n() const { return n_; }
-  /// Calls f(p, q, axis, side) for each cell (p, q) of each face; `axis` is the face's normal, `side` its sign.
   template <class F>
   void for_each_cell(const F& f) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -64,7 +63,7 @@ class RoundCube {
     return on_face(axis, side, 2 * p, 2 * q);
   }
 
-  /// Unit vector from the centre to `place`. Adds squares in order of size: symmetric places give the same bits.
+  /// Unit vector to `place`. Adds squares in order of size: symmetric places give the same bits.
   Point direction(const Place& place) const {
     Point way{};
     std::array<double, 3> square{};
@@ -74,7 +73,7 @@ class RoundCube {
     for (double& component : way) component /= length;
     return way;
   }
-  /// Returns the solid angle of a cell, bit-identical for symmetric cells.
+  /// Bit-identical for symmetric cells.
   double solid_angle(long p, long q) const {
     p = std::max(p, n_ - 1 - p), q = std::max(q, n_ - 1 - q);
     if (p < q) std::swap(p, q);
@@ -96,7 +95,6 @@ class RoundCube {
 };
 
 RoundCube cube_of(const Ring& shell, double dp) {
-  // side of a square with a sixth of the middle sphere's area
   const double side = std::sqrt(4 * pi / 6) * 0.5 * (shell.inner + shell.outer);
   return RoundCube(std::max(1L, std::lround(side / dp)));
 }
@@ -108,7 +106,7 @@ Point from_centre(const Point& centre, double r, const Point& way) {
 struct Slices {
   Ring ring;
   long layers, around, number;
-  double pitch;             // between slices, m
+  double pitch;             // m
   Point from, along, u, v;  // unit vectors, u × v = along
 
   Slices(const Cylinder& pipe, double dp)
@@ -132,14 +130,13 @@ struct Slices {
          along[0] * u[1] - along[1] * u[0]};
   }
 
-  /// Maps x, in the plane of a slice, to space, `pitches` above the end `from`.
+  /// Maps x from the plane of a slice to space, `pitches` above the end `from`.
   Point place(const Point& x, double pitches) const {
     Point at{};
     for (std::size_t k = 0; k < 3; ++k)
       at[k] = from[k] + pitches * pitch * along[k] + x[0] * u[k] + x[1] * v[k];
     return at;
   }
-  /// Corner of a cell in the plane of a slice: at the inner radius of `layer`, half a particle before particle `turn`.
   Point corner(long layer, long turn) const {
     const double r =
         ring.inner + static_cast<double>(layer) * (ring.outer - ring.inner) / static_cast<double>(layers);

@@ -6,8 +6,8 @@
 
 namespace taut {
 
-// Aligned layers of particles in hollow round 3D bodies. Neighbours are arranged as in a cubic lattice, except at the
-// eight corners of the cube that forms a hollow ball. The mass is exact; cube symmetries hold to the last bit.
+// Aligned layers of particles in hollow round 3D bodies, arranged as in a cubic lattice, except at the corners of
+// the cube that forms a hollow ball. The mass is exact; cube symmetries hold to the last bit.
 
 std::vector<InitialSite> aligned_sites(const Ring& shell, double dp);
 FacePatches aligned_patches(const Ring& shell, double dp);

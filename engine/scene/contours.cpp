@@ -18,7 +18,6 @@ double distance_to_segment(const Point& x, const Point& a, const Point& b) {
   return distance_between(x, {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), 0}, 2);
 }
 
-/// Stores where a face goes from each grid side that it crosses.
 class March {
  public:
   March(const PlaceGrid& grid, const std::function<bool(long, long)>& inside,
@@ -52,8 +51,8 @@ class March {
     long to = 0;
   };
 
-  /// Visits a square anticlockwise: a face begins on a side that leaves the solid and ends on the nearest side before
-  /// it that enters.
+  /// Visits a square anticlockwise: a face begins on a side that leaves the solid and ends on the nearest side
+  /// before it that enters.
   void visit(const PlaceGrid& grid, const std::function<Point(const Point&, const Point&)>& face, long i,
              long j) {
     constexpr std::array<std::array<long, 2>, 4> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
@@ -75,9 +74,9 @@ class March {
     }
   }
 
-  long columns_, rows_;  // with a border of outside points
+  long columns_, rows_;
   std::vector<char> inside_;
-  std::map<long, Way> next_;  // by side number
+  std::map<long, Way> next_;
 };
 
 void mark(const Chain& chain, std::size_t first, std::size_t last, double tolerance,
@@ -130,7 +129,6 @@ std::vector<std::size_t> corners_of(const Chain& chain, const std::vector<char>&
   return corners;
 }
 
-/// Adds points from `from` on, without `to`.
 void add_evenly(const Chain& chain, std::size_t from, std::size_t to, double dp, std::size_t least,
                 Chain& result) {
   const std::size_t n = chain.size();
@@ -149,7 +147,6 @@ void add_evenly(const Chain& chain, std::size_t from, std::size_t to, double dp,
   }
 }
 
-/// Grid with a margin of two squares.
 PlaceGrid grid_over(const Bounds& box, double pitch) {
   PlaceGrid grid{.low = {box.low[0] - 2 * pitch, box.low[1] - 2 * pitch, 0}, .pitch = pitch};
   grid.columns = static_cast<long>(std::ceil((box.high[0] - box.low[0]) / pitch)) + 5;
@@ -241,7 +238,7 @@ std::vector<Chain> combined(Combination how, const std::vector<std::vector<Chain
   Paths paths;
   for (std::size_t k = 0; k < solids.size(); ++k)
     paths = k == 0 ? paths_of(solids[k]) : with(type, paths, paths_of(solids[k]));
-  // drops slivers between chords of coincident curved faces
+  // slivers between chords of coincident curved faces
   constexpr double thin = 0.1;  // of dp
   std::erase_if(paths, [&](const Path& path) {
     double around = 0;

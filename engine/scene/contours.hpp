@@ -8,10 +8,9 @@
 
 namespace taut {
 
-/// (a − o) × (b − o), m²; positive if b is left of a.
+/// Cross product (a − o) × (b − o), m²; positive if b is left of a.
 double turn(const Point& o, const Point& a, const Point& b);
 
-/// Square grid of points, `pitch` apart, m.
 struct PlaceGrid {
   Point low{};
   double pitch = 0;
@@ -22,33 +21,32 @@ struct PlaceGrid {
   }
 };
 
-/// Contours of the solid, which contains the grid points where inside(column, row) is true. Marching squares makes
-/// closed chains with the solid on the left. Between a point `in` of the solid and its neighbour `out` outside, a
-/// contour passes through face(in, out). Parts that touch at a corner are separate. Points beyond the grid are outside.
+/// Contours of the solid where inside(column, row) is true, by marching squares, with the solid on the left. Between
+/// a point `in` of the solid and its neighbour `out`, a contour passes through face(in, out). Parts that touch at a
+/// corner are separate.
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(long, long)>& inside,
                             const std::function<Point(const Point&, const Point&)>& face);
 
 /// Contours of `inside`, bisected to 1e-9 of the pitch.
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(const Point&)>& inside);
 
-/// Returns the chain without points that deviate from it by at most `tolerance`, m [Douglas, Peucker 1973].
+/// Omits points that deviate by at most `tolerance`, m [Douglas, Peucker 1973].
 Chain simplified(const Chain& chain, double tolerance);
 
-/// Returns points about dp apart, with one at each corner. At a corner the chain, simplified to 0.1 dp, turns by more
-/// than 40°.
+/// Points about dp apart, with one at each corner, where the chain, simplified to 0.1 dp, turns by more than 40°.
 Chain evenly_spaced(const Chain& chain, double dp);
 std::vector<Chain> evenly_spaced(const std::vector<Chain>& chains, double dp);
 
-/// Contours of `inside` in a box; misses details smaller than dp/4.
+/// Misses details smaller than dp/4.
 std::vector<Chain> evenly_spaced_contours(const Bounds& box, const std::function<bool(const Point&)>& inside,
                                           double dp);
 
 enum class Combination : std::uint8_t {
   together,    // union
   common,      // intersection
-  difference,  // the first without the others
+  difference,  // first without the others
 };
-/// Combines solids, given by their faces, to an accuracy of 1e-5 dp; drops parts thinner than 0.1 dp.
+/// Accurate to 1e-5 dp; drops parts thinner than 0.1 dp.
 std::vector<Chain> combined(Combination how, const std::vector<std::vector<Chain>>& solids, double dp);
 
 }  // namespace taut

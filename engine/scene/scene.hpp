@@ -26,7 +26,7 @@ struct Material {
   double youngs_modulus = 0;      // E, Pa
   double poisson_ratio = 0;       // ν
   double given_bulk_modulus = 0;  // Pa; 0 = from E and ν. [Khayyer2024] Eq. 57 takes E
-  std::map<std::string, double, std::less<>> law_parameters{};  // given LawRow::parameters, by key
+  std::map<std::string, double, std::less<>> law_parameters{};  // LawRow::parameters
 
   double bulk_modulus() const {  // K, Pa
     return given_bulk_modulus > 0 ? given_bulk_modulus : youngs_modulus / (3 * (1 - 2 * poisson_ratio));
@@ -35,20 +35,20 @@ struct Material {
   double sound_speed() const;  // c0 = √(K/ρ0), m/s [Zhang2024] Eq. 5
 };
 
-/// A region of another material.
+/// Region of another material.
 struct Part {
-  int material = 0;  // index into Scene::materials
+  int material = 0;
   Expression where;
 };
 
-/// A region with prescribed velocity up to a time.
+/// Region with prescribed velocity.
 struct Drive {
   Expression where;
   std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s; empty = 0
   std::optional<double> until;                            // s; none = never released
 };
 
-/// External forces that move with a region's particles. Loads add up; clamped and driven particles feel none.
+/// External forces on a region. Loads add up; clamped and driven particles feel none.
 struct Load {
   enum class Kind : std::uint8_t {
     force,          // N (2D: N/m), by volume over particles not always clamped or driven
@@ -58,113 +58,110 @@ struct Load {
   Expression where;
   Kind kind{};
   std::array<Expression, 3> value;
-  std::function<double(double)> ramp;  // factor, of the time in s; empty = 1
+  std::function<double(double)> ramp;  // of the time in s; empty = 1
 };
 
 std::string_view name(Load::Kind kind);
 
-/// A rigid half-space. It acts by the contact law; with `sph`, by the penalty law.
+/// A rigid half-space. Acts by the contact law; with `sph`, by the penalty law.
 struct Wall {
   std::string name;
-  Point at{};      // on its face, m
-  Point normal{};  // unit vector towards bodies
+  Point at{};      // m
+  Point normal{};  // towards bodies
 };
 
-/// Lattice of bodies that do not place their own particles; dp² (dp³) per particle.
+/// Lattice with dp² (dp³) per particle.
 enum class Lattice : std::uint8_t {
   square,     // 3D: cubic
-  hexagonal,  // 2D: triangular, rows along the longer side of the first shape
+  hexagonal,  // 2D: triangular, rows along the longer side
 };
 std::string_view name(Lattice lattice);
-/// Distance of hexagonal rows in spacings, √(√3/2); its inverse is the distance in a row.
+/// Row distance in spacings, √(√3/2); its inverse is the distance in a row.
 inline constexpr double hexagonal_row = 0.93060485910209959893;
 
 /// Right-handed rotation; `angle` in degrees.
 struct Rotation {
-  Point axis{0, 0, 1};  // unit vector; z in 2D
+  Point axis{0, 0, 1};  // unit vector
   Point about{};        // m
   double angle = 0;
 };
-/// Rotates x; exact to the last bit for quarter turns and mirror images.
+/// Exact to the last bit for quarter turns and mirror images.
 Point rotated(const Rotation& rotation, const Point& x);
 
-/// Random displacement of each free coordinate, uniform within ± `share` spacings.
+/// Uniform displacement within ± `share` spacings.
 struct Jitter {
-  static constexpr double least_unusable = 0.5;  // share at which particles of a square lattice can coincide
+  static constexpr double least_unusable = 0.5;  // particles of a square lattice can coincide
   double share = 0;
-  int seed = 1;  // bodies of equal shape get equal numbers
+  int seed = 1;
 };
 
 struct Body {
   std::string name;
-  std::vector<Shape> shapes;   // united; the first one anchors the lattice
+  std::vector<Shape> shapes;   // the first one anchors the lattice
   std::vector<Shape> without;  // cut out
   Lattice lattice = Lattice::square;
-  bool on_boundary = false;            // of one box: particles on its faces
-  int material = 0;                    // index into Scene::materials
-  std::vector<Part> parts;             // the last one with a particle counts
-  std::vector<Drive> drives;           // the last one with a particle counts
-  std::vector<Load> loads;             // all with a particle add up
-  std::array<Expression, 3> velocity;  // initial velocity, m/s
-  Expression clamped;                  // clamped region
-  std::array<Expression, 3> guided;    // region that is fixed along this axis
-  std::array<bool, 3> mirror{};        // reflects the layout along these axes about the first shape's centre
-  std::optional<Rotation> rotation;    // after reflection
-  std::array<Expression, 3> displacement;  // from the reference position to the start, m
+  bool on_boundary = false;  // one box with particles on its faces
+  int material = 0;
+  std::vector<Part> parts;             // last one counts
+  std::vector<Drive> drives;           // last one counts
+  std::vector<Load> loads;             // add up
+  std::array<Expression, 3> velocity;  // m/s
+  Expression clamped;
+  std::array<Expression, 3> guided;        // fixed along this axis
+  std::array<bool, 3> mirror{};            // about the first shape's centre
+  std::optional<Rotation> rotation;        // after reflection
+  std::array<Expression, 3> displacement;  // m
 };
 
-/// Whether x is in the body, or at most `tolerance` outside; ignores displacements.
+/// Whether x is inside, or at most `tolerance` outside; ignores displacements.
 bool holds(const Body& body, const Point& x, int dim, double tolerance);
 
-/// The body before rotation and reflection, shifted such that x → −x reflects it into place.
+/// Body before rotation and reflection, shifted such that x → −x reflects it into place.
 Body unplaced_body(Body body, int dim);
 /// Maps a point of unplaced_body(body) to its place.
 Point placed(const Body& body, Point x, int dim);
-/// Inverse of `placed`.
 Point unplaced_point(const Body& body, Point x, int dim);
 
-/// Component of the Cauchy stress, positive in tension, or invariant, Pa.
+/// Stress component, positive in tension, or invariant, Pa.
 enum class StressPart : std::uint8_t { xx, yy, zz, xy, xz, yz, von_mises, pressure };
 
-/// A quantity sampled in every step. Forces are means over the last step, 0 at the start, in 2D per metre depth.
+/// Quantity sampled in every step. Forces are means over the last step, 0 at the start, in 2D per metre depth.
 struct Probe {
-  /// Kind of probe, with its name in scene files; see solver/probe_kinds.cpp. Unless stated, of `bodies[0]`,
-  /// component `axis`.
+  /// Kind (solver/probe_kinds.cpp); unless stated, of `bodies[0]`, component `axis`.
   struct Kind {
     std::string_view name;
     bool is_force = false;
 
     bool operator==(const Kind&) const = default;
 
-    static const Kind displacement, position,
-        velocity;                                    // of material point `at`
-    static const Kind distance;                      // between material points `at` and `to`, m
+    static const Kind displacement, position, velocity;
+    static const Kind distance;                      // from `at` to `to`, m
     static const Kind mean_velocity, mean_position;  // mass-weighted
-    static const Kind greatest_position;             // of any particle, m
-    // least distance between particles of `bodies[0]` and `bodies[1]` minus their mean diameter, or between faces, m
+    static const Kind greatest_position;
+    // least distance between particles minus their mean diameter, or between faces, m
     static const Kind gap;
     // largest |x_a − mirror(x_b)| of two bodies of equal layout, or of one symmetric body, plane ⊥ axis, m
     static const Kind mirror_asymmetry;
-    // angle of material point `at` about `turns_about` since the start, including whole turns, rad
+    // angle of `at` about `turns_about`, with whole turns, rad
     static const Kind turn;
-    static const Kind stress;  // `part` at material point `at`, as the method reports it, Pa
-    // constraint force on clamped, guided or driven particles, N
+    static const Kind stress;  // as the method reports it, Pa
+    // on clamped, guided or driven particles, N
     static const Kind reaction;
-    static const Kind contact_force;  // on `bodies[0]`, from `bodies[1]` or else `wall`, N
-    static const Kind expression;     // `value` of the preceding probes
+    static const Kind contact_force;  // on `bodies[0]`, from `bodies[1]` or `wall`, N
+    static const Kind expression;     // of the preceding probes
   };
   std::string name;
   Kind kind = Kind::displacement;
   std::vector<int> bodies;
   Point at{}, to{};
   int axis = 0;
-  Point turns_about{0, 0, 1};  // axis through the origin, unit vector; z in 2D
+  Point turns_about{0, 0, 1};  // axis through the origin, unit vector
   StressPart part{};
   Expression where;  // region of a reaction; empty = all
-  int wall = -1;     // index into Scene::walls
+  int wall = -1;
   /// Function of the preceding probes' values and the time, s.
   std::function<double(const std::vector<double>&, double)> value;
-  bool of_forces = false;  // `value` depends on forces only
+  bool of_forces = false;
 };
 
 inline constexpr Probe::Kind Probe::Kind::displacement{"displacement"}, Probe::Kind::position{"position"},
@@ -175,56 +172,52 @@ inline constexpr Probe::Kind Probe::Kind::displacement{"displacement"}, Probe::K
     Probe::Kind::stress{"stress"}, Probe::Kind::reaction{"reaction", true},
     Probe::Kind::contact_force{"contact_force", true}, Probe::Kind::expression{"expression"};
 
-/// Whether samples are means over a step.
 inline bool is_step_mean(const Probe& probe) { return probe.kind.is_force || probe.of_forces; }
 
-/// Evenly spaced points in a body at which a field is sampled.
+/// Points at which a field is sampled.
 struct SampleLine {
   std::string name;
-  int body = 0;           // index into Scene::bodies
+  int body = 0;
   std::string field;      // key
-  Point from{}, to{};     // first and last point, m
-  bool in_space = false;  // fixed in space, not material
+  Point from{}, to{};     // m
+  bool in_space = false;  // not material
   int points = 0;
   std::vector<double> times;  // s, increasing
 };
 
-/// A number computed from probes.
 struct Measure {
   std::string name;
   std::string kind;                 // see diagnostics/measure_kinds.hpp
-  std::vector<std::string> probes;  // of a point: one per axis
+  std::vector<std::string> probes;  // one per axis
   std::string line;
-  int body = 0;                     // index into Scene::bodies
-  std::vector<std::string> fields;  // keys of the compared components
+  int body = 0;
+  std::vector<std::string> fields;  // compared components
   bool rigid_motion_free = false;   // ignores a small rigid motion, which loads leave open
   std::string unit;
   double threshold = 0;
   double scale = 1;
   std::array<double, 2> band{};  // Hz
-  double about = 0;              // level of an oscillation, the probe's unit
-  bool about_mean = false;       // the level is the mean over whole periods
+  double about = 0;              // level
+  bool about_mean = false;       // level = mean over whole periods
   double from = 0;               // s
-  std::optional<double> until;   // s; none = the end of the run
+  std::optional<double> until;   // s; none = end
   double time = 0;               // s
-  std::string free;              // probe of the gap between separating bodies; may be empty
-  Point axis{0, 0, 1};           // unit vector of a turn in 3D
+  std::string free;              // probe of the gap between separating bodies
+  Point axis{0, 0, 1};           // in 3D
 };
 
-/// Independent solution, linearly interpolated: a column per probe over time, or one along a line.
+/// Values over time, one column per probe, or along a line; linearly interpolated.
 struct ReferenceTable {
   std::vector<double> t;                   // s, or m along a line
-  std::vector<std::vector<double>> value;  // [probe], the probe's unit
+  std::vector<std::vector<double>> value;  // [probe]
 };
 
-/// Independent values for the measures of a scene, for one law.
 struct Reference {
-  std::string name;                       // "finite elements, 2d deviator, ..."; lists all sources
-  std::map<std::string, double> value{};  // by measure, in its unit
+  std::string name;                       // lists all sources
+  std::map<std::string, double> value{};  // by measure
   std::map<std::string, ReferenceTable> table{};
-  std::map<std::string, std::vector<Solution>>
-      solution{};                              // by measure: exact solution, [probe], of the line or [field]
-  std::map<std::string, std::string> names{};  // by measure: its source, if `name` lists several
+  std::map<std::string, std::vector<Solution>> solution{};  // by measure: [probe], of the line or [field]
+  std::map<std::string, std::string> names{};               // by measure
 
   bool has(const std::string& measure) const {
     return value.contains(measure) || table.contains(measure) || solution.contains(measure);
@@ -235,7 +228,7 @@ struct Reference {
   }
 };
 
-/// A simulation as plain data; expressions are evaluated or bound.
+/// A simulation as plain data.
 struct Scene {
   std::string name;
   std::string title;
@@ -249,17 +242,17 @@ struct Scene {
   std::vector<Wall> walls;
   ContactLaw contact = ContactLaw::published;
   std::array<std::function<double(double)>, 3> gravity;  // m/s², of the time in s; empty = 0
-  double damping = 0;  // c, 1/s, of a force −c m v, for scenes that come to rest; see solver/loads.hpp
+  double damping = 0;                                    // c, 1/s, of a force −c m v; see solver/loads.hpp
   std::vector<Probe> probes;
   std::vector<SampleLine> lines;
   std::vector<Measure> measures;
-  /// References by deviator law ("2d_deviator", "neo_hookean"); empty if these parameters have none.
+  /// References by deviator law ("2d_deviator", "neo_hookean").
   std::map<std::string, Reference> references;
 };
 
-/// Whether the drive ends before the run. An end with the run does not count, as the last step overshoots.
+/// Returns false for an end with the run, since the last step overshoots.
 bool ends_before_run(const Drive& drive, const Scene& scene);
-/// Returns the last region that contains x; −1 = none.
+/// Returns −1 if no region contains x.
 template <class Region>
 int last_that_holds(const std::vector<Region>& regions, const Point& x) {
   int k = static_cast<int>(regions.size()) - 1;
@@ -269,14 +262,13 @@ int last_that_holds(const std::vector<Region>& regions, const Point& x) {
 bool has_drives(const Scene& scene);
 bool has_displacements(const Scene& scene);
 bool is_undisplaced(const Body& body);
-/// Returns the start of the particle with reference position x.
 Point displaced(const Body& body, const Point& x);
 bool has_guides(const Scene& scene);
 bool has_gravity(const Scene& scene);
 bool has_loads(const Scene& scene);
 
-/// Returns the spacing nearest to `spacing` that divides the thinnest extent of the first body's first shape into
-/// whole particles, or rows of a hexagonal lattice. Returns `spacing` if the shape has no such extent.
+/// Nearest spacing that divides the thinnest extent of the first shape into whole particles, or rows of a hexagonal
+/// lattice; `spacing` without such an extent.
 double fitted_spacing(const Body& first, int dim, double spacing);
 
 }  // namespace taut

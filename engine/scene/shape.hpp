@@ -37,23 +37,23 @@ Bounds bounds_of_placed(const Bounds& box, const Place& place) {
 /// Closed chain of points on a face, m.
 using Chain = std::vector<Point>;
 
-/// Faces of a body in 3D: quadrilaterals whose corners lie exactly on the faces.
+/// Quadrilaterals whose corners lie exactly on the faces of a body.
 struct FacePatches {
   struct Patch {
     std::array<int, 4> node{};  // anticlockwise, seen from outside
-    int site = 0;               // index of the site behind it
+    int site = 0;               // behind it
   };
   std::vector<Point> node;  // m
   std::vector<Patch> patches;
 };
 
 struct InitialSite {
-  Point x{};                      // m
-  double V0 = 0;                  // m^dim
-  int turned = -1;                // next site under a round body's symmetry rotation; -1 = none
-  double inside = 1;              // fraction of the cell inside the body
-  std::array<bool, 3> on_face{};  // on a face normal to this axis
-  Point middle{};                 // x without jitter, m; decides membership of regions
+  Point x{};          // m
+  double V0 = 0;      // m^dim
+  int turned = -1;    // next site under a symmetry rotation; -1 = none
+  double inside = 1;  // fraction of the cell
+  std::array<bool, 3> on_face{};
+  Point middle{};  // x without jitter, m; for regions
 };
 
 /// Interface of all shapes. Lengths are in m; components beyond `dim` are ignored. A shape can place particles in
@@ -69,30 +69,26 @@ struct ShapeBase {
   /// Area or volume, m^dim; an upper bound if not exact.
   virtual double measure(int dim) const = 0;
   virtual bool has_exact_measure() const;
-  /// Extent that must hold a whole number of particles, m; 0 = none.
+  /// Extent for a whole number of particles, m; 0 = none.
   virtual double extent_to_divide(int dim) const;
   /// Centre of reflections and rotations.
   virtual Point middle() const;
-  /// Corner of the lattice if this is the first shape.
   virtual Point anchor() const;
   /// Particles of a body of this shape alone; empty if the lattice fills it.
   virtual std::vector<InitialSite> sites(int dim, double dp) const;
-  /// Faces in 2D: closed chains of points exactly on the faces, about dp apart and at each corner, with the solid on
-  /// the left. Empty in 3D.
+  /// Closed chains of points exactly on the faces, about dp apart and at each corner, with the solid on the left.
+  /// Empty in 3D.
   virtual std::vector<Chain> outline(int dim, double dp) const;
-  /// Outline of a part of a combined shape. Combined parts give their own parts a finer dp, down to `finest`, since
-  /// otherwise each level would multiply the points.
+  /// Combined shapes give their parts a finer dp, down to `finest`: otherwise each level would multiply the points.
   virtual std::vector<Chain> outline_of_part(int dim, double dp, double finest) const;
-  /// Faces in 3D, if the shape places its particles.
   virtual FacePatches patches(double dp) const;
-  /// For shapes that rotate the lattice: from lattice to space, from space to lattice, and the bounds of the shape
-  /// along the lattice axes.
+  /// Maps and bounds of shapes that rotate the lattice.
   virtual Point from_lattice(const Point& x) const;
   virtual Point to_lattice(const Point& x) const;
   virtual Bounds lattice_bounds() const;
 };
 
-/// A shape of any kind; copies share it.
+/// Copies share the shape.
 class Shape {
  public:
   template <std::derived_from<ShapeBase> S>

@@ -90,13 +90,12 @@ std::vector<Vec<double, Dim>> middle_velocities(const Particles<Dim>& s, int bod
 
 }  // namespace
 
-/// Throws NumericalError that names the diverged particle with the lowest id.
 template <int Dim>
 void Common<Dim>::throw_if_diverged() const {
   const double limit = greatest_mach_number * constants.c0,
                of_bodies = greatest_mach_number_of_bodies * constants.c0;
   const std::vector<V> middle = middle_velocities(particles, static_cast<int>(initial.first.size()) - 1);
-  int failed_id = size();  // id
+  int failed_id = size();
   bool of_body = false;
   for (int i = 0; i < size(); ++i) {
     const V relative_velocity = particles.v[i] - middle[particles.body[i]];
@@ -107,13 +106,13 @@ void Common<Dim>::throw_if_diverged() const {
     failed_id = particles.id[i], of_body = !leaves;
   }
   if (failed_id == size()) return;
-  const std::string what =
-      of_body ? fmt::format("particle {} and its body are faster than {:g} m/s ({:g} c0)", failed_id,
-                            of_bodies, greatest_mach_number_of_bodies)
-              : fmt::format(
-                    "particle {} is faster than its body by more than {:g} m/s ({:g} c0), or its speed is "
-                    "not a number",
-                    failed_id, limit, greatest_mach_number);
+  const std::string what = of_body
+                               ? fmt::format("particle {} and its body are faster than {:g} m/s ({:g} c0)",
+                                             failed_id, of_bodies, greatest_mach_number_of_bodies)
+                               : fmt::format(
+                                     "particle {} is faster than its body by more than {:g} m/s ({:g} c0), "
+                                     "or its speed is not a number",
+                                     failed_id, limit, greatest_mach_number);
   throw NumericalError(run.steps, run.time, failed_id, "velocity", what);
 }
 
@@ -124,7 +123,7 @@ double Common<Dim>::fastest() const {
   return std::sqrt(fastest2);
 }
 
-/// Checks a loaded state: each particle occurs once and has its body and material.
+/// Each particle occurs once and has its body and material.
 template <int Dim>
 bool Common<Dim>::are_of_this_scene() const {
   std::vector<bool> seen(size());
@@ -137,7 +136,7 @@ bool Common<Dim>::are_of_this_scene() const {
   return true;
 }
 
-/// Checks that the positions and velocities of a loaded state are finite.
+/// Positions and velocities are finite.
 template <int Dim>
 bool Common<Dim>::are_numbers() const {
   for (int i = 0; i < size(); ++i)

@@ -18,9 +18,9 @@
 
 namespace taut {
 
-/// A run has diverged if a particle's speed relative to its body exceeds this multiple of c0.
+/// Limit of a particle's speed relative to its body, in c0.
 inline constexpr double greatest_mach_number = 10;
-/// The same limit for whole bodies, which may fly or spin fast.
+/// Limit for whole bodies, which may fly or spin fast.
 inline constexpr double greatest_mach_number_of_bodies = 1000;
 /// A saved state with more steps is damaged.
 inline constexpr long most_steps = 1L << 53;
@@ -30,7 +30,7 @@ class Common {
  public:
   using V = Vec<double, Dim>;
 
-  /// Stores the particles in creation order. `support`: radius of interaction, m.
+  /// `support`: radius of interaction, m.
   Common(const SolverInput& input, double support);
 
   Constants constants;
@@ -42,24 +42,23 @@ class Common {
   TeamSize team;
   bool stepping = false;  // set-up uses all threads
   RunState run;
-  double vmax = 0;  // greatest speed, m/s
+  double vmax = 0;  // m/s
 
   int size() const { return particles.size(); }
   int threads_now() const { return stepping ? team.threads() : run.threads; }
 
-  /// Moves the particles to their starting positions. Call after storing the reference configuration.
+  /// Call after storing the reference configuration.
   void go_to_start();
 
-  /// Returns `by_speed`, s, reduced for stiff contact, or the fixed step of the settings.
+  /// `by_speed`, s, reduced for stiff contact, or the fixed step.
   double fixed_or_stable_step(double by_speed) const {
     constexpr double spare = 1.5;
     return constants.step > 0 ? constants.step
                               : by_speed / std::sqrt(std::max(1.0, contact.stiffening() / spare));
   }
 
-  /// Kick for the velocities of a step of `dt`, s, at time `t`, s.
   Kick<Dim> kick(double dt, double t);
-  /// Impulse law; see Contact::stop_approach. `follow(i, change)` updates data that depend on v.
+  /// See Contact::stop_approach. `follow(i, change)` updates data that depend on v.
   template <class Follow>
   void stop_approach(double gone, const Follow& follow) {
     Particles<Dim>& p = particles;
@@ -82,7 +81,7 @@ class Common {
     run.time += dt;
     ++run.steps;
   }
-  /// Takes the greatest v² of a step. Throws NumericalError if it is out of bounds.
+  /// Throws NumericalError if the greatest v² is out of bounds.
   void set_greatest_speed(double v2) {
     vmax = std::sqrt(v2);
     refuse_divergence();
@@ -91,21 +90,17 @@ class Common {
     if (!is_within_bounds(vmax)) throw_if_diverged();
   }
 
-  /// For methods that search only contacts.
   void show_contacts_to_probes() {
     probes.rebuilt(particles, contact.neighbors(size()), Contact<Dim>::reach * constants.dp);
   }
-  /// Force on the first body of `probe` over the last step, N; `dt` in s.
   V contact_force(const Probe& probe, double dt) const {
     return (1 / dt) * contact.impulse(probe.bodies[0], probe.wall < 0 ? probe.bodies[1] : -1, probe.wall);
   }
 
-  /// Allocates the fields of store_motion and sets the totals.
   void begin_motion(Snapshot& out) const;
   void store_motion(Snapshot& out, int i) const;
-  /// Sets all fields of a snapshot except those of single particles that change in time.
   void begin_snapshot(Snapshot& out) const;
-  /// `rho` in kg/m³; `p`, `s` and `s_zz` (2D only) in Pa.
+  /// Units kg/m³ and Pa; `s_zz` in 2D only.
   void store(Snapshot& out, int i, double rho, double p, const Sym<double, Dim>& s, double s_zz) const;
 
   template <class Archive, class Method>
@@ -130,7 +125,7 @@ class Common {
   }
 
  private:
-  /// Checks a speed, m/s. Returns false for NaN.
+  /// Returns false for NaN.
   bool is_within_bounds(double speed) const {
     return speed >= 0 && speed <= greatest_mach_number * constants.c0;
   }

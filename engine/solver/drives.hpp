@@ -12,8 +12,8 @@
 
 namespace taut {
 
-/// Particles that cannot move along some axes (rollers, symmetry planes). Constraint forces do no work. Active drives
-/// override guides.
+/// Particles that cannot move along some axes (rollers, symmetry planes). Constraint forces do no work. Active
+/// drives override guides.
 template <int Dim>
 class Guides {
  public:
@@ -23,14 +23,13 @@ class Guides {
   /// Bit k: particle `id` does not move along axis k.
   unsigned char axes(int id) const { return active() ? along_[id] : 0; }
 
-  /// Sets the constrained components of `v` to 0.
   void constrain(int id, Vec<double, Dim>& v) const {
     if (!active() || along_[id] == 0) return;
     for (int k = 0; k < Dim; ++k)
       if (along_[id] >> k & 1) v[k] = 0;
   }
 
-  /// The constrained components of `force`.
+  /// Components of `force` along the constrained axes.
   Vec<double, Dim> constrained_part(int id, const Vec<double, Dim>& force) const {
     Vec<double, Dim> kept{};
     for (int k = 0; k < Dim && active(); ++k)
@@ -39,12 +38,11 @@ class Guides {
   }
 
  private:
-  std::vector<unsigned char> along_;  // [id] bit k: no motion along axis k
+  std::vector<unsigned char> along_;  // [id]
 };
 
-/// Particles with prescribed velocity (Drive in engine/scene/scene.hpp). Their density and stress evolve as for
-/// clamped particles (strains_clamped in methods/ul_split/). In each step call `set_time`, then `replace` for
-/// each new velocity before its use.
+/// Particles with prescribed velocity. Their density and stress evolve as for clamped particles. In each step call
+/// `set_time`, then `replace` for each new velocity.
 template <int Dim>
 class Drives {
  public:
@@ -52,7 +50,6 @@ class Drives {
 
   Drives(const Scene& scene, const InitialParticles& initial);
 
-  /// False without drives or after their end.
   bool active() const { return active_; }
   int number_of_active() const { return static_cast<int>(std::ranges::count_if(drives_, &Timed::on)); }
 
@@ -60,12 +57,12 @@ class Drives {
   /// both give prescribed positions to second order. Expressions are not thread-safe.
   void set_time(double t);
 
-  /// Driven until the end of the run.
+  /// Whether the particle is driven until the end.
   bool lasts(int id) const { return !drives_.empty() && drive_[id] >= 0 && drives_[drive_[id]].lasts(); }
   bool moves(int id) const { return active_ && drive_[id] >= 0 && drives_[drive_[id]].on; }
-  const V& velocity(int id) const { return drives_[drive_[id]].now; }  // m/s, of a driven particle
+  const V& velocity(int id) const { return drives_[drive_[id]].now; }  // m/s
 
-  /// Replaces `v` if prescribed. Its work is the added momentum times the mean of old and new velocity.
+  /// The work is the added momentum times the mean of old and new velocity.
   void replace(const Particles<Dim>& s, int i, V& v) {
     const int id = s.id[i];
     if (!moves(id)) return;
@@ -76,7 +73,6 @@ class Drives {
 
   /// Work on a particle so far, J (per metre depth in 2D).
   double work(int id) const { return work_.empty() ? 0 : work_[id]; }
-  /// J (per metre depth in 2D).
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
 
   template <class Archive>
@@ -99,12 +95,11 @@ class Drives {
 
   bool active_ = false;
   std::vector<Timed> drives_;
-  std::vector<int> drive_;    // [id] index, or -1
+  std::vector<int> drive_;    // [id] or -1
   std::vector<double> work_;  // [id] J
 };
 
-/// Reaction forces for probes: momentum change minus recorded impulses. In each step call `begin`, then `add` for
-/// internal and contact impulses.
+/// Reaction forces for probes: momentum change minus recorded impulses. In each step call `begin`, then `add`.
 template <int Dim>
 class Reactions {
  public:
@@ -116,7 +111,7 @@ class Reactions {
 
   bool active() const { return active_; }
 
-  /// Begins a step of `dt`, s, from velocities `v`. The storage order must not change during the step.
+  /// The storage order must not change during the step of `dt`, s.
   void begin(const std::vector<V>& v, double dt) {
     v_ = v;
     dt_ = dt;
@@ -124,10 +119,9 @@ class Reactions {
   }
   double dt() const { return dt_; }          // s; initially 0
   V* impulses() { return impulse_.data(); }  // [i] N s
-  /// N s (per metre depth in 2D).
   void add(int i, const V& impulse) { impulse_[i] += impulse; }
 
-  /// Mean force on particle i over the step that the recorded impulses do not explain, N.
+  /// Mean force over the step that the recorded impulses do not explain, N.
   V unexplained_force(const Particles<Dim>& s, int i) const {
     return (1 / dt_) * (s.m[i] * (s.v[i] - v_[i]) - impulse_[i]);
   }

@@ -9,8 +9,7 @@
 
 namespace taut {
 
-/// External actions on particles (drives, guides, loads, gravity and damping) and the measurement of reaction
-/// forces.
+/// Drives, guides, loads, gravity, damping and reaction forces.
 template <int Dim>
 struct External {
   using V = Vec<double, Dim>;
@@ -27,7 +26,7 @@ struct External {
 
   bool active() const { return drives.active() || loads.active() || guides.active(); }
 
-  /// `t`: time of the new velocities, s. Call once in each step of `dt`, before `act`.
+  /// `t`: time of the new velocities, s. Call in each step, before `act`.
   void set_time(double dt, double t, const Particles<Dim>& p) {
     const int before = drives.number_of_active();
     drives.set_time(t);
@@ -35,8 +34,7 @@ struct External {
     loads.set_time(t - 0.5 * dt);
     if (reactions.active()) reactions.begin(p.v, dt);
   }
-  /// Applies all external actions to `v` and records their work. `v` is the new velocity of particle i, at first
-  /// without external actions.
+  /// Applies all external actions to the new velocity `v` and records their work.
   void act(const Particles<Dim>& p, int i, double dt, V& v) {
     if (drives.moves(p.id[i])) return drives.replace(p, i, v);
     const bool loaded = loads.active();
@@ -47,8 +45,7 @@ struct External {
 
   Steering<Dim> steering() const { return {drives.active() || guides.active() ? axes_.data() : nullptr}; }
 
-  /// Force of its clamp, guide or drive on particle i over the last step, N. Includes the weight that they carry,
-  /// but no loads.
+  /// Force of clamp, guide or drive over the last step, N. Includes their weight, but no loads.
   V reaction(const Particles<Dim>& p, int i) const {
     const int id = p.id[i];
     const bool free = p.mobile[i] != 0 && !drives.moves(id);
@@ -73,7 +70,7 @@ struct External {
     update_steering();
   }
 
-  std::vector<unsigned char> axes_;  // [id] see Steering
+  std::vector<unsigned char> axes_;
 };
 
 }  // namespace taut

@@ -17,11 +17,11 @@ namespace {
 template <int Dim>
 using Place = Eigen::Vector<double, Dim>;
 
-constexpr double layer_reach = 2.1;  // dp, range of the particles that determine the normal of a layer
-constexpr double close_reach = 2.2;  // dp, range of the search along the face
-constexpr double aside = 0.75;       // dp, greatest offset of a particle below another one
+constexpr double layer_reach = 2.1;  // dp, for the normal of a layer
+constexpr double close_reach = 2.2;  // dp
+constexpr double aside = 0.75;       // dp, greatest offset below another particle
 
-/// Least ratio of n · S to area of a column that shares a force; ends of bars have 0.95 to 1.5.
+/// Least n · S per area of a column that shares a force; ends of bars have 0.95 to 1.5.
 constexpr double least_scaled = 0.5;
 
 template <int Dim>
@@ -36,24 +36,21 @@ Point point(const Place<Dim>& v) {
   return p;
 }
 
-/// From i to j, m.
 template <int Dim>
 Place<Dim> way(const InitialParticles& initial, int i, int j) {
   return place<Dim>(initial.x[j]) - place<Dim>(initial.x[i]);
 }
 
-/// Index of particle i in the layer, or −1.
 int position(const std::vector<int>& layer, int i) {
   const auto found = std::ranges::lower_bound(layer, i);
   return found != layer.end() && *found == i ? static_cast<int>(found - layer.begin()) : -1;
 }
 
-/// Outward unit normal of the layer at particle i: the direction in which the layer is thin, away from the rest of
-/// the body. Returns 0 if there is none.
+/// Outward unit normal of the layer at particle i, or 0: the direction in which the layer is thin.
 template <int Dim>
 Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int> near,
                     const std::vector<int>& layer, double spacing) {
-  constexpr double thin = 0.1;  // variance across over variance along the layer
+  constexpr double thin = 0.1;  // variance ratio
   Eigen::Matrix<double, Dim, Dim> spread = Eigen::Matrix<double, Dim, Dim>::Zero();
   Place<Dim> away = Place<Dim>::Zero();
   for (const int j : near) {
@@ -71,7 +68,7 @@ Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int>
   return side > 0 ? n : Place<Dim>(-n);
 }
 
-/// Ratio of face area to layer area at particle k of the layer, from the chords to its neighbours in the layer.
+/// Ratio of face area to layer area, from the chords to the neighbours.
 template <int Dim>
 double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                std::span<const int> near, double spacing) {
@@ -88,15 +85,14 @@ double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& in
   return std::pow(inside > 0 ? outside / inside : 1, Dim - 1);
 }
 
-/// Particles below a layer particle; in a thin body down to the middle between both faces.
+/// Particles below a layer particle; in a thin body down to the middle.
 struct Column {
-  bool thin = false;  // particles in reach of its face may be in reach of the opposite face
-  double middle = std::numeric_limits<double>::infinity();  // depth, m; infinite unless thin
+  bool thin = false;                                        // both faces may be in reach
+  double middle = std::numeric_limits<double>::infinity();  // m; infinite unless thin
   double area = 0;                                          // Σ n · S, m^(dim − 1)
-  int at_middle = 0;                                        // number of its particles at the middle
+  int at_middle = 0;
 };
 
-/// Deepest particle below i among its neighbours, and its depth, m.
 template <int Dim>
 std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticles& initial,
                                const NeighborsOfOne<Dim>& near, double spacing) {
@@ -109,8 +105,7 @@ std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticle
   return known;
 }
 
-/// Column below particle i. A face is in reach of particles up to the range of `near`; two faces interact if they
-/// are closer than twice this range.
+/// Column below particle i. Two faces interact if they are closer than twice the range of `near`.
 template <int Dim>
 Column column(int i, const Place<Dim>& n, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
               double spacing) {
@@ -127,11 +122,11 @@ Column column(int i, const Place<Dim>& n, const InitialParticles& initial, const
 
 struct Below {
   double distance = std::numeric_limits<double>::infinity();  // m
-  std::size_t k = 0;                                          // index in the layer
-  double depth = 0;                                           // m, along the normal
+  std::size_t k = 0;
+  double depth = 0;  // m
 };
 
-/// For each free particle below the layer, by id: the nearest layer particle above it.
+/// Nearest layer particle above each free particle, by id.
 template <int Dim>
 std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initial,
                            const NeighborsOfOne<Dim>& near, double spacing) {
@@ -149,7 +144,6 @@ std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initi
   return all;
 }
 
-/// Nearest particle beside i in the direction of the unit vector `along`, or −1.
 template <int Dim>
 int beside(int i, const Place<Dim>& along, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
            double spacing) {
@@ -165,7 +159,7 @@ int beside(int i, const Place<Dim>& along, const InitialParticles& initial, cons
   return found;
 }
 
-/// Unit vectors along the face, in which particle k of the layer has a neighbour unless the face ends there.
+/// Unit vectors along the face, in which particle k has a neighbour unless the face ends there.
 template <int Dim>
 std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                                    const NeighborsOfOne<Dim>& near) {
@@ -184,8 +178,7 @@ std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const 
   }
 }
 
-/// Factors on the areas of the layer: the end correction of the midpoint rule at corners and edges of the body.
-/// Without it, the moment of a traction that is linear along a face of n rows is too small by the fraction 1/n².
+/// End correction of the midpoint rule at corners and edges (THEORY.md).
 template <int Dim>
 std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& initial,
                                 const NeighborsOfOne<Dim>& near, double spacing) {
@@ -206,7 +199,7 @@ std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& 
 /// Whether some normals are almost perpendicular to the first one.
 template <int Dim>
 bool are_of_two_faces(const std::vector<Point>& normals) {
-  constexpr double across = 0.3;  // greatest |n · m|; faces that do not meet are opposite
+  constexpr double across = 0.3;
   const auto first = std::ranges::find_if(normals, [](const Point& n) { return n != Point{}; });
   return std::ranges::any_of(normals, [&](const Point& n) {
     return n != Point{} && std::abs(place<Dim>(n).dot(place<Dim>(*first))) < across;

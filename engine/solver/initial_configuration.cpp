@@ -17,7 +17,7 @@ InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const Solve
                                                 GradientCorrection gradient, double normalised,
                                                 bool corrected_forces)
     : materials(input.law, input.materials), common_(common) {
-  // particles stay in creation order: along the rows of a lattice or the layers of a round body
+  // creation order follows the rows of a lattice or the layers of a round body
   const Particles<Dim>& p = common.particles;
   const InitialParticles& initial = common.initial;
   const double h = common.constants.h;
@@ -65,8 +65,7 @@ void InitialConfiguration<Dim>::check_pairs(const Scene& scene, const Formulatio
   }
 }
 
-/// Surface S_i = −Σ_j (V_i B_i + V_j B_j) k_ij by id, m^(Dim − 1), on which a uniform stress acts; 0 inside a
-/// lattice.
+/// Surface S_i = −Σ_j (V_i B_i + V_j B_j) k_ij by id, m^(Dim − 1); 0 inside a lattice.
 template <int Dim>
 std::vector<Point> InitialConfiguration<Dim>::surface(bool corrected_forces) const {
   const auto& [begin, j, k, B] = pairs;

@@ -9,17 +9,15 @@
 
 namespace taut {
 
-/// Initial configuration of total-Lagrangian methods: particles interact with their initial neighbours. The papers
-/// place particles on the boundary; here the outermost lie half a spacing inside the face unless Body::on_boundary
-/// is set.
+/// Initial configuration of total-Lagrangian methods. The papers place particles on the boundary; here the outermost
+/// lie half a spacing inside the face unless Body::on_boundary is set.
 template <int Dim>
 class InitialConfiguration {
  public:
   using V = Vec<double, Dim>;
 
-  /// Moves particles to their start positions and lets loads act on faces. Throws SceneError if a body is too thin.
-  /// `normalised`: see TlDisplacementConstants. `corrected_forces`: see internal_force_info; else
-  /// pair_shear_force.
+  /// Moves particles to their start and lets loads act on faces. Throws SceneError if a body is too thin.
+  /// `normalised`: see TlDisplacementConstants. `corrected_forces`: see internal_force_info; else pair_shear_force.
   InitialConfiguration(Common<Dim>& common, const SolverInput& input,
                        GradientCorrection gradient = GradientCorrection::corrected, double normalised = 0,
                        bool corrected_forces = true);
@@ -28,21 +26,19 @@ class InitialConfiguration {
   std::vector<double> V0;  // m^Dim
   InitialPairs<Dim> pairs;
   std::vector<Sites<Dim>> sites;
-  std::vector<int> material;  // padded to whole groups
+  std::vector<int> material;
   Materials materials;
-  double wave_speed = 0;  // greatest c_p = √((K + 4G/3)/ρ0) of all materials, m/s
+  double wave_speed = 0;  // greatest c_p = √((K + 4G/3)/ρ0), m/s
 
   int groups() const { return static_cast<int>(sites.size()); }
   LawsInUse laws() const { return materials.in_use(); }
-  /// Time step CFL h/(c_p + |v|max), s. [Lee2016] Eq. 44 uses the spacing instead of h and the wave speed of the
-  /// strained body; |v|max replaces the effect of the strain.
+  /// Time step CFL h/(c_p + |v|max), s. Departs from [Lee2016] Eq. 44, which has the spacing and the wave speed of
+  /// the strained body.
   double step_size() const;
-  /// Allocates strain energies in a snapshot that Common has begun.
   static void begin(Snapshot& out) { out.strain_energy.resize(out.size()); }
   void begin_motion(Snapshot& out) const { common_.begin_motion(out), begin(out); }
-  /// Stores motion and strain energy only.
   void store_motion(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
-  /// `F`, `J`: deformation gradient and volume ratio that determine the stress of particle i.
+  /// `F`, `J` determine the stress.
   void store(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
 
  private:
@@ -55,7 +51,7 @@ class InitialConfiguration {
 /// Radius of interaction, m.
 double initial_support(const SolverInput& input);
 
-/// The constant h/dp of these methods.
+/// Constant h/dp.
 constexpr MethodConstant smoothing_length(const Formulation& m, int dim, double least) {
   const double h = dim == 3 && m.h_over_dp_3d > 0 ? m.h_over_dp_3d : m.h_over_dp;
   return {"h", h, least, 3.0, "smoothing length over the spacing", true, true};

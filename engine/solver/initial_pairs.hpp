@@ -21,11 +21,10 @@ namespace taut {
 
 enum class GradientCorrection : std::uint8_t { corrected, normalised };
 
-/// Pairs of initial neighbours within a body, from both sides: k_ij = V_i V_j ∇_i W(X_i − X_j) = −k_ji, and B of
-/// gradient_correction. Forces (internal_force_info, also [TranDuc2023] §2.3) are equal and opposite to the last bit.
-/// V in k_ij is the whole cell even for a particle on a face; V in forces is only the part inside the body. Then a
-/// uniform stress exerts forces at the faces only, and gradients and forces are of second order (summation by parts).
-/// With the inner part also in k_ij the reaction of a clamp would spread over three layers.
+/// Pairs of initial neighbours within a body, from both sides: k_ij = V_i V_j ∇_i W(X_i − X_j) = −k_ji. Forces
+/// (internal_force_info, also [TranDuc2023] §2.3) are equal and opposite to the last bit. V in k_ij is the whole
+/// cell even on a face, V in forces only the part inside the body: gradients and forces are then of second order
+/// (summation by parts).
 template <int Dim>
 struct InitialPairs {
   std::vector<int> begin, j;        // begin[i] … begin[i + 1] − 1; j ascends
@@ -35,8 +34,7 @@ struct InitialPairs {
   int size() const { return static_cast<int>(B.size()); }
 };
 
-/// Pairs for passes over four particles, `Width` constants each, k_ij first; 0 in lanes without neighbour. Equal
-/// neighbourhoods share them. Plain data.
+/// Pairs for passes over four particles, `Width` constants each, k_ij first; 0 in lanes without neighbour.
 template <int Dim, int Width = Dim>
 struct PairLanesView {
   struct Group {
@@ -126,8 +124,8 @@ inline constexpr TermInfo internal_force_info{
 
 /// Correction B:
 /// - corrected: B_i = [Σ_j (X_j − X_i) ⊗ k_ij]⁻¹, exact for linear fields. [Lee2016] Eq. 21, [TranDuc2023] §2.3
-/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1) with i itself. [Zhang2020] below Eq. 11, which
-///   prints no equation; here the force derives from an energy, to conserve momentum.
+/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1) with i itself. [Zhang2020] below Eq. 11 prints no
+///   equation; here the force derives from an energy.
 template <int Dim>
 Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<double, Dim>& moment, double V,
                                      double S) {
@@ -158,7 +156,7 @@ double reach_of_pairs(double h) {
   return (1 - 1e-9) * K::support * h;
 }
 
-/// Makes the pairs of the particles at `X`. `V`: cells, m^Dim; `near`: neighbours in the body within reach_of_pairs.
+/// `V`: cells, m^Dim; `near`: neighbours within reach_of_pairs.
 template <class K, int Dim>
 InitialPairs<Dim> make_initial_pairs(const NeighborLists& near, const std::vector<Vec<double, Dim>>& X,
                                      const std::vector<double>& V, double h, GradientCorrection gradient,
@@ -178,7 +176,7 @@ InitialPairs<Dim> make_initial_pairs(const NeighborLists& near, const std::vecto
       const double r = std::sqrt(dot(d, d));
       const Vec<double, Dim> k = (V[i] * V[j] * scale_dW * K::dw(r / h) / r) * d;
       sum_W += V[j] * scale_W * K::w(r / h);
-      add_outer(moment, 1.0, X[j] - X[i], k);  // unrounded: exact for linear fields
+      add_outer(moment, 1.0, X[j] - X[i], k);  // exact for linear fields
       pairs.k[p] = k;
     }
     pairs.B[i] = gradient_correction(gradient, moment, V[i], 1 + share * (sum_W - 1));

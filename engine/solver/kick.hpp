@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// New velocities from all forces. Plain data for passes; made by Common::kick.
+/// Kick as plain data for passes; made by Common::kick.
 template <int Dim>
 struct Kick {
   using V = Vec<double, Dim>;
@@ -16,9 +16,9 @@ struct Kick {
   V *x, *v;  // m, m/s
   const double *m, *mobile;
   const V* contact;  // [i] N; may be null
-  V* impulse;        // [i] N s, for probes; may be null
+  V* impulse;        // [i] N s; may be null
   void* outside;
-  /// Applies external actions to `v`; may be null.
+  /// External actions; may be null.
   void (*act)(void* outside, int i, double dt, V& v);
 
   [[gnu::always_inline]] const V& by_acceleration(int i, V a) const {
@@ -29,7 +29,7 @@ struct Kick {
     return take(i, next);
   }
 
-  /// The last group of four may be incomplete.
+  /// The last group may be incomplete.
   [[gnu::always_inline]] void add_contact(int first, Vec<Pack, Dim>& force) const {
     if (!contact) return;
     const double* const of_contact = &contact[first][0];
@@ -45,7 +45,7 @@ struct Kick {
     for (int lane = 0; lane < std::min(lanes, size - first); ++lane)
       impulse[first + lane] += dt * lane_of(force, lane);
   }
-  /// Adds `change` to v of four particles, then moves x by `after`, s, times the new v. Returns their v², m²/s².
+  /// Adds `change` to v of four particles, then moves x by `after`, s, times the new v. Returns v², m²/s².
   [[gnu::always_inline]] Pack by_changes(int first, const Pack (&change)[Dim], double after) const {
     Pack rows[Dim], columns[Dim], v2{};
     if (act || first + lanes > size) {
@@ -58,7 +58,7 @@ struct Kick {
       return v2;
     }
     interleave(change, rows);
-    double* const x_at = reinterpret_cast<double*>(&x[first]);  // row by row
+    double* const x_at = reinterpret_cast<double*>(&x[first]);
     double* const v_at = reinterpret_cast<double*>(&v[first]);
 #pragma GCC unroll 3
     for (int k = 0; k < Dim; ++k) {
@@ -70,7 +70,7 @@ struct Kick {
     for (const Pack& of_four : columns) v2 += of_four * of_four;
     return v2;
   }
-  /// Advances v of four particles by `force`, N, and contact; x does not change. `mobility` = mobile/m, 1/kg.
+  /// Advances v by `force`, N, and contact; x does not change. `mobility` = mobile/m, 1/kg.
   [[gnu::always_inline]] Vec<Pack, Dim> by_forces(int first, const Pack& mobility,
                                                   Vec<Pack, Dim> force) const {
     if (contact) force += load_four(contact + first, size - first);
@@ -92,7 +92,6 @@ struct Kick {
   }
 };
 
-/// Constraints by guides and drives, for passes.
 template <int Dim>
 struct Steering {
   static constexpr unsigned char driven = 1 << 7;
@@ -100,7 +99,7 @@ struct Steering {
   const unsigned char* axes;  // [id] bit k: guided along axis k, or `driven`; may be null
 
   bool drives(int id) const { return axes && (axes[id] & driven) != 0; }
-  /// Sets guided components to 0. The particle must not be driven.
+  /// The particle must not be driven.
   void constrain(int id, Vec<double, Dim>& v) const {
     if (!axes) return;
     for (int k = 0; k < Dim; ++k)

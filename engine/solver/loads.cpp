@@ -10,7 +10,7 @@ namespace taut {
 
 namespace {
 
-/// Whether all faces are flat and meet at edges. On other faces, steps of the lattice look like edges.
+/// On other faces, lattice steps look like edges.
 bool is_of_boxes(const Body& body) {
   const auto is_box = [](const Shape& shape) { return shape.as<Box>() != nullptr; };
   return std::ranges::all_of(body.shapes, is_box) && std::ranges::all_of(body.without, is_box);
@@ -91,17 +91,17 @@ void Loads<Dim>::spread_by(const std::vector<double>& volume, const Scene& scene
   }
 }
 
-/// Shares of a load by id, N. Throws SceneError if no particle of the region is ever free. Particles that are
-/// driven to the end take no share of a force; particles released earlier take theirs from then on.
+/// Shares by id, N. Throws SceneError if no particle is ever free. Particles driven to the end take no share of a
+/// force.
 template <int Dim>
 auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParticles& initial, int body)
     -> std::vector<std::pair<int, V>> {
   const auto is_driven = [&](int id) {
     return initial.drive[id] >= 0 && !ends_before_run(scene.bodies[body].drives[initial.drive[id]], scene);
   };
-  // includes particles that are driven to the end, except for forces: on faces they are part of the layer
+  // includes particles driven to the end, except for forces
   std::vector<int> loaded;
-  double volume = 0;  // of particles that are free at some time, m^Dim
+  double volume = 0;  // m^Dim
   for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
     if (initial.clamped[id] || load.where(initial.cell(id)) == 0) continue;
     if (is_driven(id) && load.kind == Load::Kind::force) continue;
@@ -114,7 +114,6 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
         "body." + name + ".loaded",
         "a load of body '" + name +
             "' is only on particles that are held, or driven to the end, where it has no effect");
-  // volume that a unit of load acts on: the region, a unit volume, or the layer per unit of face area
   const double over = load.kind == Load::Kind::force      ? volume
                       : load.kind == Load::Kind::traction ? scene.spacing
                                                           : 1;

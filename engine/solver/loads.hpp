@@ -12,10 +12,9 @@
 
 namespace taut {
 
-/// Loads, gravity (engine/scene/scene.hpp) and damping −c m v, on free particles only. Static scenes settle fastest
-/// with c = 2 ω of the slowest excited mode.
-/// In each step call `set_time`, then `act` and `count` for each velocity, or `acceleration` in each stage and
-/// `count` at the end.
+/// Loads, gravity and damping −c m v, on free particles only. Static scenes settle fastest with c = 2 ω of the
+/// slowest excited mode. In each step call `set_time`, then `act` and `count` for each velocity, or `acceleration`
+/// in each stage and `count` at the end.
 template <int Dim>
 class Loads {
  public:
@@ -24,26 +23,24 @@ class Loads {
   /// Throws SceneError if a region is clamped or driven to the end.
   Loads(const Scene& scene, const InitialParticles& initial);
 
-  /// Moves tractions from the outermost layer to the face; see face_shares. Regions that are not a layer stay.
   void act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,
                     const std::vector<Point>& surface, double reach);
 
-  /// Distributes forces and force densities by `volume` (by id, m^Dim). If it is in proportion to mass, densities
-  /// accelerate all particles alike.
+  /// Distributes forces and force densities by `volume` (by id, m^Dim).
   void spread_by(const std::vector<double>& volume, const Scene& scene, const InitialParticles& initial);
 
   bool active() const { return active_; }
 
-  /// `t`: middle of the velocity update, s. Expressions are not thread-safe.
+  /// `t`: middle of the update, s. Expressions are not thread-safe.
   void set_time(double t);
 
-  /// Acceleration of particle i without damping, m/s². Only gravity if the particle is not `free`.
+  /// Acceleration without damping, m/s². Only gravity unless `free`.
   V pull(const Particles<Dim>& s, int i, bool free) const { return free && active_ ? push(s, i) : g_; }
 
-  /// Acceleration of particle i by loads, gravity and damping at its current velocity, m/s².
+  /// Acceleration with damping, m/s².
   V acceleration(const Particles<Dim>& s, int i) const { return push(s, i) - damping_ * s.v[i]; }
 
-  /// Adds the effect of a step of `dt`, s, to `v`. Damping uses the mean of the old and the new velocity.
+  /// Damping uses the mean of the old and the new velocity.
   void act(const Particles<Dim>& s, int i, double dt, V& v) {
     const double half = 0.5 * damping_ * dt * s.mobile[i];
     v += (dt * s.mobile[i]) * push(s, i);
@@ -55,11 +52,9 @@ class Loads {
     damped_[s.id[i]] += dt * s.mobile[i] * s.m[i] * damping_ * dot(mean, mean);
   }
 
-  /// Work on a particle so far, J (per metre depth in 2D).
+  /// Work so far, J (per metre depth in 2D).
   double work(int id) const { return work_.empty() ? 0 : work_[id]; }
-  /// J (per metre depth in 2D).
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
-  /// Energy removed by damping, J (per metre depth in 2D).
   double damped() const { return std::accumulate(damped_.begin(), damped_.end(), 0.0); }
 
   template <class Archive>
@@ -71,7 +66,7 @@ class Loads {
   struct Region {
     std::function<double(double)> ramp;
     std::vector<std::pair<int, V>> shares;  // id, N at ramp factor 1
-    double now = 0;                         // ramp factor
+    double now = 0;
   };
 
   V push(const Particles<Dim>& s, int i) const { return g_ + (1 / s.m[i]) * force_[s.id[i]]; }
@@ -82,9 +77,9 @@ class Loads {
   bool active_ = false;
   std::array<std::function<double(double)>, 3> gravity_;
   V g_{};               // m/s²
-  double damping_ = 0;  // c, 1/s
+  double damping_ = 0;  // 1/s
   std::vector<Region> regions_;
-  std::vector<V> force_;               // [id] sum of regions, N
+  std::vector<V> force_;               // [id] N
   std::vector<double> work_, damped_;  // [id] J
 };
 

@@ -12,7 +12,6 @@
 
 namespace taut {
 
-/// Advances one method in time, records probes and makes snapshots.
 template <int Dim>
 class ParticleSimulation final : public Simulation, private ProbeSource<Dim> {
  public:
@@ -28,7 +27,6 @@ class ParticleSimulation final : public Simulation, private ProbeSource<Dim> {
   const RunState& run_state() const override { return common_->run; }
   void take_snapshot(Snapshot& out) const override;
   bool take_motion(Snapshot& out) const override { return scheme_->show_motion(out); }
-  /// Records all probes at the end of a step.
   void record();
 
   ContactsOfFaces<Dim>* faces() override { return common_->contact.faces(); }
@@ -38,16 +36,14 @@ class ParticleSimulation final : public Simulation, private ProbeSource<Dim> {
 
   std::unique_ptr<Common<Dim>> common_;
   std::unique_ptr<Scheme<Dim>> scheme_;
-  Snapshot probe_snapshot_;  // for probes; only the groups that stress probes use are current
+  Snapshot probe_snapshot_;  // only the groups of stress probes are current
 };
 
-/// Kernels of family F for the method of `input`; see best_kernels.
 template <Family F, class Kernels, bool with_v4 = false>
 const Kernels& kernels_for(const SolverInput& input) {
   return best_kernels<F, Kernels, with_v4>(input.scene.dim, input.method.name, input.kernels);
 }
 
-/// Creates a simulation with `Method`. Its constructor takes the Common part, `input` and `more`.
 template <class Method, int Dim, class... More>
 std::unique_ptr<Simulation> simulation_by(const SolverInput& input, double support, const More&... more) {
   auto common = std::make_unique<Common<Dim>>(input, support);

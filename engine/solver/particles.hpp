@@ -7,22 +7,20 @@
 
 namespace taut {
 
-/// Particle data that all methods share, in storage order. Methods with searched neighbours sort particles by cell;
-/// others keep the order of creation.
+/// Particles in storage order. Methods with searched neighbours sort them by cell; others keep the creation order.
 template <int Dim>
 struct Particles {
   using V = Vec<double, Dim>;
 
   std::vector<V> x, v;         // m, m/s
-  std::vector<double> m;       // kg (per metre depth in 2D)
-  std::vector<double> mobile;  // 1, or 0 where clamped
-  std::vector<int> id;         // position in the order of creation
-  std::vector<int> body;       // index into Scene::bodies
-  std::vector<int> material;   // index into Scene::materials
+  std::vector<double> m;       // kg
+  std::vector<double> mobile;  // 0 where clamped
+  std::vector<int> id;         // creation order
+  std::vector<int> body;
+  std::vector<int> material;
 
   int size() const { return static_cast<int>(x.size()); }
 
-  /// Storage index of each id.
   std::vector<int> places_of_ids() const {
     std::vector<int> where(id.size());
     for (int i = 0; i < size(); ++i) where[id[i]] = i;
@@ -30,7 +28,7 @@ struct Particles {
   }
 };
 
-/// Reorders each array so that the former row order[i] becomes row i. Empty arrays stay empty.
+/// Moves row order[i] to row i. Empty arrays stay empty.
 template <class... Arrays>
 void reorder(const std::vector<int>& order, int threads, Arrays&... arrays) {
   const auto one = [&](auto& array) {

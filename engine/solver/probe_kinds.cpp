@@ -22,12 +22,10 @@ using Points = std::vector<PointWeight>;
   throw SceneError("probe." + probe.name, "the probe '" + probe.name + "' " + reason);
 }
 
-// Set-up
-
 Points point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
   const auto& [scene, initial, reach] = in;
   const int body = probe.bodies[0], begin = initial.first[body], end = initial.first[body + 1];
-  constexpr double farthest = 1.5;  // spacings; reaches the corners of faces oblique to the lattice
+  constexpr double farthest = 1.5;  // spacings; reaches corners of faces oblique to the lattice
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = begin; i < end; ++i) {
     double squared = 0;
@@ -63,7 +61,7 @@ Points moving_point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
     motion_group[id] = initial.clamped[id] ? -1 : initial.drive[id] + 1;
   Points by_all = point(in, probe, at);
   const int body = probe.bodies[0];
-  if (in.scene.bodies[body].on_boundary) return by_all;  // a point on a particle is this particle
+  if (in.scene.bodies[body].on_boundary) return by_all;
   const std::vector<unsigned char> driven = initial.driven();
   return point_of_motion(std::move(by_all), surroundings(in, body, driven), motion_group, at);
 }
@@ -71,7 +69,7 @@ Points moving_point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
 template <int Dim>
 Vec<double, Dim> offset(const InitialParticles& initial, const Points& point, const Point& at) {
   Vec<double, Dim> way{};
-  if (point.size() != 1) return way;  // a mean of several particles is exact
+  if (point.size() != 1) return way;
   for (int k = 0; k < Dim; ++k) way[k] = at[k] - initial.x[point.front().particle][k];
   return way;
 }
@@ -101,7 +99,6 @@ void follow_stress(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
   if (f.at.empty()) refuse(f.probe, "has too few free particles around its point");
 }
 
-/// Follows the particles that are clamped, driven, or guided along the component of the probe.
 template <int Dim>
 void follow_constrained(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
   const InitialParticles& initial = in.initial;
@@ -117,7 +114,7 @@ void follow_constrained(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
                       " is held or driven along its component");
 }
 
-/// In two bodies, particles of equal index are images of each other; in one body, particles at mirrored positions.
+/// In two bodies, particles of equal index are images; in one body, particles at mirrored positions.
 template <int Dim>
 void follow_images(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
   const auto& [scene, initial, reach] = in;
@@ -131,7 +128,7 @@ void follow_images(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
                       " and " + std::to_string(of_b) + " particles");
   if (a != b) return;
   using Cell = std::array<long, 3>;
-  // a quarter of a spacing: an image lies in the computed cell or, due to round-off, in an adjacent one
+  // a quarter of a spacing: by round-off, an image may lie in an adjacent cell
   const auto cell = [side = 0.25 * scene.spacing](const Point& x) {
     return Cell{std::lround(x[0] / side), std::lround(x[1] / side), std::lround(x[2] / side)};
   };
@@ -149,8 +146,6 @@ void follow_images(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
     id = found->second;
   }
 }
-
-// After a neighbour search
 
 template <int Dim>
 void find_close_pairs(ProbeFollower<Dim>& f, const ProbeView<Dim>& now, const Neighbors& neighbors) {
@@ -179,14 +174,11 @@ void update_mirror_asymmetry(ProbeFollower<Dim>& f, const ProbeView<Dim>& now) {
   f.last = std::sqrt(greatest2);
 }
 
-// Values
-
 template <int Dim>
 Vec<double, Dim> place(const ProbeFollower<Dim>& f, const ProbeView<Dim>& now) {
   return now.place(f.at) + f.beside;
 }
 
-/// Mass-weighted mean of a component of `of`, which is indexed by [stored particle].
 template <int Dim>
 double mean(const ProbeFollower<Dim>& f, const ProbeView<Dim>& now, const std::vector<Vec<double, Dim>>& of) {
   double moment = 0, mass = 0;
@@ -223,7 +215,6 @@ double gap(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
   const std::vector<int>& bodies = f.probe.bodies;
   if (ContactsOfFaces<Dim>* const faces = now.source.faces()) return faces->gap(now.s, bodies[0], bodies[1]);
   const auto& diameter = now.diameter;
-  // lower bound, returned if no pair is in range
   double least = now.support - 0.5 * (diameter[now.first[bodies[0]]] + diameter[now.first[bodies[1]]]);
   for (const auto& [i, j] : f.pairs) {
     const Vec<double, Dim> d = now.s.x[i] - now.s.x[j];
@@ -234,12 +225,11 @@ double gap(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
 
 template <int Dim>
 double mirror_asymmetry(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
-  // updated also between searches: a body without contact may never be searched again
   if (now.evaluates_expensive && f.probe.bodies[0] == f.probe.bodies[1]) update_mirror_asymmetry<Dim>(f, now);
   return f.last;
 }
 
-/// Angle from the initial direction of the point, −π to π, right-handed about the axis.
+/// Angle from the initial direction, −π to π, right-handed.
 template <int Dim>
 double angle(const ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
   const Point& a = f.probe.turns_about;
@@ -254,7 +244,7 @@ double angle(const ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
 }
 template <int Dim>
 double turn(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
-  // the last value counts whole turns; a step turns by less than half a turn
+  // counts whole turns; a step turns by less than half a turn
   f.last = f.last + std::remainder(angle(f, now) - f.last, 2 * std::numbers::pi);
   return f.last;
 }

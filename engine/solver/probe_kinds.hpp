@@ -19,25 +19,23 @@ class ProbeSource {
   using V = Vec<double, Dim>;
 
   virtual ~ProbeSource() = default;
-  virtual ContactsOfFaces<Dim>* faces() = 0;                   // for gaps; may be null
-  virtual V reaction(int i) = 0;                               // constraint force over the last step, N
-  virtual V contact_force(const Probe& probe, double dt) = 0;  // over the last step, N
-  /// Snapshot with the current stresses of the particles with these storage indices.
+  virtual ContactsOfFaces<Dim>* faces() = 0;                   // may be null
+  virtual V reaction(int i) = 0;                               // N
+  virtual V contact_force(const Probe& probe, double dt) = 0;  // N
   virtual const Snapshot& shown(const std::vector<int>& stored) = 0;
 };
 
 template <int Dim>
 struct ProbeRow;
 
-/// A probe during a run.
 template <int Dim>
 struct ProbeFollower {
   Probe probe;
   const ProbeRow<Dim>* row = nullptr;
-  std::vector<PointWeight> at, to;         // material points or a body's particles
+  std::vector<PointWeight> at, to;
   Vec<double, Dim> beside{}, to_beside{};  // offset from a single particle, m
-  std::vector<std::pair<int, int>> pairs;  // storage indices of particles within `support` of each other
-  std::vector<int> image;                  // [particle] id of its mirror image
+  std::vector<std::pair<int, int>> pairs;  // storage indices
+  std::vector<int> image;                  // [particle] id
   double last = 0;                         // m or rad
 };
 
@@ -50,8 +48,8 @@ struct ProbeSetUp {
 template <int Dim>
 struct ProbeView {
   const Particles<Dim>& s;
-  const std::vector<int>& where;        // [id] storage index
-  const std::vector<int>& first;        // [body] first particle
+  const std::vector<int>& where;        // [id]
+  const std::vector<int>& first;        // [body]
   const std::vector<double>& diameter;  // [id] m
   double support;                       // m
 
@@ -65,16 +63,16 @@ struct ProbeView {
 template <int Dim>
 struct ProbeStep : ProbeView<Dim> {
   ProbeSource<Dim>& source;
-  const Snapshot* shown;              // stresses for rows with `takes_stress`
+  const Snapshot* shown;
   double time, dt;                    // s; initially dt = 0
-  const std::vector<double>& before;  // values of the earlier probes of the scene
-  bool evaluates_expensive;           // true every few steps, for expensive values
+  const std::vector<double>& before;  // earlier probes
+  bool evaluates_expensive;           // true every few steps
 };
 
 template <int Dim>
 struct ProbeRow {
   Probe::Kind kind;
-  /// Finds the particles; may be null. Throws SceneError if there are none.
+  /// May be null. Throws SceneError if there are no particles.
   void (*set_up)(ProbeFollower<Dim>&, const ProbeSetUp&);
   double (*value)(ProbeFollower<Dim>&, const ProbeStep<Dim>&);
   /// Called after a neighbour search, which may reorder particles; may be null.

@@ -12,23 +12,20 @@ namespace taut {
 template <int Dim>
 class ProbeRecorder {
  public:
-  /// `support`: radius of interaction, m. Throws SceneError if a probe does not fit its body.
+  /// `support`: m. Throws SceneError if a probe does not fit its body.
   ProbeRecorder(const Scene& scene, const InitialParticles& initial, double support);
 
-  /// Updates storage indices and all values that change only with a neighbour search. Call after each search.
+  /// Call after each neighbour search.
   void rebuilt(const Particles<Dim>& s, const Neighbors& neighbors, double support);
-  /// Appends one row to `series`.
   void record(const Particles<Dim>& s, double time, ProbeSource<Dim>& source, Series& series);
 
   std::size_t size() const { return followers_.size(); }
-  /// `storage_of_id_` matches the storage order.
   bool follows(const Particles<Dim>& s) const {
     for (int i = 0; i < s.size(); ++i)
       if (storage_of_id_[s.id[i]] != i) return false;
     return true;
   }
 
-  /// Only the members that depend on the storage order or on earlier steps.
   template <class Archive>
   void serialize(Archive& archive) {
     archive.fixed(storage_of_id_);
@@ -45,11 +42,11 @@ class ProbeRecorder {
   }
 
   std::vector<ProbeFollower<Dim>> followers_;
-  std::vector<int> storage_of_id_;  // [id] storage index
-  std::vector<int> first_;          // [body] first particle
-  std::vector<double> diameter_;    // [id] V^(1/Dim) of the whole cell, from which pair laws act, m
+  std::vector<int> storage_of_id_;  // [id]
+  std::vector<int> first_;          // [body]
+  std::vector<double> diameter_;    // [id] V^(1/Dim) of the whole cell, m
   double support_ = 0;
-  std::vector<int> stressed_;  // ids for stress probes
+  std::vector<int> stressed_;  // ids
 };
 
 }  // namespace taut

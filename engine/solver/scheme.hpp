@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Algorithm and fields of one method. Refers to the Common part, which ParticleSimulation owns.
+/// Algorithm and fields of one method. Refers to the Common part.
 template <int Dim>
 class Scheme {
  public:
@@ -18,13 +18,12 @@ class Scheme {
   virtual double step_size() const = 0;  // s
   virtual void step(double dt) = 0;
 
-  /// Stores the particles of these groups of four in a snapshot that Common::begin_snapshot has begun. `groups`
-  /// must ascend.
+  /// Stores groups of four, ascending, in a snapshot that Common::begin_snapshot has begun.
   virtual void show(Snapshot& out, std::span<const int> groups) const = 0;
-  /// Stores only the fields that Simulation::motion needs. Returns false if energies depend on stresses.
+  /// See Simulation::motion. Returns false if energies depend on stresses.
   virtual bool show_motion(Snapshot& /*out*/) const { return false; }
 
-  /// Force on the body of `probe` from the other body or the wall over the last step of `dt`, N.
+  /// Force over the last step of `dt`, N.
   virtual Vec<double, Dim> contact_force(const Probe& probe, double dt) const = 0;
 
   virtual void save(Saver& saver) = 0;

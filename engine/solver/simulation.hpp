@@ -11,7 +11,6 @@
 
 namespace taut {
 
-/// Probe values, one row per step.
 struct Series {
   std::vector<double> time;                // s
   std::vector<std::vector<double>> value;  // [probe][step]
@@ -29,47 +28,45 @@ struct Series {
   }
 };
 
-/// Progress of a simulation and properties of its method.
 struct RunState {
   double time = 0;  // s
   long steps = 0;
   Series series;
-  long pairs = 0;                // directed neighbour pairs at the last rebuild
-  double support = 0;            // radius of interaction, m
-  bool keeps_neighbors = false;  // inside a body, particles keep their initial neighbours
-  /// Greatest stretch of a neighbour pair up to which the method follows its elastic law.
+  long pairs = 0;                // directed, at the last rebuild
+  double support = 0;            // m
+  bool keeps_neighbors = false;  // keeps initial neighbours inside a body
+  /// Greatest stretch up to which the method follows its elastic law.
   double lawful_stretch = std::numeric_limits<double>::infinity();
-  int threads = 1;  // greatest number in use
+  int threads = 1;  // greatest number
 };
 
-/// A running simulation. Virtual functions are never called inside loops over particles.
+/// Virtual functions are never called inside loops over particles.
 class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// Advances to the first step that ends at or past `t`, s. Steps are never shortened, so that output does not
-  /// alter a run. Throws NumericalError if the run diverges; `snapshot` then returns the last one taken before.
+  /// Advances to the first step that ends at or past `t`, s; never shortens a step, so that output does not alter a
+  /// run. Throws NumericalError if the run diverges.
   void advance_to(double t) { advance(t, std::numeric_limits<double>::infinity()); }
-  /// Like `advance_to`, but makes no step that ends at or past `short_of`, s.
+  /// Makes no step that ends at or past `short_of`, s.
   virtual void advance(double t, double short_of) = 0;
   /// Makes `advance` return after the current step once `stop` is not 0. `stop` must outlive the simulation.
   void set_stop_flag(const std::atomic<int>& stop) { stop_ = &stop; }
 
-  /// Returns the state that determines all later steps, and the series, as bytes for `load`.
+  /// Bytes for `load`: the state that determines all later steps, and the series.
   virtual std::string save() = 0;
-  /// Continues from a state of the same scene, settings and checkpoint format. Later steps are bit-identical on the
-  /// same kind of machine. Throws UsageError for any other state; the simulation is then unusable. Damaged or
-  /// forged states cause no access outside arrays.
+  /// Continues from a state of the same scene, settings and checkpoint format, bit-identical on the same kind of
+  /// machine. Throws UsageError for any other state; the simulation is then unusable. Damaged or forged states cause
+  /// no access outside arrays.
   virtual void load(std::string_view state) = 0;
 
-  /// State after the last step, computed on request. After a NumericalError: the last snapshot taken before it.
+  /// State after the last step. After a NumericalError: the last snapshot taken before it.
   const Snapshot& snapshot() const {
     if (outdated_) take_snapshot(snapshot_);
     outdated_ = false;
     return snapshot_;
   }
-  /// Current positions, velocities, masses and energies; other fields may be empty. Never costs more than
-  /// `snapshot`.
+  /// Positions, velocities, masses and energies; other fields may be empty. Never costs more than `snapshot`.
   const Snapshot& motion() const { return outdated_ && take_motion(motion_) ? motion_ : snapshot(); }
   const Series& series() const { return run_state().series; }
   double time() const { return run_state().time; }  // s
@@ -83,13 +80,13 @@ class Simulation {
  protected:
   virtual const RunState& run_state() const = 0;
   virtual void take_snapshot(Snapshot& out) const = 0;
-  /// Returns false if energies depend on stresses; `snapshot` is then used.
+  /// Returns false if energies depend on stresses.
   virtual bool take_motion(Snapshot& /*out*/) const { return false; }
   bool asked_to_stop() const { return stop_->load(std::memory_order_relaxed) != 0; }
   bool has_snapshot() const { return !snapshot_.m.empty(); }
 
-  mutable Snapshot snapshot_;     // last snapshot requested
-  mutable bool outdated_ = true;  // snapshot_ and motion_
+  mutable Snapshot snapshot_;
+  mutable bool outdated_ = true;
 
  private:
   static inline const std::atomic<int> never_{0};

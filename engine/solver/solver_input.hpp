@@ -13,10 +13,9 @@
 
 namespace taut {
 
-/// Constants of a method by name, from the settings or by default; lengths in m.
+/// Constants by name; lengths in m.
 using ConstantValues = std::map<std::string_view, double>;
 
-/// Returns `all` extended by the constants of a family, whose `rows` take their values from `values`.
 template <class C>
 C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, const ConstantValues& values) {
   C c{all};
@@ -30,14 +29,14 @@ struct SolverInput {
   const Scene& scene;
   const InitialParticles& initial;
   Constants constants;
-  std::vector<Elasticity> materials;  // in the order of Scene::materials
-  Law law;                            // for methods with a choice of laws
-  ContactLaw contact;                 // never `published`
-  bool keeps_neighbors;  // see FamilyRow; parts of a body that were far apart then interact by contact
+  std::vector<Elasticity> materials;  // as Scene::materials
+  Law law;
+  ContactLaw contact;    // never `published`
+  bool keeps_neighbors;  // see FamilyRow
   Stepping stepping;
   int threads;
-  InstructionSet kernels{};    // best set allowed
-  ConstantValues values = {};  // constants of the family
+  InstructionSet kernels{};  // best set allowed
+  ConstantValues values = {};
 };
 
 }  // namespace taut

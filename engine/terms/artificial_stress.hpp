@@ -6,8 +6,8 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// Gray's artificial stress: close particles in tension repel each other. [Zhang2024] gives no equations for SPH-OAS;
-/// these are Gray et al. 2001 with ε = 0.3, n = 4.
+/// Gray's artificial stress repels close particles in tension. Departure: equations and constants are from Gray et
+/// al. 2001, since [Zhang2024] gives none.
 namespace taut {
 
 /// σ⁺ = Σ_k max(σ_k, 0) n_k ⊗ n_k
@@ -21,7 +21,7 @@ inline Sym<double, 2> positive_part(const Sym<double, 2>& sigma) {
   const double scale = 0.5 * greatest / radius;
   return {scale * (radius + half), scale * sigma(0, 1), scale * (radius - half)};
 }
-/// 3D version, ours: the paper treats the plane only.
+/// 3D, ours: the paper treats the plane.
 inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
   const Principal principal = principal_axes(sigma);
   Sym<double, 3> positive{};
@@ -29,7 +29,7 @@ inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
     if (principal.value[k] > 0) add_outer(positive, principal.value[k], principal.axis[k]);
   return positive;
 }
-/// TermInfos of uncorrected, corrected and tensile-controlled methods.
+/// For uncorrected, corrected and tensile-controlled methods.
 inline constexpr TermInfo repulsion_info{
     "artificial stress", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺", "[Khayyer2024] Eq. 17–21",
     "terms/artificial_stress.hpp:positive_part",

@@ -9,14 +9,11 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// Terms of `oenog`, derived in methods/bonded/THEORY.md, with
-///   F_i = Σ_j (x_j − x_i) ⊗ g_ij,   s = λ² = |x_j − x_i|²/r0_ij²,   s° = e·C_i e,   C = Fᵀ F,   e = X_ij/r0_ij,
-///   k_ij = G (V0_i w_ij + V0_j w_ji)/r0_ij².
+/// Terms of `oenog`, derived in methods/bonded/THEORY.md.
 namespace taut {
 
-/// Modulus in place of G in bonds and their cancelled part, Pa. Bonds have λ = G: for a law with negative λ
-/// (Poisson's ratio < 0) cancelling leaves a body that softens in tension. So the bonds' bulk modulus is at most 2
-/// (3D: 2.5) times the law's.
+/// Modulus of bonds in place of G, Pa. Bonds have λ = G; at a negative Poisson's ratio the body would soften in
+/// tension.
 template <int Dim>
 double bond_modulus(double K, double G) {
   return std::min(G, Dim == 2 ? K + G / 3 : 1.5 * K);
@@ -36,7 +33,7 @@ template <class T>
 T three_bond_slopes(const T& s, const T& half_inverse) {
   return s - 0.75 - half_inverse * half_inverse;
 }
-/// φ′(λ)/λ as a function of s. Times k_ij (x_j − x_i) it is the force on i, N.
+/// φ′(λ)/λ; times k_ij (x_j − x_i) the force on i, N.
 template <class T>
 T bond_slope(const T& s) {
   return (1.0 / 3) * three_bond_slopes(s, T(0.5 / s));
@@ -46,7 +43,7 @@ inline constexpr TermInfo bond_force_info{
     "ours, from [Zhang2024] Eq. 20", "terms/bond.hpp:bond_slope",
     "bond: slopes are the derivatives of the energies and increase"};
 
-/// φ″(λ) without the offset; with it φ″ = 1 at rest.
+/// φ″(λ) is bond_stiffness plus this offset.
 inline constexpr double bond_stiffness_offset = -0.25;
 template <class T>
 T bond_stiffness(const T& s, const T& half_inverse) {
@@ -74,7 +71,7 @@ template <int Dim>
 double cancelled_slope_rate(double s) {
   return s == limited_stretch<Dim>(s) ? (1 + 0.5 / (s * s * s)) / 3 : 0;
 }
-/// Returns 3 third_of_s cancelled_slope(s), and the same for t. Both share one division, which dominates the cost.
+/// Returns 3 third_of_s cancelled_slope(s), and the same for t, with one division.
 template <int Dim, class T>
 [[gnu::always_inline]] inline std::array<T, 2> cancelled_pulls(const T& s, const T& t, const T& third_of_s,
                                                                const T& third_of_t) {
@@ -88,13 +85,13 @@ inline constexpr TermInfo cancelled_info{"cancelled",
                                          "ours", "terms/bond.hpp:cancelled_slope",
                                          "bond: a linear displacement has the neo-Hookean energy and stress"};
 
-/// Stiffness with the part (K + 4G/3)(1 − 2J)³ of W, relative to rest.
+/// Stiffness with the closing part of W, relative to rest.
 template <class T>
 T closing_stiffness(const T& J) {
   return 1 + 24 * max(1 - 2 * J, T{});
 }
 
-/// Neo-Hookean W (2D: plane strain), continued below J = ½. T: one particle or four.
+/// Neo-Hookean W, continued below J = ½. T: one particle or four.
 template <class T>
 struct ClosedNeoHookean {
   T K, G;  // Pa
@@ -125,14 +122,13 @@ struct ClosedNeoHookean {
   struct Closed {
     T c, slope;  // dc/dJ
   };
-  /// c(J): equal to J from ½ on; below ½ a smooth continuation that stays above ¼.
+  /// c(J): J from ½ on, below ½ a smooth continuation above ¼.
   static Closed limited_volume_ratio(const T& J) {
     const T one = filled<T>(1);
     if (!any(J < 0.5)) return {J, one};
     const T below = 0.25 / (0.75 - min(J, filled<T>(0.5)));
     return {J < 0.5 ? 0.25 + 0.25 * below : J, J < 0.5 ? below * below : one};
   }
-  /// ½ tr C, in 2D in the plane
   template <int Dim>
   static T half_trace(const Mat<T, Dim>& F) {
     return 0.5 * trace(right_cauchy_green(F));

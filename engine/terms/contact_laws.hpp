@@ -21,7 +21,7 @@ inline constexpr ContactLawRow sph_contact{
     .energy = penalty_energy,
 };
 
-/// All contact laws, in the order of display.
+/// In the order of display.
 inline constexpr std::array contact_laws{sph_contact, impulse_contact, penalty_contact, lennard_jones_contact,
                                          surface_contact};
 

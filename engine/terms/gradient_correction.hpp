@@ -3,10 +3,10 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// Correction that makes the gradient of a linear field exact: L_i·∇_i W replaces ∇_i W.
+/// L_i·∇_i W replaces ∇_i W, so that gradients of linear fields are exact.
 namespace taut {
 
-/// Adds one neighbour to M = −Σ V_j r_ij ⊗ ∇_i W, dimensionless. [Zhang2024] Eq. 27 with the sign of Eq. 14
+/// Adds one neighbour to M = −Σ V_j r_ij ⊗ ∇_i W. [Zhang2024] Eq. 27 with the sign of Eq. 14
 template <class T, int Dim>
 void add_gradient_moment(Sym<T, Dim>& M, const T& V_j, const T& dW, const T& r, const Vec<T, Dim>& e_ij) {
   add_outer(M, T(-V_j * dW * r), e_ij);
@@ -17,12 +17,11 @@ inline constexpr TermInfo stress_recovery_info{
     "terms/gradient_correction.hpp:add_gradient_moment",
     "velocity gradient: a linear field on irregular particles is exact after correction"};
 
-/// Least det M/(tr M)^Dim, ¼ (3D: 1/27) inside a lattice: M⁻¹ grows without limit as neighbours become collinear (3D:
-/// coplanar).
+/// Least det M/(tr M)^Dim, ¼ (3D: 1/27) inside a lattice, 0 for collinear (3D: coplanar) neighbours.
 template <int Dim>
 inline constexpr double least_moment = Dim == 2 ? 1e-2 : 1e-3;
 
-/// L = M⁻¹; 0 below `least_moment`. Departure from [Khayyer2024]: without the bound a bent row of particles diverges.
+/// L = M⁻¹; 0 below `least_moment`. Departure: without this bound bent rows of particles diverge.
 template <int Dim>
 Sym<double, Dim> gradient_correction(const Sym<double, Dim>& M) {
   double scale = trace(M);

@@ -7,10 +7,8 @@
 
 namespace taut {
 
-/// Impulse on each particle along the pair, N s (2D: N s/m): [Khayyer2024] Eq. 54 times Δt. It dissipates the pair's
-/// approach; bodies rebound by their elasticity. A particle with several pairs at angles θ_k to the normal is stopped
-/// Σ cos²θ_k times, which would add energy above 2. Departure: inverse masses, 0 for clamped particles. See
-/// contact/pair_contacts.hpp for time and distance.
+/// Impulse on each particle along the pair, N s: [Khayyer2024] Eq. 54 times Δt (THEORY.md). Departure: inverse
+/// masses, 0 for clamped particles.
 inline double stopping_impulse(double closing_speed, double inv_m_i, double inv_m_j) {
   const double inv_mu = inv_m_i + inv_m_j;
   return inv_mu > 0 ? std::max(closing_speed, 0.0) / inv_mu : 0;

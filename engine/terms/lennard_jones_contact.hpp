@@ -7,23 +7,22 @@
 
 namespace taut {
 
-/// Distance, in spacings, below which the force stays constant, since the law is unbounded.
+/// Distance, in spacings, below which the force stays constant.
 inline constexpr double lennard_jones_core = 0.1;
 
-/// Scale p̄, J (2D: J/m): initially as stiff as the penalty law with modulus K, Pa.
+/// Scale p̄, J: at first touch as stiff as the penalty law.
 inline double lennard_jones_scale(double dp, double K, int dim) {
   return 0.5 * K * dp * dp * (dim == 3 ? dp : 1);
 }
 
-/// Repulsive force along a pair of particles of two bodies, p̄ (l⁶ − l⁴)/r with l = dp/r ≥ 1, N (2D: N/m).
-/// [Zhang2020] Eq. 12 with n1 = 6, n2 = 4. Departure: the paper leaves p̄ open and has k h_i + k h_j for dp; here
-/// bodies touch at one spacing, as under other laws.
+/// Repulsive force along a pair, N. [Zhang2020] Eq. 12 with n1 = 6, n2 = 4. Departure: the paper leaves p̄ open and
+/// has k h_i + k h_j for dp.
 inline double lennard_jones_force(double r, double dp, double K, int dim) {
   const double near = std::max(r, lennard_jones_core * dp), l2 = dp * dp / (near * near);
   return l2 > 1 ? lennard_jones_scale(dp, K, dim) * l2 * l2 * (l2 - 1) / near : 0;
 }
 
-/// Energy p̄ (l⁶/6 − l⁴/4 + 1/12), J (2D: J/m); linear in r inside the core.
+/// Energy, J; linear in r inside the core.
 inline double lennard_jones_energy(double r, double dp, double K, int dim) {
   const double near = std::max(r, lennard_jones_core * dp), l2 = dp * dp / (near * near);
   if (!(l2 > 1)) return 0;

@@ -7,23 +7,20 @@
 
 namespace taut {
 
-/// Contact modulus of two materials, stiffness · K1 K2/(K1 + K2), Pa. [TranDuc2023] Eq. 2.13 has stiffness = 1 with
-/// strain u/dp. Faces are half a spacing from the centre, so that the strain is twice that: with 2 the layer between
-/// two faces is as stiff as the material.
-/// Symmetric to the last bit, exact for K1 = K2.
+/// Contact modulus of two materials, Pa. With stiffness = 2 the layer between two faces is as stiff as the material;
+/// [TranDuc2023] Eq. 2.13 has 1. Symmetric to the last bit, exact for K1 = K2.
 inline double contact_modulus(double K1, double K2, double stiffness) {
   const double softer = std::min(K1, K2), harder = std::max(K1, K2);
   return stiffness * (softer * (harder / (softer + harder)));
 }
 
-/// Repulsive force along a pair of particles of two bodies, N (2D: N/m), 0 for r ≥ dp: faces touch when their
-/// particles are one spacing apart. K: contact modulus, Pa. [TranDuc2023] Eq. 2.13–2.15
+/// Repulsive force along a pair, N, 0 for r ≥ dp. [TranDuc2023] Eq. 2.13–2.15
 inline double penalty_force(double r, double dp, double K, int dim) {
   const double area = dim == 3 ? dp : 1;
   return K * area * std::max(dp - r, 0.0);
 }
 
-/// Energy, J (2D: J/m).
+/// Energy, J.
 inline double penalty_energy(double r, double dp, double K, int dim) {
   return 0.5 * penalty_force(r, dp, K, dim) * std::max(dp - r, 0.0);
 }

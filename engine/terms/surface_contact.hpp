@@ -9,9 +9,8 @@
 
 namespace taut {
 
-/// Contact pressure per depth k = ½ s M1 M2/(M1 + M2)/dp, Pa/m, of two materials with M = K + 4G/3. With s = 2 faces
-/// overlap by the compression of two spacings of material. A greater s overlaps less but needs shorter steps:
-/// `oenog` in 2D is stable up to s = 6. Symmetric to the last bit.
+/// Contact pressure per depth, Pa/m, of two materials with M = K + 4G/3. With s = 2 faces overlap by the compression
+/// of two spacings of material. Symmetric to the last bit.
 inline double surface_stiffness(double M1, double M2, double stiffness, double dp) {
   const double softer = std::min(M1, M2), harder = std::max(M1, M2);
   return 0.5 * stiffness * (softer * (harder / (softer + harder))) / dp;
@@ -26,13 +25,12 @@ inline double surface_stiffness_slope(double M1, double M2, double stiffness, do
 /// Contact stiffness relative to the material, at least 1.
 inline double stiffer_than_material(double stiffness) { return std::max(1.0, stiffness / 2); }
 
-/// Energy, J (2D: J/m), of a piece of a face, m (m² in 3D), at `depth`, m, behind another: ½ · ½ k δ² A, as both
-/// faces count for half.
+/// Energy, J, of a piece of a face at `depth` behind another; both faces count for half.
 inline double surface_energy(double depth, double area, double k) {
   return depth > 0 ? 0.25 * k * area * depth * depth : 0;
 }
 
-/// Force that separates the faces, ½ k δ A, N (2D: N/m): the slope of surface_energy. Ours
+/// Force that separates the faces, N: the slope of surface_energy.
 inline double surface_force(double depth, double area, double k) {
   return depth > 0 ? 0.5 * k * area * depth : 0;
 }
@@ -48,21 +46,14 @@ inline constexpr ContactLawRow surface_contact{
     .touching = 0,
 };
 
-/// Share of a piece by the cosine of the outward normals: 1 up to 60° from facing, 0 from 76° on, so that at a corner
-/// only the side that faces the other body counts.
+/// Share of a piece by the cosine of the outward normals: 1 up to 60° from facing, 0 from 76° on.
 inline double facing_share(double cosine) { return std::clamp(-4 * cosine - 1, 0.0, 1.0); }
 inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.25 ? -4 : 0; }
 
-// In 3D the depth of a facet f behind a face is a mean over its facets g,
-//   δ = −Σ_g W p / Σ_g W,   p = (x_f − x_g) · (n_g − n_f)/|n_g − n_f|,   W = A_g s(n_f · n_g) w(ℓ²) c(p),
-// with the height p over the plane half way between, the projected share s, the weight w of the lateral distance ℓ <
-// R(p), ℓ² = |x_f − x_g|² − p², and the share c of near heights. With ½ (n_g − n_f) in p, pressed facets would tilt.
-// δ is exact for parallel flat faces, objective and smooth: the force is the energy's gradient, which conserves
-// momenta and energy. A nearest point would jump from facet to facet.
-// Σ_g W, the cover of f, is 1 amid the face and ½ over its rim; `covered_share` of the energy counts.
+// THEORY.md explains the depth of facets in 3D.
 
-/// R at height p, both in m: 1.5 dp above the plane, 1.05 dp from a depth of dp on. A smaller radius lets edges and
-/// corners through; a greater one includes rims of steps.
+/// R, m: 1.5 dp above the plane, 1.05 dp from a depth of dp on. A smaller radius lets edges and corners through; a
+/// greater one includes rims of steps.
 inline double lateral_radius(double p, double dp) {
   const double t = std::clamp(-p / dp, 0.0, 1.0);
   return (1.5 - 0.45 * t * t * (3 - 2 * t)) * dp;
@@ -86,7 +77,7 @@ inline double lateral_slope_in_radius(double l2, double radius) {  // dw/dR, 1/m
   return u > 0 ? 6 / (std::numbers::pi * square * radius) * u * (2 - 3 * u) : 0;
 }
 
-/// Energy that stiffens towards δ = dp, ½ · ½ k δ² (1 + δ²/dp²) A: the pressure under an edge is unbounded.
+/// Energy that stiffens towards δ = dp, since the pressure under an edge is unbounded.
 inline double hard_energy(double depth, double area, double k, double dp) {
   const double u = depth / dp;
   return (1 + u * u) * surface_energy(depth, area, k);
@@ -95,11 +86,11 @@ inline double hard_force(double depth, double area, double k, double dp) {
   const double u = depth / dp;
   return (1 + 2 * u * u) * surface_force(depth, area, k);
 }
-/// s, the share projected on the other normal, so that edges press no harder than flat faces.
+/// s, the share projected on the other normal: edges press no harder than flat faces.
 inline double projected_share(double cosine) { return -cosine * facing_share(cosine); }
 inline double projected_slope(double cosine) { return -facing_share(cosine) - cosine * facing_slope(cosine); }
 
-/// c, the share of a facet at height p, m: 1 up to 0.7 `reach`, 0 from `reach` on, m.
+/// c, the share of a facet at height p: 1 up to 0.7 `reach`, 0 from `reach` on, m.
 inline double near_share(double p, double reach) {
   const double t = std::clamp((1 - std::abs(p) / reach) / 0.3, 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -109,7 +100,7 @@ inline double near_slope(double p, double reach) {  // 1/m
   return (p < 0 ? 1 : -1) * 6 / (0.3 * reach) * t * (1 - t);
 }
 
-/// Share of the energy, 1 from a cover of 0.85 on, so that uneven facets count fully.
+/// Share of the energy, 1 from a cover of 0.85 on.
 inline double covered_share(double cover) {
   const double t = std::clamp((cover - 0.15) / 0.7, 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -124,9 +115,7 @@ inline double covered_second_derivative(double cover) {
   return t > 0 && t < 1 ? 6 / 0.49 * (1 - 2 * t) : 0;
 }
 
-/// Greatest stiffness relative to that at first touch, ½ k A. It grows with the depth, and with changes of the cover
-/// as edges and corners slide past each other; without the latter, tilted boxes gain energy. Per spacing the cover
-/// changes by at most 1.2, its slope by 4. Terms with these changes are doubled, since facets share nodes.
+/// Greatest stiffness relative to first touch, ½ k A (THEORY.md).
 inline double hardening(double depth, double cover, double dp) {
   constexpr double soon = 0.1, first = 0.2, steepest = 1.2, bend = 4;
   if (cover < soon) return 1;

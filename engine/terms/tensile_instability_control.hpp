@@ -3,14 +3,11 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// In the inner region, the stress divergence of particles in tension takes differences instead of sums: σ_i·L_i
-/// becomes (σ_i + 2 R_i)·L_i, where R = −σ⁺ and σ⁺ is the tensile part.
-/// [Khayyer2024] §3.4. The forces of a pair are not opposite there, so linear momentum
-/// is not conserved.
+/// Inner particles take differences of tensions instead of sums: σ_i·L_i becomes (σ_i + 2 R_i)·L_i, R = −σ⁺,
+/// [Khayyer2024] §3.4. Linear momentum is not conserved.
 namespace taut {
 
-/// Term j of the colour function C = Σ W V_j, whose sum includes i itself; surface particles have C < 0.9.
-/// Dimensionless. [Khayyer2024] Eq. 52
+/// Term j of the colour function C = Σ W V_j, which includes i itself. [Khayyer2024] Eq. 52
 template <class T>
 T colour_term(const T& W, const T& V_j) {
   return W * V_j;
@@ -20,7 +17,7 @@ inline constexpr TermInfo surface_info{
     "terms/tensile_instability_control.hpp:colour_term",
     "colour function: the value is 1 inside a lattice, below 0.9 on its face, above one row deeper"};
 
-/// 2 R_i·L_i·Σ V_j ∇_i W, the force per volume on an inner particle, N/m³. [Khayyer2024] Eq. 50, 51
+/// Force per volume on an inner particle, N/m³. [Khayyer2024] Eq. 50, 51
 template <int Dim>
 Vec<double, Dim> tensile_control(const Mat<double, Dim>& R_L, const Vec<double, Dim>& sum_V_gradient) {
   return 2.0 * (R_L * sum_V_gradient);

@@ -5,8 +5,7 @@
 
 namespace taut {
 
-/// Adds one neighbour to L = ∇v = −Σ V_j v_ij ⊗ ∇_i W, 1/s. [Zhang2024] Eq. 14. Departure: the paper prints
-/// v_ij = v_i − v_j without the minus.
+/// Adds one neighbour to L = ∇v, 1/s. [Zhang2024] Eq. 14. Departure: the paper prints no minus.
 template <class T, int Dim>
 void add_velocity_gradient(Mat<T, Dim>& L, const T& V_j, const T& dW, const Vec<T, Dim>& v_ij,
                            const Vec<T, Dim>& e_ij) {
@@ -20,7 +19,7 @@ inline constexpr TermInfo penalized_gradient_info{
     "velocity gradient", "L_i = −Σ V_j v_ij ⊗ B_i·∇W, B = (−Σ V_j x_ij ⊗ ∇W)⁻¹", "[Zhang2024b]",
     "terms/velocity_gradient.hpp:add_velocity_gradient",
     "velocity gradient: a linear field on irregular particles is exact after correction"};
-/// TermInfos that add the density rate, from ∇û or from masses.
+/// With the density rate, from ∇û or from masses.
 inline constexpr TermInfo transported_gradient_info{
     "velocity gradient", "∇û = Σ V_j û_ji ⊗ ∇W, dρ/dt = −ρ tr ∇û", "[Khayyer2024] Eq. 8, 13",
     "terms/velocity_gradient.hpp:add_velocity_gradient",

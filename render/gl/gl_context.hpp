@@ -7,7 +7,7 @@
 
 namespace taut::render {
 
-/// OpenGL 3.3 core context in software. The build option TAUT_GL selects its source file.
+/// OpenGL 3.3 core in software. TAUT_GL selects the source file.
 class GlContext {
  public:
   explicit GlContext(int width, int height);
@@ -15,13 +15,13 @@ class GlContext {
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// Makes the context current in this thread as long as the object exists. `target` receives the picture drawn into
-  /// `framebuffer()`; it must have the context's size. OpenGL's row 0 is the bottom row of the image.
+  /// Makes the context current in this thread. `target` has the context's size and receives the picture of
+  /// `framebuffer()`. OpenGL's row 0 is the bottom row of the image.
   class Current {
    public:
-    /// Throws UsageError if there is not enough memory for the picture.
+    /// Throws UsageError without enough memory.
     Current(GlContext& context, Image& target);
-    ~Current();  // completes the picture in the image
+    ~Current();  // completes the picture
     Current(const Current&) = delete;
     Current& operator=(const Current&) = delete;
 

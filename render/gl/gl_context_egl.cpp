@@ -18,12 +18,12 @@ namespace {
   throw std::runtime_error("EGL " + what + " (error " + std::to_string(eglGetError()) + ")");
 }
 
-/// Mesa's display without a screen [EGL_MESA_platform_surfaceless, EGL_KHR_surfaceless_context]. All threads use it;
-/// it is never closed.
+/// Mesa's display without a screen [EGL_MESA_platform_surfaceless, EGL_KHR_surfaceless_context]. Shared by all
+/// threads, never closed.
 EGLDisplay open_display() {
   // equal bytes on all machines
   setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
-  // The small shaders compile quickly. A cache would write to the home folder, and warn if that is read-only.
+  // A cache would write to the home folder, and warn if that is read-only.
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const EGLDisplay display =
       eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -42,7 +42,7 @@ EGLDisplay display() {
 
 struct GlContext::Handle {
   EGLContext context = EGL_NO_CONTEXT;
-  GLuint framebuffer = 0, color = 0;  // deleted with the context
+  GLuint framebuffer = 0, color = 0;
   ~Handle() {
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display(), context);
   }

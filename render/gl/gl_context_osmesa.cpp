@@ -25,7 +25,7 @@ GlContext::GlContext(int width, int height)
   // threads share the environment
   static std::mutex one_at_a_time;
   const std::scoped_lock lock(one_at_a_time);
-  // The small shaders compile quickly. A cache would write to the home folder, and warn if that is read-only.
+  // see gl_context_egl.cpp
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_BGRA,
@@ -53,11 +53,11 @@ GlContext::Current::Current(GlContext& context, Image& target) : context_(contex
                          target.height)) {
     fail_for_memory(target.width, target.height);
   }
-  OSMesaPixelStore(OSMESA_Y_UP, 0);  // the first row of the image is the top row
+  OSMesaPixelStore(OSMESA_Y_UP, 0);  // top row first
 }
 
 GlContext::Current::~Current() {
-  glFinish();  // completes the picture in the image
+  glFinish();  // completes the picture
   OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
 }
 

@@ -22,7 +22,6 @@ void check_memory(int width, int height) {
   constexpr std::size_t samples = std::size_t{128} << 20, beside = std::size_t{32} << 20;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const std::size_t bytes = 8 * pixels + std::min(32 * pixels, samples) + beside;
-  // untouched, hence quick
   const std::unique_ptr<void, void (*)(void*)> trial(std::malloc(bytes), std::free);
   if (!trial) fail_for_memory(width, height);
 }

@@ -16,16 +16,16 @@
 namespace taut::render {
 namespace {
 
-// per direction: a pixel is the mean of 2 × 2 samples
+// per direction
 constexpr int samples = 2;
 
-// limits the buffers to 16 Mi samples of 8 bytes; a picture of 1920 × 1080 has one band
+// 16 Mi samples of 8 bytes; a picture of 1920 × 1080 has one band
 constexpr int samples_per_band = 1 << 24;
 
-// x to the right, y downwards, z towards the camera. Surfaces keep their colour if they face the camera, the share
-// `ambient` if they face away from the light.
+// x to the right, y downwards, z towards the camera. Surfaces that face away from the light keep the share `ambient`
+// of their colour.
 constexpr std::array<float, 3> to_light = {-0.32f, -0.44f, 0.839f};
-constexpr float ambient = 0.72f;  // of a particle
+constexpr float ambient = 0.72f;
 #define TAUT_LIGHT                                                  \
   "float light_on(vec3 normal, float ambient) {\n"                  \
   "  const vec3 to_light = vec3(-0.32, -0.44, 0.839);\n"            \
@@ -86,7 +86,7 @@ constexpr const char* resolve_vertex_shader = R"(#version 330 core
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); })";
 
 // Compares opposite points around a pixel. Their mean depth equals the pixel's on a plane and is nearer in a hollow.
-// Half their difference is the slope. Points that are much farther away belong to other objects.
+// Half their difference is the slope. Much farther points belong to other objects.
 constexpr const char* resolve_fragment_shader = "#version 330 core\n" TAUT_LIGHT R"(
 uniform sampler2D colors, depths;
 uniform ivec2 corner;    // of the picture's part, pixels
@@ -143,7 +143,6 @@ GLuint make_texture(GLint format, GLenum kind, GLenum type, GLint filter, int wi
   return texture;
 }
 
-/// Declares `floats` numbers and a colour.
 void declare_attributes(int floats, std::size_t stride) {
   const auto place = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
   const auto bytes = static_cast<GLsizei>(stride);
@@ -160,7 +159,7 @@ float light_on(float x, float y, float z) {
   return std::min(ambient + (1 - ambient) * light, 1.0f);
 }
 
-/// Bounds of all objects, pixels.
+/// Bounds in pixels.
 struct SolidPainter::Extent {
   float left = 1e30f, right = -1e30f, top = 1e30f, bottom = -1e30f, far = 1e30f, near = -1e30f;
 
@@ -251,13 +250,12 @@ void SolidPainter::draw_band(int top, int height, int ball_corners, int corners,
   }
 }
 
-/// Draws `height` rows from `top`; the band contains `below` further rows under them.
+/// The band has `below` further rows under them.
 void SolidPainter::resolve(std::uint32_t picture, int top, int height, int below, const Extent& extent) {
-  const int bottom = image_height_ - (plot_.y + top + height);  // OpenGL's row 0 is the bottom
+  const int bottom = image_height_ - (plot_.y + top + height);
   glBindFramebuffer(GL_FRAMEBUFFER, picture);
   glViewport(0, 0, image_width_, image_height_);
   glDisable(GL_DEPTH_TEST);
-  // the rest has the background's colour
   const auto within = [](float value, int most) {
     return static_cast<int>(std::clamp(value, 0.0f, static_cast<float>(most)));
   };

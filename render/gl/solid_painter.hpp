@@ -8,32 +8,27 @@
 
 namespace taut::render {
 
-/// A sphere, pixels.
 struct Ball {
-  float x, y;  // centre from the plot's top left, y downwards
-  float z;     // towards the camera, from any origin
+  float x, y;  // from the plot's top left, y downwards
+  float z;     // towards the camera
   float radius;
   std::uint32_t color;  // bytes R, G, B, 255
 };
 
-/// Corner of a triangle, in the coordinates of a Ball.
 struct Corner {
   float x, y, z;
-  std::uint32_t color;  // shaded
+  std::uint32_t color;
 };
 
-/// Draws spheres and triangles with OpenGL. Requires a current context throughout its lifetime.
-///
-/// The light comes from the upper left, behind the camera. Shading darkens colours and keeps their hues. Spheres are
-/// shaded by their normals. All visible surfaces are also shaded by the depths around each pixel, so that hollows are
-/// darker [Luft, Colditz, Deussen: Image enhancement by unsharp masking the depth buffer, 2006].
+/// Draws spheres and triangles with OpenGL. Requires a current context throughout its lifetime. The depths around
+/// each pixel make hollows darker [Luft, Colditz, Deussen: Image enhancement by unsharp masking the depth buffer,
+/// 2006].
 class SolidPainter {
  public:
-  /// Throws UsageError if there is not enough memory for such a picture.
+  /// Throws UsageError without enough memory.
   SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background = white);
 
-  /// Fills the framebuffer `picture` with the background, and draws balls and triangles (three corners each) into the
-  /// plot.
+  /// Fills the framebuffer with the background, and draws balls and triangles (three corners each).
   void draw(std::uint32_t picture, std::span<const Ball> balls, std::span<const Corner> corners);
 
  private:
@@ -50,14 +45,14 @@ class SolidPainter {
   int image_width_, image_height_;
   Rect plot_;
   std::array<float, 3> background_;
-  int reach_;        // radius of the shading, pixels
-  int band_height_;  // limits the buffers of large pictures
+  int reach_;  // pixels
+  int band_height_;
   std::uint32_t framebuffer_ = 0, color_ = 0, depth_ = 0;
   Shape ball_, triangle_;
   std::uint32_t resolve_program_ = 0, no_vertices_ = 0;
 };
 
-/// Factor of a face's colour, from its unit normal: x to the right, y downwards, z towards the camera.
+/// Colour factor of a unit normal: x to the right, y downwards, z towards the camera.
 float light_on(float x, float y, float z);
 
 }  // namespace taut::render

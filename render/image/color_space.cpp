@@ -6,7 +6,7 @@
 namespace taut::render {
 namespace {
 
-/// Linear light by level (IEC 61966-2-1).
+/// Linear light (IEC 61966-2-1).
 std::array<double, 256> linear_table() {
   std::array<double, 256> table;
   for (int i = 0; i < 256; ++i) {
@@ -16,7 +16,7 @@ std::array<double, 256> linear_table() {
   return table;
 }
 
-/// Lightness by CIE 15.
+/// Lightness (CIE 15).
 double lightness_root(double t) {
   constexpr double delta = 6.0 / 29.0;
   return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29.0;
@@ -29,7 +29,7 @@ Lab lab_of(Rgb color) {
   const double r = linear[color[0]];
   const double g = linear[color[1]];
   const double b = linear[color[2]];
-  // sRGB to XYZ, each row divided by the white point D65 = (0.95047, 1, 1.08883)
+  // sRGB to XYZ, divided by the white point D65 = (0.95047, 1, 1.08883)
   const double x = lightness_root((0.4124564 * r + 0.3575761 * g + 0.1804375 * b) / 0.95047);
   const double y = lightness_root(0.2126729 * r + 0.7151522 * g + 0.0721750 * b);
   const double z = lightness_root((0.0193339 * r + 0.1191920 * g + 0.9503041 * b) / 1.08883);

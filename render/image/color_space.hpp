@@ -4,14 +4,14 @@
 
 namespace taut::render {
 
-/// CIE 1976 L*a*b*, white point D65. Equal distances look about equally different; 2.3 is just noticeable.
+/// CIE 1976 L*a*b*, white point D65. A distance of 2.3 is just noticeable.
 struct Lab {
   double L, a, b;
 };
 
 Lab lab_of(Rgb color);
 
-/// Euclidean distance in L*a*b* (ΔE*ab); black to white is 100.
+/// ΔE*ab; black to white is 100.
 double color_difference(Rgb a, Rgb b);
 
 }  // namespace taut::render

@@ -7,7 +7,7 @@
 
 namespace taut::render {
 
-/// Part of a picture, pixels from the top left.
+/// Area in pixels from the top left.
 struct Rect {
   int x = 0, y = 0, width = 0, height = 0;
 };
@@ -15,11 +15,11 @@ struct Rect {
 using Rgb = std::array<std::uint8_t, 3>;
 inline constexpr Rgb white = {255, 255, 255};
 
-/// Whether black is easier to read on this colour than white. The weights of ITU-R BT.709 are applied to the values
-/// as stored; at 118, the contrasts with black and white are about equal.
+/// Whether black is easier to read on this colour than white. Weights of ITU-R BT.709 on the stored values; at 118,
+/// both contrasts are about equal.
 inline bool is_light(Rgb color) { return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] > 118; }
 
-/// A picture, by rows from the top. A pixel has the bytes B, G, R, 255, since OSMesa and Cairo draw into it.
+/// Picture by rows from the top. A pixel has the bytes B, G, R, 255, since OSMesa and Cairo draw into it.
 struct Image {
   int width = 0;
   int height = 0;

@@ -20,7 +20,6 @@ void require_same_size(const Image& a, const Image& b) {
                    "; draw both with the same --size");
 }
 
-/// Window with most differing pixels.
 class DensestWindow {
  public:
   DensestWindow(int width, int height)
@@ -30,7 +29,6 @@ class DensestWindow {
         history_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height_)) {}
 
   void add_row(int row, const std::vector<std::uint8_t>& differs) {
-    // ring buffer of the window's rows
     std::uint8_t* slot = &history_[static_cast<std::size_t>(row % height_) * differs.size()];
     for (std::size_t i = 0; i < differs.size(); ++i) {
       column_sums_[i] += differs[i] - slot[i];
@@ -101,7 +99,6 @@ ImageDifference compare(const Image& a, const Image& b, double tolerance) {
 }
 
 double excess(const ImageDifference& difference, const DifferenceLimit& limit) {
-  // limits may be 0
   const auto times = [](double value, double most) { return value > 0 ? value / most : 0.0; };
   return std::max({times(difference.share, limit.share), times(difference.densest, limit.densest),
                    times(difference.greatest, limit.greatest)});

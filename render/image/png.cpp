@@ -24,14 +24,14 @@
 namespace taut::render {
 namespace {
 
-// Limits protect against forged headers. A side can be twice the largest drawn side, for panels.
+// Limits against forged headers; panels can be twice the largest drawn side.
 constexpr png_uint_32 greatest_side = 16384;
-constexpr png_alloc_size_t max_chunk_bytes = 8 << 20;  // bytes of other chunks
+constexpr png_alloc_size_t max_chunk_bytes = 8 << 20;
 constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
-// The classic API of libpng is used: the simplified one needs no longjmp, but converts to sRGB.
+// The classic API of libpng: the simplified one converts to sRGB.
 
-/// libpng's error. It outlives the frames that longjmp skips.
+/// Outlives the frames that longjmp skips.
 struct Complaint {
   char message[128] = {0};
 };
@@ -44,7 +44,7 @@ void on_error(png_structp png, png_const_charp message) {
 
 void on_warning(png_structp, png_const_charp) {}
 
-/// Calls `work`. Returns false if libpng failed. longjmp runs no destructors: `work` must not need any.
+/// False if libpng failed. longjmp runs no destructors: `work` must not need any.
 template <class Work>
 bool completes(png_structp png, const Work& work) {
   if (setjmp(png_jmpbuf(png))) return false;
@@ -67,7 +67,7 @@ void read_header(Reader& reader, std::FILE* file, Alpha alpha) {
   png_set_user_limits(reader.png, greatest_side, greatest_side);
   png_set_chunk_malloc_max(reader.png, max_chunk_bytes);
   png_read_info(reader.png, reader.info);
-  // gives B, G, R and opacity or 255
+  // B, G, R and opacity or 255
   png_set_expand(reader.png);
   png_set_scale_16(reader.png);
   if (alpha == Alpha::dropped) png_set_strip_alpha(reader.png);
@@ -78,12 +78,11 @@ void read_header(Reader& reader, std::FILE* file, Alpha alpha) {
   png_read_update_info(reader.png, reader.info);
 }
 
-/// Appends the most significant byte first.
 void append_number(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
   for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
 }
 
-/// Appends length, kind, content, checksum [PNG §5.3].
+/// Length, kind, content, checksum [PNG §5.3].
 void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
                   std::span<const std::uint8_t> holds) {
   append_number(file, static_cast<std::uint32_t>(holds.size()));
@@ -93,7 +92,7 @@ void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
   append_number(file, crc32_gzip_refl(0, &file[from], file.size() - from));
 }
 
-/// Writes filter type none, which flat colours do not need, then R, G, B.
+/// Filter type none suits flat colours.
 void put_row(const Image& image, int row, std::uint8_t* to) {
   *to++ = PNG_FILTER_VALUE_NONE;
   const std::uint8_t* from = &image.pixels[image.offset(0, row)];
@@ -101,14 +100,13 @@ void put_row(const Image& image, int row, std::uint8_t* to) {
     to[0] = from[2], to[1] = from[1], to[2] = from[0];
 }
 
-/// ISA-L at level 0 with the picture's code, about as fast and compact as level 1. In ISA-L 2.30, the output of
-/// levels 1 and 2 may depend on memory addresses. Too large for the stack.
+/// ISA-L at level 0 with the picture's code. In ISA-L 2.30, the output of levels 1 and 2 may depend on memory
+/// addresses. Too large for the stack.
 struct Deflater {
   isal_zstream stream;
   isal_hufftables code;
   std::uint8_t deflated[1 << 16];
 
-  /// `seen`: histogram of some bytes.
   explicit Deflater(isal_huff_histogram& seen) {
     isal_deflate_init(&stream);
     stream.gzip_flag = IGZIP_ZLIB;
@@ -120,7 +118,6 @@ struct Deflater {
   Deflater(const Deflater&) = delete;
   Deflater& operator=(const Deflater&) = delete;
 
-  /// Appends to `out`, completely at the end of the stream.
   void add(std::span<std::uint8_t> bytes, bool at_end, std::vector<std::uint8_t>& out) {
     stream.next_in = bytes.data();
     stream.avail_in = static_cast<std::uint32_t>(bytes.size());
@@ -134,7 +131,6 @@ struct Deflater {
   }
 };
 
-/// Rows of the file, in bands that fit into the cache.
 class Bands {
  public:
   explicit Bands(const Image& image)
@@ -155,7 +151,6 @@ class Bands {
   std::vector<std::uint8_t> rows_;
 };
 
-/// Histogram of every sixth band.
 std::unique_ptr<isal_huff_histogram> histogram(Bands& bands) {
   constexpr int apart = 6;
   auto seen = std::make_unique<isal_huff_histogram>();  // zeros
@@ -198,7 +193,7 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 void write_png(const Image& image, const std::filesystem::path& path) { write_png(encode_png(image), path); }
 
 void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  // in the same folder, because a rename is atomic only within a file system
+  // same folder: a rename is atomic only within a file system
   std::filesystem::path part = path;
   part += ".part" + std::to_string(getpid());
 
@@ -209,7 +204,7 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
   if (!file) fail_to_write(path, std::strerror(errno));
   const bool all = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   int reason = all ? 0 : errno;
-  // a full disk may be reported only when the last bytes leave the buffer
+  // a full disk may be reported only now
   if (std::fclose(file) != 0 && all) reason = errno;
 
   std::error_code error;

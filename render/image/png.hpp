@@ -9,18 +9,17 @@
 
 namespace taut::render {
 
-/// PNG file with RGB of 8 bits per channel.
 std::vector<std::uint8_t> encode_png(const Image& image);
 
-/// Writes encoded bytes to a file, completely or not at all. Throws OutputError.
+/// Writes the file completely or not at all. Throws OutputError.
 void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 void write_png(const Image& image, const std::filesystem::path& path);
 
-/// Whether the fourth byte of a pixel is its opacity, or 255.
+/// Fourth byte: opacity, or 255.
 enum class Alpha : std::uint8_t { dropped, kept };
 
-/// Reads any PNG of at most 8192 × 8192 pixels in total and 16384 per side, as RGB. Throws UsageError if the file is
-/// missing, damaged or no PNG.
+/// Reads at most 8192 × 8192 pixels in total and 16384 per side. Throws UsageError if the file is missing, damaged
+/// or no PNG.
 Image read_png(const std::filesystem::path& path, Alpha alpha = Alpha::dropped);
 
 }  // namespace taut::render

@@ -10,9 +10,9 @@ namespace {
 // Lengths in em.
 constexpr double title_size = 1.3;
 constexpr double baseline_of_header = 1.8;
-constexpr double end_of_header = 2.4;  // below the title
+constexpr double end_of_header = 2.4;
 
-constexpr double most_of_note = 0.5;  // share of the title's space, if the title is long
+constexpr double most_of_note = 0.5;
 
 constexpr double most_room_of_legend = 14;
 

@@ -13,7 +13,6 @@
 
 namespace taut::render {
 
-/// Colour bar or legend.
 class ColorKey {
  public:
   explicit ColorKey(ColorBar bar) : key_(std::move(bar)) {}
@@ -22,7 +21,7 @@ class ColorKey {
   /// Fills the height of `room`, from its left edge.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& off_scale);
-  /// Required width, em, for a height in pixels and values in `unit`.
+  /// Width in em, for a height in pixels.
   double width(int height, double em, std::string_view unit) const;
 
  private:
@@ -31,17 +30,16 @@ class ColorKey {
 
 class Annotation {
  public:
-  /// The image must outlive the annotation and must not move its pixels. `until` (last time, s) sets the unit of all
-  /// times; 0: each has its own unit.
+  /// The image must outlive the annotation and must not move its pixels. `until`: see Renderer.
   Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background,
              const TextParts& parts = {});
 
   void show(const AxesMarker& axes) { axes_ = axes; }
-  /// For perspective pictures, in which lengths differ.
+  /// Lengths differ in perspective.
   void hide_scale_bar() { has_scale_bar_ = false; }
 
   void draw(const FrameView& frame, const OffScale& off_scale);
-  /// Whether the last drawing fits this frame, except for the header and the off-scale marks.
+  /// Ignores the header and the off-scale marks.
   bool is_current_for(const FrameView& frame) const { return frame.field == field_ && frame.unit == unit_; }
   /// Replaces title, method, time and off-scale marks.
   void draw_again(const FrameView& frame, const OffScale& off_scale);
@@ -54,13 +52,12 @@ class Annotation {
   TextParts parts_;
   Canvas canvas_;
   ColorKey key_;
-  OffScale off_scale_;  // last drawn
+  OffScale off_scale_;
   std::optional<AxesMarker> axes_;
   bool has_scale_bar_ = true;
-  std::string field_, unit_;  // last drawn
+  std::string field_, unit_;
 };
 
-/// Draws a bold title and a gray note, within `room`.
 void draw_title(Canvas& canvas, const std::string& title, const std::string& note, double left, double y,
                 double room, double em);
 

@@ -7,8 +7,8 @@ namespace {
 
 // Lengths in em.
 constexpr double axis_length = 1.5;
-constexpr double letter_at = 1.95;  // from the origin
-constexpr double corner_gap = 2.4;  // from the corner of the plot to the origin
+constexpr double letter_at = 1.95;
+constexpr double corner_gap = 2.4;
 constexpr double letter_size = 0.94;
 
 }  // namespace

@@ -11,15 +11,15 @@
 
 namespace taut::render {
 
-// Gray levels from 0 (full contrast) to 1 (background). Black text on white has too much contrast.
+// From 0 (full contrast) to 1 (background). Black on white has too much contrast.
 inline constexpr double ink = 0.13;
 inline constexpr double faint = 0.42;
 inline constexpr double cap_height = 0.73;  // of digits, per font size
 
-/// Width of a thin line, in whole pixels.
+/// Width in whole pixels.
 double line_width(double em);
 
-/// Draws over an image with Cairo; pixels from the top left.
+/// Draws with Cairo; pixels from the top left.
 class Canvas {
  public:
   enum class Align { left, centre, right };
@@ -27,22 +27,22 @@ class Canvas {
   /// The image must outlive the canvas and must not move its pixels.
   explicit Canvas(Image& image, Rgb background = white);
 
-  /// Call `begin` after anything else has drawn into the image, and `end` after drawing.
+  /// Call `begin` after anything else has drawn into the image.
   void begin();
   void end();
 
   cairo_t* cairo() { return cairo_.get(); }
-  /// Sets the gray level, from 0 (white on dark, black on light) to 1 (background).
+  /// 0 (white on dark, black on light) to 1 (background).
   void gray(double level);
   void color(Rgb color);
   void use(Weight weight, double size);
   void fill(double x, double y, double width, double height);
-  /// Draws text with its baseline at (x, y).
+  /// (x, y): baseline.
   void text(const std::string& text, double x, double y, Align align);
-  /// Draws text upwards; (x, y) is the middle of its baseline.
+  /// (x, y): middle of the baseline.
   void turned_text(const std::string& text, double x, double y);
   double width_of(const std::string& text);
-  /// Shortens text with an ellipsis to a width of `room`, pixels.
+  /// Shortens text with an ellipsis to `room` pixels.
   std::string fitted(std::string text, double room);
 
  private:
@@ -52,7 +52,7 @@ class Canvas {
   };
   Font regular_, bold_;
   Rgb background_;
-  double contrast_;  // strongest contrast to the background, 0 or 1
+  double contrast_;
   std::unique_ptr<cairo_surface_t, Deleter> surface_;
   std::unique_ptr<cairo_t, Deleter> cairo_;
 };

@@ -10,15 +10,14 @@ namespace taut::render {
 
 enum class Weight { regular, bold };
 
-/// Finds the file of DejaVu Sans in the font folders of the system. Throws OutputError, which names the package.
+/// Finds DejaVu Sans in the system's folders. Throws OutputError, which names the package.
 std::filesystem::path find_font(Weight weight);
 
-/// A font from its file, without fontconfig and hinting: letters are equal on all machines.
+/// Without fontconfig and hinting: letters are equal on all machines.
 class Font {
  public:
   explicit Font(const std::filesystem::path& file);
 
-  /// Selects the font; `size` in pixels.
   void use(cairo_t* cairo, double size) const;
 
  private:

@@ -11,7 +11,7 @@ constexpr double line_height = 1.55;
 constexpr double title_height = 1.75;
 constexpr double disc_radius = 0.45;
 constexpr double text_left = 1.4;
-constexpr double letter_width = 0.62;  // average, with a margin
+constexpr double letter_width = 0.62;  // average
 constexpr double small_size = 0.94;
 
 /// Counts characters, not bytes.
@@ -22,7 +22,7 @@ double length_of(std::string_view text) {
 
 }  // namespace
 
-/// Number of entries shown; a line remains for the number of others.
+/// A line remains for the number of others.
 std::size_t Legend::shown(int height, double em) const {
   const auto lines =
       static_cast<std::size_t>(std::max((height - title_height * em) / (line_height * em), 1.0));

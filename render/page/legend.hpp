@@ -18,7 +18,6 @@ class Legend {
 
   /// Shortens long names, and counts entries that do not fit.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view title) const;
-  /// Approximate width, em, for a height in pixels.
   double width(int height, double em) const;
 
  private:

@@ -9,14 +9,14 @@ namespace {
 // smaller pictures have no texts
 constexpr int least_text_width = 240;
 constexpr int least_text_height = 120;
-constexpr double least_font = 9;  // smallest legible size
+constexpr double least_font = 9;
 
 // Lengths in em.
 constexpr double margin = 1.1;
-constexpr double header = 3.0;  // title, method, time
-constexpr double footer = 2.3;  // scale bar
+constexpr double header = 3.0;
+constexpr double footer = 2.3;
 constexpr double key_gap = 1.1;
-constexpr double most_of_width = 0.36;  // for a legend
+constexpr double most_of_width = 0.36;
 
 int pixels(double length) { return static_cast<int>(std::lround(length)); }
 

@@ -12,50 +12,46 @@ struct View {
   bool operator==(const View&) const = default;
 };
 
-/// Unit vectors of the scene's axes x, y, z in the picture: components to the right, up and towards the viewer.
+/// Unit vectors of the scene's axes: to the right, up and towards the viewer.
 using AxesMarker = std::array<std::array<double, 3>, 3>;
 
 struct PageLayout {
-  double font = 0;   // em in pixels; 0: no texts
-  Rect plot;         // particles
-  Rect key;          // bar or legend
-  double right = 0;  // right end of the texts, pixels
+  double font = 0;  // em in pixels; 0: no texts
+  Rect plot;
+  Rect key;
+  double right = 0;  // pixels
   double pixels_per_metre = 1;
-  double x_origin = 0, y_origin = 0;  // scene origin, pixels from the plot's top left
+  double x_origin = 0, y_origin = 0;  // pixels
 
   double column(double x) const { return x_origin + x * pixels_per_metre; }
   double row(double y) const { return y_origin - y * pixels_per_metre; }  // downwards
 };
 
-/// Texts around the particles.
 struct TextParts {
-  bool title = true, method = true, time = true;  // in the header
-  bool bar = true;                                // or legend
+  bool title = true, method = true, time = true;
+  bool bar = true;  // or legend
   bool scale = true, axes = true;
   bool operator==(const TextParts&) const = default;
 
   bool header() const { return title || method || time; }
 };
 
-/// Minimum width of bar, numbers and label, em.
+/// Minimum width of the colour key, em.
 inline constexpr double room_of_bar = 5.75;
 
-/// Size and choice of the texts in a picture.
 struct PageTexts {
-  double font = 0;  // pixels; 0: by the size of the picture
+  double font = 0;  // pixels; 0: by the picture's size
   TextParts parts{};
 };
 
-/// Height of texts and of the colour key, pixels; both are 0 in a picture that is too small for texts, unless `texts`
-/// sets the font.
+/// Sizes in pixels; 0 in a picture that is too small for texts, unless `texts` sets the font.
 struct TextSize {
   double font = 0;
   int key_height = 0;
 };
 TextSize text_size(int width, int height, const PageTexts& texts = {});
 
-/// Without texts, or in a small picture, the plot fills the picture. The key is `room` em wide, but at most 36 % of
-/// the width.
+/// Without texts the plot fills the picture. The key is `room` em wide, but at most 36 % of the width.
 PageLayout make_layout(int width, int height, const View& view, bool with_texts = true,
                        double room = room_of_bar, const PageTexts& texts = {});
 

@@ -11,14 +11,14 @@ constexpr double bar_width = 1.15;
 constexpr double small_size = 0.94;
 constexpr double tick_length = 0.3;
 constexpr double tick_gap = 0.25;
-constexpr double tick_spacing = 3.8;   // minimum between numbers
-constexpr double label_gap = 0.75;     // between numbers and label
-constexpr double most_beyond = 0.3;    // into the margin
-constexpr double arrow_height = 0.42;  // arrow and gap fit below the header
+constexpr double tick_spacing = 3.8;  // minimum
+constexpr double label_gap = 0.75;
+constexpr double most_beyond = 0.3;
+constexpr double arrow_height = 0.42;  // fits below the header
 constexpr double arrow_gap = 0.13;
-constexpr double swatch_size = 0.75;     // of NaN, below the arrow
-constexpr double swatch_gap = 0.35;      // to its text
-constexpr double width_of_swatch = 6.6;  // with its text
+constexpr double swatch_size = 0.75;
+constexpr double swatch_gap = 0.35;
+constexpr double width_of_swatch = 6.6;
 
 Rect bar_in(const Rect& room, double em) {
   return {room.x, room.y, static_cast<int>(std::lround(bar_width * em)), room.height};
@@ -32,7 +32,6 @@ double width_of_number(std::string_view label) {
   return width;
 }
 
-/// Width of a bar with numbers up to `widest`, em.
 double width_with(double widest) {
   return bar_width + tick_length + tick_gap + widest + label_gap + cap_height;
 }

@@ -8,7 +8,6 @@
 
 namespace taut::render {
 
-/// Values outside a colour bar.
 struct OffScale {
   bool below = false, above = false;  // drawn in the colour of an end
   bool no_number = false;
@@ -21,14 +20,13 @@ struct OffScale {
 
 class ColorBar {
  public:
-  /// `colors` are evenly spaced from `low` to `high`. `no_number` is the colour of NaN.
   ColorBar(double low, double high, const std::array<Rgb, 256>& colors, Rgb no_number);
 
-  /// Required width, em, for a height in pixels and values in `unit`.
+  /// Width in em, for a height in pixels.
   double width(int height, double em, std::string_view unit) const;
-  /// Fills the height of `room`, from its left edge. Omits numbers if they, or their unit, do not fit.
+  /// Omits numbers if they, or their unit, do not fit.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
-  /// Draws arrows at the exceeded ends and a swatch for NaN, in place of the previous ones.
+  /// Replaces arrows at the exceeded ends and a swatch for NaN.
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& found) const;
 
  private:
@@ -42,11 +40,9 @@ class ColorBar {
   std::string tick_unit_;  // of ticks_
 };
 
-/// "von Mises stress (MPa)", at most `room` pixels long: the name is shortened, never the unit. Empty if the unit
-/// does not fit.
+/// "von Mises stress (MPa)", at most `room` pixels long: the name is shortened, never the unit. May be empty.
 std::string label_of_bar(Canvas& canvas, std::string_view field, const std::string& unit, double room);
 
-/// Draws a bar of a round length, about a fifth of the plot.
 void draw_scale_bar(Canvas& canvas, const Rect& plot, double pixels_per_metre, double em);
 
 }  // namespace taut::render

@@ -12,14 +12,13 @@ constexpr int least_prefix = -15;
 constexpr std::array<std::string_view, 10> prefixes = {"f", "p", "n", "µ", "m", "", "k", "M", "G", "T"};
 constexpr int greatest_prefix = 12;
 
-/// Rounds 999.9999999 up to 1000.
 int decade(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
 
 int floor_to_three(int exponent) {
   return 3 * static_cast<int>(std::floor(static_cast<double>(exponent) / 3.0));
 }
 
-/// False for powers, because a prefix is raised to the power, too ("mm²" is 1e-6 m²), and for kg, which has a prefix.
+/// False for powers, because a prefix is raised to the power, too, and for kg, which has a prefix.
 bool takes_prefix(std::string_view unit) {
   constexpr std::array<std::string_view, 7> symbols = {"Pa", "m", "s", "N", "J", "W", "Hz"};
   return std::ranges::any_of(symbols, [&](std::string_view symbol) {
@@ -67,7 +66,6 @@ Ticks nice_ticks(double low, double high, std::string_view unit, int most) {
   const double from = low * scale.factor;
   const double to = high * scale.factor;
   if (!(to > from) || !std::isfinite(to - from)) return ticks;
-  // smallest step that gives at most `most` ticks
   double step = nice_step((to - from) / (most + 1));
   const auto first = [&] { return std::ceil(from / step - 1e-6); };
   const auto last = [&] { return std::floor(to / step + 1e-6); };

@@ -6,19 +6,18 @@
 
 namespace taut::render {
 
-/// A quantity is shown as `value * factor` in `unit`, e.g. 1e-6 and "MPa".
+/// Factor and unit of shown numbers, e.g. 1e-6 and "MPa".
 struct Scale {
   double factor = 1;
   std::string unit;
 };
 
-/// Gives numbers up to `greatest` at most three digits before the point, by an SI prefix or, e.g. for 1/s, a power of
-/// ten.
+/// Gives at most three digits before the point, by an SI prefix or, e.g. for 1/s, a power of ten.
 Scale scale_for(double greatest, std::string_view unit);
 
 struct Tick {
-  double value;       // in the range's unit
-  std::string label;  // in the scale's unit
+  double value;
+  std::string label;
 };
 
 struct Ticks {
@@ -26,7 +25,7 @@ struct Ticks {
   std::string unit;
 };
 
-/// At most `most` (2 or more) ticks within [low, high], at multiples of 1, 2 or 5 times a power of ten.
+/// At most `most` (2 or more), at multiples of 1, 2 or 5 times a power of ten.
 Ticks nice_ticks(double low, double high, std::string_view unit, int most);
 
 /// Greatest 1, 2 or 5 times a power of ten up to `length` > 0.
@@ -35,7 +34,7 @@ double nice_length(double length);
 /// Formats with a typographic minus; never "−0".
 std::string format_fixed(double value, int decimals);
 
-/// "5.004 ms". With the last time `until`, s, all times have the same unit.
+/// Formats as "5.004 ms". With the last time `until`, s, all times have the same unit.
 std::string format_time(double t, double until = 0);
 
 }  // namespace taut::render

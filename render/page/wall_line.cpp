@@ -8,10 +8,10 @@ void draw_wall_line(Canvas& canvas, const Rect& plot, double x, double y, double
   // Lengths in em.
   constexpr double apart = 0.7, deep = 0.5;
   const double to_middle_x = plot.x + 0.5 * plot.width - x, to_middle_y = plot.y + 0.5 * plot.height - y;
-  const double tx = -ny, ty = nx;  // along the face
+  const double tx = -ny, ty = nx;
   const double along = to_middle_x * tx + to_middle_y * ty, off = to_middle_x * nx + to_middle_y * ny;
   const double reach = 0.5 * std::hypot(plot.width, plot.height) + em;
-  constexpr double farthest = 1e9;  // pixels; beyond, rounding makes the strokes' places inexact
+  constexpr double farthest = 1e9;  // beyond, rounding makes places inexact
   // false for NaN
   if (!(std::abs(off) < reach && std::abs(along) < farthest)) return;
   cairo_t* cairo = canvas.cairo();

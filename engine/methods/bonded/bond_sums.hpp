@@ -8,7 +8,6 @@
 
 namespace taut {
 
-/// Sums over the bonds of four particles, for the stress pass.
 template <int Dim>
 struct BondSums {
   Mat<Pack, Dim> A{};      // Σ_j (x_j − x_i) ⊗ a_ij
@@ -17,9 +16,7 @@ struct BondSums {
   Pack stiffest{};         // maximum s + 1/(4s²)
 };
 
-/// Returns the sums, with damping. `places` contains x and x + 3 τ v. With d = x_j − x_i, and `ahead` the same
-/// difference of x + 3 τ v, the value d·ahead/r0² = s + 3 τ q̇ replaces s in 3 φ′/λ = s − ¾ − 1/(4s²). r² is at least
-/// `least_r2`, in m².
+/// Sums with damping (THEORY.md). `places`: x and x + 3 τ v.
 template <bool WithEnergy, int Dim, class Storage>
 [[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBondsView<Dim, Storage>& bonds,
                                                       const ColumnsView<2 * Dim>& places, int group,
@@ -35,7 +32,7 @@ template <bool WithEnergy, int Dim, class Storage>
   const auto* springs = bonds.springs(own);
   const auto* areas = bonds.a_ij(own);
   const auto add_bond = [&](int b) {  // returns x_j − x_i
-    Pack place[2 * Dim];              // of j
+    Pack place[2 * Dim];
     gather(places, first, slots[b], place);
     Vec<Pack, Dim> d, ahead;
     for (int k = 0; k < Dim; ++k) d[k] = place[k] - x_i[k], ahead[k] = place[Dim + k] - ahead_i[k];
@@ -60,7 +57,7 @@ inline constexpr TermInfo bonded_damping_info{
     "methods/bonded/bond_sums.hpp:bond_sums",
     "oenog: damping removes a zigzag and leaves the first mode unchanged"};
 
-/// Adds the stress force Σ_j (Q_i + Q_j) a_ij, in N, on four particles.
+/// Adds the stress force Σ_j (Q_i + Q_j) a_ij, N.
 template <int Dim, class Storage>
 [[gnu::always_inline]] inline void add_stress_force(const PackedBondsView<Dim, Storage>& bonds,
                                                     const ColumnsView<Dim * Dim>& Q, int group,

@@ -13,33 +13,29 @@
 
 namespace taut {
 
-/// Cancellation for four particles of axis-aligned lattices with rectangular cells: the e ⊗ e of the diagonals of a
-/// face, and of the cell, differ only in signs.
+/// Cancellation for lattices along the axes, where the e ⊗ e of diagonals differ only in signs.
 template <int Dim>
 struct alignas(sizeof(Pack)) CancelledOnLattice {
   static constexpr int faces = Dim == 2 ? 1 : 3;
   struct Face {
-    Pack aa, bb, ab;  // e ⊗ e of the diagonal with e_a e_b > 0, a < b
+    Pack aa, bb, ab;  // of the diagonal with e_a e_b > 0
     Pack third[2];    // ⅓ G V0_i w_ij, J; e_a e_b > 0 and < 0
   };
   struct Across {
-    Sym<Pack, 3> dyad;  // e ⊗ e of the diagonal with positive products
+    Sym<Pack, 3> dyad;  // of the diagonal with positive products
     Pack third[4];      // all products > 0; only xy, xz or yz > 0
   };
   Pack axis[Dim];  // ⅓ G V0_i w_ij, J
   Face face[faces];
-  Across across;  // in 3D
+  Across across;
 
-  /// Adds a bond of the particle in this lane, with Gw = G V0_i w_ij, in J. Merges bonds that are parallel to
-  /// round-off. Returns false if the bond does not fit the lattice.
+  /// Adds a bond of strength Gw, J. Returns false if it does not fit the lattice.
   bool add(int lane, const Sym<double, Dim>& dyad, double Gw);
   /// As CancelledView::slopes.
   Sym<Pack, Dim> slopes(const Sym<Pack, Dim>& C) const;
 
  private:
-  /// Returns the axes of the n-th face.
   static constexpr std::array<int, 2> plane(int n) { return {n == 2 ? 1 : 0, n == 0 ? 1 : 2}; }
-  /// Stores the first value of a lane. Returns false if a different value is already stored.
   static bool can_store(Pack& known, int lane, double value) {
     if (known[lane] == 0) known[lane] = value;
     return std::abs(known[lane] - value) < 1e-12;
@@ -107,18 +103,17 @@ Sym<Pack, Dim> CancelledOnLattice<Dim>::slopes(const Sym<Pack, Dim>& C) const {
   return S;
 }
 
-/// Cancellation of bonds (THEORY.md, Energy) for four particles at once, as pointers for the passes. It reads no
-/// neighbours: in a linear displacement a bond has s° = e·C e. Opposite bonds are merged.
+/// Cancellation of bonds (THEORY.md, Energy). Parallel bonds are merged.
 template <int Dim, class Storage = AlignedPack>
 struct CancelledView {
   static constexpr int dyad_size = Sym<Pack, Dim>::size - 1;
-  /// e ⊗ e of one bond of each of four particles, without its last component: the trace is 1.
+  /// e ⊗ e of four bonds without the last component: the trace is 1.
   struct Dyad {
     Storage c[dyad_size];
   };
   class Stretch;
   struct GroupRows {
-    int dyad, third, count;  // first indices; the count is even, padded with strength 0
+    int dyad, third, count;  // first indices; count is even
     int on_lattice;          // −1 if off-lattice
   };
 
@@ -127,9 +122,9 @@ struct CancelledView {
   const Storage* thirds = nullptr;  // ⅓ G V0_i w_ij, J
   const CancelledOnLattice<Dim>* on_lattice = nullptr;
 
-  /// Returns G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e of a group for C = Fᵀ F, in J.
+  /// G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e for C = Fᵀ F, J.
   Sym<Pack, Dim> slopes(int group, const Sym<Pack, Dim>& C) const;
-  /// Returns G V0_i Σ_j w_ij φ_c(s°), in J.
+  /// G V0_i Σ_j w_ij φ_c(s°), J.
   Pack energy(int group, const Sym<Pack, Dim>& C) const;
 };
 
@@ -139,8 +134,7 @@ class CancelledBonds {
   using View = CancelledView<Dim, Storage>;
 
   CancelledBonds() = default;
-  /// `terms_of(i)` returns the CancelledTerms of particle i < n. It must be safe to call on `threads` threads at
-  /// once.
+  /// terms_of(i) is called on several threads at once.
   template <class TermsOf>
   CancelledBonds(int n, int threads, const TermsOf& terms_of);
 
@@ -150,8 +144,8 @@ class CancelledBonds {
   static constexpr int dyad_size = View::dyad_size;
   using Dyad = typename View::Dyad;
   struct Direction {
-    Sym<double, Dim> dyad;  // e ⊗ e
-    double strength;        // J
+    Sym<double, Dim> dyad;
+    double strength;  // J
   };
   static std::vector<Direction> merged(const std::vector<CancelledTerm>& terms);
 
@@ -161,7 +155,7 @@ class CancelledBonds {
   SharedRows<CancelledOnLattice<Dim>> on_lattice_;
 };
 
-/// Computes s° of bonds as a linear function of the stored components of e ⊗ e.
+/// s° as a linear function of the stored e ⊗ e.
 template <int Dim, class Storage>
 class CancelledView<Dim, Storage>::Stretch {
  public:

@@ -11,14 +11,12 @@
 
 namespace taut {
 
-/// Clamp places: points on the faces of rigid regions at which bonds of free particles end (THEORY.md, Clamps). They
-/// are stored in columns after the particles. Places on a driven region follow it.
+/// Points on faces of rigid regions where bonds end (THEORY.md, Clamps), in columns after the particles.
 template <int Dim>
 class Clamps {
  public:
   using V = Vec<double, Dim>;
 
-  /// Resizes the columns and appends all places, where the stress Q is 0.
   void add_places(const std::vector<ClampPlace>& all, const Particles<Dim>& s, const Drives<Dim>& drives,
                   Columns<2 * Dim>& places, Columns<Dim * Dim>& Q) {
     const std::vector<int> where = stored_places(s.id);
@@ -40,7 +38,7 @@ class Clamps {
 
   bool has_driven() const { return !driven_.empty(); }
 
-  /// Moves places on driven regions with their rigid particles and sets x and x + `ahead` v; `ahead` in s.
+  /// Moves places on driven regions. `ahead` in s.
   void follow(const Particles<Dim>& s, double ahead, const ColumnsView<2 * Dim>& places) const {
     for (const auto& [place, rigid_particle, from_rigid_particle] : driven_)
       for (int k = 0; k < Dim; ++k) {
@@ -49,7 +47,7 @@ class Clamps {
       }
   }
 
-  /// Calls use(rigid particle, force on the free particle in N) for each bond into a clamp.
+  /// Calls use(rigid particle, force on the free particle in N).
   template <class Storage, class Use>
   void for_each_pull(const PackedBonds<Dim, Storage>& packed, const ColumnsView<2 * Dim>& places,
                      const ColumnsView<Dim * Dim>& Q, double least_r2, const Use& use) const {
@@ -77,10 +75,10 @@ class Clamps {
  private:
   struct Driven {
     int place, rigid_particle;  // stored indices
-    V from_rigid_particle;      // from particle to place, m
+    V from_rigid_particle;      // m
   };
-  int first_ = 0;                    // column of the first place
-  std::vector<int> rigid_particle_;  // [place] stored index of the rigid particle
+  int first_ = 0;                    // first column
+  std::vector<int> rigid_particle_;  // [place] stored index
   std::vector<Driven> driven_;
 };
 

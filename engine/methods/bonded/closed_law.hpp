@@ -6,9 +6,8 @@
 
 namespace taut {
 
-/// Continuation of any law below J = ½, as in ClosedNeoHookean: c replaces det F in the shear part, and the energy
-/// density gets the additional term (K + 4G/3)(1 − 2J)³, in Pa. Laws without a separate shear part get only this
-/// term.
+/// Continuation of any law below J = ½, as in ClosedNeoHookean. Laws without a separate shear part get only the term
+/// (K + 4G/3)(1 − 2J)³.
 struct Continuation {
   double J, c, per_J;  // det F; its replacement; dc/dJ
   double closure;      // 1 − 2J, or 0
@@ -30,7 +29,7 @@ double closed_energy(const L& law, const Mat<double, Dim>& F) {
     return law.energy(F, at.J) + closing;
 }
 
-/// Returns ∂closed_energy/∂F.
+/// ∂closed_energy/∂F.
 template <class L, int Dim>
 Mat<double, Dim> closed_piola(const L& law, const Mat<double, Dim>& F) {
   const Continuation at(determinant(F));
@@ -45,7 +44,6 @@ Mat<double, Dim> closed_piola(const L& law, const Mat<double, Dim>& F) {
   }
 }
 
-/// As above, for four particles with their materials.
 template <class L, int Dim>
 Pack closed_energy(const L* laws, const int* material, const Mat<Pack, Dim>& F) {
   Pack energy{};

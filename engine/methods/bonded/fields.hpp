@@ -10,12 +10,12 @@
 
 namespace taut {
 
-/// The default law of the family for four particles.
+/// Default law of four particles.
 struct alignas(sizeof(Pack)) GroupLaw {
-  Pack V;  // m^Dim, weight of the energy; 0 in padding and for particles without F
+  Pack V;  // m^Dim; 0 in padding and without F
   ClosedNeoHookean<Pack> law;
 };
-/// Indices of a group's constants, which groups share.
+/// Indices of shared constants.
 struct GroupRows {
   int law, B;
 };
@@ -31,22 +31,22 @@ struct BondedFields {
   using V = Vec<double, Dim>;
 
   int size;
-  V* x;                         // m
-  const V* v;                   // m/s
-  ColumnsView<2 * Dim> places;  // x, x + 3 τ v of the particles, then of the clamp places (clamps.hpp)
+  V* x;
+  const V* v;
+  ColumnsView<2 * Dim> places;  // x, x + 3 τ v of particles, then of clamp places
   ColumnsView<Dim * Dim> Q;     // T B, row by row
   const double* mobility;       // 1/kg; 0 if constrained
   Vec<Pack, Dim>* bond_force;   // [group] N
   double lead;                  // 3 τ of the bonds, s
   double least_r2;              // minimum r², (dp/100)², m²
-  bool uses_group_law;          // uses GroupLaw, otherwise `laws`
+  bool uses_group_law;
   LawsInUse laws;
   const int* material;  // padded to whole groups
   const GroupRows* groups;
   const GroupLaw* group_laws;
   const Mat<Pack, Dim>* B;
   BondsView<Dim, AlignedPack> bonds;
-  BondsView<Dim, HalfPack> halved_bonds;  // off-lattice in 3D, where no particles share constants
+  BondsView<Dim, HalfPack> halved_bonds;  // off-lattice in 3D
   bool halved;
 
   int group_count() const { return (size + lanes - 1) / lanes; }
@@ -55,7 +55,6 @@ struct BondedFields {
   void set_place(int i) const {
     for (int k = 0; k < Dim; ++k) places[k][i] = x[i][k], places[Dim + k][i] = x[i][k] + lead * v[i][k];
   }
-  /// Returns pass(bonds) with the bonds in use.
   template <class Pass>
   auto with_bonds(const Pass& pass) const {
     if constexpr (Dim == 3)

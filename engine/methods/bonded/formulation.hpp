@@ -11,7 +11,7 @@ struct BondedFormulation : Formulation, ElasticSwitches {
 };
 
 struct BondedConstants : Constants {
-  double damping = 0;  // of bonds: τ over dp √(ρ0/G) of the fastest material
+  double damping = 0;
 };
 
 }  // namespace taut

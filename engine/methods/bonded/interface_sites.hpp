@@ -14,7 +14,6 @@
 
 namespace taut {
 
-/// W of one particle, by the default law of the family or the chosen law.
 struct LawOfOne {
   const std::vector<Elasticity>& materials;
   bool own;
@@ -32,7 +31,7 @@ struct LawOfOne {
   }
 };
 
-/// Sites of Interfaces in storage order (THEORY.md, Interfaces). They are few and are computed one by one.
+/// Sites of Interfaces in storage order (THEORY.md, Interfaces).
 template <int Dim>
 class InterfaceSites {
  public:
@@ -43,11 +42,11 @@ class InterfaceSites {
   /// `ids` is in storage order.
   InterfaceSites(const BondedSetup& setup, const std::vector<int>& ids);
 
-  /// Replaces Q of the particles with a site and adds the forces of their kinks, in N, to the bond forces.
+  /// Replaces Q at the sites and adds the forces of their kinks, N.
   template <class Column, class Law>
   void pass(const Column& x, const Law& law, int threads, Columns<Dim * Dim>& Q,
             std::vector<Vec<Pack, Dim>>& bond_force);
-  /// Returns the energy of particle i minus the energy it would have inside its own material alone, in J.
+  /// Energy of particle i minus its energy without a kink, J.
   template <class Column, class Law>
   double energy_of_kink(int i, const Column& x, const Law& law) const;
 
@@ -57,7 +56,7 @@ class InterfaceSites {
     Direction g, e;                 // 1/m; initial direction
     double per_r0_squared;          // 1/m²
     double strength, own_strength;  // J, see SiteBond
-    int pull;                       // index in pulls_ if across, else −1
+    int pull;                       // index in pulls_, or −1
   };
   struct Kink {
     int j;
@@ -73,7 +72,6 @@ class InterfaceSites {
   struct Deformations {
     Square mean, own, other, across;
   };
-  /// A lane of a group receives the force weight × pulls_[pull].
   struct PullShare {
     int pull, lane;
     double weight;
@@ -81,7 +79,7 @@ class InterfaceSites {
   struct GroupShares {
     int group, begin, end;
   };
-  /// Energy of a bond across, in J, and its derivatives with respect to s, s° of F_across and s° of F_own.
+  /// Energy of a bond across, J, and its derivatives in s, s° of F_across and s° of F_own.
   struct AcrossEnergy {
     double energy, of_s, of_across, of_own;
   };
@@ -143,7 +141,7 @@ InterfaceSites<Dim>::InterfaceSites(const BondedSetup& setup, const std::vector<
   share_out();
 }
 
-/// Sorts shares by group, so that no two threads add to one group.
+/// Sorts shares by group: no two threads add to one group.
 template <int Dim>
 void InterfaceSites<Dim>::share_out() {
   struct Part {
@@ -190,7 +188,7 @@ auto InterfaceSites<Dim>::deformations(const StoredSite& site, const Column& x) 
   return of;
 }
 
-/// Excludes φ(s), the energy of the spring in PackedBonds.
+/// Excludes φ(s), the energy of the spring.
 template <int Dim>
 auto InterfaceSites<Dim>::energy_across(const StoredSiteBond& bond, double s, double across, double own)
     -> AcrossEnergy {

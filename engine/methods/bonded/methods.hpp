@@ -14,11 +14,11 @@ inline constexpr BondedFormulation oenog{
         .family = Family::bonded,
         .deviator = Deviator::plane_strain,
         .contact = ContactLaw::surface,
-        .contact_stiffness = 2,  // (K + 4G/3)/2 per spacing, see terms/surface_contact.hpp
+        .contact_stiffness = 2,
         .several_materials = true,
         .h_over_dp = 0.8,     // 8 neighbours on a square lattice
         .h_over_dp_3d = 0.9,  // 26 on a cubic lattice
-        .cfl = 0.64,          // over dp/(c_p + |v|max), c_p of compression; lattices are stable up to 0.97
+        .cfl = 0.64,          // over dp/(c_p + |v|max); lattices are stable up to 0.97
     },
     {.law = Law::neo_hookean, .others = OtherLaws::all}};
 

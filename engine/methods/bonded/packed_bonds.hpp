@@ -13,11 +13,11 @@
 
 namespace taut {
 
-/// Constants of one bond of each of four particles; 0 in padding.
+/// Constants of four bonds; 0 in padding.
 template <class Storage>
 struct alignas(sizeof(Pack)) Spring {
-  Pack third_of_k;       // k/3, N/m (per metre depth in 2D)
-  Pack per_r0_squared;   // 1/m²
+  Pack third_of_k;  // k/3, N/m
+  Pack per_r0_squared;
   Pack half_r0_squared;  // ½ r0², m²
 
   static Spring of(const Pack& third_of_k, const Pack& per_r0_squared, const Pack& half_r0_squared) {
@@ -25,11 +25,11 @@ struct alignas(sizeof(Pack)) Spring {
   }
   Pack third() const { return third_of_k; }
   Pack per_r02() const { return per_r0_squared; }
-  /// Returns 1/(2s), s = r²/r0².
+  /// 1/(2s), s = r²/r0².
   Pack half_inverse(const Pack& r2) const { return half_r0_squared / r2; }
 };
 
-/// Spring in half the bytes. 1/r0² stays in double precision, because otherwise bonds at rest would have a force.
+/// Spring in half the bytes. 1/r0² stays in double precision: bonds at rest have no force.
 template <>
 struct Spring<HalfPack> {
   HalfPack third_of_k;
@@ -49,19 +49,17 @@ struct Spring<HalfPack> {
   }
 };
 
-/// A bond of a free particle that ends at a clamp place.
 struct BondToClamp {
   int group, lane, bond, place;
 };
 
-/// Bonds of groups of four contiguous particles, as pointers for the passes. The bonds of a particle are sorted:
-/// bonds with an a_ij come first, and each part is in the storage order of the neighbours. Storage is AlignedPack, or
-/// HalfPack if no two groups share constants.
+/// Bonds of groups of four particles: first those with an a_ij, each part in storage order. Storage is AlignedPack,
+/// or HalfPack if no two groups share constants.
 template <int Dim, class Storage>
 struct PackedBondsView {
   struct GroupRows {  // first indices
     int slot, count, spring, scale;
-    int a, a_count;  // only the first a_count bonds have an a_ij
+    int a, a_count;
   };
 
   const GroupRows* groups = nullptr;
@@ -74,7 +72,7 @@ struct PackedBondsView {
   const LaneSlot* slots(const GroupRows& own) const { return all_slots + own.slot; }
   const Spring<Storage>* springs(const GroupRows& own) const { return all_springs + own.spring; }
   const Vec<Storage, Dim>* a_ij(const GroupRows& own) const { return all_a_ij + own.a; }
-  /// Energy scale of this end of each bond: G V0_i w_ij, J.
+  /// G V0_i w_ij, J.
   const Storage* energy_scales(const GroupRows& own) const { return all_energy_scales + own.scale; }
 };
 
@@ -116,7 +114,6 @@ class PackedBonds {
   std::vector<BondToClamp> bonds_to_clamp_;
 };
 
-/// Inverts `ids`: returns [id] the stored index of each particle.
 inline std::vector<int> stored_places(const std::vector<int>& ids) {
   std::vector<int> where(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) where[ids[i]] = static_cast<int>(i);

@@ -10,8 +10,7 @@
 
 namespace taut {
 
-/// Number of groups that a pass processes together. The long dependency chains of roots and laws overlap with those
-/// of other groups only if no bond loops lie between them.
+/// Groups that a pass processes together: long dependency chains overlap only without bond loops between them.
 inline constexpr int groups_of_block = 8;
 template <int Dim>
 int block_count(const BondedFields<Dim>& f) {
@@ -23,7 +22,7 @@ struct StrainOfFour {
   Mat<Pack, Dim> F;      // 0 where V is 0
   Vec<Pack, Dim> force;  // of the bonds, N
   Pack energy;           // of the bonds, J, if requested
-  Pack stiffest;         // maximum stiffness of bonds and particles, relative to rest
+  Pack stiffest;         // maximum stiffness, relative to rest
   Pack root;             // J^(−1/3) for the default law
 };
 
@@ -37,7 +36,7 @@ void half_drift(const BondedFields<Dim>& f, double dt, const Threads& threads) {
       return;
     }
     Pack x_rows[Dim], v_rows[Dim], x[Dim], v[Dim];
-    double* const x_at = reinterpret_cast<double*>(&f.x[first]);  // of `lanes` particles
+    double* const x_at = reinterpret_cast<double*>(&f.x[first]);
     const double* const v_at = reinterpret_cast<const double*>(&f.v[first]);
 #pragma GCC unroll 3
     for (int k = 0; k < Dim; ++k) {
@@ -68,7 +67,7 @@ void strain(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, in
   out.stiffest = max(Pack(sums.stiffest + bond_stiffness_offset), closing);
 }
 
-/// Returns V_i W(F_i) minus the cancellation of four particles, in J.
+/// V_i W(F_i) minus the cancellation, J.
 template <const BondedFormulation& M, int Dim, class Storage>
 Pack energy_of_four(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, int group,
                     const Mat<Pack, Dim>& F) {
@@ -105,8 +104,7 @@ void set_stress(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds
     for (int k = 0; k < Dim; ++k) store(Q(a, k), f.Q[a * Dim + k] + lanes * group);
 }
 
-/// Computes bond forces and Q of every particle. Returns the maximum stiffness of bonds and particles, relative to
-/// rest.
+/// Computes bond forces and Q. Returns the maximum stiffness relative to rest.
 template <const BondedFormulation& M, int Dim>
 double stress_pass(const BondedFields<Dim>& f, const Threads& threads) {
   return f.with_bonds([&](const auto& bonds) {
@@ -127,7 +125,7 @@ double stress_pass(const BondedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Returns the sum of bond forces and stress forces on four particles, in N.
+/// Bond and stress forces, N.
 template <int Dim, class Storage>
 [[gnu::always_inline]] inline Vec<Pack, Dim> inner_force(const BondedFields<Dim>& f,
                                                          const BondsView<Dim, Storage>& bonds, int group) {
@@ -136,7 +134,7 @@ template <int Dim, class Storage>
   return force;
 }
 
-/// Advances v by all forces, then x by the second half step. Returns the maximum v², in m²/s².
+/// Advances v by all forces, then x by half a step. Returns the maximum v², m²/s².
 template <const BondedFormulation&, int Dim>
 double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threads& threads) {
   return f.with_bonds([&](const auto& bonds) {
@@ -160,7 +158,7 @@ double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threa
   });
 }
 
-/// Computes the sum of bond forces and stress forces on every particle, in N.
+/// Bond and stress forces, N.
 template <const BondedFormulation&, int Dim>
 void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threads& threads) {
   f.with_bonds([&](const auto& bonds) {
@@ -172,7 +170,7 @@ void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threa
   });
 }
 
-/// Sets F of four particles at `places` and returns their energies, in J.
+/// Sets F and returns energies, J.
 template <const BondedFormulation& M, int Dim>
 Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>& now) {
   return f.with_bonds([&](const auto& bonds) {
@@ -181,7 +179,7 @@ Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>&
   });
 }
 
-/// Computes the energy of each group, J.
+/// Energy of each group, J.
 template <const BondedFormulation& M, int Dim>
 void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& threads) {
   parallel_pass(f.group_count(), threads, [&](int group) {
@@ -190,7 +188,7 @@ void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& th
   });
 }
 
-/// Returns the stress of four particles for F; 0 for rigid particles.
+/// Stress of four particles, 0 for rigid ones.
 template <const BondedFormulation& M, int Dim>
 ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, const Mat<Pack, Dim>& F) {
   if (f.uses_group_law) return shown_neo_hookean(f.law(group).law.K, f.law(group).law.G, F);
@@ -207,7 +205,7 @@ ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, con
   return all;
 }
 
-/// Computes energies and stresses at `places` of the k-th of `groups` into out[k]. `u`: displacements, in m.
+/// Fills out[k] for groups[k]. `u`: displacements, m.
 template <const BondedFormulation& M, int Dim>
 void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const AlignedPack* u,
                const int* groups, int count, ShownGroup<Dim>* out, const Threads& threads) {
@@ -215,10 +213,10 @@ void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const
     const int group = groups[k];
     StrainOfFour<Dim> now;
     out[k].energy = strain_and_energy<M>(f, group, now);
-    // rigid particles, and tips whose bonds hardly span the space, have no F
+    // rigid particles and jittered tips have no F
     const PackIndex has_own = f.law(group).V > 0;
     for (int a = 0; a < Dim; ++a) now.F(a, a) = has_own ? now.F(a, a) : filled<Pack>(1);
-    // in 3D the own F gives the volume: no force controls the recovered one, which is wrong near incompressibility
+    // 3D: the own F gives the volume, because no force controls the recovered one
     Mat<Pack, Dim> F = recovered_deformations<Dim>(recovered, u, f.size, lanes * group, now.F);
     if constexpr (Dim == 3)
       keep_volume(recovered, f.size, lanes * group, F, has_own ? determinant(now.F) : determinant(F));

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Stress for snapshots, by the law without its continuation below J = ½. T: one particle or four.
+/// Stress for snapshots, without the continuation below J = ½.
 template <class T, int Dim>
 struct alignas(alignment_of<T>) ShownStress {
   T J, p;         // Pa
@@ -17,7 +17,7 @@ struct alignas(alignment_of<T>) ShownStress {
   T s_zz;         // out of plane, in 2D, Pa
 };
 
-/// Returns p = −K (J − 1), s = G J^(−5/3) dev(F Fᵀ) with (F Fᵀ)_zz = 1 in 2D and J ≥ 0.05.
+/// Stress by the default law, with J ≥ 0.05 in s.
 template <int Dim>
 ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat<Pack, Dim>& F) {
   const Pack J = determinant(F), root = inverse_cube_root(max(J, filled<Pack>(0.05)));
@@ -30,7 +30,7 @@ ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat
   return {J, -K * (J - 1), shear * b, shear * (1 - mean)};
 }
 
-/// Returns the stress of any other law; below J = 0.05 only the pressure −K (J − 1).
+/// Any other law; below J = 0.05 only the pressure −K (J − 1).
 template <class L, int Dim>
 ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   const double J = determinant(F);
@@ -41,8 +41,7 @@ ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   return {J, p, sigma, zz + p};
 }
 
-/// Returns F of the four particles from `first` on, replaced by the recovered gradient of the displacements u, in m,
-/// where there is one.
+/// F, replaced by the recovered gradient of the displacements u, m, where there is one.
 template <int Dim>
 Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const AlignedPack* u, int size,
                                       int first, Mat<Pack, Dim> F) {
@@ -50,7 +49,7 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const Alig
   for (int lane = 0; lane < count; ++lane) {
     const int i = first + lane, begin = recovered.begin[i], end = recovered.begin[i + 1];
     if (begin == end) continue;
-    Pack column[Dim]{};  // of F
+    Pack column[Dim]{};
     for (int k = 0; k < Dim; ++k) column[k][k] = 1;
     const auto add_steps = [&](const auto* g) {
       for (int b = begin; b < end; ++b, g += Dim) {
@@ -67,11 +66,10 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const Alig
   return F;
 }
 
-/// Scales F of the four particles from `first` on to the volume ratio J of their own gradient, unless that gradient
-/// averages two sides.
+/// Scales F to the volume ratio J of the own gradient, unless that averages two sides.
 template <int Dim>
 void keep_volume(const RecoveredView& recovered, int size, int first, Mat<Pack, Dim>& F, const Pack& J) {
-  const Pack least = filled<Pack>(0.05);  // crushed or inverted particles do not keep their volume
+  const Pack least = filled<Pack>(0.05);  // for crushed or inverted particles
   const Pack ratio = max(J, least) / max(determinant(F), least);
   const Pack root = inverse_cube_root(ratio);
   Pack scale = ratio * root * root;

@@ -37,9 +37,9 @@ Bonded<Dim>::Bonded(Common<Dim>& common, const SolverInput& input, const Kernels
   common_.go_to_start();
   f_.lead = setup.damping_lead;
   make_columns(setup);
-  // 3D: a lattice three particles across, or four if nearly incompressible, has faster modes than the solid
+  // thin 3D lattices have faster modes than the solid
   if (setup.bonds.off_lattice || Dim == 3) find_layout_frequency();
-  // by column: at a corner, a uniform stress leaves a force with any choice of bonds
+  // at a corner, a uniform stress leaves a force with any choice of bonds
   if (has_loads(input.scene))
     loads.act_on_faces(input.scene, with_rigid_clamped(common_.initial, setup.bonds), FaceRule::by_column,
                        surface(setup.bonds), common_.run.support);
@@ -173,7 +173,7 @@ void Bonded<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Adds the reactions of bonds into clamps to the rigid particles, for the work of drives and for reaction probes.
+/// Adds the reactions of bonds to rigid particles, for drives and reaction probes.
 template <int Dim>
 void Bonded<Dim>::pull_at_clamps() {
   const auto pull_at = [&](int i, const V& pull) {
@@ -196,7 +196,7 @@ void Bonded<Dim>::renew_recovered() const {
                                   common_.run.threads, f_.halved);
 }
 
-/// Returns fields with current `places`; f_ lags by half a step.
+/// Fields with current `places`; f_ lags by half a step.
 template <int Dim>
 BondedFields<Dim> Bonded<Dim>::fields_now(Columns<2 * Dim>& places) const {
   places.resize(places_.size());

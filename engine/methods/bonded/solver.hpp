@@ -22,11 +22,8 @@ struct StoredBonds {
   BondsView<Dim, Storage> view() const { return {packed.view(), cancelled.view()}; }
 };
 
-/// Bodies held together by bonds (THEORY.md); time integration is position Verlet. Passes work on groups of four
-/// particles, one per lane. The stress pass computes F_i, the bond forces and Q_i = T_i B_i. With g_ij = B_i a_ij and
-/// a_ij = −a_ji, the force pass computes the stress force
-///   Σ_j (T_i g_ij − T_j g_ji) = Σ_j (Q_i + Q_j) a_ij,
-/// so that both passes share one vector per bond.
+/// Bodies of bonds (THEORY.md) with position Verlet. The stress pass computes F_i, bond forces and Q_i = T_i B_i, the
+/// force pass the stress force Σ_j (Q_i + Q_j) a_ij.
 template <int Dim>
 class Bonded final : public Scheme<Dim> {
  public:
@@ -71,9 +68,9 @@ class Bonded final : public Scheme<Dim> {
   Materials laws_;
   std::vector<int> material_;  // [stored], padded to whole groups
   Constraints constraints_;    // [id]
-  double wave_speed_;          // m/s, see BondedSetup
-  double layout_ = 1;          // initial highest ω² over that of a lattice, at least 1
-  double stiffest_ = 1;        // maximum stiffness of bonds and particles in the last step, relative to rest
+  double wave_speed_;          // m/s
+  double layout_ = 1;          // initial highest ω² over that of a lattice
+  double stiffest_ = 1;        // maximum stiffness in the last step, relative to rest
   SharedRows<GroupLaw> group_laws_;
   SharedRows<Mat<Pack, Dim>> B_;
   std::vector<GroupRows> groups_;
@@ -85,7 +82,7 @@ class Bonded final : public Scheme<Dim> {
   Columns<1> mobility_;
   std::vector<Vec<Pack, Dim>> bond_force_;
   BondedFields<Dim> f_{};
-  // computed for the first snapshot, and again after a drive ends
+  // renewed after a drive ends
   mutable RecoveredGradient recovered_;
   mutable long released_ = 0;  // particles whose drives have ended
 };

@@ -13,16 +13,16 @@ struct TlDisplacementFields {
   using V = Vec<double, Dim>;
 
   int size;
-  V* x;  // m
+  V* x;
   const V *v, *X;
   const int* material;
   const Sites<Dim>* sites;
   LawsInUse laws;
   PairLanesView<Dim> pairs;
   ColumnsView<Dim> displacement;  // u = x − X, m
-  ColumnsView<Dim * Dim> stress;  // V P B, row by row, N/m^(Dim − 1); with pair shear the isotropic P, Pa
+  ColumnsView<Dim * Dim> stress;  // V P B, row by row, N/m^(Dim − 1); pair shear: P, Pa
   // With a pair force; otherwise null
-  PairLanesView<Dim, Dim + 2> bonds;  // X_i − X_j, then the weights of make_bonds
+  PairLanesView<Dim, Dim + 2> bonds;  // X_i − X_j and weights
   ColumnsView<Dim * Dim> F;           // hourglass force
   ColumnsView<Dim> velocity;          // pair shear: v before the kick, m/s
   ColumnsView<1> viscosity, shear;    // pair shear: χ, Pa s; g, Pa

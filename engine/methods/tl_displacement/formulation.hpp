@@ -7,11 +7,10 @@
 
 namespace taut {
 
-/// Force along each pair of initial neighbours.
 enum class PairForce : std::uint8_t {
   none,
-  hourglass,  // resists motions that F misses; terms/hourglass/hourglass_force.hpp
-  shear,      // carries the shear stress; terms/hourglass/pair_shear.hpp
+  hourglass,  // resists motions that F misses
+  shear,      // carries the shear stress
 };
 
 struct TlDisplacementSwitches {
@@ -24,9 +23,9 @@ struct TlDisplacementFormulation : Formulation, ElasticSwitches, TlDisplacementS
 };
 
 struct TlDisplacementConstants : Constants {
-  double normalised = 0;                 // 1: divides uncorrected gradients by the kernel sum
-  double alpha = 0;                      // amplitude of the hourglass force
-  double shear_factor = 0, damping = 0;  // of pair shear
+  double normalised = 0;
+  double alpha = 0;
+  double shear_factor = 0, damping = 0;
 };
 
 }  // namespace taut

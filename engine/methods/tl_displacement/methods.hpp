@@ -34,7 +34,7 @@ inline constexpr TlDisplacementFormulation tl{
     {.law = Law::neo_hookean, .others = OtherLaws::all},
     {}};
 
-/// `tl` with the hourglass force. [Ganzenmueller2015] has other kernels and a linear law.
+/// Departure: [Ganzenmueller2015] has other kernels and a linear law.
 inline constexpr TlDisplacementFormulation tl_hg{
     lee2016({
         .name = "tl-hg",
@@ -46,7 +46,7 @@ inline constexpr TlDisplacementFormulation tl_hg{
     {.law = Law::neo_hookean, .others = OtherLaws::all},
     {.pair_force = PairForce::hourglass}};
 
-/// [Wu2023] has no contact: penalty as the methods of [Lee2016].
+/// [Wu2023] has no contact.
 inline constexpr TlDisplacementFormulation tl_enog{
     {
         .name = "tl-enog",
@@ -63,8 +63,7 @@ inline constexpr TlDisplacementFormulation tl_enog{
     {.law = Law::neo_hookean},
     {.pair_force = PairForce::shear}};
 
-/// [Zhang2020] states neither h, the cut-off nor contact constants. h = dp is the least with lattice sums accurate to
-/// 1e-3.
+/// [Zhang2020] states neither h, the cut-off nor contact constants. With h = dp, lattice sums are accurate to 1e-3.
 inline constexpr TlDisplacementFormulation tl_small_strain{
     {
         .name = "tl-small-strain",

@@ -8,7 +8,6 @@
 
 namespace taut {
 
-/// Advances x and computes u.
 template <const TlDisplacementFormulation& M, int Dim>
 void drift(const TlDisplacementFields<Dim>& f, double dt, const Threads& threads) {
   parallel_for(f.groups(), threads, [&](int group) {
@@ -63,7 +62,7 @@ Mat<Pack, Dim> tensor_at(const ColumnsView<Dim * Dim>& columns, int first) {
   return A;
 }
 
-/// Sum of the pair forces on four particles, N (per metre depth in 2D).
+/// N
 template <const TlDisplacementFormulation& M, int Dim>
 Vec<Pack, Dim> pair_force(const TlDisplacementFields<Dim>& f, int group) {
   constexpr bool shear = M.pair_force == PairForce::shear;
@@ -94,7 +93,7 @@ Vec<Pack, Dim> pair_force(const TlDisplacementFields<Dim>& f, int group) {
   return sum;
 }
 
-/// N (per metre depth in 2D)
+/// N
 template <const TlDisplacementFormulation& M, int Dim>
 Vec<Pack, Dim> internal_force(const TlDisplacementFields<Dim>& f, int group) {
   if constexpr (M.pair_force == PairForce::none) return f.pairs.pair_sum(f.stress, group);

@@ -6,8 +6,8 @@
 
 namespace taut {
 
-/// Computes F from positions: [Lee2016] Eq. 34, [TranDuc2023] §2.3, [Zhang2020]. Position Verlet, as [Zhang2020] Eq.
-/// 10, 11 with forces at mid-step, conserves the energy of laws that have one.
+/// Computes F from positions, [Lee2016] Eq. 34. Position Verlet, [Zhang2020] Eq. 10, 11 with forces at mid-step,
+/// conserves energy.
 template <int Dim>
 class TlDisplacement final : public Scheme<Dim> {
  public:

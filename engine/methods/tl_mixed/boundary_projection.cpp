@@ -33,7 +33,7 @@ void refer_to_centroid(std::vector<Point>& Z, const std::vector<double>& m) {
 
 }  // namespace
 
-/// One component: points and K_BB′ = Σ_a w_a(X_B) w_a(X_B′)/m_a.
+/// One component: points and K (THEORY.md).
 struct BoundaryProjection::Factor {
   std::vector<int> points;
   Sparse w;  // w_a(X_B), a column per point
@@ -75,8 +75,7 @@ Point BoundaryProjection::interpolated(const BoundaryPoint& point, const std::ve
   return sum;
 }
 
-/// C contains the sums of (ii), (iii) over w_B, A those over rigid motions:
-///   K β + C δ = r,   Cᵀ β + A δ = 0   →   (A − Cᵀ K⁻¹ C) δ = −Cᵀ K⁻¹ r,   β = K⁻¹ (r − C δ).
+/// r_C contains r and C of THEORY.md, S becomes A − Cᵀ K⁻¹ C.
 void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z) const {
   refer_to_centroid(Z, m_);  // (iii) holds about any origin
   Eigen::Matrix<double, 6, 6> S = Eigen::Matrix<double, 6, 6>::Zero();

@@ -9,20 +9,15 @@
 
 namespace taut {
 
-/// A particle with prescribed velocity components, and its interpolation ([Lee2016] Eq. 23):
-/// f(X_B) = Σ_a V_a W̃_a(X_B) f_a.
+/// A particle with prescribed velocity components; f(X_B) = Σ_a w_a f_a, [Lee2016] Eq. 23.
 struct BoundaryPoint {
   std::vector<std::pair<int, double>> w;  // local index a; V_a W̃_a(X_B)
   unsigned axes = 0;                      // bit k: prescribed component
   Point velocity{};                       // m/s
 };
 
-/// Changes v as little as possible, weighted by mass, so that the interpolated velocities are the prescribed ones and
-/// the momenta stay the same:
-///   v̂_a = v_a + Σ_B V_a/m_a W̃_a(X_B) β_B + β_lin + β_ang × Z_a,
-///   (i) v̂(X_B) = v_B,   (ii) Σ m_a v̂_a = Σ m_a v_a,   (iii) Σ m_a Z_a × v̂_a = Σ m_a Z_a × v_a.
-/// [Lee2016] Appendix B with the missing B.6; V_B β_B is β_B/ρ0 here. Both momenta are kept, so boundary particles
-/// must have their prescribed velocities before.
+/// Changes v as little as possible, weighted by mass, so that interpolated velocities are prescribed and both momenta
+/// stay, [Lee2016] Appendix B (THEORY.md). Boundary particles must have their prescribed velocities before.
 class BoundaryProjection {
  public:
   /// m: kg. Throws SceneError for linearly dependent points.
@@ -32,7 +27,7 @@ class BoundaryProjection {
 
   /// `v` in m/s, Z in m.
   void operator()(std::vector<Point>& v, std::vector<Point> Z) const;
-  /// Points; their velocities may change.
+  /// Velocities may change.
   std::vector<BoundaryPoint>& points() { return points_; }
   Point interpolated(const BoundaryPoint& point, const std::vector<Point>& f) const;
 

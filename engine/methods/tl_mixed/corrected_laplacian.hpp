@@ -8,12 +8,9 @@
 
 namespace taut {
 
-/// Weights of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale`, m²:
-///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²),   r_ij = X_i − X_j,            [Lee2016] Eq. A.1, A.2
-/// ΔW = W″ + (Dim − 1) W′/r. With α and β, L of a linear field is 0 and L of |X − X_i|² is 2 Dim (A.3–A.5, printed for
-/// 3D).
-/// Where neighbours hardly distinguish the two fields, as at corners, β is 0 and the second condition is dropped:
-/// large w_ij would require tiny time steps. L is not symmetric: Σ V_i L[f]_i ≠ 0.
+/// Weights w_ij of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale`, m², [Lee2016] Eq. A.1–A.5 (THEORY.md). Departure: β
+/// = 0 where neighbours hardly distinguish linear from quadratic fields, as at corners; large w_ij would require tiny
+/// time steps.
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
@@ -72,7 +69,7 @@ inline constexpr TermInfo corrected_laplacian_info{
     "methods/tl_mixed/corrected_laplacian.hpp:corrected_laplacian",
     "corrected Laplacian: linear fields give 0 and the squared distance 2 d, also at surfaces"};
 
-/// Weights V_j w_ji/V_i of the adjoint, L*[f]_i = Σ_j (V_j w_ji/V_i f_j − w_ij f_i).
+/// Weights V_j w_ji/V_i of the adjoint L* (THEORY.md).
 template <int Dim>
 std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
                                     const std::vector<double>& V, int threads) {
@@ -141,7 +138,7 @@ Vec<Pack, N> second_laplacian(const LaplacianView<Dim>& pairs, const ColumnsView
   return sum;
 }
 
-/// Returns the spectral radius of dp⁴ L*[L[·]], 1 to 2 % low, by power iteration; equal for any number of threads.
+/// Spectral radius of dp⁴ L*[L[·]], 1 to 2 % low, by power iteration; equal for any number of threads.
 template <int Dim>
 double biharmonic_spectral_radius(const LaplacianView<Dim>& pairs, int particles, int threads) {
   constexpr int fields = 2;

@@ -43,10 +43,10 @@ std::vector<ConstantRow<TlMixedConstants>> constants(const TlMixedFormulation& m
   }
   c.push_back({&C::projection,
                {"projection", 1.0, 0.0, 1.0, "1: forces are projected to conserve both momenta; 0: not"}});
-  c.push_back({&C::boundary_projection,
-               {"boundary_projection", 0.0, 0.0, 1.0,
-                "1: velocities around clamped and prescribed particles satisfy the boundary condition in the "
-                "kernel sums"}});
+  c.push_back(
+      {&C::boundary_projection,
+       {"boundary_projection", 0.0, 0.0, 1.0,
+        "1: velocities around clamped and prescribed particles satisfy the boundary condition in the kernel sums"}});
   return c;
 }
 

@@ -8,26 +8,24 @@
 
 namespace taut {
 
-/// The unknowns F, J and H, or their rates, in groups of four particles.
 template <int Dim>
 struct Strains {
   Mat<Pack, Dim>* F;
-  AlignedPack* J;     // volume ratio; null unless it is an unknown
-  Mat<Pack, Dim>* H;  // cofactor of F; null unless it is an unknown
+  AlignedPack* J;     // null unless an unknown
+  Mat<Pack, Dim>* H;  // cofactor of F; null unless an unknown
 };
 
-/// External actions on particle i in the stages of a step. A function is null if no such action exists.
+/// External actions on particle i in the stages of a step, or null.
 template <int Dim>
 struct StageActions {
   using V = Vec<double, Dim>;
 
   void* of;
-  /// Adds the acceleration by loads, m/s², to `a`.
+  /// Adds the acceleration by loads, m/s².
   void (*load)(void* of, int i, V& a);
-  /// Sets `v` after the first stage where drives or guides prescribe it.
+  /// Sets prescribed `v` after the first stage.
   void (*steer)(void* of, int i, V& v);
-  /// Sets `v` where prescribed, at the end of a step of `dt` that began with the velocity `before`. Counts the work
-  /// of loads and drives.
+  /// Sets prescribed `v` at the end of a step of `dt` that began with `before`. Counts the work of loads and drives.
   void (*close)(void* of, int i, double dt, const V& before, V& v);
 };
 
@@ -36,9 +34,9 @@ struct TlMixedFields {
   using V = Vec<double, Dim>;
 
   int size;
-  V *x, *v;  // m, m/s
+  V *x, *v;
   const double* m;
-  V* v_start;  // m/s, at the start of the step
+  V* v_start;  // at the start of the step
   const V* X;
   const double* V0;
   const int* material;
@@ -50,7 +48,7 @@ struct TlMixedFields {
   Strains<Dim> now, start, rate;                  // at the stage; at the start of the step; rates, 1/s
   ColumnsView<Dim + 1> flow;                      // v, m/s, and J
   ColumnsView<Dim * Dim> stress;                  // V P B, row by row
-  ColumnsView<Dim + 1> once;                      // Laplacian of (v, J), once applied, times dp²
+  ColumnsView<Dim + 1> once;                      // L of (v, J), times dp²
   ColumnsView<Dim> a, a_start;                    // internal; total at the start of the step, m/s²
   ColumnsView<1> dissipation_J;                   // 1/s
 

@@ -22,11 +22,11 @@ struct TlMixedFormulation : Formulation, ElasticSwitches, TlMixedSwitches {
 };
 
 struct TlMixedConstants : Constants {
-  double eps_v2 = 0, eps_v4 = 0;   // dissipation of momentum: harmonic, biharmonic
-  double eps_J2 = 0, eps_J4 = 0;   // dissipation of J
-  double adjoint = 0;              // 1: adjoint, 0: as printed
-  double projection = 0;           // 1: conserves momenta
-  double boundary_projection = 0;  // 1: prescribes interpolated velocities
+  double eps_v2 = 0, eps_v4 = 0;
+  double eps_J2 = 0, eps_J4 = 0;
+  double adjoint = 0;  // 1: adjoint, 0: as printed
+  double projection = 0;
+  double boundary_projection = 0;
 };
 
 constexpr bool follows_volume_ratio(const TlMixedFormulation& m) { return m.unknowns != Unknowns::v_F; }

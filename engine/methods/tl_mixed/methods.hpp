@@ -3,7 +3,6 @@
 #include "engine/methods/lee2016.hpp"
 #include "engine/methods/tl_mixed/formulation.hpp"
 
-/// Methods of [Lee2016].
 namespace taut {
 
 inline constexpr TlMixedFormulation pf{

@@ -5,7 +5,6 @@
 
 namespace taut {
 
-/// Torque and inertia summed in lanes.
 template <int Dim>
 struct RotationSums;
 template <>
@@ -43,11 +42,9 @@ inline Pack volumes_of_four(const double* V, int i, int last) {
   return four;
 }
 
-/// Changes the accelerations of a body least, weighted by volume, to zero force and torque:
-///   Σ V a = 0,  Σ V Z × a = 0.                                                           [Lee2016] Eq. 45–48
-/// The result is a_i − ω × (Z_i − Z̄) − ā with ω = torque/inertia, for particles first … last − 1 of one density; `a`
-/// is padded by a pack. `share` < 1 applies that part of the change. The result does not depend on the number of
-/// threads or on where the body is stored.
+/// Makes force and torque of a body of one density 0 by the least change, weighted by volume, [Lee2016] Eq. 45–48.
+/// `a` is padded by a pack; `share` scales the change. The result depends neither on the number of threads nor on the
+/// place in storage.
 template <int Dim>
 void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, const double* V, int first,
                         int last, double share = 1) {

@@ -11,14 +11,14 @@
 
 namespace taut {
 
-/// Access to the unknowns of method M, which may lack J and H.
+/// Unknowns of method M, which may lack J and H.
 template <const TlMixedFormulation& M, int Dim>
 struct UnknownsOf {
   using Mat = taut::Mat<Pack, Dim>;
 
   static constexpr bool has_J = follows_volume_ratio(M);
   static constexpr bool has_H = M.unknowns == Unknowns::v_F_H_J && Dim == 3;
-  static constexpr int fields = Dim + has_J;  // number of fields with dissipation: v and J
+  static constexpr int fields = Dim + has_J;  // with dissipation: v and J
 
   static Pack volume_ratio(const Strains<Dim>& u, int group) {
     if constexpr (has_J)
@@ -45,14 +45,12 @@ struct UnknownsOf {
     else
       return f.pairs;
   }
-  /// Returns the columns of (v, J) that method M uses.
   static ColumnsView<fields> own(const ColumnsView<Dim + 1>& columns) {
     return {columns.all, columns.length};
   }
 };
 
-/// Sets F, J and H of bodies that start displaced. `flow` contains x − X, in m: F is the kernel gradient of the
-/// positions, J = det F and H = cof F.
+/// Sets F, J and H of bodies that start displaced; `flow` contains x − X, m.
 template <const TlMixedFormulation& M, int Dim>
 void start_gradients(const TlMixedFields<Dim>& f) {
   using U = UnknownsOf<M, Dim>;
@@ -63,7 +61,7 @@ void start_gradients(const TlMixedFields<Dim>& f) {
   }
 }
 
-/// Returns the maximum of stiffness_bound (law.hpp), ρ0 c² of the fastest wave, over all particles, in Pa.
+/// Maximum over all particles, Pa.
 template <const TlMixedFormulation& M, int Dim>
 double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -77,7 +75,7 @@ double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Writes the stiffness_bound of the particles of each group to out[group], in Pa.
+/// stiffness_bound of each group, Pa.
 template <const TlMixedFormulation& M, int Dim>
 void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   using U = UnknownsOf<M, Dim>;
@@ -90,7 +88,7 @@ void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   });
 }
 
-/// Fills the columns that the next passes gather: `flow` with (v, J) and `stress` with V P B.
+/// Fills `flow` with (v, J) and `stress` with V P B.
 template <const TlMixedFormulation& M, int Dim>
 void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -107,7 +105,7 @@ void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Computes dF/dt, dJ/dt, dH/dt, the internal acceleration and dp² L[U].
+/// Computes all rates and dp² L[U].
 template <const TlMixedFormulation& M, int Dim>
 void gather_pass(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -137,7 +135,7 @@ inline constexpr TermInfo cofactor_info{
     "methods/tl_mixed/passes.hpp:gather_pass",
     "mixed: in 3D collisions and a block hit on its clamp follow the transcription"};
 
-/// Adds the dissipation D(U) = c_p dp ε₂ L[U] − c_p dp³ ε₄ L*[L[U]] of velocity and J. [Lee2016] Eq. 35–38
+/// Adds the dissipation of velocity and J. [Lee2016] Eq. 35–38
 template <const TlMixedFormulation& M, int Dim>
 void dissipation_pass(const TlMixedFields<Dim>& f, const TlMixedConstants& c, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -157,22 +155,20 @@ void dissipation_pass(const TlMixedFields<Dim>& f, const TlMixedConstants& c, co
   }
 }
 
-/// Removes the total force and torque of the accelerations of the body first … last − 1 ([Lee2016] Eq. 45–49), and
-/// the total dissipation of J (Eq. 51).
+/// Projects accelerations ([Lee2016] Eq. 45–49) and the dissipation of J (Eq. 51).
 template <const TlMixedFormulation& M, int Dim>
 void project(const TlMixedFields<Dim>& f, const TlMixedConstants& c, int first, int last) {
   project_on_momenta(f.a, f.x, f.V0, first, last, c.projection);
   if constexpr (UnknownsOf<M, Dim>::has_J) subtract_mean(f.dissipation_J, f.V0, first, last, c.projection);
 }
 
-/// Calls use(i) for each particle of a group; the last group may have fewer than four.
 template <int Dim, class F>
 [[gnu::always_inline]] inline void each_of(const TlMixedFields<Dim>& f, int group, const F& use) {
   const int first = lanes * group, last = std::min(first + lanes, f.size);
   for (int i = first; i < last; ++i) use(i);
 }
 
-/// Adds the impulse of one stage, ½ dt m a, for the probes of reaction forces: both stages share the step.
+/// Adds the impulse of one of two stages, for reaction probes.
 template <int Dim>
 [[gnu::noinline]] void watch(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, int group,
                              Vec<Pack, Dim> a) {
@@ -252,7 +248,7 @@ double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageAc
   });
 }
 
-/// Advances F, J and H to positions that have moved by `dt` times the velocities in `flow`.
+/// Advances F, J and H by `dt` times the velocities in `flow`.
 template <const TlMixedFormulation& M, int Dim>
 void follow(const TlMixedFields<Dim>& f, double dt, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;

@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// V_a W̃_a(X_i) of particle i and its initial neighbours. W̃ = α (1 + β·(X_i − X_a)) W satisfies
-/// Σ V_a W̃_a = 1 and Σ V_a W̃_a (X_i − X_a) = 0. [Lee2016] Eq. 23
+/// V_a W̃_a(X_i) of particle i and its initial neighbours, exact for linear fields with W̃ = α (1 + β·(X_i − X_a)) W.
+/// [Lee2016] Eq. 23
 template <class K, int Dim>
 std::vector<std::pair<int, double>> corrected_kernel(const InitialPairs<Dim>& pairs,
                                                      const std::vector<Vec<double, Dim>>& X,
@@ -43,7 +43,7 @@ class PrescribedBoundary {
  public:
   using V = Vec<double, Dim>;
 
-  /// `axes`: bit k of [i] prescribes component k of i. V0 in m^Dim, m in kg.
+  /// `axes`: bit k of [i] prescribes component k. V0 in m^Dim, m in kg.
   void prescribe(std::vector<unsigned char> axes, const InitialPairs<Dim>& pairs, const std::vector<V>& X,
                  const std::vector<double>& V0, const std::vector<double>& m, const std::vector<int>& first,
                  double h) {
@@ -72,7 +72,7 @@ class PrescribedBoundary {
     }
   }
 
-  /// Sets the prescribed components of `v(i)` to the components of `given(i)`, m/s, then projects all velocities.
+  /// Sets prescribed components to those of given(i), m/s, then projects all velocities.
   template <class Velocity, class Given, class Place>
   void project(const Velocity& v, const Given& given, const Place& x) {
     for (Body& body : bodies_) {
@@ -97,7 +97,7 @@ class PrescribedBoundary {
 
  private:
   struct Body {
-    std::vector<int> points, particles;  // indices
+    std::vector<int> points, particles;
     BoundaryProjection projection;
   };
   static Point point_of(const V& v) {

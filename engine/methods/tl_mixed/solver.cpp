@@ -14,7 +14,7 @@
 namespace taut {
 namespace {
 
-/// Multiple of c_p in the strained body beyond which time steps shrink without end: the run has diverged.
+/// Multiple of c_p beyond which the run has diverged.
 constexpr double greatest_wave_ratio = 100;
 using K = Kernel<KernelName::wendland_c2>;
 
@@ -100,8 +100,7 @@ void TlMixed<Dim>::set_start_gradients() {
   kernels_.start_gradients(f_);
 }
 
-/// Time step limit of the dissipation, s: 2 over its greatest rate, less a tenth for waves. The step of [Lee2016] is
-/// shorter, except at edges of bodies of few layers.
+/// Time step limit of the dissipation, s: 2 over its greatest rate, less a tenth for waves.
 template <int Dim>
 double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
   const double square = biharmonic_spectral_radius(dissipating_lanes_.view(), p_.size(), threads),
@@ -110,9 +109,8 @@ double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
   return 0.9 * 2 * c_.dp / (body_.wave_speed * rate);
 }
 
-/// Time step, s; in 3D α_CFL h/c_p with the fastest wave in the strained bodies: under compression it crosses more
-/// initial spacings. Differs from [Lee2016] Eq. 44, which has dp for h: 0.3 dp/c_p is unstable at free faces of
-/// cell-centred particles (limit 0.25; 0.39 with particles on the boundary).
+/// Time step, s; in 3D with the fastest wave in the strained bodies. Departure: [Lee2016] Eq. 44 has dp for h, and
+/// 0.3 dp/c_p is unstable at free faces of cell-centred particles (limit 0.25).
 template <int Dim>
 double TlMixed<Dim>::step_size() const {
   if (Dim == 2) return common_.fixed_or_stable_step(std::min(body_.step_size(), dissipation_limit_));
@@ -133,14 +131,14 @@ void TlMixed<Dim>::throw_crushed() const {
   for (int i = 0; i < p_.size(); ++i)
     if (!(bound[i / lanes].value[i % lanes] <= c_.rho0 * limit * limit))
       failed_id = std::min(failed_id, p_.id[i]);
-  throw NumericalError(
-      common_.run.steps, common_.run.time, failed_id, "deformation",
-      fmt::format("particle {} is crushed or turned inside out: waves in it are more than {:g} "
-                  "times as fast as at the start, or its deformation is not a number",
-                  failed_id, greatest_wave_ratio));
+  throw NumericalError(common_.run.steps, common_.run.time, failed_id, "deformation",
+                       fmt::format("particle {} is crushed or turned inside out: "
+                                   "waves in it are more than {:g} times as fast as at the start, "
+                                   "or its deformation is not a number",
+                                   failed_id, greatest_wave_ratio));
 }
 
-/// U* = U + Δt U̇(U), U** = U* + Δt U̇(U*), then ½ (U + U**). [Lee2016] Eq. 43
+/// [Lee2016] Eq. 43
 template <int Dim>
 void TlMixed<Dim>::step(double dt) {
   if (common_.contact.prepare(p_, common_.vmax * dt)) common_.show_contacts_to_probes();
@@ -149,7 +147,7 @@ void TlMixed<Dim>::step(double dt) {
   find_rates(dt);
   kernels_.predict(f_, kick, outside, common_.threads_now());
   project_on_boundary(dt);
-  // the mean of both stages conserves momenta; clamped particles stay, whatever velocity the projection gave them
+  // the mean of both stages conserves momenta
   parallel_for(p_.size(), common_.threads_now(),
                [&](int i) { p_.x[i] += (0.5 * dt * p_.mobile[i]) * (v_start_[i] + p_.v[i]); });
   find_rates(dt);
@@ -206,8 +204,7 @@ StageActions<Dim> TlMixed<Dim>::actions() {
           .close = loaded || steered ? +close : nullptr};
 }
 
-/// Projects each body with clamped, guided or driven particles, [Lee2016] Algorithm 1, step 9. The added energy is not
-/// counted as work.
+/// Follows [Lee2016] Algorithm 1, step 9. The added energy is not counted as work.
 template <int Dim>
 void TlMixed<Dim>::project_on_boundary(double ahead) {
   if (c_.boundary_projection == 0) return;
@@ -228,9 +225,8 @@ void TlMixed<Dim>::project_on_boundary(double ahead) {
                     [&](int i) { return p_.x[i] + ahead * v_start_[i]; });
 }
 
-/// Impulse law: moves x, F, J and H by the stopped velocity. x then follows the velocities of the start and the first
-/// stage, so that a particle that is stopped in each step creeps by dt²/4 times the difference of both stages'
-/// accelerations. Correcting this would change angular momentum.
+/// Impulse law: moves x, F, J and H by the stopped velocity. A particle stopped in each step creeps by dt²/4 times
+/// the difference of both stages' accelerations; correcting this would change angular momentum.
 template <int Dim>
 void TlMixed<Dim>::stop_approach(double dt) {
   bool stopped = false;

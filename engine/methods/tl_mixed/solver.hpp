@@ -13,17 +13,10 @@
 
 namespace taut {
 
-/// Mixed total-Lagrangian methods, [Lee2016] Algorithm 1: momentum, F and, depending on the method, J and H = cof F
-/// are unknowns, with Jameson–Schmidt–Turkel dissipation. Momentum is stored as the velocity p/ρ0. In plane strain H
-/// is linear in F, so {p, F, H, J} runs as {p, F, J}.
-///
-/// Differs from the paper:
-/// - L*[L[U]] with the adjoint replaces L[L[U]] (Eq. 37b), which can add energy at surfaces. `adjoint` = 0 restores
-/// it. - Interpolated velocities are prescribed only with `boundary_projection` = 1 (step 9).
-/// - Contact and loads are not projected but use its Z, where central forces have no moment.
-/// - The sum of force and dissipation is projected (Eq. 49).
-///
-/// Uses StageActions, because both stages share a step.
+/// Mixed total-Lagrangian methods, [Lee2016] Algorithm 1. Momentum is stored as the velocity p/ρ0.
+/// Departures: L*[L[U]] replaces L[L[U]] (Eq. 37b), which can add energy at surfaces. Step 9 requires
+/// `boundary_projection` = 1. Contact and loads are not projected but use its Z, where central forces have no moment.
+/// The sum of force and dissipation is projected (Eq. 49).
 template <int Dim>
 class TlMixed final : public Scheme<Dim> {
  public:

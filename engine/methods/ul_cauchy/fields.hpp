@@ -54,7 +54,6 @@ Motion<Dim> gather_motion(const MotionRow<Dim>* rows, const int* j) {
   gather<MotionRow<Dim>::width>(rows[0].c, j, column);
   return motion_of<Dim>(column, true);
 }
-/// As gather_motion, without the position.
 template <int Dim>
 Motion<Dim> gather_motion_only(const MotionRow<Dim>* rows, const int* j) {
   constexpr int width = Row<Dim + 2>::width;
@@ -69,7 +68,7 @@ Motion<Dim> spread_motion(const MotionRow<Dim>& row) {
   return motion_of<Dim>(column, true);
 }
 
-/// Row that the stress pass gathers of each neighbour. Columns that method M does not use are omitted.
+/// Columns that method M does not use are omitted.
 template <const UlCauchyFormulation& M, int Dim>
 struct StressRow {
   static constexpr bool riemann = M.viscosity == Viscosity::riemann;
@@ -83,7 +82,6 @@ struct StressRow {
   static constexpr int width = row_width(columns);
   alignas(row_alignment(columns)) double c[width] = {};
 
-  /// Values of four rows; `Columns` provides column(k).
   template <class Columns>
   struct Values : Columns {
     using Columns::column;
@@ -91,7 +89,7 @@ struct StressRow {
     Vec<Pack, Dim> v() const { return vector(v_at); }
     Pack rho() const { return column(rho_at); }
     Pack V() const { return column(V_at); }
-    /// Weight of a neighbour in the sums: V or m.
+    /// V or m.
     Pack weight() const { return M.pair_stress == PairStress::squares ? Pack(rho() * V()) : V(); }
     Mat<Pack, Dim> T() const { return matrix(T_at); }  // σ·L, σ or σ/ρ²
     Sym<Pack, Dim> D() const {                         // symmetric part of ∇u
@@ -126,7 +124,7 @@ struct StressRow {
     Pack column(int k) const { return spread[k]; }
   };
 
-  /// Rows of four neighbours. Each column is loaded where it is used, because all columns do not fit the registers.
+  /// Columns are loaded where they are used: all do not fit the registers.
   [[gnu::always_inline]] static Values<RowsOfFour> gather(const StressRow* rows, const int* j) {
     return {RowsOfFour(rows[0].c, width, j)};
   }
@@ -148,7 +146,7 @@ struct StressRow {
   }
 };
 
-/// −σ⁺ of the artificial stress, in the form of StressRow::T. Separate, because not every particle needs it.
+/// −σ⁺, in the form of StressRow::T.
 template <int Dim>
 struct RepulsionRow : Row<Dim * Dim> {
   using Row<Dim * Dim>::c;
@@ -167,7 +165,6 @@ struct RepulsionRow : Row<Dim * Dim> {
   }
 };
 
-/// Results of the gradient pass for one particle.
 template <int Dim>
 struct Gradients {
   Sym<double, Dim> L{};         // kernel gradient correction
@@ -176,19 +173,19 @@ struct Gradients {
   double colour = 0;            // Σ W V
 };
 
-/// Returns whether the method uses W itself, not only its gradient.
+/// Whether the method uses W itself.
 constexpr bool needs_kernel(const UlCauchyFormulation& m) {
   return m.artificial_stress || m.transport_velocity;
 }
 
-/// Pointers to the fields of all particles and pairs, for the passes. Arrays that a method does not use are null.
+/// Unused arrays are null.
 template <int Dim>
 struct UlCauchyFields {
   using V = Vec<double, Dim>;
 
-  int size;    // number of particles
-  V* x;        // m
-  const V* v;  // m/s
+  int size;
+  V* x;
+  const V* v;
   const double *m, *mobile;
   const int *id, *body, *material;
   const Elasticity* materials;
@@ -199,9 +196,9 @@ struct UlCauchyFields {
   MotionRow<Dim>* transported;  // with û
   void* stress;                 // [particle] StressRow of the method
   RepulsionRow<Dim>* repulsion;
-  const int *begin, *j;                // neighbours in the same body, or under `sph` in any; see Neighbors
-  AlignedPack* w;                      // w(q) of kernels/kernel.hpp for each pair, if needs_kernel
-  const AlignedPack* of_one_material;  // 1 if both particles of a pair have one material, else 0; null: all 1
+  const int *begin, *j;                // in the same body, or under `sph` in any; see Neighbors
+  AlignedPack* w;                      // w(q) of each pair, if needs_kernel
+  const AlignedPack* of_one_material;  // 1 if a pair has one material; null: all 1
   // [body] rigid motion since the last neighbour search
   const V *drift, *centre;  // m/s, m
   const Spin<Dim>* spin;    // 1/s
@@ -212,7 +209,7 @@ struct UlCauchyFields {
   }
   const int* pack(int b) const { return j + static_cast<std::ptrdiff_t>(lanes) * b; }
   const Elasticity& material_of(int i) const { return materials[material[i]]; }
-  /// Returns x_i − x_j at the start of the step, in m, for neighbour pack `b` of i; exactly opposite for (j, i).
+  /// x_i − x_j at the start of the step, m; exactly opposite for (j, i).
   [[gnu::always_inline]] Vec<Pack, Dim> apart(int i, int b) const {
     const RowsOfFour rows(motion[0].c, MotionRow<Dim>::width, pack(b));
     Vec<Pack, Dim> d;

@@ -2,8 +2,7 @@
 
 #include "engine/methods/ul_cauchy/formulation.hpp"
 
-/// AV: artificial viscosity, AS: artificial stress, R: second-order Riemann term, TIC: tensile instability control, d
-/// (δ): density diffusion.
+/// engine/METHODS.md explains the parts of the names.
 namespace taut {
 
 inline constexpr Citation khayyer2024_citations[] = {{"pressure", "[Khayyer2024] Eq. 5", ""}};
@@ -63,8 +62,8 @@ inline constexpr UlCauchyFormulation d_ulsph_r_as = ladder(
     {
         .name = "d-ulsph-r-as",
         .paper = "Khayyer2024 §3.3",
-        .summary = "d-ulsph-av-as with a second-order Riemann term instead of artificial viscosity: noisy in "
-                   "tension",
+        .summary = "d-ulsph-av-as with a second-order Riemann term instead of artificial viscosity: "
+                   "noisy in tension",
         .conserves = "linear momentum",
     },
     {.viscosity = Viscosity::riemann, .corrected = true, .density_diffusion = true});

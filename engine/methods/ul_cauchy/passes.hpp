@@ -25,11 +25,10 @@ template <int Dim>
 struct CauchyPair {
   Vec<Pack, Dim> d;  // x_i − x_j, m
   Pack r;            // m
-  Pack dw_per_q;     // w′(q)/q of kernels/kernel.hpp
+  Pack dw_per_q;     // w′(q)/q
 };
 
-/// Scales of W and ∇W. To avoid divisions, terms get w′/q, `one` and x_i − x_j for ∂W/∂r, r and e_ij; their sums are
-/// scaled by α/h^(Dim+2).
+/// To avoid divisions, terms get w′/q, `one` and x_i − x_j for ∂W/∂r, r and e_ij; α/h^(Dim+2) scales their sums.
 template <const UlCauchyFormulation& M, int Dim>
 struct KernelScale {
   using K = Kernel<M.kernel>;
@@ -78,7 +77,7 @@ void set_stress(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, int i,
   if constexpr (M.tensile_control) row.put(Row::surface_at, g.colour < c.surface_colour);
 }
 
-/// Computes ∇u, ∇ρ, the colour function and L_i of every particle, w(q) of its pairs if needed, and the stress rows.
+/// Computes gradients, w(q) of pairs if needed, and the stress rows.
 template <const UlCauchyFormulation& M, int Dim>
 void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Threads& threads) {
   using K = Kernel<M.kernel>;
@@ -200,10 +199,8 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Computes the transport velocity û from the new velocities, [Khayyer2024] Eq. 14, and sets the positions in
-/// `transported` to the time `ahead`, in s, after the start of the step. Clamped particles do not move; guided and
-/// driven ones keep their prescribed velocity. Returns the maximum squared velocity relative to the rigid motion of
-/// the body, in m²/s².
+/// Computes the transport velocity û, [Khayyer2024] Eq. 14, and sets `transported` to the time `ahead`, s, of the
+/// step. Returns the maximum squared velocity relative to the rigid motion of the body, m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
                       double ahead, const Threads& threads) {
@@ -234,8 +231,7 @@ double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, 
   });
 }
 
-/// Advances densities, stresses and positions with ∇û, in the geometry of `transported`.
-/// [Khayyer2024] Eq. 8, 13, 27, 29
+/// Advances densities, stresses and positions with ∇û of `transported`. [Khayyer2024] Eq. 8, 13, 27, 29
 template <const UlCauchyFormulation& M, int Dim>
 void rate_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, double dt, const Threads& threads) {
   using K = Kernel<M.kernel>;

@@ -47,7 +47,6 @@ UlCauchyConstants cauchy_constants(const SolverInput& input) {
 double magnitude(double spin) { return std::abs(spin); }
 double magnitude(const Vec<double, 3>& spin) { return std::sqrt(dot(spin, spin)); }
 
-/// Angular momentum and moment of inertia of a body about its centre, summed over its particles.
 template <int Dim>
 struct BodyRotation;
 template <>
@@ -97,7 +96,7 @@ UlCauchy<Dim>::UlCauchy(Common<Dim>& common, const SolverInput& input, const Ker
   rebuild();
 }
 
-/// Throws SceneError for a probe of contact forces under `sph`: the sums over all neighbours contain these forces.
+/// Throws SceneError for probes of contact forces: the sums of `sph` contain these forces.
 template <int Dim>
 void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
   for (const Probe& probe : scene.probes)
@@ -109,14 +108,14 @@ void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
                            "' treats touching bodies as one; choose another law, such as \"penalty\"");
 }
 
-/// Time step, s, [Khayyer2024] Eq. 26, but shorter for materials stiffer in shear.
+/// Time step, s, [Khayyer2024] Eq. 26, shorter for materials stiffer in shear.
 template <int Dim>
 double UlCauchy<Dim>::step_size() const {
   return common_.fixed_or_stable_step(c_.cfl * c_.h / c_.step_speed);
 }
 
-/// Symplectic Euler step. Differs from [Khayyer2024] Eq. 22–25, where rates of the old state let waves grow. ∇u is
-/// taken at mid-step (`geometry` = ½); at the start, bodies rotating at ω swell by (ω dt)²/2 per step.
+/// Symplectic Euler step. Departure: with rates of the old state ([Khayyer2024] Eq. 22–25) waves grow, and with ∇u at
+/// the start of a step rotating bodies swell.
 template <int Dim>
 void UlCauchy<Dim>::step(double dt) {
   if (2 * relative_distance_ > skin * c_.dp) rebuild();
@@ -195,7 +194,7 @@ void UlCauchy<Dim>::bind_fields() {
         .spin = spin_.data()};
 }
 
-/// Gives the probes the neighbours of all particles under `sph`, else only the pairs in contact.
+/// Gives the probes all neighbours under `sph`, else the pairs in contact.
 template <int Dim>
 void UlCauchy<Dim>::show_neighbors_to_probes() {
   if (!sph_contact_) return common_.show_contacts_to_probes();
@@ -218,7 +217,6 @@ void UlCauchy<Dim>::set_motion() {
   for (int i = 0; i < p_.size(); ++i) motion_[i].set(p_.v[i], rho_[i], p_.m[i] / rho_[i], p_.x[i]);
 }
 
-/// Sets velocity and spin of each body from its momenta; other values would only cause more searches.
 template <int Dim>
 void UlCauchy<Dim>::set_rigid_motion() {
   const std::size_t bodies = common_.initial.first.size() - 1;

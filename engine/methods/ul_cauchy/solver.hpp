@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// Methods of [Khayyer2024] and, in the current configuration, of [TranDuc2023]. Neighbour lists include a skin. They
-/// are valid until a particle has moved half of it relative to its body's rigid motion.
+/// Methods of [Khayyer2024] and [TranDuc2023]. Neighbour lists are valid until a particle has moved half a skin
+/// relative to its body's rigid motion.
 template <int Dim>
 class UlCauchy final : public Scheme<Dim> {
  public:
@@ -28,7 +28,7 @@ class UlCauchy final : public Scheme<Dim> {
   void load(Loader& loader) override { serialize(loader); }
 
  private:
-  /// In spacings; a longer skin means fewer searches and more pairs.
+  /// In spacings.
   static constexpr double skin = 0.25;
   struct alignas(64) CacheLine {
     double c[8];
@@ -67,10 +67,10 @@ class UlCauchy final : public Scheme<Dim> {
   Neighbors near_;
   std::vector<AlignedPack> w_, of_one_material_;
   // rigid motion at the last search; 0 under sph_contact_
-  std::vector<V> drift_;          // m/s
-  std::vector<Spin<Dim>> spin_;   // 1/s
+  std::vector<V> drift_;
+  std::vector<Spin<Dim>> spin_;
   std::vector<V> centre_;         // drifted position, m
-  double relative_distance_ = 0;  // maximum distance moved relative to it, m
+  double relative_distance_ = 0;  // maximum, relative to it, m
   UlCauchyFields<Dim> f_{};
 };
 

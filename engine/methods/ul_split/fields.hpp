@@ -102,7 +102,6 @@ Tensor<Dim> spread_tensor(const TensorRow<Dim>& row) {
   return t;
 }
 
-/// Geometry of four pairs.
 template <int Dim>
 struct PairGeometry {
   Vec<Pack, Dim> gradient;  // ∇_i W = ∂W/∂r e_ij, 1/m^(Dim+1)
@@ -110,8 +109,8 @@ struct PairGeometry {
   Pack inverse_distance;    // (1/r)/(∂W/∂r); 0 between bodies: no shear
 };
 
-/// Pair geometry, cached until the next rebuild; 0 in padding. Gradients of (i, j) and (j, i) are exactly opposite.
-/// Single precision saves memory in 3D; kernel units fit its range.
+/// Pair geometry, cached until the next rebuild; 0 in padding, exactly opposite for (i, j) and (j, i). Single
+/// precision saves memory in 3D; kernel units fit its range.
 template <int Dim>
 struct PairCache {
   static constexpr bool single_precision = Dim == 3;
@@ -149,7 +148,7 @@ struct PairCache {
   }
 };
 
-/// A pack of neighbours of i in another body.
+/// Neighbours of i in another body.
 struct MixedPack {
   int i, pack;
 };
@@ -161,8 +160,8 @@ struct UlSplitFields {
   using S = Sym<double, Dim>;
 
   int size;
-  V* x;        // m
-  const V* v;  // m/s
+  V* x;
+  const V* v;
   const double *m, *mobile;
   const int *id, *body;
   double *rho, *drho;     // kg/m³ and its rate

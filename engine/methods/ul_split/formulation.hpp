@@ -6,18 +6,18 @@
 namespace taut {
 
 enum class Shear : std::uint8_t {
-  nested_stress,       // ∇·s with the Jaumann rate; [Zhang2024] Eq. 7, 13, 14
-  laplacian_velocity,  // ∫ G/ρ ∇²v dt, conserving angular momentum; [Zhang2024] Eq. 19, 20
-  laplacian_velocity_nonconservative,  // with the plain operator; [Zhang2024] Eq. 18
-  nested_with_penalty,  // nested_stress of corrected gradients, and terms/hourglass/velocity_penalty.hpp; [Zhang2024b]
+  nested_stress,                       // [Zhang2024] Eq. 7, 13, 14
+  laplacian_velocity,                  // ∫ G/ρ ∇²v dt, [Zhang2024] Eq. 19, 20
+  laplacian_velocity_nonconservative,  // [Zhang2024] Eq. 18
+  nested_with_penalty,                 // [Zhang2024b]
 };
 
 struct UlSplitSwitches {
   Shear shear = Shear::nested_stress;
-  bool artificial_stress = false;    // Gray's
-  double epsilon = 0, exponent = 0;  // of the artificial stress
-  double beta_least = 1;             // dissipation in P*: 1 linear, 0 limited; see terms/riemann.hpp
-  double cfl_advection = 0.2;        // [Zhang2024] Eq. 21
+  bool artificial_stress = false;  // Gray's
+  double epsilon = 0, exponent = 0;
+  double beta_least = 1;       // 1: linear, 0: limited; see terms/riemann.hpp
+  double cfl_advection = 0.2;  // [Zhang2024] Eq. 21
 };
 
 struct UlSplitFormulation : Formulation, UlSplitSwitches {
@@ -25,25 +25,24 @@ struct UlSplitFormulation : Formulation, UlSplitSwitches {
 };
 
 struct UlSplitConstants : Constants {
-  double zeta = 0;                             // factor of the Laplacian, [Zhang2024] Eq. 19
-  double xi = 0;                               // factor of the velocity penalty
-  double epsilon = 0, exponent = 0;            // of the artificial stress
-  double riemann_limiter = 0, beta_least = 1;  // β = min(max(limiter · (U_L − U_R)/c0, β_least), 1)
-  double pressure_diffusion = 0;               // share of (p_i − p_j)/(2 ρ0 c0) in U*
+  double zeta = 0;  // [Zhang2024] Eq. 19
+  double xi = 0;
+  double epsilon = 0, exponent = 0;
+  double riemann_limiter = 0, beta_least = 1;  // see terms/riemann.hpp
+  double pressure_diffusion = 0;               // see terms/riemann.hpp
   double cfl_advection = 0;
-  double cubic_spline = 0;  // 1: replaces the kernel of the method by KernelName::cubic_spline
-  double step_speed = 0;    // wave speed for steps, m/s
+  double cubic_spline = 0;
+  double step_speed = 0;  // wave speed for steps, m/s
 };
 
-/// Returns false if stress is only recovered for display.
+/// False if stress is only recovered for display.
 constexpr bool carries_stress(const UlSplitFormulation& m) {
   return m.shear == Shear::nested_stress || m.shear == Shear::nested_with_penalty;
 }
 constexpr bool integrates_shear(const UlSplitFormulation& m) { return m.shear != Shear::nested_stress; }
 constexpr bool has_penalty(const UlSplitFormulation& m) { return m.shear == Shear::nested_with_penalty; }
 
-/// Keeps stress continuous across a clamp; otherwise `oas` tears off. Rigid clamps suit the other methods: strained
-/// ones make `enog` too stiff. [Zhang2024] does not specify this.
+/// Strained clamps keep `oas` from tearing off, but make `enog` too stiff. [Zhang2024] does not specify clamps.
 constexpr bool strains_clamped(const UlSplitFormulation& m) { return carries_stress(m); }
 
 constexpr bool consistent(const UlSplitFormulation& m) {

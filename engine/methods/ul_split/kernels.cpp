@@ -1,4 +1,4 @@
-// Compiled once per instruction set; see engine/CMakeLists.txt.
+// Compiled once per instruction set.
 #include "engine/methods/ul_split/kernels.hpp"
 
 #include "engine/methods/kernel_tables.hpp"

@@ -2,8 +2,6 @@
 
 #include "engine/methods/ul_split/formulation.hpp"
 
-/// Methods of [Zhang2024]. The artificial stress is from Gray, Monaghan, Swift (2001), because the paper has no
-/// equations for it.
 namespace taut {
 
 inline constexpr UlSplitFormulation og{

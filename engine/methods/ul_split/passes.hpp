@@ -56,7 +56,6 @@ class PairKernel {
   double per_h_, alpha_, least_, per_w_dp_, exponent_;
 };
 
-/// Calls f.operator()<Name> for the kernel of a run.
 template <const UlSplitFormulation& M, class F>
 auto with_kernel(const UlSplitConstants& c, const F& f) {
   return c.cubic_spline != 0 ? f.template operator()<KernelName::cubic_spline>()
@@ -103,8 +102,8 @@ void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const
   with_kernel<M>(c, [&]<KernelName Name>() { geometry_pass<M, Dim, Name>(s, c, threads); });
 }
 
-/// Recomputes the geometry of pairs of two bodies. Differs from [Zhang2024] §5, which caches these pairs, too: bodies
-/// then separate on steeper gradients than they met on, and stick.
+/// Recomputes the geometry of pairs of two bodies. Departure: [Zhang2024] §5 caches these pairs, too; bodies then
+/// stick.
 template <const UlSplitFormulation& M, int Dim, KernelName Name>
 void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c) {
   const PairKernel<Name, Dim> kernel(c);
@@ -141,8 +140,8 @@ Vec<Pack, Dim> gradient_inside(const UlSplitFields<Dim>& s, int i, int b) {
   return g;
 }
 
-/// Advances v over the whole step (Eq. 24), then x to its end (Eq. 25), by pressure from the Riemann problem of each
-/// pair and by shear. Terms receive `one` and ∇_i W for ∂W/∂r and e_ij. Returns the maximum v², m²/s².
+/// Advances v (Eq. 24), then x to the end of the step (Eq. 25). Terms receive `one` and ∇_i W for ∂W/∂r and e_ij.
+/// Returns the maximum v², m²/s².
 template <const UlSplitFormulation& M, int Dim>
 double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Kick<Dim>& kick,
                      const Threads& threads) {
@@ -160,7 +159,7 @@ double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, con
       const Flow<Dim, Pack> f_j = gather_flow(s.flow, j);
       const Pack closing_speed = s.pairs.inverse_slope(b) * dot(f_j.v - f_i.v, grad_W);
       const Pack p = riemann_pressure(f_i.p, f_j.p, closing_speed, dissipation);
-      force -= Pack(2 * f_j.V * p) * grad_W;  // −2 Σ m_j P*/ρ_j ∇W, [Zhang2024] Eq. 12
+      force -= Pack(2 * f_j.V * p) * grad_W;  // [Zhang2024] Eq. 12
       if constexpr (carries_stress(M))
         force += nested_shear_term(s_i.s, gather_tensor(s.stress, j).s, f_j.V, one, gradient_inside(s, i, b));
       if constexpr (M.artificial_stress) {
@@ -180,7 +179,7 @@ double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, con
   });
 }
 
-/// Force of body `b` on `a` in the last momentum_pass, N (per metre depth in 2D).
+/// Force of body `b` on `a` in the last momentum_pass, N.
 template <const UlSplitFormulation& M, int Dim>
 Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const UlSplitConstants& c, int a, int b) {
   const Dissipation dissipation{c.rho0 * c.c0, c.riemann_limiter / c.c0, c.beta_least};
@@ -261,7 +260,7 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
       }
       s.ds[i] = jaumann_rate<M.deviator>(gradient, s.s[i], c.G);
     }
-    // G/ρ is inside the time integral; outside, as in [Zhang2024] Eq. 20, linear momentum would drift
+    // Departure: G/ρ is inside the time integral; outside ([Zhang2024] Eq. 20) linear momentum would drift
     const double inv_rho = s.flow_new[i].c[Dim + 1] / s.m[i];
     if constexpr (M.shear == Shear::laplacian_velocity)
       s.da_shear[i] = (c.zeta * c.G * inv_rho) * sum(laplacian);
@@ -286,9 +285,8 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
     rate_pass<M, Dim, true>(s, c, steering, dt, threads);
 }
 
-/// Recovers the stress of particles[k] (k if null) into out[k] from the displacement d since the last recovery:
-/// s += 2G dev ε(d) + rotation. [Zhang2024] Eq. 6–8, 26, 27. Differs from the paper: volumes and correction are
-/// cached, too.
+/// Recovers the stress of particles[k] (k if null) into out[k] from the displacement since the last recovery,
+/// [Zhang2024] Eq. 6–8, 26, 27. Departure: volumes and correction are cached, too.
 template <const UlSplitFormulation& M, int Dim>
 void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const FlowRow<Dim>* displacement,
                     const int* particles, int count, Sym<double, Dim>* out, const Threads& threads) {

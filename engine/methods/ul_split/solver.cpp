@@ -55,7 +55,7 @@ UlSplit<Dim>::UlSplit(Common<Dim>& common, const SolverInput& input, const Kerne
   greatest_speed_ = common_.vmax;
 }
 
-/// Time step, s, [Zhang2024] Eq. 22, but shorter for materials stiffer in shear.
+/// Time step, s, [Zhang2024] Eq. 22, shorter for materials stiffer in shear.
 template <int Dim>
 double UlSplit<Dim>::step_size() const {
   return common_.fixed_or_stable_step(c_.cfl * c_.h / (c_.step_speed + common_.vmax));
@@ -64,7 +64,7 @@ double UlSplit<Dim>::step_size() const {
 /// One acoustic step, [Zhang2024] Eq. 22–25.
 template <int Dim>
 void UlSplit<Dim>::step(double dt) {
-  // Eq. 21 as a distance, at the greatest speed so far: also in time if a body speeds up or turns back
+  // Eq. 21 with the greatest speed so far, in case a body speeds up or turns back
   if (stepping_ == Stepping::single ? common_.run.steps > 0
                                     : distance_since_rebuild_ >= c_.cfl_advection * c_.h)
     rebuild();
@@ -78,7 +78,7 @@ void UlSplit<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Advances velocities (Eq. 24) and positions (Eq. 25) to the end of the step.
+/// [Zhang2024] Eq. 24, 25.
 template <int Dim>
 void UlSplit<Dim>::accelerate(double dt) {
   const Kick<Dim> kick = common_.kick(dt, common_.run.time + dt);
@@ -91,7 +91,6 @@ void UlSplit<Dim>::accelerate(double dt) {
   greatest_speed_ = std::max(greatest_speed_, common_.vmax);
 }
 
-/// Advances densities and shear by Eq. 25.
 template <int Dim>
 void UlSplit<Dim>::close_rates(double dt) {
   kernels_.rates(f_, c_, common_.external.steering(), dt, common_.threads_now());
@@ -173,7 +172,7 @@ void UlSplit<Dim>::bind_fields() {
         .mixed_count = static_cast<int>(mixed_.size())};
 }
 
-/// Displacements since the stress was last recovered, with the volumes of that time.
+/// Displacements and volumes since the last stress recovery.
 template <int Dim>
 std::vector<FlowRow<Dim>> UlSplit<Dim>::displacements() const {
   std::vector<FlowRow<Dim>> rows(p_.x.size());

@@ -46,8 +46,8 @@ class UlSplit final : public Scheme<Dim> {
   CellGrid<Dim> grid_;
   NeighborSearch<Dim> search_;
   Neighbors near_;
-  double greatest_speed_ = 0;          // maximum since the start, m/s
-  double distance_since_rebuild_ = 0;  // distance since the last rebuild, m
+  double greatest_speed_ = 0;          // since the start, m/s
+  double distance_since_rebuild_ = 0;  // m
 
   // see UlSplitFields
   std::vector<double> rho_, drho_;

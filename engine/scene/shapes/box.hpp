@@ -10,7 +10,6 @@ struct Box final : ShapeBase {
   Box() = default;
   Box(const Point& low, const Point& high) : low(low), high(high) {}
 
-  /// Number of cells, about dp wide, between particles on opposite faces.
   long cells(std::size_t axis, double dp) const;
 
   Bounds bounds() const override { return {low, high}; }

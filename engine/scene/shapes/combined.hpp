@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Combination of shapes, with lattice and middle of the first.
+/// Has the lattice and middle of the first shape.
 struct Combined final : ShapeBase {
   Combination how{};
   std::vector<Shape> shapes;
@@ -78,7 +78,7 @@ struct Combined final : ShapeBase {
   }
 
  private:
-  static constexpr double finely = 0.125;  // chords limit the accuracy of crossings
+  static constexpr double finely = 0.125;
 };
 
 }  // namespace taut

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Ellipse or ellipsoid; `holds` uses the distance to first order.
+/// `holds` uses the distance to first order.
 struct Ellipse final : ShapeBase {
   Point centre{}, semi_axes{1, 1, 1};
 
@@ -50,7 +50,7 @@ struct Ellipse final : ShapeBase {
     constexpr double whole = 2 * std::numbers::pi, fine = 16;
     const double greatest = std::max(semi_axes[0], semi_axes[1]);
     const long steps = std::max(64L, std::lround(fine * whole * greatest / dp));
-    std::vector<double> way = {0};  // arc length, m
+    std::vector<double> way = {0};  // m
     for (long k = 0; k < steps; ++k) {
       const double step = whole / static_cast<double>(steps), angle = static_cast<double>(k) * step;
       way.push_back(way.back() + distance_between(place(angle), place(angle + step), 2));

@@ -10,7 +10,7 @@
 namespace taut {
 
 /// Particles listed one by one; each fills a square (cube) of its volume. Faces are where the indicator of the
-/// particles, smoothed by a cubic spline of radius 2 dp, is ½: half a spacing outside the outermost particles.
+/// particles, smoothed by a cubic spline of radius 2 dp, is ½.
 class GivenParticles final : public ShapeBase {
  public:
   GivenParticles(std::vector<Point> places, std::vector<double> volumes, int dim)
@@ -73,13 +73,12 @@ class GivenParticles final : public ShapeBase {
     return r < 1 ? 1 - 1.5 * r * r + 0.75 * r * r * r : 0.25 * (2 - r) * (2 - r) * (2 - r);
   }
   std::array<long, 3> cell_of(const Point& x) const {
-    constexpr double reach = 2;  // of the spline, in size_
+    constexpr double reach = 2;
     std::array<long, 3> cell{};
     for (std::size_t k = 0; k < cell.size(); ++k)
       cell[k] = static_cast<long>(std::floor(x[k] / (reach * size_)));
     return cell;
   }
-  /// Calls visit(particle) near x, without the shift.
   template <class Visit>
   void around(const Point& x, const Visit& visit) const {
     const std::array<long, 3> middle = cell_of(x);
@@ -96,11 +95,11 @@ class GivenParticles final : public ShapeBase {
 
   std::vector<Point> places_;
   std::vector<double> volumes_;
-  Point by_{};                                               // shift, m
-  Bounds box_;                                               // of the cells
-  double volume_ = 0;                                        // total
-  double size_ = 0;                                          // greatest cell, m
-  std::vector<std::pair<std::array<long, 3>, int>> sorted_;  // by search cell
+  Point by_{};  // shift, m
+  Bounds box_;
+  double volume_ = 0;
+  double size_ = 0;  // m
+  std::vector<std::pair<std::array<long, 3>, int>> sorted_;
 };
 
 }  // namespace taut

@@ -12,7 +12,7 @@ namespace taut {
 struct Implicit final : ShapeBase {
   Box within;
   Expression inside;
-  Point by{};  // shift, m
+  Point by{};  // m
 
   Implicit(const Box& within, Expression inside) : within(within), inside(std::move(inside)) {}
 

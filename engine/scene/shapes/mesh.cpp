@@ -22,9 +22,8 @@ double volume_of(const Triangles& mesh) {
   return volume;
 }
 
-/// Side of the line ab, seen along z, on which x + (ε, ε²) lies: 1 is left, -1 right; 0 if a and b coincide. Swapping
-/// a and b changes exactly the sign, so that triangles at an edge agree.
-/// Simulation of simplicity (Edelsbrunner, Mücke 1990).
+/// Side of the line ab, seen along z, on which x + (ε, ε²) lies: 1 is left, -1 right; 0 if a and b coincide.
+/// Swapping a and b changes exactly the sign. Simulation of simplicity (Edelsbrunner, Mücke 1990).
 int side_of(const Point& x, const Point& a, const Point& b) {
   if (std::pair(b[0], b[1]) < std::pair(a[0], a[1])) return -side_of(x, b, a);
   const double dx = b[0] - a[0], dy = b[1] - a[1];
@@ -72,7 +71,7 @@ Bounds bounds_of(std::span<const Point> points) {
 }  // namespace
 
 MeshFaults faults_of(const Triangles& mesh) {
-  std::map<std::pair<int, int>, std::pair<int, int>> uses;  // [edge] in each direction
+  std::map<std::pair<int, int>, std::pair<int, int>> uses;
   for (const auto& corner : mesh.corners)
     for (std::size_t k = 0; k < 3; ++k) {
       const int a = corner[k], b = corner[(k + 1) % 3];
@@ -90,7 +89,6 @@ MeshFaults faults_of(const Triangles& mesh) {
 
 Mesh::Mesh(Triangles mesh) : mesh_(std::move(mesh)), box_(bounds_of(mesh_.points)) {
   volume_ = std::abs(volume_of(mesh_));
-  // about as many cells as triangles
   const double most = std::sqrt(static_cast<double>(mesh_.corners.size()));
   const double width = box_.high[0] - box_.low[0], depth = box_.high[1] - box_.low[1];
   const double ratio = width > 0 && depth > 0 ? std::sqrt(width / depth) : 1;
@@ -121,7 +119,6 @@ Mesh::Range Mesh::cells(std::size_t axis, double low, double high) const {
   return {cell(low), cell(high)};
 }
 
-/// May visit a triangle several times.
 template <class Visit>
 void Mesh::visit_near(const Point& x, double distance, const Visit& visit) const {
   const Range across = cells(0, x[0] - distance, x[0] + distance),

@@ -7,20 +7,20 @@
 
 namespace taut {
 
-/// Points and triangles; the corners of a triangle are anticlockwise, seen from outside.
+/// Corners are anticlockwise, seen from outside.
 struct Triangles {
   std::vector<Point> points;  // m
   std::vector<std::array<int, 3>> corners;
 };
 
-/// Number of edges that are not shared by triangles in pairs, and of those whose triangles face opposite sides.
+/// Edges not shared by two triangles, and edges whose triangles face opposite sides.
 struct MeshFaults {
   int open = 0, turned = 0;
 };
 MeshFaults faults_of(const Triangles& mesh);
 
-/// Region that a closed mesh surrounds, 3D: where its winding number is not 0. Parts of the mesh may overlap. Points
-/// exactly on a face belong to the side that a fixed infinitesimal shift selects.
+/// Region where the winding number of a closed mesh is not 0. Parts of the mesh may overlap. Points exactly on a
+/// face belong to the side that a fixed infinitesimal shift selects.
 class Mesh final : public ShapeBase {
  public:
   /// The mesh must have no faults.
@@ -32,7 +32,7 @@ class Mesh final : public ShapeBase {
   void shift(std::size_t axis, double by) override { from_[axis] += by; }
 
  private:
-  using Range = std::array<int, 2>;  // first and last cell
+  using Range = std::array<int, 2>;
 
   Range cells(std::size_t axis, double low, double high) const;
   template <class Visit>
@@ -41,11 +41,11 @@ class Mesh final : public ShapeBase {
   bool is_within(double distance, const Point& x) const;
 
   Triangles mesh_;
-  Point from_{};  // origin of the mesh
+  Point from_{};
   Bounds box_{};
-  double volume_ = 0;                        // m³
-  std::array<int, 2> sides_{1, 1};           // number of cells along x and y
-  std::vector<std::vector<int>> triangles_;  // [cell of x and y], ascending
+  double volume_ = 0;  // m³
+  std::array<int, 2> sides_{1, 1};
+  std::vector<std::vector<int>> triangles_;
 };
 
 }  // namespace taut

@@ -21,7 +21,7 @@ double distance_to_side(const Point& x, const Point& a, const Point& b) {
   return distance_between(x, {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), 0}, 2);
 }
 
-/// Whether x, on line ab, is strictly between a and b.
+/// Requires x on line ab.
 bool within(const Point& x, const Point& a, const Point& b) {
   const std::size_t k = std::abs(b[0] - a[0]) > std::abs(b[1] - a[1]) ? 0 : 1;
   return (x[k] - a[k]) * (b[k] - x[k]) > 0;
@@ -86,7 +86,7 @@ Polygon::Polygon(std::vector<Chain> contours, const std::optional<Point>& centre
     std::size_t k = 0;
     while (k + 1 < contour.size() && contour[k] == contour[k + 1]) ++k;
     const Point &a = contour[k], &b = contour[(k + 1) % contour.size()];
-    const double off = 1e-6;  // of the side's length
+    const double off = 1e-6;
     const Point left{0.5 * (a[0] + b[0]) - off * (b[1] - a[1]), 0.5 * (a[1] + b[1]) + off * (b[0] - a[0]), 0};
     if (!is_inside(left)) std::ranges::reverse(contour);
     area_ += area_of(contour);

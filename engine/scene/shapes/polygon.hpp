@@ -9,8 +9,8 @@ namespace taut {
 /// Region inside an odd number of closed contours, 2D; no sides may cross.
 class Polygon final : public ShapeBase {
  public:
-  /// With a `centre`, points are relative to it, the polygon is rotated and reflected about it, and the lattice is
-  /// symmetric about it. Otherwise the middle of the box is the centre, and the lattice begins at the lower corner.
+  /// With a `centre`, points are relative to it, and the lattice is symmetric about it. Otherwise the middle of the
+  /// box is the centre, and the lattice begins at the lower corner.
   Polygon(std::vector<Chain> contours, const std::optional<Point>& centre = {});
 
   Bounds bounds() const override;
@@ -28,14 +28,13 @@ class Polygon final : public ShapeBase {
   bool is_inside(const Point& x) const;
 
   std::vector<Chain> contours_;
-  Point from_{};  // origin of the contours
+  Point from_{};
   bool about_centre_;
-  Bounds box_;                             // of the contours
-  double area_ = 0;                        // m²
-  std::vector<std::vector<Side>> strips_;  // sides in equal strips of the box, from below
+  Bounds box_;
+  double area_ = 0;  // m²
+  std::vector<std::vector<Side>> strips_;
 };
 
-/// Returns where sides cross or overlap, if they do.
 std::optional<Point> crossing(const std::vector<Chain>& contours);
 
 }  // namespace taut

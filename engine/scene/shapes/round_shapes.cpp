@@ -10,14 +10,13 @@
 namespace taut {
 namespace {
 
-/// The k-th of n points, symmetric in y to the last bit: angles go from −π to π.
+/// Symmetric in y to the last bit: angles go from −π to π.
 Point on_circle(const Point& centre, double r, long k, long n) {
   const double angle =
       2 * std::numbers::pi * static_cast<double>(2 * k <= n ? k : k - n) / static_cast<double>(n);
   return {centre[0] + r * std::cos(angle), centre[1] + r * std::sin(angle), 0};
 }
 
-/// `against`: anticlockwise.
 Chain circle(const Point& centre, double r, long n, bool against) {
   Chain chain;
   for (long k = 0; k < n; ++k) chain.push_back(on_circle(centre, r, against ? k : (n - k) % n, n));
@@ -26,7 +25,7 @@ Chain circle(const Point& centre, double r, long n, bool against) {
 
 long number_around(double r, double dp) { return std::max(1L, std::lround(2 * std::numbers::pi * r / dp)); }
 
-/// Number of particles per layer, from the innermost.
+/// Particles per layer, from the innermost.
 std::vector<long> numbers_of(const Ring& ring, double dp) {
   const long layers = std::max(1L, std::lround((ring.outer - ring.inner) / dp));
   const double thickness = (ring.outer - ring.inner) / static_cast<double>(layers);
@@ -43,7 +42,6 @@ std::vector<long> numbers_of(const Ring& ring, double dp) {
 constexpr int sectors = 6;
 long layers_of(const Disc& disc, double dp) { return std::max(0L, std::lround(disc.radius / dp - 0.5)); }
 
-/// Adds `n` particles that share `area`, m²; `fold`: rotational symmetry.
 void add_layer(std::vector<InitialSite>& sites, const Point& centre, double r, long n, double area,
                long fold) {
   const int first = static_cast<int>(sites.size());
@@ -52,8 +50,7 @@ void add_layer(std::vector<InitialSite>& sites, const Point& centre, double r, l
                      fold > 1 ? first + static_cast<int>((k + n / fold) % n) : -1});
 }
 
-/// Small holes distort the cells of aligned layers. Error of breathing hollow balls: at inner = 0.6 outer 1.4 %
-/// (lattice: 4.7 %), at 0.35 outer 5 % (lattice: 0.8 %).
+/// Small holes distort the cells of aligned layers: at inner = 0.35 outer the lattice has the smaller error.
 RoundLayout default_layout_in_3d(double inner, double outer, bool keeps_neighbors) {
   const bool fits = keeps_neighbors && inner >= 0.6 * outer * (1 - 1e-9);
   return fits ? RoundLayout::aligned : RoundLayout::lattice;
@@ -152,8 +149,7 @@ Bounds Cylinder::bounds() const {
   Bounds box;
   for (std::size_t k = 0; k < 3; ++k) {
     const double along = (to[k] - from[k]) / length();
-    const double half =
-        radius * std::sqrt(std::max(0.0, 1 - along * along));  // half width of an end face along k
+    const double half = radius * std::sqrt(std::max(0.0, 1 - along * along));  // half width
     box.low[k] = std::min(from[k], to[k]) - half;
     box.high[k] = std::max(from[k], to[k]) + half;
   }

@@ -10,19 +10,17 @@ namespace taut {
 /// Layout of round bodies. Initial neighbours work best with layers along the faces, searched neighbours with equal
 /// distances in all directions.
 enum class RoundLayout : std::uint8_t {
-  aligned,  // equally many per layer; hollow bodies only
-  spaced,   // about dp apart on each layer
+  aligned,  // equally many per layer; hollow only
+  spaced,   // about dp apart
   lattice,
 };
 std::string_view name(RoundLayout);
 
-/// Whether distances on the inner face are at least a third of those on the outer.
+/// Whether inner distances are at least a third of outer ones.
 bool can_be_aligned(double inner, double outer);
 
-/// Area or volume.
 double measure_of_ball(int dim, double r);
 
-/// A disc, in 3D a ball.
 struct Disc final : ShapeBase {
   Point centre{};
   double radius = 0;
@@ -31,7 +29,7 @@ struct Disc final : ShapeBase {
   Disc(const Point& centre, double radius, RoundLayout layout = RoundLayout::lattice)
       : centre(centre), radius(radius), layout(layout) {}
 
-  /// Default in 2D, for methods with initial or with searched neighbours.
+  /// Default in 2D.
   static RoundLayout default_layout(bool keeps_neighbors);
 
   Bounds bounds() const override;
@@ -41,13 +39,12 @@ struct Disc final : ShapeBase {
   double extent_to_divide(int) const override { return 2 * radius; }
   Point middle() const override { return centre; }
   Point anchor() const override { return bounds().middle(); }
-  /// Places 1 particle in the centre and 6, 12, 18 … on the layers, a hexagonal lattice made round.
+  /// Places 1 particle in the centre and 6, 12, 18 … on the layers.
   std::vector<InitialSite> sites(int dim, double dp) const override;
   std::vector<Chain> outline(int dim, double dp) const override;
   bool operator==(const Disc&) const = default;
 };
 
-/// A ring, in 3D a hollow ball.
 struct Ring final : ShapeBase {
   Point centre{};
   double inner = 0, outer = 0;
@@ -65,17 +62,16 @@ struct Ring final : ShapeBase {
   double extent_to_divide(int) const override { return outer - inner; }
   Point middle() const override { return centre; }
   Point anchor() const override { return bounds().middle(); }
-  /// Layers at r = inner + (k + ½) dp begin on the positive x axis. Aligned layers form a polar grid with
-  /// particles dp apart at the mean radius; spaced layers have a whole number of particles about dp apart. In 3D all
-  /// layers are aligned: a cube's six faces made round, with n × n particles each of mean volume dp³.
+  /// Layers at r = inner + (k + ½) dp begin on the positive x axis. Aligned layers form a polar grid with particles
+  /// dp apart at the mean radius; spaced layers have particles about dp apart. In 3D layers are a cube's six faces
+  /// made round, with n × n particles each of mean volume dp³.
   std::vector<InitialSite> sites(int dim, double dp) const override;
-  /// Puts points at the angles of the innermost and outermost particles.
   std::vector<Chain> outline(int dim, double dp) const override;
   FacePatches patches(double dp) const override;
   bool operator==(const Ring&) const = default;
 };
 
-/// A round bar, hollow if `inner` > 0; 3D only.
+/// Hollow if `inner` > 0; 3D only.
 struct Cylinder final : ShapeBase {
   Point from{}, to{};
   double radius = 0, inner = 0;
@@ -95,7 +91,7 @@ struct Cylinder final : ShapeBase {
   double extent_to_divide(int dim) const override;
   Point middle() const override { return Bounds{from, to}.middle(); }
   Point anchor() const override { return from; }
-  /// Aligned layers: slices about dp apart, each a 2D ring.
+  /// Slices about dp apart, each a 2D ring.
   std::vector<InitialSite> sites(int dim, double dp) const override;
   FacePatches patches(double dp) const override;
   bool operator==(const Cylinder&) const = default;

@@ -4,7 +4,6 @@
 
 namespace taut {
 
-/// A rotated shape with its lattice or layers.
 struct Turned final : ShapeBase {
   Shape shape;
   Rotation rotation;

@@ -5,16 +5,14 @@
 
 namespace taut {
 
-/// Weight w_i of a pair in `hourglass_force`, N/m^(4 − Dim): ½ α E_i V_i V_j W_ij/|X_ij|². `W` in 1/m^Dim.
+/// Weight w_i of a pair, N/m^(4 − Dim); `W` in 1/m^Dim.
 inline double hourglass_weight(double alpha, double E_i, double V_i, double V_j, double W, double r) {
   return 0.5 * alpha * E_i * V_i * V_j * W / (r * r);
 }
 
-/// Force of j on i, N (per metre depth in 2D), against the distance that F does not explain:
-///   (w_i δ_i + w_j δ_j) x_ij/|x_ij|,   δ_i = (F_i X_ij − x_ij)·x_ij/|x_ij|.
-/// It acts along the pair, but derives from no energy, because the paper keeps F fixed. 0 for coincident particles.
-/// [Ganzenmueller2015] as in the documentation of TrixiParticles. MACHDYN limits δ and adds h to distances;
-/// its amplitude hg is 2α.
+/// Force of j on i, N, against the distance that F does not explain; 0 for coincident particles. It derives from no
+/// energy, because F is kept fixed. [Ganzenmueller2015] as in TrixiParticles. Departure: MACHDYN limits δ and adds h
+/// to distances.
 template <class T, int Dim>
 Vec<T, Dim> hourglass_force(const Mat<T, Dim>& F_i, const Mat<T, Dim>& F_j, const Vec<T, Dim>& X_ij,
                             const Vec<T, Dim>& x_ij, const T& w_i, const T& w_j) {

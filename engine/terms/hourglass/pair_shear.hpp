@@ -4,20 +4,18 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// Split of the neo-Hookean stress into an isotropic part on particles and shear on pairs. [Wu2023] as in the
-/// sources of SPHinXsys. Departures: the law of `tl` for comparison, so that in 2D (plane strain) F:F includes
-/// F_zz² = 1 with the exponents of 3D, and τ = K J (J − 1) instead of ½ K (J² − 1).
+/// Isotropic stress on particles and shear on pairs, [Wu2023] as in the sources of SPHinXsys. Departures: the law of
+/// `tl`, with the exponents of 3D and τ = K J (J − 1) instead of ½ K (J² − 1).
 namespace taut {
 
-/// Weight of the shear of a pair, Pa: `G` j^(−2/3), with the factor 1.07 of the paper in `G`.
+/// Weight of the shear of a pair, Pa; `G` includes the factor 1.07 of the paper.
 template <class T>
 T pair_shear_modulus(const T& G, const T& j) {
   const T root = inverse_cube_root(j);
   return G * root * root;
 }
 
-/// First Piola–Kirchhoff stress without pair shear, Pa: ([K j (j − 1) − g F:F/3] I + ½ χ (Ḟ Fᵀ + F Ḟᵀ)) F⁻ᵀ.
-/// `g`: pair_shear_modulus; `chi` = ½ ρ0 c0 h, Pa s.
+/// First Piola–Kirchhoff stress without pair shear, Pa. `g`: pair_shear_modulus; `chi` = ½ ρ0 c0 h, Pa s.
 template <class T, int Dim>
 Mat<T, Dim> isotropic_piola(const Mat<T, Dim>& F, const Mat<T, Dim>& rate, const T& K, const T& g,
                             const T& chi) {
@@ -33,7 +31,7 @@ Mat<T, Dim> isotropic_piola(const Mat<T, Dim>& F, const Mat<T, Dim>& rate, const
   return T(1 / j) * product(tau, cofactor(F));
 }
 
-/// Force of j on i, N (per metre depth in 2D): s [(P_i + P_j) X_ij + (g_i + g_j) x_ij], s = V_i V_j (∂W/∂r)/|X_ij|.
+/// Force of j on i, N; s = V_i V_j (∂W/∂r)/|X_ij|.
 template <class T, int Dim>
 Vec<T, Dim> pair_shear_force(const Mat<T, Dim>& P_i, const Mat<T, Dim>& P_j, const T& g_i, const T& g_j,
                              const Vec<T, Dim>& X_ij, const Vec<T, Dim>& x_ij, const T& s) {

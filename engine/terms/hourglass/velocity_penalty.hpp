@@ -3,13 +3,10 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// Penalty on the part of the relative velocity of a pair that the velocity gradients do not explain.
 namespace taut {
 
-/// Term j of a sum that times ξ G/ρ_i is the rate of the penalty acceleration, 1/(m s):
-///   V_j (∂W/∂r)/r [v_ij − ½ (L_i + L_j) x_ij].
-/// `L_sum` = L_i + L_j, `slope_over_r` = (∂W/∂r)/r, `grad_W` = ∂W/∂r e_ij. [Zhang2024b], with the sources of
-/// SPHinXsys for ξ = 4 and the sign.
+/// Term j of a sum that times ξ G/ρ_i is the rate of the penalty acceleration, 1/(m s). `L_sum` = L_i + L_j,
+/// `slope_over_r` = (∂W/∂r)/r. [Zhang2024b]; ξ = 4 and the sign are from the sources of SPHinXsys.
 template <class T, int Dim>
 Vec<T, Dim> velocity_penalty_term(const Vec<T, Dim>& v_ij, const Mat<T, Dim>& L_sum, const T& V_j,
                                   const T& slope_over_r, const Vec<T, Dim>& grad_W) {

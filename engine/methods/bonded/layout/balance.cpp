@@ -19,13 +19,13 @@ namespace {
 using Vector = Eigen::Vector2d;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Relative residual force at strain 1; less is round-off.
+/// Relative residual force at strain 1.
 constexpr double balanced = 1e-12;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Vector vector(const Point& p) { return {p[0], p[1]}; }
 
-/// The operator N = A Ω Aᵀ, not stored as a matrix, because it couples particles up to four bonds apart.
+/// N = A Ω Aᵀ, not stored: it couples particles up to four bonds apart.
 class NormalMatrix {
  public:
   NormalMatrix(const Rows& A, const Eigen::VectorXd& omega, int threads)
@@ -61,9 +61,8 @@ class NormalMatrix {
   Eigen::VectorXd between_;
 };
 
-/// Solves A Ω Aᵀ α = r by conjugate gradients. The preconditioner is a Cholesky factor of the slightly shifted matrix,
-/// or, for a large matrix, whose factor would cost minutes, its diagonal. Rows may contradict each other by round-off,
-/// as near a re-entrant corner: r then grows after some steps. Returns the best α.
+/// Solves A Ω Aᵀ α = r by preconditioned conjugate gradients. Rows may contradict each other by round-off: r then
+/// grows after some steps. Returns the best α.
 Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen::VectorXd r, int threads) {
   constexpr Eigen::Index largest_factor = 12000;
   NormalMatrix N(A, omega, threads);
@@ -101,15 +100,15 @@ Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen:
   return alpha;
 }
 
-constexpr int far = 12;                        // bonds
-constexpr int strains = 3;                     // in the plane
+constexpr int far = 12;  // bonds
+constexpr int strains = 3;
 double stretch(int strain, const Vector& e) {  // e·H e for unit ε_xx, ε_yy, ε_xy
   return strain == 0 ? e[0] * e[0] : strain == 1 ? e[1] * e[1] : e[0] * e[1];
 }
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-/// One body; bonds related by a rotation of the layout share unknowns.
+/// One body; bonds related by a rotation share unknowns.
 class Sector {
  public:
   Sector(const InitialParticles& initial, const Constraints& constraints, Bonds& bonds, int body,
@@ -126,7 +125,7 @@ class Sector {
     find_inside();
   }
 
-  /// Changes a_ij to (1 + ξ) α X + η α X⊥, with the same ξ and η at both ends.
+  /// Changes a_ij to (1 + ξ) α X + η α X⊥, with ξ and η equal at both ends.
   void balance_areas() {
     find_faces();
     std::vector<int> owner(2 * classes_, first_);
@@ -137,11 +136,10 @@ class Sector {
                  [&](int i, int row, Entries& entries, std::vector<double>& target) {
                    add_area_rows(i, row, entries, target);
                  });
-    // relative change; more makes corrected volumes negative
+    // relative change
     constexpr double greatest = 6, greatest_irregular = 2.25;
     const double most = change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0;
     if (!irregular_ && most > greatest) return;
-    // squared, since larger changes work worse
     if (irregular_ && most > greatest_irregular) change *= std::pow(greatest_irregular / most, 2);
     parallel_for(end() - begin(), threads_, [&](int k) {
       const int b = begin() + k;
@@ -176,7 +174,6 @@ class Sector {
   }
   int begin() const { return bonds_.begin[first_]; }
   int end() const { return bonds_.begin[last_]; }
-  /// Returns the bond of i to j, or −1.
   int find(int i, int j) const {
     const auto from = bonds_.j.begin() + bonds_.begin[i], to = bonds_.j.begin() + bonds_.begin[i + 1];
     const auto found = std::lower_bound(from, to, j);
@@ -227,7 +224,6 @@ class Sector {
       inside_[k] = inside;
     });
   }
-  /// Finds flat faces, where nearby surfaces S_j are parallel.
   void find_faces() {
     const int n = last_ - first_;
     along_face_.assign(n, Vector::Zero());
@@ -271,8 +267,7 @@ class Sector {
     B << bonds_.B[i][0][0], bonds_.B[i][0][1], bonds_.B[i][1][0], bonds_.B[i][1][1];
     return initial_.V0[i] * B;
   }
-  /// Adds rows that keep Σ_j a_ij ⊗ X_ij and, inside, make Σ_j (V_i B_i + V_j B_j) a_ij = 0; near faces only its
-  /// tangential part.
+  /// Rows that keep Σ_j a_ij ⊗ X_ij and make the stress term 0 (THEORY.md, Balance).
   void add_area_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     const Eigen::Matrix2d mine = area_of_unit(i);
     const double scale = mine.trace() / (2 * initial_.V0[i]);
@@ -299,8 +294,7 @@ class Sector {
     if (inside) target.insert(target.end(), {-left_over[0], -left_over[1]});
     if (near_face) target.push_back(-along_face.dot(left_over));
   }
-  /// Adds rows that make the force of bonds and cancellation on i, over G dp, zero: inside, or in an irregular body
-  /// wherever i is not at the surface.
+  /// Rows that make the force of bonds and cancellation 0.
   void add_force_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     if (irregular_ ? at_surface_[i - first_] : !inside_[i - first_]) return;
     const double spacing = std::sqrt(initial_.V0[i]);
@@ -325,7 +319,7 @@ class Sector {
     });
     target.insert(target.end(), 2 * strains, 0.0);
   }
-  /// Returns the number of bonds to the nearest of `particles`, at most `far`.
+  /// Number of bonds to the nearest of `particles`, at most `far`.
   std::vector<int> steps_from(const std::vector<int>& particles) const {
     std::vector<int> steps(last_ - first_, far), edge = particles, next;
     for (const int i : edge) steps[i - first_] = 0;
@@ -339,8 +333,8 @@ class Sector {
     }
     return steps;
   }
-  /// Changes x by minimum Σ (Δx)²/ω to satisfy the rows. `add_rows(i, first row, entries, targets)` may use unknowns
-  /// of i and neighbours; `owner` is a particle of each unknown. Keeps x if the residual does not decrease.
+  /// Changes x least, by Σ (Δx)²/ω, to satisfy the rows, unless the residual grows. `owner`: a particle of each
+  /// unknown.
   template <class AddRows>
   void least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, const std::vector<int>& owner,
                     const AddRows& add_rows) const {
@@ -381,14 +375,14 @@ class Sector {
   Bonds& bonds_;
   bool irregular_;
   int threads_;
-  int first_, last_;                  // of the body
+  int first_, last_;
   std::vector<int> turned_;           // InitialParticles::turned or identity
   std::vector<int> reverse_, class_;  // [bond − begin()]
   int classes_ = 0;
   // [particle − first_]
   std::vector<unsigned char> at_surface_, inside_;
-  std::vector<Vector> along_face_;  // unit tangent near flat faces of irregular bodies, else 0
-  std::vector<int> chosen_;         // one particle per orbit of the rotation
+  std::vector<Vector> along_face_;  // unit tangent near flat faces, else 0
+  std::vector<int> chosen_;         // one per orbit of the rotation
 };
 
 }  // namespace

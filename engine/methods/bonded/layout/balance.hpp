@@ -7,8 +7,7 @@
 
 namespace taut {
 
-/// Balances the bonds inside 2D bodies: a homogeneous strain then causes no force (THEORY.md, Balance). First the a_ij,
-/// then the w_ij change as little as possible. Lattices remain unchanged. `irregular`: [body].
+/// Balances the bonds inside 2D bodies (THEORY.md, Balance). `irregular`: [body].
 void balance(const InitialParticles& initial, const Constraints& constraints,
              const std::vector<bool>& irregular, Bonds& bonds, int threads);
 

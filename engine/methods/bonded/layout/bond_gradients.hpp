@@ -25,14 +25,13 @@ Point point_of(const Eigen::Vector<double, Dim>& v) {
   return p;
 }
 
-/// Rounds to the nearest float. Works on bits, because GCC 12 removes a cast to float and back in vectorised loops.
+/// Rounds to the nearest float in bits, because GCC 12 removes casts to float in vectorised loops.
 inline double single_precision(double a) {
   constexpr std::uint64_t dropped = 1ULL << 29;
   return std::bit_cast<double>((std::bit_cast<std::uint64_t>(a) + dropped / 2) & ~(dropped - 1));
 }
 
-/// Returns B of each of n particles. B is 0 where the bonds hardly span the space, as at the tip of a jittered body:
-/// gradients would be so steep that the particle flies away.
+/// B of n particles; 0 where the bonds hardly span the space (THEORY.md, Gradient).
 template <int Dim>
 std::vector<InverseMoment> inverse_moments(const Bonds& bonds, int n, int threads) {
   std::vector<InverseMoment> B(n);
@@ -51,7 +50,7 @@ std::vector<InverseMoment> inverse_moments(const Bonds& bonds, int n, int thread
   return B;
 }
 
-/// Returns the surface S_j of each particle (bonds.hpp) for volumes V, in m^dim.
+/// Surface S_j (bonds.hpp) for volumes V, m^dim.
 inline std::vector<Point> surface_of(const Bonds& bonds, const std::vector<InverseMoment>& B,
                                      const std::vector<double>& V) {
   std::vector<Point> S(V.size());

@@ -12,7 +12,7 @@
 
 namespace taut {
 
-/// Fourth moments Σ w e_a e_b e_c e_d of the bonds of a particle, and their isotropic targets (THEORY.md, Bonds).
+/// Fourth moments of bonds and their isotropic targets (THEORY.md, Bonds).
 template <int Dim>
 class Moments {
  public:
@@ -22,8 +22,7 @@ class Moments {
     for (int m = 0; m < count; ++m) target_[m] = isotropic(powers_[m]);
   }
 
-  /// Changes the weights w of bonds X as little as possible so that their moments equal the targets. Returns false if
-  /// no such weights ≥ 0 exist.
+  /// Changes w least to satisfy the targets. Returns false if no such w ≥ 0 exist.
   bool make_right(const std::vector<Eigen::Vector<double, Dim>>& X, std::vector<double>& w) const {
     std::vector<Vector> M(X.size());
     for (std::size_t b = 0; b < X.size(); ++b) M[b] = of(X[b].normalized());
@@ -41,7 +40,6 @@ class Moments {
     if (axis == Dim - 1) return powers_.push_back(powers);
     for (; powers[axis] >= 0; --powers[axis]) fill(powers, axis + 1, left - powers[axis]);
   }
-  /// δ_ab δ_cd + δ_ac δ_bd + δ_ad δ_bc: 3 for e_x⁴, 1 for e_x² e_y², 0 for odd powers.
   static double isotropic(const std::array<int, Dim>& powers) {
     double value = 1;
     for (int p : powers) value *= p % 2 == 1 ? 0 : (p == 4 ? 3 : 1);
@@ -66,7 +64,7 @@ class Moments {
   bool is_right(const std::vector<Vector>& M, const std::vector<double>& w) const {
     return missing(M, w).cwiseAbs().maxCoeff() < 1e-9;
   }
-  /// Solves w = ω ∘ (1 + Mᵀ α) with M w = target, the least change of ω. Sets negative weights to 0 and solves again.
+  /// Solves w = ω ∘ (1 + Mᵀ α) with M w = target. Negative weights become 0.
   void correct(const std::vector<Vector>& M, std::vector<double>& omega) const {
     std::vector<double> w(omega.size());
     for (std::size_t round = 0; round <= omega.size(); ++round) {
@@ -91,7 +89,7 @@ class Moments {
   Vector target_;
 };
 
-/// Rounds to 2^-36, far below the tolerance of the moments, so that mirror images have equal bits.
+/// Rounds to 2^-36: mirror images have equal bits.
 inline double rounded_weight(double weight) { return std::ldexp(std::round(std::ldexp(weight, 36)), -36); }
 
 }  // namespace taut

@@ -14,14 +14,13 @@
 namespace taut {
 namespace {
 
-/// Returns c |X|²/V0 (THEORY.md, Faces).
+/// c |X|²/V0 (THEORY.md, Faces).
 double lacking_along_free_face(const Material& material) {
   const double G = material.shear_modulus(), lambda = material.bulk_modulus() - 2.0 / 3 * G,
                thinner = lambda / (lambda + 2 * G);
   return 1.1 * 5 / 16 * (1.5 - thinner - 1.5 * thinner * thinner);
 }
 
-/// Returns the neighbour of i in the direction d, or −1.
 int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
   constexpr double nearly = 0.99;  // cosine
   int found = -1;
@@ -32,7 +31,7 @@ int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
   return found;
 }
 
-/// Face terms of particles with five of the eight nearest, away from other materials.
+/// For particles with five of the eight nearest, away from other materials.
 std::vector<FaceTerm> make_face_terms(const Scene& scene, const InitialParticles& initial, const Bonds& uncut,
                                       const std::vector<Point>& S) {
   constexpr int inside = 8, at_face = 5;
@@ -85,8 +84,7 @@ class BondFinisher {
   }
 
  private:
-  /// Divisors of dp², for particles in the middle of cells and for particles on faces (THEORY.md, Volumes and
-  /// masses).
+  /// Divisors of dp² for particles in cells and on faces (THEORY.md, Volumes and masses).
   struct EndCorrection {
     double cells, on_faces;
   };
@@ -95,7 +93,6 @@ class BondFinisher {
   bool is_on_faces(int i) const { return scene_.bodies[initial_.body[i]].on_boundary; }
   bool is_deformable(int i) const { return !is_rigid(constraints_[i]) || is_on_faces(i); }
 
-  /// Returns V of THEORY.md, Volumes and masses.
   std::vector<double> with_end_correction(const Bonds& bonds, const std::vector<InverseMoment>& B,
                                           const std::vector<Point>& S, const EndCorrection& by) const {
     std::vector<double> V = initial_.V0;

@@ -12,17 +12,16 @@
 
 namespace taut {
 
-/// A bond in the reference configuration, seen from end i.
 struct ReferenceBond {
-  Point X;        // from i to particle j, or to the point where the bond enters a clamp, m
+  Point X;        // from i to j or to the face of a clamp, m
   double weight;  // w_ij; 0 if only j selected the bond
-  Point area;     // a_ij = −a_ji, over the share of X_ij before a clamp; off-lattice in 3D rounded to float
+  Point area;     // a_ij = −a_ji; off-lattice in 3D rounded to float
 };
 
-/// Inverse moment B = (Σ_j a_ij ⊗ X_ij)⁻¹ of a particle, column by column.
+/// B = (Σ_j a_ij ⊗ X_ij)⁻¹, column by column.
 using InverseMoment = std::array<Point, 3>;
 
-/// Returns the gradient vector g_ij = B a_ij, in 1/m.
+/// g_ij = B a_ij, 1/m.
 inline Point gradient_of(const InverseMoment& B, const ReferenceBond& bond) {
   Point g{};
   for (std::size_t k = 0; k < g.size(); ++k)
@@ -30,8 +29,7 @@ inline Point gradient_of(const InverseMoment& B, const ReferenceBond& bond) {
   return g;
 }
 
-/// A term that particle i at a face cancels in addition to its bonds, as for one more bond along t (THEORY.md,
-/// Faces).
+/// Term that is cancelled like one more bond along t (THEORY.md, Faces).
 struct FaceTerm {
   int i;
   Point t;
@@ -40,24 +38,23 @@ struct FaceTerm {
 
 struct SolidGeometry;
 
-/// Bonds inside bodies, stored from both ends; they never change. Rigid particles have no bonds of their own, unless
-/// they stand on the face of a clamp. THEORY.md derives the choices.
+/// Bonds inside bodies, stored from both ends. Rigid particles have none of their own, except on the face of a clamp.
 struct Bonds {
-  std::vector<int> begin;           // [n + 1] first bond of each particle
-  std::vector<int> j;               // [bond] the other particle
+  std::vector<int> begin;           // [n + 1] first bond
+  std::vector<int> j;               // [bond] other particle
   std::vector<ReferenceBond> rows;  // contiguous per particle
-  std::vector<int> row;  // [n] first of its bonds in `rows`; −1: `solid` computes them; empty: as `begin`
+  std::vector<int> row;             // [n] first in `rows`; −1: computed by `solid`; empty: as `begin`
   std::shared_ptr<const SolidGeometry> solid;  // in 3D
-  bool off_lattice = false;      // some particles are off-lattice: their highest frequency must be estimated
-  Constraints constraints;       // [n]
-  std::vector<InverseMoment> B;  // [n]; 0 where the bonds (nearly) lie on a line
-  std::vector<double> volume;    // [n] V, m^dim, the weight of the particle's strain energy
-  std::vector<double> mass;      // [n] mass over density, m^dim
+  bool off_lattice = false;
+  Constraints constraints;           // [n]
+  std::vector<InverseMoment> B;      // [n]; 0 where bonds hardly span the space
+  std::vector<double> volume;        // [n] V, m^dim, weight of the strain energy
+  std::vector<double> mass;          // [n] mass over density, m^dim
   std::vector<FaceTerm> face_terms;  // sorted by particle; in 2D
 
   int size() const { return static_cast<int>(begin.size()) - 1; }
   bool is_rigid(int i) const { return taut::is_rigid(constraints[i]); }
-  /// Returns bond b, which must be a bond of particle i.
+  /// Bond b, which must belong to particle i.
   ReferenceBond of(int i, int b) const {
     return row.empty() ? rows[b] : row[i] < 0 ? in_solid(i, b) : rows[row[i] + b - begin[i]];
   }
@@ -65,9 +62,8 @@ struct Bonds {
     return {std::ranges::lower_bound(face_terms, i, {}, &FaceTerm::i),
             std::ranges::upper_bound(face_terms, i, {}, &FaceTerm::i)};
   }
-  /// Returns g_ij, in 1/m: Σ_j (f_j − f_i) g_ij is the gradient of f at i.
+  /// g_ij, 1/m.
   Point gradient(int i, int b) const { return gradient_of(B[i], of(i, b)); }
-  /// Calls f(j, bond) for each bond of i.
   template <class F>
   void for_each(int i, const F& f) const {
     for (int b = begin[i]; b < begin[i + 1]; ++b) f(j[b], of(i, b));
@@ -83,15 +79,14 @@ inline Bonds make_bonds(const Scene& scene, const InitialParticles& initial, dou
   return make_bonds(scene, initial, make_constraints(scene, initial), h);
 }
 
-/// Returns the modulus that replaces G in bonds of this material, in Pa (terms/bond.hpp).
+/// Replaces G in bonds, Pa (terms/bond.hpp).
 double modulus_of_bonds(int dim, const Elasticity& m);
-/// Returns G of bond b of particle i, in Pa: the harmonic mean of both ends, since the halves are springs in series.
-/// A rigid particle takes the modulus of the particle it is bonded to.
+/// G of bond b of particle i, Pa: the harmonic mean of both ends. A rigid particle takes the modulus of the other
+/// end.
 double modulus_of_bond(const Bonds& bonds, const InitialParticles& initial,
                        const std::vector<Elasticity>& materials, int i, int b);
 
-/// Returns the surface of each particle, S_j = Σ_i (V_i g_ij − V_j g_ji), on which a uniform stress acts; 0 inside a
-/// lattice (THEORY.md, Volumes and masses).
+/// Surface S_j of each particle (THEORY.md, Volumes and masses).
 std::vector<Point> surface(const Bonds& bonds);
 
 inline constexpr double least_bond_reach = 2, wide_bond_reach = 2.625;  // in h

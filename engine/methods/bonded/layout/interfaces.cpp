@@ -21,7 +21,7 @@ Point point(const Place& v) { return {v[0], v[1], v[2]}; }
 
 struct SideGradient {
   int j;
-  Place g;  // 1/m
+  Place g;
 };
 
 bool is_across(const Bonds& bonds, const InitialParticles& initial, const std::vector<Elasticity>& materials,
@@ -49,7 +49,7 @@ class InterfaceMaker {
 
  private:
   bool is_across(int i, int j) const { return taut::is_across(bonds_, initial_, materials_, i, j); }
-  /// Returns nothing if i is bonded to no other material, to several, or to a clamp.
+  /// Nothing if i is bonded to no other material, to several, or to a clamp.
   std::optional<int> other_material(int i) const {
     std::optional<int> other;
     if (bonds_.is_rigid(i) || !(bonds_.B[i][0][0] > 0)) return {};
@@ -62,9 +62,9 @@ class InterfaceMaker {
     }
     return other;
   }
-  /// Normal of the plane through the midpoints of bonds across, of i and its neighbours; nothing if they lie on none.
+  /// Normal of the plane through the midpoints of bonds across near i, if there is one.
   std::optional<Place> normal(int i, int other) const {
-    // maximum ratio of the variances across and along the plane; with 0.15 some discs fly apart
+    // maximum ratio of variances across and along the plane; with 0.15 some discs fly apart
     constexpr double flat = 0.08;
     std::vector<Place> middles;
     Place mean = Place::Zero(), towards = Place::Zero();
@@ -95,8 +95,8 @@ class InterfaceMaker {
     const Place N{axis[0], axis[1], initial_.dim == 2 ? 0 : axis[2]};
     return N.dot(towards) < 0 ? -N : N;
   }
-  /// Returns the gradient at i from bonds within its material. Returns nothing where they hardly determine it: with
-  /// steep gradients the energy would have no minimum.
+  /// Gradient at i within its material; empty where bonds hardly determine it, because the energy would have no
+  /// minimum.
   std::vector<SideGradient> own_gradient(int i) const {
     constexpr double least = 0.5;  // det A over isotropic A; flat sides have 0.84
     Square A = Square::Zero();
@@ -121,7 +121,7 @@ class InterfaceMaker {
     Place m = Place::Zero();
     std::map<int, double> beta;
     double weights = 0;
-    std::vector<std::pair<double, std::vector<SideGradient>>> beyond;  // gradients at neighbours across
+    std::vector<std::pair<double, std::vector<SideGradient>>> beyond;
     std::vector<int> of;
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
       const int k = bonds_.j[b];
@@ -139,7 +139,7 @@ class InterfaceMaker {
     if (beyond.empty() || !(share > 0 && share < 0.75)) return;
     for (const SideGradient& e : own) beta[e.j] += N->dot(e.g);
     for (std::size_t k = 0; k < beyond.size(); ++k) {
-      for (const SideGradient& e : beyond[k].second) {  // x_j − x_k = (x_j − x_i) − (x_k − x_i)
+      for (const SideGradient& e : beyond[k].second) {
         const double of_one = beyond[k].first / weights * N->dot(e.g);
         beta[e.j] -= of_one;
         beta[of[k]] += of_one;
@@ -150,14 +150,13 @@ class InterfaceMaker {
     for (const auto& [j, weight] : beta) out_.j.push_back(j), out_.weight.push_back(weight);
     out_.begin.push_back(static_cast<int>(out_.j.size()));
   }
-  /// Estimates the wave speed, m/s, from row sums of stiffness over mass. On a lattice of one material such a sum is
-  /// (wave speed · dimension/spacing)².
+  /// Wave speed, m/s, estimated from row sums of stiffness over mass.
   double wave_speed() const {
-    std::vector<double> stiffness(bonds_.begin.size() - 1);  // N/m
+    std::vector<double> stiffness(bonds_.begin.size() - 1);
     for (std::size_t s = 0; s < out_.sites.size(); ++s) {
       const Interfaces::Site& site = out_.sites[s];
       const Place m = column(site.m), beyond = m - column(site.N);
-      std::map<int, std::pair<Place, Place>> slopes;  // derivatives of both deformations along N
+      std::map<int, std::pair<Place, Place>> slopes;
       const auto add = [&](int j, const Place& own, const Place& other) {
         for (const auto& [p, sign] : {std::pair{j, 1.0}, std::pair{site.id, -1.0}}) {
           auto& of = slopes.try_emplace(p, Place::Zero(), Place::Zero()).first->second;
@@ -178,7 +177,7 @@ class InterfaceMaker {
             V * ((1 - site.share) * wave_modulus(initial_.material[site.id]) * of.first.norm() * own +
                  site.share * wave_modulus(site.other) * of.second.norm() * other);
     }
-    double greatest = 0;  // 1/s²
+    double greatest = 0;
     for (int p = 0; p < initial_.size(); ++p)
       greatest = std::max(greatest, stiffness[p] / (materials_[initial_.material[p]].rho0 * bonds_.mass[p]));
     return spacing_ * std::sqrt(greatest) / initial_.dim;

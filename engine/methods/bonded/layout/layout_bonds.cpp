@@ -43,10 +43,10 @@ class LayoutBonds {
   }
 
  private:
-  /// Minimum strength (V_i w_ij + V_j w_ji)/V_i of a pair, about 2 on lattices; at a clamp minimum of w_ij.
+  /// Minimum strength (V_i w_ij + V_j w_ji)/V_i of a pair, about 2 on lattices.
   static constexpr double least_strength = 0.4;
   static constexpr double not_selected = -1;
-  static constexpr double greatest_at_surface = 1;  // w in irregular bodies; the weight on a lattice
+  static constexpr double greatest_at_surface = 1;  // w in irregular bodies
 
   void make_balanced() {
     select();
@@ -70,7 +70,6 @@ class LayoutBonds {
       for (int i = first; i < last; ++i) select(i, moments, own);
     });
   }
-  /// At the surface of an irregular body all bonds get one weight, with which they are nowhere stiffer than the solid.
   void select(int i, const Moments<2>& moments, Selection& own) {
     std::vector<Eigen::Vector2d>& X = own.X;
     std::vector<double>& w = own.w;
@@ -104,7 +103,6 @@ class LayoutBonds {
       own.pairs.push_back(near_.begin[i] + k);
     }
   }
-  /// Creates bonds that either end selected.
   void set_ends() {
     const auto is_selected = [&](std::size_t pair, std::size_t back) {
       return selected_[pair] != not_selected || selected_[back] != not_selected;
@@ -138,8 +136,7 @@ class LayoutBonds {
       }
     });
   }
-  /// Returns the bodies in which the balance left a pair below the minimum strength. Irregular bodies are exempt: a
-  /// few pairs of negative strength do less harm there than no balance.
+  /// Irregular bodies are exempt: a few weak pairs do less harm there than no balance.
   std::vector<int> bodies_with_pair_below(double least) const {
     std::vector<unsigned char> below(initial_.size());
     parallel_for(initial_.size(), threads_, [&](int i) {
@@ -171,8 +168,8 @@ class LayoutBonds {
   int threads_;
   NeighborLists near_;
   std::vector<bool> irregular_;      // [body]
-  std::vector<double> least_reach_;  // [body] of the bonds, in h
-  std::vector<double> selected_;     // [pair of near_] w_ij or not_selected
+  std::vector<double> least_reach_;  // [body] in h
+  std::vector<double> selected_;     // [pair of near_]
   std::vector<double> unbalanced_;
   bool changed_by_balance_ = false;
   Bonds out_;

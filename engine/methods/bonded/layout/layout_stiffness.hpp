@@ -13,8 +13,7 @@
 
 namespace taut {
 
-/// Returns the maximum eigenvalue of the symmetric tridiagonal matrix T with the off-diagonal `beside`, one entry
-/// shorter than the diagonal: above it all pivots of T − λ are negative. NaN if an entry is NaN.
+/// Maximum eigenvalue of a symmetric tridiagonal matrix with the off-diagonal `beside`, by bisection. NaN for NaN.
 inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside) {
   const std::size_t n = diagonal.size();
   const auto is_above = [&](double lambda) {
@@ -36,7 +35,7 @@ inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std
   return 0.5 * (low + high);
 }
 
-/// Returns a pseudo-random number in −1 … 1, equal for all compilers (splitmix64 of k).
+/// Pseudo-random number in −1 … 1, equal for all compilers (splitmix64 of k).
 inline double scattered(std::uint64_t k) {
   k = (k + 1) * 0x9e3779b97f4a7c15;
   k = (k ^ k >> 30) * 0xbf58476d1ce4e5b9;
@@ -44,7 +43,7 @@ inline double scattered(std::uint64_t k) {
   return static_cast<double>(k ^ k >> 31) * 0x1p-63 - 1;
 }
 
-/// Returns Σ a_i · b_i, equal for any number of threads.
+/// Σ a_i · b_i, equal for any number of threads.
 template <int Dim>
 double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double, Dim>>& b, int threads) {
   constexpr int stretch = 1024;
@@ -56,9 +55,8 @@ double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double,
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// Returns the maximum eigenvalue of a symmetric operator apply(u, out) on n vectors, to about 0.5 % from below, by
-/// Lanczos steps from a fixed start. Vectors are orthogonal to the last two only: round-off then repeats eigenvalues,
-/// but adds no greater one.
+/// Maximum eigenvalue of a symmetric operator apply(u, out) on n vectors, about 0.5 % low, by Lanczos steps from a
+/// fixed start. Round-off repeats eigenvalues, but adds no greater one.
 template <int Dim, class Apply>
 double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   constexpr int least = 14, most = 30;  // steps
@@ -85,9 +83,8 @@ double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   }
 }
 
-/// Returns ω² of the highest mode about the current positions, in 1/s²: the maximum eigenvalue of M^(−½) K M^(−½),
-/// with K from differences of forces. `mobility` is 1/m, in 1/kg, or 0 for constrained particles. forces(u, out)
-/// computes the forces, in N, at displacements u with |u| ≤ `small`, in m.
+/// ω² of the highest mode, 1/s², with stiffness from differences of forces. `mobility`: 1/kg, 0 if constrained.
+/// forces(u, out): N, at displacements |u| ≤ `small`, m.
 template <int Dim, class Forces>
 double highest_frequency_squared(const std::vector<double>& mobility, double small, int threads,
                                  const Forces& forces) {

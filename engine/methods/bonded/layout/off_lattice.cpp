@@ -23,8 +23,7 @@ std::vector<Eigen::Vector3d> make_directions() {
   return all;
 }
 
-/// Maximum eigenvalue of the bonds' energy; of_bond(e) is the strain along e in the basis where the isotropic solid
-/// is the identity.
+/// Maximum eigenvalue of the bonds' energy in a basis where the isotropic solid is the identity.
 template <int Strains, int Dim, class OfBond>
 double greatest_ratio(const std::vector<Eigen::Vector<double, Dim>>& X, const std::vector<double>& w,
                       const OfBond& of_bond) {

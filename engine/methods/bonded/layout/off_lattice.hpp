@@ -10,25 +10,21 @@
 
 namespace taut {
 
-/// Returns for each body whether its layout is irregular: hardly any free particle has two equidistant neighbours, as in
-/// a jittered body or a lattice written with six digits. `near`: neighbours within at least 1.5 spacings, by id.
+/// Whether each body is irregular (THEORY.md, Irregular bodies). `near` extends to at least 1.5 spacings.
 std::vector<bool> irregular_bodies(const InitialParticles& initial, const Constraints& constraints,
                                    const NeighborLists& near, double spacing, int threads);
 
-/// Return a_ij over X_ij as a function of dp/r (THEORY.md, Gradient). `steep_share` is for particles whose nearest
-/// neighbours lie as on a lattice. `even_share` is for irregular layouts; it weights the first ring almost evenly.
+/// a_ij over X_ij as a function of dp/r (THEORY.md, Gradient); `even_share` is for irregular layouts.
 double steep_share(double per_r);
 double even_share(double per_r);
 
-/// Returns whether the neighbours X of a particle have the distances of a cubic lattice.
 bool is_on_lattice(const std::vector<Eigen::Vector3d>& X, double spacing);
 
-/// Returns whether some direction has no neighbour X within 60 degrees (in 2D 50).
+/// Whether no neighbour X lies within 60 degrees (2D: 50) of some direction.
 bool is_at_surface(const std::vector<Eigen::Vector2d>& X);
 bool is_at_surface(const std::vector<Eigen::Vector3d>& X);
 
-/// Returns the maximum, over all strains, of the energy of bonds X with weights w over the energy of the isotropic
-/// solid with λ = μ.
+/// Maximum energy of bonds X with weights w over all strains, relative to the isotropic solid with λ = μ.
 double excess(const std::vector<Eigen::Vector2d>& X, const std::vector<double>& w);
 double excess(const std::vector<Eigen::Vector3d>& X, const std::vector<double>& w);
 

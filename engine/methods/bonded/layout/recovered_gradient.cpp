@@ -53,8 +53,8 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
 }
 
 constexpr int rigid = 1;
-/// Returns how each particle moves: 0 freely, 1 as part of a rigid region, else a number per drive and guide. The
-/// gradient jumps where a driven or guided region begins: its outermost particles count as their freest neighbours.
+/// Motions: 0 free, 1 rigid, else a number per drive and guide. The outermost particles of a driven or guided region
+/// count as their freest neighbours.
 template <int Dim>
 std::vector<int> motions(const InitialParticles& initial, const Constraints& constraints,
                          const std::vector<int>& drive, double spacing, int threads) {
@@ -85,8 +85,7 @@ std::vector<int> motions(const InitialParticles& initial, const Constraints& con
   return motion;
 }
 
-/// Returns the neighbours with the material and motion of i. X is rounded to 2^-40 dp: on a lattice the bits are
-/// equal.
+/// X is rounded to 2^-40 dp: on a lattice the bits are equal.
 template <int Dim>
 Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>& motion, int i,
                         std::span<const int> near, double spacing) {
@@ -102,7 +101,6 @@ Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>&
   return some;
 }
 
-/// Returns whether a neighbour has another material or motion: the gradient of i then averages two sides.
 template <int Dim>
 bool has_other_side(const InitialParticles& initial, const std::vector<int>& motion, int i,
                     std::span<const int> near, double reach) {
@@ -128,7 +126,7 @@ bool is_symmetric(const Neighborhood<Dim>& near) {
   });
 }
 
-/// Returns g_j, 1/dp, of the fit with `terms` of X, X ⊗ X; empty if undetermined or too sensitive.
+/// g in 1/dp; empty if undetermined or too sensitive.
 template <int Dim>
 Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, int terms) {
   const auto n = static_cast<Eigen::Index>(near.size());

@@ -6,7 +6,6 @@
 
 namespace taut {
 
-/// Pointers to the data of a RecoveredGradient.
 struct RecoveredView {
   const int *begin, *j, *row;
   const double* g;
@@ -14,16 +13,15 @@ struct RecoveredView {
   const unsigned char* between;  // null: none
 };
 
-/// Gradients on the initial layout for snapshots, exact for quadratic fields up to the surface, where the method's
-/// own gradient is not (THEORY.md, Recovered gradient):
-///   ∇f at i = Σ_j (f_j − f_i) ⊗ g_ij,   Σ_j X_ij ⊗ g_ij = I,   Σ_j X_ij ⊗ X_ij ⊗ g_ij = 0.
+/// Gradients for snapshots, ∇f at i = Σ_j (f_j − f_i) ⊗ g_ij, exact for quadratic fields up to the surface
+/// (THEORY.md, Recovered gradient).
 struct RecoveredGradient {
-  std::vector<int> begin;  // [n + 1] first entry of each particle; without entries its own gradient is used
+  std::vector<int> begin;  // [n + 1]; without entries the own gradient is used
   std::vector<int> j;
-  std::vector<int> row;                // [n] first index in `g`; equal neighbourhoods share their numbers
+  std::vector<int> row;                // [n] first index in `g`, shared by equal neighbourhoods
   std::vector<double> g;               // 1/m, dim numbers per entry
   std::vector<float> halved;           // replaces g if requested
-  std::vector<unsigned char> between;  // [n] 1: the own gradient averages two sides (3D); may be empty
+  std::vector<unsigned char> between;  // [n] 1: the own gradient averages two sides; may be empty
   int dim = 0;
 
   bool empty() const { return begin.empty(); }
@@ -35,12 +33,12 @@ struct RecoveredGradient {
             halved.empty() ? nullptr : halved.data(),
             between.empty() ? nullptr : between.data()};
   }
-  /// Returns g_ij for begin[i] ≤ b < begin[i + 1]; not for `halved`.
+  /// g_ij for begin[i] ≤ b < begin[i + 1]; not for `halved`.
   const double* of(int i, int b) const { return &g[row[i] + dim * (b - begin[i])]; }
 };
 
-/// Particle id[k] is stored at k; the result uses stored indices. `drive` is as in `initial`, but −1 once a drive has
-/// ended. `reach` of the own gradient is in m. `halved` is for layouts in which each particle has its own row.
+/// Particle id[k] is stored at k; the result uses stored indices. `drive`: as in `initial`, −1 after its end.
+/// `reach`: of the own gradient, m. `halved`: for layouts without equal neighbourhoods.
 RecoveredGradient recovered_gradient(const InitialParticles& initial, const Constraints& constraints,
                                      const std::vector<int>& drive, const std::vector<int>& id,
                                      double spacing, double reach, int threads = 1, bool halved = false);

@@ -7,7 +7,7 @@
 namespace taut {
 namespace {
 
-/// Returns the bond of `from` to `to`, or −1: rigid particles have no bonds to the particles bonded to them.
+/// Bond of `from` to `to`, or −1: rigid particles have none.
 int find_bond(const Bonds& bonds, int from, int to) {
   const int* const last = bonds.j.data() + bonds.begin[from + 1];
   const int* const found = std::find(bonds.j.data() + bonds.begin[from], last, to);

@@ -8,35 +8,32 @@
 
 namespace taut {
 
-/// Constants of a bond, as the particle at one end sums over it.
 struct BondConstants {
   int j;          // id of the other end; −1 − p: the bond ends at clamp place p
-  double k;       // G (V0_i w_ij + V0_j w_ji)/r0², N/m (per metre depth in 2D); equal bits from both ends
+  double k;       // G (V0_i w_ij + V0_j w_ji)/r0², N/m; equal bits from both ends
   double r2;      // r0², m²
   double energy;  // G V0_i w_ij, J
   Point area;     // a_ij
 };
 
-/// A cancelled bond or face term.
 struct CancelledTerm {
-  Point X;          // direction
+  Point X;
   double strength;  // G V0_i w_ij, J
 };
 
-/// The point where a bond enters a clamp.
 struct ClampPlace {
   Point x;             // initial, m
-  int rigid_particle;  // id of the rigid particle behind the face
+  int rigid_particle;  // id, behind the face
 };
 
-/// Data that the bonded family computes once. Arrays are by id. `initial` must outlive the setup.
+/// Arrays by id. `initial` must outlive the setup.
 struct BondedSetup {
   const InitialParticles& initial;
   std::vector<Elasticity> materials;
   Bonds bonds;
-  std::vector<double> mass;  // [n] kg (per metre depth in 2D)
+  std::vector<double> mass;  // [n] kg
   Interfaces interfaces;
-  double wave_speed;                     // of compression in the stiffest material, or at an interface, m/s
+  double wave_speed;                     // m/s
   double damping_lead;                   // 3 τ of the bonds, s
   std::vector<ClampPlace> clamp_places;  // sorted by the particle whose bond ends there
   std::vector<int> first_clamp_place;    // [n]
@@ -45,10 +42,9 @@ struct BondedSetup {
   std::vector<CancelledTerm> cancelled_terms(int i) const;
 };
 
-/// `damping`: see BondedConstants.
 BondedSetup make_bonded_setup(const SolverInput& input, double damping);
 
-/// Returns the particles with all rigid ones marked as clamped, because loads do not act on rigid particles.
+/// Marks all rigid particles as clamped, because loads do not act on them.
 InitialParticles with_rigid_clamped(const InitialParticles& initial, const Bonds& bonds);
 
 }  // namespace taut

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t whole = 26;
 
-/// Returns w for `r` in spacings (THEORY.md, Three dimensions).
+/// w for `r` in spacings (THEORY.md, Three dimensions).
 double lattice_weight(double r) {
   constexpr double t = 3.0 / 8;
   static const double axis = rounded_weight(0.5 + 4 * t / 9), face = rounded_weight(1 - 8 * t / 9);
@@ -53,8 +53,8 @@ class SolidBonds {
  private:
   struct Selection {
     std::vector<Eigen::Vector3d> X;
-    std::vector<std::size_t> of;  // indices of neighbours
-    std::vector<double> w;        // lattice weights
+    std::vector<std::size_t> of;
+    std::vector<double> w;
   };
 
   bool is_irregular(int i) const { return irregular_bodies_[initial_.body[i]]; }
@@ -67,7 +67,6 @@ class SolidBonds {
     }
     return out;
   }
-  /// Extends the reach of inner off-lattice particles until right weights exist.
   void extend_reach(double h, int threads) {
     const int n = initial_.size();
     std::vector<unsigned char> further(n);
@@ -105,8 +104,7 @@ class SolidBonds {
     }
     near_ = std::move(chosen);
   }
-  /// Returns w of each neighbour; empty for the weights of a lattice. At an off-lattice surface the weights are
-  /// reduced where bonds would be stiffer than the solid: the energy would have no minimum.
+  /// Empty for lattice weights (THEORY.md, Three dimensions).
   std::vector<double> own_weights(int i) const {
     static const Moments<3> moments;
     Selection own = selection(i);
@@ -134,9 +132,8 @@ class SolidBonds {
       weights.insert(weights.end(), w.begin(), w.end());
     });
   }
-  /// Uses all bonds where the nearest hardly determine the gradient.
   void choose_gradients(int threads) {
-    // least det A over the determinant of the isotropic A of the same trace
+    // least det A, relative to the isotropic A of the same trace
     constexpr double least = 0.5, least_of_irregular = 0.7;
     using enum SolidGeometry::Gradient;
     geometry_.gradient.assign(initial_.size(), of_axes);
@@ -158,13 +155,13 @@ class SolidBonds {
   double spacing_;
   NeighborLists near_;
   std::vector<bool> irregular_bodies_;
-  std::vector<double> reach_;  // [n] m, of the bonds that each selects; empty: all neighbours
+  std::vector<double> reach_;  // [n] m; empty: all neighbours
   SolidGeometry geometry_;
 };
 
 }  // namespace
 
-/// Rounds X to 2^-40 spacings, so that equal bonds of a lattice have equal bits everywhere.
+/// Rounds X to 2^-40 spacings: equal bonds of a lattice have equal bits.
 ReferenceBond SolidGeometry::bond(int i, int j, std::size_t k) const {
   const Point &from = x[i], &to = x[j];
   ReferenceBond one{};

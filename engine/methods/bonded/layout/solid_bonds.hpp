@@ -7,23 +7,23 @@
 
 namespace taut {
 
-/// Computes 3D bonds on request, because the 26 bonds of a particle would take 1.5 kB.
+/// Computes 3D bonds on request, because 26 bonds take 1.5 kB.
 struct SolidGeometry {
   /// Decay of a_ij with the distance (THEORY.md, Gradient).
   enum class Gradient : unsigned char { of_axes, steep, even };
 
   std::vector<Point> x;        // [n] m
   double spacing;              // m
-  std::vector<int> irregular;  // [n] first of its weights in `weights`; −1: lattice weights
+  std::vector<int> irregular;  // [n] first in `weights`; −1: lattice weights
   std::vector<double> weights;
   std::vector<Gradient> gradient;  // [n]
-  bool off_lattice = false;        // some bonds differ from the bonds of a (nearly) cubic lattice
+  bool off_lattice = false;
 
-  /// Returns the bond from i to j, the k-th neighbour of i.
+  /// Bond from i to j, the k-th neighbour of i.
   ReferenceBond bond(int i, int j, std::size_t k) const;
 };
 
-/// Returns the bonds of 3D bodies. They do not end at clamps yet and have no volumes and masses. h in m.
+/// Bonds that are not yet cut at clamps, without volumes and masses. h in m.
 Bonds solid_bonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
                   int threads);
 
