@@ -318,11 +318,14 @@ void TomlCursor::fail_expression(const TomlValue& value, std::string_view key,
 }
 
 void TomlCursor::refuse_unknown_keys() const {
-  for (const TomlEntry& entry : table_.entries)
-    if (row(entry.key) == nullptr)
-      fail(entry.place, entry.key,
-           "unknown key " + quote(entry.key) + " in " + what_ + did_you_mean(entry.key, names_of(rows_)) +
-               "; known keys: " + join(names_of(rows_)));
+  for (const TomlEntry& entry : table_.entries) {
+    if (row(entry.key) != nullptr) continue;
+    std::vector<std::string> known;
+    for (const KeyInfo& key : rows_) known.emplace_back(key.name);
+    fail(entry.place, entry.key,
+         fmt::format("unknown key '{}' in {}{}; known keys: {}", entry.key, what_,
+                     did_you_mean(entry.key, known), join(known)));
+  }
 }
 
 void TomlCursor::finish() const {
