@@ -243,9 +243,9 @@ std::string chart_script(const Chart& chart, const PlotFiles& files) {
   for (std::size_t k = 0; k < chart.series.size(); ++k)
     for (std::string& each : curve(chart, layout, k)) plots.push_back(std::move(each));
   for (std::string& each : legend(chart, layout)) plots.push_back(std::move(each));
-  return plot_head(files, plot_width, static_cast<int>(layout.height())) + frame(chart, layout) +
-         strip(layout) +
-         fmt::format("plot [{}:{}] {}\n", exact(layout.cost.low), exact(layout.cost.high),
+  return fmt::format("{}{}{}plot [{}:{}] {}\n",
+                     plot_head(files, plot_width, static_cast<int>(layout.height())), frame(chart, layout),
+                     strip(layout), exact(layout.cost.low), exact(layout.cost.high),
                      join(plots, ", \\\n     "));
 }
 
