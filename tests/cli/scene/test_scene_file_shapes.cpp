@@ -155,7 +155,7 @@ TEST_SUITE("cli") {
     check_shape_error(R"({ type = "polygon", points = @[[0, 0], [1, 1], [2, 2]] })", {"lie on"});
     check_shape_error(R"({ type = "polygon", points = [[0, 0], [1, 0], [0, 1]], contours = @[] })",
                       {"contours and points are both given"});
-    check_shape_error(R"({ type = "ellipse", centre = [0, 0], semi_axes = @[1, 0] })",
+    check_shape_error(R"({ type = "ellipse", centre = [0, 0], semi_axes = [1, @0] })",
                       {"semi_axes[1]", "greater than 0"});
     check_shape_error(R"({ type = @"ellipsoid", centre = [0, 0], semi_axes = [1, 1] })", {"use ellipse"});
     check_shape_error(R"({ type = "expression", inside = @0, low = [0, 0], high = [1, 1] })",
@@ -283,7 +283,7 @@ unit = "s"
     check_shape_error(R"({ type = "mask", file = @"mask.png", height = 2, low = [0, 0], threshold = 0.97 })",
                       {"no part of the picture is inside"});
     check_shape_error(R"({ type = "mask", file = "mask.png", height = 2, low = [0, 0], threshold = @1 })",
-                      {"between 0"});
+                      {"must be greater than 0 and below 1"});
     check_shape_error(R"({ type = "mask", file = "mask.png", height = @-1, low = [0, 0] })",
                       {"greater than 0"});
     check_shape_error(R"({ type = "mask", file = "mask.png", height = 1, low = @[0, 0], centre = [0, 0] })",
