@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include "engine/core/machine.hpp"
@@ -22,8 +23,7 @@ void check_constants(const MethodInfo& method, const Settings& settings, int dim
     if (constant == constants.end()) {
       std::string known;
       for (const MethodConstant& c : constants) known += (known.empty() ? "" : ", ") + std::string(c.name);
-      throw UsageError("method '" + std::string(method.name) + "' has no constant '" + name + "'; it has " +
-                       known);
+      throw UsageError(fmt::format("method '{}' has no constant '{}'; it has {}", method.name, name, known));
     }
     if (!(value >= constant->low && value <= constant->high))
       throw UsageError(fmt::format("constant '{}' is {:g}; it must be from {:g} to {:g}", name, value,
@@ -67,11 +67,12 @@ void check_materials(const Scene& scene, const InitialParticles& initial, const 
   for (int i = 0; i < initial.size(); ++i) {
     if (same(scene.materials[initial.material[i]], scene.materials[first])) continue;
     const std::string& body = scene.bodies[initial.body[i]].name;
-    throw SceneError("body." + body, "method '" + std::string(method.name) +
-                                         "' allows only one material; body '" + body + "' has '" +
-                                         scene.materials[initial.material[i]].name + "', but body '" +
-                                         scene.bodies.front().name + "' has '" + scene.materials[first].name +
-                                         "'; methods for several materials: " + of_several());
+    throw SceneError(
+        "body." + body,
+        fmt::format("method '{}' allows only one material; body '{}' has '{}', but body '{}' has '{}'; "
+                    "methods for several materials: {}",
+                    method.name, body, scene.materials[initial.material[i]].name, scene.bodies.front().name,
+                    scene.materials[first].name, of_several()));
   }
 }
 
@@ -81,11 +82,11 @@ void check_displacements(const Scene& scene, const MethodInfo& method) {
   for (const Body& body : scene.bodies)
     for (const Expression& component : body.displacement)
       if (component)
-        throw SceneError("body." + body.name + ".displacement",
-                         "method '" + std::string(method.name) + "' has no reference configuration: body '" +
-                             body.name +
-                             "' would start displaced, but without stress; "
-                             "use a method with initial neighbours, such as tl or oenog");
+        throw SceneError(
+            fmt::format("body.{}.displacement", body.name),
+            fmt::format("method '{}' has no reference configuration: body '{}' would start displaced, "
+                        "but without stress; use a method with initial neighbours, such as tl or oenog",
+                        method.name, body.name));
 }
 
 /// Throws SceneError if a particle is behind a wall, or an undisplaced shape more than `greatest_depth` spacings.
@@ -140,7 +141,7 @@ int useful_threads(int particles) {
 
 std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& settings) {
   const MethodInfo* method = find_method(settings.method);
-  if (!method) throw UsageError("there is no method '" + settings.method + "'");
+  if (!method) throw UsageError(fmt::format("there is no method '{}'", settings.method));
   if (scene.bodies.empty()) throw SceneError("body", "the scene has no particles; add a [[body]]");
   const InitialParticles initial = make_initial_particles(scene);
   check_materials(scene, initial, *method);

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <ostream>
 
+#include <fmt/core.h>
+
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/command_line/report_options.hpp"
@@ -27,11 +29,12 @@ std::vector<Finding> findings(const CheckArguments& o, const StoredRun& run) {
     if (!tolerance) throw UsageError("--baseline needs --tolerance, such as --tolerance 1%");
     const StoredRun baseline = read_stored_run(o.baseline);
     if (!check_end(baseline).fine)
-      throw UsageError("the baseline '" + o.baseline +
-                       "' is a run that has not finished; give a finished one");
+      throw UsageError(
+          fmt::format("the baseline '{}' is a run that has not finished; give a finished one", o.baseline));
     if (baseline.record.scene != run.record.scene)
-      throw UsageError("the baseline is a run of scene '" + baseline.record.scene +
-                       "', the run is of scene '" + run.record.scene + "'; both must be of one scene");
+      throw UsageError(fmt::format(
+          "the baseline is a run of scene '{}', the run is of scene '{}'; both must be of one scene",
+          baseline.record.scene, run.record.scene));
     for (const Expectation& e : expectations_of(baseline, *tolerance)) expected.push_back(e);
     if (o.verdict.empty()) all.push_back(check_verdict(run, baseline.verdict()));
   }
@@ -43,10 +46,8 @@ std::vector<Finding> findings(const CheckArguments& o, const StoredRun& run) {
 
 std::string text(const std::vector<Finding>& all) {
   const auto failed = std::ranges::count(all, false, &Finding::fine);
-  return findings_table(all) + "\n" +
-         (failed == 0 ? "fine"
-                      : std::to_string(failed) + " of " + std::to_string(all.size()) + " checks failed") +
-         "\n";
+  return fmt::format("{}\n{}\n", findings_table(all),
+                     failed == 0 ? "fine" : fmt::format("{} of {} checks failed", failed, all.size()));
 }
 
 Json json(const CheckArguments& options, const std::vector<Finding>& all) {
@@ -67,10 +68,10 @@ Json json(const CheckArguments& options, const std::vector<Finding>& all) {
 TestReport report(const CheckArguments& options, const std::vector<Finding>& all) {
   TestReport report{"check", options.run, {}};
   for (const Finding& f : all)
-    report.cases.push_back({f.name + " " + f.expected,
+    report.cases.push_back({fmt::format("{} {}", f.name, f.expected),
                             f.fine ? TestCase::Result::passed : TestCase::Result::failed,
-                            f.name + ": expected " + f.expected + ", is " + f.is +
-                                (f.difference.empty() ? "" : " (" + f.difference + ")")});
+                            fmt::format("{}: expected {}, is {}{}", f.name, f.expected, f.is,
+                                        f.difference.empty() ? "" : fmt::format(" ({})", f.difference))});
   return report;
 }
 

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <ostream>
 
+#include <fmt/core.h>
+
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/command_line/picture_options.hpp"
@@ -34,7 +36,7 @@ double share(const std::string& text) {
   const bool percents = text.ends_with('%');
   const auto value = parsed<double>(std::string_view(text).substr(0, text.size() - (percents ? 1 : 0)));
   if (!value || !(*value > 0))
-    throw UsageError("--error is '" + text + "'; it must be a number above 0, such as 1% or 0.01");
+    throw UsageError(fmt::format("--error is '{}'; it must be a number above 0, such as 1% or 0.01", text));
   return percents ? *value / 100 : *value;
 }
 
@@ -54,8 +56,9 @@ std::vector<std::string> stored_results(const std::string& scene) {
     }
   }
   if (files.empty())
-    throw UsageError("there are no results of " + scene +
-                     " below out/; make some with `taut sweep`, or name others with --from");
+    throw UsageError(fmt::format(
+        "there are no results of {} below out/; make some with `taut sweep`, or name others with --from",
+        scene));
   std::ranges::sort(files);
   return files;
 }
@@ -81,7 +84,7 @@ std::string keep_matching_runs(const SceneFile& file, StoredResults& results) {
       const std::string value = value_of(run, name);
       return !value.empty() && !is_same(value, wanted);
     });
-    if (left > 0) others.push_back(name + " = " + wanted);
+    if (left > 0) others.push_back(fmt::format("{} = {}", name, wanted));
   }
   return join(others);
 }
@@ -95,16 +98,17 @@ ChartRequest request(const ChooseArguments& options, const SceneFile& file) {
   StoredResults one;
   one.runs.push_back(read_stored_run(options.against));
   if (const std::string scene = one.runs.front().record.scene; scene != file.scene.name)
-    throw UsageError("'" + options.against + "' is a run of " + scene + "; it must be of " + file.scene.name);
+    throw UsageError(
+        fmt::format("'{}' is a run of {}; it must be of {}", options.against, scene, file.scene.name));
   request.run = one.runs.front();
   for (const Parameter& parameter : file.parameters)
     if (const std::string value = value_of(*request.run, parameter.name);
         !value.empty() && !is_same(value, exact(parameter.value)))
-      throw UsageError("the run in '" + options.against + "' has " + parameter.name + " = " + value +
-                       ", not " + exact(parameter.value) + "; choose this value with --set");
+      throw UsageError(fmt::format("the run in '{}' has {} = {}, not {}; choose this value with --set",
+                                   options.against, parameter.name, value, exact(parameter.value)));
   if (!one.runs.front().is_stable())
-    throw UsageError("the run in '" + options.against + "' has the verdict " + one.runs.front().verdict() +
-                     "; a reference must be stable");
+    throw UsageError(fmt::format("the run in '{}' has the verdict {}; a reference must be stable",
+                                 options.against, one.runs.front().verdict()));
   return request;
 }
 
@@ -131,17 +135,18 @@ int choose(const ChooseArguments& options, Streams streams) {
   const std::vector<std::string> files = options.from.empty() ? stored_results(scene) : options.from;
   StoredResults results = read_results(files);
   if (results.scene != scene)
-    throw UsageError("the results are of scene " + results.scene + "; they must be of " + scene);
+    throw UsageError(fmt::format("the results are of scene {}; they must be of {}", results.scene, scene));
   const std::string wanted = keep_matching_runs(file, results);
   if (std::ranges::none_of(results.runs, &StoredRun::has_result))
-    throw UsageError("no run in " + join(files) + " has the values of the scene, " + wanted +
-                     "; choose other values with --set");
+    throw UsageError(fmt::format(
+        "no run in {} has the values of the scene, {}; choose other values with --set", join(files), wanted));
   if (!wanted.empty())
     streams.err << "taut: only runs with " << wanted << " are used; choose other values with --set\n";
   const Chart chart = make_chart(results, request(options, file));
   if (error && !chart.unit.empty() && options.error->ends_with('%'))
-    throw UsageError("the errors of " + chart.measure + " have the unit " + chart.unit +
-                     " and cannot be given in %; give --error in " + chart.unit);
+    throw UsageError(
+        fmt::format("the errors of {0} have the unit {1} and cannot be given in %; give --error in {1}",
+                    chart.measure, chart.unit));
   if (error && chart.unit.empty() && *error >= 1 && !options.error->ends_with('%'))
     streams.err << "taut: --error " << *options.error << " allows an error of " << brief(100 * *error)
                 << " %; write " << *options.error << "% for " << *options.error << " %\n";

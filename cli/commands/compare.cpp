@@ -3,6 +3,8 @@
 #include <ostream>
 #include <span>
 
+#include <fmt/core.h>
+
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/drawing/bounds.hpp"
@@ -41,8 +43,9 @@ std::vector<SavedRun> open_runs(const std::vector<std::string>& folders) {
   for (const std::string& folder : folders) runs.push_back(open_saved_run(folder));
   for (const SavedRun& run : runs)
     if (run.file.scene.dim != runs.front().file.scene.dim)
-      throw UsageError("the runs " + folders.front() + " and " + run.folder.path().string() +
-                       " differ in dim; compare runs with the same number of dimensions");
+      throw UsageError(
+          fmt::format("the runs {} and {} differ in dim; compare runs with the same number of dimensions",
+                      folders.front(), run.folder.path().string()));
   return runs;
 }
 
@@ -58,8 +61,8 @@ std::vector<double> chosen_times(const CompareArguments& options, double until) 
     for (int k = 1; k <= default_rows; ++k) times.push_back(until * k / default_rows);
   for (const double time : times)
     if (time > until)
-      throw UsageError("--times contains " + brief(time) + " s; times must be at most " + brief(until) +
-                       " s, the end of the runs");
+      throw UsageError(fmt::format("--times contains {} s; times must be at most {} s, the end of the runs",
+                                   brief(time), brief(until)));
   return times;
 }
 
@@ -92,9 +95,10 @@ void refuse_to_follow_nobody(const Drawing& wish, const std::vector<SavedRun>& r
     std::vector<std::string> names;
     for (const Body& body : run.file.scene.bodies) names.push_back(body.name);
     if (wish.followed && std::ranges::find(names, wish.follow) == names.end())
-      throw UsageError("the picture follows body '" + wish.follow + "', but '" + run.folder.path().string() +
-                       "' has only the bodies " + join(names) +
-                       "; choose another body with --follow, or --follow none");
+      throw UsageError(
+          fmt::format("the picture follows body '{}', but '{}' has only the bodies {}; "
+                      "choose another body with --follow, or --follow none",
+                      wish.follow, run.folder.path().string(), join(names)));
   }
 }
 
@@ -166,8 +170,9 @@ render::PanelOptions panel_options(const Drawing& drawing, RunLabels labels) {
 
 int compare_runs(const CompareArguments& options, Streams streams) {
   if (!options.labels.empty() && options.labels.size() != options.runs.size())
-    throw UsageError("--labels names " + std::to_string(options.labels.size()) + " columns, but there are " +
-                     std::to_string(options.runs.size()) + " runs; give one label for each run");
+    throw UsageError(
+        fmt::format("--labels names {} columns, but there are {} runs; give one label for each run",
+                    options.labels.size(), options.runs.size()));
   const std::vector<SavedRun> runs = open_runs(options.runs);
   const Drawing wished = wish(runs, options);
   refuse_to_follow_nobody(wished, runs);
@@ -178,9 +183,10 @@ int compare_runs(const CompareArguments& options, Streams streams) {
     Drawing drawing = wished;
     apply_scene(drawing, run.file);  // body numbers may differ
     if (drawing.look.categories != wished.look.categories)
-      throw UsageError("'" + runs.front().folder.path().string() + "' has " + join(wished.look.categories) +
-                       ", '" + run.folder.path().string() + "' has " + join(drawing.look.categories) +
-                       ": they cannot have a common legend; choose another --color");
+      throw UsageError(
+          fmt::format("'{}' has {}, '{}' has {}: they cannot have a common legend; choose another --color",
+                      runs.front().folder.path().string(), join(wished.look.categories),
+                      run.folder.path().string(), join(drawing.look.categories)));
     const Origins origins = origins_of(run.file.scene);
     columns.push_back({Staging(drawing, origins), {}});
     for (const double time : times)

@@ -3,6 +3,8 @@
 #include <memory>
 #include <ostream>
 
+#include <fmt/core.h>
+
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/run/plan.hpp"
@@ -23,8 +25,9 @@ struct CriticalStepArguments : RunOptions {
 };
 
 std::string bracket(const CriticalStep& found) {
-  if (!found.stable) return found.unstable ? "unstable at " + brief(*found.unstable) + " s" : "";
-  return brief(*found.stable) + " s" + (found.unstable ? " to " + brief(*found.unstable) + " s" : " or more");
+  if (!found.stable) return found.unstable ? fmt::format("unstable at {} s", brief(*found.unstable)) : "";
+  return fmt::format("{} s{}", brief(*found.stable),
+                     found.unstable ? fmt::format(" to {} s", brief(*found.unstable)) : " or more");
 }
 
 /// Adds the place to errors about the scene.
@@ -47,25 +50,26 @@ CriticalStep search(const SceneFile& file, const CriticalStepArguments& options,
 }
 
 std::string result_text(const SceneFile& file, const CriticalStep& found) {
-  std::string text =
-      file.scene.name + " with " + file.settings.method + " at dp = " + brief(file.scene.spacing) + " m\n";
+  std::string text = fmt::format("{} with {} at dp = {} m\n", file.scene.name, file.settings.method,
+                                 brief(file.scene.spacing));
   std::vector<std::vector<std::string>> rows;
   if (found.stable) {
     const double share = *found.stable / found.default_step;
-    rows.push_back(
-        {"largest stable step", brief(*found.stable) + " s",
-         found.unstable ? "unstable at " + brief(*found.unstable) + " s" : "the largest step tried"});
+    rows.push_back({"largest stable step", brief(*found.stable) + " s",
+                    found.unstable ? fmt::format("unstable at {} s", brief(*found.unstable))
+                                   : "the largest step tried"});
     rows.push_back({"over the default step", brief(share),
-                    "default: " + brief(found.default_step) +
-                        " s; CFL number found: " + brief(share * file.settings.cfl)});
+                    fmt::format("default: {} s; CFL number found: {}", brief(found.default_step),
+                                brief(share * file.settings.cfl))});
   } else {
     rows.push_back({"largest stable step", "none", found.unstable ? bracket(found) : ""});
     rows.push_back({"default step", brief(found.default_step) + " s", ""});
   }
-  for (const StepLimit& limit : step_limits(file.scene, file.settings))
-    rows.push_back({std::string(limit.name), brief(limit.step) + " s",
-                    (found.stable ? "found: " + brief(*found.stable / limit.step) + " of this limit; " : "") +
-                        std::string(limit.source)});
+  for (const StepLimit& limit : step_limits(file.scene, file.settings)) {
+    const std::string ratio =
+        found.stable ? fmt::format("found: {} of this limit; ", brief(*found.stable / limit.step)) : "";
+    rows.push_back({std::string(limit.name), brief(limit.step) + " s", ratio + std::string(limit.source)});
+  }
   rows.push_back({"time of a trial", brief(found.covered) + " s, at least 300 steps",
                   std::to_string(found.trials) + " trials"});
   if (found.interrupted)
@@ -105,7 +109,9 @@ int find(const CriticalStepArguments& options, Streams streams) {
 
 std::string tolerance_in_bounds(const std::string& text) {
   const auto value = parsed<double>(text);
-  return value && *value >= 1e-9 && *value <= 0.5 ? "" : "'" + text + "' is not a number from 1e-9 to 0.5";
+  return value && *value >= 1e-9 && *value <= 0.5
+             ? ""
+             : fmt::format("'{}' is not a number from 1e-9 to 0.5", text);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <ostream>
 
+#include <fmt/core.h>
+
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/language/reference.hpp"
@@ -23,7 +25,7 @@ namespace {
 
 std::string bounds(std::optional<double> low, std::optional<double> high) {
   if (!low && !high) return "any";
-  return (low ? brief(*low) : "-inf") + " to " + (high ? brief(*high) : "inf");
+  return fmt::format("{} to {}", low ? brief(*low) : "-inf", high ? brief(*high) : "inf");
 }
 
 void print_table(std::ostream& out, std::string_view title, const Rows& rows, std::size_t headers = 0) {
@@ -62,7 +64,8 @@ Rows rows_of_measures(const Scene& scene) {
     std::string names;
     for (const auto& [law, reference] : scene.references)
       if (reference.has(m.name))
-        names += (names.empty() ? "" : "; ") + reference.name_for(m.name) + " (" + law_name(law) + ")";
+        names +=
+            fmt::format("{}{} ({})", names.empty() ? "" : "; ", reference.name_for(m.name), law_name(law));
     rows.push_back({m.name, m.kind, m.unit.empty() ? "-" : m.unit, names.empty() ? "none" : names});
   }
   return rows;
@@ -79,13 +82,13 @@ std::string motion_text(const Body& body) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   if (const std::string along = axes_of(body.guided); !along.empty())
-    add("clamped along " + along + " in part");
+    add(fmt::format("clamped along {} in part", along));
   else if (body.clamped)
     add("clamped in part");
   if (const std::string along = axes_of(body.displacement); !along.empty())
-    add("displaced along " + along + " at the start");
+    add(fmt::format("displaced along {} at the start", along));
   for (const Drive& drive : body.drives)
-    add("driven in part" + (drive.until ? " until " + brief(*drive.until) + " s" : ""));
+    add("driven in part" + (drive.until ? fmt::format(" until {} s", brief(*drive.until)) : ""));
   for (const Load& load : body.loads) add("loaded in part: " + std::string(name(load.kind)));
   return text;
 }
@@ -95,7 +98,7 @@ Rows body_rows(const Scene& scene) {
   for (const Body& body : scene.bodies) {
     std::string materials = scene.materials[static_cast<std::size_t>(body.material)].name;
     for (const Part& part : body.parts)
-      materials += ", " + scene.materials[static_cast<std::size_t>(part.material)].name + " in part";
+      materials += fmt::format(", {} in part", scene.materials[static_cast<std::size_t>(part.material)].name);
     rows.push_back({body.name, materials, motion_text(body)});
   }
   return rows;
@@ -120,7 +123,7 @@ std::string contact_text(const MethodInfo& method) {
   std::string others;
   for (const ContactLaw law : method.contact_laws)
     if (law != method.contact) others += (others.empty() ? "; also " : ", ") + std::string(name(law));
-  return std::string(name(method.contact)) + " by default" + others;
+  return fmt::format("{} by default{}", name(method.contact), others);
 }
 
 Rows wall_rows(const Scene& scene) {
@@ -132,7 +135,7 @@ Rows wall_rows(const Scene& scene) {
   Rows rows;
   for (const Wall& wall : scene.walls)
     rows.push_back(
-        {wall.name, "through " + in_brackets(wall.at) + " m", "normal " + in_brackets(wall.normal)});
+        {wall.name, fmt::format("through {} m", in_brackets(wall.at)), "normal " + in_brackets(wall.normal)});
   return rows;
 }
 
@@ -156,7 +159,7 @@ void describe_scene(const std::string& name, std::ostream& out) {
             {"until", brief(scene.until) + " s"},
             {"method", file.settings.method + "; --method changes it"}};
   if (scene.jitter.share > 0)
-    head.push_back({"jitter", brief(scene.jitter.share) + " dp, seed " + std::to_string(scene.jitter.seed)});
+    head.push_back({"jitter", fmt::format("{} dp, seed {}", brief(scene.jitter.share), scene.jitter.seed)});
   if (scene.bodies.size() > 1 || !scene.walls.empty()) head.push_back({"contact", contact_text(file)});
   if (has_gravity(scene)) head.push_back({"gravity", gravity_text(scene)});
   if (scene.damping > 0)
@@ -261,8 +264,8 @@ int print_schema(const std::string& name, std::ostream& out) {
                      : name == "claim-file" ? claim_schema
                                             : nullptr;
   if (!schema)
-    throw UsageError("--schema cannot describe '" + name +
-                     "'; it describes scene-file, sweep-file and claim-file");
+    throw UsageError(fmt::format(
+        "--schema cannot describe '{}'; it describes scene-file, sweep-file and claim-file", name));
   out << schema().dump(2) << '\n';
   return exit_fine;
 }
@@ -274,8 +277,9 @@ int describe(const std::string& name, bool json, std::ostream& out) {
     return exit_fine;
   }
   if (json)
-    throw UsageError("--json cannot describe a " + std::string(method ? "method" : "scene") + " ('" + name +
-                     "'); it describes scene-file, sweep-file, claim-file and their parts");
+    throw UsageError(fmt::format(
+        "--json cannot describe a {} ('{}'); it describes scene-file, sweep-file, claim-file and their parts",
+        method ? "method" : "scene", name));
   method ? describe_method(*method, out) : describe_scene(name, out);
   return exit_fine;
 }

@@ -4,6 +4,8 @@
 #include <optional>
 #include <ostream>
 
+#include <fmt/core.h>
+
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/run/folder.hpp"
@@ -32,14 +34,16 @@ struct MovieArguments {
 int count_frames(const fs::path& folder) {
   const int count = static_cast<int>(picture_names(folder).size());
   if (!fs::exists(folder / frame_name(0)))
-    throw UsageError("there are no frames (" + frame_name(0) + ", ...) in " + folder.string() +
-                     "; draw them with `taut run` or `taut render`");
+    throw UsageError(
+        fmt::format("there are no frames ({}, ...) in {}; draw them with `taut run` or `taut render`",
+                    frame_name(0), folder.string()));
   int whole = 0;
   while (fs::exists(folder / frame_name(whole))) ++whole;
   for (int later = whole + 1; later < count + whole; ++later)
     if (fs::exists(folder / frame_name(later)))
-      throw UsageError(frame_name(whole) + " is missing in " + folder.string() +
-                       ", but later frames exist; draw all frames again with `taut render`");
+      throw UsageError(
+          fmt::format("{} is missing in {}, but later frames exist; draw all frames again with `taut render`",
+                      frame_name(whole), folder.string()));
   return whole;
 }
 
@@ -103,7 +107,7 @@ int encode(const MovieArguments& options, const fs::path& folder) {
 int movie(const MovieArguments& options, Streams streams) {
   const std::string extension = fs::path(options.out).extension().string();
   if (extension != ".mp4" && extension != ".gif")
-    throw UsageError("--out is '" + options.out + "'; it must end in .mp4 or .gif");
+    throw UsageError(fmt::format("--out is '{}'; it must end in .mp4 or .gif", options.out));
   std::optional<ScratchFolder> orbit;
   if (options.orbit && !draw_orbit(options.frames, orbit.emplace().path(), streams.err))
     return Interrupts::exit_code();

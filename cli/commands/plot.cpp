@@ -4,6 +4,8 @@
 #include <set>
 #include <sstream>
 
+#include <fmt/core.h>
+
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/run/folder.hpp"
@@ -31,8 +33,8 @@ SceneFile scene_of(const StoredRun& run) {
                                                                      : fs::path(run.folder()));
   std::error_code error;
   if (!fs::is_regular_file(folder.scene(), error))
-    throw UsageError("'" + run.folder() +
-                     "' contains no scene.toml, which is needed for the units; name a run folder");
+    throw UsageError(fmt::format(
+        "'{}' contains no scene.toml, which is needed for the units; name a run folder", run.folder()));
   return read_scene(folder.scene());
 }
 
@@ -87,7 +89,7 @@ StoredResults read_all(const PlotPaths& paths, std::ostream& err) {
     const std::size_t more = names.size() > most ? names.size() - most : 0;
     names.resize(names.size() - more);
     err << "taut: skips what is no run: " << join(names)
-        << (more > 0 ? " and " + std::to_string(more) + " more" : "") << '\n';
+        << (more > 0 ? fmt::format(" and {} more", more) : "") << '\n';
   }
   StoredResults results;
   if (!paths.sweeps.empty()) results = read_results(paths.sweeps);
@@ -107,8 +109,8 @@ void refuse_two_units(const std::string& column, const StoredRun& run, const Sce
   const std::vector<std::string> there = history_columns(scene);  // missing columns are reported later
   if (unit == before || std::ranges::find(there, column) == there.end()) return;
   const auto named = [](const std::string& of) { return of.empty() ? "without a unit" : "in " + of; };
-  throw UsageError("column '" + column + "' is " + named(before) + " in '" + first.folder() + "' and " +
-                   named(unit) + " in '" + run.folder() + "'; plot these runs separately");
+  throw UsageError(fmt::format("column '{}' is {} in '{}' and {} in '{}'; plot these runs separately", column,
+                               named(before), first.folder(), named(unit), run.folder()));
 }
 
 void add_titles(StoredResults& results, const std::vector<SceneFile>& scenes) {
@@ -143,9 +145,9 @@ struct JoinedColumns {
       for (const std::size_t column : panel)
         if (const std::string& first = names[panel.front()];
             history_unit(names[column], scene) != history_unit(first, scene))
-          throw UsageError("'" + first + "' and '" + names[column] + "' have different units ('" +
-                           history_unit(first, scene) + "', '" + history_unit(names[column], scene) +
-                           "'); give each its panel: " + first + "," + names[column]);
+          throw UsageError(fmt::format(
+              "'{0}' and '{1}' have different units ('{2}', '{3}'); give each its panel: {0},{1}", first,
+              names[column], history_unit(first, scene), history_unit(names[column], scene)));
   }
 };
 

@@ -2,6 +2,8 @@
 #include <memory>
 #include <ostream>
 
+#include <fmt/core.h>
+
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/run/dry_run.hpp"
@@ -68,8 +70,9 @@ void refuse_to_lose(const RunFolder& folder) {
   if (!record) return;
   const double seconds = seconds_taken(*record);
   if (seconds > minute)
-    throw UsageError("the older run in '" + folder.path().string() + "' took " + brief(seconds / minute) +
-                     " minutes; replace it with --force, or name another folder with --out");
+    throw UsageError(fmt::format(
+        "the older run in '{}' took {} minutes; replace it with --force, or name another folder with --out",
+        folder.path().string(), brief(seconds / minute)));
 }
 
 LockedPlan planned(const RunArguments& options, std::ostream& err) {
@@ -98,8 +101,10 @@ std::string advice(const SceneFile& file, long steps) {
   if (steps == 0) return "no step was made: check the initial velocity and displacement in the scene";
   const double usual = find_method(file.settings.method)->cfl, cfl = file.settings.cfl;
   if (cfl > usual)
-    return "cfl = " + brief(cfl) + " is above the default of the method: use at most " + brief(usual);
-  return "run it with --set cfl=" + brief(cfl / 2) + " to find out whether the time step is the cause";
+    return fmt::format("cfl = {} is above the default of the method: use at most {}", brief(cfl),
+                       brief(usual));
+  return fmt::format("run it with --set cfl={} to find out whether the time step is the cause",
+                     brief(cfl / 2));
 }
 
 void tell_what_is_replaced(const RunArguments& options, const RunPlan& plan, std::ostream& err) {

@@ -1,5 +1,7 @@
 #include <ostream>
 
+#include <fmt/core.h>
+
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/session/line_input.hpp"
@@ -37,9 +39,10 @@ Answer answer(Session& session, const std::string& line, const Dialogue& to, boo
   } catch (const SceneError& e) {
     return fail(e.what(), exit_wrong_input);
   } catch (const NumericalError& e) {
-    return fail("the simulation diverged at t = " + brief(e.time) + " s: " + e.what(), exit_diverged);
+    return fail(fmt::format("the simulation diverged at t = {} s: {}", brief(e.time), e.what()),
+                exit_diverged);
   } catch (const OutputError& e) {
-    return fail(e.path + ": " + e.what(), exit_not_written);
+    return fail(fmt::format("{}: {}", e.path, e.what()), exit_not_written);
   }
 }
 

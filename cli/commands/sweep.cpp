@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <ostream>
 
+#include <fmt/core.h>
+
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/command_line/report_options.hpp"
@@ -28,8 +30,7 @@ SweepPlan make_plan(const SweepOptions& o) {
   SweepPlan plan = plan_sweep(make_request(o));
   const auto count = static_cast<int>(plan.runs.size());
   if (o.index && *o.index >= count)
-    throw UsageError("--index is " + std::to_string(*o.index) + "; it must be from 0 to " +
-                     std::to_string(count - 1));
+    throw UsageError(fmt::format("--index is {}; it must be from 0 to {}", *o.index, count - 1));
   return plan;
 }
 
@@ -42,8 +43,8 @@ std::string listing(const SweepPlan& plan) {
                         (run.repetitions.empty() ? "" : ", repetitions: " + std::to_string(again))});
   }
   const auto done = std::ranges::count(plan.runs, SweepRunState::done, &SweepRun::state);
-  return in_columns(rows, 0) + "\n" + std::to_string(done) + " of " + std::to_string(plan.runs.size()) +
-         " runs are done in " + plan.folder.string() + "\n";
+  return fmt::format("{}\n{} of {} runs are done in {}\n", in_columns(rows, 0), done, plan.runs.size(),
+                     plan.folder.string());
 }
 
 int emit(const SweepOptions& o, const Options& command, const SweepPlan& plan, std::ostream& out) {
@@ -68,9 +69,10 @@ int number_of_jobs(const SweepPlan& plan, const SweepOptions& o) {
   const bool costs = !plan.runs.empty() && !plan.runs.front().repetitions.empty();
   const int most = std::max(1, (costs ? physical_cores() : cores()) / o.run.threads);
   if (costs && o.jobs > most)
-    throw UsageError("--jobs is " + std::to_string(*o.jobs) +
-                     "; a sweep with repetitions measures costs, so at most " + std::to_string(most) +
-                     " are allowed: one per physical core and thread");
+    throw UsageError(
+        fmt::format("--jobs is {}; a sweep with repetitions measures costs, so at most {} are allowed: "
+                    "one per physical core and thread",
+                    *o.jobs, most));
   return o.jobs.value_or(most);
 }
 
@@ -107,10 +109,11 @@ Json json(const SweepPlan& plan, std::optional<int> index) {
 std::string text(const SweepPlan& plan, const SweepOptions& o) {
   if (o.index) {
     const SweepRun& run = plan.runs[static_cast<std::size_t>(*o.index)];
-    return "run " + std::to_string(run.index) + " (" + text_of(run.settings) + "): " + outcome(run) +
-           ", in " + *run.options.out + "\n";
+    return fmt::format("run {} ({}): {}, in {}\n", run.index, text_of(run.settings), outcome(run),
+                       *run.options.out);
   }
-  return results_table(plan) + "\nresults  " + (plan.folder / "results.csv").string() + ", results.json\n";
+  return fmt::format("{}\nresults  {}, results.json\n", results_table(plan),
+                     (plan.folder / "results.csv").string());
 }
 
 void report_other_runs(const SweepPlan& plan, std::ostream& err) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "cli/scene/expression.hpp"
 #include "cli/scene/key_info.hpp"
 #include "cli/scene/sections.hpp"
@@ -55,18 +57,18 @@ Topic topic_of(const Section& section) {
 std::string dim_text(const ShapeKind& shape) { return shape.dim == 0 ? "2, 3" : std::to_string(shape.dim); }
 
 Topic topic_of(const ShapeKind& shape) {
-  return {text(shape.name), "type = \"" + text(shape.name) + "\"",
-          "a shape, dim = " + dim_text(shape) + ": " + text(shape.help), rows_of(shape.keys),
+  return {text(shape.name), fmt::format(R"(type = "{}")", shape.name),
+          fmt::format("a shape, dim = {}: {}", dim_text(shape), shape.help), rows_of(shape.keys),
           text(example_of(shape.name))};
 }
 
 Topic topic_of(const ProbeKind& probe) {
-  return {text(probe.name), "of = \"" + text(probe.name) + "\"",
-          "a probe, " + text(probe.unit) + ": " + text(probe.help), rows_of(probe.keys), ""};
+  return {text(probe.name), fmt::format(R"(of = "{}")", probe.name),
+          fmt::format("a probe, {}: {}", probe.unit, probe.help), rows_of(probe.keys), ""};
 }
 
 Topic topic_of(const MeasureKind& kind) {
-  return {text(kind.name), "of = \"" + text(kind.name) + "\"", "a measure: " + text(kind.help),
+  return {text(kind.name), fmt::format(R"(of = "{}")", kind.name), "a measure: " + text(kind.help),
           rows_of(keys_of_measure(kind)), ""};
 }
 
@@ -167,7 +169,7 @@ std::string plain(const std::string& text) {
   return result;
 }
 
-std::string code(const std::string& text) { return "`" + text + "`"; }
+std::string code(const std::string& text) { return fmt::format("`{}`", text); }
 
 Rows marked_up(Rows rows) {
   for (std::size_t r = 1; r < rows.size(); ++r) {
@@ -179,17 +181,17 @@ Rows marked_up(Rows rows) {
 }
 
 std::string markdown(const Topic& topic) {
-  std::string page = "### " + topic.name + "\n\n";
+  std::string page = fmt::format("### {}\n\n", topic.name);
   if (!topic.help.empty())
-    page += (topic.header.empty() ? "" : code(topic.header) + ": ") + topic.help + ".\n\n";
+    page += fmt::format("{}{}.\n\n", topic.header.empty() ? "" : code(topic.header) + ": ", topic.help);
   if (topic.rows.size() > 1) page += markdown_table(marked_up(topic.rows));
-  if (!topic.example.empty()) page += "\n```toml\n" + topic.example + "```\n";
+  if (!topic.example.empty()) page += fmt::format("\n```toml\n{}```\n", topic.example);
   return page + "\n";
 }
 
 std::string markdown(const LanguageFile& file) {
   std::string page;
-  for (const std::string& rule : file.rules) page += "- " + rule + "\n";
+  for (const std::string& rule : file.rules) page += fmt::format("- {}\n", rule);
   page += "\n";
   for (const Topic& topic : file.topics) page += markdown(topic);
   return page;
@@ -201,9 +203,10 @@ const Texts scene_rules{
     "Keys above the first header belong to the file itself. `#` begins a comment. "
     "A scene needs `spacing`, `until`, a material and a body.",
     "All numbers are in SI units and are written without a unit: 1e7 for 10 MPa, 0.005 for 5 mm.",
-    "Every number may be an expression in quotes: \"0.06 + 4*dp\", \"x > 0.1 ? 1 : 0\", \"x < 0 && y > 0\". "
-    "Operators: + - * / ^, < <= > >= == !=, && (and), || (or), CONDITION ? A : B. Functions: " +
-        join(function_names()) + ".",
+    fmt::format(
+        "Every number may be an expression in quotes: \"0.06 + 4*dp\", \"x > 0.1 ? 1 : 0\", \"x < 0 && y > 0\". "
+        "Operators: + - * / ^, < <= > >= == !=, && (and), || (or), CONDITION ? A : B. Functions: {}.",
+        join(function_names())),
     "Names in expressions: "
     "the parameters, `dp` (the spacing), `pi`, and `touching` (the gap below which bodies are in contact). "
     "Expressions about a body of one material can also use its `c0`, `E`, `nu`, `rho`, `K` and `G`. "
@@ -230,18 +233,20 @@ std::string general_settings() {
 
 const Texts sweep_rules{
     "A sweep is a TOML file that runs a scene with every combination of some values: `taut sweep my-sweep.toml`.",
-    "Names that can be set: the parameters of the scene; method.NAME, a constant of the method; " +
-        general_settings() + ".",
+    fmt::format(
+        "Names that can be set: the parameters of the scene; method.NAME, a constant of the method; {}.",
+        general_settings()),
     "A study is a sweep with a [chart], a [map] or a [history], which draw its results."};
 
 const Texts claim_rules{
     "A claim file is a TOML file with statements of a paper; its name is the key of the paper. "
     "`taut claims PAPER` lists the claims, and `taut claims PAPER --all` runs them.",
-    "A criterion is an expression, as in scenes, of quantities of the runs. "
-    "Verdicts are compared with their names, from best to worst: " +
-        join(names_of_verdicts()) +
-        ". `RUN.since.VERDICT` is the time in s at which a failure began; it is infinite if it never began. "
+    fmt::format(
+        "A criterion is an expression, as in scenes, of quantities of the runs. "
+        "Verdicts are compared with their names, from best to worst: {}. "
+        "`RUN.since.VERDICT` is the time in s at which a failure began; it is infinite if it never began. "
         "A measure without value is a disagreement.",
+        join(names_of_verdicts())),
     "A claim holds if its criterion is true, holds in part if only `part` is true, and else does not hold. "
     "`taut claims --run` compares this with the recorded state."};
 
@@ -277,7 +282,7 @@ Rows law_rows() {
     for (const MethodInfo& method : methods())
       if (reason_against_law(method, law.choice).empty()) takers.push_back(text(method.name));
     rows.push_back({text(law.choice), join(takers), text(law.material_law),
-                    text(law.term.what) + ", " + text(law.term.source)});
+                    fmt::format("{}, {}", law.term.what, law.term.source)});
   }
   Texts others;
   for (const MethodInfo& method : methods())
@@ -387,14 +392,14 @@ std::string as_text(const LanguageFile& file, std::optional<std::size_t> columns
 }
 
 std::string language_page() {
-  return "# The language of scene, sweep and claim files\n\n"
-         "This page is the output of `taut describe scene-file`, `sweep-file` and `claim-file`. "
-         "A test checks that it is up to\n"
-         "date, and `TAUT_UPDATE_GOLDEN=1` rewrites it. Rules, choices and worked examples: "
-         "[SCENE-FILES.md](SCENE-FILES.md).\n\n"
-         "## Scene files\n\n" +
-         markdown(scene_language()) + "## Sweep files\n\n" + markdown(sweep_language()) +
-         "## Claim files\n\n" + markdown(claim_language());
+  return fmt::format(
+      "# The language of scene, sweep and claim files\n\n"
+      "This page is the output of `taut describe scene-file`, `sweep-file` and `claim-file`. "
+      "A test checks that it is up to\n"
+      "date, and `TAUT_UPDATE_GOLDEN=1` rewrites it. Rules, choices and worked examples: "
+      "[SCENE-FILES.md](SCENE-FILES.md).\n\n"
+      "## Scene files\n\n{}## Sweep files\n\n{}## Claim files\n\n{}",
+      markdown(scene_language()), markdown(sweep_language()), markdown(claim_language()));
 }
 
 }  // namespace taut::cli

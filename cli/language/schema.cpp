@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include <fmt/core.h>
+
 #include "cli/scene/key_info.hpp"
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
@@ -56,7 +58,7 @@ Json vector_schema(const KeyType& type, int dim) {
       list_schema(number_schema("number", type.bounds), fixed > 0 ? fixed : 2, fixed > 0 ? fixed : 3);
   if (type.other.empty()) return schema;
   schema["type"] = Keys{"array", "string"};
-  schema["pattern"] = "^" + std::string(type.other) + "$";
+  schema["pattern"] = fmt::format("^{}$", type.other);
   return schema;
 }
 
@@ -129,7 +131,7 @@ std::optional<Json> default_value(const KeyInfo& key) {
 bool has_alternatives(const KeyInfo& key) { return key.by_default.starts_with("or "); }
 
 Json schema_of(const KeyInfo& key, int dim) {
-  std::string description = type_text(key.type) + ": " + std::string(key.help);
+  std::string description = fmt::format("{}: {}", type_text(key.type), key.help);
   const std::optional<Json> value = default_value(key);
   const bool says_default =
       !value && !key.by_default.empty() && key.by_default != "none" && !has_alternatives(key);
@@ -145,7 +147,7 @@ Json schema_of(const KeyInfo& key, int dim) {
 std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo> keys) {
   const std::string named = std::string(first.by_default) + " ";
   const auto is_named = [&](const KeyInfo& key) {
-    return named.find(" " + std::string(key.name) + " ") != std::string::npos;
+    return named.find(fmt::format(" {} ", key.name)) != std::string::npos;
   };
   std::vector<std::string_view> defaults{first.by_default};
   for (const KeyInfo& key : keys)

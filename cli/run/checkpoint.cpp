@@ -50,11 +50,12 @@ void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, 
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) {
   const auto refuse = [&](const std::string& reason) {
-    return UsageError("'" + path.string() + "' " + reason);
+    return UsageError(fmt::format("'{}' {}", path.string(), reason));
   };
   if (begins_otherwise(path)) throw refuse("is not a checkpoint of taut");
   const std::optional<std::string> bytes = read_whole(path, most_bytes());
-  if (!bytes) throw UsageError("there is no checkpoint '" + path.string() + "', or it cannot be read");
+  if (!bytes)
+    throw UsageError(fmt::format("there is no checkpoint '{}', or it cannot be read", path.string()));
   std::string_view rest = *bytes;
   if (!rest.starts_with(kind)) throw refuse("is not a checkpoint of taut");
   std::uint32_t sum = 0;
@@ -76,7 +77,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     loader(checkpoint);
     loader.finish();
   } catch (const UsageError& e) {
-    throw refuse(std::string("cannot be used: ") + e.what());
+    throw refuse(fmt::format("cannot be used: {}", e.what()));
   }
   return checkpoint;
 }

@@ -8,6 +8,8 @@
 #include <string>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
 #include "cli/drawing/frames.hpp"
 #include "cli/run/record.hpp"
 #include "cli/system/atomic_file.hpp"
@@ -48,14 +50,15 @@ void refuse_missing(int number, const Name& name) {
   std::error_code error;
   for (int k = 0; k < number; ++k)
     if (!fs::exists(name(k), error))
-      throw UsageError("'" + name(k).string() + "' is missing, and --resume does not write it again; " +
-                       "put it back, or start again without --resume");
+      throw UsageError(fmt::format(
+          "'{}' is missing, and --resume does not write it again; put it back, or start again without --resume",
+          name(k).string()));
 }
 
 /// Throws before the older run is touched.
 void check_writable(const fs::path& folder) {
   if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0 && errno != ENOENT)
-    throw OutputError(folder.string(), std::string("cannot be written: ") + std::strerror(errno));
+    throw OutputError(folder.string(), fmt::format("cannot be written: {}", std::strerror(errno)));
 }
 
 }  // namespace
@@ -63,24 +66,24 @@ void check_writable(const fs::path& folder) {
 void RunFolder::check() const {
   std::error_code error;
   if (!named_ && fs::is_symlink(path_, error))
-    throw UsageError("'" + path_.string() +
-                     "' is a link; the run would be written into its target. Remove the link, " +
-                     "or name a folder with --out");
+    throw UsageError(fmt::format(
+        "'{}' is a link; the run would be written into its target. Remove the link, or name a folder with --out",
+        path_.string()));
   if (!fs::exists(path_, error)) return;
   if (!fs::is_directory(path_, error))
-    throw UsageError("'" + path_.string() + "' is not a folder; name another with --out");
+    throw UsageError(fmt::format("'{}' is not a folder; name another with --out", path_.string()));
   if (fs::is_empty(path_, error) || error) return;
   for (const fs::path& inner : {frames(), particles()})
     if (fs::is_symlink(inner, error))
-      throw UsageError("'" + inner.string() +
-                       "' is a link; files would be written and removed in its target; " +
-                       "remove it or name another folder with --out");
+      throw UsageError(fmt::format(
+          "'{}' is a link; files would be written and removed in its target; remove it or name another folder with --out",
+          inner.string()));
   // left by a run that was killed at its start
   const bool begun = holds_only({run_lock_name, record().filename().string() + ".tmp"});
   if (!read_record(record()) && !begun && !is_damaged())
-    throw UsageError("'" + path_.string() +
-                     "' contains files that are not from a run of taut; empty it or name " +
-                     "another folder with --out");
+    throw UsageError(fmt::format(
+        "'{}' contains files that are not from a run of taut; empty it or name another folder with --out",
+        path_.string()));
 }
 
 bool RunFolder::is_damaged() const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include <fmt/core.h>
+
 #include "cli/arguments/options.hpp"
 #include "cli/run/folder.hpp"
 #include "cli/text/checks.hpp"
@@ -23,20 +25,18 @@ render::ImageDifference compare_files(const fs::path& a, const fs::path& b) {
   try {
     return compare(image_a, image_b);
   } catch (const UsageError& e) {
-    throw UsageError(a.string() + " and " + b.string() + ": " + e.what());
+    throw UsageError(fmt::format("{} and {}: {}", a.string(), b.string(), e.what()));
   }
 }
 
 using Rows = std::vector<std::vector<std::string>>;
 
 Rows rows_of(const render::ImageDifference& d) {
-  return {
-      {"pixels that differ visibly", percent(d.share)},
-      {"greatest difference", brief(d.greatest) + " (ΔE*ab; black and white differ by 100, the eye notices " +
-                                  brief(render::just_noticeable) + ")"},
-      {"densest window", percent(d.densest) + " of " + std::to_string(d.width) + "x" +
-                             std::to_string(d.height) + " pixels at " + std::to_string(d.column) + "," +
-                             std::to_string(d.row)}};
+  return {{"pixels that differ visibly", percent(d.share)},
+          {"greatest difference", fmt::format("{} (ΔE*ab; black and white differ by 100, the eye notices {})",
+                                              brief(d.greatest), brief(render::just_noticeable))},
+          {"densest window", fmt::format("{} of {}x{} pixels at {},{}", percent(d.densest), d.width, d.height,
+                                         d.column, d.row)}};
 }
 
 std::string verdict(bool same) { return same ? "alike\n" : "different\n"; }
@@ -45,7 +45,7 @@ std::string some_of(const std::vector<std::string>& names) {
   constexpr std::size_t shown = 3;
   std::vector<std::string> first = names;
   first.resize(std::min(shown, names.size()));
-  return join(first) + (names.size() > shown ? " and " + std::to_string(names.size() - shown) + " more" : "");
+  return join(first) + (names.size() > shown ? fmt::format(" and {} more", names.size() - shown) : "");
 }
 
 }  // namespace
@@ -144,10 +144,12 @@ std::vector<TestCase> test_cases(const FolderDifference& difference, const std::
   };
   for (const auto& [name, d, same] : difference.pictures)
     add(name, same,
-        name + ": " + percent(d.share) + " of the pixels differ visibly, the greatest difference is " +
-            brief(d.greatest) + " (ΔE*ab)");
-  for (const std::string& name : difference.only_in_a) add(name, false, name + " is only in " + a);
-  for (const std::string& name : difference.only_in_b) add(name, false, name + " is only in " + b);
+        fmt::format("{}: {} of the pixels differ visibly, the greatest difference is {} (ΔE*ab)", name,
+                    percent(d.share), brief(d.greatest)));
+  for (const std::string& name : difference.only_in_a)
+    add(name, false, fmt::format("{} is only in {}", name, a));
+  for (const std::string& name : difference.only_in_b)
+    add(name, false, fmt::format("{} is only in {}", name, b));
   return all;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
 
@@ -59,7 +61,7 @@ void History::add(const Simulation& simulation, const Balance& balance, int piec
                   const Readings& readings) {
   if (simulation.steps() == last_step_) return;
   last_step_ = simulation.steps();
-  std::string row = exact(simulation.time()) + "," + std::to_string(simulation.steps());
+  std::string row = fmt::format("{},{}", exact(simulation.time()), simulation.steps());
   const auto cell = [&row](double value) { (row += ',') += exact(value); };
   cell(balance.kinetic);
   cell(balance.strain);
@@ -90,9 +92,9 @@ void LineSamplesFile::add(const std::vector<std::vector<LineSample>>& samples) {
 void LineSamplesFile::add(const Known& known, const LineSample& sample) {
   for (int k = 0; k < known.line.points; ++k) {
     const Point at = line_point(known.line, k);
-    std::string row = known.line.name + "," + exact(sample.time) + "," + std::to_string(sample.step);
+    std::string row = fmt::format("{},{},{}", known.line.name, exact(sample.time), sample.step);
     for (std::size_t a = 0; a < dim_; ++a) row += "," + exact(at[a]);
-    row += "," + exact(sample.value[static_cast<std::size_t>(k)]) + ",";
+    row += fmt::format(",{},", exact(sample.value[static_cast<std::size_t>(k)]));
     if (known.reference) row += exact(known.reference(at, sample.time));
     file_.append(row);
   }

@@ -19,7 +19,7 @@ struct Remark {
 
 std::string spacing_text(double spacing) {
   const render::Scale scale = render::scale_for(spacing, "m");
-  return "dp = " + brief(spacing * scale.factor) + " " + scale.unit;
+  return fmt::format("dp = {} {}", brief(spacing * scale.factor), scale.unit);
 }
 
 std::string short_number(const std::string& value) {
@@ -33,7 +33,7 @@ void add_settings(std::vector<Remark>& remarks, const SceneFile& file) {
   for (const ResolvedSetting& each : file.resolved)
     if (each.name.starts_with(constant_prefix) && changed(each)) {
       const std::string constant = each.name.substr(constant_prefix.size());
-      remarks.push_back({constant, constant + " = " + short_number(each.value)});
+      remarks.push_back({constant, fmt::format("{} = {}", constant, short_number(each.value))});
     }
   const std::string_view own_contact = name(find_method(file.settings.method)->contact);
   for (const SettingInfo& info : setting_infos()) {
@@ -46,12 +46,13 @@ void add_settings(std::vector<Remark>& remarks, const SceneFile& file) {
 std::vector<Remark> remarks_on(const SceneFile& file) {
   std::vector<Remark> remarks{{"scene", file.scene.title}, {"method", file.settings.method}};
   for (const Parameter& p : file.parameters)
-    remarks.push_back(
-        {p.name, p.name + " = " + brief(p.value) + (p.unit.empty() || p.unit == "1" ? "" : " " + p.unit)});
+    remarks.push_back({p.name, fmt::format("{} = {}{}", p.name, brief(p.value),
+                                           p.unit.empty() || p.unit == "1" ? "" : " " + p.unit)});
   remarks.push_back({"spacing", spacing_text(file.scene.spacing)});
   if (const Jitter& jitter = file.scene.jitter; jitter.share > 0)
-    remarks.push_back({"jitter", "jittered by " + brief(jitter.share) + " dp" +
-                                     (jitter.seed == 1 ? "" : ", seed " + std::to_string(jitter.seed))});
+    remarks.push_back(
+        {"jitter", fmt::format("jittered by {} dp{}", brief(jitter.share),
+                               jitter.seed == 1 ? "" : ", seed " + std::to_string(jitter.seed))});
   add_settings(remarks, file);
   return remarks;
 }
@@ -96,7 +97,8 @@ std::vector<std::string> time_labels(const std::vector<double>& times, double un
   while (decimals < most_decimals && !std::ranges::all_of(times, exact_with)) ++decimals;
   std::vector<std::string> labels;
   for (const double time : times)
-    labels.push_back("t = " + render::format_fixed(time * scale.factor, decimals) + " " + scale.unit);
+    labels.push_back(
+        fmt::format("t = {} {}", render::format_fixed(time * scale.factor, decimals), scale.unit));
   return labels;
 }
 

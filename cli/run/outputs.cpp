@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "cli/drawing/frames.hpp"
 #include "cli/run/history.hpp"
 #include "cli/run/particle_series.hpp"
@@ -220,7 +222,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
     if (count == 0) return true;
     // also after an interrupt
     const bool interrupted_before = interrupts.interrupted();
-    progress.begin("drawing " + std::to_string(count) + " frames");
+    progress.begin(fmt::format("drawing {} frames", count));
     const bool all = frames_.draw_kept([&](int drawn) {
       progress.show(static_cast<double>(drawn) / count, "frame " + std::to_string(drawn + 1));
       return interrupted_before || !interrupts.interrupted();
@@ -290,7 +292,7 @@ const Snapshot& LastStep::at(double t) {
   const Snapshot& now = simulation_.snapshot();
   if (t == now.time) return now;
   if (before_.size() == 0 || before_.step + 1 != now.step)
-    throw std::logic_error("no state is stored before the step that passes t = " + exact(t) + " s");
+    throw std::logic_error(fmt::format("no state is stored before the step that passes t = {} s", exact(t)));
   if (shown_.time != t || shown_.step != now.step) shown_ = blend(before_, now, t);
   return shown_;
 }

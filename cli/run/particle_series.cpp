@@ -4,6 +4,8 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "cli/formats/particle_file.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
@@ -33,8 +35,8 @@ void ParticleSeries::save_index() {
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
       "<Collection>\n";
   for (std::size_t k = 0; k < times_.size(); ++k)
-    text += "<DataSet timestep=\"" + exact(times_[k]) + "\" part=\"0\" file=\"" +
-            folder_.particle_file(static_cast<int>(k)).filename().string() + "\"/>\n";
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", exact(times_[k]),
+                        folder_.particle_file(static_cast<int>(k)).filename().string());
   write_atomically(folder_.particle_index(), text + "</Collection>\n</VTKFile>\n", Durability::on_disk);
   indexed_ = times_.size();
 }

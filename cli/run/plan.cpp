@@ -59,8 +59,8 @@ double history_interval(const RunOptions& options, const SceneFile& file) {
   const double interval =
       options.history.value_or(file.history.value_or(file.scene.until / default_history_rows));
   if (file.scene.until / interval > most_rows)
-    throw UsageError("--history " + brief(interval) +
-                     " would give more than 10 million rows; use a longer interval");
+    throw UsageError(fmt::format("--history {} would give more than 10 million rows; use a longer interval",
+                                 brief(interval)));
   return interval;
 }
 
@@ -83,7 +83,7 @@ std::string changes_text(const SceneFile& file, bool again) {
     const bool of_copy = !again && each.source == scene &&
                          std::ranges::count(file.parameters, each.name, &Parameter::name) > 0;
     if (each.name != "method" && (each.source == setting || of_copy))
-      text += "-" + each.name + "=" + each.value;
+      text += fmt::format("-{}={}", each.name, each.value);
   }
   return text.size() <= longest ? text : text.substr(0, longest) + fmt::format("-{:x}", hash_of(text));
 }
@@ -91,10 +91,10 @@ std::string changes_text(const SceneFile& file, bool again) {
 std::string default_folder(const SceneFile& file) {
   const auto left = run_folder_of(file);
   const std::string changes = changes_text(file, left.has_value());
-  if (!left) return "out/" + file.scene.name + "-" + file.settings.method + changes;
+  if (!left) return fmt::format("out/{}-{}{}", file.scene.name, file.settings.method, changes);
   const bool changed = file.find_resolved("method")->source == ResolvedSetting::Source::setting;
-  return "out/" + left->filename().string() + "-again" + (changed ? "-" + file.settings.method : "") +
-         changes;
+  return fmt::format("out/{}-again{}{}", left->filename().string(), changed ? "-" + file.settings.method : "",
+                     changes);
 }
 
 std::string no_use(const RunOptions& options) {
@@ -113,8 +113,9 @@ void refuse_second_columns(const SceneFile& file) {
   std::vector<std::string> columns = history_columns(file.scene);
   for (const Probe& probe : file.scene.probes)
     if (std::ranges::count(columns, probe.name) > 1)
-      throw locate(file, SceneError("probe." + probe.name, "history.csv already has a column '" + probe.name +
-                                                               "'; rename the probe"));
+      throw locate(file, SceneError("probe." + probe.name,
+                                    fmt::format("history.csv already has a column '{}'; rename the probe",
+                                                probe.name)));
 }
 
 std::string lines_without_samples(const Scene& scene) {
@@ -219,9 +220,8 @@ void check_threads(int threads, std::string_view option) {
   constexpr int few = 8;  // per core; further threads only wait
   const int most = std::max(2 * few, few * cores());
   if (threads > most)
-    throw UsageError(std::string(option) + " is " + std::to_string(threads) + "; at most " +
-                     std::to_string(most) + " are allowed, since this machine has " +
-                     std::to_string(cores()) + " cores");
+    throw UsageError(fmt::format("{} is {}; at most {} are allowed, since this machine has {} cores", option,
+                                 threads, most, cores()));
 }
 
 SceneFile scene_to_run(const RunOptions& options) {

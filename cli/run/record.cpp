@@ -4,6 +4,8 @@
 #include <concepts>
 #include <type_traits>
 
+#include <fmt/core.h>
+
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
@@ -271,20 +273,21 @@ void append(Json& json, const RecordField& field, const RunRecord& record) {
 std::vector<RunWarning> warnings(const RunRecord& record) {
   constexpr double much = 0.1;  // of the energy
   std::vector<RunWarning> all;
-  const auto since = [](double time) { return " since t = " + brief(time) + " s: "; };
+  const auto since = [](double time) { return fmt::format(" since t = {} s: ", brief(time)); };
   if (const auto& [greatest, time] = record.energy_gain; greatest > 0)
-    all.push_back({"gains_energy",
-                   "gains energy" + since(time) + "up to " + brief(greatest) + " times the received energy",
-                   {{"since", time}, {"ratio", greatest}}});
+    all.push_back(
+        {"gains_energy",
+         fmt::format("gains energy{}up to {} times the received energy", since(time), brief(greatest)),
+         {{"since", time}, {"ratio", greatest}}});
   const MethodInfo* method = find_method(record.method);
   const bool has_energy = method && strain_energy(method->formulation) != StrainEnergy::recovered;
   if (const double lost = record.conservation.energy_lost.value_or(0); has_energy && lost > much)
     all.push_back({"loses_energy", "loses energy: up to " + percent(lost), {{"share", lost}}});
   if (const auto& [greatest, time] = record.turn; greatest > 0)
-    all.push_back(
-        {"turns_by_itself",
-         "turns by itself" + since(time) + "the angular momentum changes by up to " + percent(greatest),
-         {{"since", time}, {"share", greatest}}});
+    all.push_back({"turns_by_itself",
+                   fmt::format("turns by itself{}the angular momentum changes by up to {}", since(time),
+                               percent(greatest)),
+                   {{"since", time}, {"share", greatest}}});
   return all;
 }
 
@@ -294,16 +297,17 @@ std::string energy_note(const RunRecord& record) {
   const Conservation& drift = record.conservation;
   if (!method || !drift.energy || !(*drift.energy >= small)) return {};
   const bool lost = drift.energy_lost >= drift.energy_gained;
-  const std::string change = percent(*drift.energy) + " of the energy was " + (lost ? "lost" : "created");
+  const std::string change =
+      fmt::format("{} of the energy was {}", percent(*drift.energy), lost ? "lost" : "created");
   switch (strain_energy(method->formulation)) {
     case StrainEnergy::potential:
       return change + (lost ? ", dissipated by the method and its contact" : " by the method or its contact");
     case StrainEnergy::of_stress:
-      return change + "; an estimate, since " + record.method +
-             " integrates a stress rate and has no potential energy";
+      return fmt::format("{}; an estimate, since {} integrates a stress rate and has no potential energy",
+                         change, record.method);
     case StrainEnergy::recovered:
-      return "the reported sum changed by " + percent(*drift.energy) + "; " + record.method +
-             " recovers its strain energy for display only";
+      return fmt::format("the reported sum changed by {}; {} recovers its strain energy for display only",
+                         percent(*drift.energy), record.method);
   }
   return {};
 }
@@ -357,8 +361,8 @@ RunRecord record_from(const JsonCursor& json) {
 StoredRecord parse_record(const std::string& text, const std::string& file) {
   Json all = parse_json(text, file);
   if (!all.find("taut"))
-    throw UsageError("'" + file +
-                     "' is not the run.json of a run of taut: the key 'taut' is missing; repeat the run");
+    throw UsageError(fmt::format(
+        "'{}' is not the run.json of a run of taut: the key 'taut' is missing; repeat the run", file));
   RunRecord record = record_from(JsonCursor(all, file));
   return {std::move(record), std::move(all)};
 }

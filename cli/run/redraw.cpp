@@ -1,5 +1,7 @@
 #include "cli/run/redraw.hpp"
 
+#include <fmt/core.h>
+
 #include "cli/drawing/frames.hpp"
 #include "cli/system/interrupts.hpp"
 #include "engine/core/machine.hpp"
@@ -37,7 +39,7 @@ Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int thr
     }
     return true;
   };
-  progress.begin("drawing " + std::to_string(run.particles.size()) + " frames");
+  progress.begin(fmt::format("drawing {} frames", run.particles.size()));
   const bool all = add_all() && frames.draw_kept(go_on);
   frames.finish();
   progress.end(std::to_string(frames.written()) + " frames");

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "cli/scene/sections.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
@@ -29,7 +31,7 @@ std::string share(std::optional<double> value) { return value ? brief(*value) : 
 
 std::string verdict_line(const RunRecord& record) {
   const auto since = [](Verdict verdict, double time) {
-    return std::string(name(verdict)) + " since t = " + brief(time) + " s";
+    return fmt::format("{} since t = {} s", name(verdict), brief(time));
   };
   const auto own = record.since.find(*record.verdict);
   std::string text =
@@ -45,7 +47,7 @@ std::string indicators_line(const RunRecord& record) {
     (text += k == 0 ? "" : ", ") += indicators[k].key;
     (text += ' ') += brief(record.indicator[k].greatest());
     if (k > 0 || record.patch_body.empty() || record.indicator[k].greatest() <= hourglass_threshold) continue;
-    text += " (" + record.patch_body + " at ";
+    text += fmt::format(" ({} at ", record.patch_body);
     for (std::size_t axis = 0; axis < record.patch_place.size(); ++axis)
       text += (axis == 0 ? "[" : ", ") + brief(record.patch_place[axis]);
     text += "])";
@@ -54,11 +56,11 @@ std::string indicators_line(const RunRecord& record) {
 }
 
 std::string heading(const RunRecord& record) {
-  std::string text = record.scene + " with " + record.method + ": " + std::to_string(record.particles) +
-                     " particles at dp = " + brief(record.spacing) + " m, " + std::to_string(record.steps) +
-                     " steps to t = " + brief(record.reached) + " s";
+  std::string text =
+      fmt::format("{} with {}: {} particles at dp = {} m, {} steps to t = {} s", record.scene, record.method,
+                  record.particles, brief(record.spacing), record.steps, brief(record.reached));
   if (record.status == RunRecord::Status::interrupted)
-    text += " of " + brief(record.until) + " s (interrupted)";
+    text += fmt::format(" of {} s (interrupted)", brief(record.until));
   return text + "\n";
 }
 
@@ -67,8 +69,8 @@ std::string missing_reference(const SceneFile& file, const RunRecord& record, co
   for (const auto& [law, reference] : file.scene.references)
     if (reference.has(measure)) laws.push_back(law_name(law));
   if (!laws.empty())
-    return "the scene's reference is for " + join_with_or(laws) + "; " + record.method + "'s law is " +
-           law_name(record.material_law);
+    return fmt::format("the scene's reference is for {}; {}'s law is {}", join_with_or(laws), record.method,
+                       law_name(record.material_law));
   const auto unmet = file.unmet_references.find(measure);
   return unmet == file.unmet_references.end() ? "" : "the scene's reference " + unmet->second;
 }
@@ -86,7 +88,7 @@ std::string notes_on_references(const SceneFile& file, const RunRecord& record) 
       found->second += ", " + m.name;
   }
   std::string text;
-  for (const auto& [why, names] : notes) text += "no reference for " + names + ": " + why + "\n";
+  for (const auto& [why, names] : notes) text += fmt::format("no reference for {}: {}\n", names, why);
   return text;
 }
 
@@ -99,8 +101,8 @@ std::string measures_table(const RunPlan& plan, const RunRecord& record) {
                     error(m), m.reference_name});
   std::string text = in_columns(rows);
   for (const MeasureResult& m : measures)
-    if (!m.value) text += m.name + " has no value: " + m.why + "\n";
-  return text + notes_on_references(plan.file, record) + "\n";
+    if (!m.value) text += fmt::format("{} has no value: {}\n", m.name, m.why);
+  return fmt::format("{}{}\n", text, notes_on_references(plan.file, record));
 }
 
 double speed(const Snapshot& now, std::size_t particle) {
@@ -121,7 +123,7 @@ std::size_t worst_particle(const Snapshot& now) {
 }
 
 std::string when(double time, long step) {
-  return "the simulation diverged at t = " + brief(time) + " s, step " + std::to_string(step) + ": ";
+  return fmt::format("the simulation diverged at t = {} s, step {}: ", brief(time), step);
 }
 
 }  // namespace
@@ -133,27 +135,31 @@ std::string run_report(const RunPlan& plan, const RunResult& result) {
   std::vector<std::vector<std::string>> rows{
       {"verdict", verdict_line(record)},
       {"indicators", indicators_line(record)},
-      {"drift", (drift.energy ? "energy " + brief(*drift.energy) : "energy none") + ", linear momentum " +
-                    share(drift.linear_momentum) + ", angular momentum " + share(drift.angular_momentum)},
-      {"speed", with_prefix(record.particle_steps_per_second().value_or(0)) + " particle-steps/s on " +
-                    std::to_string(record.threads) + (record.threads == 1 ? " thread" : " threads")},
-      {"seconds", "set-up " + brief(seconds.setup) + ", solving " + brief(seconds.solve) + ", drawing " +
-                      brief(seconds.render) + ", writing " + brief(seconds.write)}};
+      {"drift", fmt::format("{}, linear momentum {}, angular momentum {}",
+                            drift.energy ? "energy " + brief(*drift.energy) : "energy none",
+                            share(drift.linear_momentum), share(drift.angular_momentum))},
+      {"speed", fmt::format("{} particle-steps/s on {} thread{}",
+                            with_prefix(record.particle_steps_per_second().value_or(0)), record.threads,
+                            record.threads == 1 ? "" : "s")},
+      {"seconds", fmt::format("set-up {}, solving {}, drawing {}, writing {}", brief(seconds.setup),
+                              brief(seconds.solve), brief(seconds.render), brief(seconds.write))}};
   if (const std::string note = energy_note(record); !note.empty())
     rows.insert(rows.begin() + 3, {"energy", note});
   for (const RunWarning& warning : warnings(record)) rows.push_back({"warning", warning.text});
   if (const BeyondLaw& beyond = record.beyond_law; beyond.share > 0)
-    rows.push_back({"law", "not followed since t = " + brief(beyond.since) + " s: up to " +
-                               percent(beyond.share) +
-                               " of the bonds are stretched too far and are stiffer"});
+    rows.push_back(
+        {"law",
+         fmt::format(
+             "not followed since t = {} s: up to {} of the bonds are stretched too far and are stiffer",
+             brief(beyond.since), percent(beyond.share))});
   if (record.requested_spacing)
-    rows.push_back({"spacing", brief(record.spacing) + " m; " + brief(*record.requested_spacing) +
-                                   " m does not divide the first body"});
+    rows.push_back({"spacing", fmt::format("{} m; {} m does not divide the first body", brief(record.spacing),
+                                           brief(*record.requested_spacing))});
   rows.push_back({"run", plan.folder.path().string()});
   if (plan.drawing)
-    rows.push_back({"frames", plan.folder.frames().string() + " (" + std::to_string(result.frames) + ")"});
+    rows.push_back({"frames", fmt::format("{} ({})", plan.folder.frames().string(), result.frames)});
   if (!plan.particle_fields.empty()) rows.push_back({"particles", plan.folder.particle_index().string()});
-  return heading(record) + "\n" + measures_table(plan, record) + in_columns(rows);
+  return fmt::format("{}\n{}{}", heading(record), measures_table(plan, record), in_columns(rows));
 }
 
 int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on) {
@@ -168,9 +174,10 @@ std::string describe_divergence(const NumericalError& error) {
 
 std::string describe_divergence(const Snapshot& now, const Balance& sums) {
   const std::size_t worst = worst_particle(now);
-  return when(now.time, now.step) + "the total energy is " + brief(sums.kinetic + sums.strain) +
-         " J, the kinetic energy " + brief(sums.kinetic) + " J; the fastest particle, " +
-         std::to_string(worst) + ", moves at " + brief(speed(now, worst)) + " m/s";
+  return fmt::format(
+      "{}the total energy is {} J, the kinetic energy {} J; the fastest particle, {}, moves at {} m/s",
+      when(now.time, now.step), brief(sums.kinetic + sums.strain), brief(sums.kinetic), worst,
+      brief(speed(now, worst)));
 }
 
 }  // namespace taut::cli

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "cli/run/checkpoint.hpp"
 #include "cli/run/record.hpp"
 #include "cli/system/atomic_file.hpp"
@@ -24,29 +26,30 @@ std::optional<double> later_end(const RunOptions& given, const std::optional<Sto
 void check_something_is_left(const RunFolder& folder, const std::optional<StoredRecord>& record,
                              const RunOptions& given) {
   std::error_code error;
-  const std::string name = '\'' + folder.path().string() + '\'';
+  const std::string name = fmt::format("'{}'", folder.path().string());
   if (!fs::is_regular_file(folder.scene(), error) || !record)
     throw UsageError(name + " is not a run folder; name a folder that `taut run` has written");
   const bool has_checkpoint = fs::exists(folder.checkpoint(), error);
   if (record->status == RunRecord::Status::finished && !(has_checkpoint && later_end(given, record)))
-    throw UsageError("the run in " + name + " is finished: " +
-                     (has_checkpoint ? "give a later --until to continue it"
-                      : later_end(given, record)
-                          ? "it has no checkpoint for a later --until; "
-                            "run it again, with --keep-checkpoint to continue it afterwards"
-                          : "nothing is left to do"));
+    throw UsageError(fmt::format("the run in {} is finished: {}", name,
+                                 has_checkpoint ? "give a later --until to continue it"
+                                 : later_end(given, record)
+                                     ? "it has no checkpoint for a later --until; "
+                                       "run it again, with --keep-checkpoint to continue it afterwards"
+                                     : "nothing is left to do"));
   if (!has_checkpoint && record->status == RunRecord::Status::failed)
-    throw UsageError("the run in " + name + " has failed: nothing is left to do");
+    throw UsageError(fmt::format("the run in {} has failed: nothing is left to do", name));
 }
 
 void check_same_scene(const Checkpoint& checkpoint, const RunFolder& folder, const RunPlan& plan) {
-  const std::string name = '\'' + folder.checkpoint().string() + '\'';
+  const std::string name = fmt::format("'{}'", folder.checkpoint().string());
   if (const std::string& method = plan.file.settings.method; checkpoint.method != method)
-    throw UsageError(name + " has method '" + checkpoint.method + "', but " + folder.scene().string() +
-                     " has '" + method + "'; the methods must be the same");
+    throw UsageError(fmt::format("{} has method '{}', but {} has '{}'; the methods must be the same", name,
+                                 checkpoint.method, folder.scene().string(), method));
   if (checkpoint.scene != read_whole(folder.scene()))
-    throw UsageError(name + " does not belong to " + folder.scene().string() +
-                     ": it is from another scene, or the scene was changed");
+    throw UsageError(
+        fmt::format("{} does not belong to {}: it is from another scene, or the scene was changed", name,
+                    folder.scene().string()));
 }
 
 RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoint>& checkpoint,
@@ -95,8 +98,9 @@ std::string first_conflict(const RunOptions& given, const RunOptions& stored, co
     options = given;
     options.out = stored.out;
   };
-  return !given.scene.empty() && differs(all_of_it) ? "SCENE '" + given.scene + "' with the options given"
-                                                    : "";
+  return !given.scene.empty() && differs(all_of_it)
+             ? fmt::format("SCENE '{}' with the options given", given.scene)
+             : "";
 }
 
 /// Keeps the intervals of frames and rows.
@@ -106,9 +110,9 @@ RunPlan run_on(const RunPlan& plan, RunOptions stored, double until) {
     const double interval = plan.file.scene.until / plan.file.drawing.frames, count = until / interval;
     const double whole = std::round(count);
     if (std::abs(count - whole) > 1e-9 * count)
-      throw UsageError("--until must be a multiple of the time between frames, " + brief(interval) +
-                       " s, such as " +
-                       exact(whole > plan.file.drawing.frames ? whole * interval : (whole + 1) * interval));
+      throw UsageError(fmt::format(
+          "--until must be a multiple of the time between frames, {} s, such as {}", brief(interval),
+          exact(whole > plan.file.drawing.frames ? whole * interval : (whole + 1) * interval)));
     stored.frames = static_cast<int>(std::fmin(whole, 1e9));
   }
   stored.keep_checkpoint = true;
@@ -138,8 +142,9 @@ RunPlan resume_plan(const fs::path& path, const RunOptions& options) {
   RunPlan plan = make_plan(stored);
   if (checkpoint) check_same_scene(*checkpoint, folder, plan);
   if (const std::string other = first_conflict(given, stored, plan); !other.empty())
-    throw UsageError("--resume continues the run in '" + path.string() + "' unchanged; " + other +
-                     " would change it; leave it out");
+    throw UsageError(
+        fmt::format("--resume continues the run in '{}' unchanged; {} would change it; leave it out",
+                    path.string(), other));
   if (later) plan = run_on(plan, stored, *later);
   plan.requested_spacing = checkpoint ? checkpoint->requested_spacing : record->requested_spacing;
   if (checkpoint && !checkpoint->state.empty()) plan.state = std::move(checkpoint->state);

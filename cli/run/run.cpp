@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include <fmt/core.h>
+
 #include "cli/run/checkpoint.hpp"
 #include "cli/run/outputs.hpp"
 #include "cli/run/report.hpp"
@@ -125,7 +127,7 @@ void Run::resume_from(const std::string& state) {
   try {
     load(state);
   } catch (const UsageError& e) {
-    throw UsageError("'" + plan_.folder.checkpoint().string() + "' cannot be used: " + e.what());
+    throw UsageError(fmt::format("'{}' cannot be used: {}", plan_.folder.checkpoint().string(), e.what()));
   }
   if (plan_.runs_on)
     for (const auto& output : outputs_) output->run_on();
@@ -210,7 +212,7 @@ void Run::simulate() {
 
 void Run::step_through() {
   progress_.begin(
-      plan_.file.scene.name + ", " + record_.method + ", " + std::to_string(record_.particles) + " particles",
+      fmt::format("{}, {}, {} particles", plan_.file.scene.name, record_.method, record_.particles),
       record_.reached / record_.until);
   if (!plan_.state)
     for (const auto& output : outputs_) output->write_due();
@@ -328,9 +330,9 @@ void Run::save_failure(const std::string& reason) {
 }
 
 std::string Run::state_line() const {
-  std::string text = "t = " + brief(record_.reached) + " s";
+  std::string text = fmt::format("t = {} s", brief(record_.reached));
   if (const auto speed = record_.particle_steps_per_second())
-    text += ", " + with_prefix(*speed) + " particle-steps/s";
+    text += fmt::format(", {} particle-steps/s", with_prefix(*speed));
   return text;
 }
 
@@ -379,7 +381,7 @@ RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress&
   std::unique_ptr<Simulation> simulation;
   {
     const Interrupts::ExitOnSignal nothing_to_lose;
-    progress.prepare(plan.file.scene.name + ", " + plan.file.settings.method + ", setting up ...");
+    progress.prepare(fmt::format("{}, {}, setting up ...", plan.file.scene.name, plan.file.settings.method));
     simulation = start(plan.file);
   }
   RunRecord record = new_record(plan, *simulation);

@@ -5,6 +5,8 @@
 #include <map>
 #include <optional>
 
+#include <fmt/core.h>
+
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
@@ -25,14 +27,15 @@ SavedRun open_saved_run(const fs::path& path) {
   const RunFolder folder(path);
   std::error_code error;
   if (!fs::is_regular_file(folder.scene(), error))  // do not wait for a pipe
-    throw UsageError("'" + path.string() +
-                     "' is not a run folder; name a folder that `taut run` has written");
+    throw UsageError(
+        fmt::format("'{}' is not a run folder; name a folder that `taut run` has written", path.string()));
   std::map<int, fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder.particles(), error))
     if (const auto number = number_of(folder, entry.path())) files[*number] = entry.path();
   if (files.empty())
-    throw UsageError("'" + path.string() + "' contains no saved particles; save them with\n  taut run " +
-                     folder.scene().string() + " --save-particles --out " + path.string());
+    throw UsageError(fmt::format(
+        "'{0}' contains no saved particles; save them with\n  taut run {1} --save-particles --out {0}",
+        path.string(), folder.scene().string()));
   SavedRun run{folder, read_scene(folder.scene()), {}, {}};
   for (const auto& [number, file] : files) {
     run.particles.emplace_back(file);
@@ -67,8 +70,9 @@ ColoredParticles read_colored(const ParticleFile& file, const Drawing& drawing, 
     return read;
   }
   if (file.size() != origins.size())
-    throw UsageError("the particle file does not belong to the scene: it has " + std::to_string(file.size()) +
-                     " particles, but the scene has " + std::to_string(origins.size()));
+    throw UsageError(fmt::format(
+        "the particle file does not belong to the scene: it has {} particles, but the scene has {}",
+        file.size(), origins.size()));
   const ColorFormula& formula = drawing.of_formula;
   std::vector<std::vector<double>> values;
   std::ranges::transform(formula.fields, std::back_inserter(values), values_of);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "cli/drawing/frames.hpp"
 #include "cli/run/checkpoint.hpp"
 #include "cli/run/folder.hpp"
@@ -59,7 +61,7 @@ void Session::run_until(double t, const Interrupts& interrupts, Progress& progre
   Pace pace(t);
   const double start = simulation_->time();
   between_.reset();
-  progress.begin("to " + brief(t) + " s");
+  progress.begin(fmt::format("to {} s", brief(t)));
   while (simulation_->time() < t && !interrupts.interrupted()) {
     const Stopwatch watch;
     const double from = simulation_->time(), to = std::min(t, from + pace.slice());
@@ -70,7 +72,8 @@ void Session::run_until(double t, const Interrupts& interrupts, Progress& progre
       if (simulation_->steps() > before.step) between_ = blend(before, simulation_->snapshot(), t);
     }
     pace.took(simulation_->time() - from, watch.seconds());
-    progress.show((simulation_->time() - start) / (t - start), "t = " + brief(simulation_->time()) + " s");
+    progress.show((simulation_->time() - start) / (t - start),
+                  fmt::format("t = {} s", brief(simulation_->time())));
   }
   progress.clear();
 }
@@ -91,10 +94,10 @@ void Session::set(const Setting& setting) {
   options.settings.push_back(setting);
   SceneFile file = scene_to_run(options);
   if (const std::string reason = reason_against(setting.name, file_); !reason.empty())
-    throw UsageError("'" + setting.name + "' cannot change during a session: " + reason +
-                     "; only cfl and other constants of the method can. "
-                     "Start another session with --set " +
-                     text_of(setting));
+    throw UsageError(fmt::format(
+        "'{}' cannot change during a session: {}; only cfl and other constants of the method can. "
+        "Start another session with --set {}",
+        setting.name, reason, text_of(setting)));
   std::unique_ptr<Simulation> simulation = start_heedful(file);
   simulation->load(simulation_->save());
   simulation_ = std::move(simulation);
@@ -167,15 +170,16 @@ void Session::save(const std::filesystem::path& file) const {
 void Session::load(const std::filesystem::path& path) {
   const Checkpoint checkpoint = read_checkpoint(path);
   if (checkpoint.method != file_.settings.method)
-    throw UsageError("'" + path.string() + "' has method '" + checkpoint.method +
-                     "', but this session has '" + file_.settings.method + "'");
+    throw UsageError(fmt::format("'{}' has method '{}', but this session has '{}'", path.string(),
+                                 checkpoint.method, file_.settings.method));
   if (without_drawing(checkpoint.scene) != without_drawing(resolved_text(file_, file_.path.parent_path())))
-    throw UsageError("'" + path.string() + "' is from another scene, or has other parameters or constants");
+    throw UsageError(
+        fmt::format("'{}' is from another scene, or has other parameters or constants", path.string()));
   std::unique_ptr<Simulation> simulation = start_heedful(file_);
   try {
     simulation->load(checkpoint.state);
   } catch (const UsageError& e) {
-    throw UsageError("'" + path.string() + "' cannot be used: " + e.what());
+    throw UsageError(fmt::format("'{}' cannot be used: {}", path.string(), e.what()));
   }
   simulation_ = std::move(simulation);
   between_.reset();

@@ -7,6 +7,8 @@
 #include <ostream>
 #include <sstream>
 
+#include <fmt/core.h>
+
 #include "cli/session/terminal.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
@@ -34,7 +36,7 @@ const SessionCommand& find_command(const std::string& given) {
 }
 
 std::string usage(const SessionCommand& command) {
-  return command.name + (command.arguments.empty() ? "" : " ") + command.arguments;
+  return fmt::format("{}{}{}", command.name, command.arguments.empty() ? "" : " ", command.arguments);
 }
 
 [[noreturn]] void wrong_words(std::string_view name) {
@@ -43,7 +45,7 @@ std::string usage(const SessionCommand& command) {
 
 double number(const std::string& word) {
   const auto value = parsed<double>(word);
-  if (!value || !std::isfinite(*value)) throw UsageError("'" + word + "' is not a number");
+  if (!value || !std::isfinite(*value)) throw UsageError(fmt::format("'{}' is not a number", word));
   return *value;
 }
 
@@ -57,8 +59,8 @@ void step(Session& session, const Words& words, const Dialogue& to) {
   if (words.size() > 1) wrong_words("step");
   const double count = words.empty() ? 1 : number(words[0]);
   if (count < 1 || count > most || count != std::floor(count))
-    throw UsageError("the number of steps is '" + words[0] +
-                     "'; it must be a whole number from 1 to a billion");
+    throw UsageError(
+        fmt::format("the number of steps is '{}'; it must be a whole number from 1 to a billion", words[0]));
   session.step(static_cast<long>(count), to.interrupts);
   say_time(session, to);
 }
@@ -135,7 +137,7 @@ void orbit(Session& session, const Words& words, const Dialogue& to) {
   to.out << "camera=" << text_of(drawing_key("camera"), session.drawing()) << '\n';
 }
 
-std::string ends(double low, double high) { return brief(low) + " to " + brief(high); }
+std::string ends(double low, double high) { return fmt::format("{} to {}", brief(low), brief(high)); }
 
 void preview(Session& session, const Words& words, const Dialogue& to) {
   if (!words.empty()) wrong_words("preview");

@@ -13,6 +13,8 @@
 #include <thread>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
 #include "engine/error.hpp"
 
 namespace fs = std::filesystem;
@@ -116,7 +118,7 @@ int open_new(const std::string& path) {
 class Beside {
  public:
   Beside(const fs::path& folder, const char* what)
-      : path_(folder.string() + "." + what + std::to_string(::getpid())) {
+      : path_(fmt::format("{}.{}{}", folder.string(), what, ::getpid())) {
     remove();
   }
   ~Beside() { remove(); }
@@ -200,8 +202,8 @@ void make_folder_of(const fs::path& file) {
   const fs::path first =
       folder == folder.root_path() ? folder : folder.root_path() / *folder.relative_path().begin();
   if (std::error_code error; !fs::exists(first, error))
-    throw OutputError(file.string(),
-                      "the folder " + first.string() + " does not exist; create it, or name another");
+    throw OutputError(file.string(), fmt::format("the folder {} does not exist; create it, or name another",
+                                                 first.string()));
   make_folders(folder);
 }
 
@@ -220,8 +222,8 @@ std::optional<std::string> read_whole(const fs::path& path, std::uint64_t most_b
   const auto refuse_beyond = [&](std::uint64_t bytes) {
     constexpr std::uint64_t mebibyte = 1 << 20;
     if (bytes > most_bytes)
-      throw UsageError("'" + path.string() + "' has " + std::to_string((bytes + mebibyte - 1) / mebibyte) +
-                       " MiB; at most " + std::to_string(most_bytes / mebibyte) + " MiB are allowed");
+      throw UsageError(fmt::format("'{}' has {} MiB; at most {} MiB are allowed", path.string(),
+                                   (bytes + mebibyte - 1) / mebibyte, most_bytes / mebibyte));
   };
   refuse_beyond(static_cast<std::uint64_t>(found.st_size));
   std::string text;
@@ -235,7 +237,7 @@ std::optional<std::string> read_whole(const fs::path& path, std::uint64_t most_b
     refuse_beyond(text.size());
     if (count == 0) return text;
     if (count < 0 && error != EINTR)
-      throw OutputError(path.string(), std::string("cannot be read: ") + std::strerror(error));
+      throw OutputError(path.string(), fmt::format("cannot be read: {}", std::strerror(error)));
   }
 }
 
@@ -261,8 +263,8 @@ AppendFile::AppendFile(fs::path path, Start start) : path_(std::move(path)) {
 
 void AppendFile::check_holds(std::int64_t length) const {
   if (length <= length_) return;
-  throw UsageError("'" + path_.string() + "' has lost lines: it has " + std::to_string(length_) +
-                   " bytes, but the checkpoint needs " + std::to_string(length));
+  throw UsageError(fmt::format("'{}' has lost lines: it has {} bytes, but the checkpoint needs {}",
+                               path_.string(), length_, length));
 }
 
 void AppendFile::cut(std::int64_t length) {

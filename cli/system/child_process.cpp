@@ -14,14 +14,15 @@
 #include <thread>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
 #include "engine/error.hpp"
 
 namespace taut::cli {
 namespace {
 
 [[noreturn]] void fail(int error) {
-  throw UsageError(std::string("a process cannot be started: ") + std::strerror(error) +
-                   "; use fewer --jobs");
+  throw UsageError(fmt::format("a process cannot be started: {}; use fewer --jobs", std::strerror(error)));
 }
 
 sigset_t interrupting_signals() {

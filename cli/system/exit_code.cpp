@@ -6,6 +6,8 @@
 #include <ostream>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "cli/text/shown.hpp"
 #include "engine/error.hpp"
 
@@ -19,7 +21,7 @@ std::string with_place(const SceneError& e) {
   if (e.line > 0) place += ":" + std::to_string(e.line);
   if (e.line > 0 && e.column > 0) place += ":" + std::to_string(e.column);
   if (place.empty()) place = e.key;
-  return place.empty() ? e.what() : place + ": " + e.what();
+  return place.empty() ? e.what() : fmt::format("{}: {}", place, e.what());
 }
 
 Failure raw_failure() {
@@ -32,13 +34,13 @@ Failure raw_failure() {
   } catch (const NumericalError& e) {
     return {e.what(), exit_diverged};
   } catch (const OutputError& e) {
-    return {e.path + ": " + e.what(), exit_not_written};
+    return {fmt::format("{}: {}", e.path, e.what()), exit_not_written};
   } catch (const std::bad_alloc&) {
     return {"out of memory: use a larger --spacing, a smaller --size, fewer --frames or a fixed --range",
             exit_wrong_input};
   } catch (const std::filesystem::filesystem_error& e) {
     const std::string path = e.path1().empty() ? "the current folder" : e.path1().string();
-    return {path + ": " + e.code().message(), exit_not_written};
+    return {fmt::format("{}: {}", path, e.code().message()), exit_not_written};
   } catch (const std::exception& e) {
     return {std::string(e.what()) + " (this is a bug of taut)", exit_bug};
   } catch (...) {

@@ -14,6 +14,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
@@ -31,7 +33,7 @@ class Pipe {
  public:
   Pipe() {
     if (::pipe2(ends_.data(), O_CLOEXEC) != 0)
-      throw UsageError(std::string("no other program can be started: ") + std::strerror(errno));
+      throw UsageError(fmt::format("no other program can be started: {}", std::strerror(errno)));
   }
   ~Pipe() {
     ::close(ends_[0]);
@@ -114,7 +116,7 @@ class Workplace {
     remove();  // left by a killed process
     if (::mkdir(folder_.c_str(), 0700) != 0)
       throw OutputError(folder_.string(),
-                        std::string("the folder cannot be created: ") + std::strerror(errno));
+                        fmt::format("the folder cannot be created: {}", std::strerror(errno)));
   }
   ~Workplace() { remove(); }
   Workplace(const Workplace&) = delete;
@@ -160,7 +162,8 @@ ProcessResult run_process(std::vector<std::string> arguments, const fs::path& fo
   Pipe pipe;
   pid_t process = 0;
   const int error = spawn(arguments, folder, pipe.entry(), process);
-  if (error != 0) throw UsageError(arguments[0] + " cannot be started: " + std::strerror(error));
+  if (error != 0)
+    throw UsageError(fmt::format("{} cannot be started: {}", arguments[0], std::strerror(error)));
   pipe.close_entry();
   follow(process, pipe.exit(), interrupts, result, limit);
   int status = 0;
@@ -184,13 +187,13 @@ int make_file(const Maker& maker, const MakerArguments& arguments, const fs::pat
   if (good) fs::rename(part, file, error);
   if (good && !error) return exit_fine;
   if (!result.found)
-    throw OutputError(file.string(), maker.name + " is needed for " + maker.purpose +
-                                         " and is not installed (apt-get install " + maker.package + ")");
+    throw OutputError(file.string(),
+                      fmt::format("{} is needed for {} and is not installed (apt-get install {})", maker.name,
+                                  maker.purpose, maker.package));
   if (result.stopped) return Interrupts::exit_code();
-  throw OutputError(file.string(), error
-                                       ? "cannot be written: " + error.message()
-                                       : maker.name + " failed with exit code " +
-                                             std::to_string(result.code) + "\n" + last_lines(result.errors));
+  throw OutputError(file.string(), error ? "cannot be written: " + error.message()
+                                         : fmt::format("{} failed with exit code {}\n{}", maker.name,
+                                                       result.code, last_lines(result.errors)));
 }
 
 }  // namespace taut::cli

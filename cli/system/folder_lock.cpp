@@ -14,6 +14,8 @@
 #include <thread>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/provenance.hpp"
 #include "engine/error.hpp"
@@ -79,11 +81,12 @@ Holder read_holder(int descriptor) {
 }
 
 std::string in_use(const fs::path& folder, const Holder& holder) {
-  const std::string by = holder.since.empty() ? "another taut"
-                                              : "`" + holder.command + "` (process " + holder.process +
-                                                    " on " + holder.host + ", since " + holder.since + ")";
-  return "'" + folder.string() + "' is in use by " + by +
-         "; wait until it ends, or name another folder with --out";
+  const std::string by = holder.since.empty()
+                             ? "another taut"
+                             : fmt::format("`{}` (process {} on {}, since {})", holder.command,
+                                           holder.process, holder.host, holder.since);
+  return fmt::format("'{}' is in use by {}; wait until it ends, or name another folder with --out",
+                     folder.string(), by);
 }
 
 }  // namespace
@@ -100,7 +103,7 @@ FolderLock::FolderLock(const fs::path& folder, Of of, std::string_view command, 
     const Holder holder = read_holder(descriptor_);
     ::close(descriptor_);
     if (is_taken(error)) throw UsageError(in_use(folder, holder));
-    throw OutputError(file_.string(), std::string("cannot be locked: ") + std::strerror(error));
+    throw OutputError(file_.string(), fmt::format("cannot be locked: {}", std::strerror(error)));
   }
 }
 
@@ -145,7 +148,7 @@ void FolderLock::open() {
     descriptor_ = ::open(file_.c_str(), how, 0666);
     if (descriptor_ < 0 && errno != ENOENT) break;  // the former holder may have removed the folder
   }
-  if (descriptor_ < 0) fail(std::string("cannot be opened: ") + std::strerror(errno));
+  if (descriptor_ < 0) fail(fmt::format("cannot be opened: {}", std::strerror(errno)));
   struct stat found {};
   if (::fstat(descriptor_, &found) == 0 && S_ISREG(found.st_mode) && found.st_nlink < 2) return;
   ::close(descriptor_);
@@ -166,8 +169,7 @@ void FolderLock::write_holder(std::string_view command) const {
   std::tm local{};
   ::localtime_r(&now, &local);
   std::strftime(since.data(), since.size(), "%F %T", &local);
-  const std::string text = std::string(command) + "\n" + std::to_string(::getpid()) + "\n" + host_name() +
-                           "\n" + since.data() + "\n";
+  const std::string text = fmt::format("{}\n{}\n{}\n{}\n", command, ::getpid(), host_name(), since.data());
   const bool told = ::ftruncate(descriptor_, 0) == 0 &&
                     (of_ == Of::part_of_sweep || ::pwrite(descriptor_, text.data(), text.size(), 0) > 0);
   static_cast<void>(told);  // works without text on a full disk

@@ -5,6 +5,8 @@
 #include <iostream>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
 #include "cli/system/terminal_columns.hpp"
 #include "cli/text/format.hpp"
 
@@ -50,8 +52,8 @@ std::string bar_line(const std::string& what, double share, const std::string& l
   const std::size_t taken = what.size() + kept_free;
   const std::size_t cells = std::clamp(width > taken ? width - taken : 0, least_cells, most_cells);
   const auto full = static_cast<std::size_t>(share * static_cast<double>(cells));
-  std::string tail = " [" + std::string(full, '#') + std::string(cells - full, '.') + "] " +
-                     std::to_string(static_cast<int>(100 * share)) + " %";
+  std::string tail = fmt::format(" [{}{}] {} %", std::string(full, '#'), std::string(cells - full, '.'),
+                                 static_cast<int>(100 * share));
   if (!left.empty()) tail += "  " + left;
   const std::size_t room = width > tail.size() ? width - tail.size() : 0;
   const std::string name = what.size() <= room ? what : what.substr(0, std::max(room, of_name) - 2) + "..";

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/text/shown.hpp"
@@ -44,7 +45,7 @@ Json number_of(const Library& value) {
 }
 
 [[noreturn]] void refuse(const std::string& file, const std::string& what) {
-  throw UsageError("'" + file + "' " + what);
+  throw UsageError(fmt::format("'{}' {}", file, what));
 }
 
 /// Linear in time: the library's objects compare each key with all earlier ones. Rejects repeated keys and deep nesting.
@@ -66,7 +67,8 @@ class Builder final : public nlohmann::json_sax<Library> {
   bool end_object() override { return end(); }
   bool end_array() override { return end(); }
   bool key(string_t& key) override {
-    if (!open_.back().keys.insert(key).second) refuse(file_, "has the key '" + shown(key, 60) + "' twice");
+    if (!open_.back().keys.insert(key).second)
+      refuse(file_, fmt::format("has the key '{}' twice", shown(key, 60)));
     open_.back().key = std::move(key);
     return true;
   }
@@ -124,7 +126,7 @@ void add_leaves(const Json& value, const std::string& pointer, std::vector<Json:
     for (const auto& [key, member] : value.members()) add_leaves(member, pointer + pointer_part(key), leaves);
   } else if (value.is_array() && !value.items().empty()) {
     for (std::size_t k = 0; k < value.items().size(); ++k)
-      add_leaves(value.items()[k], pointer + "/" + std::to_string(k), leaves);
+      add_leaves(value.items()[k], fmt::format("{}/{}", pointer, k), leaves);
   } else {
     leaves.emplace_back(pointer, value.is_object() || value.is_array() ? Json() : value);
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "cli/text/format.hpp"
 #include "cli/text/json.hpp"
 #include "cli/text/shown.hpp"
@@ -24,7 +26,8 @@ bool JsonCursor::is_missing() const { return value_ == &nothing; }
 JsonCursor JsonCursor::at(const std::string& key) const {
   check_object();
   const Json* found = value_->find(key);
-  return {found ? *found : nothing, *file_, path_.empty() ? key : path_ + "." + key, texts_are_numbers_};
+  return {found ? *found : nothing, *file_, path_.empty() ? key : fmt::format("{}.{}", path_, key),
+          texts_are_numbers_};
 }
 
 std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
@@ -40,7 +43,7 @@ std::vector<JsonCursor> JsonCursor::items() const {
   if (is_null() || (texts_are_numbers_ && value_->is_text())) return all;
   if (!value_->is_array()) fail("an array");
   for (const Json& item : value_->items())
-    all.emplace_back(item, *file_, path_ + "." + std::to_string(all.size()));
+    all.emplace_back(item, *file_, fmt::format("{}.{}", path_, all.size()));
   return all;
 }
 
@@ -75,8 +78,8 @@ std::string JsonCursor::choice(const std::vector<std::string>& allowed) const {
 
 void JsonCursor::fail(const std::string& allowed) const {
   const std::string is = shown(value_->dump(), 60);
-  if (path_.empty()) throw UsageError("'" + *file_ + "' contains " + is + "; it must be " + allowed);
-  throw UsageError("'" + *file_ + "': key '" + shown(path_) + "' is " + is + "; it must be " + allowed);
+  if (path_.empty()) throw UsageError(fmt::format("'{}' contains {}; it must be {}", *file_, is, allowed));
+  throw UsageError(fmt::format("'{}': key '{}' is {}; it must be {}", *file_, shown(path_), is, allowed));
 }
 
 }  // namespace taut::cli

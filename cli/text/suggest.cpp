@@ -4,6 +4,8 @@
 #include <cctype>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "cli/text/format.hpp"
 
 namespace taut::cli {
@@ -68,25 +70,25 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
   std::string text = " (did you mean ";
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-    text += "'" + names[i] + "'";
+    text += fmt::format("'{}'", names[i]);
   }
   return text + "?)";
 }
 
 std::string unknown_name(std::string_view kind, std::string_view given,
                          const std::vector<std::string>& names) {
-  return "unknown " + std::string(kind) + " '" + std::string(given) + "'" + known_names(given, names);
+  return fmt::format("unknown {} '{}'{}", kind, given, known_names(given, names));
 }
 
 std::string known_names(std::string_view given, const std::vector<std::string>& names) {
   if (names.empty()) return "; there is none";
   const std::string near = did_you_mean(given, names);
-  if (names.size() <= most_listed) return near + "; there are: " + join(names);
+  if (names.size() <= most_listed) return fmt::format("{}; there are: {}", near, join(names));
   if (!near.empty()) return near;
   std::vector<std::string> few;
   for (const auto& [edits, name] : ranked(given.substr(0, most_letters), names))
     if (few.size() < most_names) few.push_back(name);
-  return "; the nearest of " + std::to_string(names.size()) + " names: " + join(few);
+  return fmt::format("; the nearest of {} names: {}", names.size(), join(few));
 }
 
 }  // namespace taut::cli

@@ -73,7 +73,7 @@ std::string junit_xml(const TestReport& report) {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
       "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"0\"{}>\n{}  </testsuite>\n"
       "</testsuites>\n",
-      xml_text("taut " + command + ": " + subject), cases.size(), number(Result::failed),
+      xml_text(fmt::format("taut {}: {}", command, subject)), cases.size(), number(Result::failed),
       number(Result::error), xml_time(seconds), inside);
 }
 
@@ -82,9 +82,9 @@ std::string github_annotations(const TestReport& report) {
   int left = 10;
   for (const TestCase& each : report.cases)
     if (each.result != Result::passed && left-- > 0)
-      lines +=
-          fmt::format("::error title={}::{}\n", command_property("taut " + report.command + ": " + each.name),
-                      command_text(each.text));
+      lines += fmt::format("::error title={}::{}\n",
+                           command_property(fmt::format("taut {}: {}", report.command, each.name)),
+                           command_text(each.text));
   return lines;
 }
 

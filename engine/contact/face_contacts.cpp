@@ -5,6 +5,8 @@
 #include <limits>
 #include <span>
 
+#include <fmt/core.h>
+
 #include "engine/error.hpp"
 #include "engine/layout/outline.hpp"
 
@@ -41,9 +43,11 @@ FaceContacts::FaceContacts(const SolverInput& input)
 void FaceContacts::refuse_thin(const Scene& scene) const {
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) {
     if (std::ranges::binary_search(faces_.outline().body, b)) continue;
-    throw SceneError("body." + scene.bodies[b].name,
-                     "the contact law 'surface' needs faces, and body '" + scene.bodies[b].name +
-                         "' is too thin to have one: use a smaller spacing or another law");
+    throw SceneError(
+        "body." + scene.bodies[b].name,
+        fmt::format("the contact law 'surface' needs faces, and body '{}' is too thin to have one: "
+                    "use a smaller spacing or another law",
+                    scene.bodies[b].name));
   }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "engine/core/parallel.hpp"
 #include "engine/error.hpp"
 #include "engine/layout/surface_mesh.hpp"
@@ -25,9 +27,11 @@ FacetContacts::FacetContacts(const SolverInput& input)
 void FacetContacts::refuse_thin(const Scene& scene) const {
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) {
     if (facets_.mesh().closed[b]) continue;
-    throw SceneError("body." + scene.bodies[b].name,
-                     "the contact law 'surface' needs faces, and body '" + scene.bodies[b].name +
-                         "' is too thin to have all of them: use a smaller spacing or another law");
+    throw SceneError(
+        "body." + scene.bodies[b].name,
+        fmt::format("the contact law 'surface' needs faces, and body '{}' is too thin to have all of them: "
+                    "use a smaller spacing or another law",
+                    scene.bodies[b].name));
   }
 }
 

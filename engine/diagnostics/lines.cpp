@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "engine/diagnostics/fields.hpp"
 #include "engine/error.hpp"
 
@@ -14,7 +16,8 @@ namespace {
 const Field& field_of(const SampleLine& line, int dim) {
   const Field* field = find_field(line.field, dim);
   if (field == nullptr)
-    throw SceneError("line." + line.name + ".field", "there is no field '" + line.field + "'");
+    throw SceneError(fmt::format("line.{}.field", line.name),
+                     fmt::format("there is no field '{}'", line.field));
   return *field;
 }
 
@@ -38,9 +41,9 @@ LineRecorder::LineRecorder(const Scene& scene, const Snapshot& start, double sup
     points_.push_back(line.in_space ? Points{} : points_of(line, start, &scene));
     for (std::size_t k = 0; k < points_.back().size(); ++k) {
       if (points_.back()[k].empty())
-        throw SceneError("line." + line.name, "point " + std::to_string(k + 1) + " of the line '" +
-                                                  line.name +
-                                                  "' has too few particles of its body around it");
+        throw SceneError("line." + line.name,
+                         fmt::format("point {} of the line '{}' has too few particles of its body around it",
+                                     k + 1, line.name));
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include "engine/diagnostics/measure_kinds.hpp"
@@ -24,14 +25,16 @@ std::string names_of(const auto& items) {
 
 const MeasureKind& kind_of(const Measure& measure) {
   if (const MeasureKind* kind = find_measure_kind(measure.kind)) return *kind;
-  throw SceneError("measure." + measure.name + ".of", "there is no measure of kind '" + measure.kind +
-                                                          "'; name one of: " + names_of(measure_kinds()));
+  throw SceneError(fmt::format("measure.{}.of", measure.name),
+                   fmt::format("there is no measure of kind '{}'; name one of: {}", measure.kind,
+                               names_of(measure_kinds())));
 }
 
 std::size_t probe_index(const Scene& scene, const std::string& probe, const std::string& key) {
   const auto found = std::ranges::find(scene.probes, probe, &Probe::name);
   if (found != scene.probes.end()) return static_cast<std::size_t>(found - scene.probes.begin());
-  throw SceneError(key, "there is no probe '" + probe + "'; name one of: " + names_of(scene.probes));
+  throw SceneError(key,
+                   fmt::format("there is no probe '{}'; name one of: {}", probe, names_of(scene.probes)));
 }
 
 template <class Map>

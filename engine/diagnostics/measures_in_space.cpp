@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <Eigen/Geometry>
+#include <fmt/core.h>
 
 #include "engine/core/least_squares.hpp"
 #include "engine/diagnostics/fields.hpp"
@@ -18,7 +19,8 @@ std::vector<const Field*> fields_of(const Measure& measure, int dim) {
   for (const std::string& key : measure.fields) {
     found.push_back(find_field(key, dim));
     if (found.back() == nullptr)
-      throw SceneError("measure." + measure.name + ".fields", "there is no field '" + key + "'");
+      throw SceneError(fmt::format("measure.{}.fields", measure.name),
+                       fmt::format("there is no field '{}'", key));
   }
   return found;
 }

@@ -6,6 +6,7 @@
 #include <random>
 #include <span>
 
+#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include "engine/core/index.hpp"
@@ -44,9 +45,9 @@ Bounds lattice_bounds_of(const Body& body) {
 void check_cuts(const Body& body, const std::vector<long>& cut) {
   for (std::size_t k = 0; k < cut.size(); ++k)
     if (cut[k] == 0)
-      throw SceneError("body." + body.name + ".without", "without: shape " + std::to_string(k + 1) +
-                                                             " removes no particle of body '" + body.name +
-                                                             "'; correct or remove it");
+      throw SceneError(fmt::format("body.{}.without", body.name),
+                       fmt::format("without: shape {} removes no particle of body '{}'; correct or remove it",
+                                   k + 1, body.name));
 }
 
 struct LatticeRows {
@@ -186,9 +187,10 @@ void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialS
   for (std::size_t k = 0; k < regions.size(); ++k) {
     const auto holds = [&](const InitialSite& site) { return value_of(regions[k].where, site.middle) != 0; };
     if (std::ranges::none_of(sites, holds))
-      throw SceneError("body." + body.name + "." + key, key + ": no particle of body '" + body.name +
-                                                            "' is in region " + std::to_string(k + 1) +
-                                                            ": its 'where' is 0 at all particles");
+      throw SceneError(
+          fmt::format("body.{}.{}", body.name, key),
+          fmt::format("{}: no particle of body '{}' is in region {}: its 'where' is 0 at all particles", key,
+                      body.name, k + 1));
   }
 }
 
@@ -198,9 +200,11 @@ void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
            std::ranges::none_of(sites, [&](const InitialSite& site) { return where(site.middle) != 0; });
   };
   const auto refuse = [&](const std::string& what) {
-    throw SceneError("body." + body.name + ".held",
-                     what + ": no particle of body '" + body.name +
-                         "' is held: it is 0 at all particles; to hold none, leave it out or write 0");
+    throw SceneError(
+        fmt::format("body.{}.held", body.name),
+        fmt::format(
+            "{}: no particle of body '{}' is held: it is 0 at all particles; to hold none, leave it out or write 0",
+            what, body.name));
   };
   for (std::size_t k = 0; k < body.guided.size(); ++k)
     if (is_idle(body.guided[k])) refuse(fmt::format("held[{}]", k));
@@ -263,11 +267,11 @@ void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, d
 
 void check_sites(const Body& body, const std::vector<InitialSite>& sites) {
   if (sites.empty())
-    throw SceneError(
-        "body." + body.name,
-        "body '" + body.name + "' contains no particle: " +
-            (body.without.empty() ? "its shapes are smaller than the spacing; choose a smaller spacing"
-                                  : "the rest of its shapes after 'without' is smaller than the spacing"));
+    throw SceneError("body." + body.name,
+                     fmt::format("body '{}' contains no particle: {}", body.name,
+                                 body.without.empty()
+                                     ? "its shapes are smaller than the spacing; choose a smaller spacing"
+                                     : "the rest of its shapes after 'without' is smaller than the spacing"));
   refuse_idle_hold(body, sites);
   refuse_empty(body.parts, sites, body, "parts");
   refuse_empty(body.drives, sites, body, "driven");
@@ -275,9 +279,10 @@ void check_sites(const Body& body, const std::vector<InitialSite>& sites) {
   const auto is_traction = [](const Load& load) { return load.kind == Load::Kind::traction; };
   if (body.on_boundary && std::ranges::any_of(body.loads, is_traction))
     throw SceneError(
-        "body." + body.name + ".loaded",
-        "a traction cannot act on body '" + body.name +
-            "', whose particles are on its faces (on_boundary): give the total force as 'force'");
+        fmt::format("body.{}.loaded", body.name),
+        fmt::format("a traction cannot act on body '{}', whose particles are on its faces (on_boundary): "
+                    "give the total force as 'force'",
+                    body.name));
 }
 
 void append(InitialParticles& layout, const Scene& scene, int b) {
@@ -297,9 +302,11 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
     const bool clamped = value_of(body.clamped, site.middle) != 0;
     layout.clamped.push_back(clamped);
     if (clamped && drive >= 0)
-      throw SceneError("body." + body.name + ".driven",
-                       "particles of body '" + body.name +
-                           "' are both held and driven; 'held' and the 'where' of 'driven' must not overlap");
+      throw SceneError(
+          fmt::format("body.{}.driven", body.name),
+          fmt::format(
+              "particles of body '{}' are both held and driven; 'held' and the 'where' of 'driven' must not overlap",
+              body.name));
     layout.guided.push_back(clamped ? 0 : guide_at(body, site.middle));
     const auto is_free = [&](int k) { return !clamped && (layout.guided.back() >> k & 1) == 0; };
     // jitter would move guided particles off a rotated face

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include "engine/core/tensor.hpp"
@@ -161,7 +162,7 @@ void refuse_particles_inside(const InitialParticles& layout, const Scene& scene,
     const std::optional<Point> in_layout = laid ? (*laid)(x) : x;
     if (in_layout && holds(scene.bodies[b], *in_layout, scene.dim, -greatest_depth * scene.spacing))
       refuse(scene, static_cast<int>(std::max(a, b)), static_cast<int>(std::min(a, b)), x,
-             "a particle of '" + scene.bodies[a].name + "' is inside '" + scene.bodies[b].name + "'");
+             fmt::format("a particle of '{}' is inside '{}'", scene.bodies[a].name, scene.bodies[b].name));
   }
 }
 

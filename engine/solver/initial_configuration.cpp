@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "engine/error.hpp"
 #include "engine/kernels/kernel.hpp"
 
@@ -58,10 +60,12 @@ void InitialConfiguration<Dim>::check_pairs(const Scene& scene, const Formulatio
   for (std::size_t i = 0; i < X.size(); ++i) {
     if (trace(pairs.B[i]) > 0) continue;
     const std::string& body = scene.bodies[common_.particles.body[i]].name;
-    throw SceneError("body." + body, "body '" + body + "' is too thin for method '" +
-                                         std::string(method.name) +
-                                         "': the neighbours of one of its particles do not span the space; "
-                                         "use a smaller spacing");
+    throw SceneError(
+        "body." + body,
+        fmt::format(
+            "body '{}' is too thin for method '{}': the neighbours of one of its particles do not span the space; "
+            "use a smaller spacing",
+            body, method.name));
   }
 }
 

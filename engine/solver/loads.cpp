@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "engine/error.hpp"
 #include "engine/scene/shapes/box.hpp"
 
@@ -61,9 +63,10 @@ void Loads<Dim>::act_on_faces(const Scene& scene, const InitialParticles& initia
       const FaceLayer layer = face_layer(load, initial, std::move(ids), scene.spacing);
       if (layer.has_edge && is_of_boxes(body))
         throw SceneError(
-            "body." + body.name + ".loaded",
-            "a traction of body '" + body.name +
-                "' is on two faces that meet at an edge: write one entry of 'loaded' for each face");
+            fmt::format("body.{}.loaded", body.name),
+            fmt::format(
+                "a traction of body '{}' is on two faces that meet at an edge: write one entry of 'loaded' for each face",
+                body.name));
       if (layer.id.empty()) continue;
       shares.clear();
       for (const auto& [id, force] : face_shares(rule, layer, initial, reach, surface, scene.spacing)) {
@@ -111,9 +114,10 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
   const std::string& name = scene.bodies[body].name;
   if (volume == 0)
     throw SceneError(
-        "body." + name + ".loaded",
-        "a load of body '" + name +
-            "' is only on particles that are held, or driven to the end, where it has no effect");
+        fmt::format("body.{}.loaded", name),
+        fmt::format(
+            "a load of body '{}' is only on particles that are held, or driven to the end, where it has no effect",
+            name));
   const double over = load.kind == Load::Kind::force      ? volume
                       : load.kind == Load::Kind::traction ? scene.spacing
                                                           : 1;

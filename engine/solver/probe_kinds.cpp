@@ -9,6 +9,8 @@
 #include <numeric>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "engine/contact/face_contacts.hpp"
 #include "engine/contact/facet_contacts.hpp"
 #include "engine/error.hpp"
@@ -19,7 +21,7 @@ namespace {
 using Points = std::vector<PointWeight>;
 
 [[noreturn]] void refuse(const Probe& probe, const std::string& reason) {
-  throw SceneError("probe." + probe.name, "the probe '" + probe.name + "' " + reason);
+  throw SceneError("probe." + probe.name, fmt::format("the probe '{}' {}", probe.name, reason));
 }
 
 Points point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
@@ -33,9 +35,11 @@ Points point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
     nearest = std::min(nearest, std::sqrt(squared) / scene.spacing);
   }
   if (nearest > farthest)
-    throw SceneError("probe." + probe.name,
-                     "the point of the probe '" + probe.name +
-                         "' is outside its body, more than 1.5 spacings from the nearest particle");
+    throw SceneError(
+        "probe." + probe.name,
+        fmt::format(
+            "the point of the probe '{}' is outside its body, more than 1.5 spacings from the nearest particle",
+            probe.name));
   Points found = material_point(initial.x, begin, end, at, reach, scene, body);
   if (found.empty()) refuse(probe, "has too few particles of its body around its point");
   return found;
@@ -110,8 +114,8 @@ void follow_constrained(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
     if (!probe.where || probe.where(initial.cell(id)) != 0) f.at.push_back({id, 1});
   }
   if (f.at.empty())
-    refuse(probe, std::string("has no reaction: no particle of its ") + (probe.where ? "region" : "body") +
-                      " is held or driven along its component");
+    refuse(probe, fmt::format("has no reaction: no particle of its {} is held or driven along its component",
+                              probe.where ? "region" : "body"));
 }
 
 /// In two bodies, particles of equal index are images; in one body, particles at mirrored positions.
@@ -124,8 +128,9 @@ void follow_images(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
   f.image.resize(of_a);
   std::iota(f.image.begin(), f.image.end(), initial.first[b]);
   if (of_a != of_b)
-    refuse(probe, "compares two bodies that are not images of each other: they have " + std::to_string(of_a) +
-                      " and " + std::to_string(of_b) + " particles");
+    refuse(probe,
+           fmt::format("compares two bodies that are not images of each other: they have {} and {} particles",
+                       of_a, of_b));
   if (a != b) return;
   using Cell = std::array<long, 3>;
   // a quarter of a spacing: by round-off, an image may lie in an adjacent cell
@@ -319,7 +324,7 @@ const ProbeRow<Dim>& probe_row(const Probe& probe) {
       {Kind::expression, nullptr, [](F& f, const Now& now) { return f.probe.value(now.before, now.time); }},
   };
   const auto row = std::ranges::find(rows, probe.kind, &ProbeRow<Dim>::kind);
-  if (row == std::end(rows)) refuse(probe, "has the unknown kind '" + std::string(probe.kind.name) + "'");
+  if (row == std::end(rows)) refuse(probe, fmt::format("has the unknown kind '{}'", probe.kind.name));
   return *row;
 }
 

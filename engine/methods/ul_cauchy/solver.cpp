@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "engine/core/parallel.hpp"
 #include "engine/error.hpp"
 #include "engine/methods/ul_cauchy/describe.hpp"
@@ -102,10 +104,10 @@ void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
   for (const Probe& probe : scene.probes)
     if (probe.kind == Probe::Kind::contact_force && probe.wall < 0)
       throw SceneError("probe." + probe.name,
-                       "the probe '" + probe.name +
-                           "' has no force to measure: with contact = \"sph\" the method '" +
-                           std::string(method_.name) +
-                           "' treats touching bodies as one; choose another law, such as \"penalty\"");
+                       fmt::format("the probe '{}' has no force to measure: "
+                                   "with contact = \"sph\" the method '{}' treats touching bodies as one; "
+                                   "choose another law, such as \"penalty\"",
+                                   probe.name, method_.name));
 }
 
 /// Time step, s, [Khayyer2024] Eq. 26, shorter for materials stiffer in shear.
