@@ -9,31 +9,33 @@ namespace taut::cli {
 
 std::string positive_number(const std::string& text) {
   const auto value = parsed<double>(text);
-  return value && std::isfinite(*value) && *value > 0 ? "" : "'" + text + "' is not a number above 0";
+  return value && std::isfinite(*value) && *value > 0 ? "" : "'" + text + "' must be a number above 0";
 }
 
 std::string not_negative_number(const std::string& text) {
   const auto value = parsed<double>(text);
-  return value && std::isfinite(*value) && *value >= 0 ? "" : "'" + text + "' is not a number of at least 0";
+  return value && std::isfinite(*value) && *value >= 0 ? "" : "'" + text + "' must be a number of at least 0";
 }
 
 std::string positive_whole_number(const std::string& text) {
   const auto value = parsed<int>(text);
-  return value && *value > 0 ? "" : "'" + text + "' is not a whole number of at least 1";
+  return value && *value > 0 ? "" : "'" + text + "' must be a whole number of at least 1";
 }
 
 std::string whole_number(const std::string& text) {
   const auto value = parsed<int>(text);
-  return value && *value >= 0 ? "" : "'" + text + "' is not a whole number of at least 0";
+  return value && *value >= 0 ? "" : "'" + text + "' must be a whole number of at least 0";
 }
 
 std::string png_name(const std::string& text) {
-  return text.ends_with(".png") ? "" : "'" + text + "' does not end in .png";
+  return text.ends_with(".png") ? "" : "'" + text + "' must end in .png";
 }
 
 std::string assignment(const std::string& text) {
   const std::size_t at = text.find('=');
-  return at != std::string::npos && at > 0 && at + 1 < text.size() ? "" : "'" + text + "' is not NAME=VALUE";
+  return at != std::string::npos && at > 0 && at + 1 < text.size()
+             ? ""
+             : "'" + text + "' must have the form NAME=VALUE";
 }
 
 }  // namespace taut::cli
