@@ -27,7 +27,7 @@ std::string bracket(const CriticalStep& found) {
   return brief(*found.stable) + " s" + (found.unstable ? " to " + brief(*found.unstable) + " s" : " or more");
 }
 
-/// Adds the place to errors about the scene.
+/// Adds the place in the scene file to errors.
 CriticalStep search(const SceneFile& file, const CriticalStepArguments& options, Progress& progress) {
   constexpr double usual_trials = 12;
   const Interrupts interrupts;
@@ -105,7 +105,7 @@ int find(const CriticalStepArguments& options, Streams streams) {
 
 std::string tolerance_in_bounds(const std::string& text) {
   const auto value = parsed<double>(text);
-  return value && *value >= 1e-9 && *value <= 0.5 ? "" : "'" + text + "' is not a number from 1e-9 to 0.5";
+  return value && *value >= 1e-9 && *value <= 0.5 ? "" : "'" + text + "' must be a number from 1e-9 to 0.5";
 }
 
 }  // namespace

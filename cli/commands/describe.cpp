@@ -79,14 +79,14 @@ std::string motion_text(const Body& body) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   if (const std::string along = axes_of(body.guided); !along.empty())
-    add("clamped along " + along + " in part");
+    add("partly clamped along " + along);
   else if (body.clamped)
-    add("clamped in part");
+    add("partly clamped");
   if (const std::string along = axes_of(body.displacement); !along.empty())
     add("displaced along " + along + " at the start");
   for (const Drive& drive : body.drives)
-    add("driven in part" + (drive.until ? " until " + brief(*drive.until) + " s" : ""));
-  for (const Load& load : body.loads) add("loaded in part: " + std::string(name(load.kind)));
+    add("partly driven" + (drive.until ? " until " + brief(*drive.until) + " s" : ""));
+  for (const Load& load : body.loads) add("partly loaded: " + std::string(name(load.kind)));
   return text;
 }
 
@@ -101,7 +101,7 @@ Rows body_rows(const Scene& scene) {
   return rows;
 }
 
-/// At the end of the run.
+/// Gravity at t = until, in m/s².
 std::string gravity_text(const Scene& scene) {
   std::string text;
   for (std::size_t k = 0; k < static_cast<std::size_t>(scene.dim); ++k)
@@ -171,7 +171,7 @@ void describe_scene(const std::string& name, std::ostream& out) {
   print_table(out, "Measures (kinds: taut list measures)", rows_of_measures(scene), 1);
 }
 
-/// Default and bounds, also in 3D if different.
+/// Default and bounds of a constant; the values of 3D are added if they differ.
 Rows::value_type constant_row(const MethodConstant& c, const std::vector<MethodConstant>& in_3d) {
   std::string value = brief(c.value), range = bounds(c.low, c.high);
   const auto other = std::ranges::find(in_3d, c.name, &MethodConstant::name);
@@ -247,7 +247,7 @@ bool describe_language(const std::string& name, bool json, std::ostream& out) {
   throw UsageError(unknown_name("name", name, names) + "; `taut list` shows the kinds of names");
 }
 
-/// A path counts as a scene, even if missing.
+/// A path counts as a scene, even if the file is missing.
 bool is_scene(const std::string& name) {
   if (name.ends_with(".toml") || name.find('/') != std::string::npos) return true;
   for (const std::string& known : scene_names())
