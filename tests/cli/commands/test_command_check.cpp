@@ -149,7 +149,7 @@ TEST_SUITE("cli") {
         call({"plot", folder.str("notes.txt"), folder.str("discs.toml"), "--out", folder.str("t.png")});
     CHECK(none.code == 2);
     CHECK(contains(none.err,
-                   "no run or sweep is among these; name folders that `taut run` or `taut sweep` has made"));
+                   "none of these is a run or a sweep; name folders that `taut run` or `taut sweep` has made"));
     CHECK(call({"plot", a, "--out", folder.str("t.jpg")}).code == 2);
   }
 }
