@@ -95,7 +95,7 @@ Rows body_rows(const Scene& scene) {
   for (const Body& body : scene.bodies) {
     std::string materials = scene.materials[static_cast<std::size_t>(body.material)].name;
     for (const Part& part : body.parts)
-      materials += ", " + scene.materials[static_cast<std::size_t>(part.material)].name + " in part";
+      materials += ", partly " + scene.materials[static_cast<std::size_t>(part.material)].name;
     rows.push_back({body.name, materials, motion_text(body)});
   }
   return rows;
@@ -291,7 +291,7 @@ std::function<int(Streams)> declare_describe(Options& command) {
   command
       .add_argument(
           "SCENE|METHOD|scene-file|sweep-file|claim-file|SECTION", options->name,
-          "a name that `taut list` shows (also of a law, field, key, ...), a section of scene files, "
+          "a name that `taut list all` shows, such as that of a law, field or key, a section of scene files, "
           "or the path of a scene file")
       .required();
   const Option json =
