@@ -22,20 +22,21 @@ struct Snapshot {
   int dim = 2;
   double time = 0;  // s
   long step = 0;
-  std::vector<double> x0;             // initial, n × dim, m
-  std::vector<double> x;              // n × dim, m
-  std::vector<double> v;              // n × dim, m/s
-  std::vector<double> m;              // kg
-  std::vector<double> rho;            // kg/m³
-  std::vector<double> p;              // positive in compression, Pa
-  std::vector<double> s;              // xx, xy, yy, zz (2D) or xx, xy, xz, yy, yz, zz (3D), Pa
+  std::vector<double> x0;   // initial, n × dim, m
+  std::vector<double> x;    // n × dim, m
+  std::vector<double> v;    // n × dim, m/s
+  std::vector<double> m;    // kg
+  std::vector<double> rho;  // kg/m³
+  std::vector<double> p;    // pressure, positive in compression, Pa
+  /// Stress deviator in Pa: n × 4 (xx, xy, yy, zz) in 2D, n × 6 (xx, xy, xz, yy, yz, zz) in 3D.
+  std::vector<double> s;
   std::vector<double> strain_energy;  // J; empty for methods that do not define it
   double contact_energy = 0;          // J
-  double work = 0;                    // by drives, loads and gravity, J
-  std::vector<double> body_work;      // [body] J
-  double damped = 0;                  // by Scene::damping, J
-  Impulse of_walls;
-  std::vector<double> diameter;  // as drawn: V0^(1/dim), m
+  double work = 0;                    // of drives, loads and gravity since the start, J
+  std::vector<double> body_work;      // [body] work of drives, loads and gravity on the body, J
+  double damped = 0;                  // energy removed by Scene::damping since the start, J
+  Impulse of_walls;                   // impulse of the walls on the particles since the start
+  std::vector<double> diameter;       // as drawn: V0^(1/dim), m
   std::vector<int> body;
   std::vector<int> material;
   std::vector<unsigned char> clamped;
@@ -59,7 +60,7 @@ struct Snapshot {
     return sigma;
   }
 
-  /// Allocates all fields except `strain_energy`.
+  /// Allocates all fields except `strain_energy` and `body_work`.
   void resize(int dimensions, std::size_t n) {
     dim = dimensions;
     const auto d = static_cast<std::size_t>(dim);

@@ -13,23 +13,23 @@ class Option;
 
 namespace taut::cli {
 
-/// An option, flag or positional argument; valid as long as its Options.
+/// An option, flag or positional argument; valid as long as the Options that declared it.
 class Option {
  public:
   explicit Option(CLI::Option& option) : option_(&option) {}
   bool operator==(const Option&) const = default;
 
   Option& required(bool is_required = true);
-  /// `check` returns a problem, or "".
+  /// `check` returns a message, or "" for a valid value.
   Option& check(std::string (*check)(const std::string& value));
-  /// Takes one word each time.
+  /// Takes one value per occurrence of the option.
   Option& one_word_each();
-  /// Commas separate values.
+  /// Splits the text of the option at commas.
   Option& comma_separated();
   Option& excludes(const Option& other);
   Option& needs(const Option& other);
 
-  /// "--out", or the placeholder of a positional argument.
+  /// Name, such as "--out", or the placeholder of a positional argument.
   std::string name() const;
   bool has_name(const std::string& name) const;
   std::string placeholder() const;
@@ -56,10 +56,10 @@ class Options {
   explicit Options(const Texts& texts);
   ~Options();
 
-  /// Declares an option that sets `target`. Only vectors may be repeated.
+  /// Declares an option that sets `target`. The option may be repeated if `target` is a vector.
   template <class Target>
   Option add(std::string_view name, std::string_view placeholder, Target& target, std::string_view help);
-  /// Passes the text to `take` after all words were read.
+  /// Calls `take` with the text of the option, after all words have been read.
   Option add(std::string_view name, std::string_view placeholder,
              const std::function<void(const std::string&)>& take, std::string_view help);
   Option add(std::string_view name, std::string_view placeholder,
@@ -70,7 +70,7 @@ class Options {
     return add(name, " ", target, help);
   }
 
-  /// --help comes first.
+  /// All options; --help comes first.
   std::vector<Option> all() const;
   std::string help() const;
   /// Sets all targets. Returns false for --help. Throws UsageError.

@@ -10,12 +10,12 @@
 namespace taut::cli {
 
 enum class ClaimState { holds, in_part, does_not_hold };
-/// "in part".
+/// Text of a state, such as "in part".
 std::string_view name(ClaimState);
 
 struct ClaimRun {
   std::string name;
-  std::vector<Setting> settings;  // with the claim's
+  std::vector<Setting> settings;  // of the run, including those of the claim
 };
 
 /// A statement of a paper and its test.
@@ -23,17 +23,17 @@ struct Claim {
   std::filesystem::path file;
   std::string paper, key;         // "Zhang2024", "fig-3a"
   std::string place, text;        // "Fig. 3(a)", the statement
-  std::string published, looser;  // may be empty; `looser`: difference of the criterion
+  std::string published, looser;  // may be empty; `looser`: how the criterion is weaker than the text
   std::string scene;              // path
   bool quick = true;              // repeated by the tests
   std::vector<ClaimRun> runs;
   std::string criterion;       // see criterion.hpp
-  std::string part, evidence;  // may be empty
+  std::string part, evidence;  // weaker criterion; condition that confirms the reason; may be empty
   ClaimState state = ClaimState::holds;
-  std::string reason;    // of other states
-  std::string last_run;  // date
+  std::string reason;    // why the state is not `holds`
+  std::string last_run;  // date, may have a remark
 
-  /// "Zhang2024.fig-3a".
+  /// Full name, such as "Zhang2024.fig-3a".
   std::string name() const { return paper + "." + key; }
 };
 
@@ -44,7 +44,7 @@ struct Paper {
   std::vector<Claim> claims;
 };
 
-/// Throws SceneError with the place. Does not check settings and quantities.
+/// Throws SceneError with file, line and column. Does not check settings and quantities.
 Paper read_paper(const std::filesystem::path& file);
 std::vector<Paper> shipped_papers();
 

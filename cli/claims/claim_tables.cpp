@@ -37,7 +37,8 @@ std::string shown_values(const ClaimOutcome& outcome) {
 
 std::string found(const ClaimOutcome& outcome) {
   if (!outcome.state) return "no result: " + outcome.problem;
-  return std::string(name(*outcome.state)) + (outcome.evidence ? "" : ", but the evidence is not true");
+  return std::string(name(*outcome.state)) +
+         (outcome.evidence ? "" : ", but its evidence condition is false");
 }
 
 std::string quoted(const std::string& text) {
@@ -72,7 +73,7 @@ Rows failures(const Paper& paper) {
 }
 
 Rows all_claims(const Paper& paper) {
-  Rows rows{{"claim", "statement", "published", "state", "looser than the paper", "last run"}};
+  Rows rows{{"claim", "statement", "published", "state", "weaker than the paper in", "last run"}};
   for (const Claim& claim : paper.claims)
     rows.push_back({fmt::format("`{}`, {}", claim.key, claim.place), claim.text, claim.published,
                     std::string(name(claim.state)), claim.looser, claim.last_run});
@@ -110,7 +111,7 @@ std::string claim_text(const Claim& claim, std::size_t columns) {
   add("published", claim.published);
   for (const ClaimRun& run : claim.runs) add("run " + run.name, command_of(claim, run));
   add("criterion", claim.criterion);
-  add("looser than the paper", claim.looser);
+  add("weaker than the paper in", claim.looser);
   add("in part", claim.part);
   add("reason", claim.reason);
   add("evidence", claim.evidence);
@@ -172,9 +173,10 @@ TestReport claims_report(const std::vector<ClaimOutcome>& outcomes) {
   TestReport report{"claims", "papers", {}};
   for (const ClaimOutcome& outcome : outcomes) {
     const Result result = outcome.agrees() ? Result::passed : outcome.state ? Result::failed : Result::error;
-    report.cases.push_back({outcome.claim->name(), result,
-                            fmt::format("{}: recorded as '{}', here {} ({})", outcome.claim->name(),
-                                        name(outcome.claim->state), found(outcome), shown_values(outcome))});
+    report.cases.push_back(
+        {outcome.claim->name(), result,
+         fmt::format("{}: recorded state '{}', state found here: {} ({})", outcome.claim->name(),
+                     name(outcome.claim->state), found(outcome), shown_values(outcome))});
   }
   return report;
 }

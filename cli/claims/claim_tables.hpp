@@ -10,19 +10,19 @@
 
 namespace taut::cli {
 
-/// `columns`: width of the text.
+/// `columns`: width of the text, in characters; none: unlimited.
 std::string list_of_claims(const std::vector<const Claim*>& claims, std::optional<std::size_t> columns);
 /// Includes the commands that repeat the runs.
 std::string claim_text(const Claim& claim, std::size_t columns);
 std::string table_of_outcomes(const std::vector<ClaimOutcome>& outcomes, std::optional<std::size_t> columns);
-/// Counts, reasons of claims that do not hold, and all claims.
+/// Page with counts, the reasons of claims that do not hold, and all claims.
 std::string claims_markdown(const std::vector<Paper>& papers);
 
 /// `outcome` may be nullptr.
 Json claim_json(const Claim& claim, const ClaimOutcome* outcome);
 TestReport claims_report(const std::vector<ClaimOutcome>& outcomes);
 
-/// "taut run oscillating-plate --method og --until 0.05".
+/// Command that repeats a run, such as "taut run oscillating-plate --method og --until 0.05".
 std::string command_of(const Claim& claim, const ClaimRun& run);
 
 }  // namespace taut::cli

@@ -90,11 +90,10 @@ std::function<int(Streams)> declare_check(Options& command) {
   command.add("--measure", "MEASURE ...", options->measures,
               "an expected value NAME=VALUE±TOLERANCE (also +-; "
               "the tolerance in % or in the unit of the measure) or a bound NAME<VALUE, NAME>VALUE; "
-              "also of a number in run.json, such as conservation.energy<1e-3");
+              "NAME can also be a number in run.json, such as conservation.energy<1e-3");
   command.add("--baseline", "FILE", options->baseline,
               "folder or run.json of another run, whose measures and verdict are expected");
-  command.add("--tolerance", "X", options->tolerance,
-              "for measures without one of their own, and for --baseline");
+  command.add("--tolerance", "X", options->tolerance, "for measures without a tolerance, and for --baseline");
   command.add("--verdict", "stable|VERDICT", options->verdict,
               "the worst verdict that is allowed, such as stable");
   options->declare_json(command);

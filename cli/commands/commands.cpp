@@ -66,7 +66,7 @@ constexpr Command table[] = {
      "The command reads the results of sweeps, by default all below out/. It runs nothing.\n"
      "If no run is accurate enough, it prints the most accurate one and ends with exit code 1.\n",
      declare_choose},
-    {"plot", "draw histories of runs over time, or answers of a sweep over a parameter",
+    {"plot", "draw histories of runs over time, or measures of a sweep over a parameter",
      "  taut plot out/plate-enog --out tip.png    one panel per probe\n"
      "  taut plot out/tl out/oenog --columns tip,total_energy --out runs.svg\n"
      "  taut plot out/disc --columns force --x gap --out force-displacement.png\n"
@@ -123,8 +123,8 @@ constexpr Command table[] = {
      "  taut claims Lee2016 --quick               run the claims of a paper that take seconds\n"
      "  taut claims --all --jobs 2 --json         run everything: hours\n"
      "Runs are kept in --out, and finished runs are not repeated. A claim `holds` if its criterion is true,\n"
-     "holds `in part` if only the weaker criterion is, and else `does not hold`. A run agrees if this state is\n"
-     "the recorded one, and if the evidence for the reason of a failure is true.\n",
+     "holds `in part` if only the weaker criterion is true, and otherwise `does not hold`. A run agrees if it\n"
+     "finds the recorded state and if the evidence condition is true.\n",
      declare_claims},
     {"session", "simulate interactively: read commands from stdin, print answers; `help` lists the commands",
      "  taut session colliding-rings\n"

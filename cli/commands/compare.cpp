@@ -73,15 +73,15 @@ std::optional<render::View> common_view(const std::vector<SavedRun>& runs) {
   return view;
 }
 
-/// Particles that fly away must not shrink the picture.
+/// Limits the view to the window, so that particles that fly away do not shrink the picture.
 render::View within(const render::View& all, const std::optional<render::View>& window) {
   if (!window) return all;
   return {std::max(all.x_min, window->x_min), std::min(all.x_max, window->x_max),
           std::max(all.y_min, window->y_min), std::min(all.y_max, window->y_max)};
 }
 
-/// Options, else the first run's drawing without size and view.
-Drawing wish(const std::vector<SavedRun>& runs, const CompareArguments& options) {
+/// The first run's drawing without size and view, overridden by the options.
+Drawing chosen_drawing(const std::vector<SavedRun>& runs, const CompareArguments& options) {
   Drawing drawing = runs.front().file.drawing;
   drawing.look.size.reset();
   drawing.look.view.reset();
@@ -90,39 +90,40 @@ Drawing wish(const std::vector<SavedRun>& runs, const CompareArguments& options)
   return drawing;
 }
 
-void refuse_to_follow_nobody(const Drawing& wish, const std::vector<SavedRun>& runs) {
+/// Throws UsageError if a run lacks the followed body.
+void check_followed_body(const Drawing& drawing, const std::vector<SavedRun>& runs) {
   for (const SavedRun& run : runs) {
     std::vector<std::string> names;
     for (const Body& body : run.file.scene.bodies) names.push_back(body.name);
-    if (wish.followed && std::ranges::find(names, wish.follow) == names.end())
+    if (drawing.followed && std::ranges::find(names, drawing.follow) == names.end())
       throw UsageError(
           fmt::format("the picture follows body '{}', but '{}' has only the bodies {}; "
                       "choose another body with --follow, or --follow none",
-                      wish.follow, run.folder.path().string(), join(names)));
+                      drawing.follow, run.folder.path().string(), join(names)));
   }
 }
 
-/// Whether the scenes' view applies; `--view auto` also overrides it.
-bool is_bounded(const Drawing& wish, const CompareArguments& options) {
+/// Whether the view of the scenes applies. Any --view overrides it, including `auto`.
+bool is_bounded(const Drawing& drawing, const CompareArguments& options) {
   const auto typed = options.typed.find("view");
   const bool chosen = typed != options.typed.end() && typed->second;
-  return !chosen && !wish.look.view && !wish.look.camera && !wish.followed;
+  return !chosen && !drawing.look.view && !drawing.look.camera && !drawing.followed;
 }
 
-Drawing fitted_to(const Drawing& wish, bool bounded, const std::vector<SavedRun>& runs,
+Drawing fitted_to(const Drawing& drawing, bool bounded, const std::vector<SavedRun>& runs,
                   const std::vector<Column>& columns) {
-  SequenceBounds shown(wish.look.camera);
+  SequenceBounds shown(drawing.look.camera);
   for (const auto& [staging, cells] : columns)
     for (const PanelCell& cell : cells)
       if (cell.particles) staging.extend(shown, staging(cell.particles->view()));
-  Drawing drawing = fitted(wish, shown);
-  if (bounded) drawing.look.view = within(*drawing.look.view, common_view(runs));
-  return drawing;
+  Drawing result = fitted(drawing, shown);
+  if (bounded) result.look.view = within(*result.look.view, common_view(runs));
+  return result;
 }
 
-void tell_what_is_outside(const render::View& view, const std::vector<SavedRun>& runs,
-                          const std::vector<Column>& columns, std::ostream& err) {
-  constexpr double worth_telling = 0.02;  // share of the particles
+void warn_about_particles_outside(const render::View& view, const std::vector<SavedRun>& runs,
+                                  const std::vector<Column>& columns, std::ostream& err) {
+  constexpr double worth_a_warning = 0.02;  // share of the particles
   for (std::size_t k = 0; k < columns.size(); ++k) {
     double most = 0;
     for (const PanelCell& cell : columns[k].cells) {
@@ -133,7 +134,7 @@ void tell_what_is_outside(const render::View& view, const std::vector<SavedRun>&
         outside += x[i] < view.x_min || x[i] > view.x_max || x[i + 1] < view.y_min || x[i + 1] > view.y_max;
       most = std::max(most, 2 * outside / static_cast<double>(x.size()));
     }
-    if (most > worth_telling)
+    if (most > worth_a_warning)
       err << "taut: up to " << percent(most) << " of the particles of " << runs[k].folder.path().string()
           << " are outside the view of the scene; use --view auto to show them\n";
   }
@@ -174,27 +175,27 @@ int compare_runs(const CompareArguments& options, Streams streams) {
         fmt::format("--labels names {} columns, but there are {} runs; give one label for each run",
                     options.labels.size(), options.runs.size()));
   const std::vector<SavedRun> runs = open_runs(options.runs);
-  const Drawing wished = wish(runs, options);
-  refuse_to_follow_nobody(wished, runs);
+  const Drawing chosen = chosen_drawing(runs, options);
+  check_followed_body(chosen, runs);
   const double until = longest(runs);
   const std::vector<double> times = chosen_times(options, until);
   std::vector<Column> columns;
   for (const SavedRun& run : runs) {
-    Drawing drawing = wished;
+    Drawing drawing = chosen;
     apply_scene(drawing, run.file);  // body numbers may differ
-    if (drawing.look.categories != wished.look.categories)
+    if (drawing.look.categories != chosen.look.categories)
       throw UsageError(
-          fmt::format("'{}' has {}, '{}' has {}: they cannot have a common legend; choose another --color",
-                      runs.front().folder.path().string(), join(wished.look.categories),
+          fmt::format("'{}' has {}, '{}' has {}, so they cannot have a common legend; choose another --color",
+                      runs.front().folder.path().string(), join(chosen.look.categories),
                       run.folder.path().string(), join(drawing.look.categories)));
     const Origins origins = origins_of(run.file.scene);
     columns.push_back({Staging(drawing, origins), {}});
     for (const double time : times)
       columns.back().cells.push_back(cell_at(run, time, until, drawing, origins));
   }
-  const bool bounded = is_bounded(wished, options);
-  const Drawing fitted = fitted_to(wished, bounded, runs, columns);
-  if (bounded) tell_what_is_outside(*fitted.look.view, runs, columns, streams.err);
+  const bool bounded = is_bounded(chosen, options);
+  const Drawing fitted = fitted_to(chosen, bounded, runs, columns);
+  if (bounded) warn_about_particles_outside(*fitted.look.view, runs, columns, streams.err);
   RunLabels labels = label_runs(runs);
   for (std::size_t k = 0; k < options.labels.size(); ++k) labels.columns[k] = {options.labels[k], ""};
   render::PanelOptions about = panel_options(fitted, std::move(labels));
@@ -224,7 +225,7 @@ std::function<int(Streams)> declare_compare(Options& command) {
       .check(not_negative_number);
   command
       .add("--labels", "LABEL,...", options->labels,
-           "headings of the columns, one for each run; default: in what the runs differ")
+           "headings of the columns, one for each run; default: the settings in which the runs differ")
       .comma_separated();
   declare_drawing_options(command, *options);
   return [options](Streams streams) { return compare_runs(*options, streams); };

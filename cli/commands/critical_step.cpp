@@ -30,7 +30,7 @@ std::string bracket(const CriticalStep& found) {
                      found.unstable ? fmt::format(" to {} s", brief(*found.unstable)) : " or more");
 }
 
-/// Adds the place to errors about the scene.
+/// Adds the place in the scene file to errors.
 CriticalStep search(const SceneFile& file, const CriticalStepArguments& options, Progress& progress) {
   constexpr double usual_trials = 12;
   const Interrupts interrupts;
@@ -111,7 +111,7 @@ std::string tolerance_in_bounds(const std::string& text) {
   const auto value = parsed<double>(text);
   return value && *value >= 1e-9 && *value <= 0.5
              ? ""
-             : fmt::format("'{}' is not a number from 1e-9 to 0.5", text);
+             : fmt::format("'{}' must be a number from 1e-9 to 0.5", text);
 }
 
 }  // namespace

@@ -82,14 +82,14 @@ std::string motion_text(const Body& body) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   if (const std::string along = axes_of(body.guided); !along.empty())
-    add(fmt::format("clamped along {} in part", along));
+    add(fmt::format("partly clamped along {}", along));
   else if (body.clamped)
-    add("clamped in part");
+    add("partly clamped");
   if (const std::string along = axes_of(body.displacement); !along.empty())
     add(fmt::format("displaced along {} at the start", along));
   for (const Drive& drive : body.drives)
-    add("driven in part" + (drive.until ? fmt::format(" until {} s", brief(*drive.until)) : ""));
-  for (const Load& load : body.loads) add("loaded in part: " + std::string(name(load.kind)));
+    add("partly driven" + (drive.until ? fmt::format(" until {} s", brief(*drive.until)) : ""));
+  for (const Load& load : body.loads) add("partly loaded: " + std::string(name(load.kind)));
   return text;
 }
 
@@ -98,13 +98,13 @@ Rows body_rows(const Scene& scene) {
   for (const Body& body : scene.bodies) {
     std::string materials = scene.materials[static_cast<std::size_t>(body.material)].name;
     for (const Part& part : body.parts)
-      materials += fmt::format(", {} in part", scene.materials[static_cast<std::size_t>(part.material)].name);
+      materials += fmt::format(", partly {}", scene.materials[static_cast<std::size_t>(part.material)].name);
     rows.push_back({body.name, materials, motion_text(body)});
   }
   return rows;
 }
 
-/// At the end of the run.
+/// Gravity at t = until, in m/s².
 std::string gravity_text(const Scene& scene) {
   std::string text;
   for (std::size_t k = 0; k < static_cast<std::size_t>(scene.dim); ++k)
@@ -174,7 +174,7 @@ void describe_scene(const std::string& name, std::ostream& out) {
   print_table(out, "Measures (kinds: taut list measures)", rows_of_measures(scene), 1);
 }
 
-/// Default and bounds, also in 3D if different.
+/// Default and bounds of a constant; the values of 3D are added if they differ.
 Rows::value_type constant_row(const MethodConstant& c, const std::vector<MethodConstant>& in_3d) {
   std::string value = brief(c.value), range = bounds(c.low, c.high);
   const auto other = std::ranges::find(in_3d, c.name, &MethodConstant::name);
@@ -250,7 +250,7 @@ bool describe_language(const std::string& name, bool json, std::ostream& out) {
   throw UsageError(unknown_name("name", name, names) + "; `taut list` shows the kinds of names");
 }
 
-/// A path counts as a scene, even if missing.
+/// A path counts as a scene, even if the file is missing.
 bool is_scene(const std::string& name) {
   if (name.ends_with(".toml") || name.find('/') != std::string::npos) return true;
   for (const std::string& known : scene_names())
@@ -295,7 +295,7 @@ std::function<int(Streams)> declare_describe(Options& command) {
   command
       .add_argument(
           "SCENE|METHOD|scene-file|sweep-file|claim-file|SECTION", options->name,
-          "a name that `taut list` shows (also of a law, field, key, ...), a section of scene files, "
+          "a name that `taut list all` shows, such as that of a law, field or key, a section of scene files, "
           "or the path of a scene file")
       .required();
   const Option json =

@@ -30,7 +30,7 @@ struct MovieArguments {
   bool orbit = false;
 };
 
-/// ffmpeg stops silently at a gap.
+/// Throws UsageError for missing frames, at which ffmpeg would stop silently.
 int count_frames(const fs::path& folder) {
   const int count = static_cast<int>(picture_names(folder).size());
   if (!fs::exists(folder / frame_name(0)))
@@ -77,7 +77,7 @@ bool draw_orbit(const fs::path& folder, const fs::path& frames, std::ostream& er
   return redraw(run, frames, 0, progress).all;
 }
 
-/// Videos need even sides, hence a white edge; GIFs need few colours.
+/// Adds a white edge to videos, which need even sides, and reduces the colours of GIFs.
 std::vector<std::string> encoding(const std::string& extension) {
   if (extension == ".gif")
     return {"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none"};
@@ -94,7 +94,8 @@ std::vector<std::string> arguments_of(const MovieArguments& options, const fs::p
                                      "-framerate", exact(options.fps), "-i",        "frame_%05d.png"};
   const std::vector<std::string> rest = encoding(movie.extension().string());
   arguments.insert(arguments.end(), rest.begin(), rest.end());
-  arguments.push_back("file:" + movie.string());  // ':' must not end a protocol
+  // `file:` keeps ffmpeg from reading a name with ':' as a protocol
+  arguments.push_back("file:" + movie.string());
   return arguments;
 }
 

@@ -47,7 +47,7 @@ bool contains_file(const std::string& folder, const char* name) {
   return fs::symlink_status(fs::path(folder) / name, error).type() > fs::file_type::not_found;
 }
 
-/// Omits a sweep's table if runs beside it are named, as with DIR/*.
+/// Ignores the table of a sweep if runs beside it are also named, as with DIR/*.
 PlotPaths sorted_paths(const std::vector<std::string>& given) {
   PlotPaths paths;
   const auto is_beside = [](const fs::path& table) {
@@ -77,7 +77,7 @@ PlotPaths sorted_paths(const std::vector<std::string>& given) {
   if (paths.runs.empty() && paths.sweeps.empty())
     throw UsageError(
         join(paths.others) +
-        ": no run or sweep is among these; name folders that `taut run` or `taut sweep` has made");
+        ": none of these is a run or a sweep; name folders that `taut run` or `taut sweep` has made");
   return paths;
 }
 
@@ -88,7 +88,7 @@ StoredResults read_all(const PlotPaths& paths, std::ostream& err) {
     constexpr std::size_t most = 5;
     const std::size_t more = names.size() > most ? names.size() - most : 0;
     names.resize(names.size() - more);
-    err << "taut: skips what is no run: " << join(names)
+    err << "taut: skipped (neither a run nor a sweep): " << join(names)
         << (more > 0 ? fmt::format(" and {} more", more) : "") << '\n';
   }
   StoredResults results;
@@ -123,7 +123,7 @@ void add_titles(StoredResults& results, const std::vector<SceneFile>& scenes) {
     }
 }
 
-/// Panels "a+b": columns and their places.
+/// Splits panels such as "a+b": `names` of all columns, and `panels` with their indices.
 struct JoinedColumns {
   std::vector<std::string> names;
   std::vector<std::vector<std::size_t>> panels;
@@ -146,8 +146,8 @@ struct JoinedColumns {
         if (const std::string& first = names[panel.front()];
             history_unit(names[column], scene) != history_unit(first, scene))
           throw UsageError(fmt::format(
-              "'{0}' and '{1}' have different units ('{2}', '{3}'); give each its panel: {0},{1}", first,
-              names[column], history_unit(first, scene), history_unit(names[column], scene)));
+              "'{0}' and '{1}' have different units ('{2}', '{3}'); draw each in its own panel: {0},{1}",
+              first, names[column], history_unit(first, scene), history_unit(names[column], scene)));
   }
 };
 
@@ -204,7 +204,7 @@ int plot_histories(const PlotArguments& options, StoredResults results, const Pl
   return draw_history(plot, files, streams, look);
 }
 
-/// Units come from the scene files.
+/// Adds units and titles of the scene files. Ignores runs without one.
 void add_units(StoredResults& results) {
   std::vector<SceneFile> scenes;
   try {
@@ -226,7 +226,7 @@ int plot(const PlotArguments& options, Streams streams) {
   if (options.y.empty() && !options.by.empty())
     throw UsageError("--by needs --y, the measures or columns of results.csv to draw over --x");
   if (!options.y.empty() && !options.columns.empty())
-    throw UsageError("--columns draws histories and --y answers over a parameter; give one of them");
+    throw UsageError("--columns draws histories, --y draws measures over a parameter; give only one of them");
   StoredResults results = read_all(sorted_paths(options.paths), streams.err);
   if (options.y.empty()) return plot_histories(options, std::move(results), files, look, streams);
   add_units(results);
@@ -244,25 +244,24 @@ std::function<int(Streams)> declare_plot(Options& command) {
       .required();
   command
       .add("--columns", "COLUMN,...", options->columns,
-           "histories: columns of history.csv, one panel each; "
+           "columns of history.csv, one panel each; "
            "a+b: both in one panel; default: all probes, else total_energy")
       .comma_separated();
   command
-      .add(
-          "--y", "MEASURE,...", options->y,
-          "answers: measures, such as deflection or deflection.error, or columns of results.csv, one panel each; "
-          "a+b: both in one panel")
+      .add("--y", "MEASURE,...", options->y,
+           "measures, such as deflection or deflection.error, or columns of results.csv, one panel each; "
+           "a+b: both in one panel")
       .comma_separated();
-  command.add(
-      "--x", "COLUMN", options->x,
-      "x axis; histories: a column, default: t; answers: a parameter or column, default: the only one swept");
+  command.add("--x", "COLUMN", options->x,
+              "x axis: a column of history.csv, default: t; with --y: a parameter or column of results.csv, "
+              "default: the only swept parameter");
   command
       .add("--by", "PARAMETER,...", options->by,
-           "answers: a line for each value, such as method; default: for all settings that differ")
+           "with --y: draw one line for each value, such as method; default: all settings that differ")
       .comma_separated();
   command.add("--log", "x|y|xy", options->log, "axes with logarithmic scale");
-  command.add("--title", "TEXT|none", options->title, "title; default: of the sweep or scene");
-  command.add("--size", "WIDTHxHEIGHT", options->size, "size, pixels; with --width: its proportions");
+  command.add("--title", "TEXT|none", options->title, "title; default: the title of the sweep or scene");
+  command.add("--size", "WIDTHxHEIGHT", options->size, "size, pixels; with --width: aspect ratio");
   command.add("--width", "LENGTH", options->width,
               "width on paper, such as 85mm: sets --dpi 300 and --font-size 7");
   command.add("--dpi", "N", options->dpi, "pixels per inch of a PNG; default: 96").check(positive_number);

@@ -45,7 +45,7 @@ void check_for_frames(const fs::path& folder) {
 
 void clear_for_frames(const fs::path& folder) {
   make_folders(folder);
-  check_for_frames(folder);  // may have changed
+  check_for_frames(folder);  // the folder may have changed
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (!is_lock(entry.path())) fs::remove(entry.path());
 }
@@ -67,14 +67,14 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
   return run.folder.frames();
 }
 
-/// With --out, the run around it, or the folder of the frames.
+/// The run folder; with --out, the run folder that contains it, or else the --out folder itself.
 fs::path folder_to_lock(const RenderArguments& options) {
   if (!options.out) return options.run;
   check_for_frames(*options.out);
   return run_around(*options.out).value_or(*options.out);
 }
 
-void tell_what_is_missing(const SavedRun& run, std::ostream& err) {
+void warn_about_missing_files(const SavedRun& run, std::ostream& err) {
   constexpr std::size_t shown = 3;
   std::vector<std::string> names = missing_files(run);
   if (names.empty()) return;
@@ -88,15 +88,15 @@ int render(const RenderArguments& options, Streams streams) {
   check_threads(options.threads);
   SavedRun run = open_saved_run(options.run);  // before the lock creates a file
   const FolderLock lock(folder_to_lock(options), FolderLock::Of::run, "taut render", streams.err);
-  run = open_saved_run(options.run);  // may have changed
+  run = open_saved_run(options.run);  // the run may have changed
   run.file.drawing = with_options(run.file.drawing, options);
   apply_scene(run.file.drawing, run.file);
   run.file.drawing.orbit = options.orbit;
-  check_redrawing(run);  // before frames are removed
+  check_redrawing(run);  // must precede the removal of frames
   const fs::path folder = prepare(options, run);
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const auto [frames, all] = redraw(run, folder, options.threads, progress);
-  tell_what_is_missing(run, streams.err);
+  warn_about_missing_files(run, streams.err);
   streams.out << "frames  " << folder.string() << " (" << frames << ")\n";
   return all ? exit_fine : Interrupts::exit_code();
 }

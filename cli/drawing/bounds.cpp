@@ -8,10 +8,10 @@ namespace taut::cli {
 namespace {
 
 constexpr double outside = 0.01;       // share of values clipped at each end
-constexpr double not_far = 0.25;       // greatest widening by clipped values
-constexpr std::size_t most = 1 << 22;  // sampled values
+constexpr double not_far = 0.25;       // share of the range; clipped values that widen it less are included
+constexpr std::size_t most = 1 << 22;  // values in the sample
 
-/// Greater values overflow when squared.
+/// Excludes values that overflow when squared.
 bool counts(double value) {
   constexpr double greatest = 1e100;
   return std::abs(value) < greatest;
@@ -88,7 +88,7 @@ render::Range SequenceBounds::range(std::optional<double> middle, double round_o
     low = *middle - half, high = *middle + half;
   }
   if (high > low) return {low, high};
-  // a uniform field gets the middle colour, 0 the lowest one
+  // a uniform field has the middle colour, or the lowest one if it is 0
   if (low == 0 && !middle) return {0, 1};
   const double half = low != 0 ? 0.5 * std::abs(low) : 1;
   return {low - half, low + half};

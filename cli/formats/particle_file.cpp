@@ -28,7 +28,7 @@ std::string attribute(std::string_view key, std::string_view value) {
   return text.append(key).append("=\"").append(value).append("\"");
 }
 
-/// XML, followed by the bytes.
+/// Writes the XML text, followed by the bytes of the arrays.
 class Writer {
  public:
   void line(std::string_view text) { (xml_ += text) += '\n'; }
@@ -72,7 +72,7 @@ void write_point_data(Writer& file, const Snapshot& now, std::span<const Field* 
   file.line("</PointData>");
 }
 
-/// ParaView picks and cuts cells, so each particle is one.
+/// Writes a cell for each particle, because ParaView selects and cuts cells.
 void write_vertices(Writer& file, std::size_t count) {
   std::vector<std::int32_t> number(count);
   std::iota(number.begin(), number.end(), 0);
@@ -103,7 +103,7 @@ std::vector<std::string_view> tags_of(std::string_view xml) {
   return tags;
 }
 
-/// Text before the arrays; empty if longer than 64 KiB.
+/// Returns the text before the arrays, or "" if it is longer than 64 KiB.
 std::string header_of(std::ifstream& file) {
   std::string text(1 << 16, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -164,7 +164,7 @@ void ParticleFile::read_header() {
     fail("is not a particle file of taut");
   if (!std::isfinite(*time)) fail("has a time that is not a finite number");
   if (*size > most_particles)
-    fail("claims " + std::to_string(*size) + " particles; at most 20 million are allowed");
+    fail("declares " + std::to_string(*size) + " particles; at most 20 million are allowed");
   time_ = *time;
   size_ = *size;
 }

@@ -72,7 +72,7 @@ Topic topic_of(const MeasureKind& kind) {
           rows_of(keys_of_measure(kind)), ""};
 }
 
-/// Each text once, with its kinds.
+/// Returns a row for each different text, with the kinds that have it.
 template <class Kinds, class Keys>
 Rows keys_of_kinds(const Kinds& kinds, const Keys& keys_of_kind) {
   Rows rows{{"key", "takes", "default", "what", "of"}};
@@ -159,7 +159,7 @@ std::string indented(std::string_view lines) {
   return result;
 }
 
-/// markdown_table() escapes vertical bars.
+/// Does not escape vertical bars, because markdown_table() does.
 std::string plain(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -247,7 +247,7 @@ const Texts claim_rules{
         "`RUN.since.VERDICT` is the time in s at which a failure began; it is infinite if it never began. "
         "A measure without value is a disagreement.",
         join(names_of_verdicts())),
-    "A claim holds if its criterion is true, holds in part if only `part` is true, and else does not hold. "
+    "A claim holds if its criterion is true, holds in part if only `part` is true, and otherwise does not hold. "
     "`taut claims --run` compares this with the recorded state."};
 
 }  // namespace

@@ -24,24 +24,24 @@ struct RunPlan {
   std::vector<double> frame_times, history_times;  // s, sorted
   RunFolder folder{"."};
   std::optional<double> checkpoint_every;  // simulated time, s; none: no checkpoints
-  bool keep_checkpoint = false;            // for a later `until`
-  std::optional<std::string> state;        // none: from the start
+  bool keep_checkpoint = false;            // so that a later run can continue to a later `until`
+  std::optional<std::string> state;        // bytes of a checkpoint; none: start at t = 0
   bool runs_on = false;                    // `state` has an earlier `until`
 
   std::string scene_text() const { return resolved_text(file, folder.path()); }
 };
 
-/// Errors contain their place in the scene file.
+/// Makes the simulation. Errors contain their place in the scene file.
 std::unique_ptr<Simulation> start(const SceneFile& file);
 
 struct RunResult {
   RunRecord record;
   int frames = 0;
-  std::string failure;  // reason of an early end
+  std::string failure;  // reason if the run ended early
 };
 
-/// Simulates and writes the run folder. Throws OutputError; make_simulation's errors precede any change.
-/// `setup_seconds`: reading of the scene. `before_it_begins` follows all checks.
+/// Simulates and writes the run folder. Throws OutputError. Errors of make_simulation are thrown before any file
+/// changes. `setup_seconds`: time already spent reading the scene, s. `before_it_begins` is called after all checks.
 RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
                     double setup_seconds, const std::function<void()>& before_it_begins = {});
 

@@ -209,7 +209,7 @@ constexpr KeyInfo reference_keys[] = {
     {"tables", types::table("tables", "{ file, column }").by_name("MEASURE"), "none",
      "reference series of measures, from CSV files"},
     {"solutions", types::expression("expression of t").or_list(1).by_name("MEASURE"), "none",
-     "exact solutions of measures; of a number such as a period, its value. "
+     "exact solutions of measures; for a number such as a period, its value. "
      "Solutions of lines and fields may also use the place. Measures of several probes or fields take an array. "
      "A solution is valid for all values of the parameters that `when` does not name"},
     {"let", types::number().by_name("NAME"), "none",
@@ -255,7 +255,7 @@ constexpr KeyInfo chart_keys[] = {
     {"measure", types::text("MEASURE").or_list(1), "shared by most runs",
      "measure whose error is drawn into chart-MEASURE.png; without this key the picture is chart.png"},
     {"cost", types::word("cpu", "wall", "steps", "seconds"), "cpu",
-     "axis of the cost: CPU or wall seconds of solving, or particles × steps; seconds is wall"},
+     "axis of the cost: CPU or wall seconds of solving, or particles × steps; `seconds` means wall"},
     {"methods", method_name.or_list(1), "all", "methods to draw"},
     {"against", method_name, "the references", "method whose finest run replaces the references"},
 };
@@ -290,12 +290,12 @@ constexpr KeyInfo claim_keys[] = {
      "RUN.min.COLUMN, RUN.max.COLUMN, RUN.first.COLUMN or RUN.last.COLUMN of history.csv, "
      "RUN.PATH of a number in run.json, or RUN.critical_step, the largest stable time step in s"},
     {"part", types::expression("condition of quantities"), "none",
-     "true if the claim holds in part; only if it does not hold"},
-    {"looser", types::line(), "none", "difference between the criterion and the paper's statement"},
+     "weaker criterion, used if the criterion is false; true if the claim holds in part"},
+    {"looser", types::line(), "none", "how the criterion is weaker than the statement"},
     {"state", types::word("holds", "in part", "does not hold"), "holds", "recorded state"},
-    {"reason", types::text(), "none", "reason of a state other than holds, which needs one"},
+    {"reason", types::text(), "none", "why the state is not holds; required for other states"},
     {"evidence", types::expression("condition of quantities"), "none",
-     "must be true if the reason is right: an experiment"},
+     "condition, tested by an experiment, that confirms the reason"},
     {"last_run", types::line(), "", "date of the runs that confirmed the state"},
 };
 

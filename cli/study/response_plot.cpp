@@ -27,7 +27,7 @@ std::vector<std::string> split_at_plus(const std::string& text) {
   return parts;
 }
 
-/// "set.v0".
+/// Name of a column with its prefix, such as "set.v0".
 std::string column_with(const StoredRun& run, const std::string& name) {
   for (const std::string prefix : {set_prefix.data(), "parameters."})
     if (!run.text(prefix + name).empty()) return prefix + name;
@@ -36,7 +36,7 @@ std::string column_with(const StoredRun& run, const std::string& name) {
 
 struct LineNames {
   std::vector<ResultColumn> by;             // as requested
-  std::vector<std::string> distinguishing;  // else those that differ
+  std::vector<std::string> distinguishing;  // if `by` is empty: columns that differ
 
   std::string operator()(const StoredRun& run) const {
     if (by.empty()) return series_name(run, distinguishing);
@@ -49,7 +49,7 @@ struct LineNames {
   }
 };
 
-/// Two runs at one x would make the line jump.
+/// Throws UsageError for two runs with the same x on one line.
 [[noreturn]] void refuse_two(const StoredRun& a, const StoredRun& b, const std::string& line,
                              const ResultColumn& x, const ResponseRequest& request) {
   std::vector<std::string> differing;
@@ -64,11 +64,11 @@ struct LineNames {
   std::vector<std::string> by = request.by;
   by.push_back(differing.front());
   throw UsageError(fmt::format(
-      "line '{}' would have two values at {} = {}: the runs {} differ in {}; give each its line with --by {}",
+      "line '{}' would have two values at {} = {}: the runs {} differ in {}; draw a line for each with --by {}",
       line, x.name, x.text(a), runs, join(differing), join(by, ",")));
 }
 
-/// Runs named one by one are in no sweep.
+/// Throws UsageError if several parameters are swept, or for runs that are not in a sweep.
 std::string only_parameter(const StoredResults& results) {
   const auto is_swept = [](const StoredRun& run) {
     return std::ranges::any_of(run.cells,
@@ -83,7 +83,7 @@ std::string only_parameter(const StoredResults& results) {
 
 using Runs = std::vector<const StoredRun*>;
 
-/// One per reference, or one per line if lines have different references.
+/// Returns one line per reference, or one per line of runs if these have different references.
 std::vector<Line> references_of(const Runs& runs, const ResultColumn& x, const ResultColumn& y,
                                 const LineNames& name_of) {
   std::map<std::string, std::map<double, double>> shared, own;
@@ -141,7 +141,7 @@ ResponsePlot::Panel panel_of(const StoredResults& results, const ResponsePlot& p
     const ResultColumn y = find_result_column(results, name);
     if (!panel.columns.empty() && y.unit != panel.columns.front().unit)
       throw UsageError(
-          fmt::format("'{}' and '{}' have different units ('{}', '{}'); give each its panel: --y {}",
+          fmt::format("'{}' and '{}' have different units ('{}', '{}'); draw each in its own panel: --y {}",
                       panel.columns.front().name, y.name, panel.columns.front().unit, y.unit,
                       join(split_at_plus(names), ",")));
     for (Line& line : lines_of(runs, plot, y, name_of, request)) panel.lines.push_back(std::move(line));
@@ -166,7 +166,8 @@ ResponsePlot make_response_plot(const StoredResults& results, const ResponseRequ
     if (run.has_result()) runs.push_back(&run), ended.push_back(run);
   if (runs.empty()) throw UsageError("no run has a result yet");
   if (std::ranges::none_of(runs, [&](const StoredRun* run) { return plot.x.number(*run).has_value(); }))
-    throw UsageError(fmt::format("'{}' is a number in no run; --x needs a column with numbers", plot.x.name));
+    throw UsageError(
+        fmt::format("'{}' is not a number in any run; --x needs a column with numbers", plot.x.name));
   LineNames name_of;
   for (const std::string& name : request.by) name_of.by.push_back(find_result_column(results, name));
   if (request.by.empty())
@@ -183,7 +184,7 @@ ResponsePlot make_response_plot(const StoredResults& results, const ResponseRequ
 }
 
 std::string response_data(const ResponsePlot& plot) {
-  std::string text = plot_comment("answers of " + plot.scene);
+  std::string text = plot_comment("measures of " + plot.scene);
   const auto named = [](const ResultColumn& column) {
     return column.unit.empty() ? column.name : fmt::format("{}, {}", column.name, column.unit);
   };
@@ -200,7 +201,7 @@ std::string response_data(const ResponsePlot& plot) {
 
 namespace {
 
-/// Without the unit; empty if the legend names them and they have a unit.
+/// Label of an axis without the unit. Empty if the legend names the columns and they have a unit.
 std::string names_in(const std::vector<ResultColumn>& columns) {
   std::vector<std::string> names;
   if (columns.size() > 1 && !columns.front().unit.empty()) return "";
@@ -233,7 +234,7 @@ AxisScale scale_of(const std::string& name, const std::string& unit, double grea
                      : axis_scale(name, unit, greatest, is_log);
 }
 
-/// By method if lines differ in it, else by number.
+/// Returns styles by method if the lines differ in it, else by number.
 std::map<std::string, CurveStyle> styles_of(const ResponsePlot& plot, bool named_by_method) {
   std::vector<std::string> names, methods;
   for (const ResponsePlot::Panel& panel : plot.panels)
@@ -261,7 +262,7 @@ struct ResponseDrawing {
     if (std::ranges::find(legend, entry) == legend.end()) legend.push_back(entry);
   }
 
-  /// Black dashes; gray for further references.
+  /// Draws black dashes, grey for further references.
   void add_reference(PanelPlot::Panel& panel, const std::string& points, const Line& line) {
     const bool is_single = line.points.size() == 1;
     const std::string style =

@@ -10,7 +10,7 @@ namespace taut::cli {
 
 struct ResponseRequest {
   std::string x;                  // empty: the only swept parameter
-  std::vector<std::string> y{};   // a panel each; '+' joins names in a panel
+  std::vector<std::string> y{};   // one panel each; '+' joins names in a panel
   std::vector<std::string> by{};  // empty: columns that differ
 };
 

@@ -30,7 +30,7 @@ struct ToLibrary {
   Library operator()(const auto& plain) const { return plain; }
 };
 
-/// Null for other values.
+/// Returns null if `value` is not a number.
 Json number_of(const Library& value) {
   switch (value.type()) {
     case Library::value_t::number_integer:
@@ -48,7 +48,8 @@ Json number_of(const Library& value) {
   throw UsageError(fmt::format("'{}' {}", file, what));
 }
 
-/// Linear in time: the library's objects compare each key with all earlier ones. Rejects repeated keys and deep nesting.
+/// Rejects repeated keys and deep nesting. Takes linear time; the library's own parser would compare each key with all
+/// earlier ones.
 class Builder final : public nlohmann::json_sax<Library> {
  public:
   explicit Builder(const std::string& file) : file_(file) {}
@@ -114,7 +115,7 @@ class Builder final : public nlohmann::json_sax<Library> {
   std::vector<Open> open_;
 };
 
-/// RFC 6901
+/// Escapes a key for a JSON pointer (RFC 6901), with a leading "/".
 std::string pointer_part(std::string_view key) {
   std::string part = "/";
   for (const char c : key) part += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);

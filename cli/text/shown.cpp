@@ -9,8 +9,8 @@ bool continues_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) ==
 
 bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 
-/// Length of a leading C1 control or mark of direction: U+061C, U+200E, U+200F, U+202A to U+202E, U+2066 to
-/// U+2069; 0: another letter.
+/// Length in bytes of a leading C1 control or bidirectional mark (U+061C, U+200E, U+200F, U+202A to U+202E,
+/// U+2066 to U+2069), or 0.
 std::size_t length_of_mark(std::string_view text) {
   const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0; };
   const auto between = [](int value, int low, int high) { return low <= value && value <= high; };

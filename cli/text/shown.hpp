@@ -6,13 +6,13 @@
 
 namespace taut::cli {
 
-/// One line of at most `most` bytes, then "…". Control characters become "\x1b".
+/// Makes one line: cuts a text longer than `most` bytes and appends "…". Control characters become "\x1b".
 std::string shown(std::string_view text, std::size_t most = 200);
 
-/// Escapes control characters but line breaks, C1 controls and marks of direction.
+/// Escapes control characters (except line breaks), C1 controls and bidirectional marks.
 std::string printable(std::string_view text);
 
-/// Cuts between UTF-8 characters, then "…".
+/// Cuts a text longer than `most` bytes between UTF-8 characters and appends "…".
 std::string abridged(std::string_view text, std::size_t most);
 
 bool is_utf8(std::string_view text);

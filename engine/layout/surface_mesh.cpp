@@ -51,12 +51,12 @@ FacePatches own_patches(const Body& body, double dp) {
   return body.shapes.size() == 1 && body.without.empty() ? body.shapes.front()->patches(dp) : FacePatches{};
 }
 
-/// Faces before reflection and rotation.
+/// Faces of a body before its reflection and rotation.
 class Faces {
  public:
   Faces(const Body& laid, double dp) : body_(laid), dp_(dp) {}
 
-  /// Point of a face near x, to 1e-6 spacings, or x itself. `outside` is outwards of x.
+  /// Point of a face near x, to 1e-6 spacings, or x itself. `outside`: a point further outwards.
   Point nearest(const Point& x, const Point& outside) const {
     const std::optional<Point> at = descend_to_face(x);
     return at && is_face(*at) ? *at : on_the_line(x, outside);
@@ -70,7 +70,8 @@ class Faces {
           (is_filled({x[0] + a * dp_, x[1] + b * dp_, x[2] + c * dp_}) ? filled : empty) = true;
     return filled && empty;
   }
-  /// First face outwards of a solid x, or inwards of an outside one, or x.
+  /// First point of a face on the line through x and `outside`: outwards if x is solid, else inwards. Returns x if
+  /// there is none.
   Point on_the_line(const Point& x, const Point& outside) const {
     const double length = distance_between(outside, x, dim);
     if (!(length > 0)) return x;
@@ -95,7 +96,7 @@ class Faces {
  private:
   // in spacings
   static constexpr double fine = 1e-6, aside = 1e-3, farthest = 1.5, stride = 0.05;
-  static constexpr double least_slope = 0.1;  // squared
+  static constexpr double least_slope = 0.1;  // square of the slope
 
   std::optional<Point> descend_to_face(const Point& x) const {
     constexpr int steps = 20;
@@ -120,7 +121,7 @@ class Faces {
     return std::nullopt;
   }
 
-  /// Signed distance to a face, m, negative inside; also 0 on seams of shapes.
+  /// Signed distance to a face in m, negative inside. It is 0 on faces and on seams of shapes.
   double height(const Point& x) const {
     if (on_face(x)) return 0;
     double low = -2 * farthest * dp_, high = 2 * farthest * dp_;
@@ -229,13 +230,13 @@ class BodyMesh {
     return corners;
   }
 
-  /// Corner where lattice-aligned faces meet: the nearest point of one may miss the others.
+  /// Corner where several lattice-aligned faces meet; the point nearest to one face may not lie on the others.
   std::optional<Point> on_rim(const Cell& cell, const Point& outwards) const {
     if (std::ranges::count(outwards, 0.0) > dim - 2) return std::nullopt;
-    Point off{};  // pitches
+    Point off{};  // in pitches
     for (std::size_t a = 0; a < dim; ++a) {
       if (outwards[a] == 0) continue;
-      std::array<double, 2> way{};  // half a cell and a whole one
+      std::array<double, 2> way{};  // to the face, pitches, measured half a cell and a whole cell inside
       for (std::size_t n = 0; n < way.size(); ++n) {
         Point beside{};
         for (std::size_t b = 0; b < dim; ++b)
@@ -252,7 +253,7 @@ class BodyMesh {
         }
         way[n] /= length2;
       }
-      constexpr double alike = 1e-4, farthest = 0.6;  // pitches
+      constexpr double alike = 1e-4, farthest = 0.6;  // in pitches
       if (std::abs(way[0] - way[1]) > alike || std::abs(way[0]) > farthest) return std::nullopt;
       off[a] = way[0] * std::copysign(1, outwards[a]);
     }

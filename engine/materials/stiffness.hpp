@@ -10,7 +10,8 @@ T greatest_eigenvalue(const Sym<T, 2>& A) {
   return 0.5 * (A(0, 0) + A(1, 1)) + root(T(half * half + A(0, 1) * A(0, 1)));
 }
 
-/// q + 2p cos(θ/3), cos θ = det(A − q I)/(2p³). Newton's method starts within 1e-3.
+/// Greatest eigenvalue q + 2p cos(θ/3) with q = tr A/3, p² = |A − q I|²/6 and cos θ = det(A − q I)/(2p³). The start
+/// value of Newton's method for cos(θ/3) is accurate to 4e-3.
 template <class T>
 T greatest_eigenvalue(const Sym<T, 3>& A) {
   const T one = filled<T>(1), q = trace(A) / 3;
@@ -26,7 +27,7 @@ T greatest_eigenvalue(const Sym<T, 3>& A) {
   return q + 2 * p * c;
 }
 
-/// In descending order; in 2D the last is 1, normal to the plane.
+/// Principal stretches in descending order; in 2D the last is 1, normal to the plane.
 template <class T>
 using PrincipalStretches = Vec<T, 3>;
 
@@ -44,8 +45,9 @@ PrincipalStretches<T> principal_stretches(const Mat<T, 3>& F) {
   return {root(greatest), root(second), root(T(product / second))};
 }
 
-/// Upper bound of m·Q m over unit vectors m, n for the acoustic tensor Q of an isotropic law (THEORY.md). NaN for
-/// NaN; infinite or NaN for det F = 0.
+/// Upper bound, in Pa, of the stiffness m·Q m of waves along n with displacement m, over all unit vectors m and n. Q is
+/// the acoustic tensor of an isotropic law. `along(k)`, `across(k, l)` and `coupling(k, l)` are its coefficients in the
+/// principal axes k and l, in Pa (THEORY.md). Returns NaN for NaN, and infinity or NaN for det F = 0.
 template <int Dim, class Along, class Across, class Coupling>
 auto greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
   using T = decltype(along(0));

@@ -53,16 +53,16 @@ class Drives {
   bool active() const { return active_; }
   int number_of_active() const { return static_cast<int>(std::ranges::count_if(drives_, &Timed::on)); }
 
-  /// `t`, s: end of the step if positions advance by the mean of old and new velocity, its middle if by the new one;
-  /// both give prescribed positions to second order. Expressions are not thread-safe.
+  /// `t`, in s: pass the end of the step if positions advance with the mean of old and new velocity, and its middle if
+  /// they advance with the new velocity. Both are second-order accurate. Expressions are not thread-safe.
   void set_time(double t);
 
-  /// Whether the particle is driven until the end.
+  /// Whether the particle is driven until the end of the run.
   bool lasts(int id) const { return !drives_.empty() && drive_[id] >= 0 && drives_[drive_[id]].lasts(); }
   bool moves(int id) const { return active_ && drive_[id] >= 0 && drives_[drive_[id]].on; }
   const V& velocity(int id) const { return drives_[drive_[id]].now; }  // m/s
 
-  /// The work is the added momentum times the mean of old and new velocity.
+  /// Sets v to the prescribed velocity and adds the work: added momentum times the mean of old and new velocity.
   void replace(const Particles<Dim>& s, int i, V& v) {
     const int id = s.id[i];
     if (!moves(id)) return;
@@ -71,7 +71,7 @@ class Drives {
     v = given;
   }
 
-  /// Work on a particle so far, J (per metre depth in 2D).
+  /// Work on a particle since the start, in J (per metre depth in 2D).
   double work(int id) const { return work_.empty() ? 0 : work_[id]; }
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
 
@@ -121,7 +121,7 @@ class Reactions {
   V* impulses() { return impulse_.data(); }  // [i] N s
   void add(int i, const V& impulse) { impulse_[i] += impulse; }
 
-  /// Mean force over the step that the recorded impulses do not explain, N.
+  /// Mean force over the step that the recorded impulses do not explain, in N.
   V unexplained_force(const Particles<Dim>& s, int i) const {
     return (1 / dt_) * (s.m[i] * (s.v[i] - v_[i]) - impulse_[i]);
   }

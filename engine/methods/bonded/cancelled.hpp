@@ -13,25 +13,25 @@
 
 namespace taut {
 
-/// Cancellation for lattices along the axes, where the e ⊗ e of diagonals differ only in signs.
+/// Cancellation for lattices along the axes, where the e ⊗ e of diagonals differ only in signs; e: direction of a bond.
 template <int Dim>
 struct alignas(sizeof(Pack)) CancelledOnLattice {
   static constexpr int faces = Dim == 2 ? 1 : 3;
   struct Face {
-    Pack aa, bb, ab;  // of the diagonal with e_a e_b > 0
-    Pack third[2];    // ⅓ G V0_i w_ij, J; e_a e_b > 0 and < 0
+    Pack aa, bb, ab;  // e_a², e_b², e_a e_b of the diagonal with e_a e_b > 0
+    Pack third[2];    // ⅓ G V0_i w_ij in J; [0]: e_a e_b > 0, [1]: e_a e_b < 0
   };
   struct Across {
-    Sym<Pack, 3> dyad;  // of the diagonal with positive products
-    Pack third[4];      // all products > 0; only xy, xz or yz > 0
+    Sym<Pack, 3> dyad;  // e ⊗ e of the diagonal with all e_a e_b > 0
+    Pack third[4];      // as in Face; [0]: all e_a e_b > 0; [1], [2], [3]: only e_x e_y, e_x e_z, e_y e_z > 0
   };
-  Pack axis[Dim];  // ⅓ G V0_i w_ij, J
+  Pack axis[Dim];  // ⅓ G V0_i w_ij of bonds along the axes, in J
   Face face[faces];
   Across across;
 
-  /// Adds a bond of strength Gw, J. Returns false if it does not fit the lattice.
+  /// Adds a bond of strength Gw = G V0_i w_ij, in J. Returns false if it does not fit the lattice.
   bool add(int lane, const Sym<double, Dim>& dyad, double Gw);
-  /// As CancelledView::slopes.
+  /// Returns the same as CancelledView::slopes.
   Sym<Pack, Dim> slopes(const Sym<Pack, Dim>& C) const;
 
  private:
@@ -107,24 +107,24 @@ Sym<Pack, Dim> CancelledOnLattice<Dim>::slopes(const Sym<Pack, Dim>& C) const {
 template <int Dim, class Storage = AlignedPack>
 struct CancelledView {
   static constexpr int dyad_size = Sym<Pack, Dim>::size - 1;
-  /// e ⊗ e of four bonds without the last component: the trace is 1.
+  /// e ⊗ e of four bonds without its last component, which follows from the trace 1.
   struct Dyad {
     Storage c[dyad_size];
   };
   class Stretch;
   struct GroupRows {
-    int dyad, third, count;  // first indices; count is even
-    int on_lattice;          // −1 if off-lattice
+    int dyad, third, count;  // first indices in `dyads` and `thirds`; number of bonds, even
+    int on_lattice;          // index in `on_lattice`; −1 if off-lattice
   };
 
   const GroupRows* groups = nullptr;
   const Dyad* dyads = nullptr;
-  const Storage* thirds = nullptr;  // ⅓ G V0_i w_ij, J
+  const Storage* thirds = nullptr;  // ⅓ G V0_i w_ij in J
   const CancelledOnLattice<Dim>* on_lattice = nullptr;
 
-  /// G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e for C = Fᵀ F, J.
+  /// Returns G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e for C = Fᵀ F, in J. λ°: stretch of the bond by F alone.
   Sym<Pack, Dim> slopes(int group, const Sym<Pack, Dim>& C) const;
-  /// G V0_i Σ_j w_ij φ_c(s°), J.
+  /// Returns G V0_i Σ_j w_ij φ_c(s°), in J; s° = λ°² = e·C e.
   Pack energy(int group, const Sym<Pack, Dim>& C) const;
 };
 
@@ -134,7 +134,7 @@ class CancelledBonds {
   using View = CancelledView<Dim, Storage>;
 
   CancelledBonds() = default;
-  /// terms_of(i) is called on several threads at once.
+  /// `terms_of(i)` must be thread-safe.
   template <class TermsOf>
   CancelledBonds(int n, int threads, const TermsOf& terms_of);
 
@@ -145,7 +145,7 @@ class CancelledBonds {
   using Dyad = typename View::Dyad;
   struct Direction {
     Sym<double, Dim> dyad;
-    double strength;  // J
+    double strength;  // G V0_i w_ij in J
   };
   static std::vector<Direction> merged(const std::vector<CancelledTerm>& terms);
 
@@ -155,7 +155,7 @@ class CancelledBonds {
   SharedRows<CancelledOnLattice<Dim>> on_lattice_;
 };
 
-/// s° as a linear function of the stored e ⊗ e.
+/// Computes s° = e·C e, the squared stretch of a bond by F alone, from the stored e ⊗ e.
 template <int Dim, class Storage>
 class CancelledView<Dim, Storage>::Stretch {
  public:

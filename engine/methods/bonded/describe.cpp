@@ -9,7 +9,7 @@ namespace {
 
 constexpr TermInfo time_info{
     "time", "position Verlet, one step", "[Zhang2024] Eq. 22–25", "methods/bonded/solver.cpp:step",
-    "oenog: 40 steps equal the transcription, with a clamp, two materials and on a ring"};
+    "oenog: 40 steps of clamped two-material plates and a ring agree with a plain implementation"};
 
 }  // namespace
 

@@ -10,12 +10,12 @@
 
 namespace taut {
 
-/// Default law of four particles.
+/// Volumes and constants of the default law of four particles.
 struct alignas(sizeof(Pack)) GroupLaw {
-  Pack V;  // m^Dim; 0 in padding and without F
+  Pack V;  // in m^Dim; 0 in padding and for particles whose neighbours determine no F
   ClosedNeoHookean<Pack> law;
 };
-/// Indices of shared constants.
+/// Indices of the group in `group_laws` and `B`.
 struct GroupRows {
   int law, B;
 };
@@ -34,17 +34,17 @@ struct BondedFields {
   V* x;
   const V* v;
   ColumnsView<2 * Dim> places;  // x, x + 3 τ v of particles, then of clamp places
-  ColumnsView<Dim * Dim> Q;     // T B, row by row
+  ColumnsView<Dim * Dim> Q;     // T B, row by row; T: generalised stress (THEORY.md, Energy)
   const double* mobility;       // 1/kg; 0 if constrained
-  Vec<Pack, Dim>* bond_force;   // [group] N
-  double lead;                  // 3 τ of the bonds, s
-  double least_r2;              // minimum r², (dp/100)², m²
+  Vec<Pack, Dim>* bond_force;   // [group] in N
+  double lead;                  // 3 τ, τ: damping time of the bonds (THEORY.md), s
+  double least_r2;              // minimum of r² in m², (dp/100)²
   bool uses_group_law;
   LawsInUse laws;
   const int* material;  // padded to whole groups
   const GroupRows* groups;
   const GroupLaw* group_laws;
-  const Mat<Pack, Dim>* B;
+  const Mat<Pack, Dim>* B;  // inverse moment matrices; index: GroupRows::B
   BondsView<Dim, AlignedPack> bonds;
   BondsView<Dim, HalfPack> halved_bonds;  // off-lattice in 3D
   bool halved;
@@ -66,7 +66,7 @@ struct BondedFields {
 template <int Dim>
 struct alignas(sizeof(Pack)) ShownGroup {
   ShownStress<Pack, Dim> stress;
-  Pack energy;  // J, without interfaces
+  Pack energy;  // strain energy in J, without the interface terms
 };
 
 }  // namespace taut

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Stress for snapshots, without the continuation below J = ½.
+/// Stress for snapshots, from the material law without its continuation below J = ½.
 template <class T, int Dim>
 struct alignas(alignment_of<T>) ShownStress {
   T J, p;         // Pa
@@ -17,7 +17,7 @@ struct alignas(alignment_of<T>) ShownStress {
   T s_zz;         // out of plane, in 2D, Pa
 };
 
-/// Stress by the default law, with J ≥ 0.05 in s.
+/// Stress of the default law. In the deviator, J is limited to at least 0.05.
 template <int Dim>
 ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat<Pack, Dim>& F) {
   const Pack J = determinant(F), root = inverse_cube_root(max(J, filled<Pack>(0.05)));
@@ -30,7 +30,7 @@ ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat
   return {J, -K * (J - 1), shear * b, shear * (1 - mean)};
 }
 
-/// Any other law; below J = 0.05 only the pressure −K (J − 1).
+/// Stress of any other law; below J = 0.05 only the pressure −K (J − 1).
 template <class L, int Dim>
 ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   const double J = determinant(F);
@@ -41,7 +41,7 @@ ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   return {J, p, sigma, zz + p};
 }
 
-/// F, replaced by the recovered gradient of the displacements u, m, where there is one.
+/// Returns F, replaced by the recovered gradient for particles that have one. `u`: displacements in m.
 template <int Dim>
 Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const AlignedPack* u, int size,
                                       int first, Mat<Pack, Dim> F) {
@@ -66,7 +66,8 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const Alig
   return F;
 }
 
-/// Scales F to the volume ratio J of the own gradient, unless that averages two sides.
+/// Scales the recovered F to the volume ratio `J` of the particle's own F, except where its own F averages both sides
+/// of an interface or slot.
 template <int Dim>
 void keep_volume(const RecoveredView& recovered, int size, int first, Mat<Pack, Dim>& F, const Pack& J) {
   const Pack least = filled<Pack>(0.05);  // for crushed or inverted particles

@@ -64,7 +64,7 @@ TEST_SUITE("cli") {
     const std::string weak = part + with_reason + "'in part'\nevidence = '" + less_energy + "'";
     const Outcome without_evidence = state(weak);
     CHECK(without_evidence.code == 1);
-    CHECK(contains(without_evidence.out, "but the evidence is not true"));
+    CHECK(contains(without_evidence.out, "but its evidence condition is false"));
   }
 
   TEST_CASE("claims: a measure without value is a disagreement, whatever the recorded state") {

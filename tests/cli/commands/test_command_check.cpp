@@ -105,7 +105,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("an option of several words reports the words that it took, and a list with commas is one word") {
+  TEST_CASE("an option with several values reports its values, and a comma-separated list is one value") {
     const TemporaryFolder folder;
     const std::string run = write_record(folder, "run", 0.255);
     const Outcome taken = call({"check", "--measure", "period<1", run, "--verdict", "stable"});
@@ -143,13 +143,13 @@ TEST_SUITE("cli") {
     std::ofstream(table) << "status,scene\nfinished,tiny\n";
     const Outcome other = call({"plot", a, table, "--out", folder.str("t.png")});
     CHECK(other.code == 0);
-    CHECK(contains(other.err, "taut: skips what is no run: results.csv"));
+    CHECK(contains(other.err, "taut: skipped (neither a run nor a sweep): results.csv"));
     std::ofstream(folder / "notes.txt") << "notes\n";
     const Outcome none =
         call({"plot", folder.str("notes.txt"), folder.str("discs.toml"), "--out", folder.str("t.png")});
     CHECK(none.code == 2);
     CHECK(contains(none.err,
-                   "no run or sweep is among these; name folders that `taut run` or `taut sweep` has made"));
+                   "none of these is a run or a sweep; name folders that `taut run` or `taut sweep` has made"));
     CHECK(call({"plot", a, "--out", folder.str("t.jpg")}).code == 2);
   }
 }

@@ -171,7 +171,7 @@ TEST_SUITE("cli") {
     CHECK(contains(end.remark, "diverged at t = "));
   }
 
-  TEST_CASE("times of rows have only the decimals they need") {
+  TEST_CASE("times of rows have only the decimals that they need") {
     CHECK(time_labels({0.003, 0.006}, 0.012) == std::vector<std::string>{"t = 3 ms", "t = 6 ms"});
     CHECK(time_labels({0.003, 0.00625}, 0.012) == std::vector<std::string>{"t = 3.00 ms", "t = 6.25 ms"});
     CHECK(time_labels({0, 1.0 / 3}, 1) == std::vector<std::string>{"t = 0.0000 s", "t = 0.3333 s"});
@@ -225,7 +225,7 @@ TEST_SUITE("cli") {
       CAPTURE(name);
       const Outcome outcome = call({"compare", folder.str("slow"), "--out", folder.str(name)});
       CHECK(outcome.code == 2);
-      CHECK(contains(outcome.err, "' does not end in .png"));
+      CHECK(contains(outcome.err, "' must end in .png"));
       CHECK_FALSE(fs::exists(folder / name));
     }
   }

@@ -118,7 +118,7 @@ TEST_SUITE("cli") {
     CHECK(call({}).code == 2);
   }
 
-  TEST_CASE("list and its JSON answer name the same things") {
+  TEST_CASE("list prints the same names as text and as JSON") {
     const Outcome all = call({"list", "all"}), kinds = call({"list"});
     CHECK(all.code == 0);
     CHECK(kinds.code == 0);
@@ -197,7 +197,7 @@ TEST_SUITE("cli") {
            "[[wall]]\nname = \"floor\"\nat = [0, 0, -3]\nnormal = [0, 0, 2]\n";
     const Outcome scene = call({"describe", (folder / "brick.toml").string()});
     CHECK(scene.code == 0);
-    for (const std::string part : {"clamped along x and z in part, displaced along y at the start",
+    for (const std::string part : {"partly clamped along x and z, displaced along y at the start",
                                    "through (0, 0, -3) m", "normal (0, 0, 1)"})
       CHECK(contains(scene.out, part));
   }

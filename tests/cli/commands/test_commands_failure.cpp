@@ -222,7 +222,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("frames that cannot be written are exit code 4 before the older run is touched") {
+  TEST_CASE("unwritable frames give exit code 4 before the older run is touched") {
     for (const std::string inner : {"frames", "particles"}) {
       CAPTURE(inner);
       const TemporaryFolder folder;
@@ -242,7 +242,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("only one program can use a run's folder at a time, and others name it") {
+  TEST_CASE("only one process can use a run folder at a time, and other processes report it") {
     const TemporaryFolder folder;
     const std::vector<std::string> endless{
         "--until", "1000",  "--save-particles", "--checkpoint-every", "1000", "--frames",

@@ -42,7 +42,7 @@ TEST_SUITE("cli") {
     CHECK(contains(diff().out, "alike\n"));
     const Outcome jpeg = diff({"--out", folder.str("diff.jpg")});
     CHECK(jpeg.code == 2);
-    CHECK(contains(jpeg.err, "diff.jpg' does not end in .png"));
+    CHECK(contains(jpeg.err, "diff.jpg' must end in .png"));
 
     write_picture(folder / "b/frame_00001.png", 20);
     write_picture(folder / "b/frame_00002.png", 13);

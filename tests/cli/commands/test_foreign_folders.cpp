@@ -61,7 +61,7 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "chart.png.part/other.png") == "mine");
   }
 
-  TEST_CASE("files too large to be of taut are refused before they are read") {
+  TEST_CASE("files larger than any that taut writes are refused before they are read") {
     const TemporaryFolder folder;
     leave_run(folder);
     fs::copy(folder / "run", folder / "again", fs::copy_options::recursive);
@@ -90,7 +90,7 @@ TEST_SUITE("cli") {
     refuses({"map", results, "--out", folder.str("a.png")}, "has 1024 MiB; at most 256 MiB are allowed");
   }
 
-  TEST_CASE("a run's folder that is a link is refused unless the user names it") {
+  TEST_CASE("a run folder that is a link is refused unless the user names it") {
     const TemporaryFolder folder;
     leave_run(folder, "mine");
     const std::string before = text_of(folder / "mine/history.csv");
@@ -150,7 +150,7 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "mine") == "mine");
   }
 
-  TEST_CASE("contents of foreign files do nothing to the terminal") {
+  TEST_CASE("contents of foreign files cannot control the terminal") {
     const TemporaryFolder folder;
     const std::string evil = "\x1b]0;evil\x07\u009b2J\u202e";
     const auto is_clean = [&](const Outcome& outcome) {
@@ -178,7 +178,7 @@ TEST_SUITE("cli") {
     is_clean(call({"describe", with("[material.rubber]", "[material.\"" + quoted + "\"]")}));
   }
 
-  TEST_CASE("a disk that cannot be read is exit code 4 with the reason") {
+  TEST_CASE("an unreadable disk gives exit code 4 and the reason") {
     const TemporaryFolder folder;
     leave_run(folder);
     fs::remove(folder / "run/run.json");
@@ -194,7 +194,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("programs in the folder of a picture are not run, whatever PATH says") {
+  TEST_CASE("programs in the folder of a picture are not run, whatever PATH contains") {
     const TemporaryFolder folder;
     const std::string results = write_results(folder / "a", one_result);
     std::ofstream(folder / "gnuplot") << "#!/bin/sh\n: > stolen\n";

@@ -54,7 +54,7 @@ std::string all_bytes(const fs::path& folder, int most = count) {
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("frames are the same bytes for any number of threads, drawn at once or kept") {
+  TEST_CASE("frames are the same bytes for any number of threads, drawn immediately or after the run") {
     for (const bool kept : {false, true}) {
       std::string first;
       for (const int threads : {1, 2, 3, 8}) {

@@ -163,7 +163,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("a particle file claims no more particles than a scene may have, nor than its bytes can hold") {
+  TEST_CASE(
+      "a particle file that declares more particles than a scene allows or its bytes can hold is refused") {
     const TemporaryFolder folder;
     const fs::path path = write_particles(folder, some_particles(2, 50), {find_field("speed")});
     const auto claim = [&](const std::string& count) {
@@ -175,7 +176,7 @@ TEST_SUITE("unit") {
     };
     CHECK_THROWS_WITH_AS(
         ParticleFile(claim("20000001")),
-        (folder.str("forged.vtp") + " claims 20000001 particles; at most 20 million are allowed").c_str(),
+        (folder.str("forged.vtp") + " declares 20000001 particles; at most 20 million are allowed").c_str(),
         UsageError);
     const ParticleFile file(claim("20000000"));
     const MemoryLimit limit(std::size_t{256} << 20);  // the positions alone would take 480 MB

@@ -75,7 +75,7 @@ std::string error_in_file(const std::string& text, int line) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("shapes: each is read, laid out, and equal in the resolved text") {
+  TEST_CASE("shapes: each is read, filled with particles, and equal in the resolved text") {
     const double pi = std::numbers::pi;
     CHECK(volume(laid(
               scene_text(R"({ type = "ellipse", centre = [0, 0], semi_axes = [2, "r"], rotate = 30 })"))) ==
@@ -97,7 +97,7 @@ TEST_SUITE("cli") {
             "", 3))) == relative(4 * pi / 3 * 0.4, 0.02));
   }
 
-  TEST_CASE("shapes: combined in eight levels, no more, and memory does not grow with each level") {
+  TEST_CASE("shapes: combinations nest at most eight levels, and memory does not grow with each level") {
     const std::string disc = R"({ type = "disc", centre = [0, 0], radius = 1 })";
     const auto nested = [&](int levels) {
       std::string shape = disc;
@@ -169,7 +169,7 @@ TEST_SUITE("cli") {
         {"greater than 0"});
   }
 
-  TEST_CASE("scene: given particles in 3D collide by penalty contact, and are in touch when it acts") {
+  TEST_CASE("scene: listed particles in 3D collide by penalty contact, and touch when it acts") {
     write_file("given.csv", "x,y,z\n0,0,0\n0.05,0,0\n");
     const std::string_view asks = R"([[probe]]
 name = "tip"

@@ -50,7 +50,7 @@ std::vector<std::vector<std::string>> data_of(const fs::path& file) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a chart with no run left to compare is refused") {
+  TEST_CASE("a chart is refused if no run is left to compare") {
     const TemporaryFolder folder;
     REQUIRE(program(tiny_sweep(folder, "out", {"--grid", "method=enog,og"})).code == 0);
     const Outcome outcome =
@@ -79,7 +79,8 @@ TEST_SUITE("cli") {
     CHECK(*taut::cli::convergence_order(bent) == Approx(2));
   }
 
-  TEST_CASE("the default measure is the one that most runs have, with times of events and units last") {
+  TEST_CASE(
+      "the default measure is the one that most runs have, and event times and measures with units come last") {
     const TemporaryFolder folder;
     const auto chosen = [&](const std::string& rows) {
       std::ofstream(folder / "results.csv")
@@ -100,7 +101,7 @@ TEST_SUITE("cli") {
     CHECK(chosen(run + "1,,,m,,,s,,,m,0,0.1\n") == "touch_time");
   }
 
-  TEST_CASE("runs with other settings get lines of their own, and the faster of two equal runs counts") {
+  TEST_CASE("runs with other settings have separate lines, and the faster of two equal runs counts") {
     const TemporaryFolder folder;
     const std::string first = write_results(folder / "a",
                                             "finished,tl,tl,0.4,10,stable,,0.3,2,4,0.5\n"
@@ -176,7 +177,7 @@ TEST_SUITE("cli") {
       CHECK(tl.points[k].error.value() < 0.75 * tl_of_twelve.points[k].error.value());
   }
 
-  TEST_CASE("a parameter swept to the scene's default equals that of a run without the parameter") {
+  TEST_CASE("runs that sweep a parameter at its default join the line of runs without it") {
     const TemporaryFolder folder;
     const auto write = [&](const std::string& name, const std::string& head, const std::string& rows) {
       fs::create_directories(folder / name);
@@ -210,7 +211,7 @@ TEST_SUITE("cli") {
     CHECK(contains(outcome.err, "the chart would have 25 lines"));
   }
 
-  TEST_CASE("error is the vertical axis, cost the horizontal one, and unstable runs are open with a cross") {
+  TEST_CASE("a chart draws error over cost, and unstable runs have open markers with a cross") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", converging);
     REQUIRE(call({"chart", file, "--out", folder.str("c.svg")}).code == 0);
@@ -232,7 +233,7 @@ TEST_SUITE("cli") {
     CHECK(color(script, "tl") != color(script, "og"));
   }
 
-  TEST_CASE("--stable-only leaves out the other runs, and a note counts them") {
+  TEST_CASE("--stable-only excludes unstable runs, and a note counts them") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", converging);
     REQUIRE(call({"chart", file, "--stable-only", "--out", folder.str("c.svg")}).code == 0);
@@ -246,7 +247,7 @@ TEST_SUITE("cli") {
     CHECK(contains(none.err, "none of the 1 runs is stable; leave out --stable-only"));
   }
 
-  TEST_CASE("a zero and a single run are drawn, the zero on its axis") {
+  TEST_CASE("errors or costs of 0 are drawn on the axis, also for a single run") {
     const TemporaryFolder folder;
     for (const std::string row :
          {"finished,tl,tl,0.4,10,stable,,0,2,4,\n", "finished,tl,tl,0.4,10,stable,,0.1,2,0,\n",
@@ -291,7 +292,7 @@ TEST_SUITE("cli") {
     CHECK(contains(text_of(folder / "a.gp"), "difference of the bend from oenog at 0.5 mm, %"));
   }
 
-  TEST_CASE("runs are compared only with a run of the same parameters") {
+  TEST_CASE("runs are compared only with a run with the same parameters") {
     const TemporaryFolder folder;
     const std::string head =
         "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.bend.value,"
@@ -382,7 +383,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "x"));
   }
 
-  TEST_CASE("quotes in the title of a chart are drawn, at its beginning and in a row too") {
+  TEST_CASE("quotes in the title of a chart are drawn, also at its beginning or several in succession") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", "finished,tl,tl,0.4,10,stable,,0.3,2,4,\n");
     for (const std::string title : {"'Soft' rings", "a ''b'' c", "''", "it's"}) {
@@ -460,7 +461,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "chart.dat"));
   }
 
-  TEST_CASE("without gnuplot data and script stay, and the message names the package to install") {
+  TEST_CASE("if gnuplot is missing, data and script are kept, and the message names the package to install") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "results", converging);
     fs::create_directories(folder / "bin");

@@ -71,7 +71,7 @@ Texts names_of(const ResponsePlot::Panel& panel) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a plot of answers has a line per method over the parameter, and the reference once") {
+  TEST_CASE("a plot of measures over a parameter has a line per method, and the reference once") {
     const ResponsePlot plot = plot_of(beams(), {"thickness", {"deflection"}, {"method"}});
     REQUIRE(plot.panels.size() == 1);
     const auto& lines = plot.panels[0].lines;
@@ -83,7 +83,7 @@ TEST_SUITE("cli") {
     CHECK(lines[2].is_reference);
     CHECK(lines[2].points.size() == 2);
     CHECK(plot.without_value == 0);
-    // the default: the method, all that differs, the only swept parameter with several values
+    // by default, `by` is the method and all settings that differ, and `x` is the only swept parameter
     const ResponsePlot same = plot_of(beams(), {"", {"deflection"}});
     CHECK(same.x.name == "thickness");
     CHECK(names_of(same.panels[0]) == names_of(plot.panels[0]));
@@ -97,12 +97,13 @@ TEST_SUITE("cli") {
           Texts{"tl", "oenog", "reference: beam theory, oenog", "reference: beam theory, tl"});
   }
 
-  TEST_CASE("two runs at one place of a line are refused with the setting in which they differ") {
+  TEST_CASE(
+      "two runs with the same x on one line are refused, and the message names the setting that differs") {
     std::vector<Row> rows = beams();
     rows.push_back({"0.01", "tl", "0.2", "stable", "0.0161", "0.0168"});
     const std::string error = error_of(rows, {"thickness", {"deflection"}, {"method"}});
     CHECK(contains(error, "line 'tl' would have two values at thickness = 0.01"));
-    CHECK(contains(error, "differ in cfl; give each its line with --by method,cfl"));
+    CHECK(contains(error, "differ in cfl; draw a line for each with --by method,cfl"));
     const ResponsePlot both = plot_of(rows, {"thickness", {"deflection"}, {"method", "cfl"}});
     CHECK(names_of(both.panels[0])[0] == "tl, cfl=0.3");
     CHECK(both.panels[0].lines.size() == 4);
@@ -110,19 +111,19 @@ TEST_SUITE("cli") {
     CHECK(contains(error_of(rows, {"thickness", {"deflection"}, {"method"}}), "have the same settings"));
   }
 
-  TEST_CASE("a plot of answers names the nearest column, and refuses columns that it cannot draw") {
+  TEST_CASE("a plot of measures names the nearest column, and refuses columns that it cannot draw") {
     CHECK(contains(error_of(beams(), {"thicknes", {"deflection"}}), "(did you mean 'thickness'?)"));
     CHECK(contains(error_of(beams(), {"thickness", {"deflexion"}}),
                    "unknown column or measure of the results 'deflexion' (did you mean 'deflection'?)"));
     CHECK(contains(error_of(beams(), {"thickness", {"deflection"}, {"methd"}}), "did you mean 'method'?"));
-    CHECK(contains(error_of(beams(), {"method", {"deflection"}}), "'method' is a number in no run"));
+    CHECK(contains(error_of(beams(), {"method", {"deflection"}}), "'method' is not a number in any run"));
     CHECK(contains(error_of(beams(), {"thickness", {"verdict"}}), "no run has a number for both"));
     CHECK(contains(error_of(beams(), {"thickness", {"deflection+peak_time"}}),
-                   "have different units ('m', 's'); give each its panel: --y deflection,peak_time"));
+                   "have different units ('m', 's'); draw each in its own panel: --y deflection,peak_time"));
     CHECK(plot_of(beams(), {"thickness", {"deflection", "peak_time"}}).panels.size() == 2);
   }
 
-  TEST_CASE("axes of answers have SI prefixes, and unstable runs open markers") {
+  TEST_CASE("axes of measures have SI prefixes, and unstable runs have open markers") {
     const ResponsePlot plot = plot_of(beams(), {"thickness", {"deflection", "deflection.error"}, {"method"}});
     const std::string script = response_script(plot, {"p.png"}, {});
     CHECK(contains(script, "set xlabel 'thickness, mm'"));
@@ -142,7 +143,7 @@ TEST_SUITE("cli") {
                          doctest::Contains("no value at the y axis is positive"), UsageError);
   }
 
-  TEST_CASE("a plot on paper has texts of 7 points at its width, whatever the format") {
+  TEST_CASE("with --width, texts of a plot are 7 points high in every format") {
     PlotLookOptions typed;
     typed.width = "85mm";
     const PlotLook png = plot_look(typed, {"p.png"}), pdf = plot_look(typed, {"p.pdf"});
@@ -165,7 +166,7 @@ TEST_SUITE("cli") {
     CHECK(plot_look(typed, {"p.png"}).height == 480);
   }
 
-  TEST_CASE("a map of a measure has its values, its unit, and a cross for unstable runs") {
+  TEST_CASE("a map of a measure shows values, unit, and a cross for unstable runs") {
     const TemporaryFolder folder;
     const StoredResults results = results_of(folder, beams());
     const StabilityMap map = make_map(results, {"thickness", "deflection"});
@@ -188,13 +189,13 @@ TEST_SUITE("cli") {
     REQUIRE(program(tiny_sweep(folder, "sweep", {"--grid", "speed=2,3,4", "--until", "5e-4"})).code == 0);
     Texts words{"plot"};
     for (const auto& entry : fs::directory_iterator(folder / "sweep")) words.push_back(entry.path().string());
-    Texts answers = words;
-    for (const char* word : {"--x", "speed", "--y", "total_energy", "--out"}) answers.emplace_back(word);
+    Texts measures = words;
+    for (const char* word : {"--x", "speed", "--y", "total_energy", "--out"}) measures.emplace_back(word);
     words.insert(words.end(), {"--out", folder.str("p.png")});
     const Outcome histories = call(words);
     CAPTURE(histories.err);
     CHECK(histories.code == 0);
-    CHECK(contains(histories.err, "taut: skips what is no run: "));
+    CHECK(contains(histories.err, "taut: skipped (neither a run nor a sweep): "));
     CHECK(contains(histories.err, "results.csv"));
     CHECK(contains(text_of(folder / "p.gp"), "title 'speed=3'"));
     const Texts sweep{"plot", folder.str("sweep"), "--out", folder.str("s.png")};
@@ -205,8 +206,8 @@ TEST_SUITE("cli") {
     CAPTURE(of_sweep.err);
     CHECK(of_sweep.code == 0);
     CHECK(contains(text_of(folder / "a.gp"), "set xlabel 'speed, m/s'"));
-    answers.push_back(folder.str("b.png"));
-    CHECK(contains(call(answers).err, "unknown column or measure of the results 'total_energy'"));
+    measures.push_back(folder.str("b.png"));
+    CHECK(contains(call(measures).err, "unknown column or measure of the results 'total_energy'"));
     CHECK(contains(call({"plot", folder.str("sweep"), "--by", "method", "--out", folder.str("c.png")}).err,
                    "--by needs --y"));
   }

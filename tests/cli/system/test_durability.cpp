@@ -38,7 +38,7 @@ class Disk {
     }
   }
 
-  /// Per renamed file: whether all files were on disk; whether the file itself was.
+  /// [name of a renamed file] whether all files were on disk at each renaming; whether the file itself was.
   std::map<std::string, std::vector<bool>> all_before, itself_before;
   std::set<std::string> lacking;
 
@@ -48,7 +48,7 @@ class Disk {
     if (call == "sync") lacking.erase(path);
     if (call != "rename") return;
     const fs::path to = other;
-    // written by fwrite, not in the log
+    // PNG files are written by fwrite, which is not logged
     const bool itself = !lacking.contains(path) && to.extension() != ".png";
     lacking.erase(path);
     itself_before[to.filename()].push_back(itself);
@@ -72,7 +72,7 @@ TEST_SUITE("cli") {
       CAPTURE(outcome.err);
       REQUIRE(outcome.code == 0);
       const Disk disk(folder / "calls");
-      // the first, empty one, and one per quarter except the last
+      // checkpoints: an empty one at the start, then one after each quarter but the last
       const std::vector<bool>& checkpoints = disk.all_before.at("checkpoint.bin");
       CHECK(checkpoints.size() >= 4);
       CHECK(checkpoints == std::vector<bool>(checkpoints.size(), true));
@@ -108,7 +108,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "out/run.lock"));
   }
 
-  TEST_CASE("a lock on a file that its holder has removed meanwhile is not held") {
+  TEST_CASE("a lock on a lock file that another process has just removed does not count") {
     const TemporaryFolder folder;
     std::ostringstream err;
     const auto take = [&] {

@@ -9,7 +9,7 @@ using namespace taut;
 using namespace taut::cli;
 
 TEST_SUITE("unit") {
-  TEST_CASE("JSON of many siblings, keys or leaves takes no quadratic time") {
+  TEST_CASE("JSON with many siblings, keys or leaves does not take quadratic time") {
     constexpr int many = 300000;  // with quadratic time, minutes
     std::string items = "[{}", object = "{\"k\": 1";
     for (int k = 1; k < many; ++k) {

@@ -80,7 +80,8 @@ TEST_SUITE("unit") {
     CHECK(series.time.back() * speed > 0.0001);
   }
 
-  TEST_CASE("probes: a point on a face belongs to the body, one in a hole or beside a face does not") {
+  TEST_CASE(
+      "probes: a point on a face belongs to the body, but a point in a hole or beside a face does not") {
     Scene scene = colliding_rings();
     Probe probe;
     probe.name = "p";
@@ -165,7 +166,8 @@ TEST_SUITE("unit") {
     CHECK(simulation->support() == relative(2 * 1.3 * scene.spacing));
   }
 
-  TEST_CASE("probes: the asymmetry of mirrored rings is round-off, of shifted ones the shift") {
+  TEST_CASE(
+      "probes: the mirror asymmetry of two rings is round-off, or twice the shift of the mirror plane") {
     Scene scene = colliding_rings(0.06, 0.0025);
     Probe mirror = make_probe("mirror", Probe::Kind::mirror_asymmetry, {0, 1});
     scene.probes = {mirror};
@@ -204,7 +206,8 @@ TEST_SUITE("unit") {
       const auto simulation = make_simulation(scene, with_method(method));
       make_steps(*simulation, 20);
       const Series& series = simulation->series();
-      CHECK(series.value[0].front() == relative(0.8 * 0.002, 6e-3));  // in 3D oenog's mass is nearer to faces
+      // in 3D, oenog places more mass near faces, which shifts the centre
+      CHECK(series.value[0].front() == relative(0.8 * 0.002, 6e-3));
       CHECK(series.value[1].front() == relative(0.9));
       CHECK(series.value[1].back() == relative(0.9, 1e-9));
     }
@@ -339,7 +342,8 @@ TEST_SUITE("unit") {
     CHECK(simulation->series().value[0][0] == relative(simulation->support() - far.spacing));
   }
 
-  TEST_CASE("probes: a point of a rotated body with particles on its faces belongs to the unrotated layout") {
+  TEST_CASE(
+      "probes: a point of a rotated body with particles on its faces is located in its unrotated layout") {
     const auto last_values = [](double angle) {
       constexpr double pitch = 0.25;
       const Rotation turn{{0, 0, 1}, {0.3, -0.2, 0}, angle}, back{{0, 0, 1}, {0.3, -0.2, 0}, -angle};
@@ -408,7 +412,8 @@ TEST_SUITE("unit") {
     CHECK(series.value[2].back() < 0.003);
   }
 
-  TEST_CASE("probes: mirror asymmetry is 0 for a symmetric body and the distance otherwise") {
+  TEST_CASE(
+      "probes: mirror asymmetry is 0 for a symmetric body, else the distance of a particle from its mirror image") {
     Scene scene = block({0.005, 0.003, 0.002});
     scene.probes = {make_probe("x", Probe::Kind::mirror_asymmetry, {0, 0}),
                     make_probe("y", Probe::Kind::mirror_asymmetry, {0, 0})};

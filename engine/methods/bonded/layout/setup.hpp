@@ -9,21 +9,23 @@
 namespace taut {
 
 struct BondConstants {
-  int j;          // id of the other end; −1 − p: the bond ends at clamp place p
-  double k;       // G (V0_i w_ij + V0_j w_ji)/r0², N/m; equal bits from both ends
-  double r2;      // r0², m²
-  double energy;  // G V0_i w_ij, J
-  Point area;     // a_ij
+  int j;          // id of the particle at the other end; −1 − p: the bond ends at clamp place p
+  double k;       // G (V0_i w_ij + V0_j w_ji)/r0² in N/m; bit-identical for both ends
+  double r2;      // r0² in m²
+  double energy;  // G V0_i w_ij in J
+  Point area;     // a_ij from i to j, up to the factor that B removes (THEORY.md)
 };
 
+/// Bond, or face term, whose energy is subtracted (THEORY.md, Cancellation).
 struct CancelledTerm {
-  Point X;
-  double strength;  // G V0_i w_ij, J
+  Point X;          // initial vector to the neighbour, or t of a face term, m; only the direction counts
+  double strength;  // G V0_i w_ij in J
 };
 
+/// Point on the face of a rigid region where a bond ends, and the particle behind it.
 struct ClampPlace {
-  Point x;             // initial, m
-  int rigid_particle;  // id, behind the face
+  Point x;             // at the start, m
+  int rigid_particle;  // id
 };
 
 /// Arrays by id. `initial` must outlive the setup.
@@ -34,9 +36,9 @@ struct BondedSetup {
   std::vector<double> mass;  // [n] kg
   Interfaces interfaces;
   double wave_speed;                     // m/s
-  double damping_lead;                   // 3 τ of the bonds, s
+  double damping_lead;                   // 3 τ, τ: damping time of the bonds (THEORY.md), s
   std::vector<ClampPlace> clamp_places;  // sorted by the particle whose bond ends there
-  std::vector<int> first_clamp_place;    // [n]
+  std::vector<int> first_clamp_place;    // [n] index in `clamp_places`
 
   std::vector<BondConstants> bond_constants(int i) const;
   std::vector<CancelledTerm> cancelled_terms(int i) const;
@@ -44,7 +46,7 @@ struct BondedSetup {
 
 BondedSetup make_bonded_setup(const SolverInput& input, double damping);
 
-/// Marks all rigid particles as clamped, because loads do not act on them.
+/// Marks all rigid particles as clamped, so that loads skip them.
 InitialParticles with_rigid_clamped(const InitialParticles& initial, const Bonds& bonds);
 
 }  // namespace taut

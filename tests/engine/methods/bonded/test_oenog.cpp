@@ -54,7 +54,8 @@ Scene ring_alone() {
   return scene;
 }
 
-/// Checks a lattice with oblong cells and different bonds, then one off-lattice. At rest nothing is subtracted.
+/// Checks a lattice with oblong cells and random bonds, then the same with one off-lattice bond. Without strain the
+/// cancelled stress is zero.
 template <int Dim, class Kept>
 void check_cancelled(double precision) {
   using Cancelled = CancelledBonds<Dim, Kept>;
@@ -126,7 +127,7 @@ void check_both_ends(const Scene& scene) {
   int both = 0;
   for (const auto& [ends, own] : seen) {
     const auto other = seen.find({ends.second, ends.first});
-    if (other == seen.end()) continue;  // a point on the clamp's face
+    if (other == seen.end()) continue;  // the bond ends on the face of a clamp
     ++both;
     CHECK(own.first == other->second.first);
     for (int k = 0; k < Dim; ++k) CHECK(own.second[k] == -other->second.second[k]);
@@ -137,7 +138,7 @@ void check_both_ends(const Scene& scene) {
 }  // namespace
 
 TEST_SUITE("reference") {
-  TEST_CASE("oenog: 40 steps equal the transcription, with a clamp, two materials and on a ring") {
+  TEST_CASE("oenog: 40 steps of clamped two-material plates and a ring agree with a plain implementation") {
     for (const Scene& scene : {clamped_plate_of_two_materials(), auxetic_plate(), ring_alone()}) {
       CAPTURE(scene.name);
       NaiveOenog naive(scene, oenog.h_over_dp);
@@ -215,7 +216,7 @@ TEST_SUITE("term") {
               .face_terms.empty());  // more than eight neighbours
   }
 
-  TEST_CASE("bond: the cancelled energy of four particles equals single ones, on a lattice and off it") {
+  TEST_CASE("bond: the cancelled stress of four packed particles equals that of single particles") {
     check_cancelled<2, AlignedPack>(1e-12);
     check_cancelled<3, AlignedPack>(1e-12);
     check_cancelled<3, HalfPack>(1e-6);
@@ -301,7 +302,7 @@ TEST_SUITE("term") {
 
 namespace {
 
-/// Velocities L x, too fast for surface waves to reach the middle.
+/// Initial velocities L x, so fast that surface waves do not reach the middle.
 Scene straining_block(const Mat<double, 2>& L) {
   Scene scene = rotating_plate(0);
   for (const int axis : {0, 1})
@@ -386,7 +387,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE(
-      "oenog: a body has its law's energy up to 2.4 times its length, in 3D to 2, and more beyond 2.5") {
+      "oenog: the strain energy equals the material law up to stretch 2.4 (3D: 1.95), and exceeds it at 2.8") {
     const Material rubber = ring_rubber();
     for (const int dim : {2, 3}) {
       for (const double stretch : {1.5, 1.95, 2.4, 2.8}) {
