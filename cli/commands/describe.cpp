@@ -79,14 +79,14 @@ std::string motion_text(const Body& body) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   if (const std::string along = axes_of(body.guided); !along.empty())
-    add("clamped along " + along + " in part");
+    add("partly clamped along " + along);
   else if (body.clamped)
-    add("clamped in part");
+    add("partly clamped");
   if (const std::string along = axes_of(body.displacement); !along.empty())
     add("displaced along " + along + " at the start");
   for (const Drive& drive : body.drives)
-    add("driven in part" + (drive.until ? " until " + brief(*drive.until) + " s" : ""));
-  for (const Load& load : body.loads) add("loaded in part: " + std::string(name(load.kind)));
+    add("partly driven" + (drive.until ? " until " + brief(*drive.until) + " s" : ""));
+  for (const Load& load : body.loads) add("partly loaded: " + std::string(name(load.kind)));
   return text;
 }
 
@@ -95,7 +95,7 @@ Rows body_rows(const Scene& scene) {
   for (const Body& body : scene.bodies) {
     std::string materials = scene.materials[static_cast<std::size_t>(body.material)].name;
     for (const Part& part : body.parts)
-      materials += ", " + scene.materials[static_cast<std::size_t>(part.material)].name + " in part";
+      materials += ", partly " + scene.materials[static_cast<std::size_t>(part.material)].name;
     rows.push_back({body.name, materials, motion_text(body)});
   }
   return rows;

@@ -16,8 +16,8 @@ const std::string strange =
     "-a b {} {#} {= `touch ran`; =} $(touch ran) `touch ran` 'q' \"r\" \\ %d @x # ;[y]\n"
     "#SBATCH -z\ntouch ran";
 
-/// Substitute for GNU parallel: options up to -q, then a command per input line with {} and {#} replaced.
-/// Executes {= where it occurs.
+/// Writes a substitute for GNU parallel. It ignores options up to -q and runs the command once per input line, with
+/// {} and {#} replaced. It runs `touch ran` if a word contains {=.
 void write_parallel(const TemporaryFolder& folder) {
   fs::create_directories(folder / "bin");
   std::ofstream(folder / "bin/parallel") << R"(#!/bin/sh
@@ -81,7 +81,7 @@ TEST_SUITE("cli") {
     CHECK(json_of(folder / "out/results.json")["runs"][1]["threads"] == 2);
   }
 
-  TEST_CASE("emitted scripts do only their runs, whatever characters names contain") {
+  TEST_CASE("emitted scripts execute nothing but their runs, even with special characters in names") {
     const TemporaryFolder folder;
     write_parallel(folder);
     const fs::path here = folder / strange, sweep = here / strange;

@@ -157,7 +157,7 @@ TEST_SUITE("unit") {
     CHECK(least > -0.5 * dp);
   }
 
-  TEST_CASE("probes: the gap of distant bodies is the search radius") {
+  TEST_CASE("probes: the gap of distant bodies is the support minus one spacing") {
     Scene scene = two_discs(0.01, 0);
     scene.probes = {make_probe("gap", Probe::Kind::gap, {0, 1})};
     const auto simulation = make_simulation(scene, with_method("enog"));
@@ -165,7 +165,7 @@ TEST_SUITE("unit") {
     CHECK(simulation->support() == relative(2 * 1.3 * scene.spacing));
   }
 
-  TEST_CASE("probes: the asymmetry of mirrored rings is round-off, of shifted ones the shift") {
+  TEST_CASE("probes: mirrored rings have zero asymmetry, and shifting the mirror plane by d gives 2 d") {
     Scene scene = colliding_rings(0.06, 0.0025);
     Probe mirror = make_probe("mirror", Probe::Kind::mirror_asymmetry, {0, 1});
     scene.probes = {mirror};
