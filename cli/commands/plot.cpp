@@ -45,7 +45,7 @@ bool contains_file(const std::string& folder, const char* name) {
   return fs::symlink_status(fs::path(folder) / name, error).type() > fs::file_type::not_found;
 }
 
-/// Skips results.csv of a sweep if run folders next to it are given, too (DIR/*).
+/// Omits a sweep's table if runs beside it are named, as with DIR/*.
 PlotPaths sorted_paths(const std::vector<std::string>& given) {
   PlotPaths paths;
   const auto is_beside = [](const fs::path& table) {
@@ -255,9 +255,8 @@ std::function<int(Streams)> declare_plot(Options& command) {
       "--x", "COLUMN", options->x,
       "x axis; histories: a column, default: t; answers: a parameter or column, default: the only one swept");
   command
-      .add(
-          "--by", "PARAMETER,...", options->by,
-          "answers: one line for each value of these settings, such as method; default: all settings that differ")
+      .add("--by", "PARAMETER,...", options->by,
+           "answers: a line for each value, such as method; default: for all settings that differ")
       .comma_separated();
   command.add("--log", "x|y|xy", options->log, "axes with logarithmic scale");
   command.add("--title", "TEXT|none", options->title, "title; default: of the sweep or scene");

@@ -45,7 +45,7 @@ void check_for_frames(const fs::path& folder) {
 
 void clear_for_frames(const fs::path& folder) {
   make_folders(folder);
-  check_for_frames(folder);  // the folder may have changed before it was locked
+  check_for_frames(folder);  // may have changed
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (!is_lock(entry.path())) fs::remove(entry.path());
 }
@@ -88,7 +88,7 @@ int render(const RenderArguments& options, Streams streams) {
   check_threads(options.threads);
   SavedRun run = open_saved_run(options.run);  // before the lock creates a file
   const FolderLock lock(folder_to_lock(options), FolderLock::Of::run, "taut render", streams.err);
-  run = open_saved_run(options.run);  // the folder may have changed before it was locked
+  run = open_saved_run(options.run);  // may have changed
   run.file.drawing = with_options(run.file.drawing, options);
   apply_scene(run.file.drawing, run.file);
   run.file.drawing.orbit = options.orbit;
