@@ -95,8 +95,8 @@ class MovingFacets {
     if (!(place.area > 0)) return;
     const V turn = slope.normal + mesh_.facets[facet].bulge * slope.middle;
     const V along = turn - dot(turn, place.normal) * place.normal;
-    const V half = 0.5 * ((1 / place.area) * along +
-                          slope.area * place.normal);  // half the derivative by the area vector
+    // half the derivative by the area vector
+    const V half = 0.5 * ((1 / place.area) * along + slope.area * place.normal);
     const V first = cross(x_[n[3]] - x_[n[1]], half), second = cross(half, x_[n[2]] - x_[n[0]]);
     force[n[0]] += first, force[n[2]] -= first;
     force[n[1]] += second, force[n[3]] -= second;
