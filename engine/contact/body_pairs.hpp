@@ -16,9 +16,8 @@ class BodyPairs {
  public:
   BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
-  double lasts_for() const {
-    return 0.5 * skin_;
-  }  // path of the fastest particle for which the lists stay valid, m
+  /// Path of the fastest particle for which the lists stay valid, m.
+  double lasts_for() const { return 0.5 * skin_; }
 
   void search(const Particles<Dim>& s) {
     choose_candidates(s);

@@ -18,8 +18,8 @@ struct FacingHalf {
   int side = Outline::none;
   double half = 0;              // initial length, m
   double share = 0, slope = 0;  // facing_share and its derivative by the cosine
-  std::array<double, 2>
-      at{};  // where the side crosses each end of the segment: 0 at the node, 1 at its other end
+  /// Where the side crosses each end of the segment: 0 at the node, 1 at its other end.
+  std::array<double, 2> at{};
   std::array<double, 2> over{1, 1};  // share of the half that lies within each end
   std::array<double, 2> rise{};      // derivative of `over` by `at`
   double past = 1;                   // beyond an end: 1 − facing_share of the next face

@@ -35,7 +35,7 @@ struct Statement {
 constexpr Verdict stable = Verdict::stable, hourglass = Verdict::hourglass, fractured = Verdict::fractured,
                   diverged = Verdict::diverged;
 
-/// `until` is long enough for the failure to appear; for `stable` it covers the motion that the figure shows.
+/// `until` is long enough for the failure to appear; a stable run does not fail until then.
 const std::vector<Statement> statements = {
     {"Zhang2024 Fig. 3(a)", "oscillating-plate", "og", {}, 0.05, fractured},
     {"Zhang2024 Fig. 3(b)", "oscillating-plate", "oas", {}, 0.05, hourglass},

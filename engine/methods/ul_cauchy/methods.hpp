@@ -51,8 +51,7 @@ inline constexpr UlCauchyFormulation d_ulsph_av_tic = ladder(
     {
         .name = "d-ulsph-av-tic",
         .paper = "Khayyer2024 §3.4",
-        .summary =
-            "d-ulsph-av-as with tensile control inside bodies and artificial stress only at their surfaces",
+        .summary = "d-ulsph-av-as with tensile control inside and artificial stress only at surfaces",
         .conserves = "nothing exactly",
     },
     {.viscosity = Viscosity::artificial,
