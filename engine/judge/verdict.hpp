@@ -27,9 +27,9 @@ std::optional<Verdict> find_verdict(std::string_view name);
 std::vector<std::string> names_of_verdicts();
 std::vector<std::string> names_of_failures();
 
-/// Least hourglass error of the verdict. Smooth results in the papers stay below 0.012 ([Zhang2024] Fig. 3, 12, 18;
-/// [Khayyer2024] Fig. 9, 10), zigzags exceed 0.04 ([Zhang2024] Fig. 6, 12–14, 18; [Khayyer2024] Fig. 13; [Lee2016] Fig.
-/// 11). Checkerboards are not judged: low stress raises them too.
+/// Hourglass error above which the verdict is `hourglass`. Smooth results in the papers stay below 0.012 ([Zhang2024]
+/// Fig. 3, 12, 18; [Khayyer2024] Fig. 9, 10), zigzags exceed 0.04 ([Zhang2024] Fig. 6, 12–14, 18; [Khayyer2024] Fig.
+/// 13; [Lee2016] Fig. 11). Checkerboards are not judged: low stress raises them too.
 inline constexpr double hourglass_threshold = 0.03;
 
 /// Bonds stretched further than the method follows its elastic law.
