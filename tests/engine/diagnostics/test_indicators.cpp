@@ -128,7 +128,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("alternating part: inside a lattice a checkerboard is kept and noise is scaled by κ") {
+  TEST_CASE("alternating part: inside a lattice a checkerboard is reproduced and noise is scaled by κ") {
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
       std::vector<Point> places;
@@ -326,7 +326,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("indicators: in 3D quadratic maps give zero and a checkerboard is kept") {
+  TEST_CASE("indicators: in 3D quadratic maps give 0 and a checkerboard is reproduced") {
     const int n = 9;
     const double dp = 0.1;
     std::vector<Point> places;
@@ -385,7 +385,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("og has zigzags where enog has none [Zhang2024] Figs. 12, 13") {
+  TEST_CASE("og zigzags and enog does not [Zhang2024] Figs. 12, 13") {
     const Scene scene = test::colliding_rings(0.06, 0.002);
     const auto at_three = [&](const char* method) {
       const auto simulation = make_simulation(scene, test::with_method(method));
