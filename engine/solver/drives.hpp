@@ -121,7 +121,7 @@ class Reactions {
   V* impulses() { return impulse_.data(); }  // [i] N s
   void add(int i, const V& impulse) { impulse_[i] += impulse; }
 
-  /// Mean force on particle i over the step that the recorded impulses do not explain, N.
+  /// Mean force over the step that the recorded impulses do not explain, N.
   V unexplained_force(const Particles<Dim>& s, int i) const {
     return (1 / dt_) * (s.m[i] * (s.v[i] - v_[i]) - impulse_[i]);
   }

@@ -81,7 +81,7 @@ TEST_SUITE("cli") {
     CHECK(json_of(folder / "out/results.json")["runs"][1]["threads"] == 2);
   }
 
-  TEST_CASE("emitted scripts execute nothing but their runs, even with special characters in names") {
+  TEST_CASE("emitted scripts do only their runs, whatever characters names contain") {
     const TemporaryFolder folder;
     write_parallel(folder);
     const fs::path here = folder / strange, sweep = here / strange;
