@@ -13,7 +13,7 @@ class Cover {
   Cover(int width, int height);
 
   void clear();
-  /// Returns false if in doubt.
+  /// Whether the added balls hide `ball`; false if in doubt.
   bool hides(const Ball& ball) const;
   void add(const Ball& ball);
 
@@ -25,7 +25,7 @@ class Cover {
   int width_, height_;  // samples
   int tile_columns_, tile_rows_;
   std::vector<float> depth_;  // covered up to this z, pixels
-  std::vector<float> tile_;   // least depth
+  std::vector<float> tile_;   // least depth in each tile
 };
 
 }  // namespace taut::render

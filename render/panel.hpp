@@ -21,7 +21,7 @@ struct PanelOptions {
   std::string title, note;
   std::string field, unit;
   std::vector<Heading> columns;
-  std::vector<std::string> rows;  // "t = 3 ms"
+  std::vector<std::string> rows;  // labels, such as "t = 3 ms"
   int width = 0;                  // pixels; 0: legible at 1:1
 };
 

@@ -19,11 +19,11 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// `view` must have the size of the look's view.
+  /// Moves camera and view; `view` must have the size of the look's view.
   void look_from(const Camera& camera, const View& view);
 
-  /// Valid until the next call. Equal frames give equal bytes. Particles with a position or size that is not finite
-  /// are omitted.
+  /// The image is valid until the next call. Equal frames give equal bytes. Particles with a position or size that is
+  /// not finite are omitted.
   const Image& draw(const FrameView& frame);
   const OffScale& off_scale() const;
 

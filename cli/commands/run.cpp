@@ -57,7 +57,7 @@ void declare_options(Options& command, RunArguments& o) {
   command.add_flag("--quiet", o.quiet, "print no progress on stderr");
 }
 
-/// With --resume, the folder is locked before anything is read.
+/// With --resume, the plan is read after the folder is locked.
 struct LockedPlan {
   std::unique_ptr<const FolderLock> lock;
   RunPlan plan;
@@ -84,7 +84,7 @@ LockedPlan planned(const RunArguments& options, std::ostream& err) {
     if (options.scene.empty()) throw UsageError("SCENE is required; see `taut run --help`");
     all.plan = make_plan(options);
     all.lock = lock(all.plan.folder.path());
-    all.plan.folder.check();  // may have changed
+    all.plan.folder.check();  // the folder may have changed before it was locked
     if (!options.force) refuse_to_lose(all.plan.folder);
     return all;
   }

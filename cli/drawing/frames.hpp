@@ -22,7 +22,7 @@
 namespace taut::cli {
 
 std::string frame_name(int number);
-/// Includes temporary files.
+/// Whether the path is named like a frame, including its temporary file.
 bool is_frame(const std::filesystem::path& path);
 
 struct Captions {
@@ -30,19 +30,19 @@ struct Captions {
   double until = 0;  // s; determines the unit of all times
 };
 
-/// Sets the open members for this snapshot.
+/// Sets the unset members (range, view, colour map) from this snapshot.
 Drawing fitted(const Drawing& drawing, const Snapshot& snapshot);
-/// Requires a drawing without open members.
+/// Requires a drawing without unset members, see `fitted`.
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot);
 
-/// Draws the frames of a run at once if range and view are known, else at the end from memory. Threads draw
-/// beside the caller, which waits if too many frames are pending. Files appear in order.
+/// Draws each frame of a run immediately if range and view are fixed; otherwise stores the frames and draws them at
+/// the end. Worker threads draw; `add` waits if too many frames are pending. Files are written in order.
 class Frames {
  public:
   static constexpr double memory_of_pictures = 1e9;  // bytes, with OpenGL
 
-  /// Throws if no picture can be drawn. `origins` belong to the particles to add. `finish` adds all threads'
-  /// time to `seconds`.
+  /// Throws if no picture can be drawn. `origins` describes the particles that will be added. `finish` adds the
+  /// drawing and writing time of all threads to `seconds`.
   Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
          int threads, Seconds& seconds);
 
@@ -53,7 +53,7 @@ class Frames {
   void number_files(std::vector<int> numbers) { file_numbers_ = std::move(numbers); }
   /// Draws the stored frames; returns false if `go_on` stopped it.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
-  /// Waits for pending frames. All functions that add frames throw their errors.
+  /// Waits for pending frames. Errors of the drawing threads are rethrown here and by `add`.
   void finish();
 
   int kept() const { return static_cast<int>(kept_.size()); }
@@ -78,7 +78,7 @@ class Frames {
   }
 
  private:
-  /// Double precision separates particles far from the origin.
+  /// Stored in double precision: in single precision, particles far from the origin would coincide.
   struct Kept {
     double time;   // s
     Point origin;  // m

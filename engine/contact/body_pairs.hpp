@@ -10,13 +10,14 @@
 
 namespace taut {
 
-/// Contact candidates of two bodies, by particle.
+/// Contact candidates of two bodies, by particle. Searches only particles in the widened box of another body.
 template <int Dim>
 class BodyPairs {
  public:
   BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
-  double lasts_for() const { return 0.5 * skin_; }  // m, path of the fastest particle
+  /// Path of the fastest particle for which the lists stay valid, m.
+  double lasts_for() const { return 0.5 * skin_; }
 
   void search(const Particles<Dim>& s) {
     choose_candidates(s);
@@ -38,7 +39,7 @@ class BodyPairs {
           if (dot(d, d) < reach_ * reach_) j.push_back(other);
         }
       });
-      // by id, for bit-exact symmetry of mirrored bodies
+      // ascending ids as in mirrored bodies, for bit-exact symmetry
       std::sort(j.begin() + from, j.end(), [&](int a, int b) { return s.id[a] < s.id[b]; });
     }
     while (next <= s.size()) begin[next++] = static_cast<int>(j.size());

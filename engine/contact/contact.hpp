@@ -11,8 +11,8 @@
 namespace taut {
 
 /// Contact of bodies, folds and walls. Forces in N, impulses in N s, energies in J (per metre depth in 2D).
-/// In each step: `prepare`; move positions; `evaluate`; add `force` if `acting`; `stop_approach`. After reordering:
-/// `search`.
+/// In each step call `prepare`, move positions, call `evaluate`, add `force` if `acting`, call `stop_approach`. After
+/// particles are reordered, call `search`.
 template <int Dim>
 class Contact {
  public:
@@ -26,22 +26,23 @@ class Contact {
   bool between_bodies() const { return between_bodies_; }
   bool acting() const { return !mechanism_->touching().empty(); }
 
-  /// Searches if a particle moving by `way`, m, may leave the last range. Returns whether it searched.
+  /// Searches if a particle that moves by `way`, m, may leave the range of the last search. Returns whether it
+  /// searched.
   bool prepare(const Particles<Dim>& s, double way);
   void search(const Particles<Dim>& s);
 
-  /// Evaluates the forces that act for `dt`, s.
+  /// Evaluates the forces at the current positions; they act for `dt`, s.
   void evaluate(const Particles<Dim>& s, double dt, int threads);
 
   /// Greatest ratio of contact stiffness to material stiffness, at least 1.
   double stiffening() const { return mechanism_->stiffening(); }
 
-  /// Requires `acting`.
+  /// Force on particle i as last evaluated, N. Requires `acting`.
   const V& force(int i) const { return force_[i]; }
 
-  /// Calls `change(i, impulse)` for touching particles. Impulses follow from the state before the first call. They
-  /// act where the forces acted, `gone`, s, ago, to conserve angular momentum. `inverse_mass(i)`: 1/kg, 0 if
-  /// immovable.
+  /// Impulse laws: calls `change(i, impulse)` for touching particles. Impulses follow from the state before the first
+  /// call. To conserve angular momentum they act at the positions of `gone` seconds ago, where the forces acted.
+  /// `inverse_mass(i)`: 1/kg, 0 if immovable.
   template <class InverseMass, class Change>
   void stop_approach(const Particles<Dim>& s, double gone, const InverseMass& inverse_mass,
                      const Change& change) {
@@ -52,16 +53,17 @@ class Contact {
     for (const int i : mechanism_->touching()) change(i, impulse_[i]);
   }
 
-  /// Impulse on `body` in the last step by another body, or by `wall` if not negative. Recorded only if probed.
+  /// Impulse on `body` in the last step by body `other`, or by `wall` if `wall` is not negative, in N s. Recorded only
+  /// if a probe measures it.
   V impulse(int body, int other, int wall) const;
 
   const Impulse& of_walls() const { return walls_.recorded_impulse(); }
 
-  /// Energy of all contacts; 0 for laws of impulses.
+  /// Energy of all contacts; 0 for impulse laws.
   double energy(const Particles<Dim>& s) const { return mechanism_->energy(s, walls_); }
 
   Neighbors neighbors(int particles) const { return mechanism_->neighbors(particles); }
-  /// Faces from which gaps are measured, or null.
+  /// Faces from which gaps are measured; null if gaps are measured between particles.
   ContactsOfFaces<Dim>* faces() { return faces_; }
 
   template <class Archive>

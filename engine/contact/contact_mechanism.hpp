@@ -24,20 +24,20 @@ class ContactMechanism {
  public:
   using V = Vec<double, Dim>;
 
-  static constexpr double reach = 2;  // spacings
+  static constexpr double reach = 2;  // range of gap probes, in spacings
 
   virtual ~ContactMechanism() = default;
 
-  /// Searches if the fastest particle, moving by `way`, m, may leave the last range, or without `way`. Returns
-  /// whether it searched.
+  /// Searches if the fastest particle, which moves by `way`, m, may leave the range of the last search. Always searches
+  /// without `way`. Returns whether it searched.
   virtual bool search(const Particles<Dim>& /*particles*/, const WallContacts<Dim>& /*walls*/,
                       std::optional<double> /*way*/) {
     return false;
   }
-  /// Particles that may get a force, ascending.
+  /// Particles that may get a force before the next search, ascending.
   const std::vector<int>& touching() const { return touching_; }
 
-  /// Sets forces on `touching`, and records impulses of walls over `dt`, s.
+  /// Sets the forces on the particles of `touching`, N, and records the impulses of walls over `dt`, s.
   virtual void evaluate(const Particles<Dim>& /*particles*/, double /*dt*/, WallContacts<Dim>& /*walls*/,
                         std::vector<V>& /*force*/, int /*threads*/) {}
   virtual double energy(const Particles<Dim>&, const WallContacts<Dim>&) { return 0; }
@@ -49,7 +49,7 @@ class ContactMechanism {
   }
 
   virtual bool has_impulses() const { return false; }
-  /// See Contact::stop_approach. `inverse_mass`: 1/kg.
+  /// See Contact::stop_approach. `inverse_mass`: [particle] 1/kg.
   virtual void stop_approach(const Particles<Dim>& /*particles*/, double /*dt*/, WallContacts<Dim>& /*walls*/,
                              const std::vector<double>& /*inverse_mass*/, std::vector<V>& /*impulse*/) {}
   virtual V impulse(int /*a*/, int /*b*/, int /*wall*/) const { return {}; }

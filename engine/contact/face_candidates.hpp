@@ -32,8 +32,8 @@ class FaceCandidates {
 
   NearFaces other_faces, own_faces;
   std::vector<std::pair<int, int>> near_wall;        // (node, wall)
-  std::vector<int> watched_nodes, watched_segments;  // ascending
-  std::vector<int> particles;                        // ascending
+  std::vector<int> watched_nodes, watched_segments;  // of all candidates, ascending
+  std::vector<int> particles;                        // of the watched nodes, ascending
 
   bool search(const Particles<2>& s, MovingFaces& faces, const WallContacts<2>& walls,
               std::optional<double> way);
@@ -52,10 +52,10 @@ class FaceCandidates {
   static constexpr double skin = 1;       // longer: fewer searches, more pairs
   static constexpr double horizon = 4;    // search range
   static constexpr double far_apart = 3;  // opposite faces of a thinner wall do not interact
-  static constexpr double aside = 0.5;    // greatest cosine of the normals
+  static constexpr double aside = 0.5;    // greatest cosine of the normals of a candidate
   static constexpr double close_by = 4;   // initial distance; closer faces need a cosine below `folded`
   static constexpr double folded = -0.1;
-  static constexpr double turn_slack = 0.5;  // for rotation about particles
+  static constexpr double turn_slack = 0.5;  // for rotation of nodes about their particles
 
   void search_others(const MovingFaces& faces, const WallContacts<2>& walls);
   void search_own(const Particles<2>& s, const MovingFaces& faces);
@@ -69,7 +69,7 @@ class FaceCandidates {
   FaceSearch find_;
   std::vector<V> normal_;
   MotionBound<2> others_bound_, own_bound_;
-  std::vector<V> main_places_;  // [node] m
+  std::vector<V> main_places_;  // [node] position of its main particle, m
 };
 
 }  // namespace taut

@@ -14,7 +14,7 @@ namespace taut {
 
 namespace {
 
-/// K + 4G/3 at a node, Pa; a mean between two materials.
+/// K + 4G/3 at a node, Pa; between two materials, the mean over the particles of the node.
 double modulus(const Outline& outline, int node, const SolverInput& input) {
   double sum = 0, weights = 0, least = std::numeric_limits<double>::infinity(), most = 0;
   for (int k = outline.begin[node]; k < outline.begin[node + 1]; ++k) {
@@ -62,8 +62,8 @@ void FaceContacts::place_watched(const Particles<2>& s) {
   for (const int k : candidates_.watched_segments) faces_.set_normal(k);
 }
 
-/// Calls f(node, closest point, touch) for nodes that face a segment within `reach`, and for some farther ones. If
-/// both sides at a corner are equally near, each counts half, which preserves symmetry.
+/// Calls f(node, closest point, touch) for nodes that face a segment within `reach`, and for some nodes farther away.
+/// If a node inside a corner is equally near to both sides, each side counts half, which preserves symmetry.
 template <class F>
 void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
   std::vector<double> distance2;  // [segment] m²
@@ -74,7 +74,7 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
     distance2.clear();
     for (const int l : segments) distance2.push_back(faces_.distance2(n, l));
     const auto nearest = std::ranges::min_element(distance2) - distance2.begin();
-    // a sharp end may be touched from beyond
+    // a segment with a sharp end may be touched from beyond this end
     const auto is_sharp = [&](int l) { return faces_.has_sharp_end(l); };
     if (distance2[nearest] >= power<2>(reach * dp_) && std::ranges::none_of(segments, is_sharp)) continue;
     faces_.measure(n, segments[nearest], closest);

@@ -11,7 +11,7 @@
 
 namespace taut {
 
-/// Nodes with near segments of one body: segment[begin[k]] … segment[begin[k + 1] − 1].
+/// Nodes, each with near segments of one body: segment[begin[k]] … segment[begin[k + 1] − 1].
 struct NearFaces {
   std::vector<int> node, begin{0}, segment;
 
@@ -27,7 +27,7 @@ class FaceSearch {
   using V = Vec<double, 2>;
 
   /// Lists segments that are `wanted(node, segment)` and nearer than `listed`, m. Returns the distance of the
-  /// nearest other one, m, up to `horizon`.
+  /// nearest wanted segment that is not listed, m, at most `horizon`.
   template <class Wanted>
   double operator()(const MovingFaces& faces, const std::vector<int>& nodes, const std::vector<int>& segments,
                     double listed, double horizon, const Wanted& wanted, NearFaces& out) {

@@ -67,12 +67,12 @@ class FacetCandidates {
   // in spacings
   static constexpr double skin = 1.4;
   static constexpr double horizon = 4.25;    // search range
-  static constexpr double cluster = 4;       // cluster width (FacetPairs)
-  static constexpr double far_apart = 4;     // initial, along a face or across a gap
-  static constexpr double far_inside = 8;    // initial, through the body
-  static constexpr double flat = 1e-6;       // round-off
-  static constexpr double aside = 0.5;       // greatest cosine of the normals
-  static constexpr double turn_slack = 0.5;  // for rotation about particles
+  static constexpr double cluster = 4;       // width of the clusters of facets (FacetPairs)
+  static constexpr double far_apart = 4;     // initial distance along a face or across a gap
+  static constexpr double far_inside = 8;    // initial distance through the body
+  static constexpr double flat = 1e-6;       // round-off of facets in one plane
+  static constexpr double aside = 0.5;       // greatest cosine of the normals of a candidate
+  static constexpr double turn_slack = 0.5;  // for rotation of facets about their particles
 
   void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
     constexpr double margin = horizon + 2;  // 2: distance of two particles from faces
@@ -137,8 +137,8 @@ class FacetCandidates {
   bool meets_itself_, meets_others_;
   FacetPairs near_;
   std::vector<int> nodes_;          // all
-  std::vector<V> normal_;           // [facet] initial
-  std::vector<V> particle_places_;  // [facet] m
+  std::vector<V> normal_;           // [facet] initial unit normal
+  std::vector<V> particle_places_;  // [facet] position of the particle behind it, m
   std::vector<std::pair<int, int>> others_, own_, found_;
   MotionBound<3> others_bound_, own_bound_;
 };

@@ -69,8 +69,8 @@ void FacetContacts::list() {
   touching_ = facets_.particles_of(nodes_);
 }
 
-/// Calls f(row of the other facet, pair) for each of the `count` rows from `first` on that contributes to the mean
-/// of `row`.
+/// Calls f(row of the other facet, pair) for each of the `count` rows from index `first` on that contributes to the
+/// mean depth of `row`.
 template <class F>
 void FacetContacts::for_each_pair(int row, const int* first, int count, const F& f) const {
   const MovingFacets::Place& own = facets_[rows_[row].facet];
@@ -145,7 +145,8 @@ auto FacetContacts::measured(int r) -> Touch {
   return touch;
 }
 
-/// Slope of the energies of a facet and of all facets to whose mean it contributes.
+/// Derivatives by the position, normal and area of a facet. Sums the energies of this facet and of all facets to whose
+/// mean depth it contributes.
 MovingFacets::Slope FacetContacts::slope_of(int r) const {
   const Touch& own = touches_[r];
   const double area = facets_[rows_[r].facet].area, M = M_[rows_[r].facet];

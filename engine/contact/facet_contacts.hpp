@@ -13,8 +13,8 @@
 
 namespace taut {
 
-/// Contact of faces in 3D (terms/surface_contact.hpp), derived from an energy. The depth of a facet refers to the
-/// mean of the other body's (or fold's) facets around it.
+/// Contact of faces in 3D (terms/surface_contact.hpp), derived from an energy. The depth of a facet is a mean
+/// over the facets of the other body (or fold) around it.
 class FacetContacts final : public ContactMechanism<3> {
  public:
   using V = Vec<double, 3>;
@@ -32,7 +32,7 @@ class FacetContacts final : public ContactMechanism<3> {
   V between(const Particles<3>& s, int a, int b) const override;
   V of_wall(const Particles<3>& s, int a, int wall, const WallContacts<3>& walls) const override;
 
-  /// Least height of a facet above the other body, m, negative if they overlap; at most a spacing.
+  /// Least height of a facet above another body, m, negative if they overlap; at most a spacing.
   double gap(const Particles<3>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<3>& walls) override {
@@ -56,12 +56,12 @@ class FacetContacts final : public ContactMechanism<3> {
   struct Touch {
     int near = 0;              // facets in range
     double cover = 0;          // Σ W
-    double height = 0, M = 0;  // means of p, m, and M, Pa
+    double height = 0, M = 0;  // means with weights W: of p in m, of K + 4G/3 in Pa
     double k = 0;              // Pa/m
-    // slopes of the energy in `cover`, J, and in the means of p and M, divided by `cover`, N and m³
+    // derivatives of the energy by `cover`, J; by the means of p and M, divided by `cover`, N and m³
     double per_sum = 0, per_p = 0, per_M = 0;
     double per_weight(double p,
-                      double modulus) const {  // slope in the weight W of one facet, J
+                      double modulus) const {  // derivative of the energy by the weight W of one facet, J
       return per_sum + per_p * (p - height) + per_M * (modulus - M);
     }
   };
@@ -89,7 +89,7 @@ class FacetContacts final : public ContactMechanism<3> {
   void for_each_wall(const WallContacts<3>& walls, const F& f) const;
 
   double dp_, stiffness_;
-  double hardening_ = 1;  // greatest ratio to the stiffness at first touch
+  double hardening_ = 1;  // greatest ratio of the stiffness to the stiffness at first touch
   int threads_ = 1;
   MovingFacets facets_;
   std::vector<double> M_;  // [facet] K + 4G/3, Pa
@@ -97,11 +97,11 @@ class FacetContacts final : public ContactMechanism<3> {
 
   std::vector<Row> rows_;
   std::vector<int> begin_, other_;
-  std::vector<Touch> touches_;               // [row]
-  std::vector<int> near_;                    // rows of `other_` in range, from the same index on
+  std::vector<Touch> touches_;  // [row]
+  std::vector<int> near_;       // rows of `other_` that are in range, stored from the same index on
   std::vector<MovingFacets::Slope> slopes_;  // [row]
   std::vector<int> watched_;                 // ascending
-  std::vector<int> nodes_;                   // of `watched_`
+  std::vector<int> nodes_;                   // nodes of the facets in `watched_`
   std::vector<V> force_;                     // [node] N
 };
 

@@ -13,8 +13,8 @@
 namespace taut {
 
 enum class PairsOf {
-  one_body,    // initially farther than `far`
-  two_bodies,  // all
+  one_body,    // pairs of one body that were initially farther apart than `far`
+  two_bodies,  // all pairs
 };
 
 /// Columns with `lanes` readable entries after the last one.
@@ -25,7 +25,7 @@ struct FacetColumns {
 };
 
 /// Finds midpoints among first … last − 1 nearer to facet p than √near2, initially farther than √far2, with normals
-/// below `cosine`. Returns their number.
+/// below `cosine`. Stores indices and squared distances, m². Returns their number.
 inline int find_near_facets(const FacetColumns& facets, int p, int first, int last, double near2, double far2,
                             double cosine, int* found, double* distance2) {
   int count = 0;
@@ -83,11 +83,11 @@ class FacetPairs {
 
   struct Limits {
     double listed, horizon;  // m
-    double far;              // initial distance, m
-    double cosine;           // greatest
+    double far;              // least initial distance in one body, m
+    double cosine;           // greatest cosine of the normals
   };
   /// Calls found(f, g) once for each pair `wanted(f, g)` nearer than `listed`. Returns the distance of the nearest
-  /// other one, m, up to `horizon`. `candidates`: in `order()`.
+  /// wanted pair that is not nearer, m, at most `horizon`. `candidates`: facets in the order of `order()`.
   template <PairsOf kind, class Wanted, class Found>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Limits& limits,
               const Wanted& wanted, const Found& found) {
@@ -110,8 +110,8 @@ class FacetPairs {
  private:
   struct Cluster {
     V low, high;    // m
-    V normal;       // mean
-    double spread;  // greatest deviation from `normal`
+    V normal;       // mean of the normals
+    double spread;  // greatest deviation of a normal from `normal`
   };
 
   static constexpr double room = 1e-9;  // tolerance of rounding
@@ -184,7 +184,7 @@ class FacetPairs {
     }
   }
 
-  std::vector<V> start_;  // [facet] m
+  std::vector<V> start_;  // [facet] initial midpoint, m
   std::vector<int> body_, cluster_;
   std::vector<int> order_;
   std::array<std::vector<double>, 3> now_, then_;  // [candidate] m

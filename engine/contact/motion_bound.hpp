@@ -12,27 +12,27 @@
 namespace taut {
 
 /// Decides when the points of a body must be searched again. `holds` returns true while no two points can have
-/// approached by more than `free`. The bound is twice the path of the fastest particle, then twice the greatest
-/// deviation from rigid motion.
+/// approached each other by more than `free`. The bound is twice the path of the fastest particle. When that is used
+/// up, it is twice the greatest deviation from the rigid motion of the body.
 template <int Dim>
 class MotionBound {
  public:
   using V = Vec<double, Dim>;
 
-  /// `free`: allowed approach, m; `x`: positions by body, m.
+  /// `free`: allowed approach of two points, m; `x`: positions by body, m.
   void restart(double free, std::vector<V> x) {
     free_ = free;
     gone_ = 0;
     from_ = std::move(x);
   }
 
-  /// Call before moving by `way`, m. If false, call `still_holds`.
+  /// Call before points move by at most `way`, m. If false, call `still_holds`.
   bool holds(double way) {
     gone_ += way;
     return 2 * gone_ <= free_;
   }
 
-  /// Returns false if a search is needed.
+  /// `x`: positions before that motion, m. Returns false if a search is needed.
   bool still_holds(const std::vector<V>& x, const std::vector<int>& body, double way) {
     gone_ = 0;
     const std::size_t n = x.size();

@@ -13,20 +13,21 @@
 
 namespace taut {
 
-/// The node's half of a side over a segment.
+/// The node's half of one of its sides, where it lies over a segment and faces it.
 struct FacingHalf {
   int side = Outline::none;
-  double half = 0;                   // initial, m
-  double share = 0, slope = 0;       // facing_share and its slope
-  std::array<double, 2> at{};        // crossing of segment ends, 0 at the node
-  std::array<double, 2> over{1, 1};  // share of the half within each end
-  std::array<double, 2> rise{};      // slope of `over`
-  double past = 1;                   // 1 − facing_share of the next face
+  double half = 0;              // initial length, m
+  double share = 0, slope = 0;  // facing_share and its derivative by the cosine
+  /// Where the side crosses each end of the segment: 0 at the node, 1 at its other end.
+  std::array<double, 2> at{};
+  std::array<double, 2> over{1, 1};  // share of the half that lies within each end
+  std::array<double, 2> rise{};      // derivative of `over` by `at`
+  double past = 1;                   // beyond an end: 1 − facing_share of the next face
   double past_slope = 0;
   int next = Outline::none;
 
   double covered() const { return over[0] * over[1]; }
-  double area() const { return half * share * covered() * past; }  // m
+  double area() const { return half * share * covered() * past; }  // length that counts, m
 };
 
 struct ClosestPoint {
@@ -36,12 +37,13 @@ struct ClosestPoint {
   double rank = std::numeric_limits<double>::infinity();  // m; least wins
   double weight = 1;                                      // 0.5 for two equally near segments
   std::array<FacingHalf, 2> halves{};
-  Vec<double, 2> offset{}, normal{};  // node − point, m; outwards
+  Vec<double, 2> offset{}, normal{};  // node − point, m; outward unit normal of the segment
 
   double area() const { return weight * (halves[0].area() + halves[1].area()); }  // m
 };
 
-/// Current faces of layout/outline.hpp.
+/// Current positions of the faces of layout/outline.hpp. Nodes are weighted means of particles, and forces on nodes go
+/// to the particles by the same weights.
 class MovingFaces {
  public:
   using V = Vec<double, 2>;
@@ -87,7 +89,7 @@ class MovingFaces {
     for (int n = 0; n < size(); ++n) place(s, n);
     for (int k = 0; k < static_cast<int>(normal_.size()); ++k) set_normal(k);
   }
-  /// Requires `place` for the nodes of segment k.
+  /// Requires that `place` has updated the nodes of segment k.
   void set_normal(int k) {
     const auto& [node, length, sense] = outline_.segments[k];
     const V t = place_[node[1]] - place_[node[0]];
@@ -95,13 +97,13 @@ class MovingFaces {
     normal_[k] = {factor * t[1], -factor * t[0]};
   }
   const std::vector<V>& places() const { return place_; }  // [node] m
-  /// Positions of the main particles, m.
+  /// Position of the main particle of each node, m.
   void follow(const Particles<2>& s, std::vector<V>& x) const {
     x.clear();
     for (const int share : main_share_) x.push_back(s.x[stored_[share]]);
   }
 
-  /// f(i, weight) for stored particles of a node.
+  /// Calls f(i, weight) for each stored particle i of a node.
   template <class F>
   void for_each_share(int node, const F& f) const {
     for (int k = outline_.begin[node]; k < outline_.begin[node + 1]; ++k)
@@ -119,7 +121,7 @@ class MovingFaces {
     return dot(offset, offset);
   }
 
-  /// Initial length of the sides that face `normal`, m.
+  /// Initial length of the node's sides that faces `normal`, m.
   double facing(int node, const V& normal) const {
     double area = 0;
     for (const int k : outline_.beside[node])
@@ -128,7 +130,8 @@ class MovingFaces {
     return area;
   }
 
-  /// Calls give(n, f) with the forces, N per metre depth, by which an energy per length turns the sides of a node.
+  /// Calls give(n, f) with the forces f on nodes n, in N per metre depth, by which an energy per length (J/m) turns the
+  /// sides of a node.
   template <class Give>
   void push_facing(int node, const V& normal, double energy, const Give& give) const {
     for (const int k : outline_.beside[node])
@@ -138,8 +141,9 @@ class MovingFaces {
   }
 
   /// Replaces `best` by the closest point of segment k if the node faces it and the rank is lower. The rank is the
-  /// distance plus up to half a length for obliquely facing sides: the face in front pushes a corner back, not the
-  /// one beside it. Beyond a sharp end a node acts with the length and depth of its side.
+  /// distance plus up to half a length for segments that the sides of the node face obliquely: a corner is pushed back
+  /// by the face in front of it, not by the face beside it. Beyond a sharp end a node acts with the length of its side
+  /// over the segment and the depth of the side at that end.
   void measure(int node, int k, ClosestPoint& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -165,10 +169,10 @@ class MovingFaces {
   }
 
   struct Touch {
-    double depth;  // m, negative in front
+    double depth;  // behind the segment, m; negative in front
     V out;
   };
-  /// At blunt ends the mean normal of both segments tells the inside.
+  /// At blunt ends the mean normal of both segments separates inside and outside.
   Touch touch(const ClosestPoint& closest) const {
     if (is_beyond(closest)) {
       const FacingHalf& half = closest.halves[closest.halves[0].side == Outline::none ? 1 : 0];
@@ -186,7 +190,8 @@ class MovingFaces {
     return {distance, (-1 / distance) * closest.offset};
   }
 
-  /// Forces own(n, f) on the node's face and other(n, f) on the segment's, N per metre depth. `k`: stiffness.
+  /// Calls own(n, f) with the forces on the nodes of the node's face, and other(n, f) with those on the segment's face,
+  /// in N per metre depth. `k`: contact stiffness, Pa/m.
   template <class Own, class Other>
   void push(const ClosestPoint& closest, const Touch& touch, double k, const Own& own,
             const Other& other) const {
@@ -278,7 +283,7 @@ class MovingFaces {
     other(ends[0], (-r * depth * size) * closest.normal);
   }
 
-  /// Applies the slope of the energy in s: δs = −(t·((1 − s) δx + s δz − δe) − depth n·δt)/t·w.
+  /// Applies the derivative of the energy by s: δs = −(t·((1 − s) δx + s δz − δe) − depth n·δt)/t·w.
   template <class Own, class Other>
   void push_along(const ClosestPoint& closest, const FacingHalf& h, int e, double slope, const Own& own,
                   const Other& other) const {
@@ -292,7 +297,7 @@ class MovingFaces {
     other(ends[0], turning * closest.normal);
   }
 
-  /// Applies the slope in the cosine of two normals: δn = −t n·δt/|t|².
+  /// Applies the derivative of the energy by the cosine of two normals: δn = −t n·δt/|t|².
   template <class Give>
   void turn(int side, const V& normal, double slope, const Give& give) const {
     const auto& ends = outline_.segments[side].node;
@@ -305,7 +310,7 @@ class MovingFaces {
     turn(side, normal_of(segment), slope, own), turn(segment, normal_of(side), slope, other);
   }
 
-  /// Marks ends where the face turns by over 60°.
+  /// Marks ends where the face turns outwards by over 60°.
   void find_sharp_ends() {
     for (int k = 0; k < static_cast<int>(outline_.segments.size()); ++k) {
       std::array<bool, 2>& sharp = sharp_.emplace_back();
@@ -327,8 +332,8 @@ class MovingFaces {
 
   Outline outline_;
   std::vector<std::array<bool, 2>> sharp_;  // [segment][end]
-  std::vector<int> stored_;                 // [share]
-  std::vector<int> main_share_;             // [node]
+  std::vector<int> stored_;                 // [share] storage index of its particle
+  std::vector<int> main_share_;             // [node] share of the main particle
   std::vector<V> place_;                    // [node] m
   std::vector<V> normal_;                   // [segment]
 };

@@ -19,7 +19,8 @@ inline std::vector<int> indices_of(const std::vector<char>& seen) {
   return indices;
 }
 
-/// Current facets of layout/surface_mesh.hpp. Forces on facets go to particles by the weights of the nodes.
+/// Current positions of the facets of layout/surface_mesh.hpp. The midpoint of a facet is the mean of its nodes. Forces
+/// on facets go to particles by the weights of the nodes.
 class MovingFacets {
  public:
   using V = Vec<double, 3>;
@@ -28,7 +29,7 @@ class MovingFacets {
     V middle{}, normal{};  // m; outward unit vector
     double area = 0;       // m²
   };
-  /// Slopes of an energy, N, N m, N/m.
+  /// Derivatives of an energy by middle, normal and area: N, N m, N/m.
   struct Slope {
     V middle{}, normal{};
     double area = 0;
@@ -64,7 +65,7 @@ class MovingFacets {
     for (const SurfaceMesh::Facet& facet : mesh_.facets) particle_of_facet_.push_back(where[facet.particle]);
   }
 
-  /// Positions of the particles behind facets, m.
+  /// Position of the particle behind each facet, m.
   void follow(const Particles<3>& s, std::vector<V>& x) const {
     x.clear();
     for (const int i : particle_of_facet_) x.push_back(s.x[i]);
@@ -94,8 +95,8 @@ class MovingFacets {
     if (!(place.area > 0)) return;
     const V turn = slope.normal + mesh_.facets[facet].bulge * slope.middle;
     const V along = turn - dot(turn, place.normal) * place.normal;
-    const V half =
-        0.5 * ((1 / place.area) * along + slope.area * place.normal);  // half the slope in vector area
+    // half the derivative by the area vector
+    const V half = 0.5 * ((1 / place.area) * along + slope.area * place.normal);
     const V first = cross(x_[n[3]] - x_[n[1]], half), second = cross(half, x_[n[2]] - x_[n[0]]);
     force[n[0]] += first, force[n[2]] -= first;
     force[n[1]] += second, force[n[3]] -= second;
@@ -122,8 +123,8 @@ class MovingFacets {
   }
 
   SurfaceMesh mesh_;
-  std::vector<int> stored_;             // [share]
-  std::vector<int> particle_of_facet_;  // [facet]
+  std::vector<int> stored_;             // [share] storage index of its particle
+  std::vector<int> particle_of_facet_;  // [facet] storage index of the particle behind it
   std::vector<V> x_;                    // [node] m
   std::vector<Place> place_;
 };

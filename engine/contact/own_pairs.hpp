@@ -14,8 +14,8 @@
 
 namespace taut {
 
-/// Contact candidates of a folding body: pairs of particles at faces that were initially far apart. The storage
-/// order must not change.
+/// Contact candidates of a folding body: pairs of particles at faces that were initially far apart and have come near.
+/// The storage order must not change.
 template <int Dim>
 class OwnPairs {
  public:
@@ -40,7 +40,7 @@ class OwnPairs {
     return true;
   }
 
-  /// j[begin[i]] … j[begin[i + 1] − 1] for stored particle i.
+  /// Partners of stored particle i: j[begin[i]] … j[begin[i + 1] − 1]. Both vectors may be empty.
   std::vector<int> begin, j;
 
   template <class Archive>
@@ -93,7 +93,7 @@ class OwnPairs {
   double dp_, reach_;     // m
   std::vector<int> ids_;  // ascending
   PointSearch<Dim> search_;
-  std::vector<V> x_;  // current, m
+  std::vector<V> x_;  // current positions, m
   std::vector<int> stored_;
   MotionBound<Dim> bound_;
   std::vector<std::pair<int, int>> found_;

@@ -13,11 +13,11 @@
 
 namespace taut {
 
-/// Pairs of two bodies or of a folding body, and particles near walls.
+/// Contact candidates: pairs of two bodies or of a folding body, and particles near walls.
 template <int Dim>
 class PairCandidates {
  public:
-  /// `reach`: range of pairs for probes, m.
+  /// `reach`: range of pairs of two bodies, for probes, m. Contact itself acts within one spacing.
   PairCandidates(const SolverInput& input, bool between_bodies, double reach)
       : between_bodies_(between_bodies),
         dp_(input.constants.dp),
@@ -91,7 +91,7 @@ class PairCandidates {
   BodyPairs<Dim> others_;
   OwnPairs<Dim> own_;
   std::vector<std::pair<int, int>> near_walls_;
-  double travelled_ = 0;  // m
+  double travelled_ = 0;  // path since the last search of other bodies, m
 };
 
 }  // namespace taut

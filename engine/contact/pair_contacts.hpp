@@ -15,7 +15,8 @@ namespace taut {
 /// equal and opposite to the last bit.
 /// Departs from [Khayyer2024] Eq. 53–54, which stops only the approach of the old velocities: faces under a pressure
 /// p creep into each other at about p/(ρ c0). Here new velocities are stopped before positions follow. The paper
-/// gives no contact distance.
+/// gives no contact distance; here it is one spacing, as between two layers of a body. The impulses of several pairs
+/// of a particle are summed without a limit (terms/THEORY.md).
 template <int Dim>
 class PairContacts final : public ContactMechanism<Dim> {
  public:
@@ -26,7 +27,7 @@ class PairContacts final : public ContactMechanism<Dim> {
 
   bool search(const Particles<Dim>& s, const WallContacts<Dim>& walls, std::optional<double> way) override;
 
-  /// Touching faces have too few particles for several threads.
+  /// Uses one thread, since touching faces have too few particles for several.
   void evaluate(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force,
                 int threads) override;
   double energy(const Particles<Dim>& s, const WallContacts<Dim>& walls) override;
@@ -63,10 +64,10 @@ class PairContacts final : public ContactMechanism<Dim> {
 
   const ContactLawRow& law_;
   double dp_;              // m
-  double stiffness_;       // over K1 K2/(K1 + K2)
+  double stiffness_;       // contact modulus over K1 K2/(K1 + K2)
   std::vector<double> K_;  // [id] Pa
   PairCandidates<Dim> candidates_;
-  std::vector<std::vector<V>> recorded_impulses_;  // [body][body, then wall] N s
+  std::vector<std::vector<V>> recorded_impulses_;  // [body][other body, then wall] N s, for probes
 };
 
 }  // namespace taut

@@ -9,7 +9,7 @@ namespace taut {
 namespace {
 
 std::vector<int> without_all_nearest(const InitialParticles& initial, double spacing) {
-  constexpr double reach = 1.8;  // spacings, between √3 and 2
+  constexpr double reach = 1.8;  // in spacings, between √3 and 2
   constexpr std::size_t all = 26;
   const auto near = initial_neighbors(initial, reach * spacing);
   std::vector<int> ids;

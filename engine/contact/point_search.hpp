@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Columns with `lanes` readable entries after the last point.
+/// Points of bodies as columns, each with `lanes` readable entries after the last point.
 template <int Dim>
 struct PointColumns {
   const double* now[Dim];    // m
@@ -19,7 +19,7 @@ struct PointColumns {
 };
 
 /// Finds the points first … last − 1 of the body of point p that are nearer to p than √near2 and were initially
-/// farther than √far2. Returns their number.
+/// farther than √far2. Stores indices and squared distances, m². Returns their number.
 template <int Dim>
 int find_near_points(const PointColumns<Dim>& points, int p, int first, int last, double near2, double far2,
                      int* found, double* distance2) {
@@ -47,7 +47,7 @@ class PointSearch {
  public:
   using V = Vec<double, Dim>;
 
-  /// `start`: m. `body` must not decrease from call to call.
+  /// Adds a point with its initial position `start`, m. `body` must not decrease from call to call.
   void add(const V& start, int body) {
     X_.push_back(start);
     body_.push_back(body);
@@ -56,7 +56,8 @@ class PointSearch {
   const std::vector<int>& bodies() const { return body_; }
 
   /// Calls found(a, b) once for each pair nearer than `listed` and initially farther apart than `far`, m. Returns
-  /// the distance of the nearest pair beyond `listed`, m, at most `horizon`. `x`: in the order of `add`.
+  /// the distance of the nearest pair beyond `listed`, m, at most `horizon`. `x`: current positions, m, in the
+  /// order of `add`.
   template <class Found>
   double find(const std::vector<V>& x, double listed, double horizon, double far, const Found& found) {
     if (x.empty()) return horizon;
@@ -95,7 +96,7 @@ class PointSearch {
     }
   }
 
-  std::vector<V> X_;       // m
+  std::vector<V> X_;       // initial positions, m
   std::vector<int> body_;  // ascending
   CellGrid<Dim> grid_;
   std::vector<int> order_;

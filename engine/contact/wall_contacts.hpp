@@ -10,6 +10,7 @@
 namespace taut {
 
 /// Rigid frictionless walls, each a half-space. A wall acts on a particle like the particle's mirror image.
+/// Records the impulses that walls give to bodies.
 template <int Dim>
 class WallContacts {
  public:
@@ -26,7 +27,7 @@ class WallContacts {
   bool any() const { return !planes_.empty(); }
   int count() const { return static_cast<int>(planes_.size()); }
   const V& normal(int wall) const { return planes_[wall].normal; }  // unit vector towards the bodies
-  double height(int wall, const V& x) const {                       // m
+  double height(int wall, const V& x) const {                       // of x above the wall, m
     return dot(x - planes_[wall].at, planes_[wall].normal);
   }
 

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double reach = 2.1;  // dp
 
-/// Least share of e_i that quadratics leave; lattice surfaces leave 0.53, corners 0.
+/// Least share of e_i that the quadratic fit must leave; lattice surfaces leave 0.53, corners 0.
 constexpr double least_left = 0.3;
 
 /// κ (THEORY.md, Alternating part).
@@ -107,7 +107,7 @@ Eigen::MatrixXd quadratics(const Snapshot& start, std::span<const int> near, dou
   return M;
 }
 
-/// κ (I − P) e_i / |(I − P) e_i|; empty if quadratics leave too little.
+/// κ (I − P) e_i / |(I − P) e_i|; empty if the fit leaves less than `least_left`.
 Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
   const Eigen::VectorXd e_i = Eigen::VectorXd::Unit(quadratics.rows(), 0);
   const Gram G = quadratics.transpose().lazyProduct(quadratics);

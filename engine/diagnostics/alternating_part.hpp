@@ -28,8 +28,8 @@ struct SquareSums {
 /// Sums over particles with a row.
 struct AlternatingSums {
   std::vector<double> x;  // [row] square of the alternating part of x, at most one spacing², m²
-  SquareSums part;        // alternating parts
-  SquareSums whole;       // x is 0
+  SquareSums part;        // of the alternating parts
+  SquareSums whole;       // of the fields; x is 0
 };
 AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing);
 

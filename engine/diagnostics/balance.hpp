@@ -12,9 +12,9 @@ struct Balance {
   Point angular_momentum{};        // about the origin, kg m²/s; in 2D only z
   double momentum_scale = 0;       // Σ |m v|
   double angular_scale = 0;        // Σ m |x| |v|
-  double work = 0;                 // by drives, loads and gravity, J
-  double damped = 0;               // J
-  Impulse of_walls;                // momenta minus these impulses are conserved
+  double work = 0;                 // of drives, loads and gravity so far, J
+  double damped = 0;               // energy removed by damping, J
+  Impulse of_walls;                // impulses so far; momenta minus these are conserved
 };
 
 Balance balance(const Snapshot& now, const Scene& scene);

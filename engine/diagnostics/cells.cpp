@@ -16,7 +16,7 @@ namespace {
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
-constexpr double adjacent = 1.35;  // spacings, of cells that share a side
+constexpr double adjacent = 1.35;  // in spacings, greatest distance of cells that share a side
 constexpr double torn = 1.5;       // stretch from which a neighbour covers no more
 constexpr double straight = 0.8;   // least cosine between a neighbour and an axis
 
@@ -87,7 +87,7 @@ void Cells::find_axes(std::size_t i) {
 void Cells::find_ends(std::size_t i, double diameter) {
   Cell& cell = cells_[i];
   constexpr double open = 1e300;
-  std::array<std::array<double, 2>, 3> half;  // m
+  std::array<std::array<double, 2>, 3> half;  // distance to each side, m
   for (auto& ends : half) ends = {open, open};
   for (const std::size_t j : neighbors(i)) {
     const Vector X = vector(initial(i, j));

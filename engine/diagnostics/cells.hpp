@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Parallelograms, in 3D parallelepipeds.
+/// Cells as parallelograms, in 3D parallelepipeds.
 struct CellShapes {
   std::vector<std::size_t> particle;  // [cell]
   std::vector<double> centre;         // [cell] dim coordinates, m
@@ -31,7 +31,7 @@ class Cells {
  private:
   struct Side {
     Point axis{};              // unit vector
-    double low = 0, high = 0;  // m
+    double low = 0, high = 0;  // ends, from the particle, m
   };
   struct Cell {
     std::array<Side, 3> sides;

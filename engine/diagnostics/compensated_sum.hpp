@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Compensated sums (Knuth 1969), one per lane.
+/// Four compensated sums (Knuth 1969), one per lane.
 class CompensatedSums {
  public:
   void operator+=(const Pack& term) {

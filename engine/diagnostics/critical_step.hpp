@@ -10,14 +10,14 @@
 namespace taut {
 
 struct CriticalStepSearch {
-  int steps = 1000;         // of a trial, in default steps
-  double tolerance = 1e-3;  // relative
+  int steps = 1000;         // duration of a trial, in default steps
+  double tolerance = 1e-3;  // relative width of the bracket
 };
 
 struct CriticalStep {
   std::optional<double> stable;    // s; none: unstable down to 1/16 default step
   std::optional<double> unstable;  // s; none: stable up to 256 default steps
-  double default_step = 0;         // s
+  double default_step = 0;         // of the method, s
   double covered = 0;              // s, shortest trial
   int trials = 0;
   bool interrupted = false;  // before reaching `tolerance`

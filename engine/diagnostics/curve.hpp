@@ -23,7 +23,7 @@ double crossing_time(const Curve& curve, std::size_t k, double level);
 
 struct HalfCycle {
   double begin, end;
-  double peak;  // greatest deviation, a vertex through three samples
+  double peak;  // greatest deviation from the level: vertex of a parabola through three samples
   double peak_at;
 };
 
@@ -34,7 +34,7 @@ std::vector<HalfCycle> half_cycles(const Curve& curve, double level = 0);
 /// Mean over whole periods, between two crossings of this mean in the same direction; none without a whole period.
 std::optional<double> mean_of_periods(const Curve& curve);
 
-/// Requires begin < end within the curve.
+/// ∫ y dt; requires begin < end within the curve.
 double integral(const Curve& curve, double begin, double end);
 
 std::vector<double> joint_times(std::span<const Curve> curves, double begin, double end);

@@ -17,7 +17,7 @@ double von_mises(const Snapshot& now, std::size_t i) { return std::sqrt(1.5 * de
 
 double pressure(const Snapshot& now, std::size_t i) { return now.p[i]; }
 
-/// σ = −p I + s, positive in tension.
+/// Cauchy stress σ = −p I + s, positive in tension, Pa.
 double stress_xx(const Snapshot& now, std::size_t i) { return -now.p[i] + deviator(now, i)[0]; }
 double stress_xy(const Snapshot& now, std::size_t i) { return deviator(now, i)[1]; }
 double stress_yy(const Snapshot& now, std::size_t i) {
@@ -87,7 +87,7 @@ double equivalent_strain(const LinearMap& F) {
   return std::sqrt(2.0 / 3.0) * (e - e.trace() / 3 * Eigen::Matrix3d::Identity()).norm();
 }
 
-/// |r(x)|/dp of AlternatingPart; 0 without a row.
+/// |r(x)|/dp of AlternatingPart; 0 for particles without weights.
 std::vector<double> zigzag(const Snapshot& now) {
   std::vector<double> values(now.size());
   if (values.empty()) return values;

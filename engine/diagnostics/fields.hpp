@@ -25,7 +25,7 @@ struct Field {
   Counted counts = Counted::nothing;
   std::vector<double> (*of_all)(const Snapshot&) = nullptr;  // for all particles
 
-  /// For many particles, `evaluate` is faster.
+  /// Value of one particle; for many, `evaluate` is faster.
   double value(const Snapshot& now, std::size_t particle) const;
 };
 

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Measure of failure: `part` of a `whole`.
+/// Number that shows a kind of failure, as a share: `part` of a `whole`.
 struct Indicator {
   std::string_view key;
   std::string_view part, whole;
@@ -30,7 +30,7 @@ using Readings = std::array<Reading, indicators.size()>;
 
 struct IndicatorRecord {
   double greatest_part = 0, greatest_whole = 0;
-  double at = 0;       // s
+  double at = 0;       // time of the greatest part, s
   long particle = -1;  // see Reading
   double last = 0;     // share
   /// Relative to the greatest whole: noise in unloaded bodies counts little.
@@ -50,7 +50,7 @@ class IndicatorGauge {
   Reading hourglass(const std::vector<double>& squared) const;
 
   AlternatingPart part_;
-  std::vector<int> row_of_;     // [particle] −1: none
+  std::vector<int> row_of_;     // [particle] index of its weights; −1: none
   std::vector<int> first_row_;  // [body] and one past the last
   double spacing_ = 0;          // m
   double least_stress_ = 0;     // Pa

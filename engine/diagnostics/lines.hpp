@@ -26,10 +26,10 @@ double length_of(const SampleLine& line);  // m
 
 class LineRecorder {
  public:
-  /// `support`: m. Throws SceneError if a line leaves its body.
+  /// `support`: radius of interaction, m. Throws SceneError if a line leaves its body.
   LineRecorder(const Scene& scene, const Snapshot& start, double support);
 
-  /// Next time, s; may be infinite.
+  /// Next time to sample, s; may be infinite.
   double next() const;
   void sample(const Snapshot& now);
   const std::vector<std::vector<LineSample>>& samples() const { return samples_; }

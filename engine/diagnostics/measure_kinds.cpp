@@ -15,7 +15,7 @@ namespace {
 using Source = MeasureSource;
 using Value = std::optional<double>;
 
-/// Interval of run and reference; none before the end of the run.
+/// Interval that run and reference cover; none before the end of the run.
 std::optional<std::pair<double, double>> common_time(const Source& source) {
   if (source.reference.empty()) return std::nullopt;
   const double begin = std::max(source.curve.front().t.front(), source.reference.begin());
@@ -197,7 +197,7 @@ Measured last_below(const Source& source) {
   return crossing_time(curve, above, threshold);
 }
 
-/// Returns none while bodies touch or may touch again.
+/// Returns none if bodies have not touched, still touch or may touch again.
 Measured final_ratio(const Source& source) {
   const double ratio = source.curve[0].y.back() / source.measure->scale;
   if (!source.free) return ratio;
@@ -221,7 +221,7 @@ Measured frequency(const Source& source) {
 }
 
 Measured at_rest(const Source& source) {
-  constexpr double last = 0.1, still = 1e-3;  // shares
+  constexpr double last = 0.1, still = 1e-3;  // of the run; of the greatest |value|
   const Curve& curve = source.curve.front();
   if (curve.t.back() < source.until) return too_short(source.until, curve.t.back());
   double size = 0, low = curve.y.back(), high = low;

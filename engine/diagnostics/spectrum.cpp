@@ -42,7 +42,7 @@ double vertex(double left, double middle, double right) {
   return bend < 0 ? 0.5 * (left - right) / bend : 0;
 }
 
-/// Greatest height within 1/(end − begin): the zeros of the window lie that close.
+/// Greatest height within 1/(end − begin), which bridges the zeros of the window's spectrum.
 template <class Height>
 std::vector<double> without_zeros(std::size_t n, const Height& height) {
   std::vector<double> hull(n);
@@ -68,7 +68,7 @@ class Lines {
     for (std::size_t k = hull_.size(); k-- > 0;) above_[k] = least = std::min(least, hull_[k]);
   }
 
-  /// Whether a peak is a line (THEORY.md, Peak frequency).
+  /// Whether a peak counts as a spectral line (THEORY.md, Peak frequency).
   bool have(std::size_t k, double height) const {
     if (height <= floor_ || height <= of_highest(k) || k + width >= hull_.size()) return false;
     if (k <= slowest + width)

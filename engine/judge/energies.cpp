@@ -14,7 +14,7 @@ namespace taut {
 namespace {
 
 constexpr double small_part = 0.1;         // of the received energy
-constexpr std::size_t most_of_pairs = 64;  // more bodies are one group
+constexpr std::size_t most_of_pairs = 64;  // bodies; if there are more, all form one group
 
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Point cross(const Point& a, const Point& b) {
@@ -54,7 +54,7 @@ EnergyTest::EnergyTest(const Scene& scene, const Snapshot& start, double support
   merge(start_, start.time);
 }
 
-/// One pass, since a run is judged 200 times.
+/// Sums in one pass over the particles, since a run is judged 200 times.
 template <int Dim>
 void EnergyTest::add_up(const Snapshot& now, std::vector<Sums>& all) const {
   std::vector<StrainDivisors> divisors;

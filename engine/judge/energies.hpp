@@ -8,10 +8,10 @@
 
 namespace taut {
 
-/// Greatest excess over a bound, and its first time.
+/// Greatest value of a ratio above its bound, and the first time above the bound.
 struct Excess {
-  double greatest = 0;
-  double since = 0;  // s
+  double greatest = 0;  // 0: never above
+  double since = 0;     // s
 };
 
 /// Compares the energy of groups of bodies with the energy that they received (THEORY.md, Energies). Bodies that may
@@ -50,10 +50,10 @@ class EnergyTest {
   struct Sums {
     double mass = 0, kinetic = 0, strain = 0;
     Point momentum{}, spin{};  // kg m/s; kg m²/s about the origin
-    Point centre{};            // m
+    Point centre{};            // of mass, m
     double inertia = 0;        // Σ m |x − centre|², kg m²
-    Point low{}, high{};       // m
-    double fastest = 0;        // relative, m/s
+    Point low{}, high{};       // bounding box, m
+    double fastest = 0;        // greatest speed relative to the first particle, m/s
   };
   struct Group {
     double mass = 0, kinetic = 0, strain = 0, start_strain = 0, start_kinetic = 0, work = 0;
@@ -72,15 +72,15 @@ class EnergyTest {
   void watch_turn(const std::vector<Group>& all, const std::vector<Sums>& now, double time);
 
   const Scene* scene_;
-  double reach_;  // m
+  double reach_;  // contact range, m
   bool keeps_neighbors_;
-  double rounding_;       // J/kg
-  double start_contact_;  // J
-  std::vector<std::size_t> first_;
+  double rounding_;                             // J/kg
+  double start_contact_;                        // J
+  std::vector<std::size_t> first_;              // [body + 1] first particle
   std::vector<bool> is_acted_on_;               // [body]
   std::vector<Sums> start_, last_;              // [body]
   double last_time_ = 0;                        // s
-  std::vector<int> group_;                      // [body] its lowest body
+  std::vector<int> group_;                      // [body] lowest body of its group
   std::vector<unsigned char> at_wall_, fell_;   // [body]; fell_ of the lowest body of a group
   std::vector<double> most_work_, spin_scale_;  // [body] J; kg m²/s
   Excess gain_, turn_;

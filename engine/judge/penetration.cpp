@@ -19,10 +19,10 @@ namespace {
 // in spacings
 constexpr double near = 1.5;  // eight neighbours on a square lattice, six on a hexagonal one
 constexpr double far = 4;
-constexpr double reach = 2.5;  // below `far`: lists stay empty at small strain
+constexpr double reach = 2.5;  // range of the lists; below `far`, so that they stay empty at small strain
 constexpr double skin = reach - near;
 
-constexpr double shallow(int dim) { return dim == 3 ? 0.41 : 0.29; }  // see penetration.hpp
+constexpr double shallow(int dim) { return dim == 3 ? 0.41 : 0.29; }  // see THEORY.md
 
 constexpr double widest_inside = 2 * std::numbers::pi / 3;
 
@@ -59,7 +59,7 @@ std::array<Vec<double, 3>, 98> spread_directions() {
 
 template <>
 struct Around<3> {
-  std::bitset<98> has_one;  // [direction]
+  std::bitset<98> has_one;  // [direction] a particle lies within half of `widest_inside`
 
   void clear() { has_one.reset(); }
   void add(const Vec<double, 3>& d) {

@@ -20,7 +20,7 @@ class Penetration {
 
  private:
   struct Tested {
-    int particle, begin, end;  // of `near_`
+    int particle, begin, end;  // range in `near_`
   };
 
   template <int Dim>
@@ -37,11 +37,11 @@ class Penetration {
   bool is_inside(const Snapshot& now, const Tested& tested, Around& around) const;
 
   double spacing_;            // m
-  std::vector<int> surface_;  // ascending
+  std::vector<int> surface_;  // surface particles, ascending
   std::vector<bool> on_surface_;
-  std::vector<double> at_search_;  // Snapshot::x
+  std::vector<double> at_search_;  // positions at the last search, as Snapshot::x
   std::vector<Tested> tested_;
-  std::vector<int> near_;
+  std::vector<int> near_;  // far particles around the tested ones
 };
 
 }  // namespace taut

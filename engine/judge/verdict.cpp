@@ -149,7 +149,7 @@ double Judge::compliance(const Bond& bond, const Snapshot& now) const {
   return compliance_[now.material[bond.i]] + compliance_[now.material[bond.j]];
 }
 
-/// A crack stretches a bond but not its continuations within 26°.
+/// Whether the bond is stretched more than its continuations within 26°, as across a crack.
 template <int Dim>
 bool Judge::stands_out(const Bond& bond, const Snapshot& now) const {
   constexpr double jump = 1.5, straight = 0.9;  // ratio of stretches; cosine
@@ -193,13 +193,13 @@ int Judge::count_pieces() const {
 }
 
 bool Judge::has_crack() const {
-  std::vector<int> seen(particles_, -1);  // [particle]
+  std::vector<int> seen(particles_, -1);  // [particle] last bond whose search reached it
   for (std::size_t b = 0; b < bonds_.size(); ++b)
     if (bonds_[b].broken && !bypassed(static_cast<int>(b), seen)) return true;
   return false;
 }
 
-/// Whether at most `around` unbroken bonds connect its ends.
+/// Whether at most `around` unbroken bonds connect the ends of the bond.
 bool Judge::bypassed(int bond, std::vector<int>& seen) const {
   constexpr int around = 8;
   const auto [start, goal, broken] = bonds_[static_cast<std::size_t>(bond)];

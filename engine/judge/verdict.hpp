@@ -27,12 +27,12 @@ std::optional<Verdict> find_verdict(std::string_view name);
 std::vector<std::string> names_of_verdicts();
 std::vector<std::string> names_of_failures();
 
-/// Smooth results in the papers stay below 0.012 ([Zhang2024] Fig. 3, 12, 18; [Khayyer2024] Fig. 9, 10), zigzags
-/// exceed 0.04 ([Zhang2024] Fig. 6, 12–14, 18; [Khayyer2024] Fig. 13; [Lee2016] Fig. 11). Checkerboards are not
-/// judged: low stress raises them too.
+/// Hourglass error above which the verdict is `hourglass`. Smooth results in the papers stay below 0.012 ([Zhang2024]
+/// Fig. 3, 12, 18; [Khayyer2024] Fig. 9, 10), zigzags exceed 0.04 ([Zhang2024] Fig. 6, 12–14, 18; [Khayyer2024] Fig.
+/// 13; [Lee2016] Fig. 11). Checkerboards are not judged: low stress raises them too.
 inline constexpr double hourglass_threshold = 0.03;
 
-/// Bonds stretched further than the method follows its law.
+/// Bonds stretched further than the method follows its elastic law.
 struct BeyondLaw {
   double share = 0;  // greatest share of the bonds
   double since = 0;  // s
@@ -45,13 +45,13 @@ class Judge {
   /// The scene must outlive the judge.
   Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors, int threads = 1);
   Judge(const Scene& scene, const Simulation& simulation);
-  /// Without readings, hourglass is not judged.
+  /// Records when each failure begins. Without `readings`, hourglass is not judged.
   void observe(const Snapshot& now, const Balance& balance, const Readings& readings = {});
 
   Verdict verdict() const;
   /// First time of each failure, s.
   const std::map<Verdict, double>& since() const { return since_; }
-  int pieces() const { return pieces_; }
+  int pieces() const { return pieces_; }  // of the graph of unbroken bonds
   const BeyondLaw& beyond_law() const { return beyond_law_; }
   const Excess& energy_gain() const { return energies_.gain(); }
   const Excess& turn() const { return energies_.turn(); }
@@ -89,7 +89,7 @@ class Judge {
 
   std::vector<double> compliance_;  // [material] 1/Pa
   std::vector<Bond> bonds_;
-  std::vector<int> first_of_;
+  std::vector<int> first_of_;  // [particle + 1] index in bonds_of_
   std::vector<int> bonds_of_;
   std::size_t particles_ = 0;
   double longest_ = 0;  // m; shorter bonds are unbroken

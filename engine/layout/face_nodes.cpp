@@ -10,9 +10,10 @@
 namespace taut {
 namespace {
 
-// spacings; a small reach smooths faces less
+// in spacings; a smaller reach smooths faces less
 constexpr double least_reach = 2, greatest_reach = 4, reach_step = 0.25;
-/// Limit of Σ weight²: nodes are lighter than particles. 2.5 at a lattice face, (3/2)² + (1/2)² from two layers.
+/// Limit of Σ weight²: a node is lighter than a particle by this factor. 2.5 at a lattice face, (3/2)² + (1/2)² from
+/// two layers.
 constexpr double greatest_square = 3;
 
 }  // namespace

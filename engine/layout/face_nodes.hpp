@@ -11,8 +11,8 @@ namespace taut {
 
 /// Points on faces, each a weighted mean of particles.
 struct FaceNodes {
-  std::vector<Point> x;             // [node] reference position, m
-  std::vector<int> begin{0};        // [node] first share
+  std::vector<Point> x;             // [node] reference position on the face, m
+  std::vector<int> begin{0};        // [node] index of its first share; then the number of shares
   std::vector<PointWeight> shares;  // x = Σ weight x_particle, exact for linear fields
 
   int size() const { return static_cast<int>(x.size()); }
@@ -27,8 +27,8 @@ class NodeWeights {
  public:
   NodeWeights(const InitialParticles& initial, int body, double dp);
 
-  /// Shares of a node at x, from the smallest reach with low Σ weight². Empty if too few particles are near, or all
-  /// in a plane.
+  /// Shares of a node at x, from the smallest reach around x with low Σ weight². Empty if too few particles are near,
+  /// or all of them lie in a plane.
   std::vector<PointWeight> shares_of(const Point& x) const;
 
  private:

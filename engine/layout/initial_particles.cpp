@@ -17,7 +17,7 @@
 namespace taut {
 namespace {
 
-constexpr double edge_tolerance = 1e-6;  // of dp
+constexpr double edge_tolerance = 1e-6;  // in dp; a place closer to an edge counts as inside
 constexpr double greatest_place_number = 1e9;
 
 double expected_number(const Body& body, int dim, double dp) {
@@ -54,8 +54,8 @@ struct LatticeRows {
   Point anchor{};
   std::array<double, 3> pitch{};
   std::array<long, 3> from{}, to{};
-  std::size_t along = 0;  // of hexagonal rows
-  double staggered = 0;   // pitches
+  std::size_t along = 0;  // axis of hexagonal rows
+  double staggered = 0;   // offset of every second hexagonal row, in pitches
 
   Point at(long i, long j, long k, int dim) const {
     const std::array<long, 3> n{i, j, k};
@@ -167,7 +167,7 @@ void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, const S
   }
 }
 
-/// Reflects last: mirrored bodies are exact images.
+/// Reflects after the layout, so that mirrored bodies are exact images.
 std::vector<InitialSite> body_sites(const Body& as_given, const Scene& scene) {
   const int dim = scene.dim;
   const Body body = unplaced_body(as_given, dim);
@@ -213,7 +213,7 @@ void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
   if (!by_component && is_idle(body.clamped)) refuse("held");
 }
 
-/// Weights of n + 1 particles along n cells, in cells. An end that is not `free` may be a plane of symmetry.
+/// Weights of n + 1 particles along an axis of n cells, in cells. An end that is not `free` may be a plane of symmetry.
 std::vector<double> shares_along(long n, const bool (&free)[2]) {
   std::vector<double> share(static_cast<std::size_t>(n) + 1, 1.0);
   share.front() = share.back() = 0.5;

@@ -9,9 +9,9 @@ namespace taut {
 /// Particles of all bodies, body after body.
 struct InitialParticles {
   int dim = 2;
-  std::vector<Point> x, v;     // reference position, m; m/s
-  std::vector<Point> middle;   // of cells, m, for regions and images; empty = x
-  std::vector<Point> start;    // m; empty = x
+  std::vector<Point> x, v;     // reference position, m; velocity, m/s
+  std::vector<Point> middle;   // of the cells, m, tested for regions and mirror images; empty = x
+  std::vector<Point> start;    // starting position, m; empty = x
   std::vector<double> V0;      // m^dim
   std::vector<double> inside;  // V0 / cell: < 1 on a face, slightly > 1 next to a free one
   std::vector<int> body;
@@ -19,9 +19,9 @@ struct InitialParticles {
   std::vector<int> drive;
   std::vector<unsigned char> clamped;
   std::vector<unsigned char> guided;  // bit k: fixed along axis k; empty = none
-  // image under a symmetry rotation, or itself
+  // index of the image under a symmetry rotation of the body, or of the particle itself
   std::vector<int> turned;
-  std::vector<int> first;  // [body], then the total
+  std::vector<int> first;  // [body] first particle; then the number of particles
 
   int size() const { return static_cast<int>(x.size()); }
   std::vector<unsigned char> driven() const {
@@ -38,8 +38,8 @@ inline constexpr double greatest_particle_number = 20e6;
 /// Fills bodies with a lattice, or whole round bodies with layers (RoundLayout) of exact mass. In a box with
 /// particles on its faces, n cells become ½ − δ, 1 + δ, 1 … of a cell, δ = n/(12 (n − 1)), as in Gregory's rule:
 /// mass, moments of inertia and bending stiffness are exact. Guided faces may be planes of symmetry and keep half
-/// cells. Then jitters, reflects, rotates and displaces. Throws SceneError: no particles, too many, overlapping
-/// bodies.
+/// cells. Then jitters, reflects, rotates and displaces. Throws SceneError for no particles, too many particles and
+/// overlapping bodies.
 InitialParticles make_initial_particles(const Scene& scene);
 
 }  // namespace taut

@@ -12,7 +12,7 @@ struct PointWeight {
   double weight;
 };
 
-/// Radius around a point, m; closer particles may be collinear.
+/// Radius of the particles around a point, m; particles within less may be collinear.
 constexpr double reach_of_points(double support, double dp) { return std::max(support, 2 * dp); }
 
 /// Weights by moving least squares, exact for linear fields:
@@ -21,14 +21,14 @@ constexpr double reach_of_points(double support, double dp) { return std::max(su
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, int dim);
 
-/// In spacings: across a cell's diagonal, not a slot.
+/// Greatest step between linked particles, in spacings: links the diagonal of a cell, but not across a slot.
 inline constexpr double link_of_neighbors = 1.8;
 
 /// Particles linked to the one nearest to `at` by steps up to `link`, m; ascending.
 std::vector<int> linked_to_nearest(const std::vector<Point>& x, const std::vector<int>& some, const Point& at,
                                    double link);
 
-/// Ignores particles beyond a slot. With Body::on_boundary interpolates in a lattice cell.
+/// Weights of a material point. Ignores particles beyond a slot. With Body::on_boundary interpolates in a lattice cell.
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, const Scene& scene, int body);
 
@@ -39,7 +39,7 @@ struct Surroundings {
   const std::vector<int>& material;
   int begin, end;
   double reach;  // m
-  double link;   // m; infinite = any
+  double link;   // greatest step between linked particles, m; infinite = links all
   int dim;
 };
 
@@ -50,7 +50,7 @@ std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const S
                                          const Point& at);
 
 /// Replaces a `point` at kinks of the displacement by particles that move with the nearest one, or are of its
-/// material. `motion_group[i]`: 0 = free.
+/// material. `motion_group[i]`: number of the joint motion of particle i; 0 = free.
 std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const Surroundings& all,
                                          const std::vector<int>& motion_group, const Point& at);
 

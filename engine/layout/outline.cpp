@@ -103,7 +103,7 @@ class OutlineMaker {
     }
   }
 
-  /// Node of a chain point; shared where chains meet.
+  /// Index of the node of a chain point; chains share the node where they meet.
   int node_at(int& known, int b, const Point& laid, const NodeWeights& particles) {
     if (known != Outline::none) return known;
     const Point x = placed(scene_.bodies[as_index(b)], laid, scene_.dim);

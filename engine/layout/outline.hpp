@@ -15,19 +15,19 @@ struct Outline : FaceNodes {
 
   struct Segment {
     std::array<int, 2> node{};
-    double length = 0;  // reference, m
-    double sense = 1;   // outward normal: sense (t_y, −t_x), t from first to second node
+    double length = 0;  // in the reference configuration, m
+    double sense = 1;   // 1 or −1; outward normal: sense (t_y, −t_x), t from first to second node
   };
 
   std::vector<int> body;                   // [node]
-  std::vector<std::array<int, 2>> beside;  // [node] segments that end and begin there
+  std::vector<std::array<int, 2>> beside;  // [node] segment that ends there, segment that begins there
   std::vector<Segment> segments;
 
   int body_of(const Segment& segment) const { return body[static_cast<std::size_t>(segment.node[0])]; }
 };
 
-/// Outlines the union of shapes minus cut-outs; mirrored bodies have exact mirror images. Empty in 3D, for shapes
-/// without outline, and where too few particles surround a node.
+/// Outlines the union of each body's shapes minus cut-outs; mirrored bodies have exact mirror images. Empty in 3D, for
+/// shapes without outline, and where too few particles surround a node.
 Outline make_outline(const Scene& scene, const InitialParticles& initial);
 
 }  // namespace taut

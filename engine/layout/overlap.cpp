@@ -17,7 +17,7 @@
 namespace taut {
 namespace {
 
-constexpr double least_distance = 0.5;  // spacings
+constexpr double least_distance = 0.5;  // between particles of two bodies, in spacings
 
 class ParticleGrid {
  public:
@@ -132,7 +132,7 @@ class LaidPlaces {
   }
 
  private:
-  static constexpr double reach = 1.5;  // spacings; suffices up to 70 % stretch
+  static constexpr double reach = 1.5;  // in spacings; suffices up to a stretch of 1.7
 
   Mat<double, 3> gradient(const Point& X) const {
     const double way = 1e-3 * spacing_;

@@ -15,21 +15,22 @@ struct SurfaceMesh : FaceNodes {
     std::array<int, 4> node{};  // anticlockwise, seen from outside
     int body = 0;
     int particle = 0;
-    double area = 0;   // m²
-    double bulge = 0;  // outwards, over the mean of the corners, m
+    double area = 0;   // in the reference configuration, m²
+    double bulge = 0;  // height of the face over the mean of the corners, positive outwards, m
   };
   std::vector<Facet> facets;  // by body
   std::vector<bool> closed;   // [body] no node is missing
 };
 
-/// ½ (x2 − x0) × (x3 − x1), m², outwards.
+/// Area vector ½ (x2 − x0) × (x3 − x1), outwards, m².
 Point vector_area(const std::array<Point, 4>& corner);
 
-/// Takes the patches of layered shapes, or the faces of lattice cells without a neighbour, with corners moved to the
-/// nearest face. Mirrored bodies have exact mirror images. Omits facets where a body is too thin. Empty in 2D.
+/// Facets are the patches of layered shapes. On a lattice they are the sides of cells without a neighbour cell, with
+/// corners moved to the nearest face of the shapes. Mirrored bodies have exact mirror images. Omits facets where a body
+/// is too thin to locate its faces. Empty in 2D.
 SurfaceMesh make_surface_mesh(const Scene& scene, const InitialParticles& initial, int threads = 1);
 
-/// False if a body has particles listed one by one.
+/// Whether faces can be found: false if a body has particles listed one by one.
 bool can_have_surface_mesh(const Scene& scene);
 
 }  // namespace taut

@@ -10,10 +10,11 @@
 ///   piola(F, J)           first Piola–Kirchhoff stress, N per initial m²
 ///   energy(F, J)          strain energy density, J per initial m³, 0 at rest
 ///   cauchy(F, J)          Pa
-///   stiffness_bound(F, J) upper bound of ρ0 c² of all waves, Pa; c counts initial lengths
+///   stiffness_bound(F, J) upper bound of ρ0 c² of all waves, Pa; c in initial lengths per time (THEORY.md)
 /// J is det F or an unknown ([Lee2016] Eq. 33c). A law that takes_volume_ratio also has
 ///   piola(F, H, J)        H is cof F or an unknown ([Lee2016] Eq. 12)
-///   slopes(F, H, j), shear_energy(F, H, j) of the shear part, with j = det F.
+///   shear_energy(F, H, j) shear part of the energy, with j = det F
+///   slopes(F, H, j)       its derivatives by F, H and j, Pa; the first two divided by F and H
 namespace taut {
 
 /// Cauchy stress, Pa; `zz`, normal to the plane, is 0 in 3D.
@@ -22,6 +23,7 @@ struct Cauchy {
   Sym<double, Dim> sigma;
   double zz;
 };
+/// σ_zz in 2D, 0 in 3D.
 template <int Dim>
 double beside_plane(double zz) {
   return Dim == 2 ? zz : 0;

@@ -15,7 +15,7 @@ struct MooneyRivlin {
   double K, G;            // Pa
   double cofactor_share;  // 3√3 ξ/G
 
-  /// Σ_F/F, Σ_H/H and Σ_j of the shear part, Pa.
+  /// Derivatives of the shear energy, Pa: Σ_F/F, Σ_H/H and Σ_j.
   template <class T>
   struct Slopes {
     T F, H, j;

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// exp(ω) R, |ω| = angle
+/// R turned about ω by `angle` = |ω|: exp(ω×) R.
 inline Mat<double, 3> turned_by(const Vec<double, 3>& omega, double angle, const Mat<double, 3>& R) {
   const Vec<double, 3> n = (1 / angle) * omega;
   const double c = std::cos(angle), s = std::sin(angle);

@@ -40,7 +40,8 @@ template <class T>
 PrincipalStretches<T> principal_stretches(const Mat<T, 3>& F) {
   const Sym<T, 3> C = right_cauchy_green(F);
   const T greatest = greatest_eigenvalue(C), J = determinant(F);
-  const T half = 0.5 * (trace(C) - greatest), product = J * J / greatest;  // of the other squares
+  // product of the other two squared stretches
+  const T half = 0.5 * (trace(C) - greatest), product = J * J / greatest;
   const T second = half + root(max(T(half * half - product), T{}));
   return {root(greatest), root(second), root(T(product / second))};
 }

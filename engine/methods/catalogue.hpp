@@ -51,7 +51,7 @@ struct MethodInfo {
 std::span<const MethodInfo> methods();
 /// Returns nullptr for unknown names.
 const MethodInfo* find_method(std::string_view name);
-/// User-settable, with defaults for `dim`.
+/// Constants that users may set, with defaults for `dim`.
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim);
 /// `dp` in m.
 ConstantValues constant_values(const Formulation& m, int dim, double dp, const Settings& settings);
@@ -59,15 +59,15 @@ ConstantValues constant_values(const Formulation& m, int dim, double dp, const S
 std::span<const LawRow> laws();
 /// Law of a run, or nullptr. Throws UsageError if the method lacks it.
 const LawRow* law_row(const MethodInfo& method, const Settings& settings);
-/// Empty if the method accepts the law.
+/// Reason why the method refuses the law; empty if it accepts it.
 std::string reason_against_law(const MethodInfo& method, std::string_view law);
-/// Reference of a run. Throws UsageError if the method lacks the law.
+/// Law of the reference solution of a run. Throws UsageError if the method lacks the law.
 std::string_view material_law(const MethodInfo& method, const Settings& settings, int dim = 2);
 /// In listing order.
 std::span<const ContactLawRow> contact_rows();
-/// Never `published`. Throws SceneError if the method cannot use the scene's law.
+/// Contact law of a run, never `published`. Throws SceneError if the method cannot use the scene's law.
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method);
-/// Law for `published`: the method's, but `penalty` for `surface` if bodies have no faces.
+/// Contact law for `published`: the method's, but `penalty` for `surface` if bodies have no faces.
 ContactLaw published_contact(const Scene& scene, const MethodInfo& method);
 
 }  // namespace taut

@@ -16,7 +16,7 @@ namespace taut {
 
 struct FamilyRow {
   Family family;
-  bool keeps_neighbors;  // a body's particles keep initial neighbours
+  bool keeps_neighbors;  // the particles of a body keep their initial neighbours
   std::vector<TermInfo> (*terms)(const Formulation& m);
   std::vector<MethodConstant> (*constants)(const Formulation& m, int dim);
   const ElasticSwitches* (*elastic)(const Formulation& m);  // null: the stress is integrated

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// 3 × 3, row by row.
+/// Linear map, 3 × 3, row by row.
 using LinearMap = std::array<double, 9>;
 
 struct InitialPositions {
@@ -27,7 +27,7 @@ struct InitialPositions {
 /// Neighbours in the same body, up to 1.6 times as far as the nearest.
 struct FirstNeighbors {
   std::vector<std::size_t> first, neighbor;
-  std::vector<double> spacing;  // to the nearest, m
+  std::vector<double> spacing;  // distance of the nearest, m
 
   std::span<const std::size_t> operator[](std::size_t i) const {
     return std::span(neighbor).subspan(first[i], first[i + 1] - first[i]);

@@ -62,7 +62,7 @@ void for_each_pair_within(const std::vector<double>& x, double reach, const Want
   });
 }
 
-/// Pairs within a body, by initial positions.
+/// Visits pairs within a body, by initial positions.
 template <class Visit>
 void for_each_close_pair(const Snapshot& start, double reach, const Visit& visit, int threads = 1) {
   const auto of_one = [&](int i, int j) { return start.body[i] == start.body[j]; };
@@ -70,7 +70,7 @@ void for_each_close_pair(const Snapshot& start, double reach, const Visit& visit
                  : for_each_pair_within<2>(start.x0, reach, of_one, visit, threads);
 }
 
-/// Pairs of two bodies, by current positions.
+/// Visits pairs of two bodies, by current positions.
 template <class Visit>
 void for_each_meeting_pair(const Snapshot& now, double reach, const Visit& visit) {
   const auto of_two = [&](int i, int j) { return now.body[i] != now.body[j]; };

@@ -8,8 +8,8 @@
 
 #include "engine/core/columns.hpp"
 
-/// Neighbours of four consecutive particles, one per lane. Most are consecutive, too: one load gathers them. The
-/// result does not depend on the grouping.
+/// Neighbours of four consecutive particles, one per lane. Most of the four are consecutive, too, so that one load
+/// gathers them. The result does not depend on the grouping.
 namespace taut {
 
 struct LaneSlot {

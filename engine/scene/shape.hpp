@@ -12,7 +12,7 @@
 namespace taut {
 
 struct Bounds {
-  Point low{}, high{};
+  Point low{}, high{};  // m
 
   Point middle() const {
     return {0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.5 * (low[2] + high[2])};
@@ -41,7 +41,7 @@ using Chain = std::vector<Point>;
 struct FacePatches {
   struct Patch {
     std::array<int, 4> node{};  // anticlockwise, seen from outside
-    int site = 0;               // behind it
+    int site = 0;               // index of the particle site behind it
   };
   std::vector<Point> node;  // m
   std::vector<Patch> patches;
@@ -51,7 +51,7 @@ struct InitialSite {
   Point x{};          // m
   double V0 = 0;      // m^dim
   int turned = -1;    // next site under a symmetry rotation; -1 = none
-  double inside = 1;  // fraction of the cell
+  double inside = 1;  // fraction of its cell that lies in the body
   std::array<bool, 3> on_face{};
   Point middle{};  // x without jitter, m; for regions
 };
@@ -69,9 +69,9 @@ struct ShapeBase {
   /// Area or volume, m^dim; an upper bound if not exact.
   virtual double measure(int dim) const = 0;
   virtual bool has_exact_measure() const;
-  /// Extent for a whole number of particles, m; 0 = none.
+  /// Extent that is divided into a whole number of spacings, m; 0 = none.
   virtual double extent_to_divide(int dim) const;
-  /// Centre of reflections and rotations.
+  /// Centre of reflections and rotations, m.
   virtual Point middle() const;
   virtual Point anchor() const;
   /// Particles of a body of this shape alone; empty if the lattice fills it.
@@ -88,7 +88,7 @@ struct ShapeBase {
   virtual Bounds lattice_bounds() const;
 };
 
-/// Copies share the shape.
+/// Value type that holds any shape; copies share it.
 class Shape {
  public:
   template <std::derived_from<ShapeBase> S>
@@ -99,7 +99,7 @@ class Shape {
         }) {}
 
   const ShapeBase* operator->() const { return base_.get(); }
-  /// Returns nullptr for another kind.
+  /// Returns nullptr if the shape is not an S.
   template <class S>
   const S* as() const {
     return dynamic_cast<const S*>(base_.get());

@@ -123,7 +123,7 @@ double Common<Dim>::fastest() const {
   return std::sqrt(fastest2);
 }
 
-/// Each particle occurs once and has its body and material.
+/// Checks a loaded state: each particle occurs once and has its body and material.
 template <int Dim>
 bool Common<Dim>::are_of_this_scene() const {
   std::vector<bool> seen(size());
@@ -136,7 +136,7 @@ bool Common<Dim>::are_of_this_scene() const {
   return true;
 }
 
-/// Positions and velocities are finite.
+/// Checks a loaded state: positions and velocities are finite.
 template <int Dim>
 bool Common<Dim>::are_numbers() const {
   for (int i = 0; i < size(); ++i)

@@ -18,9 +18,9 @@
 
 namespace taut {
 
-/// Limit of a particle's speed relative to its body, in c0.
+/// Greatest speed of a particle relative to its body, in c0; a faster particle has diverged.
 inline constexpr double greatest_mach_number = 10;
-/// Limit for whole bodies, which may fly or spin fast.
+/// Greatest speed of a whole body, in c0; bodies may fly or spin fast.
 inline constexpr double greatest_mach_number_of_bodies = 1000;
 /// A saved state with more steps is damaged.
 inline constexpr long most_steps = 1L << 53;
@@ -42,15 +42,15 @@ class Common {
   TeamSize team;
   bool stepping = false;  // set-up uses all threads
   RunState run;
-  double vmax = 0;  // m/s
+  double vmax = 0;  // greatest speed, m/s
 
   int size() const { return particles.size(); }
   int threads_now() const { return stepping ? team.threads() : run.threads; }
 
-  /// Call after storing the reference configuration.
+  /// Moves the particles to their starting positions. Call after storing the reference configuration.
   void go_to_start();
 
-  /// `by_speed`, s, reduced for stiff contact, or the fixed step.
+  /// Time step: `by_speed`, s, reduced for stiff contact, or the fixed step of the settings.
   double fixed_or_stable_step(double by_speed) const {
     constexpr double spare = 1.5;
     return constants.step > 0 ? constants.step
@@ -81,7 +81,7 @@ class Common {
     run.time += dt;
     ++run.steps;
   }
-  /// Throws NumericalError if the greatest v² is out of bounds.
+  /// Takes the greatest v² of a step, m²/s². Throws NumericalError if it is out of bounds.
   void set_greatest_speed(double v2) {
     vmax = std::sqrt(v2);
     refuse_divergence();
@@ -100,7 +100,7 @@ class Common {
   void begin_motion(Snapshot& out) const;
   void store_motion(Snapshot& out, int i) const;
   void begin_snapshot(Snapshot& out) const;
-  /// Units kg/m³ and Pa; `s_zz` in 2D only.
+  /// `rho` in kg/m³; `p`, `s` and `s_zz` (2D only) in Pa.
   void store(Snapshot& out, int i, double rho, double p, const Sym<double, Dim>& s, double s_zz) const;
 
   template <class Archive, class Method>
@@ -125,7 +125,7 @@ class Common {
   }
 
  private:
-  /// Returns false for NaN.
+  /// Whether a speed, m/s, is in bounds; false for NaN.
   bool is_within_bounds(double speed) const {
     return speed >= 0 && speed <= greatest_mach_number * constants.c0;
   }

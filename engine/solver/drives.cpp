@@ -4,7 +4,7 @@ namespace taut {
 
 template <int Dim>
 Drives<Dim>::Drives(const Scene& scene, const InitialParticles& initial) {
-  std::vector<int> first;  // [body]
+  std::vector<int> first;  // [body] index of its first drive
   for (const Body& body : scene.bodies) {
     first.push_back(static_cast<int>(drives_.size()));
     for (const Drive& drive : body.drives)

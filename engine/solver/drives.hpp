@@ -38,7 +38,7 @@ class Guides {
   }
 
  private:
-  std::vector<unsigned char> along_;  // [id]
+  std::vector<unsigned char> along_;  // [id] see `axes`
 };
 
 /// Particles with prescribed velocity. Their density and stress evolve as for clamped particles. In each step call
@@ -95,7 +95,7 @@ class Drives {
 
   bool active_ = false;
   std::vector<Timed> drives_;
-  std::vector<int> drive_;    // [id] or -1
+  std::vector<int> drive_;    // [id] index in `drives_`, or -1
   std::vector<double> work_;  // [id] J
 };
 
@@ -111,7 +111,7 @@ class Reactions {
 
   bool active() const { return active_; }
 
-  /// The storage order must not change during the step of `dt`, s.
+  /// Stores the velocities before the step of `dt`, s. The storage order must not change during the step.
   void begin(const std::vector<V>& v, double dt) {
     v_ = v;
     dt_ = dt;

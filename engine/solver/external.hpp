@@ -26,7 +26,7 @@ struct External {
 
   bool active() const { return drives.active() || loads.active() || guides.active(); }
 
-  /// `t`: time of the new velocities, s. Call in each step, before `act`.
+  /// `t`: time of the new velocities, s. Call once in each step, before `act`.
   void set_time(double dt, double t, const Particles<Dim>& p) {
     const int before = drives.number_of_active();
     drives.set_time(t);
@@ -45,7 +45,8 @@ struct External {
 
   Steering<Dim> steering() const { return {drives.active() || guides.active() ? axes_.data() : nullptr}; }
 
-  /// Force of clamp, guide or drive over the last step, N. Includes their weight, but no loads.
+  /// Mean force of its clamp, guide or drive on particle i over the last step, N. Includes the weight that they carry,
+  /// but no loads.
   V reaction(const Particles<Dim>& p, int i) const {
     const int id = p.id[i];
     const bool free = p.mobile[i] != 0 && !drives.moves(id);

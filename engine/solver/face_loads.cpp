@@ -17,11 +17,11 @@ namespace {
 template <int Dim>
 using Place = Eigen::Vector<double, Dim>;
 
-constexpr double layer_reach = 2.1;  // dp, for the normal of a layer
-constexpr double close_reach = 2.2;  // dp
-constexpr double aside = 0.75;       // dp, greatest offset below another particle
+constexpr double layer_reach = 2.1;  // dp, range of the particles that determine the normal of a layer
+constexpr double close_reach = 2.2;  // dp, range of the search along the face
+constexpr double aside = 0.75;       // dp, greatest lateral offset of a particle below another one
 
-/// Least n · S per area of a column that shares a force; ends of bars have 0.95 to 1.5.
+/// Least ratio of Σ n · S to face area of a column that shares a force; ends of bars have 0.95 to 1.5.
 constexpr double least_scaled = 0.5;
 
 template <int Dim>
@@ -46,11 +46,12 @@ int position(const std::vector<int>& layer, int i) {
   return found != layer.end() && *found == i ? static_cast<int>(found - layer.begin()) : -1;
 }
 
-/// Outward unit normal of the layer at particle i, or 0: the direction in which the layer is thin.
+/// Outward unit normal of the layer at particle i: the direction in which the layer is thin. Returns 0 if it is not
+/// thin.
 template <int Dim>
 Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int> near,
                     const std::vector<int>& layer, double spacing) {
-  constexpr double thin = 0.1;  // variance ratio
+  constexpr double thin = 0.1;  // variance across the layer over variance along it
   Eigen::Matrix<double, Dim, Dim> spread = Eigen::Matrix<double, Dim, Dim>::Zero();
   Place<Dim> away = Place<Dim>::Zero();
   for (const int j : near) {
@@ -87,8 +88,8 @@ double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& in
 
 /// Particles below a layer particle; in a thin body down to the middle.
 struct Column {
-  bool thin = false;                                        // both faces may be in reach
-  double middle = std::numeric_limits<double>::infinity();  // m; infinite unless thin
+  bool thin = false;                                        // the opposite face may be in reach
+  double middle = std::numeric_limits<double>::infinity();  // depth, m; infinite unless thin
   double area = 0;                                          // Σ n · S, m^(dim − 1)
   int at_middle = 0;
 };
@@ -123,10 +124,10 @@ Column column(int i, const Place<Dim>& n, const InitialParticles& initial, const
 struct Below {
   double distance = std::numeric_limits<double>::infinity();  // m
   std::size_t k = 0;
-  double depth = 0;  // m
+  double depth = 0;  // along the normal, m
 };
 
-/// Nearest layer particle above each free particle, by id.
+/// For each free particle below the layer, by id: the nearest particle of the layer above it.
 template <int Dim>
 std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initial,
                            const NeighborsOfOne<Dim>& near, double spacing) {
@@ -159,7 +160,7 @@ int beside(int i, const Place<Dim>& along, const InitialParticles& initial, cons
   return found;
 }
 
-/// Unit vectors along the face, in which particle k has a neighbour unless the face ends there.
+/// Unit vectors along the face in whose directions particle k of the layer has a neighbour, unless the face ends there.
 template <int Dim>
 std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                                    const NeighborsOfOne<Dim>& near) {

@@ -11,11 +11,11 @@ namespace taut {
 /// Outermost layer of particles, half a spacing inside a loaded face. `traction` and `area` refer to the face. The
 /// area assumes a layer of one spacing.
 struct FaceLayer {
-  std::vector<int> id;
-  std::vector<Point> normal;    // outwards
+  std::vector<int> id;          // ascending
+  std::vector<Point> normal;    // outward unit vectors
   std::vector<Point> traction;  // Pa, at ramp factor 1
   std::vector<double> area;     // m^(dim − 1)
-  bool has_edge = false;        // the region covers two faces
+  bool has_edge = false;        // not a layer: the region covers two faces that meet
 };
 
 /// Returns an empty layer unless each particle and its neighbours in the region lie on a line (3D: a plane) with the
@@ -28,7 +28,7 @@ using FaceShare = std::pair<int, Point>;
 /// Distribution of a traction over the particles near a face (THEORY.md). `uniform` keeps uniform stress in
 /// equilibrium, also at corners; `by_column` gives the exact force and moment of a linear traction on a plane face.
 enum class FaceRule : std::uint8_t { uniform, by_column };
-/// Force on each particle, N. `surface`: S by id, m^(dim − 1); `reach`: range of the gradient, m.
+/// Force on each particle, N. `surface`: area vectors S_j by id, m^(dim − 1); `reach`: range of the gradient, m.
 std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const InitialParticles& initial,
                                    double reach, const std::vector<Point>& surface, double spacing);
 

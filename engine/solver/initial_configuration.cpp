@@ -43,7 +43,7 @@ InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const Solve
     of_four.mobile[i % lanes] = p.mobile[i];
     for (int c = 0; c < Sym<double, Dim>::size; ++c) of_four.B.c[c][i % lanes] = pairs.B[i].c[c];
   }
-  // normalised gradients underestimate uniform fields; loads then stay on the layer, as in their paper
+  // normalised gradients underestimate uniform fields; loads then act on the outermost layer, as in their paper
   if (gradient == GradientCorrection::corrected)
     common.external.loads.act_on_faces(input.scene, initial, FaceRule::uniform, surface(corrected_forces),
                                        common.run.support);
@@ -69,7 +69,7 @@ void InitialConfiguration<Dim>::check_pairs(const Scene& scene, const Formulatio
   }
 }
 
-/// Surface S_i = −Σ_j (V_i B_i + V_j B_j) k_ij by id, m^(Dim − 1); 0 inside a lattice.
+/// Outward area vectors S_i = −Σ_j (V_i B_i + V_j B_j) k_ij by id, m^(Dim − 1); 0 inside a lattice.
 template <int Dim>
 std::vector<Point> InitialConfiguration<Dim>::surface(bool corrected_forces) const {
   const auto& [begin, j, k, B] = pairs;

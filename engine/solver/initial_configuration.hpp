@@ -38,7 +38,7 @@ class InitialConfiguration {
   static void begin(Snapshot& out) { out.strain_energy.resize(out.size()); }
   void begin_motion(Snapshot& out) const { common_.begin_motion(out), begin(out); }
   void store_motion(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
-  /// `F`, `J` determine the stress.
+  /// `F`, `J`: deformation gradient and volume ratio that determine the stress.
   void store(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
 
  private:
@@ -51,7 +51,7 @@ class InitialConfiguration {
 /// Radius of interaction, m.
 double initial_support(const SolverInput& input);
 
-/// Constant h/dp.
+/// The method's ratio h/dp.
 constexpr MethodConstant smoothing_length(const Formulation& m, int dim, double least) {
   const double h = dim == 3 && m.h_over_dp_3d > 0 ? m.h_over_dp_3d : m.h_over_dp;
   return {"h", h, least, 3.0, "smoothing length over the spacing", true, true};

@@ -54,7 +54,7 @@ struct PairLanesView {
     for (int b = 0; b < own.size; ++b) f(slots[own.slots + b], constants[own.constants + b]);
   }
 
-  /// Σ_j (f_j − f_i) ⊗ k_ij of the first columns.
+  /// Σ_j (f_j − f_i) ⊗ k_ij for the fields in the first columns.
   template <int N>
   Mat<Pack, Dim> difference_sum(const ColumnsView<N>& f, int group) const {
     const int first = lanes * group;
@@ -156,7 +156,7 @@ double reach_of_pairs(double h) {
   return (1 - 1e-9) * K::support * h;
 }
 
-/// `V`: cells, m^Dim; `near`: neighbours within reach_of_pairs.
+/// `V`: volumes of whole cells, m^Dim; `near`: neighbours in the body within reach_of_pairs.
 template <class K, int Dim>
 InitialPairs<Dim> make_initial_pairs(const NeighborLists& near, const std::vector<Vec<double, Dim>>& X,
                                      const std::vector<double>& V, double h, GradientCorrection gradient,

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Kick as plain data for passes; made by Common::kick.
+/// Change of the velocities by all forces, as plain data for passes; made by Common::kick.
 template <int Dim>
 struct Kick {
   using V = Vec<double, Dim>;
@@ -16,9 +16,9 @@ struct Kick {
   V *x, *v;  // m, m/s
   const double *m, *mobile;
   const V* contact;  // [i] N; may be null
-  V* impulse;        // [i] N s; may be null
+  V* impulse;        // [i] N s, for reaction probes; may be null
   void* outside;
-  /// External actions; may be null.
+  /// Applies external actions to `v`; may be null.
   void (*act)(void* outside, int i, double dt, V& v);
 
   [[gnu::always_inline]] const V& by_acceleration(int i, V a) const {
@@ -39,7 +39,7 @@ struct Kick {
     separate(rows, columns);
     for (int k = 0; k < Dim; ++k) force[k] += columns[k];
   }
-  /// Records internal forces, N, and contact. Requires `impulse`; call before particles move.
+  /// Records the impulses of internal forces, N, and contact. Requires `impulse`; call before particles move.
   void record(int first, Vec<Pack, Dim> force) const {
     if (contact) force += load_four(contact + first, size - first);
     for (int lane = 0; lane < std::min(lanes, size - first); ++lane)

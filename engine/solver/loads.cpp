@@ -12,7 +12,7 @@ namespace taut {
 
 namespace {
 
-/// On other faces, lattice steps look like edges.
+/// Whether all faces are flat and meet at edges. On other faces, steps of the lattice look like edges.
 bool is_of_boxes(const Body& body) {
   const auto is_box = [](const Shape& shape) { return shape.as<Box>() != nullptr; };
   return std::ranges::all_of(body.shapes, is_box) && std::ranges::all_of(body.without, is_box);
@@ -94,8 +94,8 @@ void Loads<Dim>::spread_by(const std::vector<double>& volume, const Scene& scene
   }
 }
 
-/// Shares by id, N. Throws SceneError if no particle is ever free. Particles driven to the end take no share of a
-/// force.
+/// Shares of a load by id, N. Throws SceneError if no particle is ever free. Particles driven to the end take no share
+/// of a force.
 template <int Dim>
 auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParticles& initial, int body)
     -> std::vector<std::pair<int, V>> {
@@ -104,7 +104,7 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
   };
   // includes particles driven to the end, except for forces
   std::vector<int> loaded;
-  double volume = 0;  // m^Dim
+  double volume = 0;  // of the particles that are free at some time, m^Dim
   for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
     if (initial.clamped[id] || load.where(initial.cell(id)) == 0) continue;
     if (is_driven(id) && load.kind == Load::Kind::force) continue;

@@ -36,7 +36,7 @@ class ParticleSimulation final : public Simulation, private ProbeSource<Dim> {
 
   std::unique_ptr<Common<Dim>> common_;
   std::unique_ptr<Scheme<Dim>> scheme_;
-  Snapshot probe_snapshot_;  // only the groups of stress probes are current
+  Snapshot probe_snapshot_;  // only the groups of particles that stress probes use are current
 };
 
 template <Family F, class Kernels, bool with_v4 = false>

@@ -14,8 +14,8 @@ struct Particles {
 
   std::vector<V> x, v;         // m, m/s
   std::vector<double> m;       // kg
-  std::vector<double> mobile;  // 0 where clamped
-  std::vector<int> id;         // creation order
+  std::vector<double> mobile;  // 1; 0 where clamped
+  std::vector<int> id;         // number in creation order
   std::vector<int> body;
   std::vector<int> material;
 
@@ -28,7 +28,7 @@ struct Particles {
   }
 };
 
-/// Moves row order[i] to row i. Empty arrays stay empty.
+/// Reorders each array: moves row order[i] to row i. Empty arrays stay empty.
 template <class... Arrays>
 void reorder(const std::vector<int>& order, int threads, Arrays&... arrays) {
   const auto one = [&](auto& array) {

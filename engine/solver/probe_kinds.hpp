@@ -19,8 +19,8 @@ class ProbeSource {
   using V = Vec<double, Dim>;
 
   virtual ~ProbeSource() = default;
-  virtual ContactsOfFaces<Dim>* faces() = 0;                   // may be null
-  virtual V reaction(int i) = 0;                               // N
+  virtual ContactsOfFaces<Dim>* faces() = 0;                   // for gaps; may be null
+  virtual V reaction(int i) = 0;                               // constraint force, N
   virtual V contact_force(const Probe& probe, double dt) = 0;  // N
   virtual const Snapshot& shown(const std::vector<int>& stored) = 0;
 };
@@ -34,8 +34,8 @@ struct ProbeFollower {
   const ProbeRow<Dim>* row = nullptr;
   std::vector<PointWeight> at, to;
   Vec<double, Dim> beside{}, to_beside{};  // offset from a single particle, m
-  std::vector<std::pair<int, int>> pairs;  // storage indices
-  std::vector<int> image;                  // [particle] id
+  std::vector<std::pair<int, int>> pairs;  // storage indices of particles of both bodies within `support`
+  std::vector<int> image;                  // [particle] id of its mirror image
   double last = 0;                         // m or rad
 };
 
@@ -48,8 +48,8 @@ struct ProbeSetUp {
 template <int Dim>
 struct ProbeView {
   const Particles<Dim>& s;
-  const std::vector<int>& where;        // [id]
-  const std::vector<int>& first;        // [body]
+  const std::vector<int>& where;        // [id] storage index
+  const std::vector<int>& first;        // [body] first id
   const std::vector<double>& diameter;  // [id] m
   double support;                       // m
 
@@ -65,14 +65,14 @@ struct ProbeStep : ProbeView<Dim> {
   ProbeSource<Dim>& source;
   const Snapshot* shown;
   double time, dt;                    // s; initially dt = 0
-  const std::vector<double>& before;  // earlier probes
+  const std::vector<double>& before;  // values of the earlier probes
   bool evaluates_expensive;           // true every few steps
 };
 
 template <int Dim>
 struct ProbeRow {
   Probe::Kind kind;
-  /// May be null. Throws SceneError if there are no particles.
+  /// Finds the particles of the probe; may be null. Throws SceneError if there are none.
   void (*set_up)(ProbeFollower<Dim>&, const ProbeSetUp&);
   double (*value)(ProbeFollower<Dim>&, const ProbeStep<Dim>&);
   /// Called after a neighbour search, which may reorder particles; may be null.

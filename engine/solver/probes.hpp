@@ -12,10 +12,10 @@ namespace taut {
 template <int Dim>
 class ProbeRecorder {
  public:
-  /// `support`: m. Throws SceneError if a probe does not fit its body.
+  /// `support`: radius of interaction, m. Throws SceneError if a probe does not fit its body.
   ProbeRecorder(const Scene& scene, const InitialParticles& initial, double support);
 
-  /// Call after each neighbour search.
+  /// Updates storage indices and values that change only with a neighbour search. Call after each search.
   void rebuilt(const Particles<Dim>& s, const Neighbors& neighbors, double support);
   void record(const Particles<Dim>& s, double time, ProbeSource<Dim>& source, Series& series);
 
@@ -42,11 +42,11 @@ class ProbeRecorder {
   }
 
   std::vector<ProbeFollower<Dim>> followers_;
-  std::vector<int> storage_of_id_;  // [id]
-  std::vector<int> first_;          // [body]
+  std::vector<int> storage_of_id_;  // [id] storage index
+  std::vector<int> first_;          // [body] first id
   std::vector<double> diameter_;    // [id] V^(1/Dim) of the whole cell, m
   double support_ = 0;
-  std::vector<int> stressed_;  // ids
+  std::vector<int> stressed_;  // ids of the particles that stress probes use
 };
 
 }  // namespace taut

@@ -18,12 +18,13 @@ class Scheme {
   virtual double step_size() const = 0;  // s
   virtual void step(double dt) = 0;
 
-  /// Stores groups of four, ascending, in a snapshot that Common::begin_snapshot has begun.
+  /// Stores the particles of these groups of four, in ascending order, in a snapshot that Common::begin_snapshot has
+  /// begun.
   virtual void show(Snapshot& out, std::span<const int> groups) const = 0;
   /// See Simulation::motion. Returns false if energies depend on stresses.
   virtual bool show_motion(Snapshot& /*out*/) const { return false; }
 
-  /// Force over the last step of `dt`, N.
+  /// Contact force on the first body of `probe` over the last step of `dt` seconds, N.
   virtual Vec<double, Dim> contact_force(const Probe& probe, double dt) const = 0;
 
   virtual void save(Saver& saver) = 0;

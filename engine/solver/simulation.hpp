@@ -32,15 +32,15 @@ struct RunState {
   double time = 0;  // s
   long steps = 0;
   Series series;
-  long pairs = 0;                // directed, at the last rebuild
-  double support = 0;            // m
+  long pairs = 0;                // directed neighbour pairs at the last rebuild
+  double support = 0;            // radius of interaction, m
   bool keeps_neighbors = false;  // keeps initial neighbours inside a body
-  /// Greatest stretch up to which the method follows its elastic law.
+  /// Greatest stretch of a neighbour pair up to which the method follows its elastic law.
   double lawful_stretch = std::numeric_limits<double>::infinity();
-  int threads = 1;  // greatest number
+  int threads = 1;  // greatest number in use
 };
 
-/// Virtual functions are never called inside loops over particles.
+/// A running simulation. Virtual functions are never called inside loops over particles.
 class Simulation {
  public:
   virtual ~Simulation() = default;
@@ -48,12 +48,12 @@ class Simulation {
   /// Advances to the first step that ends at or past `t`, s; never shortens a step, so that output does not alter a
   /// run. Throws NumericalError if the run diverges.
   void advance_to(double t) { advance(t, std::numeric_limits<double>::infinity()); }
-  /// Makes no step that ends at or past `short_of`, s.
+  /// Like `advance_to`, but makes no step that ends at or past `short_of`, s.
   virtual void advance(double t, double short_of) = 0;
   /// Makes `advance` return after the current step once `stop` is not 0. `stop` must outlive the simulation.
   void set_stop_flag(const std::atomic<int>& stop) { stop_ = &stop; }
 
-  /// Bytes for `load`: the state that determines all later steps, and the series.
+  /// Returns the state that determines all later steps, and the series, as bytes for `load`.
   virtual std::string save() = 0;
   /// Continues from a state of the same scene, settings and checkpoint format, bit-identical on the same kind of
   /// machine. Throws UsageError for any other state; the simulation is then unusable. Damaged or forged states cause
@@ -66,7 +66,8 @@ class Simulation {
     outdated_ = false;
     return snapshot_;
   }
-  /// Positions, velocities, masses and energies; other fields may be empty. Never costs more than `snapshot`.
+  /// Snapshot with current positions, velocities, masses and energies; other fields may be empty. Never costs more than
+  /// `snapshot`.
   const Snapshot& motion() const { return outdated_ && take_motion(motion_) ? motion_ : snapshot(); }
   const Series& series() const { return run_state().series; }
   double time() const { return run_state().time; }  // s
@@ -80,7 +81,7 @@ class Simulation {
  protected:
   virtual const RunState& run_state() const = 0;
   virtual void take_snapshot(Snapshot& out) const = 0;
-  /// Returns false if energies depend on stresses.
+  /// Fills only what `motion` needs. Returns false if energies depend on stresses; `snapshot` is then used.
   virtual bool take_motion(Snapshot& /*out*/) const { return false; }
   bool asked_to_stop() const { return stop_->load(std::memory_order_relaxed) != 0; }
   bool has_snapshot() const { return !snapshot_.m.empty(); }

@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// Constants by name; lengths in m.
+/// Constants of a method by name; lengths in m.
 using ConstantValues = std::map<std::string_view, double>;
 
 template <class C>
@@ -29,13 +29,13 @@ struct SolverInput {
   const Scene& scene;
   const InitialParticles& initial;
   Constants constants;
-  std::vector<Elasticity> materials;  // as Scene::materials
+  std::vector<Elasticity> materials;  // in the order of Scene::materials
   Law law;
   ContactLaw contact;    // never `published`
   bool keeps_neighbors;  // see FamilyRow
   Stepping stepping;
   int threads;
-  InstructionSet kernels{};  // best set allowed
+  InstructionSet kernels{};  // best instruction set that may be used
   ConstantValues values = {};
 };
 

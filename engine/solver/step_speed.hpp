@@ -9,7 +9,7 @@ namespace taut {
 /// multiplied by the ratio of √((K + ζG)/ρ0) to its value at `known`. ζ = 4/3 gives the compression wave; `enog`
 /// uses the greater ζ of its Laplacian.
 double step_speed(const SolverInput& input, double zeta, double known);
-/// ζ = 4/3 and `known` = 1.5, which is G/K at ν = 0, [Khayyer2024] §4.3.
+/// The same with ζ = 4/3 and `known` = 1.5, which is G/K at ν = 0, [Khayyer2024] §4.3.
 double step_speed(const SolverInput& input);
 
 }  // namespace taut

@@ -22,7 +22,7 @@ inline double lennard_jones_force(double r, double dp, double K, int dim) {
   return l2 > 1 ? lennard_jones_scale(dp, K, dim) * l2 * l2 * (l2 - 1) / near : 0;
 }
 
-/// Energy, J; linear in r inside the core.
+/// Energy of a pair, J; linear in r inside the core.
 inline double lennard_jones_energy(double r, double dp, double K, int dim) {
   const double near = std::max(r, lennard_jones_core * dp), l2 = dp * dp / (near * near);
   if (!(l2 > 1)) return 0;

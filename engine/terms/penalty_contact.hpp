@@ -20,7 +20,7 @@ inline double penalty_force(double r, double dp, double K, int dim) {
   return K * area * std::max(dp - r, 0.0);
 }
 
-/// Energy, J.
+/// Energy of a pair, J.
 inline double penalty_energy(double r, double dp, double K, int dim) {
   return 0.5 * penalty_force(r, dp, K, dim) * std::max(dp - r, 0.0);
 }

@@ -25,7 +25,7 @@ Vec<T, Dim> laplacian_term(const Vec<T, Dim>& v_ij, const T& V_j, const T& dW, c
 inline constexpr TermInfo laplacian_info{
     "shear force", "dv/dt = ∫ 2ζ G/ρ Σ V_j (e·v_ij)/r ∇W dt", "[Zhang2024] Eq. 20",
     "terms/shear.hpp:laplacian_term",
-    "laplacian: in the continuum it is (∇²v + 2 ∇∇·v)/(d + 2), the plain one ∇²v"};
+    "laplacian: the continuum limit is (∇²v + 2 ∇∇·v)/(d + 2), and ∇²v for the plain Laplacian"};
 
 /// Term j of ∇²v, 1/(m s), not 0 for rigid rotation. [Zhang2024] Eq. 18
 template <class T, int Dim>
@@ -36,6 +36,6 @@ Vec<T, Dim> laplacian_term_nonconservative(const Vec<T, Dim>& v_ij, const T& V_j
 inline constexpr TermInfo laplacian_nonconservative_info{
     "shear force", "dv/dt = ∫ 2 G/ρ Σ V_j v_ij/r ∂W/∂r dt", "[Zhang2024] Eq. 18",
     "terms/shear.hpp:laplacian_term_nonconservative",
-    "laplacian: in the continuum it is (∇²v + 2 ∇∇·v)/(d + 2), the plain one ∇²v"};
+    "laplacian: the continuum limit is (∇²v + 2 ∇∇·v)/(d + 2), and ∇²v for the plain Laplacian"};
 
 }  // namespace taut

@@ -9,14 +9,14 @@
 
 namespace taut {
 
-/// Contact pressure per depth, Pa/m, of two materials with M = K + 4G/3. With s = 2 faces overlap by the compression
-/// of two spacings of material. Symmetric to the last bit.
+/// Contact pressure per depth, Pa/m, of two materials with M = K + 4G/3. With s = 2 the overlap is the
+/// compression of one spacing of each material. Symmetric to the last bit.
 inline double surface_stiffness(double M1, double M2, double stiffness, double dp) {
   const double softer = std::min(M1, M2), harder = std::max(M1, M2);
   return 0.5 * stiffness * (softer * (harder / (softer + harder))) / dp;
 }
 
-/// Derivative in M2, 1/m.
+/// Derivative of surface_stiffness by M2, 1/m.
 inline double surface_stiffness_slope(double M1, double M2, double stiffness, double dp) {
   const double share = M1 / (M1 + M2);
   return 0.5 * stiffness * share * share / dp;
@@ -46,14 +46,14 @@ inline constexpr ContactLawRow surface_contact{
     .touching = 0,
 };
 
-/// Share of a piece by the cosine of the outward normals: 1 up to 60° from facing, 0 from 76° on.
+/// Share of a piece of face that counts, by the cosine of the outward normals: 1 up to 60° from facing, 0 from 76° on.
 inline double facing_share(double cosine) { return std::clamp(-4 * cosine - 1, 0.0, 1.0); }
 inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.25 ? -4 : 0; }
 
 // THEORY.md explains the depth of facets in 3D.
 
-/// R, m: 1.5 dp above the plane, 1.05 dp from a depth of dp on. A smaller radius lets edges and corners through; a
-/// greater one includes rims of steps.
+/// Lateral range R, m: 1.5 dp above the plane, 1.05 dp from a depth of dp on. A smaller radius lets edges and corners
+/// through; a greater one includes rims of steps.
 inline double lateral_radius(double p, double dp) {
   const double t = std::clamp(-p / dp, 0.0, 1.0);
   return (1.5 - 0.45 * t * t * (3 - 2 * t)) * dp;
@@ -63,7 +63,7 @@ inline double lateral_radius_slope(double p, double dp) {  // dR/dp
   return 0.45 * 6 * t * (1 - t);
 }
 
-/// w, 1/m²; ∫ w dA = 1.
+/// Lateral weight w, 1/m²; ∫ w dA = 1.
 inline double lateral_weight(double l2, double radius) {
   const double u = 1 - l2 / (radius * radius);
   return u > 0 ? 3 / (std::numbers::pi * radius * radius) * u * u : 0;
@@ -100,7 +100,7 @@ inline double near_slope(double p, double reach) {  // 1/m
   return (p < 0 ? 1 : -1) * 6 / (0.3 * reach) * t * (1 - t);
 }
 
-/// Share of the energy, 1 from a cover of 0.85 on.
+/// Factor of the energy, 1 from a cover Σ_g W of 0.85 on.
 inline double covered_share(double cover) {
   const double t = std::clamp((cover - 0.15) / 0.7, 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -115,7 +115,7 @@ inline double covered_second_derivative(double cover) {
   return t > 0 && t < 1 ? 6 / 0.49 * (1 - 2 * t) : 0;
 }
 
-/// Greatest stiffness relative to first touch, ½ k A (THEORY.md).
+/// Bound of the stiffness relative to its value at first touch, ½ k A (THEORY.md).
 inline double hardening(double depth, double cover, double dp) {
   constexpr double soon = 0.1, first = 0.2, steepest = 1.2, bend = 4;
   if (cover < soon) return 1;

@@ -6,12 +6,12 @@
 
 namespace taut::render {
 
-/// ΔE*ab. Rounding on other processors causes much less.
+/// Least visible difference, ΔE*ab. Rounding on other processors causes much less.
 inline constexpr double just_noticeable = 2.3;
 
 /// The share measures widespread changes, the densest window local ones, such as one moved particle.
 struct ImageDifference {
-  double share = 0;     // of pixels
+  double share = 0;     // of pixels that differ
   double greatest = 0;  // ΔE*ab
   double densest = 0;   // share in the worst window of 16 × 16 pixels
   int column = 0, row = 0;
@@ -25,10 +25,10 @@ struct DifferenceLimit {
   double greatest = std::numeric_limits<double>::infinity();  // ΔE*ab
 };
 
-/// Throws UsageError for different sizes.
+/// Pixels differ above `tolerance`, ΔE*ab. Throws UsageError for different sizes.
 ImageDifference compare(const Image& a, const Image& b, double tolerance = just_noticeable);
 
-/// Greatest ratio to a limit; pictures are alike up to 1.
+/// Greatest ratio of a difference to its limit; pictures are alike up to 1.
 double excess(const ImageDifference& difference, const DifferenceLimit& limit = {});
 
 bool alike(const ImageDifference& difference, const DifferenceLimit& limit = {});

@@ -35,11 +35,11 @@ class Annotation {
              const TextParts& parts = {});
 
   void show(const AxesMarker& axes) { axes_ = axes; }
-  /// Lengths differ in perspective.
+  /// Call in perspective, where lengths differ with the depth.
   void hide_scale_bar() { has_scale_bar_ = false; }
 
   void draw(const FrameView& frame, const OffScale& off_scale);
-  /// Ignores the header and the off-scale marks.
+  /// Whether the picture shows the annotation of `frame`, except header and off-scale marks.
   bool is_current_for(const FrameView& frame) const { return frame.field == field_ && frame.unit == unit_; }
   /// Replaces title, method, time and off-scale marks.
   void draw_again(const FrameView& frame, const OffScale& off_scale);

@@ -9,7 +9,7 @@
 namespace taut::render {
 
 struct OffScale {
-  bool below = false, above = false;  // drawn in the colour of an end
+  bool below = false, above = false;  // values drawn in the colour of an end
   bool no_number = false;
   bool operator==(const OffScale&) const = default;
   OffScale& operator|=(const OffScale& other) {
@@ -26,7 +26,7 @@ class ColorBar {
   double width(int height, double em, std::string_view unit) const;
   /// Omits numbers if they, or their unit, do not fit.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
-  /// Replaces arrows at the exceeded ends and a swatch for NaN.
+  /// Replaces the arrows at exceeded ends and the swatch for NaN.
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& found) const;
 
  private:

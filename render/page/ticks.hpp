@@ -25,7 +25,7 @@ struct Ticks {
   std::string unit;
 };
 
-/// At most `most` (2 or more), at multiples of 1, 2 or 5 times a power of ten.
+/// At most `most` (2 or more) ticks at multiples of 1, 2 or 5 times a power of ten.
 Ticks nice_ticks(double low, double high, std::string_view unit, int most);
 
 /// Greatest 1, 2 or 5 times a power of ten up to `length` > 0.

@@ -1,4 +1,4 @@
-// TAUT_FUZZ_TARGET names the target.
+// The environment variable TAUT_FUZZ_TARGET names the target, one of the table in fuzz_target.cpp.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

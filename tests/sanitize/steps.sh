@@ -1,5 +1,5 @@
-# Pieces that `run` executes; each sources this file and starts in an empty folder of its own. The functions
-# `command_…` at the end run every command of the program.
+# Shell functions for `run`. For each test, `run` sources this file in a new empty folder and calls one function. The
+# functions `command_…` at the end run every command of the program.
 
 short_run() {  # SCENE METHOD SPACING UNTIL
   taut run "$1" --method "$2" --spacing "$3" --until "$4" --threads 2 --frames 2 --size 160x120 --save-particles \

@@ -14,9 +14,10 @@
 
 namespace taut {
 
+/// W and its derivative for one particle, by the family's own law or the chosen one.
 struct LawOfOne {
   const std::vector<Elasticity>& materials;
-  bool own;
+  bool own;  // uses the family's law
   const Materials& chosen;
 
   template <int Dim>
@@ -31,7 +32,7 @@ struct LawOfOne {
   }
 };
 
-/// Sites of Interfaces in storage order (THEORY.md, Interfaces).
+/// Sites of Interfaces, which THEORY.md (Interfaces) explains, in storage order.
 template <int Dim>
 class InterfaceSites {
  public:
@@ -60,15 +61,16 @@ class InterfaceSites {
   };
   struct Kink {
     int j;
-    double weight;
+    double weight;  // β_ij, 1/m
   };
   struct StoredSite {
     int i, own, other;  // stored index; materials
-    double V, share;
-    Direction N, m;
+    double V, share;    // m^Dim; θ
+    Direction N, m;     // see THEORY.md
     Square B;
-    int bond, bonds, kink, kinks;  // first; one past the last
+    int bond, bonds, kink, kinks;  // index ranges: [bond, bonds) in bonds_, [kink, kinks) in kinks_
   };
+  /// F_i, F_own, F_other, and F_own − ½ b ⊗ N in the middle of a bond across.
   struct Deformations {
     Square mean, own, other, across;
   };
@@ -79,7 +81,7 @@ class InterfaceSites {
   struct GroupShares {
     int group, begin, end;
   };
-  /// Energy of a bond across, J, and its derivatives in s, s° of F_across and s° of F_own.
+  /// Energy of a bond across the interface, J, and its derivatives by s, s°(F_across) and s°(F_own).
   struct AcrossEnergy {
     double energy, of_s, of_across, of_own;
   };
@@ -88,6 +90,7 @@ class InterfaceSites {
   Square stress(int site, const Column& x, const Law& law);
   template <class Column>
   Deformations deformations(const StoredSite& site, const Column& x) const;
+  /// F + share b ⊗ n
   static Square with(const Square& F, double share, const Direction& b, const Direction& n) {
     Square sum = F;
     for (int a = 0; a < Dim; ++a)

@@ -12,7 +12,7 @@ namespace taut {
 /// Stress for snapshots, from the material law without its continuation below J = ½.
 template <class T, int Dim>
 struct alignas(alignment_of<T>) ShownStress {
-  T J, p;         // Pa
+  T J, p;         // volume ratio; pressure, positive in compression, Pa
   Sym<T, Dim> s;  // deviator, Pa
   T s_zz;         // out of plane, in 2D, Pa
 };

@@ -13,7 +13,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 Eigen::Vector3d vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
-/// Column m is e_m × z.
+/// Matrix whose column m is e_m × z.
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& z) {
   Eigen::Matrix3d m;
   m << 0, z[2], -z[1], -z[2], 0, z[0], z[1], -z[0], 0;
@@ -33,7 +33,7 @@ void refer_to_centroid(std::vector<Point>& Z, const std::vector<double>& m) {
 
 }  // namespace
 
-/// One component: points and K (THEORY.md).
+/// The conditions for one velocity component: points and factorised K (THEORY.md).
 struct BoundaryProjection::Factor {
   std::vector<int> points;
   Sparse w;  // w_a(X_B), a column per point
@@ -62,7 +62,7 @@ BoundaryProjection::BoundaryProjection(std::vector<BoundaryPoint> points, std::v
     if (factor.K->info() != Eigen::Success || !(factor.K->vectorD().array() > 0).all())
       throw SceneError(
           "method.boundary_projection",
-          "the velocities at some prescribed particles cannot be told apart by their neighbours: "
+          "the boundary conditions of some prescribed particles are linearly dependent (too few neighbours): "
           "set 'method.boundary_projection' to 0, or a greater 'method.h'");
     factors_.push_back(std::move(factor));
   }
@@ -105,7 +105,7 @@ void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z)
     S -= C.transpose() * solved[k].rightCols<6>();
     right -= C.transpose() * solved[k].col(0);
   }
-  // minimum norm: S is singular where all that could move is prescribed
+  // minimum norm, since S is singular if all particles are prescribed
   const Eigen::Matrix<double, 6, 1> delta = least_squares(S, right).x;
   for (std::size_t a = 0; a < v.size(); ++a) {
     const Eigen::Vector3d rigid = delta.head<3>() + cross_matrix(vector(Z[a])) * delta.tail<3>();

@@ -11,23 +11,24 @@ namespace taut {
 
 /// A particle with prescribed velocity components; f(X_B) = Σ_a w_a f_a, [Lee2016] Eq. 23.
 struct BoundaryPoint {
-  std::vector<std::pair<int, double>> w;  // local index a; V_a W̃_a(X_B)
+  std::vector<std::pair<int, double>> w;  // index a in `v`; w_a = V_a W̃_a(X_B)
   unsigned axes = 0;                      // bit k: prescribed component
   Point velocity{};                       // m/s
 };
 
-/// Changes v as little as possible, weighted by mass, so that interpolated velocities are prescribed and both momenta
-/// stay, [Lee2016] Appendix B (THEORY.md). Boundary particles must have their prescribed velocities before.
+/// Changes v as little as possible, weighted by mass, so that interpolated velocities are the prescribed ones,
+/// [Lee2016] Appendix B (THEORY.md). The projection conserves both momenta and cannot accelerate the body. Set boundary
+/// particles to their prescribed velocities before calling it.
 class BoundaryProjection {
  public:
-  /// m: kg. Throws SceneError for linearly dependent points.
+  /// `m` in kg. Throws SceneError if the conditions at the points are linearly dependent.
   BoundaryProjection(std::vector<BoundaryPoint> points, std::vector<double> m);
   ~BoundaryProjection();
   BoundaryProjection(BoundaryProjection&&) noexcept;
 
-  /// `v` in m/s, Z in m.
+  /// `v` in m/s, positions `Z` in m.
   void operator()(std::vector<Point>& v, std::vector<Point> Z) const;
-  /// Velocities may change.
+  /// Only their velocities may be changed.
   std::vector<BoundaryPoint>& points() { return points_; }
   Point interpolated(const BoundaryPoint& point, const std::vector<Point>& f) const;
 

@@ -7,7 +7,7 @@ namespace taut {
 
 inline constexpr Citation khayyer2024_citations[] = {{"pressure", "[Khayyer2024] Eq. 5", ""}};
 
-/// [Khayyer2024] §2.
+/// Common settings of the methods of [Khayyer2024] §2, to which each method adds improvements.
 constexpr UlCauchyFormulation ladder(Formulation step, UlCauchySwitches switches) {
   step.family = Family::ul_cauchy;
   step.citations = khayyer2024_citations;
@@ -51,7 +51,7 @@ inline constexpr UlCauchyFormulation d_ulsph_av_tic = ladder(
     {
         .name = "d-ulsph-av-tic",
         .paper = "Khayyer2024 §3.4",
-        .summary = "d-ulsph-av-as with tensile control instead of artificial stress inside",
+        .summary = "d-ulsph-av-as with tensile control inside and artificial stress only at surfaces",
         .conserves = "nothing exactly",
     },
     {.viscosity = Viscosity::artificial,
@@ -93,7 +93,8 @@ inline constexpr Citation tranduc2023_citations[] = {
      "naive: updated-Lagrangian methods follow the transcription for a plate hit by a disc"},
 };
 
-/// [TranDuc2023] §2.2, kernel of §2.1. Its "artificial stresses" include viscosity (§3.1).
+/// Common settings of the methods of [TranDuc2023] §2.2, kernel of §2.1. Its "artificial stresses" include viscosity
+/// (§3.1).
 constexpr UlCauchyFormulation current_configuration(Formulation m, UlCauchySwitches switches = {}) {
   m.family = Family::ul_cauchy;
   m.citations = tranduc2023_citations;

@@ -5,17 +5,19 @@
 namespace taut {
 
 struct Box final : ShapeBase {
-  Point low{}, high{};
+  Point low{}, high{};  // m
 
   Box() = default;
   Box(const Point& low, const Point& high) : low(low), high(high) {}
 
+  /// Number of cells of size dp (m) along an axis, rounded, at least 1.
   long cells(std::size_t axis, double dp) const;
 
   Bounds bounds() const override { return {low, high}; }
   bool holds(const Point& x, int dim, double tolerance) const override;
   void shift(std::size_t axis, double by) override { low[axis] += by, high[axis] += by; }
   double measure(int dim) const override;
+  /// The shortest side, m.
   double extent_to_divide(int dim) const override;
   std::vector<Chain> outline(int dim, double dp) const override;
   bool operator==(const Box&) const = default;

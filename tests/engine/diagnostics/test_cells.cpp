@@ -179,7 +179,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("cells: particles without neighbours, and rows of them, have cells too") {
+  TEST_CASE("cells: single particles and single rows of particles have cells") {
     Lattice single;
     single.x = {0.1, 0.2, 0.3}, single.diameter = {0.1}, single.body = {0};
     CHECK(sum_of_measures(single.cells(3).at(single.x), 3) == Approx(1e-3));

@@ -20,7 +20,7 @@ Snapshot particle(bool clamped) {
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "conservation: drift is relative to the greatest scale so far, and absent for momenta with clamps") {
+      "conservation: drift is relative to the greatest scale, and clamped particles leave no momentum drift") {
     Balance start;
     start.kinetic = 4;
     start.linear_momentum = {1, 0, 0};
@@ -103,7 +103,7 @@ TEST_SUITE("unit") {
     CHECK(watch.so_far().energy);
   }
 
-  TEST_CASE("conservation: clamped, driven, loaded, pulled or damped bodies exchange momentum") {
+  TEST_CASE("conservation: clamped, driven, loaded or damped bodies and gravity exchange momentum") {
     const Snapshot free = particle(false);
     Scene scene;
     scene.bodies.resize(2);

@@ -65,7 +65,7 @@ TEST_SUITE("unit") {
     expect(value("first_peak", {0, 1, 2, 3, 4}, {0, 2, 2, 0, -1}), 2.25);
   }
 
-  TEST_CASE("peak_time: a parabola gives its exact time, and none until the half cycle is over") {
+  TEST_CASE("peak_time: a parabola gives its exact time, and no value until the half cycle is over") {
     const auto throw_up = [](double t) { return 3 * t * (1 - t); };
     expect(value("peak_time", sampled({0, 0.1, 0.25, 0.4, 0.58, 0.9, 1.2}, throw_up)), 0.5);
     expect(value("peak_time", {0, 1, 2, 3, 4}, {0, -2, -2, 0, 1}), 1.5);

@@ -144,7 +144,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("lines: points in space stay fixed while the body moves, and give none outside it") {
+  TEST_CASE("lines: points in space stay fixed while the body moves, and give no value outside the body") {
     Scene scene = rotating_plate(0.01);
     scene.bodies[0].velocity[0] = constant(300);
     scene.bodies[0].velocity[1] = [](const Point& X) { return 5 * X[0]; };

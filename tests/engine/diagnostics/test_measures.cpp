@@ -240,7 +240,7 @@ TEST_SUITE("unit") {
     CHECK(result(scene, Series{t, {speed, {nan, -1, 1}}}).why == "the series is not finite at its start");
   }
 
-  TEST_CASE("value: the series and the solution are taken at one time, none before it") {
+  TEST_CASE("value: series and solution are taken at one time, and there is no value before it") {
     Scene scene = scene_of("value");
     scene.until = 4;
     scene.measures[0].time = 1.5;
@@ -251,7 +251,7 @@ TEST_SUITE("unit") {
     expect(result(scene, Series{{0, 1, 2}, {{0, 3, 4}}}).reference, -3);
   }
 
-  TEST_CASE("at_rest: the final value counts, and none while the series still moves") {
+  TEST_CASE("at_rest: the final value counts, and there is no value while the series still moves") {
     const auto damped = [](double rate) {
       return sampled(unequal_times(1, 1e-3), [=](double t) { return -3 * (1 - std::exp(-rate * t)); });
     };
@@ -266,7 +266,7 @@ TEST_SUITE("unit") {
     expect(result(scene, damped(8)).reference, -2 * scene.until);
   }
 
-  TEST_CASE("measure: a reference of its own law gives a relative error, absolute where it is 0") {
+  TEST_CASE("measure: a reference of the same law gives a relative error, or an absolute one if it is 0") {
     Scene scene = scene_of("maximum");
     scene.references["neo_hookean"] = {"finite elements", {{"number", -8}}, {}, {}};
     scene.references["2d_deviator"] = {"other", {{"number", 0}, {"another", 1}}, {}, {}};

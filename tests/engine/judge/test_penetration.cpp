@@ -122,7 +122,7 @@ TEST_SUITE("unit") {
     CHECK(gap({-2, 0, 2}) == Approx(2 - 4 / std::numbers::pi));
   }
 
-  TEST_CASE("penetration: faces that touch, interlock by a row or dent each other are no penetration") {
+  TEST_CASE("penetration: faces may touch, interlock by one layer or dent each other without penetration") {
     Snapshot now = two_blocks();
     Penetration penetration(now, dp);
     CHECK(penetration(now) == 0);

@@ -54,7 +54,7 @@ TEST_SUITE("unit") {
           }) == Verdict::stable);
   }
 
-  TEST_CASE("judge: a zigzag in one patch is found, however large the body is and whatever other bodies do") {
+  TEST_CASE("judge: a zigzag in one patch is found in a body of any size, also beside other bodies") {
     const Scene scene = made_scene(2, dp, {unit_bulk(), unit_bulk()});
     constexpr std::size_t of_first = 60 * 30;
     for (const bool bystander : {false, true})
@@ -102,7 +102,8 @@ TEST_SUITE("unit") {
     CHECK(verdict(2.8, 1.02, 1.0) == Verdict::fractured);
   }
 
-  TEST_CASE("judge: rows bent to a radius of one spacing exceed the threshold, to two stay far below") {
+  TEST_CASE(
+      "judge: rows bent to a radius of one spacing exceed the threshold, rows bent to two spacings do not") {
     const Scene scene = one_body(2);
     const auto reading = [&](int rows, double radius) {
       const Snapshot start = lattice(2, 40, rows);
@@ -141,7 +142,7 @@ TEST_SUITE("unit") {
     CHECK(judge.since() == std::map<Verdict, double>{{Verdict::fractured, 2.0}});
   }
 
-  TEST_CASE("judge: a bond holds to 2 dp however small the support") {
+  TEST_CASE("judge: a bond is unbroken up to 2 dp for any smaller support") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 2, 1);
     Judge judge(scene, now, 1.2 * dp, searched);
@@ -153,7 +154,7 @@ TEST_SUITE("unit") {
     CHECK(judge.pieces() == 2);
   }
 
-  TEST_CASE("judge: diagonals are bonds, the second row is not") {
+  TEST_CASE("judge: bonds join diagonal neighbours but not second neighbours") {
     const Scene scene = one_body(3);
     const Snapshot corner = made_snapshot(3, {{0, 0, 0}, {dp, dp, 0}, {-dp, 0, -dp}});
     CHECK(Judge(scene, corner, support, searched).pieces() == 1);
@@ -205,7 +206,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("judge: a cut that does not go through is a fracture where it is five particles deep") {
+  TEST_CASE("judge: a cut that ends inside the body is a fracture if it is five particles deep") {
     const Scene scene = one_body(2);
     for (const int deep : {4, 5}) {
       Snapshot now = lattice(2, 10, 10);

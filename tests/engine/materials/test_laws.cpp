@@ -291,7 +291,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("laws: Mooney–Rivlin is neo-Hookean at one end of its share and depends on areas at the other") {
+  TEST_CASE("laws: Mooney–Rivlin is neo-Hookean at cofactor_share 0 and depends on areas at 1") {
     const LawOf<Law::neo_hookean> neo{{K, G}};
     const LawOf<Law::mooney_rivlin> none{{K, G, 0}}, all{{K, G, 1}};
     for (const M3& F : strained<3>()) {

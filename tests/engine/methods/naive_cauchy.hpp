@@ -10,17 +10,8 @@
 #include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
-/// Transcription of [Khayyer2024] and [TranDuc2023] §2.2 in 2D and, ours, in 3D. As in [Khayyer2024], r_ij = r_j
-/// − r_i, u_ij = u_j − u_i, and ∇ is ∇_i w.
-///
-/// Where the papers are silent or contradictory it follows the engine:
-///   - velocity first, then ρ, S, r from û at the positions at `geometry` of the step;
-///   - S is rotated by (I − ½ dt Ω)⁻¹ (I + ½ dt Ω);
-///   - Eq. 18 with a minus, Eq. 21 with atan2, Eq. 43 with `riemann_factor`, ρ_ij a difference in Eq. 34, 35;
-///   - clamped particles do not move, but are strained;
-///   - [TranDuc2023] with ½ in the strain and spin rates, 1/ρ̄ in Π, (W/W(Δx))ⁿ in f_ij;
-///   - bodies touch within one spacing: [Khayyer2024] Eq. 53, 54 with the masses of free particles; [TranDuc2023]
-///     Eq. 2.13 with K1 K2/(K1 + K2).
+/// Transcription of [Khayyer2024] and [TranDuc2023] §2.2 in 2D and, ours, in 3D. As in [Khayyer2024], r_ij = r_j − r_i,
+/// u_ij = u_j − u_i, and ∇ is ∇_i w. tests/README.md (Transcriptions) lists its choices.
 namespace taut::test::naive_cauchy {
 
 template <int Dim>

@@ -12,17 +12,7 @@
 #include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
-/// Transcription of [Zhang2024] and [Zhang2024b] in 2D and 3D.
-///
-/// Where the paper is silent or contradictory it follows the engine:
-///   - Eq. 7 with Jaumann's rotation terms; Eq. 14 and 27 with the sign that makes ∇v correct;
-///   - Eq. 11–12 with `pressure_diffusion` of (p_i − p_j)/(2 ρ0 c0) in U*; β = 1, or limited for `og`;
-///   - Eq. 20 with G/ρ inside the integral; shear and stress advance in halves like the density (Eq. 23, 25);
-///   - Eq. 19 with ζ = 3.5; Eq. 18 without;
-///   - Gray's artificial stress with ε = 0.3, n = 4;
-///   - no shear stress between bodies; e_ij, ∂W/∂r and W/W(dp) of mid-step, pairs of the advection step;
-///   - in 3D Eq. 8 takes a third of the trace, Gray's stress all three principal axes;
-///   - clamped particles do not move; their density changes only in methods that integrate the stress.
+/// Transcription of [Zhang2024] and [Zhang2024b] in 2D and 3D. tests/README.md (Transcriptions) lists its choices.
 namespace taut::test::naive {
 
 template <int Dim>

@@ -119,7 +119,8 @@ std::vector<FaceShare> shares_of(FaceRule rule, const Scene& scene, const Load& 
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("face loads: force and moment equal those on the face, by columns for a linear traction") {
+  TEST_CASE(
+      "face loads: force and moment equal the integrals over the face, by columns for a linear traction") {
     const Scene scene = pulled_block(
         10, 0.03, [](double y) { return 3 + 200 * y; }, 1);
     const InitialParticles initial = make_initial_particles(scene);
@@ -137,7 +138,7 @@ TEST_SUITE("unit") {
     CHECK(uniform[2] == relative(0.015 * 2 * H));
   }
 
-  TEST_CASE("face loads: on a circle force and torque equal those on the face") {
+  TEST_CASE("face loads: on a circle force and torque equal the integrals over the face") {
     Scene scene;
     scene.name = "ring";
     scene.spacing = 0.001;
@@ -159,7 +160,7 @@ TEST_SUITE("unit") {
     CHECK(sum[2] == relative(torque, 1e-3));
   }
 
-  TEST_CASE("face loads: a thin bar gets force and moment of its face, and none at the opposite one") {
+  TEST_CASE("face loads: a thin bar gets force and moment of the loaded face only") {
     const double A = 0.03, t = 2;
     for (int rows = 2; rows <= 10; ++rows) {
       CAPTURE(rows);
@@ -179,7 +180,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("face loads: a column without a surface of its own keeps its force on the layer") {
+  TEST_CASE("face loads: the force of a column with little n · S acts on the outermost particle") {
     const Scene scene = thin_bar(12, {0, 1, 0}, false);
     const InitialParticles initial = make_initial_particles(scene);
     const Load& load = scene.bodies[0].loads[0];

@@ -96,7 +96,7 @@ Snapshot drawn_out(const char* method, double sigma) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("face loads in 3D: force and moment equal those on the face, including edges and corners") {
+  TEST_CASE("face loads in 3D: force and moment equal the integrals over the face, with edges and corners") {
     const double A = 0.007, B = 0.006, L = 0.008;
     const auto block = [&](Expression along_x) {
       const Load load = traction([=](const Point& X) { return X[0] > L - 0.001 ? 1.0 : 0.0; },
@@ -119,7 +119,7 @@ TEST_SUITE("unit") {
     CHECK(sum.moment[1] == relative(1 * A * B * L + 1e4 * A * B * B * B / 12, 7e-3));
   }
 
-  TEST_CASE("face loads in 3D: a plate gets the force of its face, and none at the opposite one") {
+  TEST_CASE("face loads in 3D: a plate gets the force of the loaded face only") {
     for (int layers = 2; layers <= 8; ++layers) {
       CAPTURE(layers);
       const double top = 0.001 * layers;

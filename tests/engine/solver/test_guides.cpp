@@ -45,7 +45,7 @@ std::size_t on(std::size_t i, std::size_t axis) { return 2 * i + axis; }
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("guides: guided particles have bits for their axes, clamped and free ones have none") {
+  TEST_CASE("guides: guided particles have bits for their axes, clamped and free particles have no bits") {
     Scene scene = bar_on_rollers(true);
     InitialParticles layout = make_initial_particles(scene);
     REQUIRE(static_cast<int>(layout.guided.size()) == layout.size());

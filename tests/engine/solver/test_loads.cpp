@@ -109,7 +109,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("loads: a force on a whole solid accelerates it uniformly, whatever its particles' masses") {
+  TEST_CASE("loads: a force on a whole solid accelerates it uniformly for any masses of its particles") {
     Scene scene = bar();
     scene.dim = 3;
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {length, H, H}}};

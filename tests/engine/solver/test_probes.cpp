@@ -158,7 +158,7 @@ TEST_SUITE("unit") {
     CHECK(least > -0.5 * dp);
   }
 
-  TEST_CASE("probes: the gap of distant bodies is the search radius") {
+  TEST_CASE("probes: the gap of distant bodies is the support minus one spacing") {
     Scene scene = two_discs(0.01, 0);
     scene.probes = {make_probe("gap", Probe::Kind::gap, {0, 1})};
     const auto simulation = make_simulation(scene, with_method("enog"));

@@ -127,7 +127,7 @@ TEST_SUITE("conservation") {
     });
   }
 
-  TEST_CASE("reaction: a driven body has its inertia and weight as reaction, and none after release") {
+  TEST_CASE("reaction: the reaction of a driven body is its inertia and weight, and 0 after release") {
     const double until = 3e-4;
     const Scene scene = lifted(until);
     const auto simulation = make_simulation(scene, with_method("tl"));
@@ -159,7 +159,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("reaction: a roller has a force along its axis only, and each region has its own") {
+  TEST_CASE("reaction: a roller has a force along its axis only, and each region has a separate force") {
     Scene scene = hanging(2);
     scene.bodies[0].clamped = {};
     scene.bodies[0].guided[1] = [](const Point& x) { return x[1] > 0 ? 1.0 : 0.0; };

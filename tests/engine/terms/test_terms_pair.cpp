@@ -109,7 +109,7 @@ TEST_SUITE("term") {
     CHECK(across(4) > 0.1);
   }
 
-  TEST_CASE("shear: a rigid translation gives none") {
+  TEST_CASE("shear: a rigid translation gives 0") {
     PairedParticle j = second_of_pair;
     j.v = first_of_pair.v;
     const Seen g(first_of_pair, j);
@@ -140,7 +140,7 @@ TEST_SUITE("term") {
     CHECK(nested[1] == Approx(0.5 * -4 * 22));
   }
 
-  TEST_CASE("laplacian: in the continuum it is (∇²v + 2 ∇∇·v)/(d + 2), the plain one ∇²v") {
+  TEST_CASE("laplacian: the continuum limit is (∇²v + 2 ∇∇·v)/(d + 2), and ∇²v for the plain Laplacian") {
     const auto stretch = [](const Vec<double, 2>& x) { return Vec<double, 2>{x[0] * x[0], 0}; };
     const auto shear = [](const Vec<double, 2>& x) { return Vec<double, 2>{x[1] * x[1], 0}; };
     const auto mixed = [](const Vec<double, 2>& x) { return Vec<double, 2>{0, x[0] * x[1]}; };

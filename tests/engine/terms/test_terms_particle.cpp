@@ -115,7 +115,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("velocity gradient: a rigid translation has none") {
+  TEST_CASE("velocity gradient: a rigid translation gives 0") {
     const Gradient g = gradient_of(Cloud(4), {2, -3}, {});
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b) CHECK(g.L(a, b) == 0);

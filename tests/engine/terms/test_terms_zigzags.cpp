@@ -104,7 +104,7 @@ TEST_SUITE("term") {
     CHECK(dot(force, zigzag) == relative(-0.7 * 2 * 1.07 * G * dot(zigzag, zigzag), 1e-9));
   }
 
-  TEST_CASE("pair shear: damping opposes the strain rate, and a turning body at rest strain has none") {
+  TEST_CASE("pair shear: damping opposes the strain rate and is 0 in an unstrained rotating body") {
     const M2 one{{{1, 0}, {0, 1}}}, turning{{{0, -3}, {3, 0}}}, stretching{{{2, 0.5}, {0.5, -1}}};
     const double K = 5, g = 2;
     const M2 still = isotropic_piola(one, M2{}, K, g, 0.4), turned = isotropic_piola(one, turning, K, g, 0.4);

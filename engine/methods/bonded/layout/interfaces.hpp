@@ -14,8 +14,8 @@ inline constexpr double greatest_across = 8;  // maximum of own G over G_ij
 struct Interfaces {
   struct Site {
     int id;
-    int other;     // beyond the interface
-    double share;  // θ
+    int other;     // material beyond the interface
+    double share;  // θ, share of the other material
     Point N, m;    // unit normal; m of THEORY.md
   };
   std::vector<Site> sites;

@@ -248,7 +248,7 @@ TEST_SUITE("unit") {
     CHECK(balance(simulation->snapshot(), scene).kinetic < 1e-12);
   }
 
-  TEST_CASE("bonds: bonds into a clamp end at its face, and clamped particles have none") {
+  TEST_CASE("bonds: bonds into a clamp end at its face, and clamped particles have no bonds") {
     const Scene scene = small_clamped_plate();
     const InitialParticles initial = make_initial_particles(scene);
     const Bonds bonds = bonds_of(scene, initial);
