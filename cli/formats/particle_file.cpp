@@ -118,9 +118,9 @@ std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* 
   const std::string count = std::to_string(snapshot.size());
   Writer file;
   file.line("<?xml version=\"1.0\"?>");
-  file.line(
-      "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" "
-      "compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n<FieldData>");
+  file.line("<VTKFile" + attribute("type", "PolyData") + attribute("version", "1.0") +
+            attribute("byte_order", "LittleEndian") + attribute("header_type", "UInt64") +
+            attribute("compressor", "vtkZLibDataCompressor") + ">\n<PolyData>\n<FieldData>");
   file.line("<DataArray type=\"Float64\"" + attribute("Name", time_name) + " NumberOfTuples=\"1\" " +
             "format=\"ascii\">" + exact(snapshot.time) + "</DataArray>\n</FieldData>");
   file.line("<Piece" + attribute("NumberOfPoints", count) + attribute("NumberOfVerts", count) + ">");

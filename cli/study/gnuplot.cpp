@@ -104,20 +104,19 @@ std::string plot_head(const PlotFiles& files, int width, int height, double scal
   const std::string format = files.picture.extension().string();
   const double w = width * scale, h = height * scale;
   // sizes: SVG in pixels, PNG in points at 96 dpi, PDF in inches; lines in PDF are thinner
-  const std::string larger = scale == 1 ? "" : fmt::format(" linewidth {0:.4g} pointscale {0:.4g}", scale);
+  const std::string lines = fmt::format(" linewidth {0:.4g} pointscale {0:.4g}", scale);
   std::string terminal;
   if (format == ".svg")
     terminal = fmt::format(
         "svg noenhanced size {:.0f},{:.0f} font 'DejaVu Sans,11' fontscale {:.5g}{} background 'white'", w, h,
         1.3333 * scale, scale == 1 ? "" : fmt::format(" linewidth {:.4g}", scale));
   else if (format == ".pdf")
-    terminal = fmt::format(
-        "pdfcairo noenhanced size {:.5g}in,{:.5g}in font 'DejaVu Sans,11' fontscale {:.4g} "
-        "linewidth {:.4g} pointscale {:.4g}",
-        w / 96, h / 96, scale, scale, scale);
+    terminal =
+        fmt::format("pdfcairo noenhanced size {:.5g}in,{:.5g}in font 'DejaVu Sans,11' fontscale {:.4g}{}",
+                    w / 96, h / 96, scale, lines);
   else
-    terminal = fmt::format("pngcairo noenhanced size {:.0f},{:.0f} font 'DejaVu Sans,11'{}{}", w, h,
-                           scale == 1 ? "" : fmt::format(" fontscale {:.4g}", scale), larger);
+    terminal = fmt::format("pngcairo noenhanced size {:.0f},{:.0f} font 'DejaVu Sans,11'{}", w, h,
+                           scale == 1 ? "" : fmt::format(" fontscale {:.4g}{}", scale, lines));
   return fmt::format(
       "{}data = {}\n"
       "points = {:.4g}\n"
