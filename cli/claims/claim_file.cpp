@@ -5,6 +5,8 @@
 #include <cctype>
 #include <set>
 
+#include <fmt/core.h>
+
 #include "cli/claims/criterion.hpp"
 #include "cli/scene/sections.hpp"
 #include "cli/scene/shipped.hpp"
@@ -45,11 +47,12 @@ std::vector<ClaimRun> read_runs(TomlCursor& cursor) {
   for (TomlEntry& entry : runs.entries) {
     if (!is_identifier(entry.key))
       cursor.fail(entry.place, "run",
-                  "the name of a run must have letters, digits and _ only, not '" + entry.key + "'");
+                  fmt::format("the name of a run must have letters, digits and _ only, not '{}'", entry.key));
     if (entry.value.kind != TomlValue::Kind::table)
-      cursor.fail(entry.value, "run", "the run " + entry.key + " must be a table { NAME = value }");
+      cursor.fail(entry.value, "run",
+                  fmt::format("the run {} must be a table {{ NAME = value }}", entry.key));
     all.push_back({entry.key, merged(common, settings_below(cursor, entry.value, "run." + entry.key,
-                                                            "run '" + entry.key + "'"))});
+                                                            fmt::format("run '{}'", entry.key)))});
   }
   return all;
 }
@@ -81,7 +84,7 @@ Claim read_claim(TomlCursor& cursor, const fs::path& file) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
   if (claim.key.empty() || !std::ranges::all_of(claim.key, fits))
     cursor.fail(cursor.need("key"), "key",
-                "'" + claim.key + "' is not a valid key; use letters, digits, '_' and '-'");
+                fmt::format("'{}' is not a valid key; use letters, digits, '_' and '-'", claim.key));
   claim.place = cursor.line("place");
   claim.text = cursor.text("text");
   claim.published = cursor.line("published", "");
@@ -97,14 +100,14 @@ Claim read_claim(TomlCursor& cursor, const fs::path& file) {
   claim.reason = cursor.text("reason", "");
   claim.last_run = cursor.line("last_run");
   const auto refuse = [&](std::string_view key, const std::string& message) {
-    cursor.fail(cursor.table().place, key, "the claim " + claim.key + message);
+    cursor.fail(cursor.table().place, key, fmt::format("the claim {} {}", claim.key, message));
   };
   if (claim.state != ClaimState::holds && claim.reason.empty())
-    refuse("reason", " does not hold or holds in part and needs a reason");
+    refuse("reason", "does not hold or holds in part and needs a reason");
   if (claim.state == ClaimState::holds && !claim.reason.empty())
-    refuse("reason", " holds; leave its reason out, or write it into 'looser'");
+    refuse("reason", "holds; leave its reason out, or write it into 'looser'");
   if (claim.state == ClaimState::in_part && claim.part.empty())
-    refuse("part", " holds in part and needs the criterion 'part'");
+    refuse("part", "holds in part and needs the criterion 'part'");
   cursor.refuse_unknown_keys();
   return claim;
 }
@@ -126,7 +129,7 @@ Paper read_paper(const fs::path& file) {
     TomlCursor cursor = root.enter(value, "claim", "[[claim]]", keys_of("claim"));
     paper.claims.push_back(read_claim(cursor, file));
     if (!keys.insert(paper.claims.back().key).second)
-      root.fail(value, "claim", "the claim " + paper.claims.back().key + " exists twice");
+      root.fail(value, "claim", fmt::format("the claim {} exists twice", paper.claims.back().key));
   }
   return paper;
 }

@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include <fmt/core.h>
+
 #include "cli/claims/criterion.hpp"
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/critical_step.hpp"
@@ -49,7 +51,7 @@ std::vector<PlannedClaim> plan_claims(const std::vector<const Claim*>& claims, c
     try {
       all.push_back({claim, plan_sweep(request_of(*claim, claim->file, folder))});
     } catch (const UsageError& error) {
-      throw UsageError("claim " + claim->name() + ": " + error.what());
+      throw UsageError(fmt::format("claim {}: {}", claim->name(), error.what()));
     }
   }
   return all;
@@ -79,7 +81,7 @@ ClaimOutcome outcome_of(const PlannedClaim& planned) {
       values[quantity.name()] = value.number;
       outcome.values.emplace_back(quantity.name(), value.shown);
     } catch (const UsageError& error) {
-      outcome.problem = quantity.run + ": " + error.what();
+      outcome.problem = fmt::format("{}: {}", quantity.run, error.what());
       return outcome;
     }
   }

@@ -4,6 +4,8 @@
 #include <array>
 #include <filesystem>
 
+#include <fmt/core.h>
+
 #include "cli/scene/shipped.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/markdown.hpp"
@@ -16,20 +18,20 @@ using Rows = std::vector<std::vector<std::string>>;
 constexpr std::array all_states{ClaimState::holds, ClaimState::in_part, ClaimState::does_not_hold};
 
 std::string counts(const std::vector<const Claim*>& claims) {
-  std::string text = std::to_string(claims.size()) + (claims.size() == 1 ? " claim" : " claims");
+  std::string text = fmt::format("{} claim{}", claims.size(), claims.size() == 1 ? "" : "s");
   for (const ClaimState state : all_states)
-    text += (state == all_states.front() ? ": " : ", ") +
-            std::to_string(std::ranges::count(claims, state, &Claim::state)) + " " +
-            (state == ClaimState::holds     ? "hold"
-             : state == ClaimState::in_part ? "in part"
-                                            : "do not hold");
+    text += fmt::format("{} {} {}", state == all_states.front() ? ":" : ",",
+                        std::ranges::count(claims, state, &Claim::state),
+                        state == ClaimState::holds     ? "hold"
+                        : state == ClaimState::in_part ? "in part"
+                                                       : "do not hold");
   return text + "\n";
 }
 
 std::string shown_values(const ClaimOutcome& outcome) {
   std::string text;
   for (const auto& [quantity, value] : outcome.values)
-    text += (text.empty() ? "" : "; ") + quantity + " " + value;
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", quantity, value);
   return text;
 }
 
@@ -39,7 +41,7 @@ std::string found(const ClaimOutcome& outcome) {
 }
 
 std::string quoted(const std::string& text) {
-  return text.find_first_of(" *()<>&|\"$") == std::string::npos ? text : "'" + text + "'";
+  return text.find_first_of(" *()<>&|\"$") == std::string::npos ? text : fmt::format("'{}'", text);
 }
 
 Rows counts_by_paper(const std::vector<Paper>& papers) {
@@ -60,21 +62,19 @@ Rows counts_by_paper(const std::vector<Paper>& papers) {
   return rows;
 }
 
-std::string code(const std::string& text) { return "`" + text + "`"; }
-
 Rows failures(const Paper& paper) {
   Rows rows{{"claim", "statement", "state", "reason"}};
   for (const Claim& claim : paper.claims)
     if (claim.state != ClaimState::holds)
-      rows.push_back(
-          {code(claim.key) + ", " + claim.place, claim.text, std::string(name(claim.state)), claim.reason});
+      rows.push_back({fmt::format("`{}`, {}", claim.key, claim.place), claim.text,
+                      std::string(name(claim.state)), claim.reason});
   return rows;
 }
 
 Rows all_claims(const Paper& paper) {
   Rows rows{{"claim", "statement", "published", "state", "looser than the paper", "last run"}};
   for (const Claim& claim : paper.claims)
-    rows.push_back({code(claim.key) + ", " + claim.place, claim.text, claim.published,
+    rows.push_back({fmt::format("`{}`, {}", claim.key, claim.place), claim.text, claim.published,
                     std::string(name(claim.state)), claim.looser, claim.last_run});
   return rows;
 }
@@ -86,7 +86,7 @@ std::string list_of_claims(const std::vector<const Claim*>& claims, std::optiona
   for (const Claim* claim : claims)
     rows.push_back({claim->name(), claim->place, std::string(name(claim->state)),
                     claim->quick ? "quick" : "slow", claim->text});
-  return in_columns(rows, 0, columns) + "\n" + counts(claims);
+  return fmt::format("{}\n{}", in_columns(rows, 0, columns), counts(claims));
 }
 
 std::string command_of(const Claim& claim, const ClaimRun& run) {
@@ -96,16 +96,15 @@ std::string command_of(const Claim& claim, const ClaimRun& run) {
       "taut run " + quoted(std::ranges::find(shipped, stem) != shipped.end() ? stem : claim.scene);
   for (const Setting& s : run.settings) {
     const bool own_option = s.name == "method" || s.name == "spacing" || s.name == "until";
-    command +=
-        own_option ? " --" + s.name + " " + quoted(s.value) : " --set " + quoted(s.name + "=" + s.value);
+    command += own_option ? fmt::format(" --{} {}", s.name, quoted(s.value)) : " --set " + quoted(text_of(s));
   }
   return command;
 }
 
 std::string claim_text(const Claim& claim, std::size_t columns) {
-  std::string text = claim.name() + ", " + claim.place + ": " + std::string(name(claim.state)) + "\n";
+  std::string text = fmt::format("{}, {}: {}\n", claim.name(), claim.place, name(claim.state));
   const auto add = [&](const std::string& title, const std::string& content) {
-    if (!content.empty()) text += wrapped(title + ": " + content, 2, columns) + "\n";
+    if (!content.empty()) text += wrapped(fmt::format("{}: {}", title, content), 2, columns) + "\n";
   };
   add("statement", claim.text);
   add("published", claim.published);
@@ -125,16 +124,15 @@ std::string table_of_outcomes(const std::vector<ClaimOutcome>& outcomes, std::op
     rows.push_back({outcome.claim->name(), std::string(name(outcome.claim->state)), found(outcome),
                     outcome.agrees() ? "agrees" : "DIFFERS", shown_values(outcome)});
   const auto differ = std::ranges::count(outcomes, false, &ClaimOutcome::agrees);
-  return in_columns(rows, 0, columns) + "\n" +
-         (differ == 0 ? "all " + std::to_string(outcomes.size()) + " agree"
-                      : std::to_string(differ) + " of " + std::to_string(outcomes.size()) + " differ") +
-         "\n";
+  return fmt::format("{}\n{}\n", in_columns(rows, 0, columns),
+                     differ == 0 ? fmt::format("all {} agree", outcomes.size())
+                                 : fmt::format("{} of {} differ", differ, outcomes.size()));
 }
 
 std::string claims_markdown(const std::vector<Paper>& papers) {
   std::string page = markdown_table(counts_by_paper(papers));
   for (const Paper& paper : papers) {
-    page += "\n## " + paper.key + "\n\n" + paper.title + ".\n";
+    page += fmt::format("\n## {}\n\n{}.\n", paper.key, paper.title);
     if (const Rows rows = failures(paper); rows.size() > 1)
       page += "\nClaims that do not hold, or hold in part:\n\n" + markdown_table(rows);
     page += "\nAll claims:\n\n" + markdown_table(all_claims(paper));
@@ -175,9 +173,8 @@ TestReport claims_report(const std::vector<ClaimOutcome>& outcomes) {
   for (const ClaimOutcome& outcome : outcomes) {
     const Result result = outcome.agrees() ? Result::passed : outcome.state ? Result::failed : Result::error;
     report.cases.push_back({outcome.claim->name(), result,
-                            outcome.claim->name() + ": recorded as '" +
-                                std::string(name(outcome.claim->state)) + "', here " + found(outcome) + " (" +
-                                shown_values(outcome) + ")"});
+                            fmt::format("{}: recorded as '{}', here {} ({})", outcome.claim->name(),
+                                        name(outcome.claim->state), found(outcome), shown_values(outcome))});
   }
   return report;
 }

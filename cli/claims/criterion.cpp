@@ -7,6 +7,8 @@
 #include <regex>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "cli/scene/expression.hpp"
 #include "cli/study/csv.hpp"
 #include "cli/study/expectation.hpp"
@@ -72,7 +74,7 @@ QuantityValue value_of_history(const std::string& folder, const std::string& kin
                        : kind == "last" ? values.back()
                        : kind == "min"  ? *std::ranges::min_element(values)
                                         : *std::ranges::max_element(values);
-  if (!std::isfinite(value)) throw UsageError(kind + "." + column + " is not finite");
+  if (!std::isfinite(value)) throw UsageError(fmt::format("{}.{} is not finite", kind, column));
   return {value, six_digits(value)};
 }
 
@@ -95,13 +97,13 @@ void check_criterion(const std::string& criterion, const std::vector<std::string
   const std::vector<Quantity> quantities = quantities_in(criterion);
   for (const Quantity& quantity : quantities) {
     if (std::ranges::find(runs, quantity.run) == runs.end())
-      throw UsageError("'" + quantity.name() + "': " + unknown_name("run", quantity.run, runs));
+      throw UsageError(fmt::format("'{}': {}", quantity.name(), unknown_name("run", quantity.run, runs)));
     values[quantity.name()] = 1;
   }
   result_of(criterion, values);
   if (quantities.empty())
-    throw UsageError("'" + criterion + "' contains no quantity of a run, such as " + runs.front() +
-                     ".verdict");
+    throw UsageError(
+        fmt::format("'{}' contains no quantity of a run, such as {}.verdict", criterion, runs.front()));
 }
 
 bool is_met(const std::string& criterion, const std::map<std::string, double>& values) {
@@ -128,12 +130,13 @@ QuantityValue value_of(const std::string& folder, const std::string& path) {
     const auto error = run.record.measure(measure).error;
     if (error) return {*error, six_digits(*error)};
     if (check_expectation(run, {.name = measure}).value)
-      throw UsageError("the measure " + measure + " has no reference");
+      throw UsageError(fmt::format("the measure {} has no reference", measure));
   }
   const Finding finding =
       check_expectation(run, {.name = path.starts_with("error.") ? path.substr(6) : path});
   if (!finding.value)
-    throw UsageError(path + " has no value" + (finding.difference.empty() ? "" : ": " + finding.difference));
+    throw UsageError(
+        fmt::format("{} has no value{}", path, finding.difference.empty() ? "" : ": " + finding.difference));
   return {*finding.value, finding.is};
 }
 

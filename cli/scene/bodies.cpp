@@ -250,9 +250,6 @@ void read_gravity_and_damping(TomlCursor& root, Scene& scene) {
   for (const TomlValue& component : components(root, "gravity", scene.dim))
     scene.gravity[axis++] = root.function_of_time(component, "gravity");
   scene.damping = root.number("damping");
-  if (!(scene.damping >= 0))
-    root.fail(root.need("damping"), "damping",
-              "damping = " + exact(scene.damping) + " must not be negative (unit: 1/s)");
 }
 
 void read_bodies(TomlCursor& root, bool keeps_neighbors, SceneFile& file) {

@@ -85,6 +85,10 @@ TomlValue* TomlCursor::find(std::string_view key) {
 
 TomlValue& TomlCursor::need(std::string_view key) {
   if (TomlValue* value = find(key)) return *value;
+  if (std::optional<TomlValue> usual = default_value(*row(key))) {
+    table_.set(key, *std::move(usual));
+    return *find(key);
+  }
   std::vector<std::string> others;
   for (const TomlEntry& entry : table_.entries)
     if (row(entry.key) == nullptr) others.push_back(entry.key);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include <fmt/core.h>
+
 #include "cli/study/chart_errors.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
@@ -56,8 +58,8 @@ void add_once(std::vector<std::string>& names, const std::string& name) {
 
 std::string machine_of(const StoredRun& run) {
   const auto& [machine, threads] = std::tie(run.record.machine, run.record.threads);
-  return (machine.empty() ? "unknown machine" : machine) + ", " + std::to_string(threads) +
-         (threads == 1 ? " thread" : " threads");
+  return fmt::format("{}, {} thread{}", machine.empty() ? "unknown machine" : machine, threads,
+                     threads == 1 ? "" : "s");
 }
 
 std::vector<std::string> references_of(const StoredResults& results, const std::string& measure) {
@@ -74,7 +76,7 @@ std::vector<std::string> references_of(const StoredResults& results, const std::
   for (const auto& [name, of] : methods) count += of.size();
   std::vector<std::string> all;
   for (const auto& [name, of] : methods)
-    all.push_back(methods.size() == 1 || count > few ? name : name + " (" + join(of) + ")");
+    all.push_back(methods.size() == 1 || count > few ? name : fmt::format("{} ({})", name, join(of)));
   return all;
 }
 
@@ -106,8 +108,8 @@ std::vector<std::string> fixed_in(const StoredResults& results) {
   if (const std::string cfl = common(results, "cfl"); !cfl.empty() && !is_set("cfl"))
     all.push_back("cfl " + cfl);
   if (const auto until = parsed<double>(common(results, "until")); until && !is_set("until"))
-    all.push_back("to t = " + brief(*until) + " s");
-  for (const auto& [name, value] : results.fixed) all.push_back(name + " = " + value);
+    all.push_back(fmt::format("to t = {} s", brief(*until)));
+  for (const auto& [name, value] : results.fixed) all.push_back(fmt::format("{} = {}", name, value));
   return all;
 }
 
@@ -130,11 +132,11 @@ std::string label(Cost cost) { return std::string(std::ranges::find(costs, cost,
 std::string without_error(const ChartPoint& point) {
   if (point.error) return "";
   if (!point.measured) return point.stable ? "no value" : point.verdict;
-  return "no reference" + (point.stable ? "" : ", " + point.verdict);
+  return point.stable ? "no reference" : "no reference, " + point.verdict;
 }
 
 std::string shown_error(const Chart& chart, double error) {
-  return chart.unit.empty() ? percent(error) : brief(error) + " " + chart.unit;
+  return chart.unit.empty() ? percent(error) : fmt::format("{} {}", brief(error), chart.unit);
 }
 
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points) {
@@ -168,12 +170,12 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
   chart.fixed = fixed_in(results);
   const std::vector<std::string> columns = distinguishing_columns(results.runs, "spacing");
   if (request.run)
-    chart.against = "the run in '" + request.run->folder() + "'";
+    chart.against = fmt::format("the run in '{}'", request.run->folder());
   else if (errors.against.size() == 1)
-    chart.against =
-        series_name(*errors.against[0], columns) + " at " + shown_spacing(errors.against[0]->record.spacing);
+    chart.against = fmt::format("{} at {}", series_name(*errors.against[0], columns),
+                                shown_spacing(errors.against[0]->record.spacing));
   else if (!errors.against.empty())
-    chart.against = request.against + ", the finest run of each " + join(errors.swept);
+    chart.against = fmt::format("{}, the finest run of each {}", request.against, join(errors.swept));
   const auto is_reference = [&](const StoredRun& run) {
     return std::ranges::any_of(errors.against, [&](const StoredRun* one) { return is_same_run(run, *one); });
   };
@@ -196,10 +198,9 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
     chart.other_load = std::max(chart.other_load, run.record.other_load.value_or(0));
   }
   if (chart.series.empty() && chart.left_out > 0)
-    throw UsageError("none of the " + std::to_string(chart.left_out) +
-                     " runs is stable; leave out --stable-only");
+    throw UsageError(fmt::format("none of the {} runs is stable; leave out --stable-only", chart.left_out));
   if (chart.series.empty())
-    throw UsageError("no run is left to compare with " + chart.against + "; name more methods");
+    throw UsageError(fmt::format("no run is left to compare with {}; name more methods", chart.against));
   for (ChartSeries& series : chart.series) {
     std::ranges::sort(series.points, std::greater(), &ChartPoint::spacing);
     series.order = convergence_order(series.points);

@@ -101,12 +101,13 @@ std::string in_words(const Chart& chart, std::string name) {
 std::string words_of_error(const Chart& chart) {
   const std::string unit = chart.unit.empty() ? "%" : chart.unit;
   const std::string name = in_words(chart, chart.measure);
-  if (!chart.against.empty()) return "difference of the " + name + " from " + chart.against + ", " + unit;
+  if (!chart.against.empty())
+    return fmt::format("difference of the {} from {}, {}", name, chart.against, unit);
   const auto kind =
       std::ranges::find(errors_in_words, chart.kind, &std::pair<std::string_view, std::string_view>::first);
-  if (kind != errors_in_words.end()) return std::string(kind->second) + " of the " + name + ", " + unit;
-  return "error of the " + name +
-         (chart.unit.empty() && chart.relative ? ", % of the reference" : ", " + unit);
+  if (kind != errors_in_words.end()) return fmt::format("{} of the {}, {}", kind->second, name, unit);
+  return fmt::format("error of the {}, {}", name,
+                     chart.unit.empty() && chart.relative ? "% of the reference" : unit);
 }
 
 std::string frame(const Chart& chart, const Layout& layout) {
@@ -120,13 +121,13 @@ std::string frame(const Chart& chart, const Layout& layout) {
                       right_margin(layout.names) + 0.008, (layout.foot() + field) / height);
   text += "set border 3 back linecolor '#444444'\nset logscale xy\n";
   text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\n";
-  text += "set xrange [" + exact(layout.cost.low) + ":" + exact(layout.cost.high) + "]\n";
-  text += "set yrange [" + exact(layout.error.low) + ":" + exact(layout.end()) + "]\n";
-  text += "set xtics " +
-          log_ticks(layout.cost.low, layout.cost.high, is_time(chart.cost) ? brief : with_prefix) + "\n";
-  text += "set ytics " + log_ticks(layout.error.low, layout.error.high, brief) + "\n";
-  text += "set xlabel " + plot_text(label(chart.cost)) + "\n";
-  text += "set ylabel " + plot_text(words_of_error(chart)) + "\n";
+  text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", exact(layout.cost.low),
+                      exact(layout.cost.high), exact(layout.error.low), exact(layout.end()));
+  text += fmt::format("set xtics {}\nset ytics {}\n",
+                      log_ticks(layout.cost.low, layout.cost.high, is_time(chart.cost) ? brief : with_prefix),
+                      log_ticks(layout.error.low, layout.error.high, brief));
+  text += fmt::format("set xlabel {}\nset ylabel {}\n", plot_text(label(chart.cost)),
+                      plot_text(words_of_error(chart)));
   for (std::size_t k = 0; k < notes.size(); ++k)
     text += plot_note(notes[k], (16 + note * static_cast<double>(notes.size() - 1 - k)) / height);
   return text;
@@ -134,56 +135,58 @@ std::string frame(const Chart& chart, const Layout& layout) {
 
 std::string strip(const Layout& layout) {
   if (layout.strip_rows == 0) return "";
-  std::string text = "set object rectangle from graph 0, first " + exact(layout.error.high) +
-                     " to graph 1, graph 1 behind fillcolor '#f3f3f3' fillstyle solid noborder\n";
-  text += "set label 'no error' at graph -0.01, first " + exact(layout.in_strip(0.5 * layout.strip_rows)) +
-          " right font ',9' textcolor '#555555'\n";
+  std::string text = fmt::format(
+      "set object rectangle from graph 0, first {} to graph 1, "
+      "graph 1 behind fillcolor '#f3f3f3' fillstyle solid noborder\n"
+      "set label 'no error' at graph -0.01, first {} right font ',9' textcolor '#555555'\n",
+      exact(layout.error.high), exact(layout.in_strip(0.5 * layout.strip_rows)));
   for (std::size_t k = 0; k < layout.names.size(); ++k)
     if (const int place = layout.strip_row[k]; place >= 0)
-      text += "set label " + plot_text(layout.names[k]) + " at graph 1.01, first " +
-              exact(layout.in_strip(layout.strip_rows - place - 0.5)) +
-              " left font ',9' textcolor '#222222'\n";
+      text +=
+          fmt::format("set label {} at graph 1.01, first {} left font ',9' textcolor '#222222'\n",
+                      plot_text(layout.names[k]), exact(layout.in_strip(layout.strip_rows - place - 0.5)));
   return text;
 }
 
 /// At order p, error ∝ cost^(−p/(dim + 1)): particles grow as 1/dp^dim, steps as 1/dp.
 std::string guide(const Chart& chart, const Layout& layout, int order) {
   const double slope = -order / (chart.dim + 1.0);
-  return exact(layout.error.centre()) + " * (x / " + exact(layout.cost.centre()) + ")**(" + exact(slope) +
-         ") with lines linewidth 1.5 linecolor '#a0a0a0' dashtype " + std::to_string(order + 1) +
-         " title 'slope of order " + std::to_string(order) + "'";
+  return fmt::format(
+      "{} * (x / {})**({}) with lines linewidth 1.5 linecolor '#a0a0a0' dashtype {} title 'slope of order {}'",
+      exact(layout.error.centre()), exact(layout.cost.centre()), exact(slope), order + 1, order);
 }
 
 /// Thin line: all runs; thick line: stable runs.
 std::vector<std::string> curve(const Chart& chart, const Layout& layout, std::size_t k) {
   const auto& points = chart.series[k].points;
   const CurveStyle& style = layout.styles[k];
-  const std::string y = "($2 > 0 ? $2*" + exact(scale(chart)) + " : " + exact(layout.error.low) + ")";
-  const std::string x = "($3 > 0 ? $3 : " + exact(layout.cost.low) + ")";
+  const std::string y = fmt::format("($2 > 0 ? $2*{} : {})", exact(scale(chart)), exact(layout.error.low));
+  const std::string x = fmt::format("($3 > 0 ? $3 : {})", exact(layout.cost.low));
   const auto at = [&](const std::string& condition, const std::string& height) {
-    return "data index " + std::to_string(k) + " using " + x + ":(" + condition + " ? " + height + " : NaN)";
+    return fmt::format("data index {} using {}:({} ? {} : NaN)", k, x, condition, height);
   };
   const auto markers = [&](const std::string& with, const std::string& height, const char* size,
                            const std::string& offset) {
     const std::string open = at(with + " && $4 == 0", height), of_size = point_size(size);
     std::vector<std::string> all;
     if (std::ranges::any_of(points, [](const ChartPoint& p) { return p.stable; }))
-      all.push_back(at(with + " && $4 == 1", height) + " with points " + style.marker() + of_size +
-                    " notitle");
+      all.push_back(fmt::format("{} with points {}{} notitle", at(with + " && $4 == 1", height),
+                                style.marker(), of_size));
     if (std::ranges::all_of(points, [](const ChartPoint& p) { return p.stable; })) return all;
-    all.push_back(open + " with points pointtype " + std::to_string(style.filled) + " linecolor '#ffffff'" +
-                  of_size + " notitle");
-    all.push_back(open + " with points pointtype " + std::to_string(style.open) +
-                  " linewidth 1.5 linecolor '" + style.color + "'" + of_size + " notitle");
-    all.push_back(open + ":('×') with labels offset character " + offset +
-                  " font ',11' textcolor '#d00000' notitle");
+    all.push_back(fmt::format("{} with points pointtype {} linecolor '#ffffff'{} notitle", open, style.filled,
+                              of_size));
+    all.push_back(fmt::format("{} with points pointtype {} linewidth 1.5 linecolor '{}'{} notitle", open,
+                              style.open, style.color, of_size));
+    all.push_back(fmt::format(
+        "{}:('×') with labels offset character {} font ',11' textcolor '#d00000' notitle", open, offset));
     return all;
   };
   std::vector<std::string> all;
   if (!std::ranges::all_of(points, has_no_error)) {
     if (!std::ranges::all_of(points, &ChartPoint::stable))
-      all.push_back(at("$5 == 1", y) + " with lines linewidth 0.7 " + style.line() + " notitle");
-    all.push_back(at("$5 == 1 && $4 == 1", y) + " with lines linewidth 2 " + style.line() + " notitle");
+      all.push_back(fmt::format("{} with lines linewidth 0.7 {} notitle", at("$5 == 1", y), style.line()));
+    all.push_back(
+        fmt::format("{} with lines linewidth 2 {} notitle", at("$5 == 1 && $4 == 1", y), style.line()));
     for (std::string& each : markers("$5 == 1", y, "1.3", "0.9,0.45")) all.push_back(std::move(each));
   }
   if (const int place = layout.strip_row[k]; place >= 0)
@@ -201,27 +204,29 @@ std::vector<std::string> legend(const Chart& chart, const Layout& layout) {
     const auto& points = chart.series[k].points;
     all_stable &= std::ranges::all_of(points, &ChartPoint::stable);
     if (std::ranges::all_of(points, has_no_error)) continue;  // named in the strip
-    all.push_back("keyentry with linespoints linewidth 2" + point_size("1.3") + " " + style.line() +
-                  " pointtype " + std::to_string(style.filled) + " title " + plot_text(layout.names[k]));
+    all.push_back(fmt::format("keyentry with linespoints linewidth 2{} {} pointtype {} title {}",
+                              point_size("1.3"), style.line(), style.filled, plot_text(layout.names[k])));
   }
   if (!all_stable)
-    all.push_back("keyentry with points pointtype 6 linewidth 1.5" + point_size("1.3") +
-                  " linecolor '#555555' title 'open, ×: not stable'");
+    all.push_back(fmt::format(
+        "keyentry with points pointtype 6 linewidth 1.5{} linecolor '#555555' title 'open, ×: not stable'",
+        point_size("1.3")));
   return all;
 }
 
 }  // namespace
 
 std::string chart_data(const Chart& chart) {
-  std::string text = plot_comment(chart.measure + " of " + chart.scene);
+  std::string text = plot_comment(fmt::format("{} of {}", chart.measure, chart.scene));
   for (const ChartSeries& series : chart.series) {
     text += plot_comment(series.name) +
-            plot_comment("spacing, m; error" + (chart.unit.empty() ? "" : ", " + chart.unit) + "; " +
-                         label(chart.cost) + "; stable; has an error; verdict; run");
+            plot_comment(fmt::format("spacing, m; error{}; {}; stable; has an error; verdict; run",
+                                     chart.unit.empty() ? "" : ", " + chart.unit, label(chart.cost)));
     for (const ChartPoint& point : series.points)
-      text += exact(point.spacing) + " " + (point.error ? exact(*point.error) : "NaN") + " " +
-              exact(point.cost) + " " + (point.stable ? "1 " : "0 ") + (point.error ? "1 " : "0 ") +
-              (point.verdict.empty() ? "-" : point.verdict) + " " + data_text(point.folder) + "\n";
+      text += fmt::format("{} {} {} {} {} {} {}\n", exact(point.spacing),
+                          point.error ? exact(*point.error) : "NaN", exact(point.cost), point.stable ? 1 : 0,
+                          point.error ? 1 : 0, point.verdict.empty() ? "-" : point.verdict,
+                          data_text(point.folder));
     text += "\n\n";
   }
   return text;
@@ -229,17 +234,19 @@ std::string chart_data(const Chart& chart) {
 
 std::string chart_script(const Chart& chart, const PlotFiles& files) {
   if (chart.series.size() > most_series)
-    throw UsageError("the chart would have " + std::to_string(chart.series.size()) + " lines, such as '" +
-                     chart.series.front().name + "'; at most " + std::to_string(most_series) +
-                     " are allowed; choose some with --methods, or draw a map");
+    throw UsageError(
+        fmt::format("the chart would have {} lines, such as '{}'; at most {} are allowed; "
+                    "choose some with --methods, or draw a map",
+                    chart.series.size(), chart.series.front().name, most_series));
   const Layout layout = layout_of(chart);
   std::vector<std::string> plots{guide(chart, layout, 1), guide(chart, layout, 2)};
   for (std::size_t k = 0; k < chart.series.size(); ++k)
     for (std::string& each : curve(chart, layout, k)) plots.push_back(std::move(each));
   for (std::string& each : legend(chart, layout)) plots.push_back(std::move(each));
-  return plot_head(files, plot_width, static_cast<int>(layout.height())) + frame(chart, layout) +
-         strip(layout) + "plot [" + exact(layout.cost.low) + ":" + exact(layout.cost.high) + "] " +
-         join(plots, ", \\\n     ") + "\n";
+  return fmt::format("{}{}{}plot [{}:{}] {}\n",
+                     plot_head(files, plot_width, static_cast<int>(layout.height())), frame(chart, layout),
+                     strip(layout), exact(layout.cost.low), exact(layout.cost.high),
+                     join(plots, ", \\\n     "));
 }
 
 }  // namespace taut::cli

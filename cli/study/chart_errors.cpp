@@ -4,6 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include <fmt/core.h>
+
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/diagnostics/measure_kinds.hpp"
@@ -91,37 +93,37 @@ std::string hint(const StoredResults& results) {
 std::string not_ended(const StoredResults& results) {
   const auto count =
       std::ranges::count_if(results.runs, [](const StoredRun& run) { return !run.has_result(); });
-  return count == 0 ? ""
-                    : "; " + std::to_string(count) + " of " + std::to_string(results.runs.size()) +
-                          " runs have not ended";
+  return count == 0 ? "" : fmt::format("; {} of {} runs have not ended", count, results.runs.size());
 }
 
 std::string nothing_charted(const StoredResults& results, const ChartRequest& request) {
-  if (request.run) return "the runs and '" + request.run->file + "' have no measure in common with a value";
+  if (request.run)
+    return fmt::format("the runs and '{}' have no measure in common with a value", request.run->file);
   if (!request.against.empty())
-    return "no stable run of " + request.against + " in the results of " + results.scene +
-           " has a value to compare other runs with";
-  return "no measure in the results of " + results.scene +
-         " has an error: the scene has no references for these parameters, or the runs were too short" +
-         not_ended(results) + hint(results);
+    return fmt::format("no stable run of {} in the results of {} has a value to compare other runs with",
+                       request.against, results.scene);
+  return fmt::format(
+      "no measure in the results of {} has an error: "
+      "the scene has no references for these parameters, or the runs were too short{}{}",
+      results.scene, not_ended(results), hint(results));
 }
 
 std::string no_error_of(const StoredResults& results, const ChartRequest& request, const NameList& charted) {
   const bool referenced = std::ranges::any_of(results.runs, [&](const StoredRun& run) {
     return run.has_result() && run.record.measure(request.measure).reference;
   });
-  std::string why =
-      "no stable run of " + request.against + " has a value of this measure, or no other run has one";
+  std::string why = fmt::format("no stable run of {} has a value of this measure, or no other run has one",
+                                request.against);
   if (methods_in(results).empty())
     why = "no run has a result yet";
   else if (request.run)
-    why = "'" + request.run->file + "' has no value of this measure, or no other run has one";
+    why = fmt::format("'{}' has no value of this measure, or no other run has one", request.run->file);
   else if (request.against.empty())
     why = referenced ? "the runs with a reference ended before it could be measured"
                      : "the scene has no reference for it with these parameters";
-  return "no run has an error of " + request.measure + ": " + why +
-         (charted.empty() ? "" : "; measures with an error: " + join(charted)) + not_ended(results) +
-         (request.replaces_references() ? "" : hint(results));
+  return fmt::format("no run has an error of {}: {}{}{}{}", request.measure, why,
+                     charted.empty() ? "" : "; measures with an error: " + join(charted), not_ended(results),
+                     request.replaces_references() ? "" : hint(results));
 }
 
 }  // namespace
@@ -180,9 +182,9 @@ ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& requ
   if (request.replaces_references()) {
     std::erase_if(charted, [&](const std::string& m) { return is_error(results, m); });
     if (!request.measure.empty() && is_error(results, request.measure))
-      throw UsageError(request.measure +
-                       " is already an error relative to a reference of the scene: leave out --against" +
-                       (charted.empty() ? "" : "; measures that can be compared: " + join(charted)));
+      throw UsageError(fmt::format(
+          "{} is already an error relative to a reference of the scene: leave out --against{}",
+          request.measure, charted.empty() ? "" : "; measures that can be compared: " + join(charted)));
   }
   if (charted.empty()) throw UsageError(nothing_charted(results, request));
   if (request.measure.empty()) return errors_of(results, default_measure(results, charted, request), request);

@@ -27,7 +27,7 @@ std::string error_cell(const Chart& chart, const ChartSeries& series, double spa
   const auto point = std::ranges::find(series.points, spacing, &ChartPoint::spacing);
   if (point == series.points.end()) return "";
   const std::string error = point->error ? shown_error(chart, *point->error) : "-";
-  return point->stable ? error : error + " (" + point->verdict + ")";
+  return point->stable ? error : fmt::format("{} ({})", error, point->verdict);
 }
 
 bool has_zero(const Chart& chart) {
@@ -56,11 +56,11 @@ std::string orders_table(const Chart& chart) {
   for (const ChartSeries& series : chart.series) {
     const ChartPoint& finest = series.points.back();
     const auto unstable = std::ranges::count(series.points, false, &ChartPoint::stable);
-    rows.push_back({series.name, series.order ? brief(*series.order) : "-",
-                    std::to_string(series.points.size()), brief(finest.spacing),
-                    finest.error ? shown_error(chart, *finest.error) : "- (" + without_error(finest) + ")",
-                    finest.cost > 0 ? brief(finest.cost) : "-",
-                    unstable == 0 ? "" : std::to_string(unstable)});
+    rows.push_back(
+        {series.name, series.order ? brief(*series.order) : "-", std::to_string(series.points.size()),
+         brief(finest.spacing),
+         finest.error ? shown_error(chart, *finest.error) : fmt::format("- ({})", without_error(finest)),
+         finest.cost > 0 ? brief(finest.cost) : "-", unstable == 0 ? "" : std::to_string(unstable)});
   }
   return in_columns(rows);
 }
@@ -70,14 +70,14 @@ std::string markdown(const Chart& chart) {
   for (const double spacing : spacings(chart)) rows[0].push_back(shown_spacing(spacing));
   rows[0].insert(rows[0].end(), {"order", is_time(chart.cost) ? "finest, s" : "finest, particles × steps"});
   for (const ChartSeries& series : chart.series) {
-    rows.push_back({"`" + series.name + "`"});
+    rows.push_back({fmt::format("`{}`", series.name)});
     for (const double spacing : spacings(chart)) rows.back().push_back(error_cell(chart, series, spacing));
     const double cost = series.points.back().cost;
     rows.back().insert(rows.back().end(),
                        {series.order ? brief(*series.order) : "-", cost > 0 ? brief(cost) : "-"});
   }
-  std::string text = "**" + chart.title + "**: " + error_label(chart) + "\n\n" + markdown_table(rows);
-  for (const std::string& note : footnotes(chart)) text += "\n" + note + "\n";
+  std::string text = fmt::format("**{}**: {}\n\n{}", chart.title, error_label(chart), markdown_table(rows));
+  for (const std::string& note : footnotes(chart)) text += fmt::format("\n{}\n", note);
   return text;
 }
 
@@ -87,13 +87,13 @@ std::string markdown_of_prices(const Chart& chart) {
   std::vector<std::vector<std::string>> rows{{"method"}};
   for (const double level : levels) rows[0].push_back("within " + shown_error(chart, level));
   for (const ChartSeries& series : chart.series) {
-    std::vector<std::string> cells{"`" + series.name + "`"};
+    std::vector<std::string> cells{fmt::format("`{}`", series.name)};
     for (const double level : levels) {
       const std::vector<Offer> offers = suitable_offers(chart, {.error = level, .seconds = {}});
       const auto own = std::ranges::find(offers, &series, &Offer::series);
-      cells.push_back(own == offers.end()
-                          ? "-"
-                          : brief(own->point->cost) + " s at " + shown_spacing(own->point->spacing));
+      cells.push_back(own == offers.end() ? "-"
+                                          : fmt::format("{} s at {}", brief(own->point->cost),
+                                                        shown_spacing(own->point->spacing)));
     }
     if (std::ranges::any_of(cells, [](const std::string& cell) { return cell.ends_with("m"); }))
       rows.push_back(std::move(cells));
@@ -125,24 +125,26 @@ std::string chart_json(const Chart& chart) {
 
 std::string error_label(const Chart& chart) {
   const std::string unit = chart.unit.empty() ? "%" : chart.unit;
-  if (!chart.against.empty()) return chart.measure + ", difference from " + chart.against + ", " + unit;
-  if (!chart.unit.empty() || !chart.relative) return chart.measure + ", " + unit;
-  return "error of " + chart.measure + ", % of the reference";
+  if (!chart.against.empty())
+    return fmt::format("{}, difference from {}, {}", chart.measure, chart.against, unit);
+  if (!chart.unit.empty() || !chart.relative) return fmt::format("{}, {}", chart.measure, unit);
+  return fmt::format("error of {}, % of the reference", chart.measure);
 }
 
 std::vector<std::string> footnotes(const Chart& chart) {
   const auto all = spacings(chart);
-  std::string what = "Scene " + chart.scene + ", particles " + shown_spacing(*all.begin());
-  what += all.size() > 1 ? " to " + shown_spacing(*all.rbegin()) + " apart, each line from coarse to fine"
-                         : " apart";
+  std::string what = fmt::format("Scene {}, particles {}", chart.scene, shown_spacing(*all.begin()));
+  what += all.size() > 1
+              ? fmt::format(" to {} apart, each line from coarse to fine", shown_spacing(*all.rbegin()))
+              : " apart";
   if (!chart.fixed.empty()) what += "; all with " + join(chart.fixed);
   if (chart.left_out > 0) what += fmt::format("; without {} runs that are not stable", chart.left_out);
   if (has_zero(chart)) what += "; points on an axis: an error or a cost of 0";
   std::vector<std::string> notes{what};
   const std::string references = join(chart.references, "; ");
   if (!chart.against.empty())
-    notes.push_back("Compared with " + chart.against + ", which is not an independent reference" +
-                    (references.empty() ? "" : "; independent references: " + references));
+    notes.push_back(fmt::format("Compared with {}, which is not an independent reference{}", chart.against,
+                                references.empty() ? "" : "; independent references: " + references));
   else if (!references.empty())
     notes.push_back("Reference: " + references);
   std::vector<std::string> without;
@@ -152,19 +154,20 @@ std::vector<std::string> footnotes(const Chart& chart) {
       if (const std::string why = without_error(point);
           !why.empty() && std::ranges::find(reasons, why) == reasons.end())
         reasons.push_back(why);
-    if (!reasons.empty()) without.push_back(series.name + " (" + join(reasons, "; ") + ")");
+    if (!reasons.empty()) without.push_back(fmt::format("{} ({})", series.name, join(reasons, "; ")));
   }
   constexpr std::size_t longest = 130;
   std::size_t more = 0;
   for (; without.size() > 1 && join(without).size() > longest; ++more) without.pop_back();
   if (!without.empty())
-    notes.push_back("Some or all runs have no error: " + join(without) +
-                    (more == 0 ? "" : " and " + std::to_string(more) + " more"));
+    notes.push_back(fmt::format("Some or all runs have no error: {}{}", join(without),
+                                more == 0 ? "" : fmt::format(" and {} more", more)));
   if (is_time(chart.cost))
-    notes.push_back("Time: " + join(chart.machines, "; ") +
-                    (chart.other_load < busy_load ? ""
-                                                  : "; the machine was busy: others used up to " +
-                                                        brief(chart.other_load) + " cores"));
+    notes.push_back(fmt::format(
+        "Time: {}{}", join(chart.machines, "; "),
+        chart.other_load < busy_load
+            ? ""
+            : fmt::format("; the machine was busy: others used up to {} cores", brief(chart.other_load))));
   return notes;
 }
 

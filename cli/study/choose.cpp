@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <fmt/core.h>
+
 #include "cli/text/format.hpp"
 
 namespace taut::cli {
@@ -30,20 +32,20 @@ std::vector<Offer> cheapest_first(std::vector<Offer> all) {
 
 std::string limits_line(const Chart& chart, const ChoiceLimits& limits) {
   std::string text =
-      chart.scene + ", error of " + chart.measure + " at most " + shown_error(chart, limits.error);
-  if (limits.seconds) text += ", within " + brief(*limits.seconds) + " s";
+      fmt::format("{}, error of {} at most {}", chart.scene, chart.measure, shown_error(chart, limits.error));
+  if (limits.seconds) text += fmt::format(", within {} s", brief(*limits.seconds));
   return text;
 }
 
 std::string settings_of(const ChartSeries& series, const ChartPoint& point) {
-  std::string text = series.name + " at a spacing of " + brief(point.spacing) + " m";
+  std::string text = fmt::format("{} at a spacing of {} m", series.name, brief(point.spacing));
   if (!point.cfl.empty()) text += ", cfl " + point.cfl;
-  if (!point.stepping.empty()) text += ", " + point.stepping + " stepping";
+  if (!point.stepping.empty()) text += fmt::format(", {} stepping", point.stepping);
   return text;
 }
 
 std::string result_of(const Chart& chart, const ChartPoint& point) {
-  return "error " + shown_error(chart, *point.error) + ", " + brief(point.cost) + " s";
+  return fmt::format("error {}, {} s", shown_error(chart, *point.error), brief(point.cost));
 }
 
 std::vector<std::string> choice_row(const Chart& chart, const ChartSeries& series, const ChartPoint& point) {
@@ -54,7 +56,7 @@ std::vector<std::string> choice_row(const Chart& chart, const ChartSeries& serie
 
 std::string sources(const Chart& chart) {
   const std::string reference = chart.against.empty() ? join(chart.references, "; ") : chart.against;
-  return "\nReference: " + reference + "\nTime: " + join(chart.machines, "; ") + "\n";
+  return fmt::format("\nReference: {}\nTime: {}\n", reference, join(chart.machines, "; "));
 }
 
 std::string evidence(const Chart& chart, const std::vector<Offer>& all) {
@@ -70,7 +72,7 @@ std::string evidence(const Chart& chart, const std::vector<Offer>& all) {
 }
 
 std::string nothing_stable(std::optional<double> seconds) {
-  return "There is no stable run with a measured error" + std::string(seconds ? " in this time" : "") + ".\n";
+  return fmt::format("There is no stable run with a measured error{}.\n", seconds ? " in this time" : "");
 }
 
 /// Least error within the time limit.
@@ -85,9 +87,9 @@ std::string nearest_run(const Chart& chart, const ChoiceLimits& limits) {
         nearest = &point;
       }
   if (!nearest) return nothing_stable(limits.seconds);
-  std::string text = "The smallest error of a stable run";
-  if (limits.seconds) text += " in this time";
-  text += ": " + settings_of(*series, *nearest) + ", " + result_of(chart, *nearest) + ".\n";
+  std::string text =
+      fmt::format("The smallest error of a stable run{}: {}, {}.\n", limits.seconds ? " in this time" : "",
+                  settings_of(*series, *nearest), result_of(chart, *nearest));
   if (*nearest->error <= limits.error) text += "Finer runs of the same method do not confirm this error.\n";
   return text;
 }
@@ -125,30 +127,31 @@ std::string advice(const Chart& chart, const ChoiceLimits& limits) {
   const std::vector<Offer> all = suitable_offers(chart, limits);
   std::string text = limits_line(chart, limits) + ":\n\n";
   if (all.empty())
-    return text + "No run is accurate enough. " + nearest_run(chart, limits) +
-           "Sweep finer spacings or other methods.\n";
+    return fmt::format("{}No run is accurate enough. {}Sweep finer spacings or other methods.\n", text,
+                       nearest_run(chart, limits));
   const Offer& best = all.front();
-  text += "  take  " + settings_of(*best.series, *best.point) + ": " + result_of(chart, *best.point) + "\n";
-  text += "  run   " + best.point->folder + "\n";
+  text += fmt::format("  take  {}: {}\n  run   {}\n", settings_of(*best.series, *best.point),
+                      result_of(chart, *best.point), best.point->folder);
   text += best.finer == 0 ? "\nNo finer run confirms this error; it may be small by chance.\n"
-                          : "\nFiner runs that confirm this error: " + std::to_string(best.finer) + ".\n";
+                          : fmt::format("\nFiner runs that confirm this error: {}.\n", best.finer);
   return text + evidence(chart, all);
 }
 
 std::string price_list(const Chart& chart, std::optional<double> seconds) {
   const std::vector<Offer> all = pareto_front(chart, seconds);
-  std::string text = chart.scene + ", cost of an error of " + chart.measure +
-                     (seconds ? ", within " + brief(*seconds) + " s" : "") + ":\n\n";
+  std::string text = fmt::format("{}, cost of an error of {}{}:\n\n", chart.scene, chart.measure,
+                                 seconds ? fmt::format(", within {} s", brief(*seconds)) : "");
   if (all.empty()) return text + nothing_stable(seconds);
   std::vector<std::vector<std::string>> rows{
       {"error up to", "s", "method", "spacing, m", "cfl", "finer runs"}};
   for (const Offer& offer : all)
     rows.push_back({shown_error(chart, offer.error), brief(offer.point->cost), offer.series->name,
                     brief(offer.point->spacing), offer.point->cfl, std::to_string(offer.finer)});
-  return text + in_columns(rows) +
-         "\nEach row is the cheapest stable run with this error. "
-         "All finer runs of its method have at most this error.\n" +
-         sources(chart);
+  return fmt::format(
+      "{}{}\n"
+      "Each row is the cheapest stable run with this error. "
+      "All finer runs of its method have at most this error.\n{}",
+      text, in_columns(rows), sources(chart));
 }
 
 Json to_json(const std::vector<Offer>& offers) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "cli/system/atomic_file.hpp"
 #include "engine/error.hpp"
 
@@ -22,7 +24,7 @@ class CsvReader {
   std::vector<std::string> row() {
     std::vector<std::string> cells{cell()};
     while (!at_end() && text_[at_] == ',') {
-      if (cells.size() == most_columns) fail("more than " + std::to_string(most_columns) + " columns");
+      if (cells.size() == most_columns) fail(fmt::format("more than {} columns", most_columns));
       ++at_;
       cells.push_back(cell());
     }
@@ -34,7 +36,7 @@ class CsvReader {
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw UsageError(file_ + ":" + std::to_string(line_) + ": " + what);
+    throw UsageError(fmt::format("{}:{}: {}", file_, line_, what));
   }
 
  private:
@@ -70,21 +72,21 @@ class CsvReader {
 
 CsvTable parse_csv(const std::string& text, const std::string& file) {
   CsvReader reader(text, file);
-  if (reader.at_end()) throw UsageError("'" + file + "' is empty");
+  if (reader.at_end()) throw UsageError(fmt::format("'{}' is empty", file));
   CsvTable table{reader.row(), {}};
   while (!reader.at_end()) {
     const int line = reader.line();
     table.rows.push_back(reader.row());
     if (table.rows.back().size() != table.columns.size())
-      throw UsageError(file + ":" + std::to_string(line) + ": " + std::to_string(table.rows.back().size()) +
-                       " cells under " + std::to_string(table.columns.size()) + " columns");
+      throw UsageError(fmt::format("{}:{}: {} cells under {} columns", file, line, table.rows.back().size(),
+                                   table.columns.size()));
   }
   return table;
 }
 
 CsvTable read_csv(const std::filesystem::path& path) {
   const auto text = read_whole(path, most_mebibytes << 20);
-  if (!text) throw UsageError("'" + path.string() + "' cannot be read");
+  if (!text) throw UsageError(fmt::format("'{}' cannot be read", path.string()));
   return parse_csv(*text, path.string());
 }
 

@@ -47,11 +47,9 @@ std::size_t number_of(const std::string& method) {
 
 }  // namespace
 
-std::string CurveStyle::line() const { return "linecolor '" + color + "' dashtype " + std::to_string(dash); }
+std::string CurveStyle::line() const { return fmt::format("linecolor '{}' dashtype {}", color, dash); }
 
-std::string CurveStyle::marker() const {
-  return "pointtype " + std::to_string(filled) + " linecolor '" + color + "'";
-}
+std::string CurveStyle::marker() const { return fmt::format("pointtype {} linecolor '{}'", filled, color); }
 
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& names) {
   std::vector<CurveStyle> all(names.size());

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
@@ -20,8 +22,9 @@ std::string without_blanks(std::string text) {
 double finite_number(const std::string& text, const std::string& whole) {
   const auto value = parsed<double>(text);
   if (value && std::isfinite(*value)) return *value;
-  throw UsageError("'" + whole + "': '" + text +
-                   "' is not a number; write NAME=VALUE±TOLERANCE, NAME<VALUE or NAME>VALUE, without units");
+  throw UsageError(fmt::format(
+      "'{}': '{}' is not a number; write NAME=VALUE±TOLERANCE, NAME<VALUE or NAME>VALUE, without units",
+      whole, text));
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> find_tolerance(const std::string& text) {
@@ -49,16 +52,16 @@ std::vector<std::string> names_in(const StoredRun& run) {
 }
 
 std::string with_unit(double value, const std::string& unit) {
-  return six_digits(value) + (unit.empty() ? "" : " " + unit);
+  return unit.empty() ? six_digits(value) : fmt::format("{} {}", six_digits(value), unit);
 }
 
 std::string shown_tolerance(const Tolerance& t) { return t.relative ? percent(t.size) : six_digits(t.size); }
 
 std::string shown(const Expectation& e, const std::string& unit) {
   if (e.kind == Expectation::Kind::equal)
-    return with_unit(e.value, unit) + " ± " + shown_tolerance(e.tolerance);
-  return std::string(e.kind == Expectation::Kind::below ? "<" : ">") + (e.or_equal ? "= " : " ") +
-         with_unit(e.value, unit);
+    return fmt::format("{} ± {}", with_unit(e.value, unit), shown_tolerance(e.tolerance));
+  return fmt::format("{}{} {}", e.kind == Expectation::Kind::below ? "<" : ">", e.or_equal ? "=" : "",
+                     with_unit(e.value, unit));
 }
 
 bool holds(const Expectation& e, double is) {
@@ -72,7 +75,7 @@ std::string shown_difference(const Expectation& e, double is, const std::string&
   const double difference = is - e.value;
   std::string text = difference > 0 ? "+" : "";
   if (e.tolerance.relative && e.value != 0) return text + percent(difference / std::abs(e.value));
-  return text + brief(difference) + (unit.empty() ? "" : " " + unit);
+  return fmt::format("{}{}{}", text, brief(difference), unit.empty() ? "" : " " + unit);
 }
 
 }  // namespace
@@ -82,7 +85,7 @@ Tolerance parse_tolerance(const std::string& text, const std::string& option) {
   const bool relative = plain.ends_with('%');
   const auto size = parsed<double>(std::string_view(plain).substr(0, plain.size() - (relative ? 1 : 0)));
   if (!size || !std::isfinite(*size) || *size < 0)
-    throw UsageError(option + ": the tolerance '" + text + "' is neither like 1% nor like 0.002");
+    throw UsageError(fmt::format("{}: the tolerance '{}' is neither like 1% nor like 0.002", option, text));
   return {relative ? *size / 100 : *size, relative};
 }
 
@@ -90,15 +93,18 @@ Expectation parse_expectation(const std::string& given, const std::optional<Tole
   const std::string text = without_blanks(given);
   const std::size_t sign = text.find_first_of("=<>");
   if (sign == 0 || sign == std::string::npos)
-    throw UsageError("--measure '" + given + "' is not NAME=VALUE±TOLERANCE, NAME<VALUE or NAME>VALUE");
+    throw UsageError(
+        fmt::format("--measure '{}' is not NAME=VALUE±TOLERANCE, NAME<VALUE or NAME>VALUE", given));
   Expectation e{.name = text.substr(0, sign)};
   std::string rest = text.substr(sign + 1);
   if (text[sign] == '=') {
     const auto tolerance = find_tolerance(rest);
     if (!tolerance && !for_all)
-      throw UsageError("--measure '" + given + "' has no tolerance; write '" + text +
-                       "±1%', or give --tolerance for all measures");
-    e.tolerance = tolerance ? parse_tolerance(rest.substr(tolerance->second), "'" + given + "'") : *for_all;
+      throw UsageError(
+          fmt::format("--measure '{}' has no tolerance; write '{}±1%', or give --tolerance for all measures",
+                      given, text));
+    e.tolerance =
+        tolerance ? parse_tolerance(rest.substr(tolerance->second), fmt::format("'{}'", given)) : *for_all;
     if (tolerance) rest = rest.substr(0, tolerance->first);
   } else {
     e.kind = text[sign] == '<' ? Expectation::Kind::below : Expectation::Kind::above;

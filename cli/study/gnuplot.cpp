@@ -38,7 +38,7 @@ std::string plot_path(const std::string& name) {
     const bool plain = byte >= ' ' && c != '\'' && (byte < 0x80 || drawable);
     result += plain ? std::string(1, c) : plot_byte(c);
   }
-  return "'" + result + "'";
+  return fmt::format("'{}'", result);
 }
 
 std::string plot_file(const fs::path& file) { return plot_path(file.filename().string()); }
@@ -48,7 +48,7 @@ std::string plot_file(const fs::path& file) { return plot_path(file.filename().s
 PlotFiles plot_files(const std::string& picture) {
   const std::string extension = fs::path(picture).extension().string();
   if (extension != ".png" && extension != ".svg" && extension != ".pdf")
-    throw UsageError("the picture is '" + picture + "'; it must end in .png, .svg or .pdf");
+    throw UsageError(fmt::format("the picture is '{}'; it must end in .png, .svg or .pdf", picture));
   return {picture};
 }
 
@@ -58,13 +58,13 @@ std::string plot_text(std::string_view text) {
   return result + "'";
 }
 
-std::string plot_comment(std::string_view text) { return "# " + one_line(text) + "\n"; }
+std::string plot_comment(std::string_view text) { return fmt::format("# {}\n", one_line(text)); }
 
 std::string data_text(std::string_view text) {
   std::string plain = one_line(text);
   for (char& c : plain)
     if (c == '"' || c == '\\') c = '\'';
-  return "\"" + plain + "\"";
+  return fmt::format(R"("{}")", plain);
 }
 
 std::string shortened(const std::string& name) {
@@ -124,17 +124,17 @@ std::string plot_head(const PlotFiles& files, int width, int height, double scal
       "set terminal {}\n"
       "set encoding utf8\n"
       "set output picture\n",
-      plot_comment("gnuplot " + files.script().filename().string() + " draws this again, from " +
-                   files.data().filename().string()),
+      plot_comment(fmt::format("gnuplot {} draws this again, from {}", files.script().filename().string(),
+                               files.data().filename().string())),
       plot_file(files.data()), format == ".svg" ? 0.75 * scale : 1.0, plot_file(files.picture), terminal);
 }
 
 std::string point_size(std::string_view size) { return fmt::format(" pointsize {}*points", size); }
 
-std::string plot_title(std::string_view title) { return "set title " + titled(title) + "\n"; }
+std::string plot_title(std::string_view title) { return fmt::format("set title {}\n", titled(title)); }
 
 std::string titled(std::string_view title, double room) {
-  return plot_text(title) + fmt::format(" font ',{}'", font_that_fits(title, room, 15));
+  return fmt::format("{} font ',{}'", plot_text(title), font_that_fits(title, room, 15));
 }
 
 int font_that_fits(std::string_view text, double room, int size) {

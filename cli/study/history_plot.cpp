@@ -40,8 +40,8 @@ std::vector<std::vector<double>> rows_of(const CsvTable& table, const std::vecto
   };
   for (std::size_t k = 1; k < columns.size(); ++k)
     if (std::ranges::none_of(rows, [&](const auto& row) { return drawn(row, k); }))
-      throw UsageError("no row has numbers in both columns '" + columns[0].name + "' and '" +
-                       columns[k].name + "'");
+      throw UsageError(
+          fmt::format("no row has numbers in both columns '{}' and '{}'", columns[0].name, columns[k].name));
   return rows;
 }
 
@@ -84,11 +84,11 @@ HistoryPlot make_history_plot(const StoredResults& results, const std::vector<Hi
   for (const StoredRun& run : results.runs) {
     const auto file = std::filesystem::path(run.folder()) / "history.csv";
     const CsvTable history = read_csv(file);
-    if (history.rows.empty()) throw UsageError("'" + file.string() + "' has no rows yet");
+    if (history.rows.empty()) throw UsageError(fmt::format("'{}' has no rows yet", file.string()));
     try {
       plot.curves.push_back({series_name(run, distinguishing), run.method(), rows_of(history, all)});
     } catch (const UsageError& error) {
-      throw UsageError(file.string() + ": " + error.what());
+      throw UsageError(fmt::format("{}: {}", file.string(), error.what()));
     }
   }
   tell_apart(plot, results.runs);
@@ -99,7 +99,7 @@ HistoryPlot make_history_plot(const StoredResults& results, const std::vector<Hi
 namespace {
 
 std::string heading(const HistoryColumn& column) {
-  return column.unit.empty() ? column.label : column.label + ", " + column.unit;
+  return column.unit.empty() ? column.label : fmt::format("{}, {}", column.label, column.unit);
 }
 
 std::string numbers(const std::vector<double>& row) {
@@ -120,7 +120,7 @@ std::string history_data(const HistoryPlot& plot) {
     text += "\n\n";
   }
   for (const ReferenceCurve& curve : plot.references) {
-    text += plot_comment("reference of " + curve.column + ": " + curve.name);
+    text += plot_comment(fmt::format("reference of {}: {}", curve.column, curve.name));
     for (std::size_t k = 0; k < curve.t.size(); ++k) text += numbers({curve.t[k], curve.values[k]});
     text += "\n\n";
   }
@@ -168,7 +168,7 @@ struct HistoryLegend {
     if (panel.size() > 1) {
       const std::string& column = plot.columns[panel[place]].name;
       const bool single = plot.curves.size() == 1;
-      name = single ? column : name + ", " + column;
+      name = single ? column : fmt::format("{}, {}", name, column);
       style = single ? numbered_style(place) : style;
       if (!single) style.dash = static_cast<int>(place) + 1;
     }
@@ -202,21 +202,21 @@ PanelPlot::Panel panel_of(const HistoryPlot& plot, const std::vector<std::size_t
   const AxisScale y =
       unit.empty() ? AxisScale{1, label} : axis_scale(label, unit, all.greatest(), look.log_y);
   if (look.log_y && all.low > all.high)
-    throw UsageError("no value of " + join(labels) + " is positive; leave out --log y");
+    throw UsageError(fmt::format("no value of {} is positive; leave out --log y", join(labels)));
   PanelPlot::Panel panel{
       .label = y.label, .low = y.factor * all.low, .high = y.factor * all.high, .lines = {}};
   const auto points = [&](std::size_t block, std::size_t column) {
-    return fmt::format("data index {} using ($1*{}):(${}*{}) ", block, exact(of_x), column, exact(y.factor));
+    return fmt::format("data index {} using ($1*{}):(${}*{})", block, exact(of_x), column, exact(y.factor));
   };
   for (std::size_t run = 0; run < plot.curves.size(); ++run)
     for (std::size_t place = 0; place < columns.size(); ++place)
-      panel.lines.push_back(points(run, columns[place] + 2) + legend.line(plot, run, columns, place) +
-                            " notitle");
+      panel.lines.push_back(fmt::format("{} {} notitle", points(run, columns[place] + 2),
+                                        legend.line(plot, run, columns, place)));
   for (std::size_t k = 0; k < plot.references.size(); ++k)
     if (belongs(plot.references[k]))
-      panel.lines.push_back(points(plot.curves.size() + k, 2) +
-                            legend.add("reference: " + shortened(plot.references[k].name), reference_line) +
-                            " notitle");
+      panel.lines.push_back(
+          fmt::format("{} {} notitle", points(plot.curves.size() + k, 2),
+                      legend.add("reference: " + shortened(plot.references[k].name), reference_line)));
   return panel;
 }
 
@@ -233,14 +233,14 @@ std::string history_script(const HistoryPlot& plot, const PlotFiles& files, cons
   legend.styles = line_styles(methods);
   const ValueRange of_x = values_of(plot, 0, look.log_x);
   if (look.log_x && of_x.low > of_x.high)
-    throw UsageError("no value of " + plot.x.name + " is positive; leave out --log x");
+    throw UsageError(fmt::format("no value of {} is positive; leave out --log x", plot.x.name));
   const AxisScale x = plot.x.unit.empty()
                           ? AxisScale{1, plot.x.label}
                           : axis_scale(plot.x.label, plot.x.unit, of_x.greatest(), look.log_x);
   std::vector<std::vector<std::size_t>> panels = plot.panels;
   for (std::size_t k = 0; panels.size() < plot.columns.size() && plot.panels.empty(); ++k)
     panels.push_back({k});
-  PanelPlot drawn{.title = of_one ? plot.title + ", " + methods.front() : plot.title,
+  PanelPlot drawn{.title = of_one ? fmt::format("{}, {}", plot.title, methods.front()) : plot.title,
                   .x_label = x.label,
                   .x_low = x.factor * of_x.low,
                   .x_high = x.factor * of_x.high,

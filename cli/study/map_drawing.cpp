@@ -109,8 +109,8 @@ std::string row_markers(const StabilityMap& map) {
 std::string ticks(const std::vector<std::string>& names, std::size_t step = 1) {
   std::vector<std::string> all;
   for (std::size_t k = 0; k < names.size(); k += step)
-    all.push_back(plot_text(shortened(names[k])) + " " + std::to_string(k + 1));
-  return std::string("(").append(join(all)).append(")");
+    all.push_back(fmt::format("{} {}", plot_text(shortened(names[k])), k + 1));
+  return fmt::format("({})", join(all));
 }
 
 std::string verdict_data(const StabilityMap& map) {
@@ -119,12 +119,11 @@ std::string verdict_data(const StabilityMap& map) {
   std::string text = plot_comment(map.title);
   for (const std::size_t kind : kinds_in(map, all)) {
     text += plot_comment(all[kind].name) +
-            plot_comment("column; row; since, s; " + map.label + "; method; shown");
+            plot_comment(fmt::format("column; row; since, s; {}; method; shown", map.label));
     each_cell(map, [&](std::size_t r, std::size_t v, const MapCell& cell) {
       if (kind_of(cell, all) != kind) return;
-      text += std::to_string(v + 1) + " " + std::to_string(r + 1) + " " +
-              (cell.since ? exact(*cell.since) : "NaN") + " " + data_text(map.values[v]) + " " +
-              data_text(map.rows[r]) + " " + data_text(shown(cell, unit)) + "\n";
+      text += fmt::format("{} {} {} {} {} {}\n", v + 1, r + 1, cell.since ? exact(*cell.since) : "NaN",
+                          data_text(map.values[v]), data_text(map.rows[r]), data_text(shown(cell, unit)));
     });
     text += "\n\n";
   }
@@ -137,13 +136,14 @@ constexpr int around = 190, row_height = 36;
 std::string frame(const StabilityMap& map, const PlotFiles& files, const Page& page) {
   const int rows = static_cast<int>(map.rows.size()), columns = static_cast<int>(map.values.size());
   std::string text = plot_head(files, plot_width, around + row_height * rows) + plot_title(map.title);
-  text += "set border 0\nset tics scale 0\nset yrange [" + std::to_string(rows) + ".5:0.5]\n";
-  text += "set xrange [0.5:" + std::to_string(columns) + ".5]\n";
+  text += fmt::format("set border 0\nset tics scale 0\nset yrange [{}.5:0.5]\nset xrange [0.5:{}.5]\n", rows,
+                      columns);
   text += fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n", page.left / plot_width,
                       page.right / plot_width);
-  text += "set xtics " + ticks(map.values, static_cast<std::size_t>(page.tick_step)) +
-          "\nset ytics offset -1.6,0 " + ticks(map.rows) + "\n" + row_markers(map);
-  return text + "set xlabel " + plot_text(map.label) + "\nset bmargin 5.5\n";
+  text += fmt::format("set xtics {}\nset ytics offset -1.6,0 {}\n{}",
+                      ticks(map.values, static_cast<std::size_t>(page.tick_step)), ticks(map.rows),
+                      row_markers(map));
+  return text + fmt::format("set xlabel {}\nset bmargin 5.5\n", plot_text(map.label));
 }
 
 constexpr const char* box = "1:2:($1-0.5):($1+0.5):($2-0.5):($2+0.5)";
@@ -157,23 +157,21 @@ std::string verdict_script(const StabilityMap& map, const PlotFiles& files) {
   const std::vector<Kind> all = kinds();
   std::vector<std::string> plots;
   for (int index = 0; const std::size_t kind : kinds_in(map, all)) {
-    const std::string block = "data index " + std::to_string(index++) + " using ";
-    plots.push_back(block + box +
-                    " with boxxyerror fillstyle solid 1 border linecolor '#ffffff' fillcolor '" +
-                    all[kind].color + "' title " + plot_text(all[kind].name));
+    const std::string block = fmt::format("data index {} using", index++);
+    plots.push_back(fmt::format(
+        "{} {} with boxxyerror fillstyle solid 1 border linecolor '#ffffff' fillcolor '{}' title {}", block,
+        box, all[kind].color, plot_text(all[kind].name)));
     if (page.font == 0) continue;
-    plots.push_back(block +
-                    fmt::format("1:2:(strlen(strcol(6)) > {} ? '' : strcol(6)) with labels font ',{}'",
-                                page.most_letters, page.font) +
-                    " textcolor '" + (kind + 2 == all.size() ? "#ffffff" : "#222222") + "' notitle");
+    plots.push_back(fmt::format(
+        "{} 1:2:(strlen(strcol(6)) > {} ? '' : strcol(6)) with labels font ',{}' textcolor '{}' notitle",
+        block, page.most_letters, page.font, kind + 2 == all.size() ? "#ffffff" : "#222222"));
   }
-  return frame(map, files, page) + "set key outside right top Left reverse spacing 1.4\n" +
-         plot_note("Scene " + map.scene +
-                       (page.font > 0
-                            ? std::string("; numbers: since when the verdict holds, ") + time_unit(map).name
-                            : "; since when the verdicts hold is in " + files.data().filename().string()),
-                   0.03) +
-         "plot " + join(plots, ", \\\n     ") + "\n";
+  const std::string remark =
+      page.font > 0 ? std::string("numbers: since when the verdict holds, ") + time_unit(map).name
+                    : "since when the verdicts hold is in " + files.data().filename().string();
+  return fmt::format("{}set key outside right top Left reverse spacing 1.4\n{}plot {}\n",
+                     frame(map, files, page), plot_note(fmt::format("Scene {}; {}", map.scene, remark), 0.03),
+                     join(plots, ", \\\n     "));
 }
 
 struct MapValues {
@@ -205,7 +203,7 @@ std::string measure_data(const StabilityMap& map) {
   std::string text = plot_comment(map.title);
   for (const bool with_value : {true, false}) {
     if (!with_value && !values.any_without) continue;
-    text += plot_comment("column; row; " + values.scale.label + "; " + map.label + "; method; shown");
+    text += plot_comment(fmt::format("column; row; {}; {}; method; shown", values.scale.label, map.label));
     each_cell(map, [&](std::size_t r, std::size_t v, const MapCell& cell) {
       if (cell.value.has_value() != with_value) return;
       text += fmt::format("{} {} {} {} {} {}\n", v + 1, r + 1,
@@ -229,15 +227,16 @@ std::string measure_script(const StabilityMap& map, const PlotFiles& files) {
   double low = values.low * values.scale.factor, high = values.high * values.scale.factor;
   if (!(low < high)) high = low + std::max(1e-3 * std::abs(low), 1e-12), low -= high - low;
   const double height = around + row_height * static_cast<double>(map.rows.size());
-  std::string text = frame(map, files, page) + "unset key\nset palette defined (" + join(stops) + ")\n";
+  std::string text =
+      fmt::format("{}unset key\nset palette defined ({})\n", frame(map, files, page), join(stops));
   text += fmt::format(
       "set cbrange [{}:{}]\nset cblabel {}\nset colorbox user origin screen {}, screen {} size screen {}, "
       "screen {}\n",
       exact(low), exact(high), plot_text(values.scale.label), (page.right + 24) / plot_width, 110 / height,
       20.0 / plot_width, std::max(0.2, 1 - 180 / height));
-  std::vector<std::string> plots{
-      std::string("data index 0 using ") + box +
-      ":3 with boxxyerror fillstyle solid 1 border linecolor '#ffffff' fillcolor palette"};
+  std::vector<std::string> plots{fmt::format(
+      "data index 0 using {}:3 with boxxyerror fillstyle solid 1 border linecolor '#ffffff' fillcolor palette",
+      box)};
   const auto labels = [&](int index, const std::string& condition, const char* color) {
     if (page.font > 0)
       plots.push_back(
@@ -249,15 +248,15 @@ std::string measure_script(const StabilityMap& map, const PlotFiles& files) {
   labels(0, "$3 < " + middle, "#ffffff");
   labels(0, "$3 >= " + middle, "#222222");
   if (values.any_without) {
-    plots.push_back(std::string("data index 1 using ") + box +
-                    " with boxxyerror fillstyle solid 1 border linecolor '#ffffff' fillcolor '#e8e8e8'");
+    plots.push_back(fmt::format(
+        "data index 1 using {} with boxxyerror fillstyle solid 1 border linecolor '#ffffff' fillcolor '#e8e8e8'",
+        box));
     labels(1, "1", "#555555");
   }
-  return text +
-         plot_note("Scene " + map.scene + (values.any_unstable ? "; ×: not stable" : "") +
-                       (values.any_without ? "; gray: no value" : ""),
-                   0.03) +
-         "plot " + join(plots, ", \\\n     ") + "\n";
+  const std::string remark =
+      fmt::format("Scene {}{}{}", map.scene, values.any_unstable ? "; ×: not stable" : "",
+                  values.any_without ? "; gray: no value" : "");
+  return fmt::format("{}{}plot {}\n", text, plot_note(remark, 0.03), join(plots, ", \\\n     "));
 }
 
 }  // namespace

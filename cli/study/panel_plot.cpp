@@ -97,12 +97,13 @@ std::string legend_of(const PanelPlot& plot, const Layout& layout) {
   for (std::size_t column = 0; column < columns; ++column) {
     std::vector<std::string> entries{"NaN notitle"};
     for (std::size_t k = column; k < plot.legend.size(); k += columns)
-      entries.push_back("keyentry " + plot.legend[k].style + " title " + plot_text(plot.legend[k].name));
+      entries.push_back(
+          fmt::format("keyentry {} title {}", plot.legend[k].style, plot_text(plot.legend[k].name)));
     text += fmt::format(
-        "set key at screen {:.4g}, screen {:.4g} left top Left reverse samplen {} spacing 1.25 maxrows {}\n",
+        "set key at screen {:.4g}, screen {:.4g} left top Left reverse samplen {} spacing 1.25 maxrows {}\n"
+        "plot [0:1] [0:1] {}\n",
         (from + wide * static_cast<double>(column)) / layout.width, 1 - top / layout.total,
-        layout.beside ? 4 : 3, plot.legend.size());
-    text += "plot [0:1] [0:1] " + join(entries, ", \\\n     ") + "\n";
+        layout.beside ? 4 : 3, plot.legend.size(), join(entries, ", \\\n     "));
   }
   return text + "unset key\nset tics\n";
 }
@@ -127,7 +128,7 @@ PlotLook plot_look(const PlotLookOptions& typed, const PlotFiles& files) {
   if (typed.log) {
     constexpr std::array allowed{"x", "y", "xy"};
     if (std::ranges::find(allowed, *typed.log) == allowed.end())
-      throw UsageError("--log is '" + *typed.log + "'; it must be x, y or xy");
+      throw UsageError(fmt::format("--log is '{}'; it must be x, y or xy", *typed.log));
     look.log_x = typed.log->find('x') != std::string::npos;
     look.log_y = typed.log->find('y') != std::string::npos;
   }
@@ -163,13 +164,14 @@ std::string panel_script(const PanelPlot& plot, const PlotFiles& files, const Pl
   const double total = layout.total;
   std::string text = plot_head(files, layout.width, static_cast<int>(total), look.scale);
   if (!plot.note.empty()) text += plot_note(plot.note, 8 / total);
-  text += "set multiplot" + (title.empty() ? "" : " title " + titled(title, layout.width)) + "\n";
+  text += fmt::format("set multiplot{}\n", title.empty() ? "" : " title " + titled(title, layout.width));
   text += plot.legend.empty() ? "unset key\n" : legend_of(plot, layout);
-  text += "set lmargin at screen " + exact(layout.left) + "\nset rmargin at screen " + exact(layout.right) +
-          "\nset border 3 back linecolor '#444444'\n";
-  text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\nset autoscale xfix\n";
+  text += fmt::format(
+      "set lmargin at screen {}\nset rmargin at screen {}\nset border 3 back linecolor '#444444'\n"
+      "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\nset autoscale xfix\n",
+      exact(layout.left), exact(layout.right));
   if (look.log_x || look.log_y)
-    text += std::string("set logscale ") + (look.log_x ? "x" : "") + (look.log_y ? "y" : "") + "\n";
+    text += fmt::format("set logscale {}{}\n", look.log_x ? "x" : "", look.log_y ? "y" : "");
   if (plot.has_markers)
     text += fmt::format("set offsets {0}, {0}, {1}, {1}\n", look.log_x ? "0" : "graph 0.03",
                         look.log_y ? "0" : "graph 0.04");
@@ -179,11 +181,11 @@ std::string panel_script(const PanelPlot& plot, const PlotFiles& files, const Pl
     const double top = layout.above + layout.panel * static_cast<double>(k);
     text += fmt::format("set tmargin at screen {}\nset bmargin at screen {}\n",
                         1 - (top + inside_top) / total, 1 - (top + layout.panel - inside_foot) / total);
-    if (k + 1 == plot.panels.size()) text += "set xlabel " + plot_text(plot.x_label) + "\n";
+    if (k + 1 == plot.panels.size()) text += fmt::format("set xlabel {}\n", plot_text(plot.x_label));
     if (look.log_y) text += log_axis('y', panel.low, panel.high);
-    text += "set ylabel " + plot_text(panel.label) +
-            fmt::format(" font ',{}'\nplot ", font_that_fits(panel.label, 0.8 * layout.panel, 11)) +
-            join(panel.lines, ", \\\n     ") + "\nunset label\n";
+    text +=
+        fmt::format("set ylabel {} font ',{}'\nplot {}\nunset label\n", plot_text(panel.label),
+                    font_that_fits(panel.label, 0.8 * layout.panel, 11), join(panel.lines, ", \\\n     "));
   }
   return text + "unset multiplot\n";
 }
@@ -192,7 +194,7 @@ AxisScale axis_scale(const std::string& name, const std::string& unit, double gr
   if (unit.empty() && is_log) return {1, name};
   const render::Scale scale = render::scale_for(greatest, unit);
   const bool both = !name.empty() && !scale.unit.empty();
-  return {scale.factor, name + (both ? ", " : "") + scale.unit};
+  return {scale.factor, fmt::format("{}{}{}", name, both ? ", " : "", scale.unit)};
 }
 
 std::string log_ticks(double low, double high, std::string (*show)(double)) {
@@ -205,9 +207,9 @@ std::string log_ticks(double low, double high, std::string (*show)(double)) {
     for (const double digit : {1, 2, 5}) {
       const double tick = digit * std::pow(10, decade);
       if (tick < low || tick > high || (many && digit > 1) || decade % step != 0) continue;
-      all.push_back(plot_text(show(tick)) + " " + brief(tick));
+      all.push_back(fmt::format("{} {}", plot_text(show(tick)), brief(tick)));
     }
-  return std::string("(").append(join(all)).append(")");
+  return fmt::format("({})", join(all));
 }
 
 double width_of_ticks(double low, double high) {

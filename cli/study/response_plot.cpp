@@ -58,14 +58,14 @@ struct LineNames {
     differing.push_back(column.substr(dot));
   }
   if (a.method() != b.method()) differing.insert(differing.begin(), "method");
-  const std::string runs = "'" + a.folder() + "' and '" + b.folder() + "'";
+  const std::string runs = fmt::format("'{}' and '{}'", a.folder(), b.folder());
   if (differing.empty())
-    throw UsageError("the runs " + runs + " have the same settings; leave out one of them");
+    throw UsageError(fmt::format("the runs {} have the same settings; leave out one of them", runs));
   std::vector<std::string> by = request.by;
   by.push_back(differing.front());
-  throw UsageError("line '" + line + "' would have two values at " + x.name + " = " + x.text(a) +
-                   ": the runs " + runs + " differ in " + join(differing) +
-                   "; give each its line with --by " + join(by, ","));
+  throw UsageError(fmt::format(
+      "line '{}' would have two values at {} = {}: the runs {} differ in {}; give each its line with --by {}",
+      line, x.name, x.text(a), runs, join(differing), join(by, ",")));
 }
 
 /// Runs named one by one are in no sweep.
@@ -77,8 +77,8 @@ std::string only_parameter(const StoredResults& results) {
   if (std::ranges::any_of(results.runs, is_swept)) return swept_parameter(results.runs, "", "--x");
   std::vector<std::string> names = distinguishing_columns(results.runs, "");
   for (std::string& name : names) name = name.substr(name.find('.') + 1);
-  throw UsageError("name the column of the x axis with --x" +
-                   (names.empty() ? "" : "; the runs differ in " + join(names)));
+  throw UsageError(fmt::format("name the column of the x axis with --x{}",
+                               names.empty() ? "" : "; the runs differ in " + join(names)));
 }
 
 using Runs = std::vector<const StoredRun*>;
@@ -96,7 +96,7 @@ std::vector<Line> references_of(const Runs& runs, const ResultColumn& x, const R
     const auto [found, fresh] = shared[name].try_emplace(*at, *value);
     agrees.try_emplace(name, true);
     if (!fresh && found->second != *value) agrees[name] = false;
-    own[name + (name.empty() ? "" : ", ") + name_of(*run)][*at] = *value;
+    own[fmt::format("{}{}{}", name, name.empty() ? "" : ", ", name_of(*run))][*at] = *value;
   }
   const bool all_agree = std::ranges::all_of(agrees, [](const auto& one) { return one.second; });
   std::vector<Line> lines;
@@ -140,16 +140,17 @@ ResponsePlot::Panel panel_of(const StoredResults& results, const ResponsePlot& p
   for (const std::string& name : split_at_plus(names)) {
     const ResultColumn y = find_result_column(results, name);
     if (!panel.columns.empty() && y.unit != panel.columns.front().unit)
-      throw UsageError("'" + panel.columns.front().name + "' and '" + y.name + "' have different units ('" +
-                       panel.columns.front().unit + "', '" + y.unit + "'); give each its panel: --y " +
-                       join(split_at_plus(names), ","));
+      throw UsageError(
+          fmt::format("'{}' and '{}' have different units ('{}', '{}'); give each its panel: --y {}",
+                      panel.columns.front().name, y.name, panel.columns.front().unit, y.unit,
+                      join(split_at_plus(names), ",")));
     for (Line& line : lines_of(runs, plot, y, name_of, request)) panel.lines.push_back(std::move(line));
     if (panel.lines.empty() || panel.lines.back().column != y.name)
-      throw UsageError("no run has a number for both '" + plot.x.name + "' and '" + y.name + "'");
+      throw UsageError(fmt::format("no run has a number for both '{}' and '{}'", plot.x.name, y.name));
     for (Line& line : references_of(runs, plot.x, y, name_of)) references.push_back(std::move(line));
     panel.columns.push_back(y);
   }
-  if (panel.columns.empty()) throw UsageError("--y '" + names + "' names no column");
+  if (panel.columns.empty()) throw UsageError(fmt::format("--y '{}' names no column", names));
   for (Line& line : references) panel.lines.push_back(std::move(line));
   return panel;
 }
@@ -165,7 +166,7 @@ ResponsePlot make_response_plot(const StoredResults& results, const ResponseRequ
     if (run.has_result()) runs.push_back(&run), ended.push_back(run);
   if (runs.empty()) throw UsageError("no run has a result yet");
   if (std::ranges::none_of(runs, [&](const StoredRun* run) { return plot.x.number(*run).has_value(); }))
-    throw UsageError("'" + plot.x.name + "' is a number in no run; --x needs a column with numbers");
+    throw UsageError(fmt::format("'{}' is a number in no run; --x needs a column with numbers", plot.x.name));
   LineNames name_of;
   for (const std::string& name : request.by) name_of.by.push_back(find_result_column(results, name));
   if (request.by.empty())
@@ -184,14 +185,14 @@ ResponsePlot make_response_plot(const StoredResults& results, const ResponseRequ
 std::string response_data(const ResponsePlot& plot) {
   std::string text = plot_comment("answers of " + plot.scene);
   const auto named = [](const ResultColumn& column) {
-    return column.unit.empty() ? column.name : column.name + ", " + column.unit;
+    return column.unit.empty() ? column.name : fmt::format("{}, {}", column.name, column.unit);
   };
   for (const ResponsePlot::Panel& panel : plot.panels)
     for (const Line& line : panel.lines) {
       const auto y = std::ranges::find(panel.columns, line.column, &ResultColumn::name);
-      text += plot_comment(line.name) + plot_comment(named(plot.x) + "; " + named(*y) + "; stable");
+      text += plot_comment(line.name) + plot_comment(fmt::format("{}; {}; stable", named(plot.x), named(*y)));
       for (const Point& point : line.points)
-        text += exact(point.x) + " " + exact(point.y) + (point.stable ? " 1\n" : " 0\n");
+        text += fmt::format("{} {} {}\n", exact(point.x), exact(point.y), point.stable ? 1 : 0);
       text += "\n\n";
     }
   return text;
@@ -266,7 +267,7 @@ struct ResponseDrawing {
     const std::string style =
         is_single ? "with points pointtype 2 linewidth 1.5 linecolor '#111111'" + point_size("1.3")
                   : std::string(reference_line);
-    panel.lines.push_back(points + style + " notitle");
+    panel.lines.push_back(fmt::format("{} {} notitle", points, style));
     add_entry(line.name, style);
   }
 
@@ -275,15 +276,16 @@ struct ResponseDrawing {
     CurveStyle style = styles[line.name];
     std::string name = line.name;
     if (columns > 1) style.dash = static_cast<int>(place) + 1, name += ", " + line.column;
-    const std::string marker = " pointtype " + std::to_string(style.filled) + point_size("1.2");
-    panel.lines.push_back(points + "with linespoints linewidth 1.5 " + style.line() + marker + " notitle");
-    add_entry(name, "with linespoints linewidth 1.5 " + style.line() + marker);
+    const std::string drawn = fmt::format("with linespoints linewidth 1.5 {} pointtype {}{}", style.line(),
+                                          style.filled, point_size("1.2"));
+    panel.lines.push_back(fmt::format("{} {} notitle", points, drawn));
+    add_entry(name, drawn);
     if (std::ranges::all_of(line.points, &Point::stable)) return;
     any_unstable = true;
-    panel.lines.push_back(of_unstable + "with points pointtype " + std::to_string(style.filled) +
-                          " linecolor '#ffffff'" + point_size("1.2") + " notitle");
-    panel.lines.push_back(of_unstable + "with points pointtype " + std::to_string(style.open) +
-                          " linewidth 1.5 linecolor '" + style.color + "'" + point_size("1.2") + " notitle");
+    panel.lines.push_back(fmt::format("{} with points pointtype {} linecolor '#ffffff'{} notitle",
+                                      of_unstable, style.filled, point_size("1.2")));
+    panel.lines.push_back(fmt::format("{} with points pointtype {} linewidth 1.5 linecolor '{}'{} notitle",
+                                      of_unstable, style.open, style.color, point_size("1.2")));
   }
 
   PanelPlot::Panel panel_of(const ResponsePlot::Panel& given) {
@@ -294,13 +296,13 @@ struct ResponseDrawing {
         .label = y.label, .low = y.factor * values.low, .high = y.factor * values.high, .lines = {}};
     for (const Line& line : given.lines) {
       const std::string begin = fmt::format("data index {} using ($1*{}):", block++, exact(x.factor));
-      const std::string points = begin + "($2*" + exact(y.factor) + ") ";
+      const std::string points = fmt::format("{}($2*{})", begin, exact(y.factor));
       const auto place =
           std::ranges::find(given.columns, line.column, &ResultColumn::name) - given.columns.begin();
       if (line.is_reference)
         add_reference(panel, points, line);
       else
-        add_line(panel, points, begin + "($3 == 0 ? $2*" + exact(y.factor) + " : NaN) ", line,
+        add_line(panel, points, fmt::format("{}($3 == 0 ? $2*{} : NaN)", begin, exact(y.factor)), line,
                  static_cast<std::size_t>(place), given.columns.size());
     }
     return panel;
@@ -309,7 +311,7 @@ struct ResponseDrawing {
 
 void refuse_log_of_nothing(bool is_log, const std::string& axis, const PointRange& positive) {
   if (is_log && positive.low > positive.high)
-    throw UsageError("no value at the " + axis + " axis is positive; leave out --log " + axis);
+    throw UsageError(fmt::format("no value at the {0} axis is positive; leave out --log {0}", axis));
 }
 
 }  // namespace

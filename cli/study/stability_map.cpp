@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include <fmt/core.h>
+
 #include "cli/text/format.hpp"
 #include "cli/text/markdown.hpp"
 #include "cli/text/suggest.hpp"
@@ -38,15 +40,15 @@ std::string swept_parameter(const std::vector<StoredRun>& runs, const std::strin
   const auto [swept, all] = names_of(runs);
   if (!wanted.empty()) {
     if (std::ranges::find(all, wanted) == all.end())
-      throw UsageError(all.empty() ? "only the method was swept, so '" + wanted + "' cannot be mapped"
-                                   : unknown_name("swept parameter", wanted, all));
+      throw UsageError(all.empty()
+                           ? fmt::format("only the method was swept, so '{}' cannot be mapped", wanted)
+                           : unknown_name("swept parameter", wanted, all));
     return wanted;
   }
   if (swept.size() == 1) return swept.front();
   if (swept.empty() && all.size() == 1) return all.front();
   if (swept.empty()) throw UsageError("only the method was swept: there is no parameter to map");
-  throw UsageError("several parameters were swept (" + join(swept) + "); name one with " +
-                   std::string(option));
+  throw UsageError(fmt::format("several parameters were swept ({}); name one with {}", join(swept), option));
 }
 
 namespace {
@@ -77,10 +79,10 @@ MapCell cell_of(const StoredRun& run, const std::optional<ResultColumn>& measure
 
 std::string cell_of_table(const MapCell& cell, const StabilityMap& map) {
   const std::string word = cell.verdict.empty() ? cell.status : cell.verdict;
-  if (!map.measure) return word + (cell.since ? " " + brief(*cell.since) + " s" : "");
-  if (!cell.value) return "- (" + word + ")";
-  return brief(*cell.value) + (map.measure->unit.empty() ? "" : " " + map.measure->unit) +
-         (cell.verdict == "stable" ? "" : " (" + word + ")");
+  if (!map.measure) return cell.since ? fmt::format("{} {} s", word, brief(*cell.since)) : word;
+  if (!cell.value) return fmt::format("- ({})", word);
+  return fmt::format("{}{}{}", brief(*cell.value), map.measure->unit.empty() ? "" : " " + map.measure->unit,
+                     cell.verdict == "stable" ? "" : fmt::format(" ({})", word));
 }
 
 std::vector<std::vector<std::string>> rows_of(const StabilityMap& map) {
@@ -118,7 +120,7 @@ StabilityMap make_map(const StoredResults& results, const MapRequest& request) {
   const auto has_value = [](const std::optional<MapCell>& cell) { return cell && cell->value; };
   const auto has_values = [&](const auto& cells) { return std::ranges::any_of(cells, has_value); };
   if (map.measure && std::ranges::none_of(map.cells, has_values))
-    throw UsageError("no run has a number in '" + request.measure + "'; choose another --measure");
+    throw UsageError(fmt::format("no run has a number in '{}'; choose another --measure", request.measure));
   return map;
 }
 
@@ -127,10 +129,10 @@ std::string map_table(const StabilityMap& map) { return in_columns(rows_of(map))
 std::string markdown(const StabilityMap& map) {
   std::vector<std::vector<std::string>> rows = rows_of(map);
   for (std::vector<std::string>& row : rows)
-    if (&row != &rows.front()) row.front() = "`" + row.front() + "`";
+    if (&row != &rows.front()) row.front() = fmt::format("`{}`", row.front());
   const std::string content =
       map.measure ? map.measure->name : "verdict, and the time at which it first held";
-  return "**" + map.title + "**: " + content + "\n\n" + markdown_table(rows);
+  return fmt::format("**{}**: {}\n\n{}", map.title, content, markdown_table(rows));
 }
 
 Json to_json(const StabilityMap& map) {

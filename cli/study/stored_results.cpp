@@ -8,6 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include <fmt/core.h>
+
 #include "cli/scene/scene_file.hpp"
 #include "cli/study/csv.hpp"
 #include "cli/system/atomic_file.hpp"
@@ -30,7 +32,7 @@ fs::path results_file(const std::string& given) {
   std::error_code error;
   if (!fs::is_directory(given, error)) return given;
   if (fs::is_regular_file(fs::path(given) / "results.csv", error)) return fs::path(given) / "results.csv";
-  throw UsageError("'" + given + "' contains no results.csv; name the folder of a sweep");
+  throw UsageError(fmt::format("'{}' contains no results.csv; name the folder of a sweep", given));
 }
 
 void check_columns(const fs::path& file, const CsvTable& table) {
@@ -42,9 +44,10 @@ void check_columns(const fs::path& file, const CsvTable& table) {
   if (missing.empty()) return;
   if (std::ranges::find(table.columns, "status") != table.columns.end() &&
       missing.size() + 1 == needed.size())
-    throw UsageError("no run in '" + file.string() + "' has a result yet; `taut sweep` continues it");
-  throw UsageError("'" + file.string() + "' is not the results.csv of a sweep: it has no column " +
-                   join(missing));
+    throw UsageError(
+        fmt::format("no run in '{}' has a result yet; `taut sweep` continues it", file.string()));
+  throw UsageError(fmt::format("'{}' is not the results.csv of a sweep: it has no column {}", file.string(),
+                               join(missing)));
 }
 
 Json tree_of(const std::vector<std::string>& columns) {
@@ -119,8 +122,9 @@ void add_scene(StoredResults& results, const StoredRun& run) {
   if (scene.empty()) return;
   if (results.scene.empty()) results.scene = scene;
   if (scene != results.scene)
-    throw UsageError("the results are of different scenes: '" + results.runs.front().file + "' of " +
-                     results.scene + ", '" + run.file + "' of " + scene + "; name results of one scene");
+    throw UsageError(
+        fmt::format("the results are of different scenes: '{}' of {}, '{}' of {}; name results of one scene",
+                    results.runs.front().file, results.scene, run.file, scene));
 }
 
 std::string without_prefix(const std::string& column) {
@@ -179,7 +183,7 @@ std::vector<std::string> StoredResults::measures() const {
 
 std::string StoredResults::label(const std::string& name) const {
   const auto unit = units.find(name);
-  if (unit != units.end()) return name + ", " + unit->second;
+  if (unit != units.end()) return fmt::format("{}, {}", name, unit->second);
   return name == "spacing" ? name + ", m" : name == "until" ? name + ", s" : name;
 }
 
@@ -189,7 +193,7 @@ StoredResults read_results(const std::vector<std::string>& files) {
   for (const std::string& given : files) {
     const fs::path file = results_file(given);
     if (!seen.insert(file.lexically_normal()).second)
-      throw UsageError("'" + file.string() + "' is given twice");
+      throw UsageError(fmt::format("'{}' is given twice", file.string()));
     const StoredSettings fixed = add_names(file, results);
     if (seen.size() == 1) results.fixed = fixed;
     std::erase_if(results.fixed,
@@ -201,7 +205,7 @@ StoredResults read_results(const std::vector<std::string>& files) {
     }
   }
   if (std::ranges::none_of(results.runs, &StoredRun::has_result))
-    throw UsageError("no run in " + join(files) + " has a result");
+    throw UsageError(fmt::format("no run in {} has a result", join(files)));
   if (results.title.empty()) results.title = results.scene;
   return results;
 }
@@ -211,7 +215,7 @@ StoredRun read_stored_run(const std::string& path) {
   const fs::path file = fs::is_directory(path, error) ? fs::path(path) / "run.json" : fs::path(path);
   const auto text = read_whole(file);
   const bool is_other = text && file.filename() != "run.json" && !text->starts_with('{');
-  if (!text || is_other) throw UsageError("'" + path + "' is neither a run folder nor a run.json");
+  if (!text || is_other) throw UsageError(fmt::format("'{}' is neither a run folder nor a run.json", path));
   StoredRecord stored = parse_record(*text, file.string());
   StoredRun run{.file = file.string(), .cells = {{"folder", "."}}};
   for (const auto& [pointer, value] : stored.all.leaves()) {
@@ -243,7 +247,7 @@ void keep_methods(StoredResults& results, const std::vector<std::string>& method
     return std::ranges::find(methods, run.method()) == methods.end();
   });
   if (std::ranges::none_of(results.runs, &StoredRun::has_result))
-    throw UsageError("no run of " + join(methods) + " has a result");
+    throw UsageError(fmt::format("no run of {} has a result", join(methods)));
 }
 
 std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs) {
@@ -289,7 +293,7 @@ std::string unit_in(const std::vector<StoredRun>& runs, const std::string& colum
 
 ResultColumn part_of_measure(const StoredResults& results, const std::string& name,
                              const std::string& measure, const std::string& part) {
-  const std::string prefix = "measures." + measure + ".";
+  const std::string prefix = fmt::format("measures.{}.", measure);
   ResultColumn found{.name = name, .column = prefix + part, .unit = unit_in(results.runs, prefix + "unit")};
   if (part == "value") found.measure = measure;
   // an error is a share of the reference, unless this is 0
@@ -323,8 +327,9 @@ ResultColumn find_result_column(const StoredResults& results, const std::string&
   for (const std::string& measure : measures) {
     if (name == measure) return part_of_measure(results, name, measure, "value");
     for (const char* part : {"value", "reference", "error"})
-      if (name == measure + "." + part || name == "measures." + measure + "." + part)
-        return part_of_measure(results, measure + " (" + part + ")", measure, part);
+      if (const std::string path = fmt::format("{}.{}", measure, part);
+          name == path || name == "measures." + path)
+        return part_of_measure(results, fmt::format("{} ({})", measure, part), measure, part);
   }
   const auto has = [&](const auto& cell) {
     return std::ranges::any_of(results.runs, [&](const StoredRun& run) { return !cell(run).empty(); });
@@ -364,7 +369,7 @@ std::string series_name(const StoredRun& run, const std::vector<std::string>& co
   std::string name = run.method();
   for (const std::string& column : columns)
     if (const std::string value = value_of(run, without_prefix(column)); !value.empty())
-      name += ", " + without_prefix(column) + "=" + value;
+      name += fmt::format(", {}={}", without_prefix(column), value);
   return name;
 }
 

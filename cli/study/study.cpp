@@ -4,6 +4,8 @@
 #include <ostream>
 #include <tuple>
 
+#include <fmt/core.h>
+
 #include "cli/study/chart_drawing.hpp"
 #include "cli/study/chart_tables.hpp"
 #include "cli/study/curve_style.hpp"
@@ -61,10 +63,12 @@ void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& fi
   if (!wanted.empty()) return;
   const std::vector<std::string>& all = available.varied.empty() ? available.swept : available.varied;
   if (all.size() != 1)
-    throw SceneError(file.string(), map.place.line, map.place.column, "map",
-                     all.empty() ? "only the method is swept: there is no parameter to map"
-                                 : "several parameters are swept (" + join(all) +
-                                       "); name one of them, such as parameter = \"" + all.front() + "\"");
+    throw SceneError(
+        file.string(), map.place.line, map.place.column, "map",
+        all.empty()
+            ? "only the method is swept: there is no parameter to map"
+            : fmt::format(R"(several parameters are swept ({}); name one of them, such as parameter = "{}")",
+                          join(all), all.front()));
 }
 
 void check_chart(const StudyPictures::Charted& chart, const std::filesystem::path& file,
@@ -76,14 +80,14 @@ void check_chart(const StudyPictures::Charted& chart, const std::filesystem::pat
   };
   check_name(file, "measure of the scene", request.measure, place, available.measures);
   if (!request.against.empty() && available.differences.contains(request.measure))
-    fail("'" + request.measure +
-         "' is itself a difference from a reference of the scene; chart it without `against`");
+    fail(fmt::format("'{}' is itself a difference from a reference of the scene; chart it without `against`",
+                     request.measure));
   if (!request.against.empty()) return;
   const std::string way_out =
       " with these parameters, so no run has an error; against = METHOD compares with the finest run of a method";
   if (request.measure.empty() && available.referenced.empty()) fail("no measure has a reference" + way_out);
   if (!request.measure.empty() && !available.referenced.contains(request.measure))
-    fail("'" + request.measure + "' has no reference" + way_out);
+    fail(fmt::format("'{}' has no reference{}", request.measure, way_out));
 }
 
 void print_files(const char* kind, const PlotFiles& files, const std::string& remark, Streams streams) {
@@ -131,7 +135,7 @@ int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& fo
   int code = exit_fine;
   for (const StudyPictures::Charted& chart : pictures.charts) {
     const std::string& measure = chart.request.measure;
-    const std::string name = measure.empty() ? "chart.png" : "chart-" + measure + ".png";
+    const std::string name = measure.empty() ? "chart.png" : fmt::format("chart-{}.png", measure);
     streams.out << '\n';
     if (code == exit_fine) code = draw_chart(results, chart.request, {folder / name}, streams);
   }
@@ -170,7 +174,7 @@ int draw_chart(const std::vector<std::string>& results, const ChartRequest& requ
   const Chart chart = read_chart(results, request, streams.err);
   streams.out << orders_table(chart);
   const int code = draw_plot(files, chart_script(chart, files), chart_data(chart));
-  print_files("chart", files, " (" + chart.measure + ")", streams);
+  print_files("chart", files, fmt::format(" ({})", chart.measure), streams);
   return code;
 }
 

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <set>
 
+#include <fmt/core.h>
+
 #include "cli/scene/expression.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
@@ -42,7 +44,7 @@ double end_of_range(const std::string& part, const std::string& range) {
     // reported below
   }
   if (!std::isfinite(value))
-    throw UsageError("'" + range + "' is not a range lo:hi:step: '" + part + "' is not a number");
+    throw UsageError(fmt::format("'{}' is not a range lo:hi:step: '{}' is not a number", range, part));
   return value;
 }
 
@@ -55,21 +57,21 @@ std::string without_round_off(double value, double greatest) {
 
 std::vector<std::string> parse_range(const std::string& text) {
   const std::vector<std::string> parts = split(text, ':');
-  if (parts.size() != 3) throw UsageError("'" + text + "' is not a range lo:hi:step");
+  if (parts.size() != 3) throw UsageError(fmt::format("'{}' is not a range lo:hi:step", text));
   const double low = end_of_range(parts[0], text), high = end_of_range(parts[1], text),
                step = end_of_range(parts[2], text);
   const double steps = (high - low) / step;
   if (!(steps >= 0) || step == 0)
-    throw UsageError("'" + text + "': a step of " + exact(step) + " does not lead from " + exact(low) +
-                     " to " + exact(high));
+    throw UsageError(fmt::format("'{}': a step of {} does not lead from {} to {}", text, exact(step),
+                                 exact(low), exact(high)));
   if (!(steps < static_cast<double>(most_runs)))
-    throw UsageError("'" + text + "' has more than " + std::to_string(most_runs) + " values");
+    throw UsageError(fmt::format("'{}' has more than {} values", text, most_runs));
   const double greatest = std::max(std::abs(low), std::abs(high));
   const double whole = std::round(steps);
   if (std::abs(steps - whole) > 1e-6)
-    throw UsageError("'" + text + "': the step does not divide the range; it could end at " +
-                     without_round_off(low + std::floor(steps) * step, greatest) + " or " +
-                     without_round_off(low + std::ceil(steps) * step, greatest));
+    throw UsageError(fmt::format("'{}': the step does not divide the range; it could end at {} or {}", text,
+                                 without_round_off(low + std::floor(steps) * step, greatest),
+                                 without_round_off(low + std::ceil(steps) * step, greatest)));
   std::vector<std::string> values;
   for (int k = 0; k <= static_cast<int>(whole); ++k)
     values.push_back(without_round_off(low + k * step, greatest));
@@ -112,8 +114,8 @@ std::vector<std::string> parse_values(const std::string& text) {
   }
   std::set<std::string> seen;
   for (const std::string& value : values) {
-    if (value.empty()) throw UsageError("'" + text + "' has an empty value");
-    if (!seen.insert(value).second) throw UsageError("'" + text + "' has the value " + value + " twice");
+    if (value.empty()) throw UsageError(fmt::format("'{}' has an empty value", text));
+    if (!seen.insert(value).second) throw UsageError(fmt::format("'{}' has the value {} twice", text, value));
   }
   return values;
 }
@@ -132,9 +134,9 @@ std::vector<GridRow> all_combinations(const std::vector<Axis>& axes) {
   std::set<std::string> seen;
   for (const Axis& axis : axes) {
     if (!seen.insert(axis.name).second)
-      throw UsageError("the grid has '" + axis.name + "' twice; give all its values together");
+      throw UsageError(fmt::format("the grid has '{}' twice; give all its values together", axis.name));
     if (rows.size() * axis.values.size() > most_runs)
-      throw UsageError("the grid has more than " + std::to_string(most_runs) + " runs; make it smaller");
+      throw UsageError(fmt::format("the grid has more than {} runs; make it smaller", most_runs));
     std::vector<GridRow> longer;
     for (const GridRow& row : rows)
       for (const Setting& value : axis.values) {
@@ -148,11 +150,11 @@ std::vector<GridRow> all_combinations(const std::vector<Axis>& axes) {
 
 void check_rows(const std::vector<GridRow>& rows) {
   if (rows.size() > most_runs)
-    throw UsageError("there are more than " + std::to_string(most_runs) + " runs; make several sweeps");
+    throw UsageError(fmt::format("there are more than {} runs; make several sweeps", most_runs));
   std::set<std::string> seen;
   for (const GridRow& row : rows)
     if (!seen.insert(folder_name(row)).second)
-      throw UsageError("the run " + text_of(row) + " is listed twice");
+      throw UsageError(fmt::format("the run {} is listed twice", text_of(row)));
 }
 
 std::string folder_name(const GridRow& row) {
@@ -163,7 +165,7 @@ std::string folder_name(const GridRow& row) {
   std::ranges::replace_if(
       name, [](char c) { return !is_plain(c); }, '-');
   if (name == whole && name.size() <= longest) return name;
-  return name.substr(0, kept) + "_" + short_hash(whole);
+  return fmt::format("{}_{}", name.substr(0, kept), short_hash(whole));
 }
 
 std::string text_of(const GridRow& row) { return joined(row, ", "); }

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <sys/auxv.h>
 
+#include <fmt/core.h>
+
 #include "cli/arguments/options.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/sweep/emit.hpp"
@@ -34,14 +36,15 @@ bool draws(const SweepOptions& o) {
 SweepRequest request_of_scene(const SweepOptions& o) {
   const fs::path scene = find_scene(o.what);
   if (is_sweep_file(scene))
-    throw UsageError("'" + o.what + "' is a sweep file with its own grid; leave --grid out, or name a scene");
+    throw UsageError(
+        fmt::format("'{}' is a sweep file with its own grid; leave --grid out, or name a scene", o.what));
   std::vector<Axis> axes;
   for (const std::string& text : o.grid) axes.push_back(parse_axis(text));
   SweepRequest request;
   request.base = o.run;
   request.base.scene = scene.string();
   request.rows = all_combinations(axes);
-  request.folder = o.run.out.value_or("out/" + scene.stem().string() + "-sweep");
+  request.folder = o.run.out.value_or(fmt::format("out/{}-sweep", scene.stem().string()));
   return request;
 }
 
@@ -105,8 +108,7 @@ SweepRequest make_request(const SweepOptions& o) {
   request.base.no_render = !draws(o);
   request.repeat = o.repeat.value_or(request.repeat);
   if (request.repeat > most_repetitions)
-    throw UsageError("--repeat is " + std::to_string(request.repeat) + "; at most " +
-                     std::to_string(most_repetitions) + " are allowed");
+    throw UsageError(fmt::format("--repeat is {}; at most {} are allowed", request.repeat, most_repetitions));
   return request;
 }
 

@@ -64,7 +64,7 @@ const Setting* invalid_setting(const SweepRequest& request, const GridRow& row) 
 }
 
 [[noreturn]] void report(const SweepRequest& request, const GridRow& row, const std::string& what) {
-  const std::string message = what + " (in the run " + text_of(row) + ")";
+  const std::string message = fmt::format("{} (in the run {})", what, text_of(row));
   if (request.file.empty()) throw UsageError(message);
   const Setting* setting = invalid_setting(request, row);
   const FilePlace place = setting ? setting->place : FilePlace{};
@@ -85,18 +85,18 @@ void check_base(const SweepRequest& request) {
   for (const GridRow& row : request.rows)
     for (const Setting& s : row)
       if (fixed.contains(s.name))
-        throw UsageError("'" + s.name +
-                         "' is swept, so it cannot also have one value for all runs; leave one of them out");
+        throw UsageError(fmt::format(
+            "'{}' is swept, so it cannot also have one value for all runs; leave one of them out", s.name));
 }
 
 void check_folder(const fs::path& folder) {
   std::error_code error;
   const auto holds = [&](const char* name) { return fs::exists(folder / name, error); };
   if (fs::exists(folder, error) && !fs::is_directory(folder, error))
-    throw UsageError("'" + folder.string() + "' is not a folder; name another with --out");
+    throw UsageError(fmt::format("'{}' is not a folder; name another with --out", folder.string()));
   if (holds("run.json") || ((holds("results.csv") || holds("results.json")) && !holds("sweep.lock")))
-    throw UsageError("'" + folder.string() +
-                     "' contains files that are not from a sweep; name another folder with --out");
+    throw UsageError(fmt::format(
+        "'{}' contains files that are not from a sweep; name another folder with --out", folder.string()));
 }
 
 void add_available(AvailableData& available, const SceneFile& file) {
@@ -262,7 +262,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
       add_available(available, file);
     } catch (const SceneError& error) {
       throw SceneError(error.file, error.line, error.column, error.key,
-                       error.what() + (" (in the run " + text_of(row) + ")"));
+                       fmt::format("{} (in the run {})", error.what(), text_of(row)));
     } catch (const UsageError& error) {
       report(request, row, error.what());
     }

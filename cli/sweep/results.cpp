@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "cli/study/csv.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/build_info.hpp"
@@ -44,7 +46,7 @@ void flatten(const Json& value, const std::string& path, Cells& cells) {
     return;
   }
   for (const auto& [key, inner] : value.members())
-    flatten(inner, path.empty() ? key : path + "." + key, cells);
+    flatten(inner, path.empty() ? key : fmt::format("{}.{}", path, key), cells);
 }
 
 /// A new column follows its predecessor.
@@ -73,7 +75,7 @@ std::vector<MeasureResult> measures_of(const SweepPlan& plan) {
 }
 
 std::string with_unit(const std::string& name, const std::string& unit) {
-  return unit.empty() || unit == "1" ? name : name + ", " + unit;
+  return unit.empty() || unit == "1" ? name : fmt::format("{}, {}", name, unit);
 }
 
 }  // namespace
@@ -133,8 +135,9 @@ std::string outcome(const SweepRun& run) {
   if (!run.record || !run.record->verdict || run.state != SweepRunState::done)
     return run_json(run).find("status")->text();
   const auto since = run.record->since.find(*run.record->verdict);
-  return std::string(name(*run.record->verdict)) +
-         (since == run.record->since.end() ? "" : " since " + brief(since->second) + " s");
+  const std::string verdict(name(*run.record->verdict));
+  return since == run.record->since.end() ? verdict
+                                          : fmt::format("{} since {} s", verdict, brief(since->second));
 }
 
 std::string results_table(const SweepPlan& plan) {

@@ -6,6 +6,8 @@
 #include <iostream>
 #include <poll.h>
 
+#include <fmt/core.h>
+
 #include "cli/run/report.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/system/folder_lock.hpp"
@@ -78,7 +80,7 @@ SweepEnd SweepRunner::execute(const std::string& title) {
     events_.waiting();
   }
   end_.interrupted = interrupts_.interrupted();
-  progress_.end(std::to_string(done_) + " of " + std::to_string(count_) + " runs");
+  progress_.end(fmt::format("{} of {} runs", done_, count_));
   return end_;
 }
 
@@ -130,7 +132,7 @@ void SweepRunner::show_progress() {
   }
   double done = work_done_;
   for (const Job& job : at_work_) done += job.share * job.run->work;
-  progress_.show(done / work_, std::to_string(done_) + " of " + std::to_string(count_) + " runs");
+  progress_.show(done / work_, fmt::format("{} of {} runs", done_, count_));
 }
 
 }  // namespace taut::cli

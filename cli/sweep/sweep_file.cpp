@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include <fmt/core.h>
+
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/sections.hpp"
 #include "cli/scene/shipped.hpp"
@@ -44,16 +46,17 @@ class SettingsReader {
   /// TOML reads method.zeta = 3 as a table `method`.
   void refuse_table(const TomlEntry& entry) const {
     if (entry.value.kind != Kind::table || entry.value.entries.empty()) return;
-    const std::string name = entry.key + "." + entry.value.entries.front().key;
-    table_.fail(entry.place, entry.key, "a name with a dot must be quoted: \"" + name + "\" = ...");
+    table_.fail(entry.place, entry.key,
+                fmt::format(R"(a name with a dot must be quoted: "{}.{}" = ...)", entry.key,
+                            entry.value.entries.front().key));
   }
 
   Setting setting(const std::string& name, const TomlValue& value) const {
     if (value.kind == Kind::number) return {name, exact(value.number), value.place};
     if (value.kind != Kind::text || canonical_value(value.text).empty())
       table_.fail(value, name,
-                  name + " must be a number or a text, not " +
-                      (value.kind == Kind::text ? "an empty text" : std::string(value.kind_name())));
+                  fmt::format("{} must be a number or a text, not {}", name,
+                              value.kind == Kind::text ? "an empty text" : value.kind_name()));
     return {name, canonical_value(value.text), value.place};
   }
 
@@ -71,7 +74,7 @@ class SettingsReader {
         all.push_back(setting(entry.key, item));
         const auto same = [&](const Setting& s) { return s.value == all.back().value; };
         if (std::ranges::count_if(all, same) > 1)
-          table_.fail(item, entry.key, entry.key + " has the value " + all.back().value + " twice");
+          table_.fail(item, entry.key, fmt::format("{} has the value {} twice", entry.key, all.back().value));
       }
     } else {
       all.push_back(setting(entry.key, entry.value));
@@ -102,7 +105,7 @@ std::vector<GridRow> read_rows(TomlCursor& root) {
     TomlCursor cursor = root.enter(row, "row", "[[row]]", keys_of("row"));
     rows.push_back(SettingsReader(cursor).settings());
     if (!seen.insert(folder_name(rows.back())).second)
-      root.fail(row, "row", "the run " + text_of(rows.back()) + " is listed twice");
+      root.fail(row, "row", fmt::format("the run {} is listed twice", text_of(rows.back())));
   }
   return rows;
 }
@@ -134,7 +137,7 @@ SweepFile read_sweep(const fs::path& path) {
   TomlValue tree = parse_toml(file_text(path), source.file);
   TomlCursor root(tree, "", "the sweep", keys_of("sweep"), {}, source);
   if (tree.find("body") && !tree.find("grid") && !tree.find("row"))
-    throw UsageError("'" + path.string() + "' is a scene; to sweep it add --grid NAME=VALUES");
+    throw UsageError(fmt::format("'{}' is a scene; to sweep it add --grid NAME=VALUES", path.string()));
   root.refuse_unknown_keys();
   SweepFile file;
   file.path = path;

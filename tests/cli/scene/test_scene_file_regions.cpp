@@ -145,7 +145,7 @@ TEST_SUITE("cli") {
     CHECK(without.scene.damping == 0);
     check_error("until = 2", "until = 2\ngravity = @9.8", {"gravity must be an array of 2"});
     check_error("until = 2", "until = 2\ngravity = [0, \"@y\"]", {"unknown name 'y'"});
-    check_error("until = 2", "until = 2\ndamping = @-1", {"damping = -1 must not be negative"});
+    check_error("until = 2", "until = 2\ndamping = @-1", {"damping = -1 must be at least 0"});
     check_error("until = 2", "until = 2\n@gravty = [0, 1]", {"unknown key 'gravty'", "'gravity'"});
   }
 
