@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
@@ -22,7 +23,8 @@ const CLI::Option* greedy_option(const CLI::App& app) {
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& e) {
   const std::string text = e.what();
   if (const CLI::Option* taker = greedy_option(app); taker && dynamic_cast<const CLI::RequiredError*>(&e))
-    return text + ": " + taker->get_name() + " takes all words that follow it; put the argument before it";
+    return fmt::format("{}: {} takes all words that follow it; put the argument before it", text,
+                       taker->get_name());
   if (!dynamic_cast<const CLI::ArgumentMismatch*>(&e)) return text;
   const bool too_many = text.find("received") != std::string::npos;
   return text.substr(0, text.find(':')) + (too_many ? " can be given only once" : " needs a value");
@@ -139,7 +141,7 @@ bool Options::read(const std::vector<std::string>& words) try {
   return false;
 } catch (const CLI::ParseError& e) {
   refuse_unknown();  // a misspelt option also makes "SCENE is required"
-  throw UsageError(what_is_wrong(*app_, e) + "; see `" + app_->get_name() + " --help`");
+  throw UsageError(fmt::format("{}; see `{} --help`", what_is_wrong(*app_, e), app_->get_name()));
 }
 
 /// CLI11's own message has no nearest names.
@@ -154,11 +156,11 @@ void Options::refuse_unknown() const {
       if (!o.is_positional()) names.push_back(o.name());
     const std::string name = option->substr(0, option->find('='));
     if (std::ranges::find(names, name) != names.end())
-      throw UsageError("'" + name +
-                       "' follows '--', after which options are not allowed; put it before '--'");
+      throw UsageError(
+          fmt::format("'{}' follows '--', after which options are not allowed; put it before '--'", name));
     throw UsageError(unknown_name("option", name, names));
   }
-  if (!rest.empty()) throw UsageError("'" + rest.front() + "' is one argument too many; remove it");
+  if (!rest.empty()) throw UsageError(fmt::format("'{}' is one argument too many; remove it", rest.front()));
 }
 
 }  // namespace taut::cli

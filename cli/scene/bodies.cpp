@@ -96,11 +96,10 @@ std::vector<TomlCursor> tables(TomlCursor& body, std::string_view key, const std
   if (!body.find(key)) body.table().set(std::string(key), array_of({}));
   TomlValue& value = *body.find(key);
   if (value.kind != Kind::array)
-    body.fail(value, key,
-              std::string(key) + " must be an array of tables: " + std::string(key) + " = [{ ... }]");
+    body.fail(value, key, fmt::format("{0} must be an array of tables: {0} = [{{ ... }}]", key));
   std::vector<TomlCursor> cursors;
   for (TomlValue& item : value.items)
-    cursors.push_back(body.enter(item, key, what + " of " + body.what(), keys_of(key)));
+    cursors.push_back(body.enter(item, key, fmt::format("{} of {}", what, body.what()), keys_of(key)));
   return cursors;
 }
 
@@ -148,7 +147,7 @@ void read_loads(TomlCursor& cursor, const Scene& scene, Body& body) {
       if (!key.empty())
         entry.fail(
             *value, name(kind),
-            std::string(name(kind)) + " and " + key + " are both given; a load must have only one of them");
+            fmt::format("{} and {} are both given; a load must have only one of them", name(kind), key));
       key = name(kind);
       load.kind = kind;
     }
@@ -237,10 +236,11 @@ std::string label(TomlCursor& entry, const std::vector<std::string>& taken) {
   check_name_length(entry, entry.need("name").place, "name", name);
   if (name.empty() || !std::all_of(name.begin(), name.end(), fits))
     entry.fail(entry.need("name"), "name",
-               "'" + name + "' is not a valid name; use letters, digits, '_' and '-'");
+               fmt::format("'{}' is not a valid name; use letters, digits, '_' and '-'", name));
   if (std::find(taken.begin(), taken.end(), name) != taken.end())
-    entry.fail(entry.need("name"), "name",
-               "the name '" + name + "' is already in use; choose a name other than: " + join(taken));
+    entry.fail(
+        entry.need("name"), "name",
+        fmt::format("the name '{}' is already in use; choose a name other than: {}", name, join(taken)));
   return name;
 }
 
@@ -257,7 +257,7 @@ void read_bodies(TomlCursor& root, bool keeps_neighbors, SceneFile& file) {
   for (TomlValue& value : root.list("body")) {
     const TomlEntry* name = value.find("name");
     const std::string label = name ? name->value.text : std::to_string(scene.bodies.size() + 1);
-    TomlCursor cursor = root.enter(value, "body." + label, "body '" + label + "'", keys_of("body"));
+    TomlCursor cursor = root.enter(value, "body." + label, fmt::format("body '{}'", label), keys_of("body"));
     scene.bodies.push_back(read_body(cursor, file, keeps_neighbors));
   }
   if (scene.bodies.empty())
@@ -271,7 +271,7 @@ void read_bodies(TomlCursor& root, bool keeps_neighbors, SceneFile& file) {
     };
     if (std::ranges::none_of(scene.bodies, holds_it))
       root.fail(root.need("material").find(name)->place, "material." + name,
-                "the material '" + name + "' is unused; remove it or use it in a body");
+                fmt::format("the material '{}' is unused; remove it or use it in a body", name));
   }
 }
 

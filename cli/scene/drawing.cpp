@@ -185,7 +185,7 @@ void apply_scene(Drawing& drawing, const SceneFile& file) {
     }
   };
   if (file.scene.dim == 2 && !names.contains("z") && names_in(drawing.cut).contains("z"))
-    throw UsageError("cut = '" + drawing.cut + "' uses z, but the scene has dim = 2; use x and y");
+    throw UsageError(fmt::format("cut = '{}' uses z, but the scene has dim = 2; use x and y", drawing.cut));
   if (!drawing.cut.empty()) with_key("cut", [&] { drawing.is_cut = compile(drawing.cut, names); });
   if (!drawing.formula.empty())
     with_key("color", [&] { drawing.of_formula = color_formula(drawing.formula, file.scene.dim, names); });

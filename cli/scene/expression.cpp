@@ -28,14 +28,15 @@ struct Formula {
   std::mutex used;
 
   double value() const try { return parser.Eval(); } catch (const mu::ParserError& error) {
-    throw ExpressionError(shown(parser.GetExpr()) + " cannot be evaluated: " + shown(error.GetMsg()), 0);
+    throw ExpressionError(
+        fmt::format("{} cannot be evaluated: {}", shown(parser.GetExpr()), shown(error.GetMsg())), 0);
   }
 };
 
 // beyond muParser's limits it throws no std::exception
 constexpr std::size_t longest_text = 20000, longest_name = 100;
 
-std::string in_quotes(const std::string& text) { return "'" + shown(text) + "'"; }
+std::string in_quotes(const std::string& text) { return fmt::format("'{}'", shown(text)); }
 
 void check_length(const std::string& text, const Names& names) {
   const auto too_long = [](std::size_t length) { return length > longest_name; };
@@ -76,7 +77,9 @@ void refuse_assignment(const std::string& text) {
     }
     if (i > 0 && std::string_view("<>!").find(text[i - 1]) != std::string_view::npos) continue;
     throw ExpressionError(
-        "'=' in " + in_quotes(text) + " is an assignment, which is not allowed; to compare, write '=='", i);
+        fmt::format("'=' in {} is an assignment, which is not allowed; to compare, write '=='",
+                    in_quotes(text)),
+        i);
   }
 }
 
@@ -108,8 +111,8 @@ void refuse_unit(const std::string& text) {
   while (rest.ends_with(' ')) rest.remove_suffix(1);
   const auto* unit = std::ranges::find(units, rest, &Unit::name);
   if (unit == std::end(units)) return;
-  throw ExpressionError(in_quotes(text) + " has a unit; write the number in SI units, without a unit: " +
-                            brief(value * unit->factor),
+  throw ExpressionError(fmt::format("{} has a unit; write the number in SI units, without a unit: {}",
+                                    in_quotes(text), brief(value * unit->factor)),
                         static_cast<std::size_t>(rest.data() - text.data()));
 }
 
@@ -120,33 +123,36 @@ void refuse_words(const std::string& text, const std::string& token) {
   const std::string word = token.substr(0, token.find_first_of(" ("));
   for (const auto& [given, sign] : words)
     if (word == given)
-      throw ExpressionError(in_quotes(text) + " is not an expression: instead of '" + word + "', write '" +
-                                std::string(sign) + "'",
-                            std::min(text.find(word), text.size()));
+      throw ExpressionError(
+          fmt::format("{} is not an expression: instead of '{}', write '{}'", in_quotes(text), word, sign),
+          std::min(text.find(word), text.size()));
   if (word == "not" || word == "!")
-    throw ExpressionError(in_quotes(text) + " is not an expression: instead of '" + word +
-                              "', write '== 0' after the condition",
-                          std::min(text.find(word), text.size()));
+    throw ExpressionError(
+        fmt::format("{} is not an expression: instead of '{}', write '== 0' after the condition",
+                    in_quotes(text), word),
+        std::min(text.find(word), text.size()));
 }
 
 [[noreturn]] void explain(const Formula& formula, const std::string& text, const mu::ParserError& error) {
   const std::size_t offset = error.GetPos() > 0 ? static_cast<std::size_t>(error.GetPos()) : 0;
   if (text.find("**") != std::string::npos) refuse_words(text, "**");
   if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
-    throw ExpressionError(in_quotes(text) + " is not an expression: " + shown(error.GetMsg()), offset);
+    throw ExpressionError(fmt::format("{} is not an expression: {}", in_quotes(text), shown(error.GetMsg())),
+                          offset);
   const std::string& token = error.GetToken();
   refuse_words(text, token);
   if (const char first = token.empty() ? ' ' : token.front();
       !std::isalpha(static_cast<unsigned char>(first)) && first != '_')
     throw ExpressionError(
-        in_quotes(text) + " is not an expression: " + in_quotes(token) + " was not expected", offset);
+        fmt::format("{} is not an expression: {} was not expected", in_quotes(text), in_quotes(token)),
+        offset);
   const std::vector<std::string> names = known_names(formula);
   std::vector<std::string> candidates = names;
   for (const std::string& function : function_names()) candidates.push_back(function);
-  throw ExpressionError("unknown name " + in_quotes(token) + " in " + in_quotes(text) +
-                            did_you_mean(token, candidates) + "; known names: " + join(names) +
-                            " and functions such as sin and sqrt",
-                        offset);
+  throw ExpressionError(
+      fmt::format("unknown name {} in {}{}; known names: {} and functions such as sin and sqrt",
+                  in_quotes(token), in_quotes(text), did_you_mean(token, candidates), join(names)),
+      offset);
 }
 
 void define_pi(mu::Parser& parser) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "cli/text/format.hpp"
 
 namespace taut::cli {
@@ -11,9 +13,9 @@ namespace {
 std::string bounded(std::string_view name, const NumberRange& bounds) {
   std::string text(name);
   const bool low = std::isfinite(bounds.low), high = std::isfinite(bounds.high);
-  if (low && high) text = exact(bounds.low) + (bounds.open_low ? " < " : " ≤ ") + text;
-  if (low && !high) text += (bounds.open_low ? " > " : " ≥ ") + exact(bounds.low);
-  if (high) text += (bounds.open_high ? " < " : " ≤ ") + exact(bounds.high);
+  if (low && high) text = fmt::format("{} {} {}", exact(bounds.low), bounds.open_low ? "<" : "≤", text);
+  if (low && !high) text += fmt::format(" {} {}", bounds.open_low ? ">" : "≥", exact(bounds.low));
+  if (high) text += fmt::format(" {} {}", bounds.open_high ? "<" : "≤", exact(bounds.high));
   return text;
 }
 
@@ -28,27 +30,28 @@ std::string one_text(const KeyType& type) {
   }
   if (type.kind == Kind::number) return bounded("number", type.bounds);
   if (type.bounds.high == type.bounds.low + 1)
-    return exact(type.bounds.low) + " or " + exact(type.bounds.high);
+    return fmt::format("{} or {}", exact(type.bounds.low), exact(type.bounds.high));
   return bounded("whole number", type.bounds);
 }
 
 std::string list_text(const KeyType& type, std::string text) {
   constexpr std::size_t most_repeated = 3;
   if (type.form == KeyType::Form::one_or_list)
-    return text + (type.kind == KeyType::Kind::word && type.shown.empty() ? "," : "") +
-           " or an array of them";
+    return fmt::format("{}{} or an array of them", text,
+                       type.kind == KeyType::Kind::word && type.shown.empty() ? "," : "");
   if (type.least > 1 && type.most <= most_repeated)
-    return "[" + join(std::vector<std::string>(type.least, text)) + "]";
-  for (std::size_t k = 0; k < type.depth; ++k) text = "[" + text + ", ...]";
+    return fmt::format("[{}]", join(std::vector<std::string>(type.least, text)));
+  for (std::size_t k = 0; k < type.depth; ++k) text = fmt::format("[{}, ...]", text);
   return text;
 }
 
 std::string bounds_sentence(const NumberRange& bounds) {
   const bool low = std::isfinite(bounds.low), high = std::isfinite(bounds.high);
   std::string text;
-  if (low) text = (bounds.open_low ? "greater than " : "at least ") + exact(bounds.low);
+  if (low) text = fmt::format("{} {}", bounds.open_low ? "greater than" : "at least", exact(bounds.low));
   if (high)
-    text += (low ? " and " : "") + std::string(bounds.open_high ? "below " : "at most ") + exact(bounds.high);
+    text += fmt::format("{}{} {}", low ? " and " : "", bounds.open_high ? "below" : "at most",
+                        exact(bounds.high));
   return text;
 }
 
@@ -60,7 +63,8 @@ std::string against_bounds(const KeyType& type, double value) {
   const bool above = bounds.open_low ? value > bounds.low : value >= bounds.low;
   const bool below = bounds.open_high ? value < bounds.high : value <= bounds.high;
   if (above && below && (!whole || value == std::floor(value))) return "";
-  if (whole) return "must be a whole number from " + exact(bounds.low) + " to " + exact(bounds.high);
+  if (whole)
+    return fmt::format("must be a whole number from {} to {}", exact(bounds.low), exact(bounds.high));
   return "must be " + bounds_sentence(bounds);
 }
 
@@ -82,9 +86,9 @@ std::string type_text(const KeyType& type) {
   if (has_header) return text;
   if (type.form != KeyType::Form::one) text = list_text(type, std::move(text));
   const bool names_other = type.kind == KeyType::Kind::word && type.shown.empty();
-  if (!type.other.empty() && !names_other) text += " or " + std::string(type.other);
-  if (!type.by.empty()) text = "{ " + std::string(type.by) + " = " + text + " }";
-  if (!type.unit.empty()) text += ", " + std::string(type.unit);
+  if (!type.other.empty() && !names_other) text += fmt::format(" or {}", type.other);
+  if (!type.by.empty()) text = fmt::format("{{ {} = {} }}", type.by, text);
+  if (!type.unit.empty()) text += fmt::format(", {}", type.unit);
   return text;
 }
 

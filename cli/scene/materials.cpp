@@ -60,7 +60,7 @@ void read_materials(TomlCursor& root, Scene& scene) {
   for (TomlEntry& entry : materials.table().entries) {
     materials.find(entry.key);
     TomlCursor cursor =
-        materials.enter(entry.value, entry.key, "material '" + entry.key + "'", keys_of("material"));
+        materials.enter(entry.value, entry.key, fmt::format("material '{}'", entry.key), keys_of("material"));
     scene.materials.push_back(read_material(std::move(cursor), entry.key));
   }
 }

@@ -29,8 +29,8 @@ void read_probes_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
   const TomlValue& value = cursor.need("probes");
   if (value.kind != TomlValue::Kind::array || value.items.size() != dim)
     cursor.fail(value, "probes",
-                "probes must be an array of " + std::to_string(dim) + " names of probes: the " +
-                    (dim == 2 ? "x and y" : "x, y and z") + " components of one point");
+                fmt::format("probes must be an array of {} names of probes: the {} components of one point",
+                            dim, dim == 2 ? "x and y" : "x, y and z"));
   for (const TomlValue& item : value.items)
     measure.probes.push_back(known_probe(cursor, item, "probes", scene));
 }
@@ -49,9 +49,10 @@ void read_fields_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
   const TomlValue& value = cursor.need("fields");
   if (value.kind != TomlValue::Kind::array || value.items.empty() ||
       value.items.size() > static_cast<std::size_t>(scene.dim))
-    cursor.fail(value, "fields",
-                "fields must be an array of 1 to " + std::to_string(scene.dim) +
-                    " names of fields: the components of one vector");
+    cursor.fail(
+        value, "fields",
+        fmt::format("fields must be an array of 1 to {} names of fields: the components of one vector",
+                    scene.dim));
   for (const TomlValue& item : value.items) {
     measure.fields.push_back(cursor.text_of(item, "fields"));
     if (!find_field(measure.fields.back(), scene.dim))
@@ -66,8 +67,8 @@ void read_rigid_motion(TomlCursor& cursor, const Scene& scene, Measure& measure)
   if (scene.dim == 3) displacement.emplace_back("displacement_z");
   if (measure.rigid_motion_free && measure.fields != displacement)
     cursor.fail(cursor.need("rigid_motion"), "rigid_motion",
-                "rigid_motion = \"free\" needs fields = [\"" + join(displacement, "\", \"") +
-                    "\"]; use \"counts\" for other fields");
+                fmt::format(R"(rigid_motion = "free" needs fields = ["{}"]; use "counts" for other fields)",
+                            join(displacement, R"(", ")")));
 }
 
 void read_axis(TomlCursor& cursor, const Scene& scene, Measure& measure) {
@@ -102,8 +103,9 @@ void read_until(TomlCursor& cursor, const Scene&, Measure& measure) {
   if (given == nullptr) return;
   measure.until = cursor.number("until");
   if (!(*measure.until > measure.from))
-    cursor.fail(*given, "until",
-                "until = " + exact(*measure.until) + " s must be after from = " + exact(measure.from) + " s");
+    cursor.fail(
+        *given, "until",
+        fmt::format("until = {} s must be after from = {} s", exact(*measure.until), exact(measure.from)));
 }
 
 void read_about(TomlCursor& cursor, const Scene&, Measure& measure) {
@@ -184,7 +186,7 @@ const KeyInfo& measure_key(std::string_view name) {
   const auto* key = std::ranges::find(objects, name, &MeasureKey::name);
   if (key != objects.end()) return *key;
   key = std::ranges::find(numbers, name, &MeasureKey::name);
-  if (key == numbers.end()) throw std::logic_error("no measure takes the key '" + std::string(name) + "'");
+  if (key == numbers.end()) throw std::logic_error(fmt::format("no measure takes the key '{}'", name));
   return *key;
 }
 

@@ -2,6 +2,8 @@
 #include <array>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
@@ -41,7 +43,7 @@ std::string chosen(TomlCursor& root, const std::string& key, const Changes& chan
 }
 
 std::string bounds_text(const MethodConstant& constant) {
-  return "; allowed: " + exact(constant.low) + " to " + exact(constant.high);
+  return fmt::format("; allowed: {} to {}", exact(constant.low), exact(constant.high));
 }
 
 bool within_bounds(const MethodConstant& constant, double value) {
@@ -67,13 +69,14 @@ void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
     const std::size_t i = index_of(constants, entry.key);
     if (i == constants.size())
       section.fail(entry.place, entry.key,
-                   "the method '" + std::string(method.name) + "' has no constant '" + entry.key + "'" +
-                       did_you_mean(entry.key, names_of(constants)) +
-                       "; its constants: " + (constants.empty() ? "none" : join(names_of(constants))));
+                   fmt::format("the method '{}' has no constant '{}'{}; its constants: {}", method.name,
+                               entry.key, did_you_mean(entry.key, names_of(constants)),
+                               constants.empty() ? "none" : join(names_of(constants))));
     const double value = section.number(entry.key);
     if (!within_bounds(constants[i], value))
-      section.fail(entry.value, entry.key,
-                   entry.key + " = " + exact(value) + " is out of bounds" + bounds_text(constants[i]));
+      section.fail(
+          entry.value, entry.key,
+          fmt::format("{} = {} is out of bounds{}", entry.key, exact(value), bounds_text(constants[i])));
   }
 }
 
@@ -90,8 +93,8 @@ void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInf
     if (const auto change = changes.constants.find(name); change != changes.constants.end()) {
       value = changed_number("method." + name, change->second, root.names());
       if (!within_bounds(constant, value))
-        throw UsageError("method." + name + " = " + change->second + " is out of bounds" +
-                         bounds_text(constant));
+        throw UsageError(
+            fmt::format("method.{} = {} is out of bounds{}", name, change->second, bounds_text(constant)));
     }
     section.table().set(name, TomlValue(value));
     file.settings.constants[name] = value;
@@ -131,8 +134,8 @@ void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& met
     law = *change;
     if (const std::string reason = reason_against_law(method, law); !reason.empty()) throw UsageError(reason);
   } else if (!fits) {
-    file.remark = "the method '" + std::string(method.name) + "' does not support the law of the scene, '" +
-                  given + "'; it runs with " + (own.empty() ? "its own law" : own);
+    file.remark = fmt::format("the method '{}' does not support the law of the scene, '{}'; it runs with {}",
+                              method.name, given, own.empty() ? "its own law" : own);
   }
   resolve(file, "law", law, in_scene, own);
   if (law.empty())

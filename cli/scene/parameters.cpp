@@ -37,7 +37,8 @@ std::vector<std::string> reserved_names() {
 std::string bounds_text(const Parameter& parameter) {
   const std::string low = parameter.low ? exact(*parameter.low) : "-inf",
                     high = parameter.high ? exact(*parameter.high) : "inf";
-  return low + " to " + high + (parameter.unit.empty() || parameter.unit == "1" ? "" : " " + parameter.unit);
+  return fmt::format("{} to {}{}", low, high,
+                     parameter.unit.empty() || parameter.unit == "1" ? "" : " " + parameter.unit);
 }
 
 bool within_bounds(const Parameter& parameter, double value) {
@@ -68,11 +69,11 @@ Parameter read_parameter(TomlCursor& entry, const std::string& name, const Chang
   if (entry.find("max")) parameter.high = entry.number("max");
   if (parameter.low && parameter.high && *parameter.low > *parameter.high)
     entry.fail(entry.need("min"), "min",
-               "min = " + exact(*parameter.low) + " is above max = " + exact(*parameter.high) +
-                   ", so no value is allowed; lower min or raise max");
+               fmt::format("min = {} is above max = {}, so no value is allowed; lower min or raise max",
+                           exact(*parameter.low), exact(*parameter.high)));
   entry.finish();
   const auto complain = [&](double number) {
-    return name + " = " + exact(number) + " is out of bounds; allowed: " + bounds_text(parameter);
+    return fmt::format("{} = {} is out of bounds; allowed: {}", name, exact(number), bounds_text(parameter));
   };
   if (!within_bounds(parameter, parameter.default_value))
     entry.fail(value, "value", complain(parameter.default_value));
@@ -95,9 +96,8 @@ void check_name_length(const TomlCursor& table, FilePlace place, std::string_vie
                        const std::string& name) {
   constexpr std::size_t longest = 100;  // limit of muParser
   if (name.size() > longest)
-    table.fail(
-        place, key,
-        "a name has at most 100 letters, but '" + shown(name, 20) + "' has " + std::to_string(name.size()));
+    table.fail(place, key,
+               fmt::format("a name has at most 100 letters, but '{}' has {}", shown(name, 20), name.size()));
 }
 
 void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind) {
@@ -106,13 +106,15 @@ void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string
   };
   check_name_length(table, entry.place, entry.key, entry.key);
   if (!is_identifier(entry.key))
-    table.fail(entry.place, entry.key,
-               "'" + entry.key + "' is not a valid name for a " + std::string(kind) +
-                   "; use letters, digits and '_', with no digit first");
+    table.fail(
+        entry.place, entry.key,
+        fmt::format("'{}' is not a valid name for a {}; use letters, digits and '_', with no digit first",
+                    entry.key, kind));
   if (taken(reserved_names()) || taken(function_names()))
-    table.fail(entry.place, entry.key,
-               "the name '" + entry.key + "' is reserved; choose a name other than " +
-                   join(reserved_names()) + " and the names of functions");
+    table.fail(
+        entry.place, entry.key,
+        fmt::format("the name '{}' is reserved; choose a name other than {} and the names of functions",
+                    entry.key, join(reserved_names())));
 }
 
 Setting parse_setting(const std::string& assignment) {
@@ -120,7 +122,7 @@ Setting parse_setting(const std::string& assignment) {
   return {assignment.substr(0, at), assignment.substr(at + 1)};
 }
 
-std::string text_of(const Setting& setting) { return setting.name + "=" + setting.value; }
+std::string text_of(const Setting& setting) { return fmt::format("{}={}", setting.name, setting.value); }
 
 Changes by_target(const std::vector<Setting>& settings) {
   Changes changes;
@@ -170,9 +172,9 @@ void check_names(const Changes& changes, const SceneFile& file) {
   const std::vector<std::string> known = names_to_set(file);
   const auto check = [&](const std::string& name) {
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw UsageError("'" + name + "' cannot be set in the scene '" + file.scene.name +
-                       "' with the method '" + file.settings.method + "'" + did_you_mean(name, known) +
-                       "; names that can be set: " + join(known));
+      throw UsageError(fmt::format(
+          "'{}' cannot be set in the scene '{}' with the method '{}'{}; names that can be set: {}", name,
+          file.scene.name, file.settings.method, did_you_mean(name, known), join(known)));
   };
   for (const auto& change : changes.parameters) check(change.first);
   for (const auto& change : changes.constants) check(std::string(constant_prefix) + change.first);
@@ -183,11 +185,10 @@ double changed_number(std::string_view name, const std::string& text, const Name
   try {
     value = evaluate(text, names);
   } catch (const ExpressionError& error) {
-    throw UsageError(std::string(name) + ": " + error.what());
+    throw UsageError(fmt::format("{}: {}", name, error.what()));
   }
   if (!std::isfinite(value))
-    throw UsageError(std::string(name) + " = '" + text + "' is " + exact(value) +
-                     "; it must be a finite number");
+    throw UsageError(fmt::format("{} = '{}' is {}; it must be a finite number", name, text, exact(value)));
   return value;
 }
 
@@ -217,17 +218,17 @@ void read_parameters(TomlCursor& root, const Changes& changes, std::optional<dou
   constexpr std::size_t most_parameters = 500;  // reading time grows with the square
   TomlCursor parameters = root.section("parameters", "[parameters]", named_by_user);
   if (const auto& entries = parameters.table().entries; entries.size() > most_parameters)
-    parameters.fail(entries.back().place, "",
-                    "the scene has " + std::to_string(entries.size()) + " parameters; at most " +
-                        std::to_string(most_parameters) + " are allowed");
+    parameters.fail(
+        entries.back().place, "",
+        fmt::format("the scene has {} parameters; at most {} are allowed", entries.size(), most_parameters));
   Names names, defaults;
   if (dp) names["dp"] = defaults["dp"] = *dp;
   for (TomlEntry& entry : parameters.table().entries) {
     parameters.find(entry.key);
     check_new_name(parameters, entry, "parameter");
     if (left_out.contains(entry.key)) continue;
-    TomlCursor cursor =
-        parameters.enter(entry.value, entry.key, "parameter '" + entry.key + "'", keys_of("parameters"));
+    TomlCursor cursor = parameters.enter(entry.value, entry.key, fmt::format("parameter '{}'", entry.key),
+                                         keys_of("parameters"));
     const Parameter parameter = read_parameter(cursor, entry.key, changes, names, defaults);
     names[entry.key] = parameter.value;
     defaults[entry.key] = parameter.default_value;

@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/fields.hpp"
@@ -195,7 +197,8 @@ std::vector<double> read_line_times(TomlCursor& cursor) {
     const double before = times.size() > 1 ? times[times.size() - 2] : 0;
     if (times.back() < before)
       cursor.fail(item, "times",
-                  exact(times.back()) + " comes after " + exact(before) + "; times must increase, from 0 on");
+                  fmt::format("{} comes after {}; times must increase, from 0 on", exact(times.back()),
+                              exact(before)));
   }
   return times;
 }

@@ -3,6 +3,8 @@
 #include <fstream>
 #include <iterator>
 
+#include <fmt/core.h>
+
 #include "cli/scene/sections.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/text/format.hpp"
@@ -46,11 +48,10 @@ struct Rows {
 
   double number(const std::vector<std::string>& row, std::size_t column) const {
     if (column >= row.size())
-      fail("the row has " + std::to_string(row.size()) +
-           " columns, fewer than the header; add the missing values");
+      fail(fmt::format("the row has {} columns, fewer than the header; add the missing values", row.size()));
     const std::string& cell = row[column];
     const auto value = parsed<double>(cell);
-    if (!value || !std::isfinite(*value)) fail("'" + cell + "' is not a finite number");
+    if (!value || !std::isfinite(*value)) fail(fmt::format("'{}' is not a finite number", cell));
     return *value;
   }
 };
@@ -58,8 +59,8 @@ struct Rows {
 std::size_t column_of(const Rows& rows, const std::vector<std::string>& head, const std::string& name) {
   for (std::size_t i = 0; i < head.size(); ++i)
     if (head[i] == name) return i;
-  rows.fail("the table has no column '" + name + "'" + did_you_mean(name, head) +
-            "; its columns: " + join(head));
+  rows.fail(fmt::format("the table has no column '{}'{}; its columns: {}", name, did_you_mean(name, head),
+                        join(head)));
 }
 
 /// Also searches scene folders, for the scene.toml of a run.
@@ -102,8 +103,8 @@ std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path&
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     table.fail(table.need("file"), "file",
-               "there is no " + std::string(what) + " '" + path.string() +
-                   "'; a relative path must start at the scene's folder");
+               fmt::format("there is no {} '{}'; a relative path must start at the scene's folder", what,
+                           path.string()));
   table.table().set("file", TomlValue(path_without_scene_folder(path)));
   return path;
 }
@@ -127,8 +128,8 @@ std::string file_text(const std::filesystem::path& path, std::size_t most_bytes)
   if (stream.bad()) fail("the file cannot be read");
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > most_bytes)
-    fail("the file is larger than " + std::to_string(most_bytes >> 20) +
-         " MiB, the limit for scene files and tables");
+    fail(fmt::format("the file is larger than {} MiB, the limit for scene files and tables",
+                     most_bytes >> 20));
   return text;
 }
 
@@ -136,7 +137,8 @@ ReferenceTable read_table(const std::filesystem::path& path, const std::string& 
                           const std::vector<std::string>& columns) {
   Rows rows{.file = path.string(), .text = file_text(path)};
   const auto head = rows.read();
-  if (!head) rows.fail("the table is empty; it must have a header with '" + lead + "' and " + join(columns));
+  if (!head)
+    rows.fail(fmt::format("the table is empty; it must have a header with '{}' and {}", lead, join(columns)));
   const std::size_t t = column_of(rows, *head, lead);
   std::vector<std::size_t> places;
   for (const std::string& name : columns) places.push_back(column_of(rows, *head, name));
@@ -165,8 +167,8 @@ ColumnTable read_columns(const std::filesystem::path& path, const std::vector<st
     places.push_back(static_cast<std::size_t>(std::ranges::find(*head, name) - head->begin()));
   for (std::size_t k = 0; k < head->size(); ++k)
     if (std::ranges::count(places, k) == 0)
-      rows.fail("unknown column '" + (*head)[k] + "'; known columns: " + join(needed) + ", " +
-                join(optional));
+      rows.fail(fmt::format("unknown column '{}'; known columns: {}, {}", (*head)[k], join(needed),
+                            join(optional)));
   table.columns.resize(places.size());
   while (const auto row = rows.read()) {
     table.lines.push_back(rows.line);

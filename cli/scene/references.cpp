@@ -3,6 +3,8 @@
 #include <map>
 #include <span>
 
+#include <fmt/core.h>
+
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/measure_kinds.hpp"
@@ -68,7 +70,7 @@ void read_names(TomlCursor& reference) {
     check_new_name(cursor, entry, "number");
     if (cursor.names().contains(entry.key))
       cursor.fail(entry.place, entry.key,
-                  "the name '" + entry.key + "' is already a parameter; choose another name");
+                  fmt::format("the name '{}' is already a parameter; choose another name", entry.key));
     const double value = cursor.number(entry.key);
     cursor.names()[entry.key] = value;
   }
@@ -101,8 +103,9 @@ const Measure& measure_with_table(TomlCursor& cursor, const TomlEntry& entry, co
   std::vector<std::string> kinds;
   for (const MeasureKind& kind : measure_kinds())
     if (kind.table) kinds.emplace_back(kind.name);
-  cursor.fail(entry.place, entry.key,
-              "the measure '" + entry.key + "' cannot have a table; only " + join_with_or(kinds) + " can");
+  cursor.fail(
+      entry.place, entry.key,
+      fmt::format("the measure '{}' cannot have a table; only {} can", entry.key, join_with_or(kinds)));
 }
 
 std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure) {
@@ -111,7 +114,7 @@ std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure)
   const TomlValue& value = entry.need("columns");
   if (value.kind != TomlValue::Kind::array || value.items.size() != number)
     entry.fail(value, "columns",
-               "columns must be an array of " + std::to_string(number) + " names of columns, one per probe");
+               fmt::format("columns must be an array of {} names of columns, one per probe", number));
   std::vector<std::string> names;
   for (const TomlValue& item : value.items) names.push_back(entry.text_of(item, "columns"));
   return names;
@@ -122,12 +125,14 @@ void check_covers(TomlCursor& entry, const ReferenceTable& table, const SampleLi
   const TomlValue& file = entry.need("file");
   if (line.times.size() > 1)
     entry.fail(file, "file",
-               "a table must be of one time, but the line '" + line.name + "' has " +
-                   std::to_string(line.times.size()) + "; give a solution, or define one line for each time");
+               fmt::format("a table must be of one time, but the line '{}' has {}; "
+                           "give a solution, or define one line for each time",
+                           line.name, line.times.size()));
   const double length = length_of(line), slack = 1e-9 * length;
   if (table.t.empty() || table.t.front() > slack || table.t.back() < length - slack)
-    entry.fail(file, "file",
-               "the table must go from s = 0 to " + exact(length) + " m, like the line '" + line.name + "'");
+    entry.fail(
+        file, "file",
+        fmt::format("the table must go from s = 0 to {} m, like the line '{}'", exact(length), line.name));
 }
 
 ReferenceTable read_one_table(TomlCursor entry, const Measure& measure, const SceneFile& file) {
@@ -148,7 +153,8 @@ std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const S
   TomlCursor cursor = reference.enter(*table, "tables", "'tables' of " + reference.what(), named_by_user);
   for (TomlEntry& entry : cursor.table().entries) {
     const Measure& measure = measure_with_table(cursor, entry, file.scene);
-    TomlCursor one = cursor.enter(entry.value, entry.key, "table '" + entry.key + "'", keys_of("tables"));
+    TomlCursor one =
+        cursor.enter(entry.value, entry.key, fmt::format("table '{}'", entry.key), keys_of("tables"));
     tables[entry.key] = read_one_table(std::move(one), measure, file);
   }
   return tables;
@@ -167,9 +173,8 @@ std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& referenc
     const bool several = entry.value.kind == TomlValue::Kind::array;
     if (number != (several ? entry.value.items.size() : 1))
       cursor.fail(entry.value, entry.key,
-                  "the measure '" + entry.key + "' has " + std::to_string(number) +
-                      (measure.fields.empty() ? " probes" : " fields") +
-                      "; write an array with one expression for each");
+                  fmt::format("the measure '{}' has {} {}; write an array with one expression for each",
+                              entry.key, number, measure.fields.empty() ? "probes" : "fields"));
     const std::span<const TomlValue> items =
         several ? std::span<const TomlValue>(entry.value.items) : std::span(&entry.value, 1);
     for (const TomlValue& item : items) solutions[entry.key].push_back(cursor.solution(item, entry.key));
@@ -194,8 +199,9 @@ bool is_for(TomlCursor& reference, const std::string& method) {
 void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Reference& reference) {
   for (const auto& entry : reference.solution)
     if (reference.table.contains(entry.first))
-      cursor.fail(value, "solutions",
-                  "the measure '" + entry.first + "' has a table and a solution; remove one of them");
+      cursor.fail(
+          value, "solutions",
+          fmt::format("the measure '{}' has a table and a solution; remove one of them", entry.first));
 }
 
 /// Values and tables, or solutions, of a [[reference]].
@@ -269,8 +275,9 @@ void read_references(TomlCursor& root, SceneFile& file) {
                         .solution = read_solutions(cursor, file.scene)};
     refuse_second_curve(cursor, value, all);
     if (all.value.size() + all.table.size() + all.solution.size() == 0)
-      cursor.fail(value, "reference",
-                  "the reference '" + all.name + "' is empty; it must have values, tables or solutions");
+      cursor.fail(
+          value, "reference",
+          fmt::format("the reference '{}' is empty; it must have values, tables or solutions", all.name));
     const Validity valid = validity(cursor, file.parameters);
     const bool applies = is_for(cursor, file.settings.method), of_method = cursor.find("methods") != nullptr;
     const int for_some = cursor.find("when") ? 1 : 0;
@@ -297,10 +304,11 @@ void read_references(TomlCursor& root, SceneFile& file) {
     Merged& of_law = merged[part.law];
     of_law.add(part);
     if (const TomlValue* twin = of_law.ambiguous())
-      root.fail(*twin, "law",
-                "two references of the law '" + part.law + "' are valid for the measure '" +
-                    of_law.ambiguous_measure() +
-                    "' with these parameters; give them different conditions with 'when'");
+      root.fail(
+          *twin, "law",
+          fmt::format("two references of the law '{}' are valid for the measure '{}' with these parameters; "
+                      "give them different conditions with 'when'",
+                      part.law, of_law.ambiguous_measure()));
   }
   for (auto& [law, of_law] : merged) file.scene.references[law] = of_law.finish();
 }

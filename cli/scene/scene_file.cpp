@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/shown.hpp"
@@ -18,11 +20,11 @@ void collect_places(const TomlValue& value, const std::string& path,
                     std::map<std::string, FilePlace>& places) {
   if (!path.empty()) places.emplace(path, value.place);
   for (const TomlEntry& entry : value.entries)
-    collect_places(entry.value, path.empty() ? entry.key : path + "." + entry.key, places);
+    collect_places(entry.value, path.empty() ? entry.key : fmt::format("{}.{}", path, entry.key), places);
   for (const TomlValue& item : value.items) {
     const TomlEntry* name = item.find("name");
     if (name && name->value.kind == TomlValue::Kind::text)
-      collect_places(item, path + "." + name->value.text, places);
+      collect_places(item, fmt::format("{}.{}", path, name->value.text), places);
   }
 }
 
@@ -41,9 +43,9 @@ RequestedSpacing requested_spacing(TomlValue tree, const Changes& changes, TomlS
   for (const std::string& name :
        spacing.kind == TomlValue::Kind::text ? names_in(spacing.text) : std::set<std::string>{})
     if (unknown_yet.contains(name))
-      root.fail(
-          spacing, "spacing",
-          "spacing = '" + spacing.text + "' depends on dp, which is the spacing itself; remove dp from it");
+      root.fail(spacing, "spacing",
+                fmt::format("spacing = '{}' depends on dp, which is the spacing itself; remove dp from it",
+                            spacing.text));
   const double asked = root.number("spacing");
   const std::string* change = changes.find("spacing");
   return {change ? changed_number(key_of_scene("spacing"), *change, root.names()) : asked, asked};
@@ -53,9 +55,10 @@ void read_head(TomlCursor& root, SceneFile& file) {
   Scene& scene = file.scene;
   scene.name = root.line("name", file.path.stem().string());
   if (scene.name.find('/') != std::string::npos || scene.name == "." || scene.name == "..")
-    root.fail(root.need("name"), "name",
-              "name = '" + shown(scene.name) +
-                  "' must not contain '/' or be '.' or '..', because it names the run folder");
+    root.fail(
+        root.need("name"), "name",
+        fmt::format("name = '{}' must not contain '/' or be '.' or '..', because it names the run folder",
+                    shown(scene.name)));
   scene.title = root.line("title", scene.name);
   scene.source = root.line("source", "");
   scene.dim = root.whole("dim");
@@ -83,7 +86,7 @@ void read_times(TomlCursor& root, const Changes& changes, double dp, SceneFile& 
   constexpr double least_until = 1e-100;  // sums of smaller time steps lose digits
   if (file.scene.until < least_until)
     root.fail(root.need("until"), "until",
-              "until = " + exact(file.scene.until) + " s must be at least " + exact(least_until) + " s");
+              fmt::format("until = {} s must be at least {} s", exact(file.scene.until), exact(least_until)));
   root.table().set("until", TomlValue(file.scene.until));
   file.history = root.find("history") ? root.number("history") : file.scene.until / default_rows;
   root.table().set("history", TomlValue(*file.history));
@@ -100,8 +103,9 @@ bool has_spacing(const std::string& expression) {
 }
 
 std::string in_spacings_already(const std::string& given) {
-  return "jitter = " + given +
-         " must not contain dp, because jitter is in spacings; write jitter=0.1 for a tenth of dp";
+  return fmt::format(
+      "jitter = {} must not contain dp, because jitter is in spacings; write jitter=0.1 for a tenth of dp",
+      given);
 }
 
 void read_jitter(TomlCursor& root, const Changes& changes, SceneFile& file) {
@@ -122,7 +126,7 @@ void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const
   for (const TomlEntry& entry : parameters->value.entries)
     if (!source.used.contains(entry.key) && !entry.value.find("default"))
       root.fail(entry.place, "parameters." + entry.key,
-                "the parameter '" + entry.key + "' is unused; remove it or use it in an expression");
+                fmt::format("the parameter '{}' is unused; remove it or use it in an expression", entry.key));
 }
 
 /// Reads what `fitted` uses with spacing dp, then the rest in `finish`.
@@ -178,9 +182,10 @@ void refuse_too_coarse(double asked, double fitted, const TomlValue& tree, const
                        const TomlSource& source) {
   constexpr double coarse = 2;
   if (!(asked > coarse * fitted)) return;
-  const std::string what = "spacing = " + brief(asked) +
-                           " m is more than twice the thickness of the first body, " + brief(fitted) +
-                           " m; choose a smaller spacing, because a body needs several rows of particles";
+  const std::string what = fmt::format(
+      "spacing = {} m is more than twice the thickness of the first body, {} m; "
+      "choose a smaller spacing, because a body needs several rows of particles",
+      brief(asked), brief(fitted));
   if (changes.find("spacing")) throw UsageError(what);
   const FilePlace place = tree.find("spacing")->value.place;
   throw SceneError(source.file, place.line, place.column, "spacing", what);

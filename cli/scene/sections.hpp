@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "cli/scene/expression.hpp"
 #include "cli/scene/key_info.hpp"
 #include "cli/scene/scene_file.hpp"
@@ -159,7 +161,8 @@ void read_each(TomlCursor& root, const std::string& key, const Read& read) {
   for (TomlValue& value : root.list(key)) {
     const TomlEntry* name = value.find("name");
     const std::string label = name ? name->value.text : std::to_string(++number);
-    TomlCursor cursor = root.enter(value, key + "." + label, key + " '" + label + "'", keys_of(key));
+    TomlCursor cursor =
+        root.enter(value, fmt::format("{}.{}", key, label), fmt::format("{} '{}'", key, label), keys_of(key));
     read(cursor);
   }
 }

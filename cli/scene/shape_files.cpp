@@ -93,7 +93,7 @@ GivenSites tabled_sites(const std::filesystem::path& file, const ShapeSetting& s
   for (std::size_t i = 0; i < given.volumes.size(); ++i)
     if (!(given.volumes[i] > 0))
       throw SceneError(file.string(), table.lines[i], 1, "",
-                       "volume = " + exact(given.volumes[i]) + " must be greater than 0");
+                       fmt::format("volume = {} must be greater than 0", exact(given.volumes[i])));
   return given;
 }
 
@@ -109,9 +109,9 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
   for (std::size_t i = 0; i < body.size(); ++i) {
     if (wanted && body[i] != *wanted) continue;
     if (setting.dim == 2 && x[3 * i + 2] != 0)
-      throw UsageError(
-          path.string() +
-          " is a file of a scene with dim = 3, but this scene has dim = 2; use a file with dim = 2");
+      throw UsageError(fmt::format(
+          "{} is a file of a scene with dim = 3, but this scene has dim = 2; use a file with dim = 2",
+          path.string()));
     if (!(diameter[i] > 0 && std::isfinite(diameter[i])))
       throw UsageError(
           fmt::format("particle {} of {} has a diameter of {:g}; it must be finite and greater than 0", i + 1,
@@ -120,8 +120,9 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
     given.volumes.push_back(std::pow(diameter[i], setting.dim));
   }
   if (given.places.empty())
-    throw UsageError(path.string() + " contains no particle" +
-                     (wanted ? fmt::format(" of body {}; bodies are numbered from 0", *wanted) : ""));
+    throw UsageError(
+        fmt::format("{} contains no particle{}", path.string(),
+                    wanted ? fmt::format(" of body {}; bodies are numbered from 0", *wanted) : ""));
   return given;
 }
 

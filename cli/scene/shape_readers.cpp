@@ -16,16 +16,14 @@ using Kind = TomlValue::Kind;
 
 constexpr std::size_t most_points = 10000;
 
-std::string corner_text(const Point& x) { return fmt::format("({:.6g}, {:.6g}) m", x[0], x[1]); }
-
 bool is_list(const TomlValue& value) { return value.kind == Kind::array; }
 
 Point read_corner(TomlCursor& shape, const TomlValue& value, std::string_view key) {
   if (!is_list(value) || value.items.size() != 2)
     shape.fail(value, key,
-               "a point must be an array of two numbers, [x, y] in m, not " +
-                   std::string(is_list(value) ? "an array of " + std::to_string(value.items.size())
-                                              : std::string(value.kind_name())));
+               fmt::format("a point must be an array of two numbers, [x, y] in m, not {}",
+                           is_list(value) ? fmt::format("an array of {}", value.items.size())
+                                          : std::string(value.kind_name())));
   return {shape.value_of(value.items[0], key), shape.value_of(value.items[1], key), 0};
 }
 
@@ -78,9 +76,9 @@ Shape read_polygon(TomlCursor& shape, const ShapeSetting&) {
   if (const auto place = crossing(contours)) {
     const Point from = centre.value_or(Point{});
     shape.fail(value, key,
-               "two sides of the polygon cross, or lie on each other, at " +
-                   corner_text({(*place)[0] + from[0], (*place)[1] + from[1], 0}) +
-                   "; the contours of a polygon must not cross themselves or each other");
+               fmt::format("two sides of the polygon cross, or lie on each other, at ({:.6g}, {:.6g}) m; "
+                           "the contours of a polygon must not cross themselves or each other",
+                           (*place)[0] + from[0], (*place)[1] + from[1]));
   }
   Polygon polygon(contours, centre);
   if (!(polygon.measure(2) > 0))

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "cli/scene/shape_readers.hpp"
 #include "cli/text/format.hpp"
 #include "engine/scene/shapes/box.hpp"
@@ -46,7 +48,7 @@ Shape read_ring(TomlCursor& shape, const ShapeSetting& setting) {
   Ring ring{shape.point("centre", dim), shape.number("inner"), shape.number("outer"), RoundLayout::lattice};
   if (!(ring.inner < ring.outer))
     shape.fail(shape.need("inner"), "inner",
-               "inner = " + exact(ring.inner) + " must be less than outer = " + exact(ring.outer));
+               fmt::format("inner = {} must be less than outer = {}", exact(ring.inner), exact(ring.outer)));
   if (layers == Layers::none) return ring;
   std::vector<RoundLayout> allowed = {RoundLayout::aligned, RoundLayout::spaced, RoundLayout::lattice};
   if (dim == 3) allowed.erase(allowed.begin() + 1);
@@ -81,7 +83,8 @@ Shape read_cylinder(TomlCursor& shape, const ShapeSetting& setting) {
   cylinder.inner = shape.number("inner");
   if (!(cylinder.inner < cylinder.radius))
     shape.fail(shape.need("inner"), "inner",
-               "inner = " + exact(cylinder.inner) + " must be less than radius = " + exact(cylinder.radius));
+               fmt::format("inner = {} must be less than radius = {}", exact(cylinder.inner),
+                           exact(cylinder.radius)));
   if (setting.layers != Layers::none)
     cylinder.layout =
         read_layout_of_hollow(shape, {RoundLayout::aligned, RoundLayout::lattice},
@@ -97,8 +100,9 @@ Shape read_combined(TomlCursor& shape, ShapeSetting setting, Combination how) {
   constexpr int most_levels = 8;
   if (++setting.level > most_levels)
     shape.fail(shape.need("shapes"), "shapes",
-               "unions, intersections and differences are nested more than " + std::to_string(most_levels) +
-                   " levels deep; use fewer levels, such as one union of all its shapes");
+               fmt::format("unions, intersections and differences are nested more than {} levels deep; "
+                           "use fewer levels, such as one union of all its shapes",
+                           most_levels));
   setting.alone = false;
   setting.layers = Layers::none;
   Combined combined{how, read_list(shape, "shapes", "the shapes of " + shape.what(), setting)};
@@ -260,9 +264,8 @@ Shape read_shape(TomlCursor shape, const ShapeSetting& setting) {
   const std::size_t k = index_of(kinds, given);
   if (k < kinds.size() && kinds[k].dim != setting.dim && kinds[k].dim != 0)
     shape.fail(shape.need("type"), "type",
-               given + " is a shape with dim = " + std::to_string(kinds[k].dim) +
-                   ", but the scene has dim = " + std::to_string(setting.dim) + "; use " +
-                   std::string(kinds[k].otherwise));
+               fmt::format("{} is a shape with dim = {}, but the scene has dim = {}; use {}", given,
+                           kinds[k].dim, setting.dim, kinds[k].otherwise));
   const ShapeKind& kind = kinds[index_of(kinds, shape.choice("type", names_of_shapes(setting.dim)))];
   shape.also_takes(kind.keys);
   Shape result = kind.read(shape, setting);
@@ -284,7 +287,8 @@ std::vector<Shape> read_list(TomlCursor& owner, std::string_view key, const std:
     shapes.push_back(read_shape(owner.enter(item, key, what, keys_of("shape")), of_each));
   if (shapes.empty())
     owner.fail(value, key,
-               what + " is empty; it must have at least one " + join_with_or(names_of_shapes(setting.dim)));
+               fmt::format("{} is empty; it must have at least one {}", what,
+                           join_with_or(names_of_shapes(setting.dim))));
   return shapes;
 }
 
@@ -297,8 +301,8 @@ Box read_low_and_high(TomlCursor& shape, int dim) {
   for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
     if (!(box.low[k] < box.high[k]))
       shape.fail(shape.need("low"), "low",
-                 "low." + axis_names[k] + " = " + exact(box.low[k]) + " must be less than high." +
-                     axis_names[k] + " = " + exact(box.high[k]));
+                 fmt::format("low.{0} = {1} must be less than high.{0} = {2}", axis_names[k],
+                             exact(box.low[k]), exact(box.high[k])));
   return box;
 }
 
@@ -326,7 +330,7 @@ std::optional<Rotation> read_rotation(TomlCursor& cursor, int dim, const Point& 
 }
 
 std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, const ShapeSetting& setting) {
-  return read_list(body, key, "the " + std::string(key) + " of " + body.what(), setting);
+  return read_list(body, key, fmt::format("the {} of {}", key, body.what()), setting);
 }
 
 }  // namespace taut::cli

@@ -5,6 +5,8 @@
 #include <set>
 #include <string_view>
 
+#include <fmt/core.h>
+
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
@@ -32,8 +34,8 @@ std::vector<fs::path> folders_of_user() {
     rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
     if (folder.empty()) continue;
     if (!is_folder(folder))
-      throw UsageError("TAUT_SCENES contains the folder '" + std::string(folder) +
-                       "', which does not exist; correct or unset it");
+      throw UsageError(fmt::format(
+          "TAUT_SCENES contains the folder '{}', which does not exist; correct or unset it", folder));
     folders.emplace_back(fs::absolute(folder));
   }
   return folders;
@@ -69,7 +71,7 @@ fs::path file_of(const std::string& name) {
   std::error_code error;
   for (const fs::path& scenes : scene_folders())
     if (fs::path file = scenes / (name + ".toml"); fs::exists(file, error)) return file;
-  throw UsageError("'" + name + "' has just been removed from its folder");
+  throw UsageError(fmt::format("'{}' has just been removed from its folder", name));
 }
 
 }  // namespace
@@ -96,15 +98,16 @@ fs::path find_scene(const std::string& scene) {
   const bool exists = fs::exists(scene, error);
   if (exists && !fs::is_directory(scene, error)) return scene;
   if (!exists && scene.ends_with(".toml") && scene_folders().empty())
-    throw UsageError("there is no scene file '" + scene + "'");
+    throw UsageError(fmt::format("there is no scene file '{}'", scene));
   const std::vector<std::string> names = scene_names();
   if (std::ranges::find(names, scene) != names.end()) return file_of(scene);
   if (exists) return scene;
   if (fs::is_regular_file(scene + ".toml", error))
-    throw UsageError("there is no scene with the name '" + scene + "'; did you mean the file '" + scene +
-                     ".toml'?");
-  throw UsageError("there is no scene file '" + scene + "' and no scene of that name" +
-                   known_names(scene, names) + "; `taut list scenes` shows all");
+    throw UsageError(
+        fmt::format("there is no scene with the name '{0}'; did you mean the file '{0}.toml'?", scene));
+  throw UsageError(
+      fmt::format("there is no scene file '{}' and no scene of that name{}; `taut list scenes` shows all",
+                  scene, known_names(scene, names)));
 }
 
 std::vector<std::string> study_names() {
@@ -118,8 +121,9 @@ fs::path find_sweep(const std::string& sweep) {
   if (fs::is_regular_file(sweep, error)) return sweep;
   const std::vector<std::string> names = study_names();
   if (std::ranges::find(names, sweep) != names.end()) return file_of(studies + sweep);
-  throw UsageError("there is no sweep file '" + sweep + "' and no study of that name" +
-                   known_names(sweep, names) + "; to sweep a scene, add --grid NAME=VALUES");
+  throw UsageError(fmt::format(
+      "there is no sweep file '{}' and no study of that name{}; to sweep a scene, add --grid NAME=VALUES",
+      sweep, known_names(sweep, names)));
 }
 
 std::vector<std::string> paper_names() {
@@ -133,8 +137,8 @@ fs::path find_paper(const std::string& paper) {
   if (fs::is_regular_file(paper, error)) return paper;
   const std::vector<std::string> names = paper_names();
   if (std::ranges::find(names, paper) != names.end()) return file_of(papers + paper);
-  throw UsageError("there is no claim file '" + paper + "' and no paper of that name" +
-                   known_names(paper, names));
+  throw UsageError(fmt::format("there is no claim file '{}' and no paper of that name{}", paper,
+                               known_names(paper, names)));
 }
 
 }  // namespace taut::cli

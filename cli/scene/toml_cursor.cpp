@@ -19,18 +19,10 @@ namespace {
 using Kind = TomlValue::Kind;
 
 std::string place_text(const Point& x) {
-  std::string text = "(";
-  return text.append(exact(x[0]))
-      .append(", ")
-      .append(exact(x[1]))
-      .append(", ")
-      .append(exact(x[2]))
-      .append(")");
+  return fmt::format("({}, {}, {})", exact(x[0]), exact(x[1]), exact(x[2]));
 }
 
-std::string time_text(double t) { return "t = " + exact(t) + " s"; }
-
-std::string quote(std::string_view name) { return std::string("'").append(name).append("'"); }
+std::string time_text(double t) { return fmt::format("t = {} s", exact(t)); }
 
 std::optional<TomlValue> default_value(const KeyInfo& row) {
   const KeyType& type = row.type;
@@ -76,7 +68,8 @@ const KeyInfo* TomlCursor::row(std::string_view key) const {
 }
 
 TomlValue* TomlCursor::find(std::string_view key) {
-  if (row(key) == nullptr) throw std::logic_error("the table of keys of " + what_ + " lacks " + quote(key));
+  if (row(key) == nullptr)
+    throw std::logic_error(fmt::format("the table of keys of {} lacks '{}'", what_, key));
   TomlEntry* entry = table_.find(key);
   if (!entry) return nullptr;
   entry->known = true;
@@ -96,8 +89,8 @@ TomlValue& TomlCursor::need(std::string_view key) {
   if (near.empty() && others.size() == 1) near = others;
   const FilePlace place = near.empty() ? table_.place : table_.find(near.front())->place;
   fail(place, key,
-       quote(key) + " is missing in " + what_ +
-           (near.empty() ? "" : "; the unknown key " + quote(near.front()) + " may be meant"));
+       fmt::format("'{}' is missing in {}{}", key, what_,
+                   near.empty() ? "" : fmt::format("; the unknown key '{}' may be meant", near.front())));
 }
 
 std::string TomlCursor::text(std::string_view key) { return text_of(need(key), key); }
@@ -112,11 +105,9 @@ std::string TomlCursor::line(std::string_view key) {
   const std::string given = text(key);
   const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
   if (given.size() > longest)
-    fail(*find(key), key,
-         std::string(key) + " has " + std::to_string(given.size()) + " bytes; at most " +
-             std::to_string(longest) + " are allowed");
+    fail(*find(key), key, fmt::format("{} has {} bytes; at most {} are allowed", key, given.size(), longest));
   if (std::ranges::any_of(given, is_control) || !is_utf8(given))
-    fail(*find(key), key, std::string(key) + " must be one line of UTF-8 text, not '" + shown(given) + "'");
+    fail(*find(key), key, fmt::format("{} must be one line of UTF-8 text, not '{}'", key, shown(given)));
   return given;
 }
 
@@ -140,7 +131,7 @@ std::string TomlCursor::choice(std::string_view key, const std::vector<std::stri
 void TomlCursor::check_bounds(const TomlValue& value, std::string_view key, std::string_view shown,
                               double number) const {
   if (const std::string wrong = against_bounds(row(key)->type, number); !wrong.empty())
-    fail(value, key, std::string(shown) + " = " + exact(number) + " " + wrong);
+    fail(value, key, fmt::format("{} = {} {}", shown, exact(number), wrong));
 }
 
 double TomlCursor::number(std::string_view key) {
@@ -160,7 +151,7 @@ int TomlCursor::whole(std::string_view key) { return static_cast<int>(number(key
 bool TomlCursor::flag(std::string_view key) {
   const TomlValue* value = find(key);
   if (value && value->kind != Kind::boolean)
-    fail(*value, key, std::string(key) + " must be true or false, not " + std::string(value->kind_name()));
+    fail(*value, key, fmt::format("{} must be true or false, not {}", key, value->kind_name()));
   return value && value->flag;
 }
 
@@ -168,9 +159,9 @@ std::vector<double> TomlCursor::numbers(std::string_view key, std::size_t size) 
   const TomlValue& value = need(key);
   if (value.kind != Kind::array || value.items.size() != size)
     fail(value, key,
-         std::string(key) + " must be an array of " + std::to_string(size) + " numbers, not " +
-             (value.kind == Kind::array ? "an array of " + std::to_string(value.items.size())
-                                        : std::string(value.kind_name())));
+         fmt::format("{} must be an array of {} numbers, not {}", key, size,
+                     value.kind == Kind::array ? fmt::format("an array of {}", value.items.size())
+                                               : std::string(value.kind_name())));
   std::vector<double> result;
   for (const TomlValue& item : value.items) {
     result.push_back(value_of(item, key));
@@ -198,11 +189,10 @@ double TomlCursor::value_of(const TomlValue& value, std::string_view key) {
     }
     mark_names_used(value.text);
   } else {
-    fail(value, key,
-         std::string(key) + " must be a number or an expression, not " + std::string(value.kind_name()));
+    fail(value, key, fmt::format("{} must be a number or an expression, not {}", key, value.kind_name()));
   }
   if (!std::isfinite(result))
-    fail(value, key, std::string(key) + " is " + exact(result) + "; it must be a finite number");
+    fail(value, key, fmt::format("{} is {}; it must be a finite number", key, exact(result)));
   return result;
 }
 
@@ -226,8 +216,8 @@ std::function<double(Arguments...)> TomlCursor::function(const TomlValue& value,
     const double result = function(at...);
     if (!std::isfinite(result))
       throw SceneError(failure.file, failure.line, failure.column, failure.key,
-                       name + " = '" + text + "' is " + exact(result) + " at " + show(at...) +
-                           "; it must be a finite number");
+                       fmt::format("{} = '{}' is {} at {}; it must be a finite number", name, text,
+                                   exact(result), show(at...)));
     return result;
   };
 }
@@ -236,7 +226,7 @@ void TomlCursor::refuse_third_axis(const TomlValue& value, std::string_view key)
   if (source_.dim == 2 && value.kind == Kind::text && !names_.contains("z") &&
       names_in(value.text).contains("z"))
     fail(value, key,
-         std::string(key) + " = '" + value.text + "' uses z, but the scene has dim = 2; use x and y");
+         fmt::format("{} = '{}' uses z, but the scene has dim = 2; use x and y", key, value.text));
 }
 
 Expression TomlCursor::function_of(const TomlValue& value, std::string_view key) {
@@ -252,7 +242,7 @@ Solution TomlCursor::solution(const TomlValue& value, std::string_view key) {
   refuse_third_axis(value, key);
   const Solution solution = function<const Point&, double>(
       value, key, compile_in_time,
-      [](const Point& x, double t) { return place_text(x) + ", " + time_text(t); });
+      [](const Point& x, double t) { return fmt::format("{}, {}", place_text(x), time_text(t)); });
   return solution ? solution : [](const Point&, double) { return 0.0; };
 }
 
@@ -261,7 +251,8 @@ std::function<double(const std::vector<double>&, double)> TomlCursor::function_o
   const std::string text = value.kind == Kind::text ? value.text : exact(value_of(value, key));
   for (const std::string& probe : probes)
     if (names_.contains(probe) && names_in(text).contains(probe))
-      fail(value, key, "'" + probe + "' is the name of a probe and of a number; give the probe another name");
+      fail(value, key,
+           fmt::format("'{}' is the name of a probe and of a number; give the probe another name", probe));
   try {
     mark_names_used(text);
     return compile_of_values(text, names_, probes);
@@ -272,14 +263,14 @@ std::function<double(const std::vector<double>&, double)> TomlCursor::function_o
 
 std::string TomlCursor::text_of(const TomlValue& value, std::string_view key) {
   if (value.kind != Kind::text)
-    fail(value, key, std::string(key) + " must be a text in quotes, not " + std::string(value.kind_name()));
+    fail(value, key, fmt::format("{} must be a text in quotes, not {}", key, value.kind_name()));
   return value.text;
 }
 
 TomlCursor TomlCursor::enter(TomlValue& value, std::string_view key, std::string what,
                              std::span<const KeyInfo> keys) {
   if (value.kind != Kind::table)
-    fail(value, key, what + " must be a table, not " + std::string(value.kind_name()));
+    fail(value, key, fmt::format("{} must be a table, not {}", what, value.kind_name()));
   return {value, full_path(key), std::move(what), keys, names_, source_};
 }
 
@@ -296,8 +287,7 @@ std::span<TomlValue> TomlCursor::list(std::string_view key) {
   TomlValue* value = find(key);
   if (!value) return {};
   if (value->kind != Kind::array)
-    fail(*value, key,
-         std::string(key) + " must be written as [[" + std::string(key) + "]], one block for each");
+    fail(*value, key, fmt::format("{0} must be written as [[{0}]], one block for each", key));
   return value->items;
 }
 
@@ -318,7 +308,7 @@ void TomlCursor::fail_expression(const TomlValue& value, std::string_view key,
                                  const ExpressionError& error) const {
   FilePlace place = value.place;
   if (value.verbatim) place.column += 1 + static_cast<int>(std::min(error.offset, value.text.size()));
-  fail(place, key, std::string(key) + ": " + error.what());
+  fail(place, key, fmt::format("{}: {}", key, error.what()));
 }
 
 void TomlCursor::refuse_unknown_keys() const {
@@ -336,13 +326,13 @@ void TomlCursor::finish() const {
   refuse_unknown_keys();
   for (const TomlEntry& entry : table_.entries)
     if (!entry.known)
-      fail(entry.place, entry.key, quote(entry.key) + " has no effect in " + what_ + "; remove it");
+      fail(entry.place, entry.key, fmt::format("'{}' has no effect in {}; remove it", entry.key, what_));
 }
 
 void TomlCursor::mark_names_used(const std::string& text) { source_.used.merge(names_in(text)); }
 
 std::string TomlCursor::full_path(std::string_view key) const {
-  return path_.empty() || key.empty() ? path_ + std::string(key) : path_ + "." + std::string(key);
+  return fmt::format("{}{}{}", path_, path_.empty() || key.empty() ? "" : ".", key);
 }
 
 }  // namespace taut::cli

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
@@ -63,8 +65,9 @@ void refuse_long_keys(std::string_view text, const std::string& file) {
     begin = text.find_first_not_of(' ', begin);
     const FilePlace place = place_in(text, begin);
     throw SceneError(file, place.line, place.column, "",
-                     "not valid TOML for taut: a key has more than " + std::to_string(most_parts) +
-                         " parts between dots; use a shorter key");
+                     fmt::format("not valid TOML for taut: a key has more than {} parts between dots; "
+                                 "use a shorter key",
+                                 most_parts));
   }
 }
 
@@ -86,9 +89,9 @@ TomlValue converted(const toml::node& node, const std::string& file, int level) 
   TomlValue value;
   value.place = place_of(node.source().begin);
   if (level > most_levels)
-    throw SceneError(file, value.place.line, value.place.column, "",
-                     "tables and arrays are nested more than " + std::to_string(most_levels) +
-                         " levels deep; use fewer levels");
+    throw SceneError(
+        file, value.place.line, value.place.column, "",
+        fmt::format("tables and arrays are nested more than {} levels deep; use fewer levels", most_levels));
   if (const toml::table* table = node.as_table()) {
     value.section = !table->is_inline();
     add_entries(value, *table, file, level + 1);
@@ -160,13 +163,13 @@ std::string value_text(const TomlValue& value) {
     case Kind::array: {
       std::vector<std::string> items;
       for (const TomlValue& item : value.items) items.push_back(value_text(item));
-      return std::string("[").append(join(items)).append("]");
+      return fmt::format("[{}]", join(items));
     }
     case Kind::table: {
       std::vector<std::string> entries;
       for (const TomlEntry& entry : value.entries)
-        entries.push_back(key_text(entry.key) + " = " + value_text(entry.value));
-      return entries.empty() ? "{}" : "{ " + join(entries) + " }";
+        entries.push_back(fmt::format("{} = {}", key_text(entry.key), value_text(entry.value)));
+      return entries.empty() ? "{}" : fmt::format("{{ {} }}", join(entries));
     }
     case Kind::date:
       break;
@@ -185,12 +188,12 @@ bool is_section_list(const TomlValue& value) {
 void print_section(std::string& text, const TomlValue& table, const std::string& path) {
   for (const TomlEntry& entry : table.entries)
     if (!is_section(entry.value) && !is_section_list(entry.value))
-      text += key_text(entry.key) + " = " + value_text(entry.value) + "\n";
+      text += fmt::format("{} = {}\n", key_text(entry.key), value_text(entry.value));
   for (const TomlEntry& entry : table.entries) {
-    const std::string inner = path.empty() ? key_text(entry.key) : path + "." + key_text(entry.key);
+    const std::string inner = fmt::format("{}{}{}", path, path.empty() ? "" : ".", key_text(entry.key));
     if (is_section_list(entry.value)) {
       for (const TomlValue& item : entry.value.items) {
-        text += "\n[[" + inner + "]]\n";
+        text += fmt::format("\n[[{}]]\n", inner);
         print_section(text, item, inner);
       }
     } else if (is_section(entry.value)) {
@@ -199,7 +202,7 @@ void print_section(std::string& text, const TomlValue& table, const std::string&
           !entries.empty() && std::all_of(entries.begin(), entries.end(), [](const TomlEntry& e) {
             return is_section(e.value) || is_section_list(e.value);
           });
-      if (!only_sections) text += "\n[" + inner + "]\n";
+      if (!only_sections) text += fmt::format("\n[{}]\n", inner);
       print_section(text, entry.value, inner);
     }
   }
@@ -277,8 +280,8 @@ TomlValue parse_toml(std::string_view text, const std::string& file) {
   } catch (const toml::parse_error& error) {
     const FilePlace place = place_of(error.source().begin);
     throw SceneError(file, place.line, place.column, "",
-                     "not valid TOML: " + std::string(error.description()) +
-                         mistake_hint(line_of(text, place.line), error.description()));
+                     fmt::format("not valid TOML: {}{}", error.description(),
+                                 mistake_hint(line_of(text, place.line), error.description())));
   }
 }
 
