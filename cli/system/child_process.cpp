@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
@@ -11,7 +10,6 @@
 #include <stdexcept>
 #include <sys/prctl.h>
 #include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 
 #include <fmt/core.h>
@@ -34,20 +32,12 @@ sigset_t interrupting_signals() {
   return set;
 }
 
-/// 1 if /proc is missing.
-std::ptrdiff_t number_of_threads() {
-  std::error_code no_proc;
-  const std::filesystem::directory_iterator threads("/proc/self/task", no_proc);
-  return no_proc ? 1 : std::distance(begin(threads), end(threads));
-}
-
-/// A child would never get locks that other threads hold. On a busy machine, /proc lists a joined thread a little longer.
+/// Throws if the process has several threads: a child would never get locks that other threads hold.
 void check_no_threads() {
-  constexpr int most_looks = 100;
-  for (int look = 0; number_of_threads() > 1; ++look) {
-    if (look == most_looks) throw std::logic_error("a process with several threads cannot be forked");
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
+  std::error_code no_proc;  // threads cannot be counted without /proc
+  const std::filesystem::directory_iterator threads("/proc/self/task", no_proc);
+  if (!no_proc && std::distance(begin(threads), end(threads)) > 1)
+    throw std::logic_error("a process with several threads cannot be forked");
 }
 
 /// Called with the interrupting signals blocked; SIGINT and SIGHUP stay blocked.
