@@ -24,7 +24,7 @@
 namespace taut {
 namespace {
 
-constexpr double reach = 2.1;  // dp
+constexpr double reach = 2.1;  // in dp
 
 /// Least share of e_i that the quadratic fit must leave; lattice surfaces leave 0.53, corners 0.
 constexpr double least_left = 0.3;

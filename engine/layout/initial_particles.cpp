@@ -94,7 +94,7 @@ LatticeRows rows_of(const Body& body, int dim, double dp) {
   return rows;
 }
 
-/// Fills the union of shapes minus cut-outs, half a pitch off the first anchor.
+/// Fills the union of shapes minus cut-outs with a lattice that begins half a pitch from the anchor of the first shape.
 std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   const LatticeRows rows = rows_of(body, dim, dp);
   std::vector<InitialSite> sites;

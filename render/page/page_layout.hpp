@@ -19,7 +19,7 @@ struct PageLayout {
   double font = 0;  // em in pixels; 0: no texts
   Rect plot;
   Rect key;
-  double right = 0;  // pixels
+  double right = 0;  // end of the texts, pixels
   double pixels_per_metre = 1;
   double x_origin = 0, y_origin = 0;  // pixels
 
