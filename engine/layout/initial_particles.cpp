@@ -203,7 +203,7 @@ void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
     throw SceneError(
         fmt::format("body.{}.held", body.name),
         fmt::format(
-            "{}: no particle of body '{}' is held: it is 0 at all particles; to hold none, leave it out or write 0",
+            "{}: no particle of body '{}' is held: its value is 0 at all particles; to hold none, omit it or write 0",
             what, body.name));
   };
   for (std::size_t k = 0; k < body.guided.size(); ++k)

@@ -13,7 +13,7 @@ struct InitialParticles {
   std::vector<Point> middle;   // of the cells, m, tested for regions and mirror images; empty = x
   std::vector<Point> start;    // starting position, m; empty = x
   std::vector<double> V0;      // m^dim
-  std::vector<double> inside;  // V0 / cell: < 1 on a face, slightly > 1 next to a free one
+  std::vector<double> inside;  // V0 / cell: < 1 on a face, slightly > 1 next to a free face
   std::vector<int> body;
   std::vector<int> material;
   std::vector<int> drive;

@@ -51,7 +51,8 @@ struct TextSize {
 };
 TextSize text_size(int width, int height, const PageTexts& texts = {});
 
-/// Without texts the plot fills the picture. The key is `room` em wide, but at most 36 % of the width.
+/// Without texts the plot fills the picture. The key is `room` em wide, at most 36 % of the width, but at least
+/// `room_of_bar` em.
 PageLayout make_layout(int width, int height, const View& view, bool with_texts = true,
                        double room = room_of_bar, const PageTexts& texts = {});
 
