@@ -9,7 +9,6 @@
 
 namespace taut {
 
-/// Drives, guides, loads, gravity, damping and reaction forces.
 template <int Dim>
 struct External {
   using V = Vec<double, Dim>;
