@@ -76,7 +76,7 @@ void check_materials(const Scene& scene, const InitialParticles& initial, const 
   }
 }
 
-/// Without a reference configuration no body starts displaced.
+/// Throws SceneError if a body is displaced but the method has no reference configuration.
 void check_displacements(const Scene& scene, const MethodInfo& method) {
   if (method.keeps_neighbors) return;
   for (const Body& body : scene.bodies)
@@ -89,8 +89,8 @@ void check_displacements(const Scene& scene, const MethodInfo& method) {
                         method.name, body.name));
 }
 
-/// Throws SceneError if a particle is behind a wall, or an undisplaced shape more than `greatest_depth` spacings.
-/// Clamped regions may be inside walls.
+/// Throws SceneError if a particle is behind a wall, or if an undisplaced shape reaches more than `greatest_depth`
+/// spacings behind it. Clamped regions may be inside walls.
 void check_walls(const Scene& scene, const InitialParticles& initial) {
   const double dp = scene.spacing;
   for (const Wall& wall : scene.walls) {

@@ -4,7 +4,6 @@
 
 namespace taut {
 
-/// Equation, source, function and test of a term.
 struct TermInfo {
   std::string_view what;      // "stress rate"
   std::string_view formula;   // in Unicode

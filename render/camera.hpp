@@ -13,7 +13,7 @@ struct Camera {
   Vector from = {1, -2, 1};  // towards the camera, any length
   Vector up = {0, 0, 1};     // y or x if parallel to `from`
   double field_of_view = 0;  // vertical, degrees; 0: parallel projection
-  double front = 0;          // in perspective, height where lengths are true, m
+  double front = 0;          // in perspective, height of the front plane, where lengths are true, m
   bool operator==(const Camera&) const = default;
 };
 
@@ -48,7 +48,7 @@ class Projection {
  private:
   CameraAxes axes_;
   double middle_x_, middle_y_;  // of the view, m
-  double front_, distance_;     // to the front plane, m; 0: parallel
+  double front_, distance_;     // height of the front plane; its distance from the camera, m; 0: parallel
 };
 
 }  // namespace taut::render

@@ -11,7 +11,7 @@
 
 namespace taut::render {
 
-/// The look must have no open members.
+/// The look must have a range and a colour map, or categories.
 class Coloring {
  public:
   explicit Coloring(const Look& look);

@@ -17,7 +17,7 @@ struct Heading {
 
 /// Pictures with equal colours and scales.
 struct PanelOptions {
-  Look look;  // an open size is chosen, legible at 1:1
+  Look look;  // without a size: one that is legible at 1:1
   std::string title, note;
   std::string field, unit;
   std::vector<Heading> columns;
@@ -27,8 +27,8 @@ struct PanelOptions {
 
 class Panel {
  public:
-  /// Only the size of the look may be open. Throws UsageError if it is out of bounds, or too small for so many
-  /// pictures.
+  /// The look must have a view, and a range or categories. Throws UsageError if its size is out of bounds, or too small
+  /// for so many pictures.
   explicit Panel(const PanelOptions& options);
   ~Panel();
 

@@ -10,13 +10,14 @@
 
 namespace taut {
 
-/// Contact candidates of two bodies, by particle. Searches only particles in the widened box of another body.
+/// Contact candidates of two bodies, listed by particle. Searches only particles in the widened bounding box of another
+/// body.
 template <int Dim>
 class BodyPairs {
  public:
   BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
-  /// Path of the fastest particle for which the lists stay valid, m.
+  /// Path of the fastest particle up to which the lists stay valid, in m.
   double lasts_for() const { return 0.5 * skin_; }
 
   void search(const Particles<Dim>& s) {

@@ -26,7 +26,7 @@ class Contact {
   bool between_bodies() const { return between_bodies_; }
   bool acting() const { return !mechanism_->touching().empty(); }
 
-  /// Searches if a particle that moves by `way`, m, may leave the range of the last search. Returns whether it
+  /// Searches if a particle that moves by `way` (in m) may leave the range of the last search. Returns whether it
   /// searched.
   bool prepare(const Particles<Dim>& s, double way);
   void search(const Particles<Dim>& s);

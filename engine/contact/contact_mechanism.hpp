@@ -28,8 +28,7 @@ class ContactMechanism {
 
   virtual ~ContactMechanism() = default;
 
-  /// Searches if the fastest particle, which moves by `way`, m, may leave the range of the last search. Always searches
-  /// without `way`. Returns whether it searched.
+  /// See Contact::prepare. Always searches without `way`.
   virtual bool search(const Particles<Dim>& /*particles*/, const WallContacts<Dim>& /*walls*/,
                       std::optional<double> /*way*/) {
     return false;

@@ -29,7 +29,7 @@ bool FaceCandidates::search(const Particles<2>& s, MovingFaces& faces, const Wal
 }
 
 void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<2>& walls) {
-  constexpr double margin = horizon + 2;  // 2: one end of a segment lies within its length
+  constexpr double margin = horizon + 2;  // 2: distance of the ends of a segment, at most
   const std::vector<char> near = near_other_bodies<2>(faces.places(), faces.outline().body, margin * dp_);
   std::vector<int> nodes, segments;
   std::ranges::copy_if(all_nodes_, std::back_inserter(nodes), [&](int n) { return near[n]; });

@@ -14,7 +14,7 @@
 
 namespace taut {
 
-/// Contact candidates in 2D: nodes with segments of other bodies or their own folding body, and nodes near walls.
+/// Contact candidates in 2D: nodes with segments of other bodies or of their own folding body, and nodes near walls.
 class FaceCandidates {
  public:
   using V = Vec<double, 2>;

@@ -26,8 +26,8 @@ class FaceSearch {
  public:
   using V = Vec<double, 2>;
 
-  /// Lists segments that are `wanted(node, segment)` and nearer than `listed`, m. Returns the distance of the
-  /// nearest wanted segment that is not listed, m, at most `horizon`.
+  /// Lists the segments nearer than `listed` (in m) for which wanted(node, segment) is true. Returns the distance in m
+  /// of the nearest wanted segment that is not listed, at most `horizon`.
   template <class Wanted>
   double operator()(const MovingFaces& faces, const std::vector<int>& nodes, const std::vector<int>& segments,
                     double listed, double horizon, const Wanted& wanted, NearFaces& out) {

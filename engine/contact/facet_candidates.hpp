@@ -75,7 +75,7 @@ class FacetCandidates {
   static constexpr double turn_slack = 0.5;  // for rotation of facets about their particles
 
   void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
-    constexpr double margin = horizon + 2;  // 2: distance of two particles from faces
+    constexpr double margin = horizon + 2;  // 2: each particle is within a spacing of its facet
     const std::vector<char> near = near_other_bodies<3>(particle_places_, near_.bodies(), margin * dp_);
     std::vector<int> candidates = near_.order();
     std::erase_if(candidates, [&](int f) { return !near[f]; });
@@ -97,8 +97,8 @@ class FacetCandidates {
     own_bound_.restart(find<PairsOf::one_body>(facets, near_.order(), wanted, own_), particle_places_);
   }
 
-  /// Returns by how much the nearest unlisted pair may approach, m. Skips facets with similar normals: they would
-  /// have to turn by 44° to interact (facing_share).
+  /// Returns the distance in m by which the nearest unlisted pair may still approach. Skips facets with similar
+  /// normals: they would have to turn by 44° to interact (facing_share).
   template <PairsOf kind, class Wanted>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Wanted& wanted,
               std::vector<std::pair<int, int>>& list) {

@@ -69,8 +69,8 @@ void FacetContacts::list() {
   touching_ = facets_.particles_of(nodes_);
 }
 
-/// Calls f(row of the other facet, pair) for each of the `count` rows from index `first` on that contributes to the
-/// mean depth of `row`.
+/// Calls f(row of the other facet, pair) for each row in first[0] … first[count − 1] that contributes to the mean depth
+/// of `row`.
 template <class F>
 void FacetContacts::for_each_pair(int row, const int* first, int count, const F& f) const {
   const MovingFacets::Place& own = facets_[rows_[row].facet];

@@ -67,7 +67,7 @@ class FacetContacts final : public ContactMechanism<3> {
   };
   struct Pair {
     V d, middle;                                        // x_f − x_g, m; (n_g − n_f)/|n_g − n_f|
-    double p, l2, radius, cosine, share, weight, near;  // R; factors of W: s, w and c
+    double p, l2, radius, cosine, share, weight, near;  // radius: R; factors of W: share s, weight w, near c
   };
 
   double weight_of(const Pair& pair) const { return pair.share * pair.weight * pair.near; }  // 1/m²

@@ -24,8 +24,9 @@ struct FacetColumns {
   const double* normal[3];
 };
 
-/// Finds midpoints among first … last − 1 nearer to facet p than √near2, initially farther than √far2, with normals
-/// below `cosine`. Stores indices and squared distances, m². Returns their number.
+/// Among facets first … last − 1, finds those whose midpoints are nearer to that of facet p than √near2 and were
+/// farther than √far2 initially, and whose normals have a cosine below `cosine` with that of p. Stores indices and
+/// squared distances, m². Returns their number.
 inline int find_near_facets(const FacetColumns& facets, int p, int first, int last, double near2, double far2,
                             double cosine, int* found, double* distance2) {
   int count = 0;
@@ -86,8 +87,8 @@ class FacetPairs {
     double far;              // least initial distance in one body, m
     double cosine;           // greatest cosine of the normals
   };
-  /// Calls found(f, g) once for each pair `wanted(f, g)` nearer than `listed`. Returns the distance of the nearest
-  /// wanted pair that is not nearer, m, at most `horizon`. `candidates`: facets in the order of `order()`.
+  /// Calls found(f, g) once for each pair nearer than `listed` for which wanted(f, g) is true. Returns the distance in
+  /// m of the nearest wanted pair beyond `listed`, at most `horizon`. `candidates`: facets in the order of `order()`.
   template <PairsOf kind, class Wanted, class Found>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Limits& limits,
               const Wanted& wanted, const Found& found) {

@@ -12,8 +12,8 @@
 namespace taut {
 
 /// Decides when the points of a body must be searched again. `holds` returns true while no two points can have
-/// approached each other by more than `free`. The bound is twice the path of the fastest particle. When that is used
-/// up, it is twice the greatest deviation from the rigid motion of the body.
+/// approached each other by more than `free`. The bound is twice the path of the fastest particle. Once this exceeds
+/// `free`, `still_holds` replaces it by twice the greatest deviation from the rigid motion of the body.
 template <int Dim>
 class MotionBound {
  public:
@@ -32,7 +32,7 @@ class MotionBound {
     return 2 * gone_ <= free_;
   }
 
-  /// `x`: positions before that motion, m. Returns false if a search is needed.
+  /// `x`: positions before the motion by `way`, m. Returns false if a search is needed.
   bool still_holds(const std::vector<V>& x, const std::vector<int>& body, double way) {
     gone_ = 0;
     const std::size_t n = x.size();
@@ -58,7 +58,7 @@ class MotionBound {
       }
     }
     gone_ = std::sqrt(gone_);
-    constexpr double worthwhile = 0.75;  // share of `free_`; with less this test would run every step
+    constexpr double worthwhile = 0.75;  // of `free_`; with a smaller rest, this test would run in every step
     return 2 * gone_ <= worthwhile * free_ && holds(way);
   }
 

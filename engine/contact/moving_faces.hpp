@@ -13,12 +13,12 @@
 
 namespace taut {
 
-/// The node's half of one of its sides, where it lies over a segment and faces it.
+/// Half of a side of a node, up to the middle of the side, where it lies over a segment and faces it.
 struct FacingHalf {
   int side = Outline::none;
   double half = 0;              // initial length, m
   double share = 0, slope = 0;  // facing_share and its derivative by the cosine
-  /// Where the side crosses each end of the segment: 0 at the node, 1 at its other end.
+  /// Where the side crosses each end of the segment: 0 at the node, 1 at the other end of the side.
   std::array<double, 2> at{};
   std::array<double, 2> over{1, 1};  // share of the half that lies within each end
   std::array<double, 2> rise{};      // derivative of `over` by `at`

@@ -33,7 +33,7 @@ double PairContacts<Dim>::modulus(const Particles<Dim>& s, int i, int j) const {
   return contact_modulus(K_[s.id[i]], K_[s.id[j]], stiffness_);
 }
 
-/// Calls f(j, x_ij, r) for each particle j that touched particle i at the positions of `gone` seconds ago.
+/// Calls f(j, x_ij, r) for each particle j that touched particle i `gone` seconds ago, with x_ij and r of that time.
 template <int Dim>
 template <class F>
 void PairContacts<Dim>::for_each_touch(const Particles<Dim>& s, int i, double gone, const F& f) const {
@@ -44,8 +44,8 @@ void PairContacts<Dim>::for_each_touch(const Particles<Dim>& s, int i, double go
   });
 }
 
-/// Calls f(i, wall, x, r) for each particle i that touched its mirror image in a wall at the positions of `gone`
-/// seconds ago. `x`: position of i then, m; `r`: distance of the image, m, negative inside the wall.
+/// Calls f(i, wall, x, r) for each particle i that touched its mirror image in a wall `gone` seconds ago. `x`: position
+/// of i at that time, m; `r`: distance of the image, m, negative inside the wall.
 template <int Dim>
 template <class F>
 void PairContacts<Dim>::for_each_wall_touch(const Particles<Dim>& s, const WallContacts<Dim>& walls,

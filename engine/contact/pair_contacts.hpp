@@ -11,12 +11,11 @@
 
 namespace taut {
 
-/// Contact of particles less than a spacing apart, of two bodies or of distant parts of one. Acts along the pair,
-/// equal and opposite to the last bit.
-/// Departs from [Khayyer2024] Eq. 53–54, which stops only the approach of the old velocities: faces under a pressure
-/// p creep into each other at about p/(ρ c0). Here new velocities are stopped before positions follow. The paper
-/// gives no contact distance; here it is one spacing, as between two layers of a body. The impulses of several pairs
-/// of a particle are summed without a limit (terms/THEORY.md).
+/// Contact of particles less than a spacing apart, of two bodies or of distant parts of one body. Forces act along the
+/// pair, equal and opposite to the last bit. Departs from [Khayyer2024] Eq. 53–54, which stops only the approach of the
+/// old velocities: faces under a pressure p creep into each other at about p/(ρ c0). Here new velocities are stopped
+/// before positions follow. The paper gives no contact distance; here it is one spacing, as between two layers of a
+/// body. The impulses of several pairs of a particle are summed without a limit (terms/THEORY.md).
 template <int Dim>
 class PairContacts final : public ContactMechanism<Dim> {
  public:

@@ -18,8 +18,8 @@ struct PointColumns {
   const double* body;
 };
 
-/// Finds the points first … last − 1 of the body of point p that are nearer to p than √near2 and were initially
-/// farther than √far2. Stores indices and squared distances, m². Returns their number.
+/// Among points first … last − 1, finds those of the body of point p that are nearer to p than √near2 and were farther
+/// than √far2 initially. Stores indices and squared distances, m². Returns their number.
 template <int Dim>
 int find_near_points(const PointColumns<Dim>& points, int p, int first, int last, double near2, double far2,
                      int* found, double* distance2) {

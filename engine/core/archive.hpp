@@ -30,16 +30,16 @@ bool is_below(const std::pair<T, T>& pair, const std::pair<Bound, Bound>& bound)
   return is_below(pair.first, bound.first) && is_below(pair.second, bound.second);
 }
 
-/// Whether `begin` holds `rows` offsets, then `entries`.
+/// Whether `begin` contains `rows` ascending offsets from 0, then the number `entries`.
 template <Count T>
 bool are_rows(const std::vector<T>& begin, std::size_t rows, std::size_t entries) {
   return begin.size() == rows + 1 && begin.front() == 0 && std::cmp_equal(begin.back(), entries) &&
          std::is_sorted(begin.begin(), begin.end());
 }
 
-/// Common part of Saver and Loader. A class lists its members in `serialize(Archive&)`; trivially copyable types
-/// need none. A state is valid for one machine and build only. Loaded data is untrusted: values that address memory
-/// must be listed with `fixed`, `indices`, `rows` or `check`, and bytewise copies must contain numbers only.
+/// Common part of Saver and Loader. A class lists its members in `serialize(Archive&)`; trivially copyable types need
+/// no `serialize`. A state is valid for one machine and build only. Loaded data is untrusted: values that address
+/// memory must be listed with `fixed`, `indices`, `rows` or `check`, and bytewise copies must contain numbers only.
 template <class Side>
 class Archive {
  public:
@@ -111,7 +111,7 @@ class Archive {
     if (is_copied<T> || values.size() > size) values.resize(size);
     elements(values, size);
   }
-  /// Not inlined: the linker shares functions that only one build emits, and these must run on any machine.
+  /// Not inlined: if only an AVX build emitted this function, the linker would use its copy on all machines.
   template <class T>
   [[gnu::noinline]] void one_fixed(std::vector<T>& values) {
     const std::size_t size = side().length(values.size(), 1);

@@ -5,11 +5,11 @@
 #include "engine/core/machine.hpp"
 #include "engine/settings.hpp"
 
-/// Kernels are loops on plain data, compiled once per instruction set. Special builds rename the namespace with the
-/// macro `taut`: the linker must share no inline functions.
+/// Kernels are loops on plain data, compiled once per instruction set. Builds for AVX rename the namespace by a macro
+/// `taut`, so that the linker does not merge inline functions of two builds.
 namespace taut {
 
-/// Values differ from Family.
+/// The values differ from all values of Family.
 enum class SharedKernels { neighbor_search = 100, history_row };
 
 /// Kernel table of this build, or null. `Key` is a Family or SharedKernels; `method` selects within a family.

@@ -138,7 +138,7 @@ inline Pack halves(const double* a, const double* b) {
 #endif
 }
 
-/// Columns of four rows, aligned to 16 bytes, with an even number of doubles.
+/// Columns of four rows. Each row is aligned to 16 bytes and has an even number of doubles.
 struct RowsOfFour {
   const double* at[lanes];
 
@@ -153,7 +153,7 @@ struct RowsOfFour {
   }
 };
 
-/// Transposes the first `Columns` of rows j[0…3] of a table with `Stride` doubles per row.
+/// Transposes the first `Columns` doubles of rows j[0…3]. `table` has `Stride` doubles per row.
 template <int Columns, int Stride = Columns>
 [[gnu::always_inline]] inline void gather(const double* table, const int* j, Pack* out) {
   static_assert(Stride % 2 == 0);

@@ -60,7 +60,7 @@ void parallel_pass(int n, const Threads& threads, const F& f) {
   parallel_chunks(n, threads, [&](int, int first, int last) { inlined_loop(f, first, last); });
 }
 
-/// Calls take(i, make(i)): `make` on `threads` threads, `take` on one, in order. Few results exist at a time.
+/// Calls take(i, make(i)): `make` on `threads` threads, `take` on one, in order. At most 1024 results exist at a time.
 template <class Make, class Take>
 void make_in_order(int n, int threads, const Make& make, const Take& take) {
   constexpr int most = 1024;

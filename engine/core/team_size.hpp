@@ -5,9 +5,9 @@
 
 namespace taut {
 
-/// Chooses the number of threads of the next step: all, or one if more do not help. Results do not depend on it.
-/// After a block of steps on one thread, tries the team and keeps it while it is no slower. Then one thread
-/// continues until the trial has cost 1/`worth` of the time, twice as long after each repeated failure.
+/// Chooses the number of threads of the next step: all, or one if more do not help. Results do not depend on it. After
+/// a block of steps on one thread, tries the team and keeps it while it is no slower. After a slower block, one thread
+/// continues until the loss is 1/`worth` of the time, and at least for 2, 4, 8 … blocks after repeated failures.
 class TeamSize {
  public:
   explicit TeamSize(int most) : most_(most) {}

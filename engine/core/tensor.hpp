@@ -4,11 +4,11 @@
 
 #include "engine/core/pack.hpp"
 
-/// Small vectors and tensors over T = double or Pack. Eigen's fixed-size types change alignment with the instruction
-/// set.
+/// Small vectors and tensors over T = double or Pack. The alignment of Eigen's fixed-size types depends on the
+/// instruction set.
 namespace taut {
 
-/// Alignment, equal in all builds, so structs have one layout. Without AVX a bare Pack is aligned less.
+/// Alignment, equal in all builds, so that structs have one layout. Without AVX, a bare Pack has a smaller alignment.
 template <class T>
 inline constexpr std::size_t alignment_of = sizeof(T) == sizeof(Pack) ? sizeof(Pack) : alignof(T);
 

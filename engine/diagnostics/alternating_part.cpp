@@ -24,7 +24,7 @@
 namespace taut {
 namespace {
 
-constexpr double reach = 2.1;  // dp
+constexpr double reach = 2.1;  // in dp
 
 /// Least share of e_i that the quadratic fit must leave; lattice surfaces leave 0.53, corners 0.
 constexpr double least_left = 0.3;
@@ -131,7 +131,7 @@ std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, 
   return places;
 }
 
-/// In 3D equal rows share weights: lattices have few different ones.
+/// In 3D equal rows share weights: lattices have few different rows.
 class Rows {
  public:
   Rows(const Snapshot& start, double spacing, Neighborhoods& near)

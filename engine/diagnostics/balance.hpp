@@ -19,7 +19,7 @@ struct Balance {
 
 Balance balance(const Snapshot& now, const Scene& scene);
 
-/// Energy of speeds of 1e-8 c0, J, above round-off.
+/// Σ m (1e-8 c0)² with the greatest c0, in J, above round-off.
 double energy_of_rounding(const Scene& scene, const Snapshot& start);
 
 }  // namespace taut

@@ -17,7 +17,7 @@ using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
 constexpr double adjacent = 1.35;  // in spacings, greatest distance of cells that share a side
-constexpr double torn = 1.5;       // stretch from which a neighbour covers no more
+constexpr double torn = 1.5;       // least stretch of a neighbour that covers a cell no longer
 constexpr double straight = 0.8;   // least cosine between a neighbour and an axis
 
 Vector vector(const Point& a) { return {a[0], a[1], a[2]}; }
@@ -99,7 +99,7 @@ void Cells::find_ends(std::size_t i, double diameter) {
     }
   }
   const auto one_open = [&](std::size_t k) { return (half[k][0] < open) != (half[k][1] < open); };
-  // cells on the boundary are at most about half
+  // a cell with its particle on the boundary is at most about half inside
   const double part = std::pow(diameter / cell.spacing, static_cast<double>(dim_));
   const bool on_boundary = part < 0.75;
   cell.inside = true;

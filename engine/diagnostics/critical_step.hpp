@@ -23,9 +23,8 @@ struct CriticalStep {
   bool interrupted = false;  // before reaching `tolerance`
 };
 
-/// Bisects over fixed steps with random initial velocities (THEORY.md, Critical step). Trials cover `search.steps`
-/// default steps or the scene, whichever is shorter, but at least 300 steps. The search ends when `goes_on` returns
-/// false. Throws the same errors as make_simulation.
+/// Bisects over fixed steps with random initial velocities (THEORY.md, Critical step). The search ends when `goes_on`
+/// returns false. Throws the same errors as make_simulation.
 CriticalStep find_critical_step(
     const Scene& scene, const Settings& settings, const CriticalStepSearch& search = {},
     const std::function<bool(const CriticalStep&)>& goes_on = [](const CriticalStep&) { return true; });

@@ -39,12 +39,13 @@ double integral(const Curve& curve, double begin, double end);
 
 std::vector<double> joint_times(std::span<const Curve> curves, double begin, double end);
 
-/// RMS of a − b, exact; begin < end within both curves.
+/// RMS of a − b, computed exactly; requires begin < end within both curves.
 double rms_difference(const Curve& a, const Curve& b, double begin, double end);
 /// RMS with three Gauss points between samples of `a`.
 double rms_difference(const Curve& a, const std::function<double(double)>& b, double begin, double end);
 
-/// Angle by which (x, y) turns about the origin until `end`, rad, with full turns; below half a turn per sample.
+/// Angle by which (x, y) turns about the origin until `end`, rad, with full turns; requires less than half a turn per
+/// sample.
 double turn(const Curve& x, const Curve& y, double end);
 
 }  // namespace taut

@@ -55,7 +55,7 @@ Reading IndicatorGauge::hourglass(const std::vector<double>& squared) const {
     if (const double mean = weight * sum / count; mean > greatest)
       greatest = mean, worst.particle = part_.j[part_.begin[row]];
   };
-  // a patch is worse only if one of its particles is
+  // a patch can be worse than `greatest` only if one of its particles is
   for (int row = 0; row < part_.rows(); ++row) {
     if (weight * squared[row] <= greatest) continue;
     for (int k = part_.begin[row]; k < part_.begin[row + 1]; ++k)

@@ -38,9 +38,8 @@ struct IndicatorRecord {
   void take(const Reading& now, double time);
 };
 
-/// Evaluates the indicators (THEORY.md): hourglass_error, the rms of |r(x)|/dp in the worst body or patch;
-/// pressure_checkerboard and von_mises_checkerboard, rms ratios of alternating parts. Departs from
-/// [Ganzenmueller2015], whose mean error includes smooth fields.
+/// Evaluates the indicators (THEORY.md). hourglass_error departs from [Ganzenmueller2015], whose mean error includes
+/// smooth fields.
 class IndicatorGauge {
  public:
   IndicatorGauge(const Scene& scene, const Snapshot& start, int threads = 1);

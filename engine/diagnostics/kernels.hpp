@@ -35,11 +35,12 @@ struct StrainDivisors {
 
 /// Sums for the history, bit-identical for all instruction sets.
 struct HistoryKernels {
-  /// Writes the three sums of AlternatingSums::part, with x at most `spacing`² each, then of `whole`. `squared`:
-  /// [row] AlternatingSums::x.
+  /// Writes AlternatingSums::part and then `whole` to `out`, and AlternatingSums::x of each row to `squared`. A row
+  /// adds at most `spacing`² to part.x.
   void (*alternating_sums)(const AlternatingView& part, const SnapshotView& now, double spacing, double* out,
                            double* squared);
-  /// 4 + 3 + 3 numbers: kinetic and strain energy, scales of linear and angular momentum; linear; angular momentum.
+  /// Writes 10 numbers: kinetic energy, strain and contact energy, scales of linear and angular momentum, linear
+  /// momentum (3), angular momentum (3).
   void (*balance)(const SnapshotView& now, const StrainDivisors* materials, double contact_energy,
                   double* out);
 };

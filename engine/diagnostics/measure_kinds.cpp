@@ -267,8 +267,9 @@ const std::vector<MeasureKind> kinds = {
      .value = peak_time,
      .reference = as_given},
     {.name = "decay",
-     .help = "loss of amplitude per period: "
-             "1 − (A_n/A_1)^(1/(n−1)) for the n ≥ 2 peaks on the side of the first peak of the level `about`",
+     .help =
+         "loss of amplitude per period: "
+         "1 − (A_n/A_1)^(1/(n−1)) of the n ≥ 2 peaks on the same side of the level `about` as the first peak",
      .keys = {"probe", "about"},
      .number = true,
      .value = decay,
@@ -296,7 +297,7 @@ const std::vector<MeasureKind> kinds = {
      .value = rmse,
      .reference = zero},
     {.name = "value",
-     .help = "value of the series at `time`, s",
+     .help = "value of the series at `time`, given in s",
      .keys = {"probe", "time"},
      .number = true,
      .solution = true,
@@ -327,8 +328,8 @@ const std::vector<MeasureKind> kinds = {
      .value = last_below,
      .reference = as_given},
     {.name = "final_ratio",
-     .help = "last value divided by `scale`; "
-             "none unless the series `free` was ≤ `threshold` and is above at the end",
+     .help = "last value divided by `scale`; with `free`, "
+             "none unless that series was ≤ `threshold` and is above it at the end, and the ratio is ≥ 0",
      .keys = {"probe", "threshold", "scale", "free"},
      .number = true,
      .value = final_ratio,
@@ -342,7 +343,8 @@ const std::vector<MeasureKind> kinds = {
      .value = path_error,
      .reference = zero},
     {.name = "frequency",
-     .help = "frequency of the highest peak of the spectrum within `band`, Hz, for the series after `from`",
+     .help =
+         "frequency of the highest peak of the spectrum within `band` (in Hz), for the series after `from`",
      .keys = {"probe", "band", "from"},
      .number = true,
      .value = frequency,
@@ -370,7 +372,9 @@ const std::vector<MeasureKind> kinds = {
      .value = line_error,
      .reference = zero},
     {.name = "at_rest",
-     .help = "value at the end; none if the series varies by 1/1000 of its greatest size in the last tenth",
+     .help =
+         "value at the end; "
+         "none if the series varies by more than 1/1000 of its greatest size in the last tenth of the run",
      .keys = {"probe"},
      .number = true,
      .solution = true,

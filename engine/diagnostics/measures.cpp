@@ -106,7 +106,8 @@ std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std
     result.value = found.value;
     result.why = found.why;
     if (reference && found.why == no_reference)
-      result.why = fmt::format("the reference '{}' of this law has no value for it", reference->name);
+      result.why =
+          fmt::format("the reference '{}' of this law has no value for this measure", reference->name);
     for (std::size_t k = 0; k < source.curve.size() && seen && !found.value; ++k)
       if (const std::size_t kept = source.curve[k].size(); kept < series.time.size())
         result.why = fmt::format("{} is not finite at {:g} s", each.probes[k], series.time[kept]);

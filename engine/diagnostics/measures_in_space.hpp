@@ -27,7 +27,7 @@ Measured line_error(const MeasureSource& source);
 Measured field_rmse(const MeasureSource& source);
 Measured greatest_field_error(const MeasureSource& source);
 
-/// Relative change at the end.
+/// Relative change of a body's volume at the end.
 Measured volume_change(const MeasureSource& source);
 
 }  // namespace taut

@@ -54,7 +54,7 @@ EnergyTest::EnergyTest(const Scene& scene, const Snapshot& start, double support
   merge(start_, start.time);
 }
 
-/// Sums in one pass over the particles, since a run is judged 200 times.
+/// Sums in one pass over the particles, since a run is judged about 200 times.
 template <int Dim>
 void EnergyTest::add_up(const Snapshot& now, std::vector<Sums>& all) const {
   std::vector<StrainDivisors> divisors;
@@ -195,7 +195,7 @@ bool EnergyTest::diverges(const Snapshot& now) {
     const double least_strain = std::min(start_strain, 0.0);
 
     constexpr double margin = 1e4, of_start = 10;
-    constexpr double of_common_motion = 1e-12;  // of its kinetic energy, which is subtracted
+    constexpr double of_common_motion = 1e-12;  // share of the initial kinetic energy
     constexpr double of_rest = 0.5e8;           // speeds of 1e-4 sound speeds
     const double floor =
         margin * rounding_ * group.mass + of_common_motion * group.start_kinetic - of_start * least_strain;

@@ -14,8 +14,7 @@ struct Excess {
   double since = 0;     // s
 };
 
-/// Compares the energy of groups of bodies with the energy that they received (THEORY.md, Energies). Bodies that may
-/// have met share a group.
+/// Compares the energy of groups of bodies with the energy that they received (THEORY.md, Energies).
 class EnergyTest {
  public:
   /// `support`: range of interaction, m. The scene must outlive the test.

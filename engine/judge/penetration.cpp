@@ -59,7 +59,7 @@ std::array<Vec<double, 3>, 98> spread_directions() {
 
 template <>
 struct Around<3> {
-  std::bitset<98> has_one;  // [direction] a particle lies within half of `widest_inside`
+  std::bitset<98> has_one;  // [direction] whether a particle lies within `widest_inside`/2 of it
 
   void clear() { has_one.reset(); }
   void add(const Vec<double, 3>& d) {
@@ -111,7 +111,7 @@ class Cells {
     }
   }
 
-  /// Calls visit(j) within `radius` of x, which must lie among the particles.
+  /// Calls visit(j) for each particle j within `radius` of x. Requires x inside the bounding box of the particles.
   template <class Visit>
   void for_each_around(const Vec<double, Dim>& x, Visit visit) const {
     grid_.for_each_row(x, [&](int first, int last) {

@@ -10,8 +10,7 @@ namespace taut {
 /// Widest angle between neighbouring directions, rad; a full turn for fewer than two.
 double widest_gap(std::span<double> directions);
 
-/// Finds particles inside another body, or inside a part of their own that was initially far (THEORY.md,
-/// Penetration). Misses a body that lies inside another one if no observed state shows the crossing.
+/// Finds particles inside another body, or inside a part of their own that was initially far (THEORY.md, Penetration).
 class Penetration {
  public:
   Penetration(const Snapshot& start, double spacing, int threads = 1);

@@ -32,7 +32,7 @@ std::vector<std::string> names_of_failures();
 /// 13; [Lee2016] Fig. 11). Checkerboards are not judged: low stress raises them too.
 inline constexpr double hourglass_threshold = 0.03;
 
-/// Bonds stretched further than the method follows its elastic law.
+/// Bonds stretched beyond the range in which the method follows its elastic law.
 struct BeyondLaw {
   double share = 0;  // greatest share of the bonds
   double since = 0;  // s

@@ -94,7 +94,7 @@ LatticeRows rows_of(const Body& body, int dim, double dp) {
   return rows;
 }
 
-/// Fills the union of shapes minus cut-outs, half a pitch off the first anchor.
+/// Fills the union of shapes minus cut-outs with a lattice that begins half a pitch from the anchor of the first shape.
 std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   const LatticeRows rows = rows_of(body, dim, dp);
   std::vector<InitialSite> sites;
@@ -203,7 +203,7 @@ void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
     throw SceneError(
         fmt::format("body.{}.held", body.name),
         fmt::format(
-            "{}: no particle of body '{}' is held: it is 0 at all particles; to hold none, leave it out or write 0",
+            "{}: no particle of body '{}' is held: its value is 0 at all particles; to hold none, omit it or write 0",
             what, body.name));
   };
   for (std::size_t k = 0; k < body.guided.size(); ++k)

@@ -13,7 +13,7 @@ struct InitialParticles {
   std::vector<Point> middle;   // of the cells, m, tested for regions and mirror images; empty = x
   std::vector<Point> start;    // starting position, m; empty = x
   std::vector<double> V0;      // m^dim
-  std::vector<double> inside;  // V0 / cell: < 1 on a face, slightly > 1 next to a free one
+  std::vector<double> inside;  // V0 / cell: < 1 on a face, slightly > 1 next to a free face
   std::vector<int> body;
   std::vector<int> material;
   std::vector<int> drive;
@@ -35,11 +35,11 @@ struct InitialParticles {
 
 inline constexpr double greatest_particle_number = 20e6;
 
-/// Fills bodies with a lattice, or whole round bodies with layers (RoundLayout) of exact mass. In a box with
-/// particles on its faces, n cells become ½ − δ, 1 + δ, 1 … of a cell, δ = n/(12 (n − 1)), as in Gregory's rule:
-/// mass, moments of inertia and bending stiffness are exact. Guided faces may be planes of symmetry and keep half
-/// cells. Then jitters, reflects, rotates and displaces. Throws SceneError for no particles, too many particles and
-/// overlapping bodies.
+/// Fills bodies with a lattice, or whole round bodies with layers (RoundLayout) of exact mass. In a box with particles
+/// on its faces, the n + 1 particles along n cells represent ½ − δ, 1 + δ, 1 … cells, δ = n/(12 (n − 1)), as in
+/// Gregory's rule: mass, moments of inertia and bending stiffness are exact. Guided faces may be planes of symmetry and
+/// keep half cells. Then jitters, reflects, rotates and displaces. Throws SceneError for no particles, too many
+/// particles and overlapping bodies.
 InitialParticles make_initial_particles(const Scene& scene);
 
 }  // namespace taut

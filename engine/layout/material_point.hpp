@@ -12,7 +12,7 @@ struct PointWeight {
   double weight;
 };
 
-/// Radius of the particles around a point, m; particles within less may be collinear.
+/// Radius within which particles determine a point, m; particles within a smaller radius may be collinear.
 constexpr double reach_of_points(double support, double dp) { return std::max(support, 2 * dp); }
 
 /// Weights by moving least squares, exact for linear fields:
@@ -43,13 +43,13 @@ struct Surroundings {
   int dim;
 };
 
-/// Replaces a `point` with particles of several materials, or with clamped or driven ones, which mostly have no
-/// stress of their own. Extrapolates linearly from free particles of one material, or from driven ones if none is
+/// Replaces a `point` that contains particles of several materials, or clamped or driven particles, which mostly have
+/// no stress of their own. Extrapolates linearly from free particles of one material, or from driven ones if none is
 /// free. Empty if all are clamped.
 std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const Surroundings& all,
                                          const Point& at);
 
-/// Replaces a `point` at kinks of the displacement by particles that move with the nearest one, or are of its
+/// Replaces a `point` at kinks of the displacement by particles that move with the nearest particle, or are of its
 /// material. `motion_group[i]`: number of the joint motion of particle i; 0 = free.
 std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const Surroundings& all,
                                          const std::vector<int>& motion_group, const Point& at);

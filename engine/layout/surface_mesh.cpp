@@ -70,8 +70,8 @@ class Faces {
           (is_filled({x[0] + a * dp_, x[1] + b * dp_, x[2] + c * dp_}) ? filled : empty) = true;
     return filled && empty;
   }
-  /// First point of a face on the line through x and `outside`: outwards if x is solid, else inwards. Returns x if
-  /// there is none.
+  /// First point of a face on the line through x and `outside`: outwards if x is solid, otherwise inwards. Returns x if
+  /// there is no such point.
   Point on_the_line(const Point& x, const Point& outside) const {
     const double length = distance_between(outside, x, dim);
     if (!(length > 0)) return x;
@@ -135,7 +135,7 @@ class Faces {
     return holds(body_, x, dim, fine * dp_) && !holds(body_, x, dim, -fine * dp_);
   }
 
-  /// Widens shapes and cut-outs, which closes seams.
+  /// Whether x is solid. Widens shapes and cut-outs, which closes seams.
   bool is_filled(const Point& x) const {
     const auto any_holds = [&](const std::vector<Shape>& shapes) {
       return std::ranges::any_of(shapes,

@@ -51,8 +51,8 @@ class March {
     long to = 0;
   };
 
-  /// Visits a square anticlockwise: a face begins on a side that leaves the solid and ends on the nearest side
-  /// before it that enters.
+  /// Visits a square anticlockwise: a face begins on a side where this path leaves the solid, and ends on the last side
+  /// before it where the path enters the solid.
   void visit(const PlaceGrid& grid, const std::function<Point(const Point&, const Point&)>& face, long i,
              long j) {
     constexpr std::array<std::array<long, 2>, 4> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};

@@ -25,7 +25,7 @@ struct Material {
   double density = 0;             // ρ0, kg/m³
   double youngs_modulus = 0;      // E, Pa
   double poisson_ratio = 0;       // ν
-  double given_bulk_modulus = 0;  // Pa; 0 = from E and ν. [Khayyer2024] Eq. 57 takes E
+  double given_bulk_modulus = 0;  // Pa; 0 = from E and ν. [Khayyer2024] Eq. 57: E
   std::map<std::string, double, std::less<>> law_parameters{};  // LawRow::parameters
 
   double bulk_modulus() const {  // K, Pa
@@ -51,7 +51,7 @@ struct Drive {
 /// External forces on a region. Loads add up; clamped and driven particles feel none.
 struct Load {
   enum class Kind : std::uint8_t {
-    force,          // N (2D: N/m), by volume over particles not always clamped or driven
+    force,          // N (2D: N/m), by volume over the particles that are free at some time
     force_density,  // N/m³ of initial volume
     traction,       // Pa, on the outer face of a layer one spacing deep; see solver/face_loads.hpp
   };
@@ -180,7 +180,7 @@ struct SampleLine {
   int body = 0;
   std::string field;      // key
   Point from{}, to{};     // m
-  bool in_space = false;  // not material
+  bool in_space = false;  // not at material points
   int points = 0;
   std::vector<double> times;  // s, increasing
 };
@@ -192,7 +192,7 @@ struct Measure {
   std::string line;
   int body = 0;
   std::vector<std::string> fields;  // compared components
-  bool rigid_motion_free = false;   // ignores a small rigid motion, which loads leave open
+  bool rigid_motion_free = false;   // ignores a small rigid motion, which loads do not determine
   std::string unit;
   double threshold = 0;
   double scale = 1;
@@ -246,11 +246,11 @@ struct Scene {
   std::vector<Probe> probes;
   std::vector<SampleLine> lines;
   std::vector<Measure> measures;
-  /// References by deviator law ("2d_deviator", "neo_hookean").
+  /// References by the material law of a method, such as "2d_deviator" or "neo_hookean".
   std::map<std::string, Reference> references;
 };
 
-/// Returns false for an end with the run, since the last step overshoots.
+/// Returns false if the drive and the run end at the same time, since the last step overshoots.
 bool ends_before_run(const Drive& drive, const Scene& scene);
 /// Returns −1 if no region contains x.
 template <class Region>

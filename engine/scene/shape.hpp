@@ -79,7 +79,8 @@ struct ShapeBase {
   /// Closed chains of points exactly on the faces, about dp apart and at each corner, with the solid on the left.
   /// Empty in 3D.
   virtual std::vector<Chain> outline(int dim, double dp) const;
-  /// Combined shapes give their parts a finer dp, down to `finest`: otherwise each level would multiply the points.
+  /// Combined shapes give their parts a finer dp, down to `finest`: without this limit, each level would multiply the
+  /// points.
   virtual std::vector<Chain> outline_of_part(int dim, double dp, double finest) const;
   virtual FacePatches patches(double dp) const;
   /// Maps and bounds of shapes that rotate the lattice.

@@ -50,7 +50,7 @@ class Common {
   /// Moves the particles to their starting positions. Call after storing the reference configuration.
   void go_to_start();
 
-  /// Time step: `by_speed`, s, reduced for stiff contact, or the fixed step of the settings.
+  /// Time step in s: the fixed step of the settings, or else `by_speed`, reduced for stiff contact.
   double fixed_or_stable_step(double by_speed) const {
     constexpr double spare = 1.5;
     return constants.step > 0 ? constants.step

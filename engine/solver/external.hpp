@@ -9,7 +9,6 @@
 
 namespace taut {
 
-/// Drives, guides, loads, gravity, damping and reaction forces.
 template <int Dim>
 struct External {
   using V = Vec<double, Dim>;
@@ -45,8 +44,8 @@ struct External {
 
   Steering<Dim> steering() const { return {drives.active() || guides.active() ? axes_.data() : nullptr}; }
 
-  /// Mean force of its clamp, guide or drive on particle i over the last step, N. Includes the weight that they carry,
-  /// but no loads.
+  /// Mean force on particle i by its clamp, guide or drive over the last step, in N. Includes the weight that they
+  /// carry, but no loads.
   V reaction(const Particles<Dim>& p, int i) const {
     const int id = p.id[i];
     const bool free = p.mobile[i] != 0 && !drives.moves(id);

@@ -39,13 +39,14 @@ struct Kick {
     separate(rows, columns);
     for (int k = 0; k < Dim; ++k) force[k] += columns[k];
   }
-  /// Records the impulses of internal forces, N, and contact. Requires `impulse`; call before particles move.
+  /// Records the impulses of `force` (internal forces, N) and of contact. Requires `impulse`; call before particles
+  /// move.
   void record(int first, Vec<Pack, Dim> force) const {
     if (contact) force += load_four(contact + first, size - first);
     for (int lane = 0; lane < std::min(lanes, size - first); ++lane)
       impulse[first + lane] += dt * lane_of(force, lane);
   }
-  /// Adds `change` to v of four particles, then moves x by `after`, s, times the new v. Returns v², m²/s².
+  /// Adds `change` to v of four particles, then moves x by `after` (in s) times the new v. Returns v², m²/s².
   [[gnu::always_inline]] Pack by_changes(int first, const Pack (&change)[Dim], double after) const {
     Pack rows[Dim], columns[Dim], v2{};
     if (act || first + lanes > size) {
@@ -70,7 +71,7 @@ struct Kick {
     for (const Pack& of_four : columns) v2 += of_four * of_four;
     return v2;
   }
-  /// Advances v by `force`, N, and contact; x does not change. `mobility` = mobile/m, 1/kg.
+  /// Advances v by `force` (in N) and contact; x does not change. `mobility` = mobile/m, 1/kg.
   [[gnu::always_inline]] Vec<Pack, Dim> by_forces(int first, const Pack& mobility,
                                                   Vec<Pack, Dim> force) const {
     if (contact) force += load_four(contact + first, size - first);

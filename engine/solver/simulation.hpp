@@ -66,8 +66,7 @@ class Simulation {
     outdated_ = false;
     return snapshot_;
   }
-  /// Snapshot with current positions, velocities, masses and energies; other fields may be empty. Never costs more than
-  /// `snapshot`.
+  /// Snapshot with current positions, velocities, masses and energies; other fields may be empty.
   const Snapshot& motion() const { return outdated_ && take_motion(motion_) ? motion_ : snapshot(); }
   const Series& series() const { return run_state().series; }
   double time() const { return run_state().time; }  // s

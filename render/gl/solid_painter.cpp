@@ -250,7 +250,7 @@ void SolidPainter::draw_band(int top, int height, int ball_corners, int corners,
   }
 }
 
-/// The band has `below` further rows under them.
+/// Draws rows `top` … `top + height − 1`. The band has `below` further rows under these.
 void SolidPainter::resolve(std::uint32_t picture, int top, int height, int below, const Extent& extent) {
   const int bottom = image_height_ - (plot_.y + top + height);
   glBindFramebuffer(GL_FRAMEBUFFER, picture);

@@ -19,7 +19,7 @@ struct PageLayout {
   double font = 0;  // em in pixels; 0: no texts
   Rect plot;
   Rect key;
-  double right = 0;  // pixels
+  double right = 0;  // end of the texts, pixels
   double pixels_per_metre = 1;
   double x_origin = 0, y_origin = 0;  // pixels
 
@@ -51,7 +51,8 @@ struct TextSize {
 };
 TextSize text_size(int width, int height, const PageTexts& texts = {});
 
-/// Without texts the plot fills the picture. The key is `room` em wide, but at most 36 % of the width.
+/// Without texts the plot fills the picture. The key is `room` em wide, at most 36 % of the width, but at least
+/// `room_of_bar` em.
 PageLayout make_layout(int width, int height, const View& view, bool with_texts = true,
                        double room = room_of_bar, const PageTexts& texts = {});
 

@@ -12,7 +12,8 @@ struct Scale {
   std::string unit;
 };
 
-/// Gives at most three digits before the point, by an SI prefix or, e.g. for 1/s, a power of ten.
+/// Scales by an SI prefix, to at most three digits before the point. Other units, such as 1/s, get a power of ten below
+/// 0.01 and from 1e4 on.
 Scale scale_for(double greatest, std::string_view unit);
 
 struct Tick {

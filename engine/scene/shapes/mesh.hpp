@@ -13,7 +13,7 @@ struct Triangles {
   std::vector<std::array<int, 3>> corners;
 };
 
-/// Edges not shared by two triangles, and edges whose triangles face opposite sides.
+/// Edges of an odd number of triangles, and edges whose triangles face opposite sides.
 struct MeshFaults {
   int open = 0, turned = 0;
 };

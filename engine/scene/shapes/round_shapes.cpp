@@ -50,7 +50,7 @@ void add_layer(std::vector<InitialSite>& sites, const Point& centre, double r, l
                      fold > 1 ? first + static_cast<int>((k + n / fold) % n) : -1});
 }
 
-/// Small holes distort the cells of aligned layers: at inner = 0.35 outer the lattice has the smaller error.
+/// Small holes distort the cells of aligned layers.
 RoundLayout default_layout_in_3d(double inner, double outer, bool keeps_neighbors) {
   const bool fits = keeps_neighbors && inner >= 0.6 * outer * (1 - 1e-9);
   return fits ? RoundLayout::aligned : RoundLayout::lattice;

@@ -60,7 +60,8 @@ TEST_SUITE("unit") {
     CHECK_FALSE(result(scene, series).reference);
     CHECK(result(scene, series).why == "there is no reference to compare with");
     scene.references["neo_hookean"] = {"of another measure", {{"other", 1}}};
-    CHECK(result(scene, series).why == "the reference 'of another measure' of this law has no value for it");
+    CHECK(result(scene, series).why ==
+          "the reference 'of another measure' of this law has no value for this measure");
     scene.references["neo_hookean"] = {"zero", {}, {{"number", {{0, 9}, {{0, 0}}}}}};
     CHECK_FALSE(result(scene, series).value);
     CHECK(result(scene, series).reference == 0.0);
