@@ -49,7 +49,7 @@ Sym<double, Dim> artificial_stress(const Sym<double, Dim>& sigma, double rho, do
   return (-epsilon / (rho * rho)) * positive_part(sigma);
 }
 
-/// Term j of an acceleration, m/s².
+/// Term j of an acceleration, m/s²; `closeness` = (W/W(dp))ⁿ.
 template <class T, int Dim>
 Vec<T, Dim> artificial_stress_term(const Sym<T, Dim>& R_i, const Sym<T, Dim>& R_j, const T& m_j,
                                    const T& closeness, const T& dW, const Vec<T, Dim>& e_ij) {

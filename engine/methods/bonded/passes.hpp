@@ -26,7 +26,7 @@ struct StrainOfFour {
   Pack root;             // J^(−1/3) for the default law
 };
 
-/// Advances x by `dt`, half a step, also in `places`.
+/// Advances x and `places` by `dt`, half a step.
 template <const BondedFormulation&, int Dim>
 void half_drift(const BondedFields<Dim>& f, double dt, const Threads& threads) {
   parallel_for(f.group_count(), threads, [&](int group) {
@@ -158,7 +158,6 @@ double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threa
   });
 }
 
-/// Bond and stress forces, N.
 template <const BondedFormulation&, int Dim>
 void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threads& threads) {
   f.with_bonds([&](const auto& bonds) {
