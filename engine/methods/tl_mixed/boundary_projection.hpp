@@ -17,8 +17,8 @@ struct BoundaryPoint {
 };
 
 /// Changes v as little as possible, weighted by mass, so that interpolated velocities are the prescribed ones,
-/// [Lee2016] Appendix B (THEORY.md). The projection conserves both momenta and cannot accelerate the body. Set boundary
-/// particles to their prescribed velocities before the projection.
+/// [Lee2016] Appendix B (THEORY.md). Both momenta are conserved: set boundary particles to their prescribed velocities
+/// first.
 class BoundaryProjection {
  public:
   /// `m` in kg. Throws SceneError if the conditions at the points are linearly dependent.
