@@ -31,15 +31,15 @@ inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
 }
 /// TermInfos of uncorrected, corrected and tensile-controlled methods.
 inline constexpr TermInfo repulsion_info{
-    "artificial stress", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺", "[Khayyer2024] Eq. 17–21",
-    "terms/artificial_stress.hpp:positive_part",
+    "artificial stress", "dv/dt: terms of the stress divergence of −σ⁺, times ε (W/W(dp))ⁿ",
+    "[Khayyer2024] Eq. 17–21", "terms/artificial_stress.hpp:positive_part",
     "artificial stress: the positive part is that of given principal stresses"};
 inline constexpr TermInfo corrected_repulsion_info{
-    "artificial stress", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺",
+    "artificial stress", "dv/dt: terms of the stress divergence of −σ⁺, times ε (W/W(dp))ⁿ",
     "[Khayyer2024] Eq. 18–21, 31", "terms/artificial_stress.hpp:positive_part",
     "artificial stress: the positive part is that of given principal stresses"};
 inline constexpr TermInfo surface_repulsion_info{
-    "artificial stress, at surfaces", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺",
+    "artificial stress, at surfaces", "dv/dt: terms of the stress divergence of −σ⁺, times ε (W/W(dp))ⁿ",
     "[Khayyer2024] Eq. 18–21, 31", "terms/artificial_stress.hpp:positive_part",
     "artificial stress: the positive part is that of given principal stresses"};
 

@@ -86,7 +86,7 @@ inline void subtract_mean(const ColumnsView<1>& f, const double* V, int first, i
 }
 
 inline constexpr TermInfo projection_info{
-    "projection", "forces and D(v) nearest to those with Σ V a = 0, Σ V Z × a = 0", "[Lee2016] Eq. 45–51",
+    "projection", "nearest forces and D(v) with Σ V a = 0, Σ V Z × a = 0", "[Lee2016] Eq. 45–51",
     "methods/tl_mixed/momentum_projection.hpp:project_on_momenta",
     "projection: the result is the nearest field without force and torque"};
 
