@@ -23,7 +23,7 @@ struct LawChoice {
 };
 
 enum class StrainEnergy {
-  potential,  // of the forces
+  potential,  // function of the positions or F; not all forces derive from it
   of_stress,  // of an integrated stress; the forces have no potential
   recovered,  // of a stress that is recovered for display
 };
