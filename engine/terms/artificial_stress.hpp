@@ -29,7 +29,6 @@ inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
     if (principal.value[k] > 0) add_outer(positive, principal.value[k], principal.axis[k]);
   return positive;
 }
-/// TermInfos of uncorrected, corrected and tensile-controlled methods.
 inline constexpr TermInfo repulsion_info{
     "artificial stress", "dv/dt: terms of the stress divergence of −σ⁺, times ε (W/W(dp))ⁿ",
     "[Khayyer2024] Eq. 17–21", "terms/artificial_stress.hpp:positive_part",
