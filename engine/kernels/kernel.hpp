@@ -100,7 +100,7 @@ struct Kernel<KernelName::sinc> {
 
  private:
   static constexpr double scale = std::numbers::pi * std::numbers::pi / 4;
-  /// Polynomial for sinc of u = (πq/2)², equal on all machines and accurate to 2e-18.
+  /// Polynomial in u = (πq/2)² for sinc, equal on all machines and accurate to 2e-18.
   static constexpr int degree = 10;
   static constexpr std::array<double, degree + 1> coefficients = [] {
     constexpr int long_degree = 15;

@@ -19,7 +19,7 @@ struct LawParameter {
 struct LawRow {
   Law law;
   std::string_view choice;        // name for users, or empty
-  std::string_view material_law;  // as in run.json
+  std::string_view material_law;  // name in run.json
   TermInfo term;
   std::span<const LawParameter> parameters = {};  // struct members after K and G
 };

@@ -75,7 +75,7 @@ inline Mat<Pack, 3> nearest_rotation(const Mat<Pack, 3>& F) {
   return R;
 }
 
-/// Stress of `icb`, [TranDuc2023] §2.3. No energy has this derivative: `energy` is a diagnostic.
+/// Stress of `icb`, [TranDuc2023] §2.3. This stress is the derivative of no energy; `energy` is a diagnostic.
 struct RotatedPiola {
   double K, G;  // Pa
 

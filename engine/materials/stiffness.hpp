@@ -46,9 +46,9 @@ PrincipalStretches<T> principal_stretches(const Mat<T, 3>& F) {
   return {root(greatest), root(second), root(T(product / second))};
 }
 
-/// Upper bound, in Pa, of the stiffness m·Q m of waves along n with displacement m, over all unit vectors m and n. Q is
-/// the acoustic tensor of an isotropic law. `along(k)`, `across(k, l)` and `coupling(k, l)` are its coefficients in the
-/// principal axes k and l, in Pa (THEORY.md). Returns NaN for NaN, and infinity or NaN for det F = 0.
+/// Upper bound, in Pa, of m·Q m over all unit vectors m and n. Q is the acoustic tensor of an isotropic law with the
+/// coefficients `along(k)`, `across(k, l)` and `coupling(k, l)` in Pa (THEORY.md). Returns NaN for NaN, and infinity or
+/// NaN for det F = 0.
 template <int Dim, class Along, class Across, class Coupling>
 auto greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
   using T = decltype(along(0));

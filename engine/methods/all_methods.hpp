@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// In listing order. Colours in charts follow from the place: append new methods.
+/// In listing order. The index selects the colour in charts: append new methods.
 inline constexpr std::array<const Formulation*, 24> all_methods{&og,
                                                                 &oas,
                                                                 &enog,

@@ -29,7 +29,7 @@ std::vector<TermInfo> terms(const Formulation& m) {
   return all;
 }
 
-/// `sph` requires searched neighbours, `surface` initial ones.
+/// `sph` requires a neighbour search, `surface` initial neighbours.
 std::vector<ContactLaw> contact_laws_of(bool searches) {
   std::vector<ContactLaw> all;
   for (const ContactLawRow& row : contact_laws)
@@ -118,8 +118,8 @@ const MethodInfo* find_method(std::string_view name) {
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim) {
   std::vector<MethodConstant> all = row_of(m.family).constants(m, dim);
   all.push_back({"contact_stiffness", m.contact_stiffness, 0.01, 100.0,
-                 "contact stiffness over K1 K2/(K1 + K2); `surface`: over half of the same of K + 4G/3; "
-                 "1: published, 2: as stiff as the material"});
+                 "contact stiffness over K1 K2/(K1 + K2); `surface`: over ½ M1 M2/(M1 + M2), M = K + 4G/3; "
+                 "1: as in [TranDuc2023], 2: as stiff as the material"});
   return all;
 }
 
@@ -154,8 +154,8 @@ std::string reason_against_law(const MethodInfo& method, std::string_view law) {
   if (std::ranges::find(Laws::rows, law, &LawRow::choice) == Laws::rows.end())
     return fmt::format("method '{}' has no law '{}'; it has: {}", method.name, law, known);
   return fmt::format(
-      "method '{}' cannot run with the law '{}', which is of the deformation gradient alone: "
-      "its volume ratio is an unknown of its own; it can with: {}",
+      "method '{}' has the volume ratio as a separate unknown and cannot run with the law '{}', "
+      "a function of the deformation gradient alone; allowed laws: {}",
       method.name, law, known);
 }
 
@@ -172,16 +172,17 @@ ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
   if (needs_faces(scene.contact) && !has_faces(scene)) {
     std::vector<ContactLaw> others = contact_laws_of(false);
     std::erase_if(others, needs_faces);
-    throw SceneError("contact",
-                     fmt::format("the contact law '{}' needs bodies that are cut from a lattice, "
-                                 "and in 3 dimensions particles given one by one have no faces; of those: {}",
-                                 scene.contact.name, joined(others)));
+    throw SceneError(
+        "contact",
+        fmt::format("the contact law '{}' needs faces, "
+                    "but in 3D a body whose particles are listed one by one has no faces; allowed: {}",
+                    scene.contact.name, joined(others)));
   }
   if (std::ranges::find(method.contact_laws, scene.contact) != method.contact_laws.end())
     return scene.contact;
   const std::string_view reason =
       needs_faces(scene.contact)
-          ? "faces move with initial neighbours, and its particles can leave their neighbours"
+          ? "faces need initial neighbours, but its particles can leave their neighbours"
           : "its particles act on their initial neighbours only";
   throw SceneError(
       "contact", fmt::format("method '{}' cannot run with the contact law '{}': {}; allowed: {}", method.name,

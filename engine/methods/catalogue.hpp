@@ -23,7 +23,7 @@ struct LawChoice {
 };
 
 enum class StrainEnergy {
-  potential,  // of the forces
+  potential,  // function of the positions or F; not all forces derive from it
   of_stress,  // of an integrated stress; the forces have no potential
   recovered,  // of a stress that is recovered for display
 };
@@ -34,7 +34,7 @@ struct MethodInfo {
   std::string_view name;
   std::string_view paper;
   std::string_view summary;
-  std::string_view material_law;  // of the reference
+  std::string_view material_law;  // of the reference solution
   std::vector<LawChoice> laws;    // the published one first
   Law law;                        // none: the stress is integrated
   std::string_view conserves;
@@ -53,7 +53,7 @@ std::span<const MethodInfo> methods();
 const MethodInfo* find_method(std::string_view name);
 /// Constants that users may set, with defaults for `dim`.
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim);
-/// `dp` in m.
+/// Values in SI units; `dp` in m.
 ConstantValues constant_values(const Formulation& m, int dim, double dp, const Settings& settings);
 
 std::span<const LawRow> laws();
@@ -67,7 +67,7 @@ std::string_view material_law(const MethodInfo& method, const Settings& settings
 std::span<const ContactLawRow> contact_rows();
 /// Contact law of a run, never `published`. Throws SceneError if the method cannot use the scene's law.
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method);
-/// Contact law for `published`: the method's, but `penalty` for `surface` if bodies have no faces.
+/// The method's published contact law; `penalty` instead of `surface` if bodies have no faces.
 ContactLaw published_contact(const Scene& scene, const MethodInfo& method);
 
 }  // namespace taut

@@ -16,24 +16,24 @@ struct Elasticity {
   std::array<double, most_law_parameters> of_law{};  // values of LawRow::parameters
 };
 
-/// m/s, in plane strain and 3D.
+/// In m/s; the same in plane strain and 3D.
 inline double compression_wave_speed(const Elasticity& m) {
   return std::sqrt((m.K + 4.0 / 3 * m.G) / m.rho0);
 }
 
-/// With several materials those of the first body, but the maximum c0.
+/// With several materials: the first particle's material, but the maximum c0.
 struct Constants : Elasticity {
   double dp = 0;                 // particle spacing, m
   double h = 0;                  // smoothing length, m
   double contact_stiffness = 1;  // relative to K1 K2/(K1 + K2)
   double cfl = 0;
-  double step = 0;  // fixed time step, s; 0: by cfl
+  double step = 0;  // fixed time step, s; 0: from cfl
 };
 
 /// A user-settable constant ("--set method.zeta=4").
 struct MethodConstant {
   std::string_view name;
-  double value;  // published
+  double value;  // default
   double low, high;
   std::string_view help;
   bool in_spacings = false;

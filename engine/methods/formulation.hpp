@@ -32,12 +32,12 @@ struct Formulation {
   std::string_view summary;
   std::string_view conserves;
   Family family = Family::ul_split;
-  std::span<const Citation> citations = {};  // override the family's
+  std::span<const Citation> citations = {};  // replace sources of terms
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
-  ContactLaw contact = ContactLaw::sph;  // of the paper
+  ContactLaw contact = ContactLaw::sph;  // published
   double contact_stiffness = 1;          // see terms/penalty_contact.hpp
-  bool several_materials = false;        // allowed in a scene
+  bool several_materials = false;        // whether a scene may have several
   double h_over_dp = 1.3;
   double h_over_dp_3d = 0;  // 0: as in 2D
   double cfl = 0.4;         // acoustic, [Zhang2024] Eq. 22

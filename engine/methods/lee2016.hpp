@@ -2,18 +2,19 @@
 
 #include "engine/methods/formulation.hpp"
 
-/// Common data of the methods of [Lee2016]. Departure: the contact of [TranDuc2023]; the paper has none.
+/// Common data of `tl-hg` and the methods of [Lee2016]. Departure: the contact of [TranDuc2023]; [Lee2016] has none.
 namespace taut {
 
 constexpr Formulation lee2016(Formulation m) {
   m.deviator = Deviator::plane_strain;
-  m.several_materials = m.family != Family::tl_mixed;  // momentum is not smooth where materials meet
+  // the mixed family has momentum as an unknown, which jumps between materials
+  m.several_materials = m.family != Family::tl_mixed;
   m.contact = ContactLaw::penalty;
   m.contact_stiffness = 2;
   // [Lee2016] states neither kernel nor h. Short supports (8 neighbours, in 3D 26) are least one-sided at faces.
   m.h_over_dp = 0.8;
   m.h_over_dp_3d = 0.87;
-  // [Lee2016] §5 has 0.3; the bending column fails there at ν = 0.499.
+  // [Lee2016] §5 has a CFL number of 0.3: the bending column fails at ν = 0.499.
   if (m.family == Family::tl_mixed) m.cfl = 0.25;
   return m;
 }

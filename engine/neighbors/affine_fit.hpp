@@ -24,7 +24,7 @@ struct InitialPositions {
   double distance(std::size_t i, std::size_t j) const;  // m
 };
 
-/// Neighbours in the same body, up to 1.6 times as far as the nearest.
+/// Neighbours in the same body, up to 1.6 times the distance of the nearest.
 struct FirstNeighbors {
   std::vector<std::size_t> first, neighbor;
   std::vector<double> spacing;  // distance of the nearest, m

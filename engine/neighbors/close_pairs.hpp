@@ -21,7 +21,7 @@ class PlacesInCells {
   }
 
   const std::vector<int>& order() const { return order_; }
-  /// Calls visit(j) for all within `reach`, including i.
+  /// Calls visit(j) for all j within `reach` of i, including i.
   template <class Visit>
   void for_each_around(int i, const Visit& visit) const {
     grid_.for_each_row(x_[i], [&](int first, int last) {
@@ -39,8 +39,8 @@ class PlacesInCells {
   std::vector<int> order_;
 };
 
-/// Calls visit(i, j), i < j, for all `wanted` pairs at most `reach`, m, apart, on one thread, in an order independent
-/// of `threads`.
+/// Calls visit(i, j) on one thread for all `wanted` pairs i < j at most `reach` apart, in m. `threads` does not change
+/// the order.
 template <int Dim, class Wanted, class Visit>
 void for_each_pair_within(const std::vector<double>& x, double reach, const Wanted& wanted,
                           const Visit& visit, int threads = 1) {

@@ -18,7 +18,7 @@ struct CellsView {
     for (int k = 0; k < Dim; ++k) c += stride[k] * static_cast<int>((x[k] - origin[k]) / size);
     return c;
   }
-  /// Calls f(first, last) for ranges with all neighbours of x.
+  /// Calls f(first, last) for ranges of stored particles that include all neighbours of x.
   template <class F>
   void for_each_row(const Vec<double, Dim>& x, const F& f) const {
     const int c = cell_of(x);
@@ -43,7 +43,7 @@ struct SearchFields {
 template <int Dim>
 struct SearchKernels {
   /// Writes neighbours of first … last − 1 to `found` from `size` on, padded to whole packs. Returns the first
-  /// particle for which `room` is too small.
+  /// particle for which `room` is too small, or `last`.
   int (*find)(const SearchFields<Dim>& f, int first, int last, int* count, int* found, std::size_t room,
               std::size_t& size);
   std::size_t (*room_for)(const SearchFields<Dim>& f, int i);

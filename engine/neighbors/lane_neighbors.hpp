@@ -8,8 +8,8 @@
 
 #include "engine/core/columns.hpp"
 
-/// Neighbours of four consecutive particles, one per lane. Most of the four are consecutive, too, so that one load
-/// gathers them. The result does not depend on the grouping.
+/// Slots: neighbours of four consecutive particles, one per lane. In most slots they are consecutive, too, so that one
+/// load gathers them. Each lane takes its neighbours in ascending order, whatever the grouping.
 namespace taut {
 
 struct LaneSlot {

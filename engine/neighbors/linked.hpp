@@ -10,8 +10,9 @@
 
 namespace taut {
 
-/// Moves linked items to the front, in order, and returns their number. Items beyond a slot are not linked: no step
-/// leads to them from an item beside the place. Distances are squared, in spacings.
+/// Moves the items linked to a place to the front, in order, and returns their number. Items within link_of_neighbors of
+/// the place are linked, and items as close to one of these. Items beyond a slot are not linked. Distances are
+/// squared, in spacings.
 template <class T, class FromPlace, class Between>
 std::size_t bring_linked_to_front(std::span<T> near, const FromPlace& from_place, const Between& between) {
   constexpr double link2 = link_of_neighbors * link_of_neighbors;

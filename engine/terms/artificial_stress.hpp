@@ -29,17 +29,16 @@ inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
     if (principal.value[k] > 0) add_outer(positive, principal.value[k], principal.axis[k]);
   return positive;
 }
-/// TermInfos of uncorrected, corrected and tensile-controlled methods.
 inline constexpr TermInfo repulsion_info{
-    "artificial stress", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺", "[Khayyer2024] Eq. 17–21",
-    "terms/artificial_stress.hpp:positive_part",
+    "artificial stress", "dv/dt: terms of the stress divergence of −σ⁺, times ε (W/W(dp))ⁿ",
+    "[Khayyer2024] Eq. 17–21", "terms/artificial_stress.hpp:positive_part",
     "artificial stress: the positive part is that of given principal stresses"};
 inline constexpr TermInfo corrected_repulsion_info{
-    "artificial stress", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺",
+    "artificial stress", "dv/dt: terms of the stress divergence of −σ⁺, times ε (W/W(dp))ⁿ",
     "[Khayyer2024] Eq. 18–21, 31", "terms/artificial_stress.hpp:positive_part",
     "artificial stress: the positive part is that of given principal stresses"};
 inline constexpr TermInfo surface_repulsion_info{
-    "artificial stress, at surfaces", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺",
+    "artificial stress, at surfaces", "dv/dt: terms of the stress divergence of −σ⁺, times ε (W/W(dp))ⁿ",
     "[Khayyer2024] Eq. 18–21, 31", "terms/artificial_stress.hpp:positive_part",
     "artificial stress: the positive part is that of given principal stresses"};
 
@@ -49,7 +48,7 @@ Sym<double, Dim> artificial_stress(const Sym<double, Dim>& sigma, double rho, do
   return (-epsilon / (rho * rho)) * positive_part(sigma);
 }
 
-/// Term j of an acceleration, m/s².
+/// Term j of an acceleration, m/s²; `closeness` = (W/W(dp))ⁿ.
 template <class T, int Dim>
 Vec<T, Dim> artificial_stress_term(const Sym<T, Dim>& R_i, const Sym<T, Dim>& R_j, const T& m_j,
                                    const T& closeness, const T& dW, const Vec<T, Dim>& e_ij) {

@@ -12,14 +12,14 @@
 /// Terms of `oenog`, derived in methods/bonded/THEORY.md.
 namespace taut {
 
-/// Modulus of bonds in place of G, Pa. Bonds have λ = G; at a negative Poisson's ratio the body would soften in
-/// tension.
+/// Modulus of bonds, at most G, in Pa. A solid of bonds has λ = μ; with G at a negative Poisson's ratio, the body would
+/// soften in tension.
 template <int Dim>
 double bond_modulus(double K, double G) {
   return std::min(G, Dim == 2 ? K + G / 3 : 1.5 * K);
 }
 
-/// φ, s = λ²
+/// φ(s), s = λ²
 template <class T>
 T bond_energy(const T& s) {
   return (1.0 / 24) * (s * (2 * s - 3) + 1 / s);
@@ -28,12 +28,12 @@ inline constexpr TermInfo bond_energy_info{
     "energy", "E = Σ_i [ V_i W(F_i) + G V0_i Σ_j w_ij (φ(s_ij) − φ_c(s°_ij)) ]", "ours",
     "terms/bond.hpp:bond_energy", "bond: a linear displacement has the neo-Hookean energy and stress"};
 
-/// 3 φ′(λ)/λ from s and ½/s
+/// 3 φ′(λ)/λ from s and 1/(2s)
 template <class T>
 T three_bond_slopes(const T& s, const T& half_inverse) {
   return s - 0.75 - half_inverse * half_inverse;
 }
-/// φ′(λ)/λ; times k_ij (x_j − x_i) the force on i, N.
+/// φ′(λ)/λ. Its product with k_ij (x_j − x_i) is the force on i, N.
 template <class T>
 T bond_slope(const T& s) {
   return (1.0 / 3) * three_bond_slopes(s, T(0.5 / s));
@@ -122,7 +122,7 @@ struct ClosedNeoHookean {
   struct Closed {
     T c, slope;  // dc/dJ
   };
-  /// c(J): J from ½ on, below ½ a smooth continuation above ¼.
+  /// c(J) = J for J ≥ ½; below, a smooth continuation that stays above ¼.
   static Closed limited_volume_ratio(const T& J) {
     const T one = filled<T>(1);
     if (!any(J < 0.5)) return {J, one};

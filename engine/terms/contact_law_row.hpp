@@ -8,9 +8,9 @@
 namespace taut {
 
 enum class ContactBetween {
-  particles,      // pairs of two bodies or a fold, less than a spacing apart; all methods
-  faces,          // methods with initial neighbours
-  all_neighbors,  // the method's own sums; methods that search neighbours
+  particles,      // pairs of two bodies or a fold, less than a spacing apart; for all methods
+  faces,          // for methods with initial neighbours
+  all_neighbors,  // in the method's own sums; for methods that search neighbours
 };
 
 struct ContactLawRow {
@@ -18,10 +18,10 @@ struct ContactLawRow {
   std::string_view help;
   TermInfo term{};
   ContactBetween between;
-  // gap below which faces count as touching, spacings; particles of oblique faces touch early
+  // gap in spacings below which faces count as touching; particles of oblique faces touch early
   double touching = 0.1;
 
-  // Force along a pair, N, and its energy, J. `sph`: at walls.
+  // Force along a pair in N and its energy in J; with `sph` only at walls.
   double (*force)(double r, double dp, double K, int dim) = nullptr;
   double (*energy)(double r, double dp, double K, int dim) = nullptr;
   // Impulse instead of a force, N s.

@@ -11,7 +11,7 @@
 
 namespace taut {
 
-/// The method's own sums act between bodies, this force at walls.
+/// The method's own sums act between bodies, `force` at walls.
 inline constexpr ContactLawRow sph_contact{
     .law = ContactLaw::sph,
     .help = "particles of two bodies interact like particles of one body, [Zhang2024]",

@@ -11,13 +11,14 @@ template <class T, int Dim>
 void add_gradient_moment(Sym<T, Dim>& M, const T& V_j, const T& dW, const T& r, const Vec<T, Dim>& e_ij) {
   add_outer(M, T(-V_j * dW * r), e_ij);
 }
-/// Term of the displayed stress.
+/// Stress that is recovered for display, in methods that do not carry stress.
 inline constexpr TermInfo stress_recovery_info{
     "stress shown", "s = ∫ 2G dev D + rotation dt, corrected gradient", "[Zhang2024] Eq. 26, 27",
     "terms/gradient_correction.hpp:add_gradient_moment",
     "velocity gradient: a linear field on irregular particles is exact after correction"};
 
-/// Least det M/(tr M)^Dim, ¼ (3D: 1/27) inside a lattice, 0 for collinear (3D: coplanar) neighbours.
+/// Least allowed det M/(tr M)^Dim. The ratio is ¼ (3D: 1/27) inside a lattice and 0 for collinear
+/// (3D: coplanar) neighbours.
 template <int Dim>
 inline constexpr double least_moment = Dim == 2 ? 1e-2 : 1e-3;
 

@@ -10,13 +10,13 @@ namespace taut {
 /// Distance, in spacings, below which the force stays constant.
 inline constexpr double lennard_jones_core = 0.1;
 
-/// Scale p̄, J: at first touch as stiff as the penalty law.
+/// Scale p̄ in J, with which the law is as stiff as the penalty law at first touch.
 inline double lennard_jones_scale(double dp, double K, int dim) {
   return 0.5 * K * dp * dp * (dim == 3 ? dp : 1);
 }
 
 /// Repulsive force along a pair, N. [Zhang2020] Eq. 12 with n1 = 6, n2 = 4. Departure: the paper leaves p̄ open and
-/// has k h_i + k h_j for dp.
+/// has k h_i + k h_j instead of dp.
 inline double lennard_jones_force(double r, double dp, double K, int dim) {
   const double near = std::max(r, lennard_jones_core * dp), l2 = dp * dp / (near * near);
   return l2 > 1 ? lennard_jones_scale(dp, K, dim) * l2 * l2 * (l2 - 1) / near : 0;

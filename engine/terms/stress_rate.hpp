@@ -6,8 +6,8 @@
 
 namespace taut {
 
-/// Jaumann rate of the deviatoric stress, Pa/s; increment if L dt replaces L. n = d in [Zhang2024] Eq. 7, n = 3 in
-/// [Khayyer2024] Eq. 6. Departure: [Zhang2024] lacks the rotation terms and would not be objective.
+/// Jaumann rate of the deviatoric stress, Pa/s; with L dt instead of L its increment. n = d in [Zhang2024] Eq. 7,
+/// n = 3 in [Khayyer2024] Eq. 6. Departure: [Zhang2024] lacks the rotation terms and would not be objective.
 template <Deviator deviator, int Dim>
 Sym<double, Dim> jaumann_rate(const Mat<double, Dim>& L, const Sym<double, Dim>& s, double G) {
   constexpr double n = deviator == Deviator::in_plane ? Dim : 3;
@@ -38,7 +38,7 @@ inline constexpr TermInfo jaumann_rate_info{
     "stress rate: stretch and shear give the values by hand for both deviators"};
 
 /// Stress after dt, R s Rᵀ + 2G (D − tr D/n I) dt, R = (I − ½ dt ω)⁻¹ (I + ½ dt ω). Departure: with [Khayyer2024] Eq.
-/// 24 a rigid rotation increases s by 1 + 2 (ω dt)² per step.
+/// 24 a rigid rotation multiplies s by 1 + 2 (ω dt)² in each step.
 template <Deviator deviator>
 Sym<double, 2> turned_stress(const Mat<double, 2>& L, const Sym<double, 2>& s, double G, double dt) {
   const double half = 0.25 * dt * (L(0, 1) - L(1, 0)), scale = 1 / (1 + half * half);
@@ -49,7 +49,7 @@ Sym<double, 2> turned_stress(const Mat<double, 2>& L, const Sym<double, 2>& s, d
   Sym<double, 2> result{mean + turned, cos2 * s(0, 1) - sin2 * difference, mean - turned};
   return result += dt * jaumann_rate<deviator>(L, Sym<double, 2>{}, G);
 }
-/// 3D, ours: the paper treats the plane. R = I + 2 (A + A²)/(1 + |a|²), A = ½ dt ω = a × ….
+/// 3D, ours: the paper treats the plane. R = I + 2 (A + A²)/(1 + |a|²), A v = ½ dt ω v = a × v.
 template <Deviator deviator>
 Sym<double, 3> turned_stress(const Mat<double, 3>& L, const Sym<double, 3>& s, double G, double dt) {
   Mat<double, 3> A;

@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// Contact pressure per depth, Pa/m, of two materials with M = K + 4G/3. With s = 2 the overlap is the
-/// compression of one spacing of each material. Symmetric to the last bit.
+/// Contact pressure per depth, Pa/m, of two materials with M = K + 4G/3. With stiffness = 2 the overlap is
+/// the compression of one spacing of each material. Symmetric to the last bit.
 inline double surface_stiffness(double M1, double M2, double stiffness, double dp) {
   const double softer = std::min(M1, M2), harder = std::max(M1, M2);
   return 0.5 * stiffness * (softer * (harder / (softer + harder))) / dp;
@@ -25,7 +25,7 @@ inline double surface_stiffness_slope(double M1, double M2, double stiffness, do
 /// Contact stiffness relative to the material, at least 1.
 inline double stiffer_than_material(double stiffness) { return std::max(1.0, stiffness / 2); }
 
-/// Energy, J, of a piece of a face at `depth` behind another; both faces count for half.
+/// Energy in J of a piece of a face at `depth` behind another; each face contributes half.
 inline double surface_energy(double depth, double area, double k) {
   return depth > 0 ? 0.25 * k * area * depth * depth : 0;
 }
@@ -77,7 +77,7 @@ inline double lateral_slope_in_radius(double l2, double radius) {  // dw/dR, 1/m
   return u > 0 ? 6 / (std::numbers::pi * square * radius) * u * (2 - 3 * u) : 0;
 }
 
-/// Energy that stiffens towards δ = dp, since the pressure under an edge is unbounded.
+/// Energy that stiffens towards a depth of dp, since the pressure under an edge is unbounded.
 inline double hard_energy(double depth, double area, double k, double dp) {
   const double u = depth / dp;
   return (1 + u * u) * surface_energy(depth, area, k);
@@ -90,7 +90,7 @@ inline double hard_force(double depth, double area, double k, double dp) {
 inline double projected_share(double cosine) { return -cosine * facing_share(cosine); }
 inline double projected_slope(double cosine) { return -facing_share(cosine) - cosine * facing_slope(cosine); }
 
-/// c, the share of a facet at height p: 1 up to 0.7 `reach`, 0 from `reach` on, m.
+/// c, the share of a facet at height p: 1 up to 0.7 `reach`, 0 from `reach` (in m) on.
 inline double near_share(double p, double reach) {
   const double t = std::clamp((1 - std::abs(p) / reach) / 0.3, 0.0, 1.0);
   return t * t * (3 - 2 * t);

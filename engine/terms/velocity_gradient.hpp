@@ -19,7 +19,6 @@ inline constexpr TermInfo penalized_gradient_info{
     "velocity gradient", "L_i = −Σ V_j v_ij ⊗ B_i·∇W, B = (−Σ V_j x_ij ⊗ ∇W)⁻¹", "[Zhang2024b]",
     "terms/velocity_gradient.hpp:add_velocity_gradient",
     "velocity gradient: a linear field on irregular particles is exact after correction"};
-/// TermInfos that include the density rate, from ∇û or from masses.
 inline constexpr TermInfo transported_gradient_info{
     "velocity gradient", "∇û = Σ V_j û_ji ⊗ ∇W, dρ/dt = −ρ tr ∇û", "[Khayyer2024] Eq. 8, 13",
     "terms/velocity_gradient.hpp:add_velocity_gradient",

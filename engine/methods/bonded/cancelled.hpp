@@ -31,7 +31,7 @@ struct alignas(sizeof(Pack)) CancelledOnLattice {
 
   /// Adds a bond of strength Gw = G V0_i w_ij, in J. Returns false if it does not fit the lattice.
   bool add(int lane, const Sym<double, Dim>& dyad, double Gw);
-  /// Returns the same as CancelledView::slopes.
+  /// As CancelledView::slopes.
   Sym<Pack, Dim> slopes(const Sym<Pack, Dim>& C) const;
 
  private:

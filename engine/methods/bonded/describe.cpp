@@ -19,14 +19,14 @@ std::vector<TermInfo> terms(const BondedFormulation& m) {
 }
 
 std::vector<ConstantRow<BondedConstants>> constants(const BondedFormulation& m, int dim) {
-  constexpr std::string_view help = "half of the least reach of bonds over the spacing";
+  constexpr std::string_view help = "half of the least reach of bonds, over the spacing";
   // 3D: this range selects the 26 nearest on a cubic lattice
   const MethodConstant h = dim == 3 ? MethodConstant{"h", m.h_over_dp_3d, 0.87, 0.99, help, true, true}
                                     : MethodConstant{"h", m.h_over_dp, 0.8, 2.0, help, true, true};
   return {{&BondedConstants::h, h},
           {&BondedConstants::damping,
            {"damping", 0.01, 0.0, 0.05,
-            "damping time τ of the bonds over dp √(ρ0/G), against noise after impacts; 0 conserves energy"}}};
+            "damping time τ of the bonds over dp √(ρ0/G); damps noise after impacts; 0 conserves energy"}}};
 }
 
 }  // namespace taut::bonded

@@ -37,7 +37,7 @@ struct BondedFields {
   ColumnsView<Dim * Dim> Q;     // T B, row by row; T: generalised stress (THEORY.md, Energy)
   const double* mobility;       // 1/kg; 0 if constrained
   Vec<Pack, Dim>* bond_force;   // [group] in N
-  double lead;                  // 3 τ, τ: damping time of the bonds (THEORY.md), s
+  double lead;                  // 3 τ in s; τ: damping time of the bonds (THEORY.md)
   double least_r2;              // minimum of r² in m², (dp/100)²
   bool uses_group_law;
   LawsInUse laws;

@@ -104,7 +104,7 @@ class InterfaceSites {
   std::vector<int> site_of_;  // [stored] or −1
   std::vector<StoredSiteBond> bonds_;
   std::vector<Kink> kinks_;
-  std::vector<Direction> pulls_;  // ∂E/∂b of each site, J; forces along bonds across, N
+  std::vector<Direction> pulls_;  // ∂E/∂b of each site, J; then forces along bonds across, N
   std::vector<PullShare> shares_;
   std::vector<GroupShares> affected_;
 };
@@ -144,7 +144,7 @@ InterfaceSites<Dim>::InterfaceSites(const BondedSetup& setup, const std::vector<
   share_out();
 }
 
-/// Sorts shares by group: no two threads add to one group.
+/// Sorts shares by group, so that no two threads add to one group.
 template <int Dim>
 void InterfaceSites<Dim>::share_out() {
   struct Part {

@@ -29,7 +29,7 @@ struct alignas(sizeof(Pack)) Spring {
   Pack half_inverse(const Pack& r2) const { return half_r0_squared / r2; }
 };
 
-/// Spring in half the bytes. 1/r0² stays in double precision: bonds at rest have no force.
+/// Spring in half the bytes. 1/r0² stays in double precision, so that bonds at rest have no force.
 template <>
 struct Spring<HalfPack> {
   HalfPack third_of_k;
@@ -53,11 +53,11 @@ struct BondToClamp {
   int group, lane, bond, place;
 };
 
-/// Bonds of groups of four particles: first those with an a_ij, each part in storage order. Storage is AlignedPack,
-/// or HalfPack if no two groups share constants.
+/// Bonds of groups of four particles: first bonds with an a_ij, then the others, each part in storage order. Storage is
+/// AlignedPack, or HalfPack if no two groups share constants.
 template <int Dim, class Storage>
 struct PackedBondsView {
-  struct GroupRows {  // first indices
+  struct GroupRows {  // first indices, numbers of bonds
     int slot, count, spring, scale;
     int a, a_count;
   };

@@ -26,7 +26,7 @@ struct StrainOfFour {
   Pack root;             // J^(−1/3) for the default law
 };
 
-/// Advances x by `dt`, half a step, also in `places`.
+/// Advances x and `places` by `dt`, half a step.
 template <const BondedFormulation&, int Dim>
 void half_drift(const BondedFields<Dim>& f, double dt, const Threads& threads) {
   parallel_for(f.group_count(), threads, [&](int group) {
@@ -67,7 +67,7 @@ void strain(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, in
   out.stiffest = max(Pack(sums.stiffest + bond_stiffness_offset), closing);
 }
 
-/// V_i W(F_i) minus the cancellation, J.
+/// V_i W(F_i) minus the cancelled energy, J.
 template <const BondedFormulation& M, int Dim, class Storage>
 Pack energy_of_four(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, int group,
                     const Mat<Pack, Dim>& F) {
@@ -158,7 +158,6 @@ double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threa
   });
 }
 
-/// Bond and stress forces, N.
 template <const BondedFormulation&, int Dim>
 void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threads& threads) {
   f.with_bonds([&](const auto& bonds) {

@@ -37,9 +37,9 @@ Bonded<Dim>::Bonded(Common<Dim>& common, const SolverInput& input, const Kernels
   common_.go_to_start();
   f_.lead = setup.damping_lead;
   make_columns(setup);
-  // thin 3D lattices have faster modes than the solid
+  // thin 3D lattices have faster modes than large lattices
   if (setup.bonds.off_lattice || Dim == 3) find_layout_frequency();
-  // at a corner, a uniform stress leaves a force with any choice of bonds
+  // not `uniform`: no choice of bonds keeps a uniform stress in equilibrium at corners
   if (has_loads(input.scene))
     loads.act_on_faces(input.scene, with_rigid_clamped(common_.initial, setup.bonds), FaceRule::by_column,
                        surface(setup.bonds), common_.run.support);
@@ -137,7 +137,7 @@ double Bonded<Dim>::step_size() const {
 
 template <int Dim>
 void Bonded<Dim>::find_layout_frequency() {
-  constexpr double small = 1e-5, limit = 0.97;  // in spacings; `cfl` limit of a lattice
+  constexpr double small = 1e-5, limit = 0.97;  // displacement in spacings; `cfl` limit of a lattice
   const int n = p_.size(), threads = common_.threads_now();
   const std::vector<double> mobility(mobility_[0], mobility_[0] + n);
   std::vector<V> displaced = p_.x;
@@ -173,7 +173,7 @@ void Bonded<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Adds the reactions of bonds to rigid particles, for drives and reaction probes.
+/// Adds to each rigid particle the force of its bonds, for drives and reaction probes.
 template <int Dim>
 void Bonded<Dim>::pull_at_clamps() {
   const auto pull_at = [&](int i, const V& pull) {

@@ -31,11 +31,11 @@ std::vector<ConstantRow<TlDisplacementConstants>> constants(const TlDisplacement
   using C = TlDisplacementConstants;
   const bool corrected = m.gradient == GradientCorrection::corrected;
   std::vector<ConstantRow<C>> c{
-      {&C::h, smoothing_length(m, dim, corrected ? 0.8 : 0.36)}};  // the four nearest
+      {&C::h, smoothing_length(m, dim, corrected ? 0.8 : 0.36)}};  // 0.36: the nearest along axes
   if (!corrected)
     c.push_back({&C::normalised,
-                 {"normalised", 1.0, 0.0, 1.0, "1: gradients divided by the sum of the kernel; 0: not", false,
-                  true}});
+                 {"normalised", 1.0, 0.0, 1.0, "1: divides gradients by the sum of the kernel; 0: does not",
+                  false, true}});
   if (m.pair_force == PairForce::hourglass)
     c.push_back({&C::alpha, {"alpha", 10.0, 0.0, 20.0, "amplitude α of the hourglass force", false, true}});
   if (m.pair_force == PairForce::shear) {

@@ -62,7 +62,7 @@ Mat<Pack, Dim> tensor_at(const ColumnsView<Dim * Dim>& columns, int first) {
   return A;
 }
 
-/// N
+/// Pair forces on four particles, N.
 template <const TlDisplacementFormulation& M, int Dim>
 Vec<Pack, Dim> pair_force(const TlDisplacementFields<Dim>& f, int group) {
   constexpr bool shear = M.pair_force == PairForce::shear;
@@ -93,7 +93,7 @@ Vec<Pack, Dim> pair_force(const TlDisplacementFields<Dim>& f, int group) {
   return sum;
 }
 
-/// N
+/// Internal forces on four particles, N.
 template <const TlDisplacementFormulation& M, int Dim>
 Vec<Pack, Dim> internal_force(const TlDisplacementFields<Dim>& f, int group) {
   if constexpr (M.pair_force == PairForce::none) return f.pairs.pair_sum(f.stress, group);

@@ -17,8 +17,8 @@ struct BoundaryPoint {
 };
 
 /// Changes v as little as possible, weighted by mass, so that interpolated velocities are the prescribed ones,
-/// [Lee2016] Appendix B (THEORY.md). The projection conserves both momenta and cannot accelerate the body. Set boundary
-/// particles to their prescribed velocities before calling it.
+/// [Lee2016] Appendix B (THEORY.md). Both momenta are conserved: set boundary particles to their prescribed velocities
+/// first.
 class BoundaryProjection {
  public:
   /// `m` in kg. Throws SceneError if the conditions at the points are linearly dependent.
@@ -41,7 +41,8 @@ class BoundaryProjection {
 };
 
 inline constexpr TermInfo boundary_projection_info{
-    "boundary", "velocities nearest to those with v(X_B) = v_B, Σ V v and Σ V Z × v kept, where asked for",
+    "boundary",
+    "nearest velocities with v(X_B) = v_B and unchanged Σ m v, Σ m Z × v; with boundary_projection = 1",
     "[Lee2016] Appendix B", "methods/tl_mixed/boundary_projection.hpp:BoundaryProjection",
     "boundary projection: boundary points get prescribed velocities, both momenta are conserved"};
 

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Weights w_ij of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale`, m², [Lee2016] Eq. A.1–A.5 (THEORY.md). Departure: β
+/// Weights w_ij of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale` in m², [Lee2016] Eq. A.1–A.5 (THEORY.md). Departure: β
 /// = 0 where neighbours hardly distinguish linear from quadratic fields, as at corners; large w_ij would require tiny
 /// time steps.
 template <class K, int Dim>
@@ -16,7 +16,7 @@ std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
                                         double h, double scale, int threads = 1) {
   constexpr int N = Dim + 1;
-  // minimum nonlinear share of Σ V r⁴; lattice corners have 0.03
+  // minimum nonlinear share of Σ V r⁴; lattice corners have 0 at the default h, 0.03 and more above
   constexpr double least_nonlinear_share = 0.02;
   std::vector<double> w(pairs.j.size());
   parallel_for(pairs.size(), threads, [&](int i) {

@@ -37,16 +37,17 @@ std::vector<ConstantRow<TlMixedConstants>> constants(const TlMixedFormulation& m
   }
   if (m.jst && follows_volume_ratio(m)) {
     c.push_back({&C::eps_J2, {"eps_J2", 0.0, 0.0, 1.0, "ε₂ of the volume ratio"}});
-    c.push_back({&C::eps_J4,
-                 {"eps_J4", 1.0 / 256, 0.0, 1.0,
-                  "ε₄ of the volume ratio; 1/8 near incompressibility, but faces in contact fail with it"}});
+    c.push_back(
+        {&C::eps_J4,
+         {"eps_J4", 1.0 / 256, 0.0, 1.0,
+          "ε₄ of the volume ratio; 1/8 suits near incompressibility, but faces in contact fail with it"}});
   }
   c.push_back({&C::projection,
-               {"projection", 1.0, 0.0, 1.0, "1: forces are projected to conserve both momenta; 0: not"}});
+               {"projection", 1.0, 0.0, 1.0, "1: projects forces to conserve both momenta; 0: does not"}});
   c.push_back(
       {&C::boundary_projection,
        {"boundary_projection", 0.0, 0.0, 1.0,
-        "1: velocities around clamped and prescribed particles satisfy the boundary condition in the kernel sums"}});
+        "1: kernel sums of velocities satisfy the conditions at clamped and prescribed particles; 0: they do not"}});
   return c;
 }
 

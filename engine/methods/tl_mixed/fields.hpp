@@ -25,7 +25,7 @@ struct StageActions {
   void (*load)(void* of, int i, V& a);
   /// Sets prescribed `v` after the first stage.
   void (*steer)(void* of, int i, V& v);
-  /// Sets prescribed `v` at the end of a step of `dt` that began with `before`. Counts the work of loads and drives.
+  /// Sets prescribed `v` at the end of the step and adds the work of loads and drives. `before`: v at its start.
   void (*close)(void* of, int i, double dt, const V& before, V& v);
 };
 
@@ -44,12 +44,12 @@ struct TlMixedFields {
   LawsInUse laws;
   double wave_speed;                              // c_p, m/s
   PairLanesView<Dim> pairs;                       // k_ij
-  PairLanesView<Dim, Dim + 2> dissipating_pairs;  // k_ij, w_ij dp², adjoint weight
+  PairLanesView<Dim, Dim + 2> dissipating_pairs;  // k_ij, dp² × weights of L and of its adjoint L*
   Strains<Dim> now, start, rate;                  // at the stage; at the start of the step; rates, 1/s
   ColumnsView<Dim + 1> flow;                      // v, m/s, and J
   ColumnsView<Dim * Dim> stress;                  // V P B, row by row
-  ColumnsView<Dim + 1> once;                      // L of (v, J), times dp²
-  ColumnsView<Dim> a, a_start;                    // internal; total at the start of the step, m/s²
+  ColumnsView<Dim + 1> once;                      // dp² L[(v, J)], L of corrected_laplacian.hpp
+  ColumnsView<Dim> a, a_start;                    // m/s²: internal; total at the start of the step
   ColumnsView<1> dissipation_J;                   // 1/s
 
   int groups() const { return (size + lanes - 1) / lanes; }

@@ -34,7 +34,7 @@ struct RotationSums<3> {
   }
 };
 
-/// Volumes from i on, 0 from `last` on.
+/// Volumes of i … i + 3; 0 from `last` on.
 inline Pack volumes_of_four(const double* V, int i, int last) {
   if (i + lanes <= last) return load(V + i);
   Pack four{};
@@ -42,7 +42,7 @@ inline Pack volumes_of_four(const double* V, int i, int last) {
   return four;
 }
 
-/// Makes force and torque of a body of one density 0 by the least change, weighted by volume, [Lee2016] Eq. 45–48.
+/// Changes `a` of a body of one density least, weighted by volume, to make force and torque 0, [Lee2016] Eq. 45–48.
 /// `a` is padded by a pack; `share` scales the change. The result depends neither on the number of threads nor on the
 /// place in storage.
 template <int Dim>
@@ -86,7 +86,7 @@ inline void subtract_mean(const ColumnsView<1>& f, const double* V, int first, i
 }
 
 inline constexpr TermInfo projection_info{
-    "projection", "forces and D(v) nearest to those with Σ V a = 0, Σ V Z × a = 0", "[Lee2016] Eq. 45–51",
+    "projection", "nearest forces and D(v) with Σ V a = 0, Σ V Z × a = 0", "[Lee2016] Eq. 45–51",
     "methods/tl_mixed/momentum_projection.hpp:project_on_momenta",
     "projection: the result is the nearest field without force and torque"};
 

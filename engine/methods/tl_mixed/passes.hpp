@@ -18,7 +18,7 @@ struct UnknownsOf {
 
   static constexpr bool has_J = follows_volume_ratio(M);
   static constexpr bool has_H = M.unknowns == Unknowns::v_F_H_J && Dim == 3;
-  static constexpr int fields = Dim + has_J;  // with dissipation: v and J
+  static constexpr int fields = Dim + has_J;  // columns of v and J
 
   static Pack volume_ratio(const Strains<Dim>& u, int group) {
     if constexpr (has_J)
@@ -61,7 +61,7 @@ void start_gradients(const TlMixedFields<Dim>& f) {
   }
 }
 
-/// Maximum over all particles, Pa.
+/// Maximum stiffness_bound of all particles, Pa.
 template <const TlMixedFormulation& M, int Dim>
 double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -192,7 +192,7 @@ template <int Dim>
   return f.sites[group].mobile * a;
 }
 
-/// First stage, U* = U + Δt U̇(U). Driven particles get their velocity at the end of the step.
+/// First stage, U* = U + Δt U̇(U). Driven particles take the velocity of the end of the step.
 template <const TlMixedFormulation& M, int Dim>
 void predict(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActions<Dim>& actions,
              const Threads& threads) {

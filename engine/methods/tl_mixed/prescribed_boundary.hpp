@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// V_a W̃_a(X_i) of particle i and its initial neighbours, exact for linear fields with W̃ = α (1 + β·(X_i − X_a)) W.
+/// V_a W̃_a(X_i) of particle i and its initial neighbours, exact for linear fields, with W̃ = α (1 + β·(X_i − X_a)) W.
 /// [Lee2016] Eq. 23
 template <class K, int Dim>
 std::vector<std::pair<int, double>> corrected_kernel(const InitialPairs<Dim>& pairs,

@@ -109,8 +109,8 @@ double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
   return 0.9 * 2 * c_.dp / (body_.wave_speed * rate);
 }
 
-/// Time step, s; in 3D with the fastest wave in the strained bodies. Departure: [Lee2016] Eq. 44 has dp for h, and
-/// 0.3 dp/c_p is unstable at free faces of cell-centred particles (limit 0.25).
+/// Time step, s; in 3D with the fastest wave in the strained bodies. Departure: [Lee2016] Eq. 44 has dp instead of
+/// h, and 0.3 dp/c_p is unstable at free faces of cell-centred particles (limit 0.25).
 template <int Dim>
 double TlMixed<Dim>::step_size() const {
   if (Dim == 2) return common_.fixed_or_stable_step(std::min(body_.step_size(), dissipation_limit_));

@@ -15,7 +15,8 @@ namespace taut {
 
 /// Mixed total-Lagrangian methods, [Lee2016] Algorithm 1. Momentum is stored as the velocity p/ρ0.
 /// Departures: L*[L[U]] replaces L[L[U]] (Eq. 37b), which can add energy at surfaces. Step 9 requires
-/// `boundary_projection` = 1. Contact and loads are not projected but use its Z, where central forces have no moment.
+/// `boundary_projection` = 1. Contact and loads are not projected; contact acts at the same Z, where central
+/// forces have no moment.
 /// The sum of force and dissipation is projected (Eq. 49).
 template <int Dim>
 class TlMixed final : public Scheme<Dim> {

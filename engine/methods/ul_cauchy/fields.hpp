@@ -124,7 +124,7 @@ struct StressRow {
     Pack column(int k) const { return spread[k]; }
   };
 
-  /// Columns are loaded where they are used: all do not fit the registers.
+  /// Loads columns where they are used, because not all fit into registers.
   [[gnu::always_inline]] static Values<RowsOfFour> gather(const StressRow* rows, const int* j) {
     return {RowsOfFour(rows[0].c, width, j)};
   }

@@ -98,7 +98,8 @@ UlCauchy<Dim>::UlCauchy(Common<Dim>& common, const SolverInput& input, const Ker
   rebuild();
 }
 
-/// Throws SceneError for probes of contact forces: the sums of `sph` contain these forces.
+/// Throws SceneError for probes of contact forces: with `sph` they are part of the sums over
+/// neighbours.
 template <int Dim>
 void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
   for (const Probe& probe : scene.probes)
@@ -143,7 +144,7 @@ void UlCauchy<Dim>::transport(double dt) {
       kernels_.transport(f_, c_, common_.external.steering(), c_.geometry * dt, common_.threads_now());
   relative_distance_ += dt * std::sqrt(fastest2);
   for (std::size_t body = 0; body < drift_.size(); ++body) centre_[body] += dt * drift_[body];
-  // motion along the tangents over ω dt stretches a pair by ½ (ω dt)², a quarter for each end
+  // a straight step through the angle ω dt stretches a pair by ½ (ω dt)² of its length, ¼ (ω dt)² for each end
   double spin = 0;  // greatest
   for (const Spin<Dim>& each : spin_) spin = std::max(spin, magnitude(each));
   const double turn = dt * spin;

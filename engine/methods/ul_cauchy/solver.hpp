@@ -69,8 +69,8 @@ class UlCauchy final : public Scheme<Dim> {
   // rigid motion at the last search; 0 under sph_contact_
   std::vector<V> drift_;
   std::vector<Spin<Dim>> spin_;
-  std::vector<V> centre_;         // drifted position, m
-  double relative_distance_ = 0;  // maximum, relative to it, m
+  std::vector<V> centre_;         // centre of mass, moved by drift_, m
+  double relative_distance_ = 0;  // maximum from the rigid motion, m
   UlCauchyFields<Dim> f_{};
 };
 

@@ -121,7 +121,7 @@ struct PairCache {
   Stored* gradients;  // Dim per pack
   Stored *inverse_slopes, *inverse_distances;
   Stored* closeness_of;      // with artificial stress
-  double steepness, length;  // kernel units, 1/m^(Dim+1), m; 1 unless halved
+  double steepness, length;  // kernel units in 1/m^(Dim+1) and m; 1 in double precision
 
   void set(int b, const PairGeometry<Dim>& pairs) const {
     for (int k = 0; k < Dim; ++k) pack_into(gradients[Dim * b + k], pairs.gradient[k] * (1 / steepness));
@@ -148,7 +148,7 @@ struct PairCache {
   }
 };
 
-/// Neighbours of i in another body.
+/// Pack of neighbours of i, some in another body.
 struct MixedPack {
   int i, pack;
 };

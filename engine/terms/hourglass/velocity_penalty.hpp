@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Term j of a sum that times ξ G/ρ_i is the rate of the penalty acceleration, 1/(m s). `L_sum` = L_i + L_j,
+/// Term j of the rate of the penalty acceleration, divided by ξ G/ρ_i, in 1/(m s). `L_sum` = L_i + L_j,
 /// `slope_over_r` = (∂W/∂r)/r. [Zhang2024b]; ξ = 4 and the sign are from the sources of SPHinXsys.
 template <class T, int Dim>
 Vec<T, Dim> velocity_penalty_term(const Vec<T, Dim>& v_ij, const Mat<T, Dim>& L_sum, const T& V_j,

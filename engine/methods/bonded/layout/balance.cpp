@@ -19,7 +19,7 @@ namespace {
 using Vector = Eigen::Vector2d;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Relative residual force at strain 1.
+/// Tolerance of the relative residual force at strain 1.
 constexpr double balanced = 1e-12;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -136,7 +136,7 @@ class Sector {
                  [&](int i, int row, Entries& entries, std::vector<double>& target) {
                    add_area_rows(i, row, entries, target);
                  });
-    // relative change
+    // limits of the relative change
     constexpr double greatest = 6, greatest_irregular = 2.25;
     const double most = change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0;
     if (!irregular_ && most > greatest) return;
@@ -333,8 +333,8 @@ class Sector {
     }
     return steps;
   }
-  /// Changes x least, by Σ (Δx)²/ω, to satisfy the rows, unless the residual grows. `owner`: a particle of each
-  /// unknown.
+  /// Changes x as little as possible, in Σ (Δx)²/ω, to satisfy the rows, unless the residual grows. `owner`: a
+  /// particle of each unknown.
   template <class AddRows>
   void least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, const std::vector<int>& owner,
                     const AddRows& add_rows) const {

@@ -31,7 +31,7 @@ int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
   return found;
 }
 
-/// For particles with five of the eight nearest, away from other materials.
+/// Face terms of particles with five of the eight nearest, away from other materials.
 std::vector<FaceTerm> make_face_terms(const Scene& scene, const InitialParticles& initial, const Bonds& uncut,
                                       const std::vector<Point>& S) {
   constexpr int inside = 8, at_face = 5;

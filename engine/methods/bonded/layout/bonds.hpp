@@ -38,7 +38,7 @@ struct FaceTerm {
 
 struct SolidGeometry;
 
-/// Bonds inside bodies, stored from both ends, but not from rigid particles, except on the face of a clamp.
+/// Bonds inside bodies, stored at both ends. Rigid particles store none, except in bodies with `on_boundary`.
 struct Bonds {
   std::vector<int> begin;           // [n + 1] first bond
   std::vector<int> j;               // [bond] other particle

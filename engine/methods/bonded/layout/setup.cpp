@@ -7,7 +7,7 @@
 namespace taut {
 namespace {
 
-/// Bond of `from` to `to`, or −1: rigid particles have none.
+/// Bond from `from` to `to`; −1 if not stored, as for rigid particles.
 int find_bond(const Bonds& bonds, int from, int to) {
   const int* const last = bonds.j.data() + bonds.begin[from + 1];
   const int* const found = std::find(bonds.j.data() + bonds.begin[from], last, to);

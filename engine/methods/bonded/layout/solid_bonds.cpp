@@ -17,6 +17,7 @@
 namespace taut {
 namespace {
 
+/// Neighbours inside a lattice: a cube of 3 × 3 × 3 without its centre.
 constexpr std::size_t whole = 26;
 
 /// w for `r` in spacings (THEORY.md, Three dimensions).
@@ -104,7 +105,7 @@ class SolidBonds {
     }
     near_ = std::move(chosen);
   }
-  /// Empty for lattice weights (THEORY.md, Three dimensions).
+  /// Weights of the bonds of i; empty for lattice weights (THEORY.md, Three dimensions).
   std::vector<double> own_weights(int i) const {
     static const Moments<3> moments;
     Selection own = selection(i);
@@ -133,7 +134,7 @@ class SolidBonds {
     });
   }
   void choose_gradients(int threads) {
-    // least det A, relative to the isotropic A of the same trace
+    // least det A/(tr A/3)³ with A = Σ_j a_ij ⊗ X_ij; 1 if isotropic
     constexpr double least = 0.5, least_of_irregular = 0.7;
     using enum SolidGeometry::Gradient;
     geometry_.gradient.assign(initial_.size(), of_axes);
@@ -161,7 +162,7 @@ class SolidBonds {
 
 }  // namespace
 
-/// Rounds X to 2^-40 spacings: equal bonds of a lattice have equal bits.
+/// Rounds X to 2^-40 spacings, so that equal bonds of a lattice have equal bits.
 ReferenceBond SolidGeometry::bond(int i, int j, std::size_t k) const {
   const Point &from = x[i], &to = x[j];
   ReferenceBond one{};
