@@ -93,7 +93,7 @@ std::vector<std::string> scene_names() {
 }
 
 fs::path find_scene(const std::string& scene) {
-  // a scene precedes a run folder of its name
+  // a scene name has priority over a run folder of the same name
   std::error_code error;
   const bool exists = fs::exists(scene, error);
   if (exists && !fs::is_directory(scene, error)) return scene;
