@@ -12,7 +12,8 @@ struct PanelCell {
   std::string remark;  // in the corner, or centred without particles
 };
 
-/// Saved particles nearest to `time`, s; none after the run. The remark contains another time.
+/// The saved particles with the time nearest to `time` [s]; none after the end of the run. The remark shows a
+/// different time, or how the run ended.
 PanelCell cell_at(const SavedRun& run, double time, double until, const Drawing& drawing,
                   const Origins& origins);
 
