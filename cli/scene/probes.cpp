@@ -48,7 +48,7 @@ const std::vector<ProbeKind> kinds{
     {"distance", "m", "distance between two material points", {key::body, key::at, key::to}},
     {"mean_velocity", "m/s", "velocity of the centre of mass", {key::body, key::component}},
     {"mean_position", "m", "position of the centre of mass", {key::body, key::component}},
-    {"greatest_position", "m", "largest position of a particle of the body", {key::body, key::component}},
+    {"greatest_position", "m", "largest coordinate of a particle of the body", {key::body, key::component}},
     {"gap", "m",
      "smallest distance between the surfaces of two bodies, below 0 where they overlap. "
      "It is at most the search range of the contact, one or two spacings",

@@ -47,11 +47,11 @@ struct SweepRun {
   std::vector<SweepRun*> all();
   std::optional<RepeatedCost> cost() const;
   void read_folder();
-  /// As for an empty folder.
+  /// Resets the state to that of an empty folder.
   void forget();
 };
 
-/// Has different values in the runs.
+/// A name that the grid or the rows set.
 struct Swept {
   std::string name;
   std::string unit, help;  // of parameters
