@@ -148,8 +148,9 @@ constexpr KeyInfo driven_keys[] = {
 constexpr KeyInfo loaded_keys[] = {
     {"where", of_place, "", "region: the particles where the expression is not 0"},
     {"force", types::vector("[x, y] of the place", "N"), "or force_density or traction",
-     "force, spread by volume over the particles of the region that are neither clamped "
-     "nor driven to the end of the run; in 2D per metre of depth"},
+     "force, "
+     "spread by volume over the particles of the region that are neither clamped nor driven to the end of the run; "
+     "in 2D per metre of depth"},
     {"force_density", types::vector("[x, y] of the place", "N/m³"), "or force or traction",
      "force per initial volume"},
     {"traction", types::vector("[x, y] of the place", "Pa"), "or force or force_density",
