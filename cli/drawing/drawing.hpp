@@ -33,8 +33,8 @@ struct ColorFormula {
                              std::span<const double> x, std::span<const double> x0, double time) const;
 };
 
-/// `fitted` sets open members: viridis, or a diverging map for signed fields; range and view of all that is shown.
-/// A 3D scene has a camera instead of a view.
+/// `fitted` sets open members: viridis, or a diverging map for signed fields; range and view of everything shown. In
+/// 3D, a camera replaces the view.
 struct Drawing {
   const Field* field = find_field("von_mises");  // without a `formula`
   render::Look look{};

@@ -7,10 +7,9 @@
 #include <string_view>
 #include <vector>
 
-/// Reference of the file formats, generated from the tables of the readers.
+/// Reference pages, generated from the tables of the readers.
 namespace taut::cli {
 
-/// A section, list, shape or the like.
 struct Topic {
   std::string name;
   std::string header;  // "[[body]]"

@@ -5,7 +5,6 @@
 
 namespace taut::cli {
 
-/// Addresses of files on a page.
 class Links {
  public:
   /// `page`: folder of the page. With `embed`, pictures become data URIs.

@@ -60,7 +60,7 @@ class RunFolder {
 
 /// Run folder that contains `path`; lock it before `path` is written.
 std::optional<std::filesystem::path> run_around(const std::filesystem::path& path);
-/// Locks this run folder; returns nullptr outside run folders. Throws like FolderLock.
+/// Locks this folder; nullptr outside run folders. Throws like FolderLock.
 std::unique_ptr<const FolderLock> lock_around(const std::filesystem::path& path, std::string_view command);
 
 }  // namespace taut::cli

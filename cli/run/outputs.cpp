@@ -29,7 +29,7 @@ class OutputOf : public RunOutput {
 /// A run is judged after each of these parts of `until`; history rows have their own times.
 constexpr int judged_parts = 200;
 
-/// Writes history.csv; updates drift, verdict and indicators. Rows between two judgements repeat the indicators.
+/// Writes history.csv; updates drift, verdict and indicators. Rows between judgements repeat the indicators.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
@@ -193,7 +193,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
         frames_(*plan.drawing, origins_of(simulation.snapshot()), plan.folder.frames(),
                 {plan.file.scene.title, result.record.method, result.record.until}, simulation.threads(),
                 result.record.seconds) {
-    // in a resumed run, earlier frames may have shown particles
+    // frames before a restart may have shown particles
     if (!plan.drawing->followed && !plan.state) unseen_ = plan.drawing->look.view;
   }
 

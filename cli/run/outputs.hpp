@@ -24,7 +24,7 @@ class LastStep {
   Snapshot before_, shown_;
 };
 
-/// An output of a run, which does not affect the steps. Writing throws OutputError.
+/// An output does not affect the steps. Writing throws OutputError.
 class RunOutput {
  public:
   virtual ~RunOutput() = default;

@@ -28,7 +28,7 @@ struct RunRecord {
 
   std::string version{build_info.version};  // of taut
   std::string scene, method, material_law;
-  std::string remark;                  // about the scene, mostly empty
+  std::string remark;                  // about the scene
   std::optional<std::string> contact;  // if there are several bodies or walls
   std::string stepping;                // "dual" or "single"
   double cfl = 0;                      // factor of the time step
@@ -44,7 +44,7 @@ struct RunRecord {
   std::string reason;  // of a failure
   long steps = 0;
   int threads = 1;
-  std::string machine;  // processor, for `seconds`
+  std::string machine;  // processor
   Seconds seconds;
   std::optional<Verdict> verdict = Verdict::stable;
   std::map<Verdict, double> since;  // start of each verdict, s
@@ -60,7 +60,7 @@ struct RunRecord {
   Provenance provenance;
 
   const MeasureResult* find_measure(std::string_view name) const;
-  /// An empty result for an unknown name.
+  /// Empty for an unknown name.
   const MeasureResult& measure(std::string_view name) const;
   /// Particles × steps / solve, 1/s.
   std::optional<double> particle_steps_per_second() const;
@@ -85,7 +85,7 @@ struct RecordField {
     everywhere_if_known,  // omitted if null or empty
     last_in_results,      // varies between repetitions
     results,              // only in results, last, omitted if null
-    run_json,             // only in run.json
+    run_json,
   };
   std::string_view key;
   Json (*write)(const RunRecord&);              // non-finite values are null
@@ -100,12 +100,12 @@ Json to_results(const RunRecord& record);
 /// Missing keys give empty members. Throws UsageError, with file and key, for an invalid record.
 RunRecord record_from(const JsonCursor& json);
 
-/// A record with all keys of its run.json.
+/// With all keys of run.json.
 struct StoredRecord : RunRecord {
   Json all;
 };
 
-/// Run time in s, or 0. For a continued run: wall time of the last part, or solving time of all parts if longer.
+/// Run time in s, or 0. After --resume: wall time of the last part, or solving time of all parts if longer.
 double seconds_taken(const StoredRecord& record);
 
 /// Returns nullopt without a file. Throws like record_from.

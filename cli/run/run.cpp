@@ -242,7 +242,7 @@ double Run::next_output() const {
   return next;
 }
 
-/// Next output time at which the state is interpolated, in s.
+/// Next time of an interpolated output, s.
 double Run::next_between_steps() const {
   double next = std::numeric_limits<double>::infinity();
   for (const auto& output : outputs_)
@@ -312,7 +312,7 @@ void Run::write_record() const {
   write_atomically(plan_.folder.record(), record_text(), Durability::on_disk);
 }
 
-/// Tries each part even if others fail, as on a full disk or without memory.
+/// Tries each part, even after failures such as a full disk.
 void Run::save_failure(const std::string& reason) {
   const auto tried = [](const auto& work) {
     try {

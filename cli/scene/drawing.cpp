@@ -23,7 +23,7 @@ TomlValue toml_of(const DrawingKey& key, const DrawingValue& value) {
   return key.numbers.count == 1 ? array.items.front() : array;
 }
 
-/// Value of `key` in the file: a text for words, "auto" and free texts, else numbers.
+/// Value in the file: a text for words, "auto" and free texts.
 DrawingValue given(TomlCursor& render, const DrawingKey& key) {
   if (key.takes_words() || key.is_free_text) return render.text(key.name);
   const TomlValue& value = render.need(key.name);
@@ -117,7 +117,7 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   return std::nullopt;
 }
 
-/// Smallest significant difference of two values, in the field's unit; rounding errors are smaller.
+/// Smallest significant difference of values, in the field's unit.
 double round_off(const Field& field, const Scene& scene) {
   constexpr double strain = 1e-9, in_single_precision = 1e-6;  // relative
   double stiffest = 0;                                         // Pa

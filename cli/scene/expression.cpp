@@ -33,7 +33,7 @@ struct Formula {
   }
 };
 
-// beyond these limits of muParser, it throws objects that are no std::exception
+// beyond these limits, muParser throws objects other than std::exception
 constexpr std::size_t longest_text = 20000, longest_name = 100;
 
 std::string in_quotes(const std::string& text) { return fmt::format("'{}'", shown(text)); }

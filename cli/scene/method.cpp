@@ -109,7 +109,7 @@ std::vector<std::string> names_of_elastic_laws() {
   return names;
 }
 
-/// Law in the file, or "". The file's method must support it.
+/// Law in the file, which its method must support, or "".
 std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   const TomlValue* given = root.find("law");
   if (!given) return "";
@@ -188,7 +188,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   name_touching(root, file);
 
   read_law(root, of_file, method, changes, file);
-  // the constants and the CFL number in the file belong to the file's method
+  // constants and CFL number of the file belong to its method
   const double cfl_of_file = root.find("cfl") ? root.number("cfl") : of_file.cfl;
   const double in_scene = &method == &of_file ? cfl_of_file : method.cfl;
   const std::string* cfl_change = changes.find("cfl");

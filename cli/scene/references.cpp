@@ -208,17 +208,17 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
 struct Part {
   std::string law;
   bool of_method;
-  int specificity;  // valid for 2: these values of all parameters, 1: the values in `when`, 0: any values
+  int specificity;  // 2: for the values of all parameters, 1: for those in `when`, 0: for any
   const TomlValue* from;
   Reference what;
 };
 
-/// Parts with a list of methods come first, then more specific parts.
+/// Parts with `methods` come first, then more specific parts.
 bool counts_before(const Part& a, const Part& b) {
   return std::pair(a.of_method, a.specificity) > std::pair(b.of_method, b.specificity);
 }
 
-/// Merges parts of one law. The first part that has a measure counts for this measure.
+/// Merges the parts of a law; for each measure the first part counts.
 class Merged {
  public:
   void add(const Part& part) {

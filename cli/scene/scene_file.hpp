@@ -46,11 +46,11 @@ std::span<const SettingInfo> setting_infos();
 inline constexpr std::string_view constant_prefix = "method.";
 
 struct ResolvedSetting {
-  /// Source of the value. A setting equal to the scene's value does not count, nor a scene's equal to the default.
+  /// The first source that has the value.
   enum class Source { by_default, scene, setting };
   std::string name;
   std::string value,
-      default_value;  // with all digits; a key without default has the scene's value as default
+      default_value;  // exact; a key without default has the scene's value as default
   Source source = Source::by_default;
 };
 
@@ -76,15 +76,15 @@ struct SceneFile {
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
 /// Names for --set and --grid.
 std::vector<std::string> names_to_set(const SceneFile& scene);
-/// Values of the setting `name`; empty if it takes numbers.
+/// Values of a setting; empty if it takes numbers.
 std::vector<std::string> allowed_words(std::string_view name);
-/// Sets all that depends on the scene, such as walls, cut and formula. Throws UsageError if the drawing does not fit.
+/// Sets all that depends on the scene, such as the cut. Throws UsageError if the drawing does not fit.
 void apply_scene(Drawing& drawing, const SceneFile& scene);
 /// Adds file, line and column to an engine error.
 SceneError locate(const SceneFile& scene, const SceneError& error);
 /// TOML with all defaults, current history and drawing; gives the same scene when read from `folder`.
 std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder);
-/// Removes all keys of [render] but `frames`. Throws SceneError for invalid TOML.
+/// Keeps only `frames` of [render]. Throws SceneError for invalid TOML.
 std::string without_drawing(const std::string& scene);
 
 }  // namespace taut::cli

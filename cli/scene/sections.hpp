@@ -41,7 +41,7 @@ double changed_number(std::string_view name, const std::string& text, const Name
 /// Throws UsageError unless finite and within the bounds of the key.
 double changed_number(const KeyInfo& key, const std::string& text, const Names& names);
 
-/// Makes the parameters known to `root`; without `dp`, only those that do not depend on dp.
+/// Makes the parameters known to `root`; without `dp`, only those independent of dp.
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file);
 /// Parameters that depend on dp, and `dp` itself.
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
@@ -58,9 +58,9 @@ void read_probes(TomlCursor& root, Scene& scene);
 void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
-/// Makes the paths of tables and shape files relative to `folder`.
+/// For tables and shape files.
 void make_paths_relative(const std::filesystem::path& folder, TomlValue& scene);
-/// Finds the file named by the key `file` in `folder` or a scene folder, and replaces the key. `what` is for messages.
+/// Finds the file of the key `file` in `folder` or a scene folder; rewrites the key. `what` is for messages.
 std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
                                  std::string_view what);
 /// Requires the scene's bodies.
@@ -110,7 +110,7 @@ std::span<const ShapeKind> shape_kinds();
 
 /// One table or an array.
 std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, const ShapeSetting& setting);
-/// Reads `rotate`: degrees (2D), or { angle, about, axis }; the default of `about` is `middle`.
+/// Reads degrees (2D), or { angle, about, axis }; default: about `middle`.
 std::optional<Rotation> read_rotation(TomlCursor& cursor, int dim, const Point& middle);
 
 /// Throws SceneError for names too long for expressions.
@@ -118,7 +118,7 @@ void check_name_length(const TomlCursor& table, FilePlace place, std::string_vie
                        const std::string& name);
 /// Throws SceneError for invalid and reserved names.
 void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind);
-/// Reads `name`: letters, digits, '_' and '-', and not one of `taken`.
+/// Reads `name`: letters, digits, '_' and '-'; not in `taken`.
 std::string label(TomlCursor& entry, const std::vector<std::string>& taken);
 /// Adds c0, E, nu, rho, K and G.
 void add_names(Names& names, const Material& material);
@@ -174,7 +174,7 @@ std::vector<std::string> names_of(const Items& items) {
   return names;
 }
 
-/// Returns the number of items if `name` is not found.
+/// Returns items.size() if not found.
 template <class Items>
 std::size_t index_of(const Items& items, std::string_view name) {
   std::size_t i = 0;

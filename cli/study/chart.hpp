@@ -34,7 +34,7 @@ struct ChartRequest {
 struct ChartPoint {
   double spacing = 0;  // m
   std::optional<double> error;
-  bool measured = true;  // has a value, with or without an error
+  bool measured = true;  // has a value, perhaps without an error
   double cost = 0;       // s or particle-steps; 0: unknown
   std::string verdict{}, folder{};
   std::string cfl{}, stepping{};  // empty: unknown

@@ -28,7 +28,7 @@ NameList methods_in(const StoredResults& results) {
   return names;
 }
 
-/// For each swept scene, the finest stable run of `method` with a value; at a tie, the run with most steps.
+/// The finest stable run with a value, for each swept scene; at a tie, the run with most steps.
 ChartErrors against_finest(const StoredResults& results, const std::string& method,
                            const std::string& measure) {
   ChartErrors errors{measure, {}, names_of_scene(results.runs)};

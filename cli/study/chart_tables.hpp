@@ -6,7 +6,6 @@
 
 namespace taut::cli {
 
-/// Includes the number of unstable runs.
 std::string orders_table(const Chart& chart);
 /// Errors by series and spacing.
 std::string markdown(const Chart& chart);

@@ -14,12 +14,12 @@ struct ChoiceLimits {
   std::optional<double> seconds;  // maximum solving time
 };
 
-/// A stable run with an error, where all finer runs of its series are stable too. They confirm its accuracy.
+/// A stable run. All finer runs of its series are stable too and confirm its accuracy.
 struct Offer {
   const ChartSeries* series;
   const ChartPoint* point;
-  double error = 0;  // greatest error of this run and the finer ones
-  int finer = 0;     // number of finer runs
+  double error = 0;  // greatest of this and the finer runs
+  int finer = 0;     // runs
 };
 
 /// Sorted by cost.

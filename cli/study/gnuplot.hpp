@@ -50,7 +50,7 @@ double text_width(std::string_view text, double size);
 double text_width(const std::vector<std::string>& texts, double size);
 /// Width in pixels, with line samples.
 double legend_width(const std::vector<std::string>& names);
-/// Right edge of the plot beside a legend, as a share of the width.
+/// Right edge of the plot, as a share of the width.
 double right_margin(const std::vector<std::string>& names);
 
 /// Writes data and script, then runs gnuplot; returns the exit code. Throws OutputError if gnuplot is missing

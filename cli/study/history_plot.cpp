@@ -53,7 +53,7 @@ void tell_apart(HistoryPlot& plot, const std::vector<StoredRun>& runs) {
           ", " + std::filesystem::absolute(runs[k].folder() + "/").parent_path().filename().string();
 }
 
-/// Sorts by the swept number if there is only one. The shell sorts `DIR/*` by folder name.
+/// Sorts by a single swept number; the shell sorts `DIR/*` by folder name.
 void put_in_order(HistoryPlot& plot) {
   const auto number = [](const HistoryPlot::Curve& curve) {
     return parsed<double>(curve.name.substr(curve.name.rfind('=') + 1));

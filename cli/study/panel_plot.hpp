@@ -48,12 +48,12 @@ struct PanelPlot {
 /// The legend is right of the panels, in a narrow picture above them.
 std::string panel_script(const PanelPlot& plot, const PlotFiles& files, const PlotLook& look);
 
-/// Factor of the numbers on an axis, and label such as "deflection, mm".
+/// Factor of an axis, and its label: "deflection, mm".
 struct AxisScale {
   double factor = 1;
   std::string label;
 };
-/// Chooses an SI prefix as in frames, and no factor for numbers without a unit on a logarithmic axis.
+/// SI prefix as in frames; none for numbers without a unit on a logarithmic axis.
 AxisScale axis_scale(const std::string& name, const std::string& unit, double greatest, bool is_log);
 /// Ticks at 1, 2 and 5 of each decade, in long ranges at powers of ten.
 std::string log_ticks(double low, double high, std::string (*show)(double));

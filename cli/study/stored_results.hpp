@@ -67,7 +67,7 @@ void keep_methods(StoredResults& results, const std::vector<std::string>& method
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x);
 /// Settings of the scene, not of its simulation: "v0", "until", "law".
 std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs);
-/// Value of a setting, set or default; "" if unknown.
+/// Value, set or default; "" if unknown.
 std::string value_of(const StoredRun& run, const std::string& name);
 struct ResultColumn {
   std::string name;       // "deflection", "deflection.error", "v0"

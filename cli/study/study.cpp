@@ -55,7 +55,7 @@ void check_name(const std::filesystem::path& file, std::string_view kind, const 
                    unknown_name(kind, name, {known.begin(), known.end()}));
 }
 
-/// Throws unless the map names a swept parameter, or only one is swept.
+/// Requires a swept parameter, by name if there are several.
 void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& file, AvailableData available) {
   const std::string& wanted = map.request.parameter;
   for (auto* names : {&available.swept, &available.varied}) std::erase(*names, "method");

@@ -40,7 +40,7 @@ struct StudyPictures {
 /// Throws SceneError.
 StudyPictures read_pictures(TomlCursor& root);
 
-/// Names that are known before the runs start.
+/// Names known before the runs start.
 struct AvailableData {
   std::set<std::string> measures;
   std::set<std::string> referenced;   // with a reference in some run

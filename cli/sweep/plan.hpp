@@ -28,7 +28,6 @@ struct RepeatedCost {
   double spread = 0;        // range over median
 };
 
-/// A validated run.
 struct SweepRun {
   int index = 0;
   GridRow settings;  // swept ones, as in the grid
@@ -47,7 +46,7 @@ struct SweepRun {
   std::vector<SweepRun*> all();
   std::optional<RepeatedCost> cost() const;
   void read_folder();
-  /// Resets the state to that of an empty folder.
+  /// Resets the state, as for an empty folder.
   void forget();
 };
 

@@ -91,7 +91,7 @@ int give_up(int descriptor, int error) {
 }
 
 /// Creates and locks a new file. Replaces a link or the file of a killed program; waits for other writers.
-/// On failure returns −1 and sets errno, to EWOULDBLOCK if another process keeps the lock.
+/// On failure returns −1 with errno, EWOULDBLOCK if another process keeps the lock.
 int open_new(const std::string& path) {
   constexpr int most = 1000;
   for (int k = 0; k < most; ++k) {
@@ -283,7 +283,6 @@ AppendFile::~AppendFile() { ::close(descriptor_); }
 void AppendFile::append(std::string_view line) {
   const std::string text = std::string(line) + '\n';
   if (const int error = write_all(descriptor_, text)) {
-    // removes the partial line
     if (::ftruncate(descriptor_, length_) != 0) fail(path_, error);
     fail(path_, error);
   }

@@ -108,7 +108,7 @@ void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResu
   }
 }
 
-/// A new folder for the unfinished file, where no foreign link can redirect the program. Requires the FileLock of `file`.
+/// A new folder: no foreign link can redirect the program there. Requires the FileLock of `file`.
 class Workplace {
  public:
   explicit Workplace(const fs::path& file)

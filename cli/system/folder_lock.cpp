@@ -54,7 +54,7 @@ bool knows_no_locks(int error) {
 struct Holder {
   std::string command, process, host, since;
 
-  /// True if the holder has ended; then only a dying child still has the lock.
+  /// If so, only a dying child still holds the lock.
   bool has_ended() const {
     pid_t id = 0;
     std::from_chars(process.data(), process.data() + process.size(), id);

@@ -13,9 +13,9 @@ namespace taut::cli {
 class FolderLock {
  public:
   enum class Of {
-    run,            // excludes all writers; the lock file is removed at the end
-    sweep,          // excludes all writers, also of parts; the lock file stays
-    part_of_sweep,  // excludes writers of the whole sweep; the lock file stays
+    run,            // excludes all writers; the file is removed
+    sweep,          // excludes all writers, also of parts; the file stays
+    part_of_sweep,  // excludes writers of the whole sweep; the file stays
   };
 
   /// Creates a missing folder. The lock file contains `command`. Throws UsageError if another process holds

@@ -23,7 +23,7 @@ class Interrupts {
     ExitOnSignal& operator=(const ExitOnSignal&) = delete;
   };
 
-  /// Keeps its value, like `must_end`, until the next object is constructed, so that no signal is missed.
+  /// Like `must_end`, keeps its value until the next object is constructed: no signal is missed.
   static bool interrupted() { return flag() != 0; }
   /// SIGTERM or SIGHUP: the program must end, not only the command.
   static bool must_end();

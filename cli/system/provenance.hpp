@@ -16,8 +16,8 @@ struct FileFormat {
   int number;
 };
 
-/// Raise a number if old readers would misread the format; that of checkpoint.bin also if a `serialize` function
-/// or the result of a step changes in any bit.
+/// Raise a number if old readers would misread the format; for checkpoint.bin also if a `serialize` function or the
+/// result of a step changes.
 inline constexpr std::array<FileFormat, 7> file_formats{{{"run.json", 1},
                                                          {"results.json", 1},
                                                          {"results.csv", 1},
