@@ -20,7 +20,7 @@ missing_packages() {
 
 install_packages() {
   if ! command -v dpkg-query >/dev/null; then
-    echo "This is not a Debian: what is needed is expected to be there (in Debian's names: $*)."
+    echo "This system is not Debian, so no packages are installed. The build needs (names of Debian): $*"
     return
   fi
   local missing
@@ -31,7 +31,7 @@ install_packages() {
   if ((EUID != 0)); then
     command -v sudo >/dev/null || fail "apt-get needs root, and there is no sudo. As root, run
   apt-get update && apt-get install -y --no-install-recommends ${missing[*]}
-and then this again."
+and then run this script again."
     apt=(sudo "${apt[@]}")
   fi
   local install=("${apt[@]}" install -y --no-install-recommends "${missing[@]}")

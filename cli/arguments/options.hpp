@@ -24,7 +24,6 @@ class Option {
   Option& check(std::string (*check)(const std::string& value));
   /// Takes one value per occurrence of the option.
   Option& one_word_each();
-  /// Splits the text of the option at commas.
   Option& comma_separated();
   Option& excludes(const Option& other);
   Option& needs(const Option& other);

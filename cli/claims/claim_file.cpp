@@ -103,11 +103,11 @@ Claim read_claim(TomlCursor& cursor, const fs::path& file) {
     cursor.fail(cursor.table().place, key, fmt::format("the claim {} {}", claim.key, message));
   };
   if (claim.state != ClaimState::holds && claim.reason.empty())
-    refuse("reason", "does not hold or holds in part and needs a reason");
+    refuse("reason", fmt::format("has the state '{}' and needs a reason", name(claim.state)));
   if (claim.state == ClaimState::holds && !claim.reason.empty())
-    refuse("reason", "holds; leave its reason out, or write it into 'looser'");
+    refuse("reason", "has the state 'holds' and needs no reason; remove it, or write it into 'looser'");
   if (claim.state == ClaimState::in_part && claim.part.empty())
-    refuse("part", "holds in part and needs the criterion 'part'");
+    refuse("part", "has the state 'in part' and needs the criterion 'part'");
   cursor.refuse_unknown_keys();
   return claim;
 }

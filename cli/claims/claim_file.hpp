@@ -10,7 +10,6 @@
 namespace taut::cli {
 
 enum class ClaimState { holds, in_part, does_not_hold };
-/// Text of a state, such as "in part".
 std::string_view name(ClaimState);
 
 struct ClaimRun {
@@ -18,7 +17,6 @@ struct ClaimRun {
   std::vector<Setting> settings;  // of the run, including those of the claim
 };
 
-/// A statement of a paper and its test.
 struct Claim {
   std::filesystem::path file;
   std::string paper, key;         // "Zhang2024", "fig-3a"
@@ -33,7 +31,7 @@ struct Claim {
   std::string reason;    // why the state is not `holds`
   std::string last_run;  // date, may have a remark
 
-  /// Full name, such as "Zhang2024.fig-3a".
+  /// "Zhang2024.fig-3a".
   std::string name() const { return paper + "." + key; }
 };
 

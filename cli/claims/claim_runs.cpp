@@ -33,7 +33,6 @@ const SweepRun& run_named(const PlannedClaim& planned, const std::string& name) 
   return planned.plan.runs[static_cast<std::size_t>(found - planned.claim->runs.begin())];
 }
 
-/// As computed by `taut critical-step`.
 QuantityValue critical_step(const Claim& claim, const SweepRun& run) {
   SceneFile file = read_scene(claim.scene, run.settings);
   file.settings.threads = 1;

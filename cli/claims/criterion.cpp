@@ -63,8 +63,7 @@ QuantityValue value_of_history(const std::string& folder, const std::string& kin
                                const std::string& column) {
   const CsvTable table = read_csv(folder + "/history.csv");
   const auto found = std::ranges::find(table.columns, column);
-  if (found == table.columns.end())
-    throw UsageError(unknown_name("column of history.csv", column, table.columns));
+  if (found == table.columns.end()) throw UsageError(unknown_name("history column", column, table.columns));
   std::vector<double> values;
   for (const auto& row : table.rows)
     values.push_back(parsed<double>(row[static_cast<std::size_t>(found - table.columns.begin())])

@@ -129,7 +129,7 @@ Completion complete_name(std::span<const Command> commands) {
   return completion;
 }
 
-/// Bash could execute other completions.
+/// Bash could execute words with other characters.
 bool is_plain(const std::string& word) {
   return std::ranges::none_of(word, [](unsigned char c) {
     return c <= ' ' ||

@@ -10,7 +10,7 @@ namespace taut::cli {
 
 struct Completion {
   struct Word {
-    std::string text;  // whole word; after '=' a value follows
+    std::string text;  // whole word; ends with '=' if a value must follow
     std::string help;
   };
   std::vector<Word> words;

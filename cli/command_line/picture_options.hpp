@@ -27,7 +27,7 @@ struct PictureOptions {
 inline void declare_measure(Options& command, std::string& measure) {
   command.add("--measure", "MEASURE", measure,
               "measure whose error is used; default: the measure that has an error in most runs, "
-              "but names that end in _time and errors with a unit only if there is no other");
+              "and neither a name that ends in _time nor an error with a unit, if possible");
 }
 
 }  // namespace taut::cli

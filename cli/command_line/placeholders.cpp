@@ -100,7 +100,7 @@ const Placeholder* find_placeholder(std::string_view name) {
   return found == std::end(table) ? nullptr : found;
 }
 
-/// Empty for other placeholders.
+/// Words of a drawing key, or empty.
 Words drawing_names(std::string_view placeholder) {
   const auto keys = drawing_keys();
   const auto key = std::ranges::find_if(keys, [placeholder](const DrawingKey& each) {

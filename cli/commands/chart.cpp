@@ -40,7 +40,8 @@ std::function<int(Streams)> declare_chart(Options& command) {
   options->declare(command, "chart.png|chart.svg|chart.pdf", /*needed=*/false);
   declare_measure(command, options->request.measure);
   command.add("--cost", join(cost_names(), "|"), options->cost,
-              "x axis: CPU or wall seconds of solving, or steps (particles × time steps); seconds is wall; "
+              "x axis: cpu or wall, the time to solve in s, or steps, particles × time steps; "
+              "seconds is the earlier name of wall; "
               "default: cpu");
   command.add("--methods", "METHOD,...", options->request.methods, "methods to draw; default: all")
       .comma_separated();

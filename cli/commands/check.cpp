@@ -33,7 +33,7 @@ std::vector<Finding> findings(const CheckArguments& o, const StoredRun& run) {
           fmt::format("the baseline '{}' is a run that has not finished; give a finished one", o.baseline));
     if (baseline.record.scene != run.record.scene)
       throw UsageError(fmt::format(
-          "the baseline is a run of scene '{}', the run is of scene '{}'; both must be of one scene",
+          "the baseline has the scene '{}', but the run has the scene '{}'; the scenes must be the same",
           baseline.record.scene, run.record.scene));
     for (const Expectation& e : expectations_of(baseline, *tolerance)) expected.push_back(e);
     if (o.verdict.empty()) all.push_back(check_verdict(run, baseline.verdict()));
@@ -93,7 +93,8 @@ std::function<int(Streams)> declare_check(Options& command) {
               "NAME can also be a number in run.json, such as conservation.energy<1e-3");
   command.add("--baseline", "FILE", options->baseline,
               "folder or run.json of another run, whose measures and verdict are expected");
-  command.add("--tolerance", "X", options->tolerance, "for measures without a tolerance, and for --baseline");
+  command.add("--tolerance", "X", options->tolerance,
+              "tolerance of measures that are given without one, and of --baseline");
   command.add("--verdict", "stable|VERDICT", options->verdict,
               "the worst verdict that is allowed, such as stable");
   options->declare_json(command);

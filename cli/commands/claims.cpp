@@ -43,7 +43,7 @@ Claims all_of(const std::vector<Paper>& papers) {
   return all;
 }
 
-/// `given` may lack the paper's key.
+/// `given`: PAPER.KEY, or with `paper` only KEY.
 const Claim* find_claim(const Claims& among, const std::string& given, const std::string& paper) {
   const auto found = std::ranges::find_if(among, [&](const Claim* claim) {
     return claim->name() == given || (!paper.empty() && claim->key == given);

@@ -96,7 +96,7 @@ std::vector<std::string> kinds() {
 const Listing& find_listing(const std::string& kind) {
   const auto* found = std::ranges::find(listings, kind, &Listing::kind);
   if (found != std::end(listings)) return *found;
-  throw UsageError(unknown_name("list of", kind, kinds()));
+  throw UsageError(unknown_name("kind", kind, kinds()));
 }
 
 int list_kinds(std::ostream& out) {

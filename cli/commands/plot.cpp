@@ -204,7 +204,7 @@ int plot_histories(const PlotArguments& options, StoredResults results, const Pl
   return draw_history(plot, files, streams, look);
 }
 
-/// Adds units and titles of the scene files. Ignores runs without one.
+/// Adds units and titles of the scene files. Ignores runs without a scene file.
 void add_units(StoredResults& results) {
   std::vector<SceneFile> scenes;
   try {

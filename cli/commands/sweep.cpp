@@ -71,7 +71,7 @@ int number_of_jobs(const SweepPlan& plan, const SweepOptions& o) {
   if (costs && o.jobs > most)
     throw UsageError(
         fmt::format("--jobs is {}; a sweep with repetitions measures costs, so at most {} are allowed: "
-                    "one per physical core and thread",
+                    "physical cores divided by --threads",
                     *o.jobs, most));
   return o.jobs.value_or(most);
 }
@@ -82,7 +82,7 @@ std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o, std::
   for (SweepRun& of_row : plan.runs)
     for (SweepRun* run : of_row.all()) {
       if (o.index && run->index != *o.index) continue;
-      run->read_folder();  // may have changed before the lock
+      run->read_folder();  // another process may have changed it before the lock
       if (run->state == SweepRunState::damaged)
         err << "taut: run " << run->index << " (" << text_of(run->settings)
             << "): " << RunFolder(*run->options.out).record().string()

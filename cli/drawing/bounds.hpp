@@ -21,14 +21,14 @@ class SequenceBounds {
   void add_positions(std::span<const double> x, int dim, double diameter);
   void add(const FrameView& particles);
 
-  /// Range without at most 1 % of the values beyond `round_off` at each end, unless including them widens it
-  /// by less than a quarter. Never empty; symmetric about `middle`.
+  /// Leaves out at each end at most 1 % of the values beyond `round_off`, unless they would widen the range by less
+  /// than a quarter. Never empty; symmetric about `middle`.
   render::Range range(std::optional<double> middle, double round_off = 0) const;
   /// Includes a margin of 5 % of the longer side.
   render::View view() const;
   /// View centred at the origin (the followed body's centre of mass), 1.5 times as large.
   render::View view_about_origin() const;
-  /// Contains everything from all directions.
+  /// Shows everything from all directions.
   struct Orbit {
     render::View view;  // centred at the origin
     render::Vector middle;

@@ -33,17 +33,17 @@ struct ColorFormula {
                              std::span<const double> x, std::span<const double> x0, double time) const;
 };
 
-/// Open members default to viridis, or a diverging map for signed fields, and to everything shown. A 3D scene has a
-/// camera instead of a view.
+/// `fitted` sets open members: viridis, or a diverging map for signed fields; range and view of everything shown. In
+/// 3D, a camera replaces the view.
 struct Drawing {
   const Field* field = find_field("von_mises");  // without a `formula`
   render::Look look{};
   int frames = 60;               // after t = 0, evenly spaced
   std::optional<Style> style{};  // default: discs in 2D, spheres in 3D
-  std::string cut{};             // expression; nonzero at the start hides a particle
+  std::string cut{};             // expression; hides particles whose initial position makes it nonzero
   std::string follow{};          // body that stays in the middle
 
-  std::optional<std::string> title{};   // default: of the scene; empty: none
+  std::optional<std::string> title{};   // default: the scene's; empty: none
   std::optional<double> font_points{};  // default: by the size, or print_font
   std::optional<double> dpi{};          // default: screen_dpi or print_dpi
   std::string print_width{};            // "85mm", or empty
@@ -59,7 +59,7 @@ struct Drawing {
   ColorFormula of_formula{};
 };
 
-/// Pixels, if given.
+/// `print_width` in pixels, if given.
 std::optional<double> pixels_on_paper(const Drawing& drawing);
 /// Applies font size and width on paper, keeping the proportions. An open size stays open.
 Drawing sized(Drawing drawing);

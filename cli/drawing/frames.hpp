@@ -116,7 +116,6 @@ class Frames {
   int drawn_ = 0;  // including frames being drawn
   std::atomic<int> written_ = 0;
   std::atomic<double> drawing_time_ = 0, writing_time_ = 0;  // s, not yet in `seconds_`
-  /// One per thread.
   std::vector<std::optional<render::Renderer>> renderers_;
   OrderedWork work_;  // last, because its threads use the others
 };

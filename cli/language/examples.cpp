@@ -94,7 +94,7 @@ unit = "m"
 name = "touch_time"
 of = "first_below"
 probe = "gap"
-threshold = "touching"                  # the gap of bodies in touch
+threshold = "touching"                  # the gap below which bodies touch
 unit = "s"
 
 [[measure]]

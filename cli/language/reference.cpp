@@ -245,7 +245,7 @@ const Texts claim_rules{
         "A criterion is an expression, as in scenes, of quantities of the runs. "
         "Verdicts are compared with their names, from best to worst: {}. "
         "`RUN.since.VERDICT` is the time in s at which a failure began; it is infinite if it never began. "
-        "A measure without value is a disagreement.",
+        "A measure without a value counts as a disagreement.",
         join(names_of_verdicts())),
     "A claim holds if its criterion is true, holds in part if only `part` is true, and otherwise does not hold. "
     "`taut claims --run` compares this with the recorded state."};

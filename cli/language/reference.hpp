@@ -7,10 +7,9 @@
 #include <string_view>
 #include <vector>
 
-/// Generated from the tables of the readers.
+/// Reference pages, generated from the tables of the readers.
 namespace taut::cli {
 
-/// A section, list, shape or the like.
 struct Topic {
   std::string name;
   std::string header;  // "[[body]]"
@@ -28,7 +27,7 @@ LanguageFile scene_language();
 LanguageFile sweep_language();
 LanguageFile claim_language();
 
-/// Topics called `name`; keys only if nothing else has this name. Several if a probe and a measure share it.
+/// Topics called `name`; keys only if nothing else has this name. Several if a probe and a measure share the name.
 std::vector<Topic> find_topics(std::string_view name);
 /// Excludes keys.
 std::vector<std::string> topic_names();

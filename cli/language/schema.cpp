@@ -162,7 +162,7 @@ std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo>
   return sets;
 }
 
-/// One set from each group.
+/// All combinations of one set per group.
 std::vector<Keys> choices(std::span<const KeyInfo> keys) {
   std::vector<Keys> all;
   Keys known;

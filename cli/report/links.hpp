@@ -5,10 +5,9 @@
 
 namespace taut::cli {
 
-/// Addresses of files on a page.
 class Links {
  public:
-  /// `page`: its folder. With `embed`, pictures become data URIs.
+  /// `page`: folder of the page. With `embed`, pictures become data URIs.
   Links(const std::filesystem::path& page, bool embed);
 
   bool embeds() const { return embed_; }

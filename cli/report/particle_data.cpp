@@ -44,7 +44,6 @@ struct Box {
   }
 };
 
-/// As in the frames of the run.
 render::Rgb color_of(double value, const render::Look& look) {
   if (!look.categories.empty()) return render::category_color(static_cast<std::size_t>(value));
   if (!std::isfinite(value)) return render::not_a_number_color;

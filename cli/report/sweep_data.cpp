@@ -14,7 +14,6 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-/// In the order of first appearance.
 std::vector<std::string> columns_of(const StoredResults& results) {
   std::vector<std::string> columns;
   std::set<std::string> seen;

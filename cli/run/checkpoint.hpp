@@ -14,7 +14,7 @@ namespace taut::cli {
 struct Checkpoint {
   std::string method;
   std::string scene;                        // text of scene.toml
-  std::vector<std::string> fields;          // none: not saved
+  std::vector<std::string> fields;          // empty: no particles are saved
   std::optional<double> requested_spacing;  // m
   double every = 0;                         // simulated interval, s; 0: only when interrupted
   bool draws = true;

@@ -55,7 +55,7 @@ void refuse_missing(int number, const Name& name) {
           name(k).string()));
 }
 
-/// Throws before the older run is touched.
+/// Throws before files of the older run change.
 void check_writable(const fs::path& folder) {
   if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0 && errno != ENOENT)
     throw OutputError(folder.string(), fmt::format("cannot be written: {}", std::strerror(errno)));

@@ -15,7 +15,7 @@ namespace taut::cli {
 /// Output folder of a run; files: cli/COMMANDS.md.
 class RunFolder {
  public:
-  /// `named`: by the user, so it may be a link.
+  /// `named`: the user named the folder, which may then be a link.
   explicit RunFolder(std::filesystem::path path, bool named = true) : path_(std::move(path)), named_(named) {}
 
   /// Throws UsageError for files that are not from a run.
@@ -58,9 +58,9 @@ class RunFolder {
   bool named_;
 };
 
-/// Run folder that contains `path`; to be locked before `path` is written.
+/// Run folder that contains `path`; lock it before `path` is written.
 std::optional<std::filesystem::path> run_around(const std::filesystem::path& path);
-/// Returns nullptr outside run folders. Throws like FolderLock.
+/// Locks this folder; nullptr outside run folders. Throws like FolderLock.
 std::unique_ptr<const FolderLock> lock_around(const std::filesystem::path& path, std::string_view command);
 
 }  // namespace taut::cli

@@ -38,7 +38,7 @@ class History {
 
   /// Step of the last row, or −1.
   long last_step() const { return last_step_; }
-  /// Ignores a step that has a row.
+  /// Does nothing for a step that has a row.
   void add(const Simulation& simulation, const Balance& balance, int pieces, const Readings& readings);
 
   template <class Archive>
@@ -54,7 +54,7 @@ class History {
   AppendFile file_;
   SavedLength saved_;
   int dim_;
-  bool works_, damps_;  // of external forces; of damping
+  bool works_, damps_;  // has the column `work`; `damped`
   long last_step_ = -1;
 };
 

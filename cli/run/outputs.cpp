@@ -26,10 +26,10 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// Parts of `until` after which a run is judged; history rows have their own times.
+/// A run is judged after each of these parts of `until`; history rows have their own times.
 constexpr int judged_parts = 200;
 
-/// history.csv, drift, verdict and indicators, which rows between judgements repeat.
+/// Writes history.csv; updates drift, verdict and indicators. Rows between judgements repeat the indicators.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
@@ -193,7 +193,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
         frames_(*plan.drawing, origins_of(simulation.snapshot()), plan.folder.frames(),
                 {plan.file.scene.title, result.record.method, result.record.until}, simulation.threads(),
                 result.record.seconds) {
-    // earlier frames may have shown particles
+    // frames before a restart may have shown particles
     if (!plan.drawing->followed && !plan.state) unseen_ = plan.drawing->look.view;
   }
 
@@ -220,7 +220,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
     frames_.finish();
     const int count = frames_.kept();
     if (count == 0) return true;
-    // also after an interrupt
+    // frames of an interrupted run are drawn, too
     const bool interrupted_before = interrupts.interrupted();
     progress.begin(fmt::format("drawing {} frames", count));
     const bool all = frames_.draw_kept([&](int drawn) {
@@ -300,7 +300,7 @@ const Snapshot& LastStep::at(double t) {
 std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
                                                      LastStep& last_step, RunResult& result) {
   std::vector<std::unique_ptr<RunOutput>> all;
-  // it detects divergence, and diverged states are not output
+  // first, since it detects divergence: other outputs skip diverged states
   all.push_back(std::make_unique<HistoryOutput>(plan, simulation, result));
   all.push_back(std::make_unique<MeasuresOutput>(plan, simulation, last_step, result));
   if (plan.drawing) all.push_back(std::make_unique<FramesOutput>(plan, simulation, last_step, result));

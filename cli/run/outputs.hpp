@@ -10,7 +10,7 @@
 
 namespace taut::cli {
 
-/// State within the last step; the simulation is unaffected.
+/// Interpolates states within the last step; the simulation is unaffected.
 class LastStep {
  public:
   explicit LastStep(const Simulation& simulation) : simulation_(simulation) {}
@@ -24,7 +24,7 @@ class LastStep {
   Snapshot before_, shown_;
 };
 
-/// An output without effect on the steps. Writing throws OutputError.
+/// An output does not affect the steps. Writing throws OutputError.
 class RunOutput {
  public:
   virtual ~RunOutput() = default;
@@ -34,7 +34,7 @@ class RunOutput {
 
   /// Called after the run has claimed its folder.
   virtual void open(AppendFile::Start) {}
-  /// Next time, s, or infinity.
+  /// Time of the next output in s, or infinity.
   virtual double next() const = 0;
   /// False: takes the first step at or after each time.
   virtual bool needs_exact_time() const { return true; }
@@ -58,8 +58,8 @@ class RunOutput {
   virtual void discard_newer() {}
 };
 
-/// Creates outputs in the order in which they take a state; they write to `result`. Throws SceneError for a
-/// line that leaves its body.
+/// Creates the outputs in the order in which they process a state; they write to `result`. Throws SceneError for
+/// a line that leaves its body.
 std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
                                                      LastStep& last_step, RunResult& result);
 

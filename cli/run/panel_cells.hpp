@@ -12,7 +12,7 @@ struct PanelCell {
   std::string remark;  // in the corner, or centred without particles
 };
 
-/// Saved particles nearest to `time`, s; none after the run. The remark contains another time.
+/// Particles saved nearest to `time` [s]; none after the run. The remark shows another time, or the end of the run.
 PanelCell cell_at(const SavedRun& run, double time, double until, const Drawing& drawing,
                   const Origins& origins);
 

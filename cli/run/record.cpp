@@ -20,7 +20,7 @@ constexpr std::pair<std::string_view, Status> statuses[] = {{"running", Status::
                                                             {"interrupted", Status::interrupted},
                                                             {"failed", Status::failed}};
 
-// `members`: keys of an object.
+// `members` lists the keys of an object.
 
 template <class T, class Of>
 concept is_of = std::same_as<std::remove_const_t<T>, Of>;
@@ -202,7 +202,7 @@ constexpr RecordField field(std::string_view key, Place place = Place::everywher
           [](const JsonCursor& json, RunRecord& record) { read(json, record.*member); }, place};
 }
 
-/// In reading order; each row has a member of RunRecord.
+/// In the order of run.json.
 constexpr RecordField fields[] = {
     field<&RunRecord::version>("taut", Place::run_json),
     {"format", [](const RunRecord&) { return Json(format_of("run.json")); },

@@ -28,7 +28,7 @@ struct RunRecord {
 
   std::string version{build_info.version};  // of taut
   std::string scene, method, material_law;
-  std::string remark;                  // about the scene, mostly empty
+  std::string remark;                  // about the scene
   std::optional<std::string> contact;  // if there are several bodies or walls
   std::string stepping;                // "dual" or "single"
   double cfl = 0;                      // factor of the time step
@@ -44,29 +44,29 @@ struct RunRecord {
   std::string reason;  // of a failure
   long steps = 0;
   int threads = 1;
-  std::string machine;  // processor, for `seconds`
+  std::string machine;  // processor
   Seconds seconds;
   std::optional<Verdict> verdict = Verdict::stable;
-  std::map<Verdict, double> since;  // s
+  std::map<Verdict, double> since;  // start of each verdict, s
   BeyondLaw beyond_law;
   Excess energy_gain, turn;
   int pieces = 0;
   std::array<IndicatorRecord, indicators.size()> indicator;
-  std::string patch_body;           // body of the worst patch; empty: a body is worse
+  std::string patch_body;           // body of the worst patch; empty: a whole body is worse
   std::vector<double> patch_place;  // initial middle of the patch, m
   Conservation conservation;
   std::vector<MeasureResult> measures;
-  std::optional<double> other_load;  // cores used by others; see Provenance
+  std::optional<double> other_load;  // cores used by other processes; see Provenance
   Provenance provenance;
 
   const MeasureResult* find_measure(std::string_view name) const;
-  /// Empty for other names.
+  /// Empty for an unknown name.
   const MeasureResult& measure(std::string_view name) const;
   /// Particles × steps / solve, 1/s.
   std::optional<double> particle_steps_per_second() const;
 };
 
-/// Does not change the verdict.
+/// A warning does not change the verdict.
 struct RunWarning {
   std::string key;   // in run.json
   std::string text;  // "gains energy since t = 0.1 s: …"
@@ -75,7 +75,7 @@ struct RunWarning {
 /// Energy changes of more than a tenth, and "turns by itself".
 std::vector<RunWarning> warnings(const RunRecord& record);
 
-/// Explains an energy drift from 1 %; else empty.
+/// Explains an energy drift of 1 % or more; else empty.
 std::string energy_note(const RunRecord& record);
 
 /// A key of run.json, results.json and results.csv.
@@ -84,7 +84,7 @@ struct RecordField {
     everywhere,
     everywhere_if_known,  // omitted if null or empty
     last_in_results,      // varies between repetitions
-    results,              // last, omitted if null
+    results,              // only in results, last, omitted if null
     run_json,
   };
   std::string_view key;
@@ -100,12 +100,12 @@ Json to_results(const RunRecord& record);
 /// Missing keys give empty members. Throws UsageError, with file and key, for an invalid record.
 RunRecord record_from(const JsonCursor& json);
 
-/// run.json with all its text.
+/// With all keys of run.json.
 struct StoredRecord : RunRecord {
   Json all;
 };
 
-/// Run time, s; 0 if unknown. For a continued run, of the last part or of all steps.
+/// Run time in s, or 0. After --resume: wall time of the last part, or solving time of all parts if longer.
 double seconds_taken(const StoredRecord& record);
 
 /// Returns nullopt without a file. Throws like record_from.

@@ -10,7 +10,7 @@ namespace taut::cli {
 
 std::string run_report(const RunPlan& plan, const RunResult& result);
 
-/// `fail_on`: mildest failing verdict; default: divergence.
+/// `fail_on`: mildest verdict that fails; default: divergence.
 int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on = {});
 
 std::string describe_divergence(const NumericalError& error);

@@ -72,7 +72,7 @@ class Run {
   Pace pace_;
   Stopwatch since_saved_;
   double next_checkpoint_ = std::numeric_limits<double>::infinity();  // s
-  std::optional<std::string> final_state_;                            // before the final history row
+  std::optional<std::string> final_state_;                            // state before the final history row
 };
 
 Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Interrupts& interrupts,
@@ -90,7 +90,7 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Inte
 
 RunResult Run::execute() {
   if (!plan_.state) plan_.folder.claim(record_text());
-  if (plan_.state) resume_from(*plan_.state);  // may throw; changes nothing then
+  if (plan_.state) resume_from(*plan_.state);  // changes nothing if it throws
   try {
     if (!plan_.state) begin();
     simulate();
@@ -99,7 +99,7 @@ RunResult Run::execute() {
     put_on_disk();
     save(status == finished ? running : status);  // deferred frames are missing
     const bool all_done = complete();
-    put_on_disk();  // before run.json reports it
+    put_on_disk();  // before run.json reports the end
     const bool keeps = final_state_ && (plan_.keep_checkpoint || !all_done);
     if (keeps) write_checkpoint(*final_state_);
     save(status == finished && !all_done ? interrupted : status);
@@ -242,7 +242,7 @@ double Run::next_output() const {
   return next;
 }
 
-/// Next exact output time, s.
+/// Next time of an interpolated output, s.
 double Run::next_between_steps() const {
   double next = std::numeric_limits<double>::infinity();
   for (const auto& output : outputs_)
@@ -271,7 +271,7 @@ void Run::advance(double target) {
   }
 }
 
-/// Stores the state before a step with an output.
+/// Stores the state before a step that passes an output time.
 void Run::step_to(double target) {
   const auto advance = [&](double short_of) {
     const Timed timed(record_.seconds.solve);
@@ -312,7 +312,7 @@ void Run::write_record() const {
   write_atomically(plan_.folder.record(), record_text(), Durability::on_disk);
 }
 
-/// Tries everything, even with a full disk or without memory.
+/// Tries each part, even after failures such as a full disk.
 void Run::save_failure(const std::string& reason) {
   const auto tried = [](const auto& work) {
     try {

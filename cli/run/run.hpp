@@ -23,8 +23,8 @@ struct RunPlan {
   std::vector<const Field*> particle_fields;       // none: not saved
   std::vector<double> frame_times, history_times;  // s, sorted
   RunFolder folder{"."};
-  std::optional<double> checkpoint_every;  // simulated time, s; none: no checkpoints
-  bool keep_checkpoint = false;            // so that a later run can continue to a later `until`
+  std::optional<double> checkpoint_every;  // simulated time, s; none: only after an interrupt
+  bool keep_checkpoint = false;            // for continuing to a later `until`
   std::optional<std::string> state;        // bytes of a checkpoint; none: start at t = 0
   bool runs_on = false;                    // `state` has an earlier `until`
 

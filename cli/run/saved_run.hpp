@@ -16,7 +16,7 @@ struct SavedRun {
   RunFolder folder;
   SceneFile file;
   std::vector<ParticleFile> particles;
-  std::vector<int> numbers;  // from the names
+  std::vector<int> numbers;  // in the file names
 };
 
 /// Throws UsageError without a run or particles.

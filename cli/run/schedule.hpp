@@ -17,7 +17,7 @@ class Agenda {
 
   /// Next time that was not reached, or infinity.
   double next() const;
-  /// New times up to `now`.
+  /// Times up to `now` that were not returned before.
   std::span<const double> reached(double now);
   std::size_t done() const { return done_; }
   void skip_to(double now);

@@ -178,7 +178,7 @@ void read_mirror(TomlCursor& cursor, int dim, Body& body) {
   std::for_each(value.items.begin(), value.items.end(), add);
 }
 
-/// Round shapes on a hexagonal lattice are cut from it.
+/// On a hexagonal lattice, round shapes are cut from the lattice.
 Layers layers_of(TomlCursor& cursor, bool keeps_neighbors) {
   const TomlValue* lattice = cursor.find("lattice");
   if (lattice && lattice->text == name(Lattice::hexagonal)) return Layers::of_lattice;

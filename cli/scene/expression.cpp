@@ -33,7 +33,7 @@ struct Formula {
   }
 };
 
-// beyond muParser's limits it throws no std::exception
+// beyond these limits, muParser throws objects other than std::exception
 constexpr std::size_t longest_text = 20000, longest_name = 100;
 
 std::string in_quotes(const std::string& text) { return fmt::format("'{}'", shown(text)); }
@@ -244,7 +244,7 @@ std::set<std::string> names_in(const std::string& text) {
     parser.SetExpr(text);
     for (const auto& variable : parser.GetUsedVar()) names.insert(variable.first);
   } catch (const mu::ParserError&) {
-    // evaluation reports it
+    // evaluation reports the error
   } catch (const ExpressionError&) {
   }
   return names;

@@ -25,17 +25,17 @@ class ExpressionError : public std::runtime_error {
 /// The value need not be finite. `pi`, muParser's functions, comparisons, && and || are known.
 double evaluate(const std::string& text, const Names& names);
 
-/// Function of the position x, y, z. Thread-safe: copies share a state that one thread at a time evaluates.
+/// Function of the position x, y, z. Thread-safe: copies share one parser, which a mutex protects.
 Expression compile(const std::string& text, const Names& names);
-/// Function of time, s.
+/// Function of the time in s.
 std::function<double(double)> compile_of_time(const std::string& text, const Names& names);
 Solution compile_in_time(const std::string& text, const Names& names);
 
-/// Function of the values named `values` and of t. Names that are no identifiers cannot be used.
+/// Function of t and of numbers that have the names `values`. Names that are no identifiers cannot be used.
 std::function<double(const std::vector<double>&, double)> compile_of_values(
     const std::string& text, Names names, const std::vector<std::string>& values);
 
-/// Known and unknown names without functions; empty if `text` is invalid.
+/// Names of variables in `text`, known or not; empty if `text` is invalid.
 std::set<std::string> names_in(const std::string& text);
 
 std::vector<std::string> function_names();

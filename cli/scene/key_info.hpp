@@ -39,14 +39,14 @@ struct KeyType {
   NumberRange bounds = {};
   std::array<std::string_view, 8> words = {};
   std::vector<std::string> (*names)() = nullptr;  // alternative to `words`
-  std::string_view section = {};                  // of a table, or of a number that can be one
+  std::string_view section = {};                  // of a table, or of a number that can also be a table
   std::string_view pattern = {};                  // regular expression
   std::size_t longest = any_size;
   std::size_t size = 0;         // 0: one component per axis
-  std::string_view other = {};  // also allowed: "auto", or "=EXPRESSION" for any text with =
+  std::string_view other = {};  // also allowed: "auto", or "=EXPRESSION" for texts that begin with =
   Form form = Form::one;
   std::size_t depth = 1;                   // nesting
-  std::size_t least = 0, most = any_size;  // of the innermost array
+  std::size_t least = 0, most = any_size;  // size of the innermost array
   std::string_view by = {};                // "MEASURE": a table with a value per measure
   std::string_view name_pattern = {};      // of the table's keys
 
@@ -132,11 +132,11 @@ constexpr KeyType table(std::string_view section, std::string_view shown) {
 struct KeyInfo {
   std::string_view name;  // or `any_name`
   KeyType type;
-  std::string_view by_default;  // empty: required; "or X": key X can replace it
+  std::string_view by_default;  // empty: required; "or X": key X can be given instead
   std::string_view help;
 };
 
-/// Value of a default such as "0.5"; none for "the method's".
+/// Value of a default such as "0.5"; nullopt for "the method's".
 std::optional<double> default_number(const KeyInfo& key);
 
 /// A key that the user chooses.

@@ -148,7 +148,8 @@ constexpr KeyInfo driven_keys[] = {
 constexpr KeyInfo loaded_keys[] = {
     {"where", of_place, "", "region: the particles where the expression is not 0"},
     {"force", types::vector("[x, y] of the place", "N"), "or force_density or traction",
-     "force, spread by volume over the region without particles that are clamped or driven to the end of the run; "
+     "force, "
+     "spread by volume over the particles of the region that are neither clamped nor driven to the end of the run; "
      "in 2D per metre of depth"},
     {"force_density", types::vector("[x, y] of the place", "N/m³"), "or force or traction",
      "force per initial volume"},
@@ -255,7 +256,8 @@ constexpr KeyInfo chart_keys[] = {
     {"measure", types::text("MEASURE").or_list(1), "shared by most runs",
      "measure whose error is drawn into chart-MEASURE.png; without this key the picture is chart.png"},
     {"cost", types::word("cpu", "wall", "steps", "seconds"), "cpu",
-     "axis of the cost: CPU or wall seconds of solving, or particles × steps; `seconds` means wall"},
+     "x axis: cpu or wall, the time to solve in s, or steps, particles × time steps; "
+     "`seconds` is the earlier name of wall"},
     {"methods", method_name.or_list(1), "all", "methods to draw"},
     {"against", method_name, "the references", "method whose finest run replaces the references"},
 };
@@ -265,7 +267,7 @@ constexpr KeyInfo map_keys[] = {
 };
 
 constexpr KeyInfo history_keys[] = {
-    {any_name, types::text(), "", "label of the axis of a column of history.csv: tip = \"tip, m\""},
+    {any_name, types::text(), "", "axis label of the column NAME of history.csv, such as tip = \"tip, m\""},
 };
 
 constexpr KeyInfo paper_keys[] = {
@@ -293,7 +295,8 @@ constexpr KeyInfo claim_keys[] = {
      "weaker criterion, used if the criterion is false; true if the claim holds in part"},
     {"looser", types::line(), "none", "how the criterion is weaker than the statement"},
     {"state", types::word("holds", "in part", "does not hold"), "holds", "recorded state"},
-    {"reason", types::text(), "none", "why the state is not holds; required for other states"},
+    {"reason", types::text(), "none",
+     "why the claim does not hold, or holds in part; required for these states"},
     {"evidence", types::expression("condition of quantities"), "none",
      "condition, tested by an experiment, that confirms the reason"},
     {"last_run", types::line(), "", "date of the runs that confirmed the state"},

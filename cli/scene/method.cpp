@@ -109,7 +109,7 @@ std::vector<std::string> names_of_elastic_laws() {
   return names;
 }
 
-/// The file's method must support it.
+/// Law in the file, which its method must support, or "".
 std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   const TomlValue* given = root.find("law");
   if (!given) return "";
@@ -119,7 +119,7 @@ std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   return law;
 }
 
-/// The setting, else the file's law, else the method's first. The remark reports an unsupported law.
+/// The setting, else the file's law, else the method's first. If the method lacks the file's law, the remark says so.
 void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, const Changes& changes,
               SceneFile& file) {
   const std::string own = method.laws.empty() ? "" : std::string(method.laws.front().name);
@@ -188,7 +188,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   name_touching(root, file);
 
   read_law(root, of_file, method, changes, file);
-  // the file's constants and CFL number are for its method
+  // constants and CFL number of the file belong to its method
   const double cfl_of_file = root.find("cfl") ? root.number("cfl") : of_file.cfl;
   const double in_scene = &method == &of_file ? cfl_of_file : method.cfl;
   const std::string* cfl_change = changes.find("cfl");

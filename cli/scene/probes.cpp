@@ -48,7 +48,7 @@ const std::vector<ProbeKind> kinds{
     {"distance", "m", "distance between two material points", {key::body, key::at, key::to}},
     {"mean_velocity", "m/s", "velocity of the centre of mass", {key::body, key::component}},
     {"mean_position", "m", "position of the centre of mass", {key::body, key::component}},
-    {"greatest_position", "m", "largest position of a particle of the body", {key::body, key::component}},
+    {"greatest_position", "m", "largest coordinate of a particle of the body", {key::body, key::component}},
     {"gap", "m",
      "smallest distance between the surfaces of two bodies, below 0 where they overlap. "
      "It is at most the search range of the contact, one or two spacings",
@@ -91,7 +91,7 @@ std::vector<int> probe_bodies(TomlCursor& cursor, const ProbeKind& kind, const S
 void refuse_point_on_axis(TomlCursor& cursor, const Probe& probe) {
   const Point &a = probe.turns_about, &x = probe.at;
   const double along = a[0] * x[0] + a[1] * x[1] + a[2] * x[2];
-  double away = 0, size = 0;  // m², from axis and origin
+  double away = 0, size = 0;  // squared distances from axis and origin, m²
   for (std::size_t k = 0; k < 3; ++k) {
     away += (x[k] - along * a[k]) * (x[k] - along * a[k]);
     size += x[k] * x[k];
@@ -126,11 +126,11 @@ int wall_index(TomlCursor& cursor, const Scene& scene) {
   return static_cast<int>(wall);
 }
 
-/// Takes bodies from the first probe, and constants if all bodies share a material.
+/// Takes bodies from the first probe in `value`, and constants if all bodies have the same material.
 void read_probes_in(TomlCursor& cursor, const Scene& scene, Probe& probe) {
   const TomlValue& value = cursor.need("value");
   const std::set<std::string> used = names_in(value.kind == TomlValue::Kind::text ? value.text : "0");
-  probe.of_forces = !used.contains("t");  // step means; exact if linear
+  probe.of_forces = !used.contains("t");  // a function of step means; exact if linear
   std::set<int> materials;
   const auto add_material = [&](int body) {
     materials.insert(scene.bodies[static_cast<std::size_t>(body)].material);

@@ -63,7 +63,7 @@ std::size_t column_of(const Rows& rows, const std::vector<std::string>& head, co
                         join(head)));
 }
 
-/// Also searches scene folders, for the scene.toml of a run.
+/// Also searches the scene folders, to which paths in a run's scene.toml are relative.
 std::filesystem::path find_file(const std::filesystem::path& folder, const std::string& file) {
   std::error_code error;
   if (std::filesystem::is_regular_file(folder / file, error))

@@ -37,8 +37,8 @@ bool alike(double a, double b) {
 }
 
 struct Validity {
-  bool values = false;     // values and tables hold for `when` and the defaults of other parameters
-  bool solutions = false;  // hold for `when` and any other parameters
+  bool values = false;     // of values and tables: parameters equal `when`, the others their defaults
+  bool solutions = false;  // of solutions: parameters equal `when`, the others have any value
 };
 
 Validity validity(TomlCursor& reference, const std::vector<Parameter>& parameters) {
@@ -208,17 +208,17 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
 struct Part {
   std::string law;
   bool of_method;
-  int specificity;  // 2: these values, 1: those in `when`, 0: any
+  int specificity;  // 2: for the values of all parameters, 1: for those in `when`, 0: for any
   const TomlValue* from;
   Reference what;
 };
 
-/// Parts for the method come first, then specific ones.
+/// Parts with `methods` come first, then more specific parts.
 bool counts_before(const Part& a, const Part& b) {
   return std::pair(a.of_method, a.specificity) > std::pair(b.of_method, b.specificity);
 }
 
-/// The first part of a measure counts.
+/// Merges the parts of a law; for each measure the first part counts.
 class Merged {
  public:
   void add(const Part& part) {

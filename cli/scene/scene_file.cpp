@@ -28,7 +28,7 @@ void collect_places(const TomlValue& value, const std::string& path,
   }
 }
 
-/// Requested spacings, m, not fitted to the first body.
+/// Spacings before the fit to the first body, m.
 struct RequestedSpacing {
   double value, in_scene;  // with and without settings
 };
@@ -129,7 +129,7 @@ void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const
                 fmt::format("the parameter '{}' is unused; remove it or use it in an expression", entry.key));
 }
 
-/// Reads what `fitted` uses with spacing dp, then the rest in `finish`.
+/// Reads with spacing dp all that `fitted` needs; `finish` reads the rest.
 class SceneReading {
  public:
   SceneReading(double dp, const std::filesystem::path& path, const TomlValue& original,

@@ -22,7 +22,7 @@ struct Parameter {
   std::string unit;  // never converted
   std::string help;
   std::optional<double> low, high;  // inclusive
-  double default_value = 0;         // without settings
+  double default_value = 0;         // value without --set
 };
 
 /// `--set name=value`. Names are parameters, "method.CONSTANT" or from setting_infos(); values are numbers,
@@ -46,10 +46,11 @@ std::span<const SettingInfo> setting_infos();
 inline constexpr std::string_view constant_prefix = "method.";
 
 struct ResolvedSetting {
-  /// First source of the value.
+  /// The first source that has the value.
   enum class Source { by_default, scene, setting };
   std::string name;
-  std::string value, default_value;  // numbers are exact; without a default, the scene's value
+  std::string value,
+      default_value;  // exact; a key without default has the scene's value as default
   Source source = Source::by_default;
 };
 
@@ -59,7 +60,7 @@ struct SceneFile {
   Scene scene;
   Settings settings;
   Drawing drawing;
-  double requested_spacing = 0;   // m; the scene has the nearest one that divides the first body
+  double requested_spacing = 0;   // m; scene.spacing is the nearest value that divides the first body
   std::string remark;             // one line or empty
   std::optional<double> history;  // interval of history.csv, s; default: until / 1000
   std::vector<Parameter> parameters;
@@ -75,15 +76,15 @@ struct SceneFile {
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
 /// Names for --set and --grid.
 std::vector<std::string> names_to_set(const SceneFile& scene);
-/// Empty if `name` takes numbers.
+/// Values of a setting; empty if it takes numbers.
 std::vector<std::string> allowed_words(std::string_view name);
-/// Sets cut, follow and the 3D camera. Throws UsageError if the drawing does not fit the scene.
+/// Sets all that depends on the scene, such as the cut. Throws UsageError if the drawing does not fit.
 void apply_scene(Drawing& drawing, const SceneFile& scene);
 /// Adds file, line and column to an engine error.
 SceneError locate(const SceneFile& scene, const SceneError& error);
 /// TOML with all defaults, current history and drawing; gives the same scene when read from `folder`.
 std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder);
-/// Keeps `frames` of [render]. Throws SceneError for invalid TOML.
+/// Keeps only `frames` of [render]. Throws SceneError for invalid TOML.
 std::string without_drawing(const std::string& scene);
 
 }  // namespace taut::cli

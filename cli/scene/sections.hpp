@@ -41,9 +41,9 @@ double changed_number(std::string_view name, const std::string& text, const Name
 /// Throws UsageError unless finite and within the bounds of the key.
 double changed_number(const KeyInfo& key, const std::string& text, const Names& names);
 
-/// Adds parameters to the names of `root`; without `dp`, only independent ones.
+/// Makes the parameters known to `root`; without `dp`, only those independent of dp.
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file);
-/// Includes `dp`.
+/// Parameters that depend on dp, and `dp` itself.
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
 /// Reads method, constants, law, stepping, cfl and contact.
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
@@ -58,9 +58,9 @@ void read_probes(TomlCursor& root, Scene& scene);
 void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
-/// Affects tables and shape files.
+/// For tables and shape files.
 void make_paths_relative(const std::filesystem::path& folder, TomlValue& scene);
-/// Finds `file` in `folder` or a scene folder and writes its path into the table. `what` is for messages.
+/// Finds the file of the key `file` in `folder` or a scene folder; rewrites the key. `what` is for messages.
 std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
                                  std::string_view what);
 /// Requires the scene's bodies.
@@ -71,7 +71,7 @@ TomlValue drawing_table(const Drawing& drawing);
 ReferenceTable read_table(const std::filesystem::path& path, const std::string& lead,
                           const std::vector<std::string>& columns);
 struct ColumnTable {
-  std::vector<std::vector<double>> columns;  // missing optional ones are empty
+  std::vector<std::vector<double>> columns;  // missing optional columns are empty
   std::vector<int> lines;
 
   std::size_t rows() const { return lines.size(); }
@@ -103,22 +103,22 @@ struct ShapeKind {
   int dim;  // 0: both
   std::string_view help;
   std::span<const KeyInfo> keys;  // besides the common keys
-  std::string_view otherwise;     // type in the other dimension
+  std::string_view otherwise;     // similar types of the other dimension
   Shape (*read)(TomlCursor&, const ShapeSetting&);
 };
 std::span<const ShapeKind> shape_kinds();
 
 /// One table or an array.
 std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, const ShapeSetting& setting);
-/// Degrees (2D), or { angle, about, axis }; default: about `middle`.
+/// Reads degrees (2D), or { angle, about, axis }; default: about `middle`.
 std::optional<Rotation> read_rotation(TomlCursor& cursor, int dim, const Point& middle);
 
 /// Throws SceneError for names too long for expressions.
 void check_name_length(const TomlCursor& table, FilePlace place, std::string_view key,
                        const std::string& name);
-/// Throws SceneError for unusable or known names.
+/// Throws SceneError for invalid and reserved names.
 void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind);
-/// Letters, digits, '_' and '-', none of `taken`.
+/// Reads `name`: letters, digits, '_' and '-'; not in `taken`.
 std::string label(TomlCursor& entry, const std::vector<std::string>& taken);
 /// Adds c0, E, nu, rho, K and G.
 void add_names(Names& names, const Material& material);
@@ -148,7 +148,7 @@ struct ContactChoice {
 };
 std::span<const ContactChoice> contact_choices();
 
-/// Law of methods without out-of-plane stress in references and run.json; not for scenes.
+/// Name, in references and run.json, of the law of methods without out-of-plane stress. Scenes cannot choose it.
 inline constexpr std::string_view in_plane_law = "2d_deviator";
 /// Converts neo_hookean (run.json) to neo-hookean.
 std::string law_name(std::string_view material_law);
@@ -174,7 +174,7 @@ std::vector<std::string> names_of(const Items& items) {
   return names;
 }
 
-/// Number of items if not found.
+/// Returns items.size() if not found.
 template <class Items>
 std::size_t index_of(const Items& items, std::string_view name) {
   std::size_t i = 0;

@@ -43,7 +43,7 @@ void read_where(TomlCursor& shape, Frame& frame) {
     frame.low = shape.point("low", 2);
 }
 
-/// Points relative to the centre.
+/// Points are relative to the picture's centre, if given, else to the origin.
 Shape polygon_of(TomlCursor& shape, const Mask& mask, double threshold, const Frame& frame) {
   constexpr std::size_t most_points = 1000000;
   std::vector<Chain> contours = faces_of(mask, threshold);
@@ -153,7 +153,7 @@ void refuse_far(const GivenSites& given, const std::filesystem::path& file, cons
               volume, setting.dp, cell));
 }
 
-/// The spacing determines the neighbours.
+/// The spacing, which determines the neighbours, must fit the median volume.
 void refuse_other_spacing(std::vector<double> volumes, const std::filesystem::path& file,
                           const ShapeSetting& setting) {
   const auto middle = volumes.begin() + static_cast<std::ptrdiff_t>(volumes.size() / 2);
@@ -179,7 +179,7 @@ void refuse_twins(const std::vector<Point>& places, const std::filesystem::path&
                       places[order[k]][0], places[order[k]][1], places[order[k]][2]));
 }
 
-/// Median nearest distance of about 1000 particles, m.
+/// Median distance of about 1000 particles from their nearest particle, m.
 double usual_distance(std::vector<Point> places) {
   constexpr std::size_t asked = 1000;
   std::size_t longest = 0;  // axis of largest extent

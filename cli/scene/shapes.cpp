@@ -67,7 +67,6 @@ Shape read_disc(TomlCursor& shape, const ShapeSetting& setting) {
   return disc;
 }
 
-/// The key `inner` makes the cylinder hollow.
 Shape read_cylinder(TomlCursor& shape, const ShapeSetting& setting) {
   Cylinder cylinder{shape.point("from", setting.dim), shape.point("to", setting.dim), shape.number("radius")};
   if (!(cylinder.length() > 0))

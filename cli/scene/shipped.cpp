@@ -49,7 +49,6 @@ std::vector<fs::path> places_of_shipped() {
   return {program.parent_path() / "scenes", program.parent_path().parent_path() / "share/taut/scenes"};
 }
 
-/// Searches all scene folders.
 std::set<std::string> names_below(const std::string& folder) {
   std::set<std::string> names;
   for (const fs::path& scenes : scene_folders()) {
@@ -93,7 +92,7 @@ std::vector<std::string> scene_names() {
 }
 
 fs::path find_scene(const std::string& scene) {
-  // a scene precedes a run folder of its name
+  // a scene has priority over a run folder of its name
   std::error_code error;
   const bool exists = fs::exists(scene, error);
   if (exists && !fs::is_directory(scene, error)) return scene;

@@ -51,7 +51,7 @@ class TomlCursor {
   double number(std::string_view key);
   double number(std::string_view key, double otherwise);
   int whole(std::string_view key);
-  /// False if missing; not written as default.
+  /// A missing key is false, and is not added.
   bool flag(std::string_view key);
   std::vector<double> numbers(std::string_view key, std::size_t size);
   Point point(std::string_view key, int dim);

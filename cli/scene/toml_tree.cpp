@@ -24,17 +24,17 @@ FilePlace place_of(const toml::source_position& position) {
   return {static_cast<int>(position.line), static_cast<int>(position.column)};
 }
 
-/// toml++ limits brackets, but not the parts of keys.
+/// toml++ limits nested brackets, but not the parts of a key.
 constexpr int most_parts = 16, most_levels = 300;
 
-/// End of the quoted text; a text in one quote ends with its line.
+/// End of the quoted text. A text without triple quotes ends at the latest with its line.
 std::size_t end_of_quoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const bool long_one = text.substr(at, 3) == std::string(3, quote);
   for (std::size_t i = at + (long_one ? 3 : 1); i < text.size(); ++i) {
     if (!long_one && (text[i] == quote || text[i] == '\n')) return i + 1;
     if (long_one && text.substr(i, 3) == std::string(3, quote)) {
-      std::size_t end = i + 3;  // up to two more quotes belong to it [TOML 1.0, String]
+      std::size_t end = i + 3;  // up to two more quotes belong to the text [TOML 1.0, String]
       while (end < std::min(i + 5, text.size()) && text[end] == quote) ++end;
       return end;
     }
@@ -73,7 +73,7 @@ void refuse_long_keys(std::string_view text, const std::string& file) {
 
 TomlValue converted(const toml::node& node, const std::string& file, int level = 0);
 
-/// toml++ sorts keys; this restores their order.
+/// toml++ sorts keys; restores their order in the file.
 void add_entries(TomlValue& value, const toml::table& table, const std::string& file, int level) {
   for (const auto& [key, node] : table)
     value.entries.push_back({.key = std::string(key.str()),

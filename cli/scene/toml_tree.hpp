@@ -20,7 +20,7 @@ struct TomlValue {
   Kind kind = Kind::table;
   FilePlace place;
   std::string text;
-  bool verbatim = false;  // no escapes, so that columns match
+  bool verbatim = false;  // text without escapes: its offsets are columns of the file
   double number = 0;
   bool whole = false;  // without point and exponent
   bool flag = false;
@@ -50,7 +50,7 @@ struct TomlEntry {
 /// Throws SceneError with the place of a syntax error.
 TomlValue parse_toml(std::string_view text, const std::string& file);
 
-/// Numbers read back exactly; the text survives another round.
+/// Numbers read back exactly. Parsing and printing the text again returns the same text.
 std::string print_toml(const TomlValue& root);
 
 }  // namespace taut::cli

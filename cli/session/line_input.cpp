@@ -29,7 +29,7 @@ char* next_found(const char*, int state) {
   return next < found.size() ? ::strdup(found[next++].c_str()) : nullptr;
 }
 
-/// nullptr: file names, or none if `rl_attempted_completion_over`.
+/// Returns nullptr to complete file names, or nothing if `rl_attempted_completion_over`.
 char** complete_last_word(const char* last, int start, int) {
   std::istringstream before(std::string(rl_line_buffer, static_cast<std::size_t>(start)));
   std::vector<std::string> words;

@@ -25,7 +25,7 @@ class Session {
   const SceneFile& file() const { return file_; }
   const Simulation& simulation() const { return *simulation_; }
 
-  /// Both stop at an interrupt. They throw NumericalError if the simulation diverges.
+  /// Stops at an interrupt, like `run_until`. Both throw NumericalError if the simulation diverges.
   void step(long count, const Interrupts& interrupts);
   /// Runs past `t`, then shows `t` exactly.
   void run_until(double t, const Interrupts& interrupts, Progress& progress);

@@ -90,7 +90,7 @@ std::string text_of(const DrawingKey& key, const Drawing& drawing) {
   return join(words, " ");
 }
 
-/// Rewrites "--range is '2:1'; …" of an option.
+/// Rewrites a message about an option, such as "--range is '2:1'; …".
 std::string in_session_words(std::string message, const DrawingKey& key) {
   if (!message.starts_with("--")) return message;
   if (key.numbers.count > 1) std::ranges::replace(message, ':', ' ');

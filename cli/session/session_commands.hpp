@@ -20,7 +20,7 @@ struct SessionCommand {
   std::string name;
   std::string arguments;
   std::string help;
-  /// without the name
+  /// `words` exclude the name.
   std::function<void(Session& session, const std::vector<std::string>& words, const Dialogue& to)> run;
 };
 

@@ -86,7 +86,7 @@ void describe_errors(Chart& chart, const ChartErrors& errors, const StoredRun& r
   chart.dim = run.record.dim;
 }
 
-/// Empty if the runs differ.
+/// Value of all runs; empty if they differ.
 std::string common(const StoredResults& results, std::string_view column) {
   std::string value;
   for (const StoredRun& run : results.runs) {

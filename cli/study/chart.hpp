@@ -24,9 +24,9 @@ struct ChartRequest {
   std::string measure;                 // empty: default
   Cost cost = Cost::cpu;               // `wall` if a run has no CPU seconds
   std::vector<std::string> methods{};  // empty: all
-  std::string against{};               // its finest run replaces references
+  std::string against{};               // method whose finest run replaces the references
   bool stable_only = false;
-  std::optional<StoredRun> run{};  // replaces references, instead of a method
+  std::optional<StoredRun> run{};  // replaces the references, instead of `against`
 
   bool replaces_references() const { return run || !against.empty(); }
 };
@@ -34,14 +34,14 @@ struct ChartRequest {
 struct ChartPoint {
   double spacing = 0;  // m
   std::optional<double> error;
-  bool measured = true;  // with or without an error
+  bool measured = true;  // has a value, perhaps without an error
   double cost = 0;       // s or particle-steps; 0: unknown
   std::string verdict{}, folder{};
   std::string cfl{}, stepping{};  // empty: unknown
   bool stable = true;
 };
 
-/// Differ only in spacing, from coarse to fine.
+/// Points that differ only in spacing, from coarse to fine.
 struct ChartSeries {
   std::string name, method;
   std::vector<ChartPoint> points;
@@ -53,8 +53,8 @@ struct Chart {
   std::string unit;  // empty: a share
   bool relative = true;
   Cost cost = Cost::cpu;
-  bool lacks_cpu = false;  // requested, but missing in a run
-  double other_load = 0;   // most cores that others used
+  bool lacks_cpu = false;  // CPU time requested, but missing in a run
+  double other_load = 0;   // greatest number of cores used by other processes
   int dim = 2;
   std::string against;             // "oenog at 0.5 mm"; empty: the references
   std::vector<std::string> fixed;  // "single stepping", "until = 0.3"
@@ -66,7 +66,7 @@ struct Chart {
   std::string kind{};      // of the measure: "rmse"
 };
 
-/// Costs are doubtful from this number of cores.
+/// Costs are doubtful from this `other_load`.
 inline constexpr double busy_load = 0.5;
 
 /// "no reference", "no value" or the verdict; empty if there is an error.
@@ -78,9 +78,9 @@ std::string shown_error(const Chart& chart, double error);
 /// Least-squares slope of log error over log spacing of stable runs; nullopt for fewer than two spacings.
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 
-/// Default: the measure with errors in most runs, at a tie the scene's first. Times (`*_time`) and errors with a unit
-/// come last. The cheapest repeated run counts; reference runs have no point. Throws UsageError for a measure without
-/// errors.
+/// The default measure has errors in most runs; at a tie, the scene's first counts. Times (`*_time`) and errors with a
+/// unit come last. Of repeated runs the cheapest counts. Reference runs have no point. Throws UsageError for a measure
+/// without errors.
 Chart make_chart(const StoredResults& results, const ChartRequest& request);
 
 }  // namespace taut::cli

@@ -19,7 +19,7 @@ namespace taut::cli {
 namespace {
 
 constexpr std::size_t most_series = 24;
-// gnuplot computes beyond both ends
+// limits of axes: gnuplot computes beyond both ends
 constexpr double least = 1e-290, greatest = 1e290;
 // pixels: plot, row of the strip, title, axis, note
 constexpr double field = 520, row = 17, above = 52, below = 69, note = 21;
@@ -40,7 +40,7 @@ struct Range {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  /// Shows two ticks.
+  /// Range that shows two ticks.
   Range wide() const {
     if (high == 0) return {0.13, 13};  // no tick at an end
     const double margin = std::max(1.4, std::sqrt(6 / (high / low)));

@@ -28,7 +28,7 @@ NameList methods_in(const StoredResults& results) {
   return names;
 }
 
-/// Per swept scene, the finest stable run with a value, then most steps.
+/// The finest stable run with a value, for each swept scene; at a tie, the run with most steps.
 ChartErrors against_finest(const StoredResults& results, const std::string& method,
                            const std::string& measure) {
   ChartErrors errors{measure, {}, names_of_scene(results.runs)};
@@ -174,9 +174,9 @@ std::string ChartErrors::unit(const StoredRun& run) const {
 ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& request) {
   const NameList all = results.measures(), methods = methods_in(results);
   if (!request.measure.empty() && std::ranges::find(all, request.measure) == all.end())
-    throw UsageError(unknown_name("measure of " + results.scene, request.measure, all));
+    throw UsageError(unknown_name("measure", request.measure, all));
   if (!request.against.empty() && std::ranges::find(methods, request.against) == methods.end())
-    throw UsageError(unknown_name("method in the results", request.against, methods));
+    throw UsageError(unknown_name("method", request.against, methods));
   NameList charted = all;
   std::erase_if(charted, [&](const std::string& m) { return !has_errors(results, m, request); });
   if (request.replaces_references()) {

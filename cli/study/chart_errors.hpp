@@ -8,13 +8,13 @@
 
 namespace taut::cli {
 
-/// Errors against references or runs.
+/// Errors relative to references or runs.
 struct ChartErrors {
   std::string measure;
   std::vector<const StoredRun*> against{};  // one per swept scene
   std::vector<std::string> swept{};         // names in which the scenes differ
 
-  /// Nullptr: the scene's references.
+  /// The reference for the scene of `run`, or nullptr.
   const StoredRun* reference_of(const StoredRun& run) const;
   std::optional<double> of(const StoredRun& run) const;
   bool measured(const StoredRun& run) const;

@@ -6,11 +6,10 @@
 
 namespace taut::cli {
 
-/// Includes the number of unstable runs.
 std::string orders_table(const Chart& chart);
 /// Errors by series and spacing.
 std::string markdown(const Chart& chart);
-/// Cheapest run by accuracy; empty unless errors are shares and costs seconds.
+/// Cheapest run by accuracy; empty unless errors are shares and costs are times.
 std::string markdown_of_prices(const Chart& chart);
 std::string chart_json(const Chart& chart);
 

@@ -14,17 +14,17 @@ struct ChoiceLimits {
   std::optional<double> seconds;  // maximum solving time
 };
 
-/// A stable run that meets a request together with all finer runs of its series; otherwise its accuracy is accidental.
+/// A stable run. All finer runs of its series are stable too and confirm its accuracy.
 struct Offer {
   const ChartSeries* series;
   const ChartPoint* point;
-  double error = 0;  // also of finer runs
-  int finer = 0;
+  double error = 0;  // greatest of this and the finer runs
+  int finer = 0;     // runs
 };
 
 /// Sorted by cost.
 std::vector<Offer> suitable_offers(const Chart& chart, const ChoiceLimits& limits);
-/// Runs not beaten in both error and cost, sorted by cost.
+/// Runs with a smaller error than all cheaper runs, sorted by cost.
 std::vector<Offer> pareto_front(const Chart& chart, std::optional<double> seconds);
 
 /// The run to take with its evidence, or how close the nearest run comes.

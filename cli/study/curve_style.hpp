@@ -18,7 +18,7 @@ struct CurveStyle {
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& methods);
 /// Styles without markers. Lines that would look alike get colours from dark to light.
 std::vector<CurveStyle> line_styles(const std::vector<std::string>& methods);
-/// For lines that are no methods.
+/// For lines that stand for no method.
 CurveStyle numbered_style(std::size_t k);
 inline constexpr const char* reference_line = "with lines linewidth 1.5 linecolor '#111111' dashtype '-'";
 inline constexpr std::size_t most_distinct_lines = 24;

@@ -37,7 +37,6 @@ struct Finding {
 };
 /// A measure without a value fails. Throws UsageError for a name that run.json lacks.
 Finding check_expectation(const StoredRun& run, const Expectation& expected);
-/// Fails if the verdict is worse than `worst`.
 Finding check_verdict(const StoredRun& run, const std::string& worst);
 Finding check_end(const StoredRun& run);
 

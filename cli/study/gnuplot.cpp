@@ -25,7 +25,7 @@ std::string one_line(std::string_view text) {
 /// False for UTF-8 continuation bytes.
 bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
-/// Octal escape in a single-quoted string, between two strings: gnuplot 5.4 reads '' as a quote only after a letter.
+/// Octal escape that splits a single-quoted string in two: gnuplot 5.4 reads '' as a quote only after a letter.
 std::string plot_byte(char c) { return fmt::format("'.\"\\{:03o}\".'", static_cast<unsigned char>(c)); }
 
 /// Relative path as a string. gnuplot would interpret a leading '|', '<' or '-', hence "./". Control characters and

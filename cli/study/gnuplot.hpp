@@ -37,7 +37,7 @@ std::string plot_title(std::string_view title);
 std::string plot_note(std::string_view note, double height);
 /// Quoted title with a smaller font for long titles; `room` in pixels.
 std::string titled(std::string_view title, double room = plot_width);
-/// Points, at most `size`; `room` in pixels.
+/// Font size in points, at most `size`; `room` in pixels.
 int font_that_fits(std::string_view text, double room, int size);
 
 std::string plot_comment(std::string_view text);
@@ -45,12 +45,12 @@ std::string data_text(std::string_view text);
 
 /// Keeps both ends, since they distinguish names.
 std::string shortened(const std::string& name);
-/// Approximate length, pixels; font size in points.
+/// Approximate width in pixels; font `size` in points.
 double text_width(std::string_view text, double size);
 double text_width(const std::vector<std::string>& texts, double size);
-/// Pixels, with line samples.
+/// Width in pixels, with line samples.
 double legend_width(const std::vector<std::string>& names);
-/// Share of the width.
+/// Right edge of the plot, as a share of the width.
 double right_margin(const std::vector<std::string>& names);
 
 /// Writes data and script, then runs gnuplot; returns the exit code. Throws OutputError if gnuplot is missing

@@ -18,8 +18,7 @@ namespace {
 
 std::size_t column_of(const CsvTable& table, const std::string& name) {
   const auto found = std::ranges::find(table.columns, name);
-  if (found == table.columns.end())
-    throw UsageError(unknown_name("column of history.csv", name, table.columns));
+  if (found == table.columns.end()) throw UsageError(unknown_name("history column", name, table.columns));
   return static_cast<std::size_t>(found - table.columns.begin());
 }
 
@@ -54,7 +53,7 @@ void tell_apart(HistoryPlot& plot, const std::vector<StoredRun>& runs) {
           ", " + std::filesystem::absolute(runs[k].folder() + "/").parent_path().filename().string();
 }
 
-/// Sorts by a single swept number; `DIR/*` sorts by folder name.
+/// Sorts by a single swept number; the shell sorts `DIR/*` by folder name.
 void put_in_order(HistoryPlot& plot) {
   const auto number = [](const HistoryPlot::Curve& curve) {
     return parsed<double>(curve.name.substr(curve.name.rfind('=') + 1));

@@ -12,7 +12,7 @@
 namespace taut::cli {
 
 struct HistoryColumn {
-  std::string name, label;  // "LABEL, mm" at the axis with a `unit`
+  std::string name, label;  // drawn as "LABEL, mm" if `unit` is given
   FilePlace place = {};     // in a study
   std::string unit = {};    // SI
 };
@@ -27,7 +27,7 @@ struct HistoryPlot {
   HistoryColumn x{"t", "t", {}, "s"};
   std::vector<HistoryColumn> columns;
   std::vector<Curve> curves;
-  std::vector<std::vector<std::size_t>> panels{};  // empty: one column each
+  std::vector<std::vector<std::size_t>> panels{};  // columns of each; empty: one panel per column
   std::vector<ReferenceCurve> references{};        // only over time
 };
 

@@ -166,9 +166,9 @@ std::string verdict_script(const StabilityMap& map, const PlotFiles& files) {
         "{} 1:2:(strlen(strcol(6)) > {} ? '' : strcol(6)) with labels font ',{}' textcolor '{}' notitle",
         block, page.most_letters, page.font, kind + 2 == all.size() ? "#ffffff" : "#222222"));
   }
-  const std::string remark =
-      page.font > 0 ? std::string("numbers: since when the verdict holds, ") + time_unit(map).name
-                    : "since when the verdicts hold is in " + files.data().filename().string();
+  const std::string remark = page.font > 0
+                                 ? std::string("numbers: start of the verdict, ") + time_unit(map).name
+                                 : "the start of each verdict is in " + files.data().filename().string();
   return fmt::format("{}set key outside right top Left reverse spacing 1.4\n{}plot {}\n",
                      frame(map, files, page), plot_note(fmt::format("Scene {}; {}", map.scene, remark), 0.03),
                      join(plots, ", \\\n     "));

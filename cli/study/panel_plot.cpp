@@ -87,7 +87,7 @@ Layout layout_of(const PanelPlot& plot, const PlotLook& look, const std::string&
   return layout;
 }
 
-/// Empty plots let the legend use the full height.
+/// Legend in empty plots, which can use the full height.
 std::string legend_of(const PanelPlot& plot, const Layout& layout) {
   const auto columns = static_cast<std::size_t>(layout.beside ? 1 : layout.legend_columns);
   const double from = layout.beside ? layout.right * layout.width + 10 : 10,

@@ -10,14 +10,14 @@ namespace taut::cli {
 
 /// Layouts count pixels at 96 dpi with texts of 11 points; `scale` enlarges everything.
 struct PlotLook {
-  std::optional<std::string> title{};  // default: of the results; empty: none
+  std::optional<std::string> title{};  // default: title of the results; empty: none
   int width = plot_width;              // before scaling
-  std::optional<int> height{};         // default: by the panels
+  std::optional<int> height{};         // default: depends on the panels
   double scale = 1;
   bool log_x = false, log_y = false;
 };
 
-/// A `width` on paper has texts of 7 points at 300 dpi by default.
+/// With `width`, a length on paper, the defaults are texts of 7 points and 300 dpi.
 struct PlotLookOptions {
   std::optional<std::string> title, log, size, width;
   std::optional<double> dpi, font_size;
@@ -29,7 +29,7 @@ PlotLook plot_look(const PlotLookOptions& typed, const PlotFiles& files);
 struct PanelPlot {
   struct Panel {
     std::string label;
-    double low = 0, high = 1;        // of positive values on a logarithmic axis
+    double low = 0, high = 1;        // of values; of positive values on a logarithmic axis
     std::vector<std::string> lines;  // elements of `plot`, without titles
   };
   struct Entry {
@@ -48,14 +48,14 @@ struct PanelPlot {
 /// The legend is right of the panels, in a narrow picture above them.
 std::string panel_script(const PanelPlot& plot, const PlotFiles& files, const PlotLook& look);
 
-/// Numbers times `factor`, labelled "deflection, mm".
+/// Factor of an axis, and its label: "deflection, mm".
 struct AxisScale {
   double factor = 1;
   std::string label;
 };
-/// SI prefix as in frames. A logarithmic axis gives numbers without a unit no power of ten.
+/// SI prefix as in frames; none for numbers without a unit on a logarithmic axis.
 AxisScale axis_scale(const std::string& name, const std::string& unit, double greatest, bool is_log);
-/// 1, 2, 5 of each decade, in long ranges powers of ten.
+/// Ticks at 1, 2 and 5 of each decade, in long ranges at powers of ten.
 std::string log_ticks(double low, double high, std::string (*show)(double));
 /// Approximate width of the numbers at an axis, pixels.
 double width_of_ticks(double low, double high);

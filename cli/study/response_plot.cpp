@@ -83,7 +83,7 @@ std::string only_parameter(const StoredResults& results) {
 
 using Runs = std::vector<const StoredRun*>;
 
-/// Returns one line per reference, or one per line of runs if these have different references.
+/// Returns a line per reference, or, if its values differ at the same x, one per line of runs.
 std::vector<Line> references_of(const Runs& runs, const ResultColumn& x, const ResultColumn& y,
                                 const LineNames& name_of) {
   std::map<std::string, std::map<double, double>> shared, own;
@@ -262,7 +262,7 @@ struct ResponseDrawing {
     if (std::ranges::find(legend, entry) == legend.end()) legend.push_back(entry);
   }
 
-  /// Draws black dashes, grey for further references.
+  /// Draws black dashes, or a cross for a single point.
   void add_reference(PanelPlot::Panel& panel, const std::string& points, const Line& line) {
     const bool is_single = line.points.size() == 1;
     const std::string style =

@@ -32,7 +32,7 @@ struct ResponsePlot {
   std::string title, scene;
   ResultColumn x;
   std::vector<Panel> panels;
-  int without_value = 0;  // missing in some panel
+  int without_value = 0;  // runs that are missing in a panel
 };
 
 /// Throws UsageError for unknown names, columns without numbers, different units in a panel, and equal x in a line.

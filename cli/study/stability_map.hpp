@@ -37,7 +37,7 @@ struct StabilityMap {
 std::string swept_parameter(const std::vector<StoredRun>& runs, const std::string& wanted,
                             std::string_view option);
 
-/// Throws UsageError as swept_parameter(), and for a measure that is unknown or without values.
+/// Throws UsageError like swept_parameter(), and for a measure that is unknown or without values.
 StabilityMap make_map(const StoredResults& results, const MapRequest& request);
 
 std::string map_table(const StabilityMap& map);

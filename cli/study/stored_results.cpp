@@ -97,7 +97,7 @@ std::vector<StoredRun> read_runs(const fs::path& path) {
   return runs;
 }
 
-/// Returns common settings.
+/// Reads title, units and common settings; returns these settings.
 StoredSettings add_names(const fs::path& table, StoredResults& results) {
   constexpr std::uint64_t most_bytes = 256 << 20;
   const std::string file = (table.parent_path() / "results.json").string();
@@ -242,7 +242,7 @@ void keep_methods(StoredResults& results, const std::vector<std::string>& method
       there.push_back(name);
   for (const std::string& method : methods)
     if (std::ranges::find(there, method) == there.end())
-      throw UsageError(unknown_name("method in the results", method, there));
+      throw UsageError(unknown_name("method", method, there));
   std::erase_if(results.runs, [&](const StoredRun& run) {
     return std::ranges::find(methods, run.method()) == methods.end();
   });
@@ -306,7 +306,7 @@ ResultColumn part_of_measure(const StoredResults& results, const std::string& na
   return found;
 }
 
-/// The likeliest first.
+/// Measures, then settings, then other columns.
 std::vector<std::string> column_names(const StoredResults& results) {
   std::vector<std::string> names = results.measures();
   std::set<std::string> seen(names.begin(), names.end());
@@ -342,7 +342,7 @@ ResultColumn find_result_column(const StoredResults& results, const std::string&
             .column = "",
             .unit = comma == std::string::npos ? seconds ? "s" : "" : without_one(label.substr(comma + 2))};
   }
-  throw UsageError(unknown_name("column or measure of the results", name, column_names(results)));
+  throw UsageError(unknown_name("column or measure", name, column_names(results)));
 }
 
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x) {

@@ -25,7 +25,7 @@ struct StoredRun {
   StoredSettings cells = {};  // by column: "set.v0", "fixed.until" (for all runs)
   Json all = {};              // of run.json
 
-  /// Empty if missing; use typed members of the record instead.
+  /// Cell of a column, or "". Prefer the members of `record`.
   std::string text(std::string_view column) const;
   /// Finished or diverged.
   bool has_result() const { return status == "finished" || status == "failed"; }
@@ -33,22 +33,22 @@ struct StoredRun {
   std::string folder() const;  // beside results.csv
   std::string verdict() const { return record.verdict ? std::string(name(*record.verdict)) : ""; }
   bool is_stable() const { return has_result() && record.verdict == Verdict::stable; }
-  /// If finite.
+  /// The value, if finite.
   std::optional<double> value_of(std::string_view measure) const;
 
   mutable std::vector<std::uint32_t> by_column = {};  // made by `text`, for up to 10 000 columns
 };
 
-/// From one or several sweeps.
+/// Runs of one or several sweeps.
 struct StoredResults {
-  std::string title;  // of a sweep, else the scene
+  std::string title;  // of the first sweep, else of the scene
   std::string scene;
   std::map<std::string, std::string> units;  // of swept parameters
   StoredSettings fixed;                      // common settings
   std::vector<StoredRun> runs;
 
   std::vector<std::string> measures() const;
-  /// "v0, c0".
+  /// Name with unit: "v0, c0".
   std::string label(const std::string& name) const;
 };
 
@@ -56,7 +56,7 @@ struct StoredResults {
 /// and several scenes.
 StoredResults read_results(const std::vector<std::string>& files);
 
-/// From its folder or run.json. Throws UsageError for other paths.
+/// Reads a run folder or run.json. Throws UsageError for other paths.
 StoredRun read_stored_run(const std::string& path);
 
 /// Does nothing for empty `methods`. Throws UsageError for a method without runs.
@@ -65,9 +65,9 @@ void keep_methods(StoredResults& results, const std::vector<std::string>& method
 /// Columns that distinguish runs of equal method and `x`: "set.cfl". A setting also represents parameters
 /// that depend on it.
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x);
-/// Names set for the scene, not its simulation: "v0", "until", "law".
+/// Settings of the scene, not of its simulation: "v0", "until", "law".
 std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs);
-/// Set or default; "" if unknown.
+/// Value, set or default; "" if unknown.
 std::string value_of(const StoredRun& run, const std::string& name);
 struct ResultColumn {
   std::string name;       // "deflection", "deflection.error", "v0"

@@ -55,7 +55,7 @@ void check_name(const std::filesystem::path& file, std::string_view kind, const 
                    unknown_name(kind, name, {known.begin(), known.end()}));
 }
 
-/// Several swept parameters require a name.
+/// Requires a swept parameter, by name if there are several.
 void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& file, AvailableData available) {
   const std::string& wanted = map.request.parameter;
   for (auto* names : {&available.swept, &available.varied}) std::erase(*names, "method");
@@ -78,7 +78,7 @@ void check_chart(const StudyPictures::Charted& chart, const std::filesystem::pat
     throw SceneError(file.string(), place.line, place.column,
                      request.measure.empty() ? "chart" : request.measure, why);
   };
-  check_name(file, "measure of the scene", request.measure, place, available.measures);
+  check_name(file, "measure", request.measure, place, available.measures);
   if (!request.against.empty() && available.differences.contains(request.measure))
     fail(fmt::format("'{}' is itself a difference from a reference of the scene; chart it without `against`",
                      request.measure));
@@ -124,10 +124,10 @@ void check_pictures(const StudyPictures& pictures, const std::filesystem::path& 
                     const AvailableData& available) {
   for (const StudyPictures::Charted& chart : pictures.charts) check_chart(chart, file, available);
   for (const StudyPictures::Named& method : pictures.methods)
-    check_name(file, "method of the sweep", method.name, method.place, available.methods);
+    check_name(file, "method", method.name, method.place, available.methods);
   if (pictures.map) check_map(*pictures.map, file, available);
   for (const HistoryColumn& column : pictures.history)
-    check_name(file, "column of history.csv", column.name, column.place, available.columns);
+    check_name(file, "history column", column.name, column.place, available.columns);
 }
 
 int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& folder, Streams streams) {

@@ -40,11 +40,11 @@ struct StudyPictures {
 /// Throws SceneError.
 StudyPictures read_pictures(TomlCursor& root);
 
-/// Known before the runs start.
+/// Names known before the runs start.
 struct AvailableData {
   std::set<std::string> measures;
   std::set<std::string> referenced;   // with a reference in some run
-  std::set<std::string> differences;  // differences from a reference
+  std::set<std::string> differences;  // measures that are differences from a reference
   std::set<std::string> methods;
   std::set<std::string> columns;  // of history.csv
   std::vector<std::string> swept;

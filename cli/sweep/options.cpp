@@ -80,7 +80,7 @@ void declare_sweep_options(Options& command, SweepOptions& o) {
            "v1,v2,... or lo:hi:step, both ends included; several --grid give every combination")
       .one_word_each();
   command.add_flag("--list", o.list, "list the runs and their states; run nothing");
-  command.add("--jobs", "N", o.jobs, "number of runs at a time; default: cores over --threads")
+  command.add("--jobs", "N", o.jobs, "number of runs at a time; default: cores divided by --threads")
       .check(positive_whole_number);
   command
       .add("--repeat", "N", o.repeat,

@@ -23,7 +23,7 @@ void declare_sweep_options(Options& command, SweepOptions& options);
 /// Throws UsageError and SceneError.
 SweepRequest make_request(const SweepOptions& options);
 
-/// Omits options of this call, such as --list. An option and its value are one word.
+/// Words of the command without options for a single call, such as --list. An option and its value are one word.
 std::vector<std::string> command_to_repeat(const Options& command);
 
 }  // namespace taut::cli

@@ -55,7 +55,7 @@ bool is_wrong(const RunOptions& options) try {
   return true;
 }
 
-/// Nullptr if no single setting is the cause.
+/// The setting without which the run is valid, or nullptr.
 const Setting* invalid_setting(const SweepRequest& request, const GridRow& row) {
   for (const GridRow* settings : {&request.set, &row})
     for (const Setting& s : *settings)
@@ -205,7 +205,7 @@ void SweepRun::read_folder() {
   const bool same = found->version == build_info.version &&
                     are_of_one_run(read_whole(files.scene()).value_or(""), scene, last_frame >= 0);
   const bool failed = found->status == Status::failed;
-  // other failed runs could not write
+  // other failed runs could not write their output
   const bool ended = found->status == Status::finished || (failed && found->verdict == Verdict::diverged);
   std::error_code error;
   const bool drawn = last_frame < 0 || fs::exists(files.frame(failed ? 0 : last_frame), error);

@@ -28,7 +28,6 @@ struct RepeatedCost {
   double spread = 0;        // range over median
 };
 
-/// A validated run.
 struct SweepRun {
   int index = 0;
   GridRow settings;  // swept ones, as in the grid
@@ -47,11 +46,11 @@ struct SweepRun {
   std::vector<SweepRun*> all();
   std::optional<RepeatedCost> cost() const;
   void read_folder();
-  /// As for an empty folder.
+  /// Resets the state, as for an empty folder.
   void forget();
 };
 
-/// Has different values in the runs.
+/// A name that the grid or the rows set.
 struct Swept {
   std::string name;
   std::string unit, help;  // of parameters

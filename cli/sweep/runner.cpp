@@ -17,7 +17,7 @@ namespace {
 
 constexpr double look_interval = 2.0;  // s
 
-/// `taut run` in a silent child, unless another program has done the run.
+/// Does a run like `taut run`, without progress, unless another process has done it.
 int run_alone(SweepRun run) {
   const auto work = [&]() -> int {
     const Stopwatch setup;

@@ -46,7 +46,7 @@ bool waits_for_the_disk() {
   return !asked || std::string_view(asked) != "off";
 }
 
-/// Returns 0 or an errno; 0 without support of the file system.
+/// Returns 0 or an errno; 0 if the file system does not support fsync.
 int sync(int descriptor) {
   if (!waits_for_the_disk()) return 0;
   if (::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP) return 0;
@@ -91,7 +91,7 @@ int give_up(int descriptor, int error) {
 }
 
 /// Creates and locks a new file. Replaces a link or the file of a killed program; waits for other writers.
-/// Returns −1 with errno: EWOULDBLOCK if another process does not end.
+/// On failure returns −1 with errno, EWOULDBLOCK if another process keeps the lock.
 int open_new(const std::string& path) {
   constexpr int most = 1000;
   for (int k = 0; k < most; ++k) {
@@ -283,7 +283,6 @@ AppendFile::~AppendFile() { ::close(descriptor_); }
 void AppendFile::append(std::string_view line) {
   const std::string text = std::string(line) + '\n';
   if (const int error = write_all(descriptor_, text)) {
-    // removes the partial line
     if (::ftruncate(descriptor_, length_) != 0) fail(path_, error);
     fail(path_, error);
   }

@@ -29,13 +29,13 @@ class FileLock {
   int descriptor_;
 };
 
-/// Waits for a file's contents, or a folder's list of files. Ignores a missing path. Throws OutputError.
+/// Waits until a file, or a folder's list of files, is on disk. Ignores a missing path. Throws OutputError.
 void put_on_disk(const std::filesystem::path& path);
 
 /// Returns the new folders, innermost first. Throws OutputError.
 std::vector<std::filesystem::path> make_folders(const std::filesystem::path& folder);
 
-/// Creates the folder of `file`. Throws OutputError, also for a missing folder of the root directory, mostly a slip.
+/// Creates the folder of `file`. Throws OutputError, also for a missing top-level folder, most likely a typing error.
 void make_folder_of(const std::filesystem::path& file);
 
 /// Returns nullopt for unreadable files, folders, devices and pipes. Throws UsageError for larger files, OutputError

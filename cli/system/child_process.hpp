@@ -6,7 +6,7 @@
 
 namespace taut::cli {
 
-/// Runs a function in a forked process, where a crash only gives an exit code. Requires a single thread at the fork.
+/// Runs a function in a forked process, so that a crash ends only this process. Requires a single thread at the fork.
 /// The child dies with its parent. It ignores Ctrl-C and SIGHUP, which the parent passes on by `ask_to_stop`.
 class ChildProcess {
  public:
@@ -16,7 +16,7 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Readable when the child prints or ends.
+  /// Becomes readable when the child prints or ends.
   int descriptor() const { return output_; }
   /// Requires a readable `descriptor`. Returns false after the end of the child.
   bool read_output();
@@ -24,7 +24,7 @@ class ChildProcess {
 
   struct End {
     int code = 0;
-    int signal = 0;  // of the kill, or 0
+    int signal = 0;  // that killed the child, or 0
     std::string output;
   };
   End wait();

@@ -53,7 +53,7 @@ class Pipe {
   std::array<int, 2> ends_{};
 };
 
-/// Searches absolute folders of PATH; the current folder may be foreign. Empty if there is none.
+/// Searches only absolute folders of PATH: the current folder may be foreign. Returns "" if it finds nothing.
 fs::path found_in_path(const std::string& name) {
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
@@ -83,7 +83,7 @@ int spawn(const std::vector<std::string>& arguments, const fs::path& folder, int
   return error;
 }
 
-/// An interrupt or the limit stops the program.
+/// Reads stderr until the program ends. An interrupt or `limit` stops it.
 void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResult& result,
             std::optional<std::chrono::seconds> limit) {
   using Clock = std::chrono::steady_clock;
@@ -108,7 +108,7 @@ void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResu
   }
 }
 
-/// Own folder: no foreign link can redirect the other program. Requires the FileLock of the file.
+/// A new folder: no foreign link can redirect the program there. Requires the FileLock of `file`.
 class Workplace {
  public:
   explicit Workplace(const fs::path& file)

@@ -54,7 +54,7 @@ bool knows_no_locks(int error) {
 struct Holder {
   std::string command, process, host, since;
 
-  /// Only a dying child still holds the lock.
+  /// If so, only a dying child still holds the lock.
   bool has_ended() const {
     pid_t id = 0;
     std::from_chars(process.data(), process.data() + process.size(), id);
@@ -162,7 +162,7 @@ bool FolderLock::is_still_there() const {
          ours.st_ino == there.st_ino && ours.st_dev == there.st_dev;
 }
 
-/// Writers of parts share the lock and write nothing.
+/// Writers of parts share the lock, so they write no holder.
 void FolderLock::write_holder(std::string_view command) const {
   std::array<char, 32> since{};
   const std::time_t now = std::time(nullptr);

@@ -9,12 +9,12 @@
 namespace taut::cli {
 
 /// Excludes other writers by a lock file, which names the holder. The lock ends with the process and works
-/// between machines if the file system supports it. Warns if there are no locks.
+/// between machines if the file system supports it. Warns if the file system has no locks.
 class FolderLock {
  public:
   enum class Of {
-    run,            // excludes all; the file is removed
-    sweep,          // excludes all, also writers of parts; the file stays
+    run,            // excludes all writers; the file is removed
+    sweep,          // excludes all writers, also of parts; the file stays
     part_of_sweep,  // excludes writers of the whole sweep; the file stays
   };
 
@@ -27,7 +27,7 @@ class FolderLock {
   FolderLock& operator=(const FolderLock&) = delete;
 
  private:
-  /// Tries once. Returns 0 or an errno.
+  /// Waits at most 1 s. Returns 0 or an errno.
   int acquire();
   int try_once();
   void open();

@@ -7,10 +7,10 @@
 
 namespace taut::cli {
 
-/// "unknown" if there is none.
+/// Model of the processor, or "unknown".
 std::string machine_name();
 
-/// Excludes hyperthreads and cores that this process may not use.
+/// Number of cores that this process may use, without hyperthreads.
 int physical_cores();
 
 /// Load since construction.

@@ -26,7 +26,7 @@ class OrderedWork {
   OrderedWork(const OrderedWork&) = delete;
   OrderedWork& operator=(const OrderedWork&) = delete;
 
-  /// Unfinished pieces at which `add` waits.
+  /// Number of unfinished pieces at which `add` waits.
   int room() const { return 3 * static_cast<int>(workers_.size()); }
   /// Throws the first error of a piece.
   void add(Piece piece);

@@ -13,12 +13,12 @@
 namespace taut::cli {
 namespace {
 
-/// Greatest one of this machine; kernels may use a lower one.
+/// Highest instruction set of this machine; kernels may use a lower one.
 std::string_view instruction_set() {
   return has_x86_64_v4() ? "x86-64-v4" : has_x86_64_v3() ? "x86-64-v3" : "baseline";
 }
 
-/// For a run of a sweep, the words of `taut sweep`.
+/// Words of the command; in a run of a sweep, those of `taut sweep`.
 Json command_line() {
   const std::string text = read_whole("/proc/self/cmdline").value_or("");
   Json words = Json::array();

@@ -16,8 +16,8 @@ struct FileFormat {
   int number;
 };
 
-/// Raise a number if old readers would misread the format; for checkpoint.bin also if a `serialize` or the
-/// bytes of a step change.
+/// Raise a number if old readers would misread the format; for checkpoint.bin also if a `serialize` function or the
+/// result of a step changes.
 inline constexpr std::array<FileFormat, 7> file_formats{{{"run.json", 1},
                                                          {"results.json", 1},
                                                          {"results.csv", 1},
@@ -39,7 +39,7 @@ std::string host_name();
 
 class Provenance {
  public:
-  /// With the times until now.
+  /// Times are from construction to this call.
   Json to_json() const;
 
  private:

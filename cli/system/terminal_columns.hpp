@@ -6,7 +6,7 @@
 
 namespace taut::cli {
 
-/// Nullopt if it is no terminal.
+/// Nullopt if the file is no terminal.
 std::optional<std::size_t> terminal_columns(int file_descriptor);
 
 /// COLUMNS if set, else the width of the terminal behind stdout; nullopt for files and pipes.

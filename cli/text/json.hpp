@@ -68,7 +68,7 @@ class Json {
 
   /// One line, or with `indent` a line per value. Replaces invalid UTF-8.
   std::string dump(int indent = -1) const;
-  /// By JSON pointer: "/measures/period/value".
+  /// Innermost values by JSON pointer: "/measures/period/value".
   std::vector<Member> leaves() const;
 
   const auto& value() const { return value_; }

@@ -6,13 +6,14 @@
 
 namespace taut::cli {
 
-/// At most five, best first, that contain `name` or are few edits away. A swap is one edit, a change of case none.
+/// At most five candidates, best first, that contain `name` or are a few edits away. A swap is one edit, a change of
+/// case none.
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates);
 
 /// " (did you mean 'a' or 'b'?)", or "".
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
-/// did_you_mean(), with all names up to eight, or the five nearest if none is near.
+/// did_you_mean(), and all names up to eight; else, if none is near, the five nearest.
 std::string known_names(std::string_view given, const std::vector<std::string>& names);
 
 /// "unknown method 'enogg' (did you mean 'enog'?)".

@@ -1,7 +1,7 @@
-// The time that all players and histories of a page show.
+// The time shown by all players and histories of a page.
 
 class Clock {
-  /** `times`: those of the frames, ascending, s. */
+  /** `times` of the frames in s, ascending. */
   constructor(times) {
     this.times = times;
     this.index = 0;
@@ -65,7 +65,7 @@ class Clock {
   }
 }
 
-/** Times of the frames of all runs together, without frames those of the histories. Untimed frames are numbered. */
+/** Clock of all runs: times of their frames or, if no run has frames, of their histories; else the frame's index. */
 function clock_of(runs) {
   const of_run = (run) =>
       run.frames.length ? run.frames.map((frame, k) => frame.t ?? k) : column_of(run, 't')?.values ?? [];

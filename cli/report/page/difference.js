@@ -1,4 +1,4 @@
-// Pictures that differ from what is expected, most different first.
+// Pictures compared with the expected ones, most different first.
 
 function percent(share) { return brief(100 * share) + ' %'; }
 
@@ -22,7 +22,8 @@ function verdict_of_pictures(report) {
           ` ΔE*ab from ${
               limits
                   .tolerance} (just visible, orange) to 50 and more (dark red); black and white differ by 100. ` +
-              'The blue frame is the densest window. Grey: the expected picture, paler.'),
+              'The blue frame marks the 16 × 16 window with the most differing pixels. ' +
+              'Grey: the expected picture, paler.'),
       [['Only expected', report.only_in_expected], ['Only got', report.only_in_got]]
           .filter(([, names]) => names.length)
           .map(

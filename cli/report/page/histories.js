@@ -33,7 +33,7 @@ function history_lines(runs, x, y) {
   return lines;
 }
 
-/** Probes, else the total energy: the columns between the balance and the number of pieces. */
+/** Probes: the columns between the momenta and `pieces`. Without probes, the total energy. */
 function default_columns(names) {
   const first = names.findLastIndex((name) => /^(angular_)?momentum/.test(name)) + 1,
         last = names.indexOf('pieces');

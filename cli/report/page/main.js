@@ -72,7 +72,7 @@ function show_runs(runs) {
   runs.forEach((run, k) => {
     run.many = true;
     run.style.dash =
-        Math.max(run.style.dash, [1, 2, 4, 5][k % 4]);  // lines of similar colours differ without colour, too
+        Math.max(run.style.dash, [1, 2, 4, 5][k % 4]);  // lines also differ without colours
   });
   const scenes = [...new Set(runs.map((run) => run.title || run.record.scene))];
   show_head(scenes.join(' / '), runs.map(name_of_run).join(', '));
@@ -84,7 +84,7 @@ function show_runs(runs) {
   };
 }
 
-/** While a run is going on, its page looks for newer data; `shown` is the data that it shows. */
+/** Looks for newer data while a run continues. `shown`: the data on the page. */
 function refresh(clock, shown) {
   if (!taut_report.running) return;
   setTimeout(async () => {

@@ -221,7 +221,7 @@ function color_key({label, unit, low, high, names, colors}) {
   return element('p', {}, `${title}: ${brief(low)} `, ramp, ` ${brief(high)}`);
 }
 
-/** A section that loads the particles when they are there; null for runs without. */
+/** Section with the saved particles of a run, loaded by `later`; null for a run without them. */
 function orbit_section(run, index, clock) {
   if (!taut_report.particle_scripts?.[index] && !taut_particles[index]) return null;
   const box = element('div', {}, element('p', {class: 'soft'}, 'Loading the particles …'));

@@ -43,7 +43,7 @@ function player(run, clock) {
       image);
 }
 
-/** A piece of the run's line in the plots, where several are drawn. */
+/** Sample of the run's line in the plots, on a page of several runs. */
 function run_key(run) {
   if (!run.many) return null;
   const key = element('span', {class: 'key', 'aria-hidden': 'true'});
@@ -126,7 +126,7 @@ function controls(runs, clock) {
               ' ends')));
 }
 
-/** Keys of the page: they do nothing while a control has the focus that uses them itself. */
+/** Keys of the page. They do nothing while a control that uses the same key has the focus. */
 function take_keys(clock) {
   document.onkeydown = (event) => {
     const tag = event.target.tagName;

@@ -212,7 +212,7 @@ function log_tick(value) {
   return [1, 2, 5].some((n) => Math.abs(lead - n) < 1e-6) ? digits(value, 3) : null;
 }
 
-/** The value of the sample at or before x, as a history has rows of steps. */
+/** The value of the last sample at or before x: rows of a history show single steps. */
 function value_near(points, x) {
   let low = 0, high = points.length;
   while (low < high) {

@@ -27,7 +27,7 @@ class Sweep {
   name_of(row) {
     return this.swept.map(({name}) => `${name}=${row['set.' + name]}`).join(', ') || row.folder;
   }
-  /** Everything that was swept but `name`: runs of one series. */
+  /** Name of the series: the method and the values of all swept names except `name`. */
   series_of(row, name) {
     const method = row.method ?? '';
     const rest = this.swept.filter((one) => one.name !== name && one.name !== 'method')
@@ -170,7 +170,7 @@ const marker_names = {
   15: 'rectRounded'
 };
 
-/** Lines for Chart.js: a series for each method and choice of everything else; open markers are unstable runs. */
+/** Lines for Chart.js: a series for each method and combination of other settings; unstable runs have open markers. */
 function series_lines(sweep, along, point_of) {
   const groups = new Map();
   for (const row of sweep.left) {

@@ -109,7 +109,7 @@ TEST_SUITE("cli") {
     CHECK(contains(refusal(two_runs), "criterion"));
     CHECK(contains(refusal(fine + "state = 'hold'"), "'hold'"));
     CHECK(contains(refusal(fine + "state = 'does not hold'"), "needs a reason"));
-    CHECK(contains(refusal(fine + "reason = 'none'"), "leave its reason out"));
+    CHECK(contains(refusal(fine + "reason = 'none'"), "needs no reason"));
     CHECK(contains(refusal(fine + "state = 'in part'\nreason = 'none'"), "needs the criterion 'part'"));
     CHECK(contains(refusal(fine + "stat = 'holds'"), "stat"));
     CHECK(contains(refusal("criterion = 'a.verdict == stable'"), "run"));

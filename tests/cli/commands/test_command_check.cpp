@@ -137,7 +137,7 @@ TEST_SUITE("cli") {
     CHECK(call({"plot", a, a, "--out", folder.str("twice.png")}).code == 0);
     const Outcome typo = call({"plot", a, "--columns", "total_enery", "--out", folder.str("t.png")});
     CHECK(typo.code == 2);
-    CHECK(contains(typo.err, "unknown column of history.csv 'total_enery' (did you mean 'total_energy'?)"));
+    CHECK(contains(typo.err, "unknown history column 'total_enery' (did you mean 'total_energy'?)"));
     CHECK(call({"plot", folder.str("none"), "--out", folder.str("t.png")}).code == 2);
     const std::string table = folder.str("results.csv");
     std::ofstream(table) << "status,scene\nfinished,tiny\n";
@@ -148,8 +148,9 @@ TEST_SUITE("cli") {
     const Outcome none =
         call({"plot", folder.str("notes.txt"), folder.str("discs.toml"), "--out", folder.str("t.png")});
     CHECK(none.code == 2);
-    CHECK(contains(none.err,
-                   "none of these is a run or a sweep; name folders that `taut run` or `taut sweep` has made"));
+    CHECK(
+        contains(none.err,
+                 "none of these is a run or a sweep; name folders that `taut run` or `taut sweep` has made"));
     CHECK(call({"plot", a, "--out", folder.str("t.jpg")}).code == 2);
   }
 }

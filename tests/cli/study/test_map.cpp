@@ -93,7 +93,7 @@ TEST_SUITE("cli") {
     CHECK(count_of(more, "'0.10") > 5);
     const std::string many = script_of(200, "og");
     CHECK_FALSE(contains(many, "with labels"));
-    CHECK(contains(many, "since when the verdicts hold is in map.dat"));
+    CHECK(contains(many, "the start of each verdict is in map.dat"));
     const std::string name(40, 'm');
     const double pixels = 1280 * number_after(script_of(8, name), "set lmargin at screen ");
     CHECK(pixels > 40 * 8 + 30);  // letters of 8 pixels and a marker

@@ -114,7 +114,7 @@ TEST_SUITE("cli") {
   TEST_CASE("a plot of measures names the nearest column, and refuses columns that it cannot draw") {
     CHECK(contains(error_of(beams(), {"thicknes", {"deflection"}}), "(did you mean 'thickness'?)"));
     CHECK(contains(error_of(beams(), {"thickness", {"deflexion"}}),
-                   "unknown column or measure of the results 'deflexion' (did you mean 'deflection'?)"));
+                   "unknown column or measure 'deflexion' (did you mean 'deflection'?)"));
     CHECK(contains(error_of(beams(), {"thickness", {"deflection"}, {"methd"}}), "did you mean 'method'?"));
     CHECK(contains(error_of(beams(), {"method", {"deflection"}}), "'method' is not a number in any run"));
     CHECK(contains(error_of(beams(), {"thickness", {"verdict"}}), "no run has a number for both"));
@@ -207,7 +207,7 @@ TEST_SUITE("cli") {
     CHECK(of_sweep.code == 0);
     CHECK(contains(text_of(folder / "a.gp"), "set xlabel 'speed, m/s'"));
     measures.push_back(folder.str("b.png"));
-    CHECK(contains(call(measures).err, "unknown column or measure of the results 'total_energy'"));
+    CHECK(contains(call(measures).err, "unknown column or measure 'total_energy'"));
     CHECK(contains(call({"plot", folder.str("sweep"), "--by", "method", "--out", folder.str("c.png")}).err,
                    "--by needs --y"));
   }

@@ -61,8 +61,7 @@ TEST_SUITE("cli") {
   TEST_CASE("a study with an unknown name is refused before anything runs") {
     const TemporaryFolder folder;
     const std::map<std::string, std::string> wrong{
-        {"[chart]\nmeasure = \"touch_tim\"\n",
-         ":8:11: unknown measure of the scene 'touch_tim' (did you mean"},
+        {"[chart]\nmeasure = \"touch_tim\"\n", ":8:11: unknown measure 'touch_tim' (did you mean"},
         {"[chart]\nmeasure = [\"touch_time\", 3]\n", ":8:26: "},
         {"[chart]\nmeasure = []\n", "empty list"},
         {"[chart]\ncost = \"money\"\n", ":8:8: "},
@@ -70,15 +69,15 @@ TEST_SUITE("cli") {
         {"[chart]\nagainst = 3\n", ":8:11: "},
         {"[map]\nparameter = \"spacin\"\n",
          ":8:13: unknown swept parameter 'spacin' (did you mean 'spacing'"},
-        {"[chart]\nmethods = [\"oenog\", \"tl\"]\n", ":8:21: unknown method of the sweep 'tl'"},
-        {"[chart]\nmeasure = \"touch_time\"\nagainst = \"tl\"\n", ":9:11: unknown method of the sweep 'tl'"},
+        {"[chart]\nmethods = [\"oenog\", \"tl\"]\n", ":8:21: unknown method 'tl'"},
+        {"[chart]\nmeasure = \"touch_time\"\nagainst = \"tl\"\n", ":9:11: unknown method 'tl'"},
         {"v0 = [0.07, 0.09]\n[chart]\nmeasure = \"touch_time\"\n",
          ":9:11: 'touch_time' has no reference with these parameters"},
         {"v0 = [0.05, 0.06]\n[map]\n", ":8:1: several parameters are swept (spacing, v0); name one of them"},
         {"[history]\n", "[history] is empty"},
         {"[history]\ntip = 3\n", ":8:7: "},
         {"[history]\ndiametre = \"d, m\"\n",
-         ":8:1: unknown column of history.csv 'diametre' (did you mean 'diameter'"},
+         ":8:1: unknown history column 'diametre' (did you mean 'diameter'"},
         {"[map]\nparameter = \"method\"\n", ":8:13: unknown swept parameter 'method'"},
         {"v0 = [0.07, 0.09]\n[chart]\n", ":8:1: no measure has a reference with these parameters"},
         {"[chart]\nmeasure = \"diameter_rmse\"\nagainst = \"og\"\n",
