@@ -59,7 +59,7 @@ bool claims(const MethodInfo& method, const char* what) {
 }  // namespace
 
 TEST_SUITE("conservation") {
-  TEST_CASE("in 3D every method that claims it conserves momenta to round-off in a collision") {
+  TEST_CASE("in 3D a collision conserves to round-off each momentum that the method claims to conserve") {
     const Scene scene = solid_collision();
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));

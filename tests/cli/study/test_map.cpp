@@ -46,7 +46,8 @@ TEST_SUITE("cli") {
     CHECK(fs::exists(folder / "map.png"));
   }
 
-  TEST_CASE("a verdict without cells leaves no gap: gnuplot counts only blocks with lines") {
+  TEST_CASE(
+      "a verdict that no run has is left out of the data of a map, so that gnuplot's numbers of blocks match") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", speeds, "rod", "speed");  // no hourglass
     REQUIRE(call({"map", file, "--out", folder.str("map.png")}).code == 0);

@@ -275,7 +275,8 @@ tables = { gap_rmse = { file = "tables/gap.csv", column = "gap" } }
     CHECK(program(tiny_sweep(folder, "discs.toml/out", {"--grid", "speed=1"})).code == 4);
   }
 
-  TEST_CASE("single runs write no results, and a call without --index does") {
+  TEST_CASE(
+      "a sweep with --index does a single run and writes no results, and a sweep without --index writes them") {
     const TemporaryFolder folder;
     Texts grid{"--grid", "speed=1,2,3"};
     REQUIRE(program(tiny_sweep(folder, "whole", grid)).code == 0);

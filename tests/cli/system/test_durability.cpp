@@ -61,7 +61,7 @@ class Disk {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("files needed by a checkpoint or a finished run are on disk before them") {
+  TEST_CASE("files needed by a checkpoint or a finished run are on disk before checkpoint.bin and run.json") {
     for (const std::string range : {"0:4", "auto"}) {  // drawn during the run, or at its end
       CAPTURE(range);
       const TemporaryFolder folder;

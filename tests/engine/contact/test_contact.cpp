@@ -85,7 +85,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("impulse contact: two particles touch from one spacing on and stop within one step") {
+  TEST_CASE("impulse contact: two particles closer than one spacing stop within one step") {
     for (const char* method : {"og", "enog", "oenog"}) {
       CAPTURE(std::string(method));
       for (const double gap : {0.99, 1.4}) {
@@ -264,7 +264,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("contact: a law between particles has a force with its energy, or an impulse") {
+  TEST_CASE("contact: a law between particles has either a force and its energy, or an impulse") {
     for (const ContactLawRow& law : contact_laws) {
       CAPTURE(name(law.law));
       CHECK((law.force == nullptr) == (law.energy == nullptr));

@@ -223,7 +223,7 @@ TEST_SUITE("analytic") {
     CHECK(blocks.gap() == Approx(-depth).epsilon(1e-9));
   }
 
-  TEST_CASE("contact of faces: a wall presses a body as its mirror image does") {
+  TEST_CASE("contact of faces: a wall presses a body like the body's mirror image") {
     const double depth = 0.1 * dp, length = 6 * dp, k = modulus() / (2 * dp);
     Scene scene = scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}});
     scene.walls = {{"wall", {0, 0, 0}, {-1, 0, 0}}};

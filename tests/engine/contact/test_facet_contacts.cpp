@@ -405,7 +405,7 @@ TEST_SUITE("restart") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("contact of faces: in 3D a body that is pressed or bent but not folded costs no contact") {
+  TEST_CASE("contact of faces: in 3D a body that is pressed or bent, but not folded, has no self-contact") {
     CHECK(touching_after<3>([](const V& x) { return V{x[0], 0.6 * x[1], x[2]}; }, dp, 0) == 0);
     CHECK(touching_after<3>([](const V& x) { return bent(x, 0.012); }, dp, 0) == 0);
     CHECK(touching_after<3>([](const V& x) { return bent(x, -0.003); }, dp, 0) > 0);

@@ -286,7 +286,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "team: one thread takes the first block of steps, all take the next as long as they are not slower") {
+      "team: one thread makes the first block of steps, and all threads make the next ones while not slower") {
     for (const int most : {1, 3}) {
       TeamSize team(most);
       for (int step = 0; step < 1600; ++step) {
@@ -297,7 +297,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("team: a trial ends in the step that makes it slower, and costs a fiftieth of the time") {
+  TEST_CASE(
+      "team: a trial of all threads ends at the first step that makes it slower, and costs 2 % of the time") {
     TeamSize team(2);
     CHECK(steps_alone(team) == 16);
     team.step_took(10e-3);

@@ -94,7 +94,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("lines: a sample shows its time, between the steps, and no step is altered") {
+  TEST_CASE("lines: a sample is interpolated at its time between two steps, and alters no step") {
     Scene scene = rotating_plate(0.01);
     const auto plain = make_simulation(scene, with_method("oenog"));
     make_steps(*plain, 20);

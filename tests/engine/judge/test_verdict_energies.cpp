@@ -112,7 +112,7 @@ TEST_SUITE("unit") {
     CHECK(verdict(3) == Verdict::stable);
   }
 
-  TEST_CASE("judge: the energy of a foreign stress is no divergence if almost nothing moves") {
+  TEST_CASE("judge: without kept neighbours excess strain energy is no divergence if almost nothing moves") {
     const Scene scene = one_loaded_body();
     for (const bool keeps : {false, true})
       for (const double speed : {0.1, 1.5}) {

@@ -177,7 +177,8 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("laws: under a linear displacement oenog has the law's energy without bond energy") {
+  TEST_CASE(
+      "laws: under a linear displacement the energy of oenog is that of the law, and bonds add nothing") {
     for_each_law(rubber(0.4), [](const LawRow& row, const auto& law) {
       CAPTURE(row.choice);
       const auto check = [&]<int Dim>() {

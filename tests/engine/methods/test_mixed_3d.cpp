@@ -284,7 +284,8 @@ TEST_SUITE("stability") {
 }
 
 TEST_SUITE("stability") {
-  TEST_CASE("mixed: a body that strain softens keeps its step at rest, for any number of particles") {
+  TEST_CASE(
+      "mixed: a body that is softened by strain keeps the step of the body at rest, for any number of particles") {
     for (const double side : {4, 5}) {
       CAPTURE(side);
       Scene scene = pressed_block(1);
@@ -318,7 +319,8 @@ TEST_SUITE("stability") {
 }
 
 TEST_SUITE("convergence") {
-  TEST_CASE("mixed: an independent H changes neo-Hookean bodies by second order in the step only") {
+  TEST_CASE(
+      "mixed: an independent H changes the motion of neo-Hookean bodies only by second order in the step") {
     const Scene scene = sprung_block();
     const auto difference = [&](double step) {
       Settings settings = with_method("pfj-jst");

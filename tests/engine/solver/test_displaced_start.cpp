@@ -208,7 +208,7 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("convergence") {
   TEST_CASE(
-      "displacement, guides, particles on the faces: a square and a cube vibrate as the exact solution") {
+      "displacement, guides, particles on the faces: a square and a cube vibrate like the exact solution") {
     const auto check = [](int dim, const char* method, double bound, double ratio) {
       CAPTURE(dim);
       CAPTURE(std::string(method));

@@ -229,7 +229,7 @@ TEST_SUITE("unit") {
       }
   }
 
-  TEST_CASE("face loads: a region that is no layer has no face") {
+  TEST_CASE("face loads: a region that is not one layer along one side has no face") {
     const Scene scene = pulled_block(
         10, 0.03, [](double) { return 1.0; }, 1);
     const InitialParticles initial = make_initial_particles(scene);

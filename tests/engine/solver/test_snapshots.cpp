@@ -219,7 +219,7 @@ TEST_SUITE("unit") {
     CHECK(same(blend(before, after, 1).s, before.s));
   }
 
-  TEST_CASE("snapshots: after a failed step a run returns its last snapshot") {
+  TEST_CASE("snapshots: after a failed step the snapshot is the last one before the failure") {
     const auto simulation = make_simulation(small_collision(), with_method("enog"));
     make_steps(*simulation, 1);
     const Snapshot before = simulation->snapshot();

@@ -96,7 +96,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("force: pressure and Laplacian act along the pair, the others do not") {
+  TEST_CASE("force: pressure and Laplacian act along the pair, and other force terms do not") {
     const Seen g(first_of_pair, second_of_pair);
     const auto across = [&](int term) {
       const Vec<double, 2> f = force_terms[term].force(first_of_pair, second_of_pair);
@@ -117,7 +117,7 @@ TEST_SUITE("term") {
     CHECK(magnitude(laplacian_term_nonconservative(g.v_ij, j.V, dW, g.inv_r)) == 0);
   }
 
-  TEST_CASE("shear: a rigid rotation gives none, except with the nonconservative Laplacian") {
+  TEST_CASE("shear: a rigid rotation gives 0, except with the nonconservative Laplacian") {
     const double omega = 40;
     const PairedParticle j = turning_with(first_of_pair, second_of_pair, omega);
     const Seen g(first_of_pair, j);

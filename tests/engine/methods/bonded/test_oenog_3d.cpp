@@ -163,7 +163,8 @@ Scene twisting_cantilever(int across) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("bonds: in 3D an interior particle has 26 with isotropic moments and a six-point gradient") {
+  TEST_CASE(
+      "bonds: in 3D an interior particle has 26 bonds with isotropic moments, and a six-point gradient") {
     const Scene scene = block(5, 5, 5);
     const Bonds bonds = make_bonds(scene, make_initial_particles(scene), h_over_dp * dp);
     const int middle = 62;
