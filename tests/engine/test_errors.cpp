@@ -115,7 +115,7 @@ TEST_SUITE("unit") {
         if (constant.name == "riemann_limiter") settings.constants["beta_least"] = 0;
         settings.constants[std::string(constant.name)] = constant.value;
         const Snapshot same = state_after(steps, scene, settings);
-        // less artificial stress at the surface tears the body
+        // only greater values: with smaller values artificial stress is missing at the surface and the body tears
         const double low = constant.name == "surface_colour" ? constant.high : constant.low;
         const double middle = 0.5 * (constant.value + low);
         settings.constants[std::string(constant.name)] = middle == constant.value ? constant.high : middle;
@@ -155,7 +155,7 @@ TEST_SUITE("unit") {
     Settings settings = with_method("enog");
     const double usual = state_after(1, scene, settings).time;
     const double h = 1.3 * scene.spacing, c0 = scene.materials[0].sound_speed();
-    const double vmax = 0.12 * c0;  // perturbations add to it
+    const double vmax = 0.12 * c0;  // without perturbations
     CHECK(usual == relative(0.4 * h / (c0 + vmax), 0.05));
     settings.cfl = 0.1;
     CHECK(state_after(1, scene, settings).time == relative(usual * 0.1 / 0.4));
@@ -174,7 +174,7 @@ TEST_SUITE("unit") {
     for (const char* method : {"og", "enog", "d-ulsph-r-tic", "ccb"}) {
       CAPTURE(std::string(method));
       for (const double nu : {0.2, 0.3, 0.49}) CHECK(step(method, nu) == relative(1, 1e-14));
-      // √(K + ζG) relative to ν = 0, or 0.2 for enog; ν = 0.2, 0 and −0.5 have G = ¾, 3/2 and 6 K
+      // √(K + ζG) relative to ν = 0, or 0.2 for enog; G/K is ¾, 3/2 and 6 at ν = 0.2, 0 and −0.5
       const bool enog = std::string(method) == "enog";
       const double zeta = enog ? 3.5 : 4.0 / 3, known = 1 + (enog ? 0.75 : 1.5) * zeta;
       CHECK(step(method, 0) == relative(std::sqrt(known / (1 + 1.5 * zeta)), 1e-9));
@@ -230,7 +230,7 @@ TEST_SUITE("unit") {
       CAPTURE(std::string(method.name));
       Settings settings = with_method(std::string(method.name));
       settings.cfl = 5;
-      for (const MethodConstant& constant : method.constants)  // they would stabilise it
+      for (const MethodConstant& constant : method.constants)  // this dissipation would stabilise the run
         if (constant.name.starts_with("eps_")) settings.constants[std::string(constant.name)] = 0;
       const auto simulation = make_simulation(scene, settings);
       const auto particles = static_cast<long>(simulation->snapshot().size());

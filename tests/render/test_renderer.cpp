@@ -235,14 +235,14 @@ TEST_SUITE("image") {
     CHECK(rect.height == 50);
     double area = 0;
     for (int row = 0; row < 100; ++row) {
-      // viridis' first blue is 84: gives the covered part
+      // the first colour of viridis has blue 84, so blue gives the covered part
       for (int column = 0; column < 200; ++column) area += (255 - image.at(column, row)[2]) / (255.0 - 84);
     }
     CHECK(area == Approx(M_PI * 25 * 25).epsilon(0.005));
   }
 
   TEST_CASE("a disc of a few pixels has its size, and a smaller one fills its square") {
-    // radius drawn: r from 2 pixels, √2 r + ¼ up to 1, interpolated between
+    // drawn radius: r from 2 pixels on, √2 r + ¼ up to 1 pixel, interpolated between
     for (const auto& [radius, drawn_as] :
          {std::pair{0.8, 1.38137}, {1.0, 1.66421}, {1.5, 1.93566}, {2.0, 2.0}, {3.0, 3.0}, {6.0, 6.0}}) {
       const auto& radius_now = radius;

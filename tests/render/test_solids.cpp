@@ -142,7 +142,7 @@ TEST_SUITE("image") {
       };
       paint(few, seen);
       paint(many, every);
-      int greatest = 0;  // depth range and rounding change
+      int greatest = 0;  // depth range and rounding differ
       for (std::size_t k = 0; k < few.pixels.size(); ++k)
         greatest = std::max(greatest, std::abs(few.pixels[k] - many.pixels[k]));
       CHECK(greatest <= 1);

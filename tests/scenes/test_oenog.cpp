@@ -189,7 +189,7 @@ TEST_SUITE("failure") {
 
   TEST_CASE("colliding rings: at 0.16 c0 and 0.8 mm the sides of the crease do not penetrate each other") {
     SceneFile file = scene("colliding-rings", 0.0008, {{"v0", "0.16"}});
-    file.scene.until = 0.005;  // sharpest at 4 ms
+    file.scene.until = 0.005;  // the crease is sharpest at 4 ms
     CHECK(name(judged(file).verdict()) == "stable");
   }
 
@@ -197,7 +197,7 @@ TEST_SUITE("failure") {
     const auto fastest = [](const char* method, const char* h, const char* eps) {
       SceneFile file = scene("colliding-rings", 0.00125,
                              {{"v0", "0.16"}, {"method.h", h}, {"method.eps_v2", eps}}, method);
-      file.scene.until = 0.005;  // sharpest at 4.1 ms
+      file.scene.until = 0.005;  // the crease is sharpest at 4.1 ms
       return judged(file);
     };
     for (const char* method : {"pf-jst", "pfj-jst"}) {

@@ -161,7 +161,7 @@ TEST_SUITE("image") {
       frames.draw_kept([](int) { return true; });
       return render::read_png(folder / frame_name(0));
     };
-    // errors here: 1e-13 m in double precision, a ring's radius in single precision
+    // rounding errors: 1e-13 m in double precision, a ring's radius in single precision
     const render::ImageDifference difference = compare(frame_at(1000, 2000), frame_at(0, 0));
     CHECK(difference.share < 0.001);
   }

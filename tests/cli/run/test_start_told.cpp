@@ -89,7 +89,7 @@ TEST_SUITE("cli") {
       return outcome.err.find("body 'a' starts at ") != std::string::npos;
     };
     const std::string wall = "[[wall]]\nname = \"w\"\nat = [9, 0]\nnormal = [-1, 0]\n";
-    CHECK(warns("10", wall));  // Pa for MPa: c0 is 0.13 m/s
+    CHECK(warns("10", wall));  // Young's modulus in Pa instead of MPa: c0 is 0.13 m/s
     CHECK_FALSE(warns("1e7", wall));
     CHECK_FALSE(warns("10", ""));
   }

@@ -258,7 +258,7 @@ TEST_SUITE("unit") {
     const std::string text = replaced(small_scene, "\"Small\"", "\"a \\\"b\\\" \\\\ c ν\"");
     CHECK(read_text(text).scene.title == "a \"b\" \\ c ν");
     check_round_trip(read_text(text));
-    // only titles must be one line
+    // only titles are limited to one line
     TomlValue lines;
     lines.set("a", TomlValue(std::string("b\n\t\x01 ν")));
     CHECK(parse_toml(print_toml(lines), "").find("a")->value.text == "b\n\t\x01 ν");

@@ -38,7 +38,7 @@ class Disk {
     }
   }
 
-  /// [name of a renamed file] whether all files were on disk at each renaming; whether the file itself was.
+  /// By name of a renamed file: whether all files, and whether the file itself, were on disk at each renaming.
   std::map<std::string, std::vector<bool>> all_before, itself_before;
   std::set<std::string> lacking;
 

@@ -145,7 +145,7 @@ TEST_SUITE("conservation") {
           CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) <
                 round_off * before.angular_scale);
         CHECK(kept_speed(start, simulation->snapshot()) < 0.7);
-        // ccb is undamped in tension, pf in zigzags
+        // ccb does not damp tension, and pf does not damp zigzags
         const double gain = method.name == "ccb" ? 1.08 : method.name == "pf" ? 3 : 1.003;
         CHECK(after.kinetic + after.strain < gain * before.kinetic);
       }

@@ -326,7 +326,7 @@ TEST_SUITE("conservation") {
     simulation->advance_to(0.003);
     const std::vector<double>& gap = simulation->series().value[0];
     CHECK(*std::ranges::min_element(gap) < 0);
-    CHECK(*std::ranges::min_element(gap) > -dp);  // faces that look away are ignored
+    CHECK(*std::ranges::min_element(gap) > -dp);  // faces that are turned away from each other are ignored
   }
 
   TEST_CASE("contact of faces: a round body on a flat one is not pushed aside where corner meets corner") {

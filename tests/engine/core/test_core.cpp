@@ -25,7 +25,7 @@ namespace {
 
 double scramble(int k) { return std::sin(1.0 + 2.7 * k) + 0.1 * k; }
 
-/// Steps of 1 ms on one thread until the team is tried again.
+/// Number of steps of 1 ms on one thread until all threads are tried again.
 int steps_alone(TeamSize& team) {
   int steps = 0;
   for (; team.threads() == 1; ++steps) team.step_took(1e-3);

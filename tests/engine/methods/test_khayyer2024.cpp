@@ -76,7 +76,7 @@ Noise noise(const std::string& method, int across, const std::map<std::string, d
   return noise(scene, *make_simulation(scene, settings));
 }
 
-/// First tip peak over finite elements; whether the tip has returned through rest.
+/// First tip peak relative to finite elements; whether the tip has returned past its start.
 struct Swing {
   double peak_ratio;
   bool back;

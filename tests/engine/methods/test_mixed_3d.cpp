@@ -77,7 +77,7 @@ struct Cube {
   }
 };
 
-/// Two-stage Runge–Kutta for du/dt = (−d ± i w) u.
+/// Greatest stable step of two-stage Runge–Kutta for du/dt = (−d ± i w) u.
 double greatest_step(double d, double w) {
   const auto grows = [&](double dt) {
     const double a = -d * dt, b = w * dt;
@@ -141,7 +141,7 @@ TEST_SUITE("analytic") {
         for (int c = 0; c <= b; ++c) {
           const V3 k{pi * a / n, pi * b / n, pi * c / n};
           const double L = cube.symbol(i, k), along = cube.gradient_symbol(i, k);
-          const double decay = L * L / 8;  // ε₄ = 1/8, c/dp
+          const double decay = L * L / 8;  // ε₄ = 1/8, in units of c/dp
           steepest = std::max(steepest, along);
           if (a == n) slowest = std::min(slowest, decay);
           shortest = std::min(shortest, greatest_step(decay, along));

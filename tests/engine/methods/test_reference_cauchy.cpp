@@ -129,7 +129,7 @@ TEST_SUITE("reference") {
 TEST_SUITE("unit") {
   TEST_CASE(
       "surface vicinity: any reach from 1.1 to 1.3 spacings selects the same particles, 1.48 selects others") {
-    // in the inner corner some particles reach the surface only across a cell, 1.41 spacings
+    // in the inner corner some particles are one cell diagonal, 1.41 spacings, from the nearest surface particle
     Scene scene = small_collision();
     scene.bodies.pop_back();
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.012, 0.012, 0}}, Box{{0.012, 0, 0}, {0.024, 0.006, 0}}};

@@ -83,7 +83,7 @@ double swinging_error(int dim, int n, const std::string& method) {
   return std::sqrt(sum / mass) / (1e-5 * n * dp);
 }
 
-/// RMS over the volume and four times, over greatest velocity and pressure.
+/// RMS errors over volume and four times, relative to the greatest velocity and pressure.
 struct SwingingErrors {
   double velocity = 0, stress = 0;
 };

@@ -165,7 +165,7 @@ TEST_SUITE("unit") {
   TEST_CASE("a full disk leaves the old file and nothing else") {
     const TemporaryFolder folder;
     write_png(gradient(5, 4), folder / "a.png");
-    // fails at the flush or earlier
+    // writing fails at the flush or earlier
     for (const rlim_t bytes : {rlim_t{0}, rlim_t{20000}}) {
       const FileSizeLimit limit(bytes);
       try {

@@ -46,7 +46,7 @@ TEST_SUITE("unit") {
     const Rect no_header = with({.title = false, .method = false, .time = false});
     CHECK(no_header.y < all.plot.y);
     CHECK(no_header.y + no_header.height == all.plot.y + all.plot.height);
-    CHECK(with({.title = false}).y == all.plot.y);  // time and method need the line
+    CHECK(with({.title = false}).y == all.plot.y);  // time and method still need this line
     CHECK(with({.scale = false}).height > all.plot.height);
     const Rect no_bar = with({.bar = false});
     CHECK(no_bar.width > all.plot.width + 3 * all.font);

@@ -200,7 +200,7 @@ TEST_SUITE("unit") {
       scene.bodies[0].shapes.push_back(Box{{x, 0, 0}, {x + high, height, 0}});
       return scene;
     };
-    // conditions contradict each other by round-off at re-entrant corners
+    // at re-entrant corners round-off makes the conditions contradictory
     for (const double x : {0.0, 0.005, 0.05, 0.1, 0.15, 0.2})
       for (const Scene& scene : {step(x, 0.056, 0.04, 0.018, 0.028), step(x, 0.06, 0.05, 0.02, 0.02)}) {
         CAPTURE(x);
