@@ -236,7 +236,7 @@ TEST_SUITE("unit") {
       const auto particles = static_cast<long>(simulation->snapshot().size());
       try {
         simulation->advance_to(0.01);
-        FAIL("it did not diverge");
+        FAIL("the run did not diverge");
       } catch (const NumericalError& error) {
         const double longest_step = 5 * 1.3 * scene.spacing / scene.materials[0].sound_speed();
         CHECK(error.step > 0);
@@ -266,7 +266,7 @@ TEST_SUITE("unit") {
       while (start.body[first] != 1 || !thrown_off(start.initial(first))) ++first;
       try {
         make_steps(*simulation, 1);
-        FAIL("it was not noticed");
+        FAIL("the fast particles were not noticed");
       } catch (const NumericalError& error) {
         CHECK(std::cmp_equal(error.particle, first));
       }

@@ -60,7 +60,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("a sweep creates a folder for each run and a row in the order of the grid") {
     const TemporaryFolder folder;
-    // the second of three rows is the longest
+    // the second of the three values takes longest
     const Outcome outcome = program(tiny_sweep(
         folder, "out", {"--grid", "until=0.001,0.004,0.002", "--grid", "method=og,enog", "--jobs", "3"}));
     CAPTURE(outcome.err);

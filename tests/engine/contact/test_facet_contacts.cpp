@@ -118,7 +118,7 @@ TEST_SUITE("analytic") {
     CHECK(length(blocks.between(0, 1) + force) < 1e-9 * force[0]);
   }
 
-  TEST_CASE("contact of faces: in 3D a step beside a body presses only where the two overlap") {
+  TEST_CASE("contact of faces: in 3D a step beside a body exerts no force if the two do not overlap") {
     for (const double step : {1.0, 1.3, 2.0}) {
       CAPTURE(step);
       Scene scene = scene_of({Box{{0, 0, -4 * dp}, {12 * dp, 12 * dp, 0}},

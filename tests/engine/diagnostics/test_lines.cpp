@@ -138,7 +138,7 @@ TEST_SUITE("unit") {
     scene.probes[0].at = {0.02, 0, 0};
     try {
       make_simulation(scene, with_method("oenog"));
-      FAIL("the point is outside");
+      FAIL("no error for a point outside the body");
     } catch (const SceneError& error) {
       CHECK(error.key == "probe.far");
     }

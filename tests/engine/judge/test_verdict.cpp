@@ -155,7 +155,8 @@ TEST_SUITE("unit") {
     CHECK(judge.pieces() == 2);
   }
 
-  TEST_CASE("judge: bonds join diagonal neighbours but not second neighbours") {
+  TEST_CASE(
+      "judge: in 3D bonds join neighbours along face diagonals, not along space diagonals or two spacings") {
     const Scene scene = one_body(3);
     const Snapshot corner = made_snapshot(3, {{0, 0, 0}, {dp, dp, 0}, {-dp, 0, -dp}});
     CHECK(Judge(scene, corner, support, searched).pieces() == 1);

@@ -148,7 +148,7 @@ TEST_SUITE("unit") {
     const TemporaryFolder folder;
     try {
       write_png(gradient(4, 4), folder / "none/a.png");
-      FAIL("nothing thrown");
+      FAIL("nothing was thrown");
     } catch (const OutputError& error) {
       CHECK(error.path == (folder / "none/a.png").string());
       CHECK(std::string(error.what()).find("No such file or directory") != std::string::npos);
@@ -170,7 +170,7 @@ TEST_SUITE("unit") {
       const FileSizeLimit limit(bytes);
       try {
         write_png(bytes ? noise(200, 200) : gradient(4, 4), folder / "a.png");
-        FAIL("nothing thrown");
+        FAIL("nothing was thrown");
       } catch (const OutputError& error) {
         CHECK(std::string(error.what()).find("File too large") != std::string::npos);
       }

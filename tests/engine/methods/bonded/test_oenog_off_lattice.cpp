@@ -77,7 +77,7 @@ double half_period(const Scene& scene, double until, const Settings& settings = 
   const std::vector<double>&t = simulation->series().time, &y = simulation->series().value[0];
   for (std::size_t k = 2; k < t.size(); ++k)
     if ((y[k - 1] > 0) != (y[k] > 0)) return t[k - 1] + (t[k] - t[k - 1]) * y[k - 1] / (y[k - 1] - y[k]);
-  FAIL("it does not come back");
+  FAIL("the probe does not return to its start");
   return 0;
 }
 
