@@ -114,7 +114,7 @@ void check_gather() {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("cube root: the cube of the root is the argument for all sizes and both signs") {
+  TEST_CASE("cube root: the inverse cube root times the cube root is 1 for all sizes and both signs") {
     for (double x = 1e-290; x < 1e290; x *= 1.37) {
       CHECK(inverse_cube_root(x) * std::cbrt(x) == Approx(1).epsilon(1e-15));
       CHECK(inverse_cube_root(-x) == -inverse_cube_root(x));

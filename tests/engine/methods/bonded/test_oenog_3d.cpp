@@ -417,7 +417,7 @@ TEST_SUITE("convergence") {
 TEST_SUITE("failure") {
   TEST_CASE("oenog: in 3D thin bars on the lattice are stable at the default step for any Poisson's ratio") {
     struct Bar {
-      double side, poisson_ratio;  // in spacings
+      double side, poisson_ratio;  // side in spacings
     };
     for (const auto [side, poisson_ratio] : {Bar{3, 0.495}, {3, -0.7}, {2, 0.499}}) {
       CAPTURE(side);

@@ -203,7 +203,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("oenog: a jittered ring and plate vibrate slightly too slowly, less so if finer") {
+  TEST_CASE("oenog: a jittered ring and plate vibrate slightly too slowly, and a finer ring less so") {
     const auto too_slow = [](const Scene& scene, double share, double lattice) {
       return half_period(jittered(scene, share), 1.5 * lattice) / lattice - 1;
     };
@@ -224,7 +224,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("oenog: a plate jittered by 0.1 dp is far softer with tl") {
+  TEST_CASE("tl: a plate jittered by 0.1 dp is far softer than on the lattice") {
     const Scene plate = oscillating_plate(0.01, 10);
     const auto half = [](const Scene& scene) { return half_period(scene, 0.2, with_method("tl")); };
     CHECK(half(jittered(plate, 0.1)) > 1.2 * half(plate));
