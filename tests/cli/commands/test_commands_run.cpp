@@ -223,7 +223,7 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "lattice/history.csv") != text_of(folder / "out/history.csv"));
   }
 
-  TEST_CASE("the folder name contains the value of the spacing, and a rounded spacing gives a warning") {
+  TEST_CASE("the folder name contains the value of the spacing, and a rounded spacing is reported") {
     const TemporaryFolder folder;
     const std::string scene = write_tiny_scene(folder);
     const fs::path before = fs::current_path();

@@ -124,7 +124,7 @@ TEST_SUITE("cli") {
         {frame, {"diff", folder.str(frame), folder.str("run/frames/frame_00001.png")}},
     };
     for (const auto& [file, arguments] : readers) {
-      const auto& name = file;  // clang captures no bindings
+      const auto& name = file;  // clang cannot capture bindings
       CAPTURE(name);
       fs::rename(folder / file, folder / "kept");
       REQUIRE(::mkfifo((folder / file).c_str(), 0666) == 0);

@@ -11,7 +11,7 @@ using namespace taut;
 using namespace taut::test;
 
 TEST_SUITE("unit") {
-  TEST_CASE("judge: energy above twice the start's is divergence, the worst verdict") {
+  TEST_CASE("judge: energy above twice the initial energy is divergence, the worst verdict") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 6, 1);
     now.v[0] = std::sqrt(0.5), now.v[2] = -std::sqrt(0.5);
