@@ -175,7 +175,8 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("stability") {
-  TEST_CASE("surface contact: the greatest allowed stiffness shortens the steps and conserves the energy") {
+  TEST_CASE(
+      "surface contact: the greatest allowed stiffness shortens the steps and keeps the energy within 10 %") {
     Scene scene = two_blocks_that_meet();
     Settings settings = with_method("oenog");
     const auto run = [&](double stiffness) {
@@ -287,7 +288,7 @@ TEST_SUITE("conservation") {
     CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) < 1e-13 * before.angular_scale);
   }
 
-  TEST_CASE("contact of faces: colliding tips neither interpenetrate nor create energy") {
+  TEST_CASE("contact of faces: colliding tips create no energy") {
     Scene claps = scene_of({Box{{-0.01, -0.02, 0}, {0, 0.02, 0}}});
     claps.bodies[0].shapes.push_back(Box{{0, 0.01, 0}, {0.08, 0.02, 0}});
     claps.bodies[0].shapes.push_back(Box{{0, -0.02, 0}, {0.08, -0.01, 0}});

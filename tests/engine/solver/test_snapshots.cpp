@@ -103,7 +103,7 @@ TEST_SUITE("determinism") {
     }
   }
 
-  TEST_CASE("snapshots: motion has the positions, velocities and energies of a snapshot, to the bit") {
+  TEST_CASE("snapshots: motion has the positions, velocities and energies of a snapshot, to the last bit") {
     for (const Scene& scene :
          {small_collision(), small_clamped_plate(), small_solid_collision(), small_clamped_block()}) {
       for (const MethodInfo& method : methods()) {
@@ -148,7 +148,8 @@ TEST_SUITE("determinism") {
 }
 
 TEST_SUITE("convergence") {
-  TEST_CASE("blend: free flight is exact and a rotation third order, wherever velocities are defined") {
+  TEST_CASE(
+      "blend: free flight is exact, and errors of a rotation are of third order in x and second order in v") {
     const Path flight{[](double t) {
                         return Point{1 + 2 * t, 5 - 4.905 * t * t, 0};
                       },

@@ -156,7 +156,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("oenog: bodies of two materials stay whole, whatever their interface") {
+  TEST_CASE("oenog: bodies of two materials gain no energy, whatever their interface") {
     constexpr double dp = 0.001;
     Scene scene;
     scene.spacing = dp;

@@ -258,7 +258,7 @@ TEST_SUITE("failure") {
     }
   }
 
-  TEST_CASE("oenog: a jittered body with a tip of single particles stays whole") {
+  TEST_CASE("oenog: a jittered body with a tip of single particles conserves its energy") {
     Scene scene = oscillating_plate(0.01, 5);
     const double spacing = scene.spacing, L = 0.05;
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {L, 10 * spacing, 0}},
