@@ -46,7 +46,7 @@ TEST_SUITE("unit") {
     CHECK(staged.cell.empty());
   }
 
-  TEST_CASE("a cut selects particles by their initial positions") {
+  TEST_CASE("a cut hides particles by their initial positions") {
     Drawing drawing;
     drawing.is_cut = [](const Point& x) { return static_cast<double>(x[1] > 2); };
     const Origins origins = two_pairs();
