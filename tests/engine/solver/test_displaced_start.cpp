@@ -122,7 +122,7 @@ SwingingErrors errors_over_period(int n, const Settings& given) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("displacement: a method without a reference configuration refuses it with a reason") {
+  TEST_CASE("displacement: a method without a reference configuration refuses a displacement with a reason") {
     Scene scene = block(0.006);
     scene.bodies[0].displacement[0] = [](const Point& x) { return 0.01 * x[0]; };
     for (const MethodInfo& method : methods()) {
