@@ -57,6 +57,7 @@ class WallContacts {
 
 inline constexpr TermInfo wall_info{
     "wall", "the law of contact with the body's own mirror image; sph: the penalty law", "ours",
-    "contact/wall_contacts.hpp:WallContacts", "wall: a body meets its mirror image"};
+    "contact/wall_contacts.hpp:WallContacts",
+    "wall: a wall acts on a body as a mirror image of the body would"};
 
 }  // namespace taut

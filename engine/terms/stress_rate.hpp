@@ -35,7 +35,7 @@ Sym<double, 2> jaumann_rate(const Mat<double, 2>& L, const Sym<double, 2>& s, do
 inline constexpr TermInfo jaumann_rate_info{
     "stress rate", "ds/dt = 2G (D − tr D/d I) + ω s − s ω", "[Zhang2024] Eq. 7",
     "terms/stress_rate.hpp:jaumann_rate",
-    "stress rate: stretch and shear give the values by hand for both deviators"};
+    "stress rate: stretch and shear give values computed by hand, for both deviators"};
 
 /// Stress after dt, R s Rᵀ + 2G (D − tr D/n I) dt, R = (I − ½ dt ω)⁻¹ (I + ½ dt ω). Departure: with [Khayyer2024] Eq.
 /// 24 a rigid rotation multiplies s by 1 + 2 (ω dt)² in each step.

@@ -35,7 +35,7 @@ struct Motion {
   int slices;
   int transcribed;  // steps per timing
 };
-// ends before rings fracture; about 24 steps and one to three rebuilds per slice
+// ends before the rings fracture; a slice has about 24 steps and one to three rebuilds
 constexpr Motion rings{"colliding-rings", 7e-4, 1e-4, 7, 10};
 constexpr Motion plate{"oscillating-plate-3d", 0, 3e-5, 20, 1};
 const Motion& motion_of(int dim) { return dim == 2 ? rings : plate; }
@@ -107,7 +107,7 @@ Step steps_of(Run made) {
   return [run] { run->step(); };
 }
 
-/// One step; keeps a reference to `scene`.
+/// Function that makes one step of the transcription; keeps a reference to `scene`.
 template <int Dim>
 Step transcription(const Scene& scene, const Settings& settings) {
   const MethodInfo& method = *find_method(settings.method);

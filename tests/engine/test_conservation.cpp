@@ -68,7 +68,7 @@ const std::map<std::string, double> least_angular_change = {
     {"tl-small-strain", 0.002},
 };
 
-/// ccb is undamped in tension, pf in zigzags; tl-small-strain has the step's error.
+/// ccb does not damp tension, pf does not damp zigzags; tl-small-strain has the error of the step.
 double greatest_energy_gain(std::string_view method) {
   if (method == "ccb") return 0.2;
   if (method == "pf") return 5;

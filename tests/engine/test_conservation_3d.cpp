@@ -59,7 +59,7 @@ bool claims(const MethodInfo& method, const char* what) {
 }  // namespace
 
 TEST_SUITE("conservation") {
-  TEST_CASE("in 3D every method that claims it conserves momenta to round-off in a collision") {
+  TEST_CASE("in 3D a collision conserves to round-off each momentum that the method claims to conserve") {
     const Scene scene = solid_collision();
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
@@ -84,7 +84,7 @@ TEST_SUITE("conservation") {
         CHECK(turn < round_off);
       else
         CHECK(turn > 1e-4);
-      // shear forces of enog do not rotate, ccb is undamped in tension, pf in zigzags; 0.001 is for the penalty
+      // shear forces of enog do not rotate, ccb does not damp tension, pf does not damp zigzags; 0.001 is for the penalty
       // and its step
       if (method.name != "enog" && method.name != "ccb" && method.name != "pf")
         CHECK(after.kinetic + after.strain < 1.001 * before.kinetic);

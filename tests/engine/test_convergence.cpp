@@ -39,7 +39,7 @@ TEST_SUITE("convergence") {
     CHECK(*found < 0.27);
   }
 
-  TEST_CASE("plate: the first peak of enog approaches a limit with the spacing") {
+  TEST_CASE("plate: with smaller spacings the first peak of enog approaches a limit") {
     std::array<double, 3> peak{};
     for (std::size_t k = 0; k < peak.size(); ++k) {
       const int across = 5 << k;
@@ -53,7 +53,7 @@ TEST_SUITE("convergence") {
     CHECK(std::abs(peak[1] - peak[2]) < 0.02 * peak[2]);
   }
 
-  TEST_CASE("plate: every method approaches a limit with the time step, at first order at least") {
+  TEST_CASE("plate: with smaller time steps every method approaches a limit, at least with first order") {
     // dissipation and geometry are taken at the start of a step
     for (const MethodInfo& method : methods()) {
       const std::string name(method.name);

@@ -20,7 +20,7 @@ double in_use() {
   return static_cast<double>(now.uordblks) + static_cast<double>(now.hblkhd);
 }
 
-/// With snapshot and indicators, kB per particle, on layers without equal neighbourhoods.
+/// Memory in kB per particle, with snapshot and indicators, on layers without equal neighbourhoods.
 double kilobytes_each(const std::string& method) {
   const Scene scene = colliding_rings(/*v0*/ 0.06, /*dp*/ 0.0005);
   const double before = in_use();
@@ -36,7 +36,7 @@ double kilobytes_each(const std::string& method) {
 
 TEST_SUITE("unit") {
   TEST_CASE("memory: a particle in 2D takes no more than its known size") {
-    if (in_use() == 0) return;  // a sanitizer has the heap
+    if (in_use() == 0) return;  // a sanitizer replaces the heap
     const std::pair<std::string, double> known[] = {
         {"tl", 0.88},   {"pf-jst", 1.19},        {"oenog", 2.25},
         {"enog", 1.58}, {"d-ulsph-r-tic", 1.34}, {"ccb", 1.05},

@@ -149,7 +149,7 @@ part_of_run() {
   [[ ! -e $file || $(tail -n 1 "$file") == '</VTKFile>' ]] || torn "$file is incomplete"
 }
 
-# how frames are compared: by bytes, or (whole_png) only for completeness if the range depends on the frames drawn so far
+# comparison of frames: by bytes, or only for completeness (whole_png) if the range depends on the frames drawn so far
 frames_are="cmp -s"
 whole_png() { [[ $(tail -c 8 "$1" | od -An -tx1) == " 49 45 4e 44 ae 42 60 82" ]]; }
 
@@ -160,7 +160,7 @@ as_in_one() {
   torn "$2 is incomplete or differs"
 }
 
-# same_rows FILE GOOD: complete rows, equal to the first rows of GOOD; the last can differ, since it is the stop
+# same_rows FILE GOOD: rows are complete and equal the first rows of GOOD; the last row can differ, since it is the stop
 same_rows() {
   local rows
   [[ -e $2 && -z $(tail -c 1 "$1") ]] || return 1
@@ -197,7 +197,7 @@ no_rests() {
 # by_signal SIGNAL: prints the exit code of a program that SIGNAL ended
 by_signal() { echo $((128 + $(kill -l "$1"))); }
 
-# stopped_by SIGNALS: checks that a struck program was ended by one of SIGNALS, or finished before
+# stopped_by SIGNALS: checks that one of SIGNALS ended a struck program, or that the program finished before
 stopped_by() {
   local signal codes=0
   ((!struck)) || for signal in $1; do codes+=" $(by_signal "$signal")"; done

@@ -12,7 +12,7 @@ namespace taut::fuzz {
 
 /// Readers of untrusted input.
 struct Target {
-  std::string_view name;  // and folder in corpus/ and found/
+  std::string_view name;  // also of the folders in corpus/ and found/
   void (*read)(std::string_view bytes);
 };
 
@@ -28,7 +28,7 @@ class Finding : public std::logic_error {
 };
 void expect(bool holds, const std::string& what);
 
-/// Errors do not stop later readings.
+/// Calls `reading` and ignores taut's own errors.
 void attempt(const std::function<void()>& reading);
 
 /// Splits at lines "%%%%" into `count` parts, possibly empty.

@@ -107,7 +107,7 @@ std::string header_of_checkpoint() {
 
 }  // namespace
 
-/// Bytes without header and checksum.
+/// `bytes` lacks header and checksum.
 void read_checkpoint_file(std::string_view bytes) {
   static const std::string header = header_of_checkpoint();
   std::string file = header + std::string(bytes);

@@ -28,14 +28,14 @@ std::string bytes_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Memory only; ctest limits time.
+/// Limits memory; ctest limits the time.
 void limit_memory() {
   constexpr rlim_t most = rlim_t{1} << 30;
   const rlimit limit{most, most};
   ::setrlimit(RLIMIT_DATA, &limit);
 }
 
-/// Prints each name first: the last one crashed.
+/// Prints each name before reading, so that the last name is of the file that crashed.
 int feed_all(const Target& target, const std::vector<fs::path>& files) {
   limit_memory();
   int failures = 0;

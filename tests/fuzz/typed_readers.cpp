@@ -85,7 +85,7 @@ std::vector<Command> harmless_commands() {
 
 }  // namespace
 
-/// Lines, then optionally another scene.
+/// `bytes`: lines, then optionally another scene.
 void read_session_lines(std::string_view bytes) {
   const std::vector<std::string> parts = parts_of(bytes, 2);
   RunOptions options;

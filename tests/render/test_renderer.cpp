@@ -235,14 +235,14 @@ TEST_SUITE("image") {
     CHECK(rect.height == 50);
     double area = 0;
     for (int row = 0; row < 100; ++row) {
-      // viridis' first blue is 84: gives the covered part
+      // the first colour of viridis has blue 84, so blue gives the covered part
       for (int column = 0; column < 200; ++column) area += (255 - image.at(column, row)[2]) / (255.0 - 84);
     }
     CHECK(area == Approx(M_PI * 25 * 25).epsilon(0.005));
   }
 
-  TEST_CASE("a disc of a few pixels has its size, and a smaller one fills its square") {
-    // radius drawn: r from 2 pixels, √2 r + ¼ up to 1, interpolated between
+  TEST_CASE("a disc with a radius of two pixels or more has its size, and a smaller disc is drawn larger") {
+    // drawn radius: r from 2 pixels on, √2 r + ¼ up to 1 pixel, interpolated between
     for (const auto& [radius, drawn_as] :
          {std::pair{0.8, 1.38137}, {1.0, 1.66421}, {1.5, 1.93566}, {2.0, 2.0}, {3.0, 3.0}, {6.0, 6.0}}) {
       const auto& radius_now = radius;
@@ -297,13 +297,13 @@ TEST_SUITE("image") {
     CHECK(drawn(particles, look(100, 100, unit_view)) == Image(100, 100));
   }
 
-  TEST_CASE("a particle is drawn as long as its rim is in the picture") {
+  TEST_CASE("a particle outside the view is drawn if its rim reaches into the picture") {
     const Image image = drawn(one_disc(-1.15, 0, 0.4, 0), look(100, 100, unit_view));
     CHECK(image.at(0, 50) == Rgb{68, 1, 84});
     CHECK(image.at(4, 50) == white);
   }
 
-  TEST_CASE("a pixel of two overlapping discs shows the nearer centre, whatever their order") {
+  TEST_CASE("a pixel of two overlapping discs shows the disc with the nearer centre, whatever their order") {
     Particles forth, back;
     forth.add(-0.2, 0, 0.8, 0), forth.add(0.2, 0, 0.8, 1);
     back.add(0.2, 0, 0.8, 1), back.add(-0.2, 0, 0.8, 0);

@@ -112,7 +112,7 @@ TEST_SUITE("image") {
     CHECK(hue_difference(image.at(102, 100), find_colormap("viridis")->at(1)) <= 2);
   }
 
-  TEST_CASE("hidden spheres are left out without a change of any pixel") {
+  TEST_CASE("hidden spheres are left out, and no channel of a pixel changes by more than 1") {
     Bodies all = lattice(20);
     for (std::size_t i = 0; i < all.diameter.size(); ++i)  // overlaps and gaps
       all.diameter[i] *= 1 + 0.5 * std::sin(7.0 * static_cast<double>(i));
@@ -142,7 +142,7 @@ TEST_SUITE("image") {
       };
       paint(few, seen);
       paint(many, every);
-      int greatest = 0;  // depth range and rounding change
+      int greatest = 0;  // depth range and rounding differ
       for (std::size_t k = 0; k < few.pixels.size(); ++k)
         greatest = std::max(greatest, std::abs(few.pixels[k] - many.pixels[k]));
       CHECK(greatest <= 1);

@@ -19,7 +19,7 @@ frame a.png
 END
 }
 
-# Interrupts a run once it has a checkpoint, and resumes it; a run that ends before is accepted.
+# Interrupts a run once it has a checkpoint, and resumes it; a run that ends without a checkpoint is accepted.
 resumed() {  # SCENE METHOD SPACING UNTIL
   local code=0
   "$taut" run "$1" --method "$2" --spacing "$3" --until "$(times "$4" 3)" --checkpoint-every "$(times "$4" 0.2)" \

@@ -186,7 +186,7 @@ TEST_SUITE("failure") {
 
   // Remark 2
   TEST_CASE(
-      "twisting column: in a neo-Hookean law an independent H changes results by the square of the step") {
+      "twisting column: with a neo-Hookean law an independent H changes results by second order in the step") {
     std::vector<double> off;
     for (const std::string cfl : {"0.24", "0.12"}) {
       const std::vector<Setting> brief{{"spacing", "0.25"}, {"until", "0.02"}, {"cfl", cfl}, smoothed_J};

@@ -193,7 +193,8 @@ TEST_SUITE("failure") {
   }
 
   // With the same ε₄ dp³ the error stays at 10 %.
-  TEST_CASE("tensile cube: the dissipation of 8³ makes the top return early at half the spacing too") {
+  TEST_CASE(
+      "tensile cube: with the dissipation of 8³ particles the top returns early at half the spacing too") {
     const double height = 0.26;
     const Run fine =
         run("tensile-cube", "pf-jst", {{"spacing", "1/14"}, {"method.eps_v4", "1"}, {"until", "0.0021"}});

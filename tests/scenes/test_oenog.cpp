@@ -98,7 +98,8 @@ TEST_SUITE("convergence") {
     CHECK(order(-coarse, -fine, 2) > 1.5);
   }
 
-  TEST_CASE("colliding rings: time lines of oenog converge to finite elements with order 1 at least") {
+  TEST_CASE(
+      "colliding rings: with oenog diameter and speed converge to finite elements with order 1 at least") {
     const Whole coarse(scene("colliding-rings", 0.002)), fine(scene("colliding-rings", 0.001));
     for (const char* line : {"diameter_rmse", "speed_rmse"}) {
       CAPTURE(std::string(line));
@@ -113,7 +114,8 @@ TEST_SUITE("convergence") {
     CHECK(std::abs(fine.measured("rebound_ratio") / 0.8107 - 1) < 0.005);
   }
 
-  TEST_CASE("colliding rings: time lines of enog are 2 to 3 % off finite elements of its own material") {
+  TEST_CASE(
+      "colliding rings: with enog diameter and speed are 2 to 3 % off finite elements of its own material") {
     const Whole rings(scene("colliding-rings", 0.001, {}, "enog"));
     for (const char* line : {"diameter_rmse", "speed_rmse"}) {
       CAPTURE(std::string(line));
@@ -122,7 +124,8 @@ TEST_SUITE("convergence") {
     }
   }
 
-  TEST_CASE("ball and plate: time lines of oenog converge to finite elements with order 1.5 at least") {
+  TEST_CASE(
+      "ball and plate: with oenog deflection and speed converge to finite elements with order 1.5 at least") {
     const Whole coarse(scene("ball-plate", 0.004)), fine(scene("ball-plate", 0.0025));
     for (const char* line : {"deflection_rmse", "speed_rmse"}) {
       CAPTURE(std::string(line));
@@ -189,7 +192,7 @@ TEST_SUITE("failure") {
 
   TEST_CASE("colliding rings: at 0.16 c0 and 0.8 mm the sides of the crease do not penetrate each other") {
     SceneFile file = scene("colliding-rings", 0.0008, {{"v0", "0.16"}});
-    file.scene.until = 0.005;  // sharpest at 4 ms
+    file.scene.until = 0.005;  // the crease is sharpest at 4 ms
     CHECK(name(judged(file).verdict()) == "stable");
   }
 
@@ -197,7 +200,7 @@ TEST_SUITE("failure") {
     const auto fastest = [](const char* method, const char* h, const char* eps) {
       SceneFile file = scene("colliding-rings", 0.00125,
                              {{"v0", "0.16"}, {"method.h", h}, {"method.eps_v2", eps}}, method);
-      file.scene.until = 0.005;  // sharpest at 4.1 ms
+      file.scene.until = 0.005;  // the crease is sharpest at 4.1 ms
       return judged(file);
     };
     for (const char* method : {"pf-jst", "pfj-jst"}) {

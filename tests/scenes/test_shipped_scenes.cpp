@@ -71,7 +71,7 @@ TEST_SUITE("convergence") {
 
 TEST_SUITE("convergence") {
   TEST_CASE(
-      "elastic cable: the error halves with the spacing with tensile control, not with artificial stress") {
+      "elastic cable: the error halves with the spacing under tensile control, but not with artificial stress") {
     // [Khayyer2024] Table 3, a quarter of the length
     const auto error = [](const char* method, double spacing) {
       const auto cable = run("elastic-cable", method, spacing, 2.5e-3, {{"L", "2.5"}});

@@ -143,7 +143,7 @@ TEST_SUITE("analytic") {
           -47.441e-3);
   }
 
-  TEST_CASE("truss: both exact bars carry the force") {
+  TEST_CASE("truss: bars with the exact extensions of icb and tl carry the force") {
     for (const double force : {-7000.0, 3000.0, 7000.0}) {
       for (const char* method : {"icb", "tl"}) {
         const SceneFile file = scene("truss", method, 0.005, {{"force", std::to_string(force)}});
@@ -166,7 +166,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE(
-      "loaded square: normalised kernels come close to the exact field, and others fail at the corners") {
+      "loaded square: normalised kernels come close to the exact field, and unnormalised kernels do not") {
     const Rest with = run(scene("loaded-square", "tl-small-strain", 2.5e-5));
     CHECK(with.error("displacement_rmse") < 0.02);
     CHECK(with.error("displacement_error") < 0.06);

@@ -13,10 +13,10 @@ using Texts = std::vector<std::string>;
 inline const std::filesystem::path top = TAUT_SOURCE_DIR;
 
 std::string text_of(const std::filesystem::path& path);
-/// Sorted, relative; without hidden files and build folders.
+/// Sorted relative paths, without hidden files and build folders.
 Texts files_below(const std::filesystem::path& folder, const std::set<std::string>& extensions);
 Texts sources_below(const std::filesystem::path& folder);
-/// In characters, not bytes.
+/// Width in characters, not bytes.
 std::size_t columns_of(std::string_view line);
 
 }  // namespace taut::test

@@ -6,7 +6,7 @@
 namespace taut::test {
 namespace {
 
-/// Empty unless the line is a table row.
+/// Cells of a table row; empty for any other line.
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
   if (!line.starts_with('|')) return cells;

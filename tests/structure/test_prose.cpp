@@ -10,7 +10,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Lines without the slashes.
+/// Lines of a comment without their slashes.
 using Block = Texts;
 
 std::vector<Block> comment_blocks(const std::string& text) {
@@ -64,7 +64,7 @@ bool is_generated(const std::string& document) {
   return document == "scenes/LANGUAGE.md" || document.starts_with("scenes/studies/results/");
 }
 
-/// No row of a table, no code, no link.
+/// True for lines without table row, code or link.
 bool is_running_text(const std::string& line) {
   return !line.starts_with('|') && !line.starts_with("    ") && line.find("](") == std::string::npos;
 }

@@ -55,7 +55,7 @@ class ChildProgram {
     return ::waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
            info.si_pid != 0;
   }
-  /// 0 if none.
+  /// Signal that ended the program, or 0.
   int ending_signal() {
     int status = 0;
     wait([&] { return ::waitpid(process_, &status, WNOHANG) != 0; });

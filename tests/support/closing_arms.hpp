@@ -22,7 +22,7 @@ inline Scene closing_arms(int dim, double dp, double gap, double height, double 
   return scene;
 }
 
-/// Penetration, m: how far left-arm particles have passed right-arm particles along x.
+/// Penetration in m: how far particles of the left arm have passed those of the right arm along x.
 inline double penetration(const Snapshot& now, int dim, double dp, double height) {
   const auto n = static_cast<std::size_t>(dim);
   double most = -1;

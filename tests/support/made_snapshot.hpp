@@ -6,7 +6,7 @@
 
 namespace taut::test {
 
-/// 1 kg and 1 kg/m³ each, at rest, unstressed, body 0.
+/// Particles of 1 kg and 1 kg/m³ in body 0, at rest and unstressed.
 inline Snapshot made_snapshot(int dim, const std::vector<Point>& places) {
   Snapshot now;
   now.dim = dim;
@@ -38,7 +38,7 @@ inline Scene made_scene(int dim, double spacing, const std::vector<Material>& ma
   return scene;
 }
 
-/// K = 1 and G = 1.5 exactly.
+/// Material with exactly K = 1 and G = 1.5.
 inline Material unit_bulk() {
   return {.name = "soft", .density = 1, .youngs_modulus = 3, .poisson_ratio = 0};
 }

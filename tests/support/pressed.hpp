@@ -13,7 +13,7 @@
 
 namespace taut::test {
 
-/// One ring-rubber body per shape, surface contact.
+/// Scene with surface contact and one body of ring rubber per shape.
 inline Scene scene_of_shapes(const std::vector<Shape>& shapes, int dim, double dp) {
   Scene scene;
   scene.name = "faces";
@@ -117,7 +117,7 @@ Vec<double, Dim> bent(Vec<double, Dim> x, double r) {
   return x;
 }
 
-/// Contact candidates of a moved 20 mm × 6 mm column, initially at least `inside` from its ends.
+/// Number of touching particles of a moved 20 mm × 6 mm column that start at least `inside` from its ends.
 template <int Dim, class Motion>
 int touching_after(const Motion& motion, double dp, double inside) {
   constexpr double height = 0.02;

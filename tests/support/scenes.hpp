@@ -91,13 +91,13 @@ inline Scene ball_plate(double v0 = 0.02, double dp = 0.0025) {
   return scene;
 }
 
-/// Off-lattice pattern, −1 … 1.
+/// Smooth pattern from −1 to 1 whose axes are oblique to a lattice.
 inline double shake(const Point& x, double wavelength) {
   const double k = 2 * std::numbers::pi / wavelength;
   return std::sin(k * (x[0] + 0.37 * x[1])) * std::cos(k * (0.61 * x[0] - x[1]) + 0.4);
 }
 
-/// Perturbed; touch after about ten steps, rebuild neighbours every few.
+/// Perturbed bodies that touch after about ten steps and rebuild neighbours every few steps.
 inline Scene small_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -117,7 +117,7 @@ inline Scene small_collision() {
   return scene;
 }
 
-/// Perturbed, hit by a disc at the edge of the clamp.
+/// A perturbed plate, hit by a disc at the edge of its clamp.
 inline Scene small_clamped_plate() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed(), L = 0.016, H = 0.005;
   Scene scene;
@@ -137,7 +137,7 @@ inline Scene small_clamped_plate() {
   return scene;
 }
 
-/// `speed` of the corners, in sound speeds.
+/// `speed`: speed of the corners, in sound speeds.
 inline Scene rotating_plate(double speed) {
   const double dp = 0.001, half = 0.01;
   Scene scene;
@@ -177,7 +177,7 @@ inline Scene small_solid_collision() {
   return scene;
 }
 
-/// Perturbed, hit by a ball at the edge of the clamp.
+/// A perturbed block, hit by a ball at the edge of its clamp.
 inline Scene small_clamped_block() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed(), L = 0.006, H = 0.003;
   Scene scene;
@@ -199,7 +199,7 @@ inline Scene small_clamped_block() {
   return scene;
 }
 
-/// Offsets up to `share` of a spacing.
+/// `share`: greatest offset, in spacings.
 inline Scene jittered(Scene scene, double share) {
   scene.jitter = {share, 5};
   return scene;

@@ -15,6 +15,6 @@ Vec<T, Dim> velocity_penalty_term(const Vec<T, Dim>& v_ij, const Mat<T, Dim>& L_
 inline constexpr TermInfo velocity_penalty_info{
     "penalty", "dv/dt += ∫ ξ G/ρ Σ V_j (v_ij − ½ (L_i + L_j) x_ij)/r ∂W/∂r dt", "[Zhang2024b]",
     "terms/hourglass/velocity_penalty.hpp:velocity_penalty_term",
-    "velocity penalty: a linear velocity has none, and zigzags are opposed"};
+    "velocity penalty: the penalty is 0 for a linear velocity and opposes zigzags"};
 
 }  // namespace taut

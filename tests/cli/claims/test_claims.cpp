@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Two runs of the tiny scene; `changed` replaces lines of the claim.
+/// Writes a claim about the tiny scene; `lines`: its remaining lines.
 std::string claim_file(const TemporaryFolder& folder, const std::string& lines) {
   write_tiny_scene(folder);
   std::ofstream(folder / "Nobody1999.toml") << R"(title = "Nobody"
@@ -67,7 +67,7 @@ TEST_SUITE("cli") {
     CHECK(contains(without_evidence.out, "but its evidence condition is false"));
   }
 
-  TEST_CASE("claims: a measure without value is a disagreement, whatever the recorded state") {
+  TEST_CASE("claims: a run whose measure is missing disagrees, whatever the recorded state") {
     const TemporaryFolder folder;
     const std::string lines =
         two_runs + "criterion = 'slow.touch_tim > 0'\nreason = 'none'\nstate = 'does not hold'";

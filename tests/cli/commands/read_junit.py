@@ -36,7 +36,7 @@ def with_etree(path):
 def read(path):
     name, counts, cases = with_etree(path)
     if junitparser:
-        assert with_junitparser(path) == (name, counts, cases), "junitparser reads something else"
+        assert with_junitparser(path) == (name, counts, cases), "junitparser and ElementTree read different contents"
     kinds = [kind for case in cases for kind, _, _ in case[3]]
     assert counts == (len(cases), kinds.count("failure"), kinds.count("error"), 0), counts
     for case, classname, _, results in cases:

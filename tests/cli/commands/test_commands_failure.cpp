@@ -36,7 +36,7 @@ class TinyDisk {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("an interrupt ends a run in order with exit code 128 + signal") {
+  TEST_CASE("an interrupt ends a run cleanly, with exit code 128 + signal") {
     for (const int signal : {SIGINT, SIGTERM}) {
       const TemporaryFolder folder;
       ChildProgram child(tiny_run(folder, "out", {"--until", "1000", "--frames", "1", "--history", "1000"}));
@@ -62,7 +62,7 @@ TEST_SUITE("cli") {
     CHECK(taut::render::read_png(folder / "out/frames/frame_00000.png").width == 160);
   }
 
-  TEST_CASE("a closed terminal ends a run in order, and nohup prevents this") {
+  TEST_CASE("a closed terminal ends a run cleanly, and nohup prevents this") {
     const TemporaryFolder folder;
     const std::vector<std::string> endless{"--until", "1000",  "--frames", "1", "--checkpoint-every",
                                            "1000",    "--set", "speed=0"};

@@ -203,7 +203,8 @@ TEST_SUITE("cli") {
     CHECK(record["mass"].get<double>() == Approx(record["particles"].get<double>() * 4e-6 * 1000));
   }
 
-  TEST_CASE("a jittered run records its jitter in run.json and in scene.toml, and repeats it") {
+  TEST_CASE(
+      "a jittered run records its jitter in run.json and scene.toml, and scene.toml gives the same run") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out", {"--no-render", "--set", "jitter=0.1", "--set", "jitter_seed=4"}))
                 .code == 0);
@@ -222,7 +223,7 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "lattice/history.csv") != text_of(folder / "out/history.csv"));
   }
 
-  TEST_CASE("the folder name contains the value of the spacing, and a rounded spacing gives a warning") {
+  TEST_CASE("the folder name contains the value of the spacing, and a rounded spacing is reported") {
     const TemporaryFolder folder;
     const std::string scene = write_tiny_scene(folder);
     const fs::path before = fs::current_path();
@@ -456,7 +457,7 @@ TEST_SUITE("cli") {
 }
 
 TEST_SUITE("determinism") {
-  TEST_CASE("a run of scene.toml gives the same bytes") {
+  TEST_CASE("a run of the scene.toml in a run folder gives the bytes of the first run") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "a",
                           {"--set", "speed=3", "--frames", "3", "--color", "pressure", "--history", "3e-5",

@@ -47,7 +47,7 @@ TEST_SUITE("cli") {
         CHECK_FALSE(fs::is_symlink(folder / "chart.png"));
       }));
     }
-    // the program removes nothing behind a link and no other files
+    // the program removes neither files behind a link nor files of others
     fs::create_directory(folder / "mine");
     std::ofstream(folder / "mine/chart.png") << "mine";
     fs::create_directory_symlink("mine", folder / "chart.png.part");
@@ -124,7 +124,7 @@ TEST_SUITE("cli") {
         {frame, {"diff", folder.str(frame), folder.str("run/frames/frame_00001.png")}},
     };
     for (const auto& [file, arguments] : readers) {
-      const auto& name = file;  // clang captures no bindings
+      const auto& name = file;  // clang cannot capture bindings
       CAPTURE(name);
       fs::rename(folder / file, folder / "kept");
       REQUIRE(::mkfifo((folder / file).c_str(), 0666) == 0);

@@ -78,7 +78,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("a frame exists only if all earlier frames exist, at any time") {
+  TEST_CASE("at any time during a run, all frames counted as written exist") {
     const TemporaryFolder folder;
     const fs::path out = folder / ".";
     Sequence sequence;
@@ -144,7 +144,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("particles far from the origin are drawn apart with an automatic range and view") {
+  TEST_CASE("a body far from the origin looks like one at the origin, with an automatic range and view") {
     const auto frame_at = [](double x, double y) {
       const TemporaryFolder folder;
       Sequence sequence;
@@ -161,7 +161,7 @@ TEST_SUITE("image") {
       frames.draw_kept([](int) { return true; });
       return render::read_png(folder / frame_name(0));
     };
-    // errors here: 1e-13 m in double precision, a ring's radius in single precision
+    // rounding errors: 1e-13 m in double precision, a ring's radius in single precision
     const render::ImageDifference difference = compare(frame_at(1000, 2000), frame_at(0, 0));
     CHECK(difference.share < 0.001);
   }

@@ -205,7 +205,7 @@ TEST_SUITE("unit") {
     CHECK(look.camera->front == Approx(0.1));
   }
 
-  TEST_CASE("an automatic range omits outliers, but keeps near ends and small regions of high values") {
+  TEST_CASE("an automatic range omits distant outliers, but keeps extremes near the other values") {
     const auto range_of = [](const std::vector<double>& values, std::optional<double> middle = {}) {
       SequenceBounds shown;
       shown.add_values(values);

@@ -46,7 +46,7 @@ TEST_SUITE("unit") {
     CHECK(staged.cell.empty());
   }
 
-  TEST_CASE("a cut selects particles by their initial positions") {
+  TEST_CASE("a cut hides particles by their initial positions") {
     Drawing drawing;
     drawing.is_cut = [](const Point& x) { return static_cast<double>(x[1] > 2); };
     const Origins origins = two_pairs();
@@ -97,7 +97,7 @@ TEST_SUITE("unit") {
     CHECK(drawn.cell[9] == Approx(2));
   }
 
-  TEST_CASE("cells beside a cut end half-way to the removed neighbour, also on the boundary of a body") {
+  TEST_CASE("beside a cut, cells end half-way to the removed neighbour, also on the boundary of a body") {
     // 3 × 3 boundary particles of a square of 2 m
     Origins origins{.dim = 2, .x0 = {}, .m = Numbers(9, 1), .diameter = {}, .body = std::vector<int>(9, 0)};
     for (int n = 0; n < 9; ++n) {

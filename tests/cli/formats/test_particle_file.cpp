@@ -70,7 +70,7 @@ std::map<std::string, double> read_with_vtk(const fs::path& file) {
   return values;
 }
 
-/// Refuses new memory beyond these bytes.
+/// Limits the memory of the process to `bytes`.
 class MemoryLimit {
  public:
   explicit MemoryLimit(std::size_t bytes) {
@@ -195,7 +195,7 @@ TEST_SUITE("unit") {
       file.positions(2);
     };
     CHECK_NOTHROW(read_all());
-    // ends with about 150 bytes that only ParaView reads
+    // the file ends with about 150 bytes that only ParaView reads
     for (std::size_t length = 0; length + 400 < end; length += 41) {
       std::ofstream(path, std::ios::binary) << whole.substr(0, length);
       CAPTURE(length);

@@ -99,7 +99,7 @@ def skip(why):
 
 
 class Browser:
-    """Headless chromium, and what a page logs."""
+    """Headless chromium and the messages that a page logs."""
 
     def __init__(self, folder):
         options = webdriver.ChromeOptions()
@@ -303,7 +303,7 @@ def check_sweep(browser, taut, folder):
 
 
 def read_rows(browser):
-    """The table of runs, as numbers by the beginning of the head."""
+    """The table of runs: for each row, numbers and texts by the head of their column, up to its comma."""
     heads = [one.text.split(",")[0].strip(" ▲▼") for one in browser.all(".wide thead button")]
     cells = browser.script("return [...document.querySelectorAll('.wide tbody tr')].map((row) =>"
                            " [...row.cells].map((cell) => cell.title || cell.textContent))")
@@ -382,7 +382,7 @@ def check_orbit(browser, taut, folder):
 
 
 def check_refresh(browser, taut, folder):
-    """The page of a run that goes on shows newer data, at the same frame."""
+    """The page of a running simulation shows newer data, at the same frame."""
     shutil.copytree(folder / "run", folder / "live", ignore=shutil.ignore_patterns("report*"))
     record = (folder / "live/run.json").read_text()
     (folder / "live/run.json").write_text(record.replace('"status": "finished"', '"status": "running"'))
@@ -394,12 +394,12 @@ def check_refresh(browser, taut, folder):
     assert "still running" in browser.one("main").text
     browser.script("document.querySelector('main').firstChild.id = 'old'")
     time.sleep(5)
-    assert browser.all("#old")  # while nothing is new, nothing is built again
+    assert browser.all("#old")  # without new data nothing is built again
     browser.keys(*[Keys.ARROW_RIGHT] * 3)
     assert "frame 4 of 12" in browser.one("figcaption").text
     (folder / "live/run.json").write_text(record)
     moved.write_bytes(picture)
-    taut("report", "live", "--watch")  # ends, as the run has
+    taut("report", "live", "--watch")  # ends because the run has ended
     browser.until(lambda: "frame 4 of 13" in browser.script("return document.querySelector('figcaption').textContent"), "the page has the new frame")
     assert "still running" not in browser.one("main").text
 

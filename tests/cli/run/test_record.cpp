@@ -77,7 +77,7 @@ TEST_SUITE("cli") {
       CAPTURE(field.key);
       try {
         read(bad);
-        FAIL("it was read");
+        FAIL("a wrong type was accepted");
       } catch (const UsageError& error) {
         CHECK(std::string(error.what()).starts_with("'run.json': key '" + std::string(field.key)));
       }

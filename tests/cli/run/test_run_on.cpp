@@ -58,7 +58,8 @@ TEST_SUITE("restart") {
           text_of(folder / "straight/frames/frame_00020.png"));
   }
 
-  TEST_CASE("a finished run goes on to a later end, with the motion and frames of a run to this end") {
+  TEST_CASE(
+      "a finished run continues to a later end, with the motion and frames of a run that goes there at once") {
     for (const std::string range : {"0:4", "auto"}) {
       CAPTURE(range);
       const TemporaryFolder folder;

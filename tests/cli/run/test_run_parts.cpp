@@ -54,7 +54,7 @@ TEST_SUITE("unit") {
     CHECK(agenda.next() == std::numeric_limits<double>::infinity());
   }
 
-  TEST_CASE("the pace settles at slices of a fifth of a second") {
+  TEST_CASE("the pace settles at slices that take a fifth of a second to compute") {
     Pace pace(100);
     constexpr double seconds_per_time = 3;
     for (int k = 0; k < 40; ++k) pace.took(pace.slice(), pace.slice() * seconds_per_time);
@@ -107,7 +107,7 @@ TEST_SUITE("unit") {
     CHECK(exact(0.1) == "0.1");
   }
 
-  TEST_CASE("a step has one row in the history, however often it is added") {
+  TEST_CASE("a step that is added several times has one row in the history") {
     const TemporaryFolder folder;
     StandingSimulation simulation;
     {

@@ -89,12 +89,13 @@ TEST_SUITE("cli") {
       return outcome.err.find("body 'a' starts at ") != std::string::npos;
     };
     const std::string wall = "[[wall]]\nname = \"w\"\nat = [9, 0]\nnormal = [-1, 0]\n";
-    CHECK(warns("10", wall));  // Pa for MPa: c0 is 0.13 m/s
+    CHECK(warns("10", wall));  // Young's modulus in Pa instead of MPa: c0 is 0.13 m/s
     CHECK_FALSE(warns("1e7", wall));
     CHECK_FALSE(warns("10", ""));
   }
 
-  TEST_CASE("a reaction by a method that does not conserve momentum gives a warning") {
+  TEST_CASE(
+      "a probe of a reaction or contact force gives a warning if the method does not conserve momentum") {
     const TemporaryFolder folder;
     const auto is_told = [&](const std::string& method, const std::string& probe) {
       std::ofstream(folder / "scene.toml")
@@ -131,7 +132,8 @@ TEST_SUITE("cli") {
     CHECK(plan.folder.path() == "out/" + std::to_string(ends[0]) + "-enog-spacing=0.004-until=0.001");
   }
 
-  TEST_CASE("the report explains an energy drift by the kind of energy of the method") {
+  TEST_CASE(
+      "the report explains an energy drift by the way in which the method computes or dissipates energy") {
     const TemporaryFolder folder;
     const auto note_of = [&](const std::string& method) {
       const Outcome outcome = call({"run", "colliding-rings", "--method", method, "--spacing", "0.005",

@@ -202,7 +202,8 @@ TEST_SUITE("cli") {
     check_error("low = [0, 0]", "low = @[0, 1]", {"low.y = 1 must be less than high.y = 1"});
     check_error("color = \"von_mises\"", "range = @[2, 1]", {"range = [2, 1]", "less than"});
     check_error("color = \"von_mises\"", "view = @[0, 1, 1, 1]", {"y_min < y_max"});
-    check_error("color = \"von_mises\"", "size = [100, @63]", {"size[1] = 63 must be at least 64 and at most 8192"});
+    check_error("color = \"von_mises\"", "size = [100, @63]",
+                {"size[1] = 63 must be at least 64 and at most 8192"});
     check_error("color = \"von_mises\"", "frames = @1.5", {"frames = 1.5 must be a whole number from 1"});
   }
 
@@ -444,7 +445,7 @@ TEST_SUITE("cli") {
     const SceneFile file = read_text(replaced(small_scene, "centre = [5, 0]", "centre = [1, 0]"));
     try {
       make_initial_particles(file.scene);
-      FAIL("the bodies overlap");
+      FAIL("no error for overlapping bodies");
     } catch (const SceneError& error) {
       const SceneError located = locate(file, error);
       CHECK(located.file == file.path.string());

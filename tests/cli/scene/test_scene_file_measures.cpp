@@ -80,7 +80,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("scene: a measure can be about the mean, and must not end before it begins") {
+  TEST_CASE("scene: a measure can use the mean as its level, and must not end before it begins") {
     const std::string swing = "[[measure]]\nname = \"T\"\nof = \"period\"\nprobe = \"tip\"\n";
     CHECK(read_text(small_scene + swing + "about = \"mean\"\n").scene.measures.at(1).about_mean);
     CHECK(read_text(small_scene + swing + "about = \"2*dp\"\n").scene.measures.at(1).about == 0.2);

@@ -72,7 +72,7 @@ TEST_SUITE("cli") {
     CHECK(both.name_for("least") == "other");
     CHECK(both.solution.contains("peak"));
     CHECK(both.value.at("least") == 1);
-    // a solution may be a measure's value, with names of the only material
+    // a solution may be the value of a measure and use constants of the only material
     const std::string modulus =
         reference("modulus", "let = { m = \"E/(1 - nu^2)\" }\nsolutions = { peak = \"m/E\" }");
     const Reference named = read_text(with_references(modulus)).scene.references.at("neo_hookean");

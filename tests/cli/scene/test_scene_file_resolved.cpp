@@ -218,7 +218,7 @@ TEST_SUITE("unit") {
     CHECK(*again.history == 1.0 / 3 / 1000);
   }
 
-  TEST_CASE("an override without a reference still has none in the resolved text") {
+  TEST_CASE("a scene that has no reference because of an override has none in the resolved text") {
     const SceneFile file = read_scene(find_scene("ball-plate"), set({{"v0", "0.06"}, {"fixed", "8*dp"}}));
     CHECK(file.scene.references.empty());
     CHECK(file.parameters[5].value == 8 * 0.0025);
@@ -258,7 +258,7 @@ TEST_SUITE("unit") {
     const std::string text = replaced(small_scene, "\"Small\"", "\"a \\\"b\\\" \\\\ c ν\"");
     CHECK(read_text(text).scene.title == "a \"b\" \\ c ν");
     check_round_trip(read_text(text));
-    // only titles must be one line
+    // only titles are limited to one line
     TomlValue lines;
     lines.set("a", TomlValue(std::string("b\n\t\x01 ν")));
     CHECK(parse_toml(print_toml(lines), "").find("a")->value.text == "b\n\t\x01 ν");

@@ -169,7 +169,7 @@ TEST_SUITE("cli") {
         {"greater than 0"});
   }
 
-  TEST_CASE("scene: listed particles in 3D collide by penalty contact, and touch when it acts") {
+  TEST_CASE("scene: listed particles in 3D touch at the distance at which penalty contact acts") {
     write_file("given.csv", "x,y,z\n0,0,0\n0.05,0,0\n");
     const std::string_view asks = R"([[probe]]
 name = "tip"

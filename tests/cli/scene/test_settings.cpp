@@ -41,7 +41,8 @@ TEST_SUITE("cli") {
     check("jitter", "0.08", "0", Source::scene);
     check("jitter_seed", "1", "1", Source::by_default);
     check("stepping", "dual", "dual", Source::by_default);
-    CHECK(file.find_resolved("cfl")->source == Source::by_default);  // the scene's is for another method
+    CHECK(file.find_resolved("cfl")->source ==
+          Source::by_default);  // the scene's CFL number is for another method
     CHECK(read_text("cfl = 0.25\n" + small_scene).find_resolved("cfl")->source == Source::scene);
     for (const std::string& name : names_to_set(file)) {
       CAPTURE(name);

@@ -177,7 +177,7 @@ TEST_SUITE("cli") {
     CHECK(contains(session(folder, "step 9\nreset\n").out, "t=0 step=0\nok\n"));
   }
 
-  TEST_CASE("measures of a session are those of the run once it has their time, and name the reason before") {
+  TEST_CASE("a measure of a session has the value of a run, or the reason why it has no value yet") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out")).code == 0);
     const auto measure = json_of(folder / "out/run.json")["measures"]["touch_time"];
@@ -189,7 +189,7 @@ TEST_SUITE("cli") {
     CHECK(contains(session(folder, "measures foo\n").out, "error: unknown measure 'foo'"));
   }
 
-  TEST_CASE("a session confirms what it sets, and remarks that a time is past") {
+  TEST_CASE("a session confirms each setting, and reports that a requested time is past") {
     const TemporaryFolder folder;
     CHECK(session(folder, "range 0 2\n").out == "range=0 2\nok\n");
     CHECK(session(folder, "color pressure\n").out == "color=pressure\nok\n");

@@ -87,7 +87,7 @@ TEST_SUITE("cli") {
       looks.insert(alone.line());
     }
     CHECK(looks.size() == all.size());
-    // a method's second line leaves all first lines alone
+    // a second line of a method does not change any first line
     const auto twice = curve_styles({all[0], all[0], all[8]});
     CHECK(twice[2].line() == together[8].line());
     CHECK(twice[1].line() != twice[0].line());
@@ -153,7 +153,7 @@ TEST_SUITE("cli") {
     CHECK(left_of(script_of(falling(speeds_of("tl", 2), -1.25e-120))) > usual + 15);
   }
 
-  TEST_CASE("a history in SVG has the contents of one in PNG, with letters as large") {
+  TEST_CASE("a history in SVG has all names, in letters as large as in PNG") {
     const TemporaryFolder folder;
     const HistoryPlot plot = falling(speeds_of("oenog", 20));
     const PlotFiles files{folder / "p.svg"};

@@ -46,7 +46,8 @@ TEST_SUITE("cli") {
     CHECK(fs::exists(folder / "map.png"));
   }
 
-  TEST_CASE("a verdict without cells leaves no gap: gnuplot counts only blocks with lines") {
+  TEST_CASE(
+      "a verdict that no run has is left out of the data of a map, so that gnuplot's numbers of blocks match") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", speeds, "rod", "speed");  // no hourglass
     REQUIRE(call({"map", file, "--out", folder.str("map.png")}).code == 0);
@@ -115,7 +116,7 @@ TEST_SUITE("cli") {
     std::set<std::string> colors;
     for (std::size_t at = script.find(mark); at != std::string::npos; at = script.find(mark, at + 1))
       colors.insert(script.substr(at + mark.size(), 7));
-    CHECK(colors.size() == 6);  // including no verdict
+    CHECK(colors.size() == 6);  // one is for runs without verdict
   }
 
   TEST_CASE("a map without a swept parameter is refused with the reason") {

@@ -60,7 +60,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("a sweep creates a folder for each run and a row in the order of the grid") {
     const TemporaryFolder folder;
-    // the second of three rows is the longest
+    // the second of the three values takes longest
     const Outcome outcome = program(tiny_sweep(
         folder, "out", {"--grid", "until=0.001,0.004,0.002", "--grid", "method=og,enog", "--jobs", "3"}));
     CAPTURE(outcome.err);
@@ -275,7 +275,8 @@ tables = { gap_rmse = { file = "tables/gap.csv", column = "gap" } }
     CHECK(program(tiny_sweep(folder, "discs.toml/out", {"--grid", "speed=1"})).code == 4);
   }
 
-  TEST_CASE("single runs write no results, and a call without --index does") {
+  TEST_CASE(
+      "a sweep with --index does a single run and writes no results, and a sweep without --index writes them") {
     const TemporaryFolder folder;
     Texts grid{"--grid", "speed=1,2,3"};
     REQUIRE(program(tiny_sweep(folder, "whole", grid)).code == 0);

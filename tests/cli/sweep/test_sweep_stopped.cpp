@@ -54,7 +54,7 @@ TEST_SUITE("cli") {
     CHECK(results(folder / "killed") == results(folder / "undisturbed"));
   }
 
-  TEST_CASE("an interrupt ends the runs of a sweep in order, and the results record it") {
+  TEST_CASE("an interrupt ends the runs of a sweep cleanly, and the results record it") {
     for (const int signal : {SIGINT, SIGTERM}) {
       const TemporaryFolder folder;
       ChildProgram sweep(endless_sweep(folder));

@@ -38,7 +38,7 @@ class Disk {
     }
   }
 
-  /// [name of a renamed file] whether all files were on disk at each renaming; whether the file itself was.
+  /// By name of a renamed file: whether all files, and whether the file itself, were on disk at each renaming.
   std::map<std::string, std::vector<bool>> all_before, itself_before;
   std::set<std::string> lacking;
 
@@ -61,7 +61,7 @@ class Disk {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("files needed by a checkpoint or a finished run are on disk before them") {
+  TEST_CASE("files needed by a checkpoint or a finished run are on disk before checkpoint.bin and run.json") {
     for (const std::string range : {"0:4", "auto"}) {  // drawn during the run, or at its end
       CAPTURE(range);
       const TemporaryFolder folder;

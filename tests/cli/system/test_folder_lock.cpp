@@ -23,7 +23,7 @@ namespace {
 
 using Of = FolderLock::Of;
 
-/// Empty on success.
+/// Message of a refused lock, empty on success.
 std::string refusal(const fs::path& folder, Of of) {
   std::ostringstream err;
   try {

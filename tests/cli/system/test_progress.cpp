@@ -15,7 +15,7 @@ TEST_SUITE("cli") {
     CHECK(long_time_left(1e-3, 0.999, 60) == "17 hours");
     CHECK(long_time_left(0.01, 0.99, hour) == "4 days");
     CHECK(long_time_left(1e-12, 1, 10) == "centuries");
-    CHECK(long_time_left(1e-12, 1, 0.5).empty());  // too early
+    CHECK(long_time_left(1e-12, 1, 0.5).empty());  // too early for an estimate
     CHECK(long_time_left(0.9, 0.1, 10 * day) == "27 hours");
     CHECK(long_time_left(0, 1, 60).empty());
     CHECK(long_time_left(0, 1, day).empty());

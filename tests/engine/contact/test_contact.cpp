@@ -85,7 +85,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("impulse contact: two particles touch from one spacing on and stop within one step") {
+  TEST_CASE("impulse contact: two particles closer than one spacing stop within one step") {
     for (const char* method : {"og", "enog", "oenog"}) {
       CAPTURE(std::string(method));
       for (const double gap : {0.99, 1.4}) {
@@ -145,7 +145,7 @@ TEST_SUITE("conservation") {
           CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) <
                 round_off * before.angular_scale);
         CHECK(kept_speed(start, simulation->snapshot()) < 0.7);
-        // ccb is undamped in tension, pf in zigzags
+        // ccb does not damp tension, and pf does not damp zigzags
         const double gain = method.name == "ccb" ? 1.08 : method.name == "pf" ? 3 : 1.003;
         CHECK(after.kinetic + after.strain < gain * before.kinetic);
       }
@@ -264,7 +264,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("contact: a law between particles has a force with its energy, or an impulse") {
+  TEST_CASE("contact: a law between particles has either a force and its energy, or an impulse") {
     for (const ContactLawRow& law : contact_laws) {
       CAPTURE(name(law.law));
       CHECK((law.force == nullptr) == (law.energy == nullptr));

@@ -175,7 +175,8 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("stability") {
-  TEST_CASE("surface contact: the greatest allowed stiffness shortens the steps and conserves the energy") {
+  TEST_CASE(
+      "surface contact: the greatest allowed stiffness shortens the steps and keeps the energy within 10 %") {
     Scene scene = two_blocks_that_meet();
     Settings settings = with_method("oenog");
     const auto run = [&](double stiffness) {
@@ -223,7 +224,7 @@ TEST_SUITE("analytic") {
     CHECK(blocks.gap() == Approx(-depth).epsilon(1e-9));
   }
 
-  TEST_CASE("contact of faces: a wall presses a body as its mirror image does") {
+  TEST_CASE("contact of faces: a wall presses a body like the body's mirror image") {
     const double depth = 0.1 * dp, length = 6 * dp, k = modulus() / (2 * dp);
     Scene scene = scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}});
     scene.walls = {{"wall", {0, 0, 0}, {-1, 0, 0}}};
@@ -287,7 +288,7 @@ TEST_SUITE("conservation") {
     CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) < 1e-13 * before.angular_scale);
   }
 
-  TEST_CASE("contact of faces: colliding tips neither interpenetrate nor create energy") {
+  TEST_CASE("contact of faces: colliding tips create no energy") {
     Scene claps = scene_of({Box{{-0.01, -0.02, 0}, {0, 0.02, 0}}});
     claps.bodies[0].shapes.push_back(Box{{0, 0.01, 0}, {0.08, 0.02, 0}});
     claps.bodies[0].shapes.push_back(Box{{0, -0.02, 0}, {0.08, -0.01, 0}});
@@ -326,7 +327,7 @@ TEST_SUITE("conservation") {
     simulation->advance_to(0.003);
     const std::vector<double>& gap = simulation->series().value[0];
     CHECK(*std::ranges::min_element(gap) < 0);
-    CHECK(*std::ranges::min_element(gap) > -dp);  // faces that look away are ignored
+    CHECK(*std::ranges::min_element(gap) > -dp);  // faces that are turned away from each other are ignored
   }
 
   TEST_CASE("contact of faces: a round body on a flat one is not pushed aside where corner meets corner") {

@@ -118,7 +118,7 @@ TEST_SUITE("analytic") {
     CHECK(length(blocks.between(0, 1) + force) < 1e-9 * force[0]);
   }
 
-  TEST_CASE("contact of faces: in 3D a step beside a body presses only where the two overlap") {
+  TEST_CASE("contact of faces: in 3D a step beside a body exerts no force if the two do not overlap") {
     for (const double step : {1.0, 1.3, 2.0}) {
       CAPTURE(step);
       Scene scene = scene_of({Box{{0, 0, -4 * dp}, {12 * dp, 12 * dp, 0}},
@@ -151,7 +151,7 @@ TEST_SUITE("analytic") {
       CAPTURE(depth);
       Pressed<3> balls = two_balls(depth);
       const V force = balls.force_on(1);
-      // third order in spacing over radius
+      // the error is of third order in spacing over radius
       CHECK(std::abs(balls.gap() + depth) < 0.02 * dp);
       const double away = force[0] * direction[0] + force[1] * direction[1] + force[2] * direction[2];
       if (depth < 0)
@@ -405,7 +405,7 @@ TEST_SUITE("restart") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("contact of faces: in 3D a body that is pressed or bent but not folded costs no contact") {
+  TEST_CASE("contact of faces: in 3D a body that is pressed or bent, but not folded, has no self-contact") {
     CHECK(touching_after<3>([](const V& x) { return V{x[0], 0.6 * x[1], x[2]}; }, dp, 0) == 0);
     CHECK(touching_after<3>([](const V& x) { return bent(x, 0.012); }, dp, 0) == 0);
     CHECK(touching_after<3>([](const V& x) { return bent(x, -0.003); }, dp, 0) > 0);

@@ -105,7 +105,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("wall: a body meets its mirror image") {
+  TEST_CASE("wall: a wall acts on a body as a mirror image of the body would") {
     Scene alone = flying_block(), both = two_blocks();
     alone.walls = {wall("wall", {0, 0.3, 0}, {-1, 0, 0})};
     for (const MethodInfo& method : methods()) {
@@ -127,7 +127,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("wall: a wall acts by the penalty if bodies interact as one") {
+  TEST_CASE("wall: a wall acts by penalty contact if bodies interact by their stress as one") {
     Scene scene = flying_block();
     scene.walls = {wall("wall", {0, 0, 0}, {-1, 0, 0})};
     const auto after = [&](ContactLaw law) {
@@ -165,7 +165,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("wall: the angular impulse about the origin has the arm to the point of contact") {
+  TEST_CASE("wall: the angular impulse about the origin uses the arm to the point of contact") {
     const double speed = 0.02 * ring_rubber().sound_speed();
     for (const int axis : {0, 1}) {
       CAPTURE(axis);
@@ -207,7 +207,7 @@ TEST_SUITE("unit") {
     CHECK_NOTHROW(make_simulation(scene, with_method("tl")));
   }
 
-  TEST_CASE("wall: a face of a body may begin a quarter of a spacing inside it, and no deeper") {
+  TEST_CASE("wall: a face of a body may start at most a quarter of a spacing inside a wall") {
     Scene scene = flying_block();
     const auto begins = [&](double depth) {
       scene.walls = {wall("front", {(-0.2 - depth) * dp, 0, 0}, {-1, 0, 0})};

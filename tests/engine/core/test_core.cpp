@@ -25,7 +25,7 @@ namespace {
 
 double scramble(int k) { return std::sin(1.0 + 2.7 * k) + 0.1 * k; }
 
-/// Steps of 1 ms on one thread until the team is tried again.
+/// Number of steps of 1 ms on one thread until all threads are tried again.
 int steps_alone(TeamSize& team) {
   int steps = 0;
   for (; team.threads() == 1; ++steps) team.step_took(1e-3);
@@ -114,7 +114,7 @@ void check_gather() {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("cube root: the cube of the root is the argument for all sizes and both signs") {
+  TEST_CASE("cube root: the inverse cube root times the cube root is 1 for all sizes and both signs") {
     for (double x = 1e-290; x < 1e290; x *= 1.37) {
       CHECK(inverse_cube_root(x) * std::cbrt(x) == Approx(1).epsilon(1e-15));
       CHECK(inverse_cube_root(-x) == -inverse_cube_root(x));
@@ -286,7 +286,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "team: one thread takes the first block of steps, all take the next as long as they are not slower") {
+      "team: one thread makes the first block of steps, and all threads make the next ones while not slower") {
     for (const int most : {1, 3}) {
       TeamSize team(most);
       for (int step = 0; step < 1600; ++step) {
@@ -297,7 +297,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("team: a trial ends in the step that makes it slower, and costs a fiftieth of the time") {
+  TEST_CASE(
+      "team: a trial of all threads ends at the first step that makes it slower, and costs 2 % of the time") {
     TeamSize team(2);
     CHECK(steps_alone(team) == 16);
     team.step_took(10e-3);

@@ -77,7 +77,7 @@ TEST_SUITE("unit") {
     CHECK(field_error(displacement(), now, shear())->rms == Approx(0).scale(1).epsilon(1e-12));
   }
 
-  TEST_CASE("field_error: a rigid motion is subtracted only if the measure is free of it") {
+  TEST_CASE("field_error: a rigid motion is subtracted only if the measure requests it") {
     Measure free = displacement();
     free.rigid_motion_free = true;
     Snapshot now = sheared();

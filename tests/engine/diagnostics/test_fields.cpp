@@ -217,7 +217,7 @@ TEST_SUITE("unit") {
     CHECK(value("body", now, n) == 1);
   }
 
-  TEST_CASE("fields: a particle alone is not strained") {
+  TEST_CASE("fields: a single particle has no strain") {
     Snapshot now = made_snapshot(2, {{0, 0, 0}, {9, 0, 0}});
     now.x = {1, 1, 0, 0};
     CHECK(value("J", now) == 1);

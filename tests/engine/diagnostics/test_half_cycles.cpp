@@ -35,7 +35,7 @@ TEST_SUITE("unit") {
     expect(value("period", {0, 1, 2, 4, 5}, {0, 3, -1, -1, 3}), 4.25);
   }
 
-  TEST_CASE("period: a step exactly at zero counts once, and a touch does not count") {
+  TEST_CASE("period: a step exactly at zero counts as one crossing, and a touch of zero as none") {
     expect(value("period", {0, 1, 2, 3, 4, 5}, {0, 1, 0, -1, 0, 1}), 4);
     expect(value("period", {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 0, 1, -1, 0, -1, 1}), 6.5);
     expect(value("period", {0, 1, 2, 3, 4, 5, 6}, {-1e-18, 1, -1e-17, 1, 0, -1, 1}), 5.5);
@@ -98,7 +98,7 @@ TEST_SUITE("unit") {
     CHECK(value("decay", sampled(unequal_times(1.51, 1e-3), wave)));
   }
 
-  TEST_CASE("period: a one-sided oscillation has no period about 0, with a reason, and one about its mean") {
+  TEST_CASE("period: a one-sided oscillation has a period about its mean, and a reason for none about 0") {
     const double T = 0.254, loss = 0.4;
     const auto swing = [=](double t) {
       return -0.03 * (1 - std::exp(-loss * t / T) * std::cos(2 * pi * t / T)) + 2e-4 * std::sin(40 * t / T);
@@ -120,7 +120,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("period: a series without a whole cycle about the mean has none, with a reason") {
+  TEST_CASE("period: a series without a whole cycle about the mean has a reason in place of a period") {
     Scene scene = scene_of("period");
     scene.measures[0].about_mean = true;
     const auto swing = [](double t) { return 1 - std::cos(2 * pi * t); };
@@ -132,7 +132,7 @@ TEST_SUITE("unit") {
     CHECK(result(scene, Series{{}, {{}, {}}}).why == "the series is not finite at its start");
   }
 
-  TEST_CASE("period: noise of a fiftieth about the level makes no crossing") {
+  TEST_CASE("period: noise of a fiftieth of the amplitude adds no crossings of the level") {
     Scene scene = scene_of("period");
     scene.measures[0].about_mean = true;
     unsigned state = 1;
@@ -144,7 +144,7 @@ TEST_SUITE("unit") {
     expect(result(scene, sampled(unequal_times(4.8, 1e-3), swing)).value, 1, 0.01);
   }
 
-  TEST_CASE("mean of whole periods: a truncated sine of any phase gives its level to round-off") {
+  TEST_CASE("mean of whole periods: a sine of any phase, cut off anywhere, gives its level to 1e-5") {
     for (const double phase : {0.0, 0.4, 1.0, 2.5, 4.0}) {
       for (const double end : {1.9, 2.3, 3.45}) {
         const Series series =
@@ -172,7 +172,8 @@ TEST_SUITE("unit") {
     CHECK(result(scene, series).why.find("the series stays on one side of 0") == 0);
   }
 
-  TEST_CASE("mean, integral: both weigh time within their bounds, or are absent with a reason") {
+  TEST_CASE(
+      "mean, integral: both are integrals over the time within their bounds, or are absent with a reason") {
     Scene scene = scene_of("mean");
     const Series series{{0, 0.1, 0.5, 0.9, 1.2}, {{1, 1.1, 1.5, 1.9, 2.2}}};
     expect(result(scene, series).value, 1.5);

@@ -94,7 +94,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("lines: a sample shows its time, between the steps, and no step is altered") {
+  TEST_CASE("lines: a sample is interpolated at its time between two steps, and alters no step") {
     Scene scene = rotating_plate(0.01);
     const auto plain = make_simulation(scene, with_method("oenog"));
     make_steps(*plain, 20);
@@ -138,7 +138,7 @@ TEST_SUITE("unit") {
     scene.probes[0].at = {0.02, 0, 0};
     try {
       make_simulation(scene, with_method("oenog"));
-      FAIL("the point is outside");
+      FAIL("no error for a point outside the body");
     } catch (const SceneError& error) {
       CHECK(error.key == "probe.far");
     }

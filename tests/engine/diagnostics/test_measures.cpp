@@ -203,7 +203,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(value("minimum", {0, 1, 2}, {5, 5, 5}));
   }
 
-  TEST_CASE("maximum: mirror asymmetry counts as far as the run got") {
+  TEST_CASE("maximum: the maximum of the mirror asymmetry exists before the end of the run") {
     Scene scene = scene_of("maximum");
     scene.probes[0].kind = Probe::Kind::mirror_asymmetry;
     expect(result(scene, Series{{0, 1, 2}, {{0, 1e-9, 3e-9}}}).value, 3e-9);

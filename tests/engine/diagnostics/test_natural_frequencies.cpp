@@ -90,7 +90,7 @@ Grid annulus(const Elastic& material, double inner, double outer) {
           }};
 }
 
-/// Hz, ascending, without rigid modes.
+/// Frequencies in Hz, ascending, without rigid modes.
 std::vector<double> frequencies(const Grid& grid) {
   const int n = 2 * grid.nodes_i() * grid.nodes_j();
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n), M = K;
@@ -187,7 +187,7 @@ TEST_SUITE("analytic") {
     CHECK(f[0] == Approx(525.6).epsilon(1e-3));
     CHECK(f[1] == Approx(796.5).epsilon(1e-3));
     CHECK(f[2] == Approx(879.0).epsilon(1e-3));
-    // all but n = 0 are double; three elements across are 0.3 % too stiff
+    // all modes but n = 0 are double; three elements across are 0.3 % too stiff
     const std::vector<double> g = frequencies(annulus(jelly, 2.5e-4, 5e-4));
     for (const auto& [k, n] : {std::pair(0, 2), {1, 2}, {2, 0}, {3, 3}, {4, 3}, {5, 1}, {6, 1}}) {
       const auto& n_now = n;  // clang cannot capture bindings

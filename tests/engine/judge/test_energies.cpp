@@ -58,7 +58,7 @@ struct Squares {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("energies: a body is judged alike with a fast bystander and without, at any common speed") {
+  TEST_CASE("energies: neither a distant fast body nor a common speed changes the verdict on a body") {
     for (const bool bystander : {false, true})
       for (const double common : {0.0, 3.0, -100.0})
         for (const double grown : {1.4, 1.5}) {
@@ -74,7 +74,7 @@ TEST_SUITE("unit") {
         }
   }
 
-  TEST_CASE("energies: bodies that have met share their energies, wherever they go") {
+  TEST_CASE("energies: bodies that may have met are judged by their common energy, wherever they go later") {
     for (const double apart : {2 * dp, 2.0}) {
       CAPTURE(apart);
       Squares squares({{}, {3 * dp + apart, 0, 0}});
@@ -96,7 +96,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(squares.diverges(test, 0.08));
   }
 
-  TEST_CASE("energies: the gain of a body is recorded from 1.1 times its energy on") {
+  TEST_CASE("energies: the gain of a body is recorded once the energy exceeds 1.1 times the initial one") {
     Squares squares({{}, {0, 5, 0}});
     squares.set_speeds(0, 0, 0.1);
     squares.set_speeds(1, 0, 1);
@@ -112,7 +112,7 @@ TEST_SUITE("unit") {
     CHECK(test.gain().since == 2);
   }
 
-  TEST_CASE("energies: a body on which nothing acts turns by itself, a clamped one does not") {
+  TEST_CASE("energies: a change of angular momentum is recorded for a free body and not for a clamped one") {
     for (const bool clamped : {false, true})
       for (const double common : {0.0, 10.0}) {
         CAPTURE(clamped);

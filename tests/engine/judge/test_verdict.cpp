@@ -79,7 +79,8 @@ TEST_SUITE("unit") {
       }
   }
 
-  TEST_CASE("judge: a soft joint of two rows between stiff halves is drawn out, and a crack in it is found") {
+  TEST_CASE(
+      "judge: a soft joint of two rows between stiff halves may stretch far, and a crack in it is found") {
     Scene scene = one_body(2);
     scene.materials.push_back({.name = "stiff", .density = 1, .youngs_modulus = 30, .poisson_ratio = 0});
     // stretches of bonds in the joint, beside it, and in the halves
@@ -154,7 +155,8 @@ TEST_SUITE("unit") {
     CHECK(judge.pieces() == 2);
   }
 
-  TEST_CASE("judge: bonds join diagonal neighbours but not second neighbours") {
+  TEST_CASE(
+      "judge: in 3D bonds join neighbours along face diagonals, not along space diagonals or two spacings") {
     const Scene scene = one_body(3);
     const Snapshot corner = made_snapshot(3, {{0, 0, 0}, {dp, dp, 0}, {-dp, 0, -dp}});
     CHECK(Judge(scene, corner, support, searched).pieces() == 1);
@@ -301,7 +303,7 @@ TEST_SUITE("unit") {
     CHECK(std::isinf(make_simulation(scene, settings)->lawful_stretch()));
   }
 
-  TEST_CASE("judge: a ring that is cut once is fractured, though it is one piece") {
+  TEST_CASE("judge: a ring that is cut once is fractured, although it remains one piece") {
     std::vector<Point> places;
     constexpr double turn = 6.283185307179586;
     for (int k = 0; k < 120; ++k)

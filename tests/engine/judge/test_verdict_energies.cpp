@@ -11,7 +11,7 @@ using namespace taut;
 using namespace taut::test;
 
 TEST_SUITE("unit") {
-  TEST_CASE("judge: energy above twice the start's is divergence, the worst verdict") {
+  TEST_CASE("judge: energy above twice the initial energy is divergence, the worst verdict") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 6, 1);
     now.v[0] = std::sqrt(0.5), now.v[2] = -std::sqrt(0.5);
@@ -112,7 +112,7 @@ TEST_SUITE("unit") {
     CHECK(verdict(3) == Verdict::stable);
   }
 
-  TEST_CASE("judge: the energy of a foreign stress is no divergence if almost nothing moves") {
+  TEST_CASE("judge: without kept neighbours excess strain energy is no divergence if almost nothing moves") {
     const Scene scene = one_loaded_body();
     for (const bool keeps : {false, true})
       for (const double speed : {0.1, 1.5}) {

@@ -182,7 +182,7 @@ TEST_SUITE("unit") {
     CHECK_THROWS_AS(make_initial_particles(scene), SceneError);
   }
 
-  TEST_CASE("layout: a body without particles is named") {
+  TEST_CASE("layout: a body without particles is an error that names the body") {
     const SceneError error = scene_error([] {
       make_initial_particles(one_body(2, 1, {Disc{{0, 0, 0}, 0.2}}));
     });

@@ -110,7 +110,7 @@ TEST_SUITE("unit") {
     CHECK(guided > 5);
   }
 
-  TEST_CASE("jitter: regions select by cell, velocities are evaluated at moved positions") {
+  TEST_CASE("jitter: regions select cells of the layout, and velocities are evaluated at moved positions") {
     Scene scene = brick(2);
     Body& body = scene.bodies[0];
     body.parts = {{1, [](const Point& x) { return x[1] > 0.5 ? 1.0 : 0.0; }}};
@@ -177,7 +177,7 @@ TEST_SUITE("unit") {
       CHECK(distance_between(of_body[i], of_shape[i], 2) < 1e-9);
   }
 
-  TEST_CASE("jitter: mirrored rings are images to the last bit, and no other symmetry remains") {
+  TEST_CASE("jitter: mirrored rings are mirror images to the last bit, and no other symmetry remains") {
     Scene scene = colliding_rings(0.06, 0.001);
     for (Body& body : scene.bodies) {
       const Ring& ring = *body.shapes[0].as<Ring>();

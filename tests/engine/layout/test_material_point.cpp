@@ -59,7 +59,7 @@ TEST_SUITE("analytic") {
     CHECK(material_point(x, 10, 15, {0, 0, 0}, 2.6 * dp, 2).empty());
   }
 
-  TEST_CASE("material point: a boundary point is a particle or lies between those of its cell") {
+  TEST_CASE("material point: a boundary point is a particle or lies between the particles of its cell") {
     Scene scene;
     scene.spacing = 0.99 * dp;  // not the fitted lattice
     scene.bodies.resize(1);

@@ -78,7 +78,7 @@ void check_closed(const Scene& scene, const SurfaceMesh& mesh, double tolerance)
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("surface mesh: the mesh of a box is its faces") {
+  TEST_CASE("surface mesh: the mesh of a box consists of the lattice cells of its faces") {
     const Scene scene = of(Box{{0, 0, 0}, {0.004, 0.005, 0.006}});
     const InitialParticles initial = make_initial_particles(scene);
     const SurfaceMesh mesh = make_surface_mesh(scene, initial);

@@ -340,7 +340,8 @@ TEST_SUITE("term") {
     check(LawOf<Law::rotated_piola>{{K, G}}, LawOf<Law::rotated_piola>{{2 * K, 3 * G}});
   }
 
-  TEST_CASE("laws: the neo-Hookean stress equals its Cauchy form −K (J − 1), G J^(−5/3) dev(F Fᵀ)") {
+  TEST_CASE(
+      "laws: the neo-Hookean stress has the pressure −K (J − 1) and the deviator G J^(−5/3) dev(F Fᵀ)") {
     const LawOf<Law::neo_hookean> law{{K, G}};
     for (const M2& F : strained<2>()) {
       const double J = determinant(F), scale = G * std::pow(J, -5.0 / 3);
@@ -353,7 +354,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("laws: the rotation nearest to F has a closed form in 2D and is iterated in 3D") {
+  TEST_CASE("laws: the rotation nearest to F is found in 2D and 3D, also for half turns") {
     for (const double angle : {0.0, 0.4, 2.0, 3.1, -1.7}) {
       const M2 R = rotation(angle), U{{{1.4, 0.2}, {0.2, 0.6}}};
       CHECK(greatest(minus(nearest_rotation(times(R, U)), R)) < 1e-14);

@@ -5,7 +5,7 @@
 //   icb              [TranDuc2023] §2.3: N, F, ε, σ⁰, iteration for R, acceleration
 //   tl-hg            [Ganzenmueller2015], with one hourglass amplitude for both errors of a pair
 //   tl-enog          [Wu2023]: Kirchhoff stress in two parts and the damping stress
-//   tl-small-strain  [Zhang2020] Eq. 3, 4, 7–9, sums of Eq. 7 and 9 normalised consistently with an energy
+//   tl-small-strain  [Zhang2020] Eq. 3, 4, 7–9; sums of Eq. 7 and 9 divided by Σ V W, so that the force has an energy
 // Contact: [TranDuc2023] Eq. 2.13, for tl-small-strain [Zhang2020] Eq. 12. Time: x to mid-step, v, x to the end.
 
 #include <algorithm>
@@ -83,7 +83,7 @@ struct Run {
     const double slope = (std::cos(y) / y - std::sin(y) / (y * y)) * std::numbers::pi / 2;
     return sinc_norm() / h * 5 * std::pow(sinc(q), 4) * slope;
   }
-  /// 1 / integral up to 3 h.
+  /// 1 / integral of the Gaussian up to 3 h.
   double gauss() const {
     constexpr double pi = std::numbers::pi;
     if (Dim == 2) return 1 / (pi * h * h) / (1 - std::exp(-9.0));

@@ -76,7 +76,7 @@ Noise noise(const std::string& method, int across, const std::map<std::string, d
   return noise(scene, *make_simulation(scene, settings));
 }
 
-/// First tip peak over finite elements; whether the tip has returned through rest.
+/// First tip peak relative to finite elements; whether the tip has returned past its start.
 struct Swing {
   double peak_ratio;
   bool back;
@@ -92,7 +92,7 @@ Swing swing(const std::string& method) {
 }  // namespace
 
 TEST_SUITE("convergence") {
-  TEST_CASE("spinning plate: with the correction its corner converges to finite elements") {
+  TEST_CASE("spinning plate: with the gradient correction the corner converges to finite elements") {
     for (const std::string method : {"ulsph-av-as", "d-ulsph-r-as", "d-ulsph-r-tic"}) {
       CAPTURE(method);
       const Spin coarse = spin(method, 13, 0.1), fine = spin(method, 25, 0.1);
@@ -104,7 +104,8 @@ TEST_SUITE("convergence") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("plate: a clamped plate vibrates, without correction too little") {
+  TEST_CASE(
+      "plate: a clamped plate vibrates, and without the gradient correction its amplitude is too small") {
     for (const std::string method : {"ulsph-av-as", "d-ulsph-r-tic"}) {
       CAPTURE(method);
       const Swing corrected = swing(method);
@@ -118,7 +119,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("spinning plate: without correction its rotation is lost") {
+  TEST_CASE("spinning plate: without the gradient correction the rotation is lost") {
     for (const std::string method : {"ulsph-av-as-uncorrected", "ccbwat"}) {
       CAPTURE(method);
       CHECK(spin(method, 25, 0.1).angular_change > 0.3);

@@ -58,7 +58,7 @@ Mat<double, Dim> pressed_strain(double share) {
   return F;
 }
 
-/// Initial strain F plus `off` times a varying strain; `share` is the part of G due to areas.
+/// Block with the initial gradient F and a displacement that varies by `off` spacings; `share`: `cofactor_share`.
 template <int Dim>
 Scene strained_block(const Mat<double, Dim>& F, double off, double share = 0.4) {
   Scene scene;
@@ -86,13 +86,13 @@ double strain_energy(const Scene& scene, const Settings& settings) {
   return std::accumulate(start.strain_energy.begin(), start.strain_energy.end(), 0.0);
 }
 
-/// One short step from rest: v over its length is the acceleration.
+/// One short step from rest: v divided by the step length is the acceleration.
 Snapshot after_short_step(const Scene& scene, Settings settings) {
   settings.step = 1e-12;
   return state_after(1, scene, settings);
 }
 
-/// Work −Σ f · dx over the energy change.
+/// Work −Σ f · dx relative to the energy change.
 template <int Dim>
 double work_over_energy(const std::string& method, Law law) {
   constexpr double off = 0.2, change = 1e-4;
@@ -177,7 +177,8 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("laws: under a linear displacement oenog has the law's energy without bond energy") {
+  TEST_CASE(
+      "laws: under a linear displacement the energy of oenog is that of the law, and bonds add nothing") {
     for_each_law(rubber(0.4), [](const LawRow& row, const auto& law) {
       CAPTURE(row.choice);
       const auto check = [&]<int Dim>() {

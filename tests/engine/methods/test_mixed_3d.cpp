@@ -77,7 +77,7 @@ struct Cube {
   }
 };
 
-/// Two-stage Runge–Kutta for du/dt = (−d ± i w) u.
+/// Greatest stable step of two-stage Runge–Kutta for du/dt = (−d ± i w) u.
 double greatest_step(double d, double w) {
   const auto grows = [&](double dt) {
     const double a = -d * dt, b = w * dt;
@@ -141,7 +141,7 @@ TEST_SUITE("analytic") {
         for (int c = 0; c <= b; ++c) {
           const V3 k{pi * a / n, pi * b / n, pi * c / n};
           const double L = cube.symbol(i, k), along = cube.gradient_symbol(i, k);
-          const double decay = L * L / 8;  // ε₄ = 1/8, c/dp
+          const double decay = L * L / 8;  // ε₄ = 1/8, in units of c/dp
           steepest = std::max(steepest, along);
           if (a == n) slowest = std::min(slowest, decay);
           shortest = std::min(shortest, greatest_step(decay, along));
@@ -194,7 +194,7 @@ TEST_SUITE("analytic") {
           biharmonic_spectral_radius(of_four.view(), n, 3));
   }
 
-  TEST_CASE("JST: steps on jittered particles are nearly as long as on the lattice") {
+  TEST_CASE("JST: steps on jittered particles are more than half as long as on the lattice") {
     const auto step = [](const Scene& scene) {
       const auto simulation = make_simulation(scene, with_method("pf-jst"));
       make_steps(*simulation, 1);
@@ -284,7 +284,8 @@ TEST_SUITE("stability") {
 }
 
 TEST_SUITE("stability") {
-  TEST_CASE("mixed: a body that strain softens keeps its step at rest, for any number of particles") {
+  TEST_CASE(
+      "mixed: a body that is softened by strain keeps the step of the body at rest, for any number of particles") {
     for (const double side : {4, 5}) {
       CAPTURE(side);
       Scene scene = pressed_block(1);
@@ -318,7 +319,8 @@ TEST_SUITE("stability") {
 }
 
 TEST_SUITE("convergence") {
-  TEST_CASE("mixed: an independent H changes neo-Hookean bodies by second order in the step only") {
+  TEST_CASE(
+      "mixed: an independent H changes the motion of neo-Hookean bodies only by second order in the step") {
     const Scene scene = sprung_block();
     const auto difference = [&](double step) {
       Settings settings = with_method("pfj-jst");

@@ -54,7 +54,7 @@ const Pack usual{0.3, 0.99, 1.7, 2.4};
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("cached pairs: values are exact in 2D and in single precision in 3D") {
+  TEST_CASE("cached pairs: values are exact in 2D and have single precision in 3D") {
     const Cached<2> flat = cached_at<2>(0.001, usual);
     const Cached<3> solid = cached_at<3>(0.001, usual);
     for (int lane = 0; lane < lanes; ++lane) {

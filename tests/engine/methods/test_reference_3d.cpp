@@ -128,7 +128,7 @@ void check_mixed(const Scene& scene, const std::string& name, double projection)
   check_field("rho", now.rho, rho);
 }
 
-/// Face contact and the step have tests of their own.
+/// Penalty contact and a given step: face contact and the CFL step have other tests.
 void check_oenog(Scene scene, bool meets) {
   CAPTURE(scene.name);
   scene.contact = ContactLaw::penalty;

@@ -106,7 +106,7 @@ TEST_SUITE("reference") {
       for (const char* method : current_configuration) check_method<3>(scene, method, 40);
     }
   }
-  TEST_CASE("naive: the Riemann term as printed follows the transcription with twice the dissipation") {
+  TEST_CASE("naive: with riemann_factor = 2, as Eq. 43 prints, d-ulsph-r-tic follows the transcription") {
     const Scene scene = two_materials();
     Settings settings = with_method("d-ulsph-r-tic");
     settings.constants["riemann_factor"] = 2;
@@ -116,7 +116,7 @@ TEST_SUITE("reference") {
     check_agreement(engine, run);
     CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);
   }
-  TEST_CASE("naive: the velocity gradient at the start of the step follows the transcription as printed") {
+  TEST_CASE("naive: with ∇u at the start of the step, as printed, d-ulsph-r-tic follows the transcription") {
     const Scene scene = two_materials();
     Settings settings = with_method("d-ulsph-r-tic");
     settings.constants["geometry"] = 0;
@@ -128,8 +128,8 @@ TEST_SUITE("reference") {
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "particles beside the surface have it within 1.2 spacings, and no other reach gives the same set") {
-    // in the inner corner some particles reach the surface only across a cell, 1.41 spacings
+      "surface vicinity: any reach from 1.1 to 1.3 spacings selects the same particles, 1.48 selects others") {
+    // in the inner corner some particles are one cell diagonal, 1.41 spacings, from the nearest surface particle
     Scene scene = small_collision();
     scene.bodies.pop_back();
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.012, 0.012, 0}}, Box{{0.012, 0, 0}, {0.024, 0.006, 0}}};

@@ -68,7 +68,7 @@ std::vector<int> brute_force(const Points<Dim>& x, int i, double reach) {
   return list;
 }
 
-/// KiB.
+/// Peak memory of the process, in KiB.
 long peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -148,7 +148,7 @@ TEST_SUITE("neighbors") {
     CHECK(peak_memory() - before < 32 * 1024);
   }
 
-  TEST_CASE("neighbors: a position outside all cells is refused") {
+  TEST_CASE("neighbors: a position that is not finite, or too far for any cell, is refused") {
     const double nan = std::numeric_limits<double>::quiet_NaN(),
                  inf = std::numeric_limits<double>::infinity();
     for (const double place : {nan, inf, -inf, 1e308}) {

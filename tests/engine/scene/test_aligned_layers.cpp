@@ -98,8 +98,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE(
-      "aligned layers: only hollow shapes with this layout have them, solid ones are cut from a lattice") {
+  TEST_CASE("aligned layers: solid shapes and shapes with another layout have no such layers") {
     Ring cut = shell();
     cut.layout = RoundLayout::lattice;
     CHECK(cut.sites(3, dp).empty());

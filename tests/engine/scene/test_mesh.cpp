@@ -41,7 +41,8 @@ void at_lattice(const Check& check) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("a mesh of a cube holds the points of the cube, also above edges and corners of its triangles") {
+  TEST_CASE(
+      "a mesh of a cube contains the points of the cube, also if the line above a point meets edges or corners") {
     Triangles triangles;
     add_cube(triangles, 0);
     CHECK(faults_of(triangles).open == 0);
@@ -58,7 +59,7 @@ TEST_SUITE("unit") {
     CHECK(wrong == 0);
   }
 
-  TEST_CASE("a point is in exactly one of two cubes that share a face") {
+  TEST_CASE("a point on the common face of two cubes is in exactly one of them") {
     Triangles left, both;
     add_cube(left, 0);
     add_cube(both, 0);
@@ -71,7 +72,7 @@ TEST_SUITE("unit") {
     CHECK(wrong == 0);
   }
 
-  TEST_CASE("parts of a mesh may overlap, and a shifted mesh holds the shifted points") {
+  TEST_CASE("parts of a mesh may overlap, and a shifted mesh contains the shifted points") {
     Triangles triangles;
     add_cube(triangles, 0);
     add_cube(triangles, 0.5);
@@ -90,7 +91,7 @@ TEST_SUITE("unit") {
     CHECK(mesh.bounds().high[1] == relative(4.5));
   }
 
-  TEST_CASE("open edges and triangles that face opposite sides are counted") {
+  TEST_CASE("open edges, and edges whose triangles face opposite sides, are counted") {
     Triangles mesh;
     add_cube(mesh, 0);
     Triangles turned = mesh;

@@ -161,7 +161,7 @@ TEST_SUITE("unit") {
     CHECK(crossing({{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}}}));
   }
 
-  TEST_CASE("shapes: a rotated shape has the particles of a rotated body to the bit") {
+  TEST_CASE("shapes: a rotated shape has the particles of a rotated body to the last bit") {
     const double dp = 0.001;
     for (const Shape& shape :
          {Shape(Box{{0, 0, 0}, {0.02, 0.007, 0}}), Shape(Disc{{0.003, 0, 0}, 0.01, RoundLayout::spaced}),
@@ -185,7 +185,7 @@ TEST_SUITE("unit") {
     CHECK(quarter(90) == quarter(0));
   }
 
-  TEST_CASE("shapes: mirrored ellipses and polygons about their centres are images to the bit") {
+  TEST_CASE("shapes: ellipses and polygons mirrored about their centres are mirror images to the last bit") {
     for (const double side : {-1.0, 1.0}) {
       const Point centre{side * 0.0313, 0.002, 0};
       const Shape shapes[] = {Ellipse{centre, {0.02, 0.01, 1}}, Polygon({star(0.02, 0.009)}, centre)};
@@ -202,7 +202,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("shapes: a hexagonal lattice has dp² a particle, six neighbours and whole rows") {
+  TEST_CASE(
+      "shapes: in a hexagonal lattice each particle has the area dp² and six neighbours, and rows are complete") {
     const double height = 0.01;
     Scene scene = scene_of(0.001, {Box{{0, 0, 0}, {0.1, height, 0}}});
     scene.bodies[0].lattice = Lattice::hexagonal;

@@ -83,7 +83,7 @@ double swinging_error(int dim, int n, const std::string& method) {
   return std::sqrt(sum / mass) / (1e-5 * n * dp);
 }
 
-/// RMS over the volume and four times, over greatest velocity and pressure.
+/// RMS errors over volume and four times, relative to the greatest velocity and pressure.
 struct SwingingErrors {
   double velocity = 0, stress = 0;
 };
@@ -122,7 +122,7 @@ SwingingErrors errors_over_period(int n, const Settings& given) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("displacement: a method without a reference configuration refuses it with a reason") {
+  TEST_CASE("displacement: a method without a reference configuration refuses a displacement with a reason") {
     Scene scene = block(0.006);
     scene.bodies[0].displacement[0] = [](const Point& x) { return 0.01 * x[0]; };
     for (const MethodInfo& method : methods()) {
@@ -208,7 +208,7 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("convergence") {
   TEST_CASE(
-      "displacement, guides, particles on the faces: a square and a cube vibrate as the exact solution") {
+      "displacement, guides, particles on the faces: a square and a cube vibrate like the exact solution") {
     const auto check = [](int dim, const char* method, double bound, double ratio) {
       CAPTURE(dim);
       CAPTURE(std::string(method));

@@ -46,7 +46,8 @@ double energy(const Balance& sums) { return sums.kinetic + sums.strain; }
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("driven: a point in a driven or clamped region follows it to round-off, up to its face") {
+  TEST_CASE(
+      "driven: a point in a driven or clamped region, up to its face, follows the region to round-off") {
     for (const int layers : {1, 2}) {
       for (const char* method : {"oenog", "enog"}) {
         CAPTURE(layers);

@@ -229,7 +229,7 @@ TEST_SUITE("unit") {
       }
   }
 
-  TEST_CASE("face loads: a region that is no layer has no face") {
+  TEST_CASE("face loads: a region that is not one layer along one side has no face") {
     const Scene scene = pulled_block(
         10, 0.03, [](double) { return 1.0; }, 1);
     const InitialParticles initial = make_initial_particles(scene);
@@ -262,7 +262,8 @@ TEST_SUITE("analytic") {
     CHECK(error(at_rest(pulled_block(6, 1.5 * H, sigma, omega), "oenog"), sigma, 1) < 0.05);
   }
 
-  TEST_CASE("bent block at rest: the stress across it is exact including surface rows") {
+  TEST_CASE(
+      "bent block at rest: the stress across the block converges to the exact one, also in surface rows") {
     const double L = 3 * H, omega = 22.4 * H / (L * L) * std::sqrt(E / ((1 - nu * nu) * 12 * rho));
     const auto sigma = [](double y) { return 20 * y / (H / 2); };
     const auto across = [&](const char* method, int rows,
@@ -316,7 +317,7 @@ TEST_SUITE("unit") {
             dim, [&](const Point& X) { return top(X) + bottom(X); }, method));
         CHECK_FALSE(loaded(
             dim, [&](const Point& X) { return top(X) + end(X); }, method));
-        // a region that is no layer acts as given
+        // a region of several layers acts as given
         CHECK(loaded(
             dim, [&](const Point& X) { return X[0] > 0.027 ? 1.0 : 0.0; }, method));
       }

@@ -109,7 +109,8 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("loads: a force on a whole solid accelerates it uniformly for any masses of its particles") {
+  TEST_CASE(
+      "loads: a force on a whole body in 3D accelerates the body uniformly, whatever the particle masses") {
     Scene scene = bar();
     scene.dim = 3;
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {length, H, H}}};
@@ -162,7 +163,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("damping: a pulled bar comes to rest where the undamped bar oscillates around") {
+  TEST_CASE("damping: a pulled bar comes to rest at the position about which the undamped bar oscillates") {
     Scene scene = pulled_bar(300);
     scene.bodies[0].loads[0].value[1] = nullptr;
     // lowest mode: ω = π/2 √(M/ρ)/12 mm, M = 4 G (3K + G)/(3K + 4G)

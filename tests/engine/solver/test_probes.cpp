@@ -191,7 +191,7 @@ TEST_SUITE("unit") {
     CHECK(std::abs(series.value[1].back()) < 1e-15);
   }
 
-  TEST_CASE("probes: a mass centre accounts for two densities") {
+  TEST_CASE("probes: the mass centre of a body of two materials depends on both densities") {
     for (const char* method : {"oenog", "tl"}) {
       CAPTURE(method);
       Scene scene = block({0.004, 0.002, 0.002});
@@ -315,7 +315,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("probes: the gap of bodies with particles on faces is 0 where pair forces begin") {
+  TEST_CASE("probes: the gap of bodies with particles on their faces is 0 when pair forces begin") {
     for (const bool first : {true, false}) {
       Scene scene = two_discs(0.0014, 2);
       scene.contact = ContactLaw::penalty;

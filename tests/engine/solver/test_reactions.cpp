@@ -216,7 +216,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact_force: partly overlapping faces include tangential forces") {
+  TEST_CASE("contact_force: the force between partly overlapping faces includes its tangential part") {
     Scene scene = scene_of_shapes(
         {Box{{-0.008, 0, 0}, {0, 0.006, 0}}, Box{{0.00005, 0.0048, 0}, {0.00805, 0.0108, 0}}}, 2, dp);
     scene.bodies[1].velocity[0] = constant(-8);

@@ -212,7 +212,7 @@ TEST_SUITE("restart") {
     CHECK_THROWS_AS(Loader{bytes}(text), UsageError);
   }
 
-  TEST_CASE("archive: values that must match are checked") {
+  TEST_CASE("archive: a saved value that differs from the required one is refused") {
     Saver saver;
     saver.match(5);
     const std::string bytes = saver.take();

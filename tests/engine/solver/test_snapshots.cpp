@@ -23,7 +23,7 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// Velocity lags by `lag`.
+/// The velocity is that of the time `lag` before.
 struct Path {
   std::function<Point(double)> x, v;
   double lag = 0;
@@ -36,7 +36,7 @@ struct Path {
     for (const std::size_t k : {0, 1}) now.x[k] = x(t)[k], now.v[k] = v(t - lag)[k];
     return now;
   }
-  /// Errors of x and v at a fifth of a step from 0.4.
+  /// Errors of the interpolated x and v at 0.4 + 0.2 dt.
   std::pair<double, double> errors(double dt) const {
     const double t = 0.4 + 0.2 * dt;
     const Snapshot shown = blend(at(0.4), at(0.4 + dt), t), exact = at(t);
@@ -103,7 +103,7 @@ TEST_SUITE("determinism") {
     }
   }
 
-  TEST_CASE("snapshots: motion has the positions, velocities and energies of a snapshot, to the bit") {
+  TEST_CASE("snapshots: motion has the positions, velocities and energies of a snapshot, to the last bit") {
     for (const Scene& scene :
          {small_collision(), small_clamped_plate(), small_solid_collision(), small_clamped_block()}) {
       for (const MethodInfo& method : methods()) {
@@ -148,7 +148,8 @@ TEST_SUITE("determinism") {
 }
 
 TEST_SUITE("convergence") {
-  TEST_CASE("blend: free flight is exact and a rotation third order, wherever velocities are defined") {
+  TEST_CASE(
+      "blend: free flight is exact, and errors of a rotation are of third order in x and second order in v") {
     const Path flight{[](double t) {
                         return Point{1 + 2 * t, 5 - 4.905 * t * t, 0};
                       },
@@ -219,7 +220,7 @@ TEST_SUITE("unit") {
     CHECK(same(blend(before, after, 1).s, before.s));
   }
 
-  TEST_CASE("snapshots: after a failed step a run returns its last snapshot") {
+  TEST_CASE("snapshots: after a failed step the snapshot is the last one before the failure") {
     const auto simulation = make_simulation(small_collision(), with_method("enog"));
     make_steps(*simulation, 1);
     const Snapshot before = simulation->snapshot();

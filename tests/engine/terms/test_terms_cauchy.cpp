@@ -85,7 +85,7 @@ TEST_SUITE("term") {
     CHECK(std::abs(raw(0, 1) - some_L(0, 1)) > 0.1);
   }
 
-  TEST_CASE("gradient correction: collinear particles have no correction") {
+  TEST_CASE("gradient correction: collinear particles are not corrected") {
     Sym2 moment{};
     add_gradient_moment(moment, 1.0, -0.5, 1.0, Vec2{0.6, 0.8});
     add_gradient_moment(moment, 1.0, -0.5, 2.0, Vec2{-0.6, -0.8});
@@ -94,7 +94,7 @@ TEST_SUITE("term") {
   }
 
   TEST_CASE(
-      "gradient correction: nearly collinear or coplanar neighbours have none, faces and corners have one") {
+      "gradient correction: almost collinear or coplanar neighbours are not corrected, faces and corners are") {
     const Sym2 row{1, 0.02, 0.001}, layer_of_two{1, 0, 0.25}, corner{0.3, 0.1, 0.3};
     for (const double c : gradient_correction(row).c) CHECK(c == 0);
     for (const Sym2& M : {layer_of_two, corner})
@@ -199,7 +199,8 @@ TEST_SUITE("term") {
     CHECK(magnitude(controlled) < 1e-13 * magnitude(force));
   }
 
-  TEST_CASE("colour function: the value is 1 inside a lattice, below 0.9 on its face, above one row deeper") {
+  TEST_CASE(
+      "colour function: the value is 1 inside a lattice, below 0.9 on its face, and above 0.9 one row deeper") {
     using K = Kernel<KernelName::wendland_c2>;
     const double length = 1.2;
     const auto colour = [&](int rows_above) {

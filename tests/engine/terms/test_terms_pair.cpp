@@ -96,7 +96,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("force: pressure and Laplacian act along the pair, the others do not") {
+  TEST_CASE("force: pressure and Laplacian act along the pair, and other force terms do not") {
     const Seen g(first_of_pair, second_of_pair);
     const auto across = [&](int term) {
       const Vec<double, 2> f = force_terms[term].force(first_of_pair, second_of_pair);
@@ -117,7 +117,7 @@ TEST_SUITE("term") {
     CHECK(magnitude(laplacian_term_nonconservative(g.v_ij, j.V, dW, g.inv_r)) == 0);
   }
 
-  TEST_CASE("shear: a rigid rotation gives none, except with the nonconservative Laplacian") {
+  TEST_CASE("shear: a rigid rotation gives 0, except with the nonconservative Laplacian") {
     const double omega = 40;
     const PairedParticle j = turning_with(first_of_pair, second_of_pair, omega);
     const Seen g(first_of_pair, j);
@@ -194,7 +194,7 @@ TEST_SUITE("term") {
       return pressure_diffusion_term(0.9, dW, p_i, p_j, share, /*ρ0*/ 2.0, /*c0*/ 5.0);
     };
     CHECK(flow(8, 3, 1) == Approx(0.9 * dW * (8 - 3) / (2 * 5)));
-    CHECK(flow(8, 3, 1) < 0);  // i is the one that thins
+    CHECK(flow(8, 3, 1) < 0);  // particle i becomes thinner
     CHECK(flow(8, 3, 1) == -flow(3, 8, 1));
     CHECK(flow(8, 3, 0.25) == Approx(0.25 * flow(8, 3, 1)));
     CHECK(flow(8, 3, 0) == 0);

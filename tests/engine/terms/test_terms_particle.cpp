@@ -130,7 +130,7 @@ TEST_SUITE("term") {
     CHECK(std::abs(raw(0, 0)) > 0.01);
   }
 
-  TEST_CASE("stress rate: stretch and shear give the values by hand for both deviators") {
+  TEST_CASE("stress rate: stretch and shear give values computed by hand, for both deviators") {
     const double a = 0.3;
     const Sym2 stretch = in_plane_rate({{{a, 0}, {0, 0}}}, {});
     CHECK(stretch(0, 0) == Approx(G * a));
@@ -213,7 +213,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("artificial stress: its value is −ε σ⁺/ρ², and 0 in compression") {
+  TEST_CASE("artificial stress: the value is −ε σ⁺/ρ², and 0 in compression") {
     const Sym2 R = artificial_stress(principal(6, -2, 0.4), 2.0, 0.3);
     const Sym2 expected = principal(-0.3 * 6 / 4, 0, 0.4);
     for (int k = 0; k < 3; ++k) CHECK(R.c[k] == Approx(expected.c[k]));

@@ -47,7 +47,7 @@ V2 penalty_on_checkerboard(const M2& L_sum) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("hourglass force: an affine motion has none, a zigzag is opposed along pairs") {
+  TEST_CASE("hourglass force: the force is 0 in an affine motion and opposes a zigzag along pairs") {
     const M2& F = stretched_and_turned;
     const V2 x = F * X;
     CHECK(magnitude(hourglass_force(F, F, X, x, 3.0, 2.0)) < 1e-15);
@@ -69,7 +69,7 @@ TEST_SUITE("term") {
     CHECK(magnitude(hourglass_force(F, D, X, V2{}, 3.0, 2.0)) == 0);
   }
 
-  TEST_CASE("hourglass force: units of length, mass and time scale it") {
+  TEST_CASE("hourglass force: other units of length, mass and time rescale the force") {
     for (const double length : {10.0, 0.3}) {
       const double pressure = 7, area = length * length;  // W is in 1/area
       const double w = hourglass_weight(10, 3 * pressure, 0.9 * area, 1.1 * area, 0.4 / area, 0.7 * length);
@@ -117,7 +117,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("velocity penalty: a linear velocity has none, and zigzags are opposed") {
+  TEST_CASE("velocity penalty: the penalty is 0 for a linear velocity and opposes zigzags") {
     const Seen g(first_of_pair, second_of_pair);
     const V2 x_ij = g.r * g.e;
     const M2 L{{{0.5, -2}, {3, 0.7}}};

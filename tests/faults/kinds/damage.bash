@@ -43,7 +43,7 @@ prepare() {
   ends 0 session "$scene" --strict
   input=load
   cd ..
-  # sound data are read to the end: what ends before that says nothing about damage
+  # each reader must accept undamaged data, or its trials would prove nothing
   local reader
   for reader in "${readers[@]}"; do
     mkdir sound && cp -a all/. sound && cd sound || exit 2

@@ -1,4 +1,4 @@
-harm="the disk is full during a run, sweep, session, movie or baseline: exit code 4, nothing torn; once there is room it continues"
+harm="the disk is full during a run, sweep, session, movie or baseline: exit code 4, nothing torn, and the work continues once there is room"
 
 options=(--threads 1 --quiet --save-particles --fields pressure,speed)
 works=(run run run sweep session movie chart panel baseline drawn)

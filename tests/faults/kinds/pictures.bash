@@ -1,4 +1,4 @@
-harm="movie, chart, map, plot, compare, diff, render and snapshot --update are struck: the old file or the new one"
+harm="movie, chart, map, plot, compare, diff, render and snapshot --update are struck: the file is the old or the new one"
 
 # file | exit code | the command that made its old version | the command that is struck; the last option names the
 # file

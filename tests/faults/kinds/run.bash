@@ -1,4 +1,4 @@
-harm="a run with checkpoints is struck up to five times and resumed: the bytes of an undisturbed run"
+harm="a run with checkpoints is struck up to five times and resumed: its bytes are those of an undisturbed run"
 
 methods=(enog og oenog d-ulsph-r-tic tl pfj-jst ulsph-av-as ccb oas)
 options=(--quiet --save-particles --fields pressure,speed)

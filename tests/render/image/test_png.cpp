@@ -148,7 +148,7 @@ TEST_SUITE("unit") {
     const TemporaryFolder folder;
     try {
       write_png(gradient(4, 4), folder / "none/a.png");
-      FAIL("nothing thrown");
+      FAIL("nothing was thrown");
     } catch (const OutputError& error) {
       CHECK(error.path == (folder / "none/a.png").string());
       CHECK(std::string(error.what()).find("No such file or directory") != std::string::npos);
@@ -165,12 +165,12 @@ TEST_SUITE("unit") {
   TEST_CASE("a full disk leaves the old file and nothing else") {
     const TemporaryFolder folder;
     write_png(gradient(5, 4), folder / "a.png");
-    // fails at the flush or earlier
+    // writing fails at the flush or earlier
     for (const rlim_t bytes : {rlim_t{0}, rlim_t{20000}}) {
       const FileSizeLimit limit(bytes);
       try {
         write_png(bytes ? noise(200, 200) : gradient(4, 4), folder / "a.png");
-        FAIL("nothing thrown");
+        FAIL("nothing was thrown");
       } catch (const OutputError& error) {
         CHECK(std::string(error.what()).find("File too large") != std::string::npos);
       }

@@ -11,7 +11,7 @@ using namespace taut::test;
 using namespace taut::render;
 
 TEST_SUITE("unit") {
-  TEST_CASE("the plot holds the whole view, in its middle, and touches it on two sides") {
+  TEST_CASE("the plot contains the whole view in its middle, and both have the same width or height") {
     const View views[] = {{-1, 1, -1, 1}, {0, 3, 10, 10.5}, {-0.1, 0, 0, 7}};
     const int sizes[] = {64, 90, 180, 720, 1080, 4000, 8192};
     for (const View& view : views) {
@@ -46,7 +46,7 @@ TEST_SUITE("unit") {
     const Rect no_header = with({.title = false, .method = false, .time = false});
     CHECK(no_header.y < all.plot.y);
     CHECK(no_header.y + no_header.height == all.plot.y + all.plot.height);
-    CHECK(with({.title = false}).y == all.plot.y);  // time and method need the line
+    CHECK(with({.title = false}).y == all.plot.y);  // time and method still need this line
     CHECK(with({.scale = false}).height > all.plot.height);
     const Rect no_bar = with({.bar = false});
     CHECK(no_bar.width > all.plot.width + 3 * all.font);

@@ -188,7 +188,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// Uses the CFL step if `own` is 0.
+  /// `own`: step length, or 0 for the CFL step.
   void step(double cfl, double damping, double own = 0) {
     double c = interfaces_.wave_speed, fastest = 0;
     for (int i = 0; i < size(); ++i) {
@@ -385,7 +385,7 @@ class NaiveOenogIn {
     }
   }
 
-  /// Way to j, or to the fixed point on the clamp's face.
+  /// Vector to j, or to the fixed point on the clamp's face.
   Place way(const Places& at, int i, int b) const {
     const int j = bonds_.j[b];
     Place d;

@@ -147,7 +147,8 @@ TEST_SUITE("unit") {
     CHECK(rows[other + 2] > 3);
   }
 
-  TEST_CASE("bonds: moments are isotropic on a lattice and nearly so on a ring, and every pair has a bond") {
+  TEST_CASE(
+      "bonds: moments are isotropic on a lattice and nearly so on a ring, and every bond has a weight above 0.5") {
     const Scene lattice = alone(Box{{0, 0, 0}, {0.016, 0.012, 0}}, 0.001);
     const Scene ring = alone(Ring{{}, 0.03, 0.04, RoundLayout::aligned}, 0.001);
     for (const auto& [scene, allowed, corners] : {std::tuple{lattice, 1e-9, 4}, {ring, 0.01, 0}}) {
@@ -199,7 +200,7 @@ TEST_SUITE("unit") {
       scene.bodies[0].shapes.push_back(Box{{x, 0, 0}, {x + high, height, 0}});
       return scene;
     };
-    // conditions contradict each other by round-off at re-entrant corners
+    // at re-entrant corners round-off makes the conditions contradictory
     for (const double x : {0.0, 0.005, 0.05, 0.1, 0.15, 0.2})
       for (const Scene& scene : {step(x, 0.056, 0.04, 0.018, 0.028), step(x, 0.06, 0.05, 0.02, 0.02)}) {
         CAPTURE(x);
@@ -264,7 +265,7 @@ TEST_SUITE("unit") {
     CHECK(ends == 3 * 5 - 2);
   }
 
-  TEST_CASE("bonds: volumes sum to the body's and integrate y² better than lattice volumes") {
+  TEST_CASE("bonds: volumes sum to the body's volume and integrate y² better than lattice volumes") {
     Scene scene = small_clamped_plate();
     scene.bodies.pop_back();
     scene.bodies[0].clamped = {};
@@ -361,8 +362,8 @@ TEST_SUITE("term") {
   }
 
   TEST_CASE_TEMPLATE(
-      "bond: the cancelled energy is the bond's within [1/4, 25/4], in 3D 4, and linear beyond", Dimension,
-      std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
+      "bond: the cancelled energy is the bond's for λ² from 1/4 to 25/4 (3D: 4), and linear beyond",
+      Dimension, std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
     constexpr int Dim = Dimension::value;
     constexpr double end = Dim == 2 ? 6.25 : 4;
     for (const double s : {0.25, 0.5, 1.0, 2.0, end}) {
@@ -404,7 +405,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("bond: zigzags of a square lattice are stiff from a compression to 0.72 to a stretch of 1.9") {
+  TEST_CASE("bond: a square lattice resists zigzags between a compression to 0.72 and a stretch of 1.9") {
     for (const double lambda : {1.0, 1.2, 1.5, 1.9})
       CHECK(zigzag_stiffness(gradient(lambda, 0, 0, std::pow(lambda, -0.9))) > 0.3);
     for (const double lambda : {0.9, 0.8, 0.72}) {

@@ -82,7 +82,7 @@ double resistance(double spacing, bool both, const char* method, std::optional<d
 
 TEST_SUITE("analytic") {
   TEST_CASE(
-      "driven: a region driven to the end is a moving clamp, one released later acts 0.4 dp farther in") {
+      "driven: a region driven to the end is a moving clamp, and a region released later acts 0.4 dp deeper") {
     for (const double spacing : {0.002, 0.001}) {
       CAPTURE(spacing);
       const double length = 0.032, later = 1;

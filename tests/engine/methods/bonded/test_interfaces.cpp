@@ -26,7 +26,7 @@ constexpr double L = 0.05, H = 0.01;  // length of each half and thickness of th
 double matched(double ratio) { return (std::sqrt(1 + 4 * nu_stiff * (1 + nu_stiff) / ratio) - 1) / 2; }
 double plane_modulus(double E, double nu) { return E / (1 - nu * nu); }
 
-/// Stiff at x > 0 (axis 0) or y > 0.
+/// A bar that is stiff at x > 0 (`axis` 0) or y > 0.
 Scene bar(double ratio, double nu_soft, int axis, double spacing, double half = H) {
   Scene scene;
   scene.name = "bar";
@@ -78,7 +78,7 @@ double lowest_frequency(double ratio) {
   return above / (2 * std::numbers::pi);
 }
 
-/// From the bar's length over five periods; starts from a cosine on either side.
+/// Frequency of the bar's length over five periods; each half starts as a cosine.
 double measured_frequency(double ratio, double spacing) {
   Scene scene = bar(ratio, matched(ratio), 0, spacing, H / 2);
   const double expected = lowest_frequency(ratio), omega = 2 * std::numbers::pi * expected;
@@ -156,7 +156,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("oenog: bodies of two materials stay whole, whatever their interface") {
+  TEST_CASE("oenog: bodies of two materials gain no energy, whatever their interface") {
     constexpr double dp = 0.001;
     Scene scene;
     scene.spacing = dp;

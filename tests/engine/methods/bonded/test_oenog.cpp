@@ -316,7 +316,7 @@ Mat<double, 2> gradient(const Snapshot& now) {
   const auto corner = [&](double X, double Y) {
     for (std::size_t i = 0; i < now.size(); ++i)
       if (std::hypot(now.x0[2 * i] - X, now.x0[2 * i + 1] - Y) < 1e-9) return i;
-    FAIL("no particle there");
+    FAIL("there is no particle at this place");
     return now.size();
   };
   const double half = 0.0005;

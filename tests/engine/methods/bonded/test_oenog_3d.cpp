@@ -163,7 +163,8 @@ Scene twisting_cantilever(int across) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("bonds: in 3D an interior particle has 26 with isotropic moments and a six-point gradient") {
+  TEST_CASE(
+      "bonds: in 3D an interior particle has 26 bonds with isotropic moments, and a six-point gradient") {
     const Scene scene = block(5, 5, 5);
     const Bonds bonds = make_bonds(scene, make_initial_particles(scene), h_over_dp * dp);
     const int middle = 62;
@@ -416,7 +417,7 @@ TEST_SUITE("convergence") {
 TEST_SUITE("failure") {
   TEST_CASE("oenog: in 3D thin bars on the lattice are stable at the default step for any Poisson's ratio") {
     struct Bar {
-      double side, poisson_ratio;  // in spacings
+      double side, poisson_ratio;  // side in spacings
     };
     for (const auto [side, poisson_ratio] : {Bar{3, 0.495}, {3, -0.7}, {2, 0.499}}) {
       CAPTURE(side);

@@ -77,7 +77,7 @@ double half_period(const Scene& scene, double until, const Settings& settings = 
   const std::vector<double>&t = simulation->series().time, &y = simulation->series().value[0];
   for (std::size_t k = 2; k < t.size(); ++k)
     if ((y[k - 1] > 0) != (y[k] > 0)) return t[k - 1] + (t[k] - t[k - 1]) * y[k - 1] / (y[k - 1] - y[k]);
-  FAIL("it does not come back");
+  FAIL("the probe does not return to its start");
   return 0;
 }
 
@@ -96,7 +96,7 @@ Scene ringing(double spacing) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("off-lattice: bonds of a lattice are as stiff as the solid, and no bonds at a face are stiffer") {
+  TEST_CASE("off-lattice: inside a lattice bonds are as stiff as the solid, and at a face they are softer") {
     const Scene scene = block(5);
     const Bonds bonds = make_bonds(scene, make_initial_particles(scene), h_over_dp * dp);
     CHECK_FALSE(bonds.off_lattice);
@@ -122,7 +122,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(is_on_lattice(face.X, 1.01 * dp));
   }
 
-  TEST_CASE("off-lattice: bonds are as stiff as the solid inside and nowhere stiffer") {
+  TEST_CASE("off-lattice: bonds of many particles are as stiff as the solid, and no bonds are stiffer") {
     for (const Scene& scene : {jittered(block(7), 0.2), body_centred(7)}) {
       const InitialParticles initial = make_initial_particles(scene);
       const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
@@ -203,7 +203,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("oenog: a jittered ring and plate vibrate slightly too slowly, less so if finer") {
+  TEST_CASE("oenog: a jittered ring and plate vibrate slightly too slowly, and a finer ring less so") {
     const auto too_slow = [](const Scene& scene, double share, double lattice) {
       return half_period(jittered(scene, share), 1.5 * lattice) / lattice - 1;
     };
@@ -224,7 +224,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("oenog: a plate jittered by 0.1 dp is far softer with tl") {
+  TEST_CASE("tl: a plate jittered by 0.1 dp is far softer than on the lattice") {
     const Scene plate = oscillating_plate(0.01, 10);
     const auto half = [](const Scene& scene) { return half_period(scene, 0.2, with_method("tl")); };
     CHECK(half(jittered(plate, 0.1)) > 1.2 * half(plate));
@@ -258,7 +258,7 @@ TEST_SUITE("failure") {
     }
   }
 
-  TEST_CASE("oenog: a jittered body with a tip of single particles stays whole") {
+  TEST_CASE("oenog: a jittered body with a tip of single particles conserves its energy") {
     Scene scene = oscillating_plate(0.01, 5);
     const double spacing = scene.spacing, L = 0.05;
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {L, 10 * spacing, 0}},
@@ -293,7 +293,7 @@ TEST_SUITE("failure") {
       REQUIRE(std::abs(now.v[2 * i] - (now.x0[2 * i] > 0 ? 1 : 0)) < 1e-6);
   }
 
-  TEST_CASE("oenog: off-lattice steps are hardly shorter") {
+  TEST_CASE("oenog: steps of off-lattice bodies are hardly shorter than on a lattice") {
     const auto time_of = [](const Scene& scene) {
       const auto simulation = make_simulation(scene, with_method("oenog"));
       make_steps(*simulation, 20);

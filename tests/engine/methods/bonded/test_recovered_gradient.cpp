@@ -80,7 +80,7 @@ double error(const Rows& rows, const Gradient& g, const InitialParticles& initia
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "recovered gradient: it is exact for quadratic fields in every layout, or the method's own is shown") {
+      "recovered gradient: rows are exact for quadratic fields, and without a row the method's own gradient is") {
     for (const Scene& scene : {block(10), block_of_two(), small_collision(), small_clamped_plate()}) {
       CAPTURE(scene.name);
       const InitialParticles initial = make_initial_particles(scene);
@@ -125,7 +125,7 @@ TEST_SUITE("unit") {
     CHECK(half.halved == rounded);
   }
 
-  TEST_CASE("recovered gradient: a larger cube has more rows but no more distinct ones") {
+  TEST_CASE("recovered gradient: a larger cube has more rows but no more distinct rows") {
     std::size_t entries = 0, numbers = 0;
     for (const int across : {10, 14}) {
       Scene cube = block(across, H);
@@ -139,7 +139,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("recovered gradient: in a solid only layers beside another material see both sides") {
+  TEST_CASE(
+      "recovered gradient: only layers beside another material are marked as lying between two materials") {
     const double dp = H / 5;
     Scene scene = block(5, 14 * dp);
     scene.dim = 3;
@@ -153,7 +154,8 @@ TEST_SUITE("unit") {
     for (int i = 0; i < initial.size(); ++i) CHECK(rows.between[i] == (std::abs(initial.x[i][0]) < dp));
   }
 
-  TEST_CASE("recovered gradient: it is linear for two layers and the method's own for one") {
+  TEST_CASE(
+      "recovered gradient: rows of two layers are exact for linear fields only, and one layer has no rows") {
     Scene thin = block(2);
     InitialParticles initial = make_initial_particles(thin);
     RecoveredGradient rows = recovered(thin, initial);
