@@ -29,18 +29,21 @@ std::vector<std::string> names_of_contacts() {
   return names;
 }
 
-/// Returns the setting, else the value in the file, else the first name.
-std::string chosen(TomlCursor& root, const std::string& key, const std::vector<std::string>& names,
-                   const Changes& changes, SceneFile& file) {
-  root.text(key, names.front());
-  const std::string in_scene = root.choice(key, names);
-  const std::string* change = changes.find(key);
+/// Returns the change, else the value in the file, else the first name. `setting`: name for --set.
+std::string chosen(TomlCursor& table, const std::string& key, const std::vector<std::string>& names,
+                   const std::string& setting, const std::string* change, SceneFile& file) {
+  table.text(key, names.front());
+  const std::string in_scene = table.choice(key, names);
   if (change && std::ranges::find(names, *change) == names.end())
-    throw UsageError(unknown_name(key, *change, names));
+    throw UsageError(unknown_name(setting, *change, names));
   const std::string value = change ? *change : in_scene;
-  if (change) root.table().set(key, TomlValue(value));
-  resolve(file, key, value, in_scene, names.front());
+  if (change) table.table().set(key, TomlValue(value));
+  resolve(file, setting, value, in_scene, names.front());
   return value;
+}
+
+std::vector<std::string> names_of_choices(const MethodConstant& constant) {
+  return {constant.choices.begin(), constant.choices.end()};
 }
 
 std::string bounds_text(const MethodConstant& constant) {
@@ -73,6 +76,10 @@ void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
                    "the method '" + std::string(method.name) + "' has no constant '" + entry.key + "'" +
                        did_you_mean(entry.key, names_of(constants)) +
                        "; its constants: " + (constants.empty() ? "none" : join(names_of(constants))));
+    if (!constants[i].choices.empty()) {
+      section.choice(entry.key, names_of_choices(constants[i]));
+      continue;
+    }
     const double value = section.number(entry.key);
     if (!within_bounds(constants[i], value))
       section.fail(entry.value, entry.key,
@@ -87,18 +94,24 @@ void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInf
   check_constants(section, of_file, dim);
   if (&of_file != &method) section.table().entries.clear();
   for (const MethodConstant& constant : method_constants(method.formulation, dim)) {
-    const std::string name(constant.name);
+    const std::string name(constant.name), setting = std::string(constant_prefix) + name;
+    const auto change = changes.constants.find(name);
+    const std::string* given = change == changes.constants.end() ? nullptr : &change->second;
+    if (const std::vector<std::string> choices = names_of_choices(constant); !choices.empty()) {
+      const std::string choice = chosen(section, name, choices, setting, given, file);
+      file.settings.constants[name] = std::ranges::find(choices, choice) - choices.begin();
+      continue;
+    }
     const double in_scene = section.number(name, constant.value);
     double value = in_scene;
-    if (const auto change = changes.constants.find(name); change != changes.constants.end()) {
-      value = changed_number("method." + name, change->second, root.names());
+    if (given) {
+      value = changed_number(setting, *given, root.names());
       if (!within_bounds(constant, value))
-        throw UsageError("method." + name + " = " + change->second + " is out of bounds" +
-                         bounds_text(constant));
+        throw UsageError(setting + " = " + *given + " is out of bounds" + bounds_text(constant));
     }
     section.table().set(name, TomlValue(value));
     file.settings.constants[name] = value;
-    resolve(file, std::string(constant_prefix) + name, value, in_scene, constant.value);
+    resolve(file, setting, value, in_scene, constant.value);
   }
 }
 
@@ -181,6 +194,9 @@ std::vector<std::string> allowed_words(std::string_view name) {
   if (name == "method") return names_of(methods());
   if (name == "stepping") return stepping_names;
   if (name == "law") return names_of_elastic_laws();
+  for (const MethodInfo& method : methods())
+    for (const MethodConstant& constant : method.constants)
+      if (name == std::string(constant_prefix).append(constant.name)) return names_of_choices(constant);
   return name == "contact" ? names_of_contacts() : std::vector<std::string>();
 }
 
@@ -201,9 +217,11 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   root.table().set("method", TomlValue(file.settings.method));
   check_names(changes, file);
 
-  const std::string stepping = chosen(root, "stepping", stepping_names, changes, file);
+  const std::string stepping =
+      chosen(root, "stepping", stepping_names, "stepping", changes.find("stepping"), file);
   file.settings.stepping = stepping == stepping_names.front() ? Stepping::dual : Stepping::single;
-  const std::string contact = chosen(root, "contact", names_of_contacts(), changes, file);
+  const std::string contact =
+      chosen(root, "contact", names_of_contacts(), "contact", changes.find("contact"), file);
   file.scene.contact =
       std::ranges::find(contacts(), contact, [](const ContactChoice& c) { return name(c.law); })->law;
   name_touching(root, file);

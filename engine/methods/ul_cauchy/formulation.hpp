@@ -41,6 +41,7 @@ struct UlCauchyFormulation : Formulation, UlCauchySwitches {
 struct UlCauchyConstants : Constants {
   double alpha = 0;           // of the artificial viscosity
   double riemann_factor = 0;  // factor of the dissipation
+  double limiter = 0;         // Limiter of its reconstruction
   double geometry = 0;        // evaluates ∇u at 0: start, 1: end of the step
   double xsph = 0;            // ε of XSPH
   double delta = 0;           // of the density diffusion
