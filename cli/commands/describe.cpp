@@ -177,6 +177,10 @@ void describe_scene(const std::string& name, std::ostream& out) {
 /// Default and bounds of a constant; the values of 3D are added if they differ.
 Rows::value_type constant_row(const MethodConstant& c, const std::vector<MethodConstant>& in_3d) {
   std::string value = brief(c.value), range = bounds(c.low, c.high);
+  if (!c.choices.empty()) {
+    value = c.choices.front();
+    range = join({c.choices.begin(), c.choices.end()});
+  }
   const auto other = std::ranges::find(in_3d, c.name, &MethodConstant::name);
   if (other != in_3d.end() && other->value != c.value) value += "; in 3D " + brief(other->value);
   if (other != in_3d.end() && (other->low != c.low || other->high != c.high))

@@ -233,6 +233,10 @@ Json section_schema(std::string_view name) {
 
 /// Bounds include all values allowed in 2D or in 3D.
 Json constant_schema(const MethodConstant& constant, const std::vector<MethodConstant>& in_3d) {
+  if (!constant.choices.empty())
+    return {{"description", constant.help},
+            {"default", constant.choices.front()},
+            {"enum", Keys(constant.choices.begin(), constant.choices.end())}};
   NumberRange bounds{constant.low, constant.high};
   const auto other = std::ranges::find(in_3d, constant.name, &MethodConstant::name);
   if (other != in_3d.end()) bounds = {std::min(bounds.low, other->low), std::max(bounds.high, other->high)};

@@ -48,7 +48,7 @@ constexpr KeyInfo top_keys[] = {
     {"history", types::number("s", above(0)), "until/1000", "interval between rows of history.csv"},
     {"method", method_name, default_method, "simulation method: `taut list methods`"},
     {"method_constants", types::number().by_name("NAME"), "the method's",
-     "constants of the method: `taut describe METHOD`"},
+     "constants of the method, some with names as values: `taut describe METHOD`"},
     {"law", types::one_of("LAW", [] { return allowed_words("law"); }), "the method's",
      "law of elasticity; the method must support it: `taut list laws`"},
     {"contact", types::one_of("CONTACT", [] { return allowed_words("contact"); }), "published",

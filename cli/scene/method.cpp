@@ -29,17 +29,21 @@ std::vector<std::string> names_of_contacts() {
   return names;
 }
 
-/// The setting, else the file's value, else the first name.
-std::string chosen(TomlCursor& root, const std::string& key, const Changes& changes, SceneFile& file) {
-  const std::vector<std::string> names = words_of(key_of_scene(key).type);
-  const std::string in_scene = root.choice(key);
-  const std::string* change = changes.find(key);
+/// Returns the change, else the value in the file, else the first name. `setting`: name for --set.
+std::string chosen(TomlCursor& table, const std::string& key, const std::vector<std::string>& names,
+                   const std::string& setting, const std::string* change, SceneFile& file) {
+  table.text(key, names.front());
+  const std::string in_scene = table.choice(key, names);
   if (change && std::ranges::find(names, *change) == names.end())
-    throw UsageError(unknown_name(key, *change, names));
+    throw UsageError(unknown_name(setting, *change, names));
   const std::string value = change ? *change : in_scene;
-  if (change) root.table().set(key, TomlValue(value));
-  resolve(file, key, value, in_scene, names.front());
+  if (change) table.table().set(key, TomlValue(value));
+  resolve(file, setting, value, in_scene, names.front());
   return value;
+}
+
+std::vector<std::string> names_of_choices(const MethodConstant& constant) {
+  return {constant.choices.begin(), constant.choices.end()};
 }
 
 std::string bounds_text(const MethodConstant& constant) {
@@ -72,6 +76,10 @@ void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
                    fmt::format("the method '{}' has no constant '{}'{}; its constants: {}", method.name,
                                entry.key, did_you_mean(entry.key, names_of(constants)),
                                constants.empty() ? "none" : join(names_of(constants))));
+    if (!constants[i].choices.empty()) {
+      section.choice(entry.key, names_of_choices(constants[i]));
+      continue;
+    }
     const double value = section.number(entry.key);
     if (!within_bounds(constants[i], value))
       section.fail(
@@ -87,18 +95,24 @@ void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInf
   check_constants(section, of_file, dim);
   if (&of_file != &method) section.table().entries.clear();
   for (const MethodConstant& constant : method_constants(method.formulation, dim)) {
-    const std::string name(constant.name);
+    const std::string name(constant.name), setting = std::string(constant_prefix) + name;
+    const auto change = changes.constants.find(name);
+    const std::string* given = change == changes.constants.end() ? nullptr : &change->second;
+    if (const std::vector<std::string> choices = names_of_choices(constant); !choices.empty()) {
+      const std::string choice = chosen(section, name, choices, setting, given, file);
+      file.settings.constants[name] = std::ranges::find(choices, choice) - choices.begin();
+      continue;
+    }
     const double in_scene = section.number(name, constant.value);
     double value = in_scene;
-    if (const auto change = changes.constants.find(name); change != changes.constants.end()) {
-      value = changed_number("method." + name, change->second, root.names());
+    if (given) {
+      value = changed_number(setting, *given, root.names());
       if (!within_bounds(constant, value))
-        throw UsageError(
-            fmt::format("method.{} = {} is out of bounds{}", name, change->second, bounds_text(constant)));
+        throw UsageError(fmt::format("{} = {} is out of bounds{}", setting, *given, bounds_text(constant)));
     }
     section.table().set(name, TomlValue(value));
     file.settings.constants[name] = value;
-    resolve(file, std::string(constant_prefix) + name, value, in_scene, constant.value);
+    resolve(file, setting, value, in_scene, constant.value);
   }
 }
 
@@ -160,6 +174,9 @@ std::vector<std::string> allowed_words(std::string_view name) {
   if (name == "method") return names_of(methods());
   if (name == "stepping") return words_of(key_of_scene(name).type);
   if (name == "law") return names_of_elastic_laws();
+  for (const MethodInfo& method : methods())
+    for (const MethodConstant& constant : method.constants)
+      if (name == std::string(constant_prefix).append(constant.name)) return names_of_choices(constant);
   return name == "contact" ? names_of_contacts() : std::vector<std::string>();
 }
 
@@ -180,9 +197,12 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   root.table().set("method", TomlValue(file.settings.method));
   check_names(changes, file);
 
-  const std::string stepping = chosen(root, "stepping", changes, file);
+  const auto chosen_word = [&](const std::string& key) {
+    return chosen(root, key, words_of(key_of_scene(key).type), key, changes.find(key), file);
+  };
+  const std::string stepping = chosen_word("stepping");
   file.settings.stepping = stepping == "dual" ? Stepping::dual : Stepping::single;
-  const std::string contact = chosen(root, "contact", changes, file);
+  const std::string contact = chosen_word("contact");
   file.scene.contact =
       std::ranges::find(contacts(), contact, [](const ContactChoice& c) { return name(c.law); })->law;
   name_touching(root, file);

@@ -20,8 +20,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr std::string_view method_prefix = "method.";
-
 const std::map<std::string, std::string, std::less<>> synonyms{{"?", "help"}, {"exit", "quit"}};
 
 const SessionCommand& find_command(const std::string& given) {
@@ -179,10 +177,7 @@ void set(Session& session, const Words& words, const Dialogue& to) {
   if (words.size() != 1 || words[0].find('=') == std::string::npos) wrong_words("set");
   const Setting setting = parse_setting(words[0]);
   session.set(setting);
-  const Settings& now = session.file().settings;
-  const double value =
-      setting.name == "cfl" ? now.cfl : now.constants.at(setting.name.substr(method_prefix.size()));
-  to.out << setting.name << '=' << exact(value) << '\n';
+  to.out << setting.name << '=' << session.file().find_resolved(setting.name)->value << '\n';
 }
 
 void reset(Session& session, const Words& words, const Dialogue& to) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <string_view>
 
 namespace taut {
@@ -36,8 +37,10 @@ struct MethodConstant {
   double value;  // default
   double low, high;
   std::string_view help;
-  bool in_spacings = false;
-  bool at_set_up = false;  // cannot change during a run
+  bool in_spacings = false;  // `value` is in spacings
+  bool at_set_up = false;    // cannot change during a run
+  std::span<const std::string_view> choices =
+      {};  // names of the values 0, 1, …, the default first; else numbers
 };
 
 template <class C>

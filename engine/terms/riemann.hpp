@@ -13,9 +13,9 @@ struct Dissipation {
   double least;    // lower bound of β
 };
 
-/// P*, Pa, [Zhang2024] Eq. 12. β = 1 is the linearised solver, β = min(3 max(U_L − U_R, 0)/c0, 1) the limiter of the
-/// solver it cites. Departure: the paper prints no β. The limiter reproduces its results for `og`, and β = 1 those
-/// for `enog` and `oas`, which diverge otherwise.
+/// P* = ½ (p_i + p_j) + ½ β ρ0 c0 (U_L − U_R) in Pa, [Zhang2024] Eq. 12. β = 1 is the linearised solver. The solver
+/// that [Zhang2024] cites has the limiter β = min(3 max(U_L − U_R, 0)/c0, 1). Departure: the paper prints no β, and no
+/// lower bound of β fits all its figures: rings of `og` tear in time only up to 0.2, rings of `oas` stay whole from 0.6.
 template <class T>
 T riemann_pressure(const T& p_i, const T& p_j, const T& closing_speed, const Dissipation& d) {
   T impedance = filled<T>(d.rho0_c0);

@@ -1,5 +1,7 @@
 #include "engine/methods/ul_cauchy/describe.hpp"
 
+#include <iterator>
+
 #include "engine/methods/ul_cauchy/passes.hpp"
 #include "engine/terms/contact_laws.hpp"
 
@@ -61,10 +63,19 @@ std::vector<ConstantRow<UlCauchyConstants>> constants(const UlCauchyFormulation&
       {&C::h, {"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing", true, true}}};
   if (m.viscosity == Viscosity::artificial)
     c.push_back({&C::alpha, {"alpha", 1.0, 0.0, 10.0, "α of the artificial viscosity"}});
-  if (m.viscosity == Viscosity::riemann)
+  if (m.viscosity == Viscosity::riemann) {
     c.push_back({&C::riemann_factor,
                  {"riemann_factor", 1.0, 0.0, 2.0,
                   "factor of the dissipation in Eq. 39; Eq. 43 prints 2, for CFL ≤ 0.5"}});
+    c.push_back(
+        {&C::limiter,
+         {.name = "limiter",
+          .value = 0,
+          .low = 0,
+          .high = std::size(limiter_names) - 1.0,
+          .help = "slope limiter of the Riemann term; first-order: velocities without reconstruction, Eq. 37",
+          .choices = limiter_names}});
+  }
   c.push_back({&C::geometry,
                {"geometry", 0.5, 0.0, 1.0,
                 "point of the step at which ∇u is evaluated: 0 start, as printed; 1 end"}});

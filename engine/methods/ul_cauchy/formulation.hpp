@@ -41,6 +41,7 @@ struct UlCauchyFormulation : Formulation, UlCauchySwitches {
 struct UlCauchyConstants : Constants {
   double alpha = 0;
   double riemann_factor = 0;
+  double limiter = 0;   // Limiter of the reconstruction
   double geometry = 0;  // time of ∇u; 0: start, 1: end of the step
   double xsph = 0;
   double delta = 0;

@@ -145,6 +145,7 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   using Row = StressRow<M, Dim>;
   const KernelScale<M, Dim> scale(c.h);
   const Row* const rows = f.template stress_rows<M>();
+  [[maybe_unused]] const auto limiter = static_cast<Limiter>(c.limiter);
   return parallel_max(f.size, threads, [&, repulsion = Repulsion<M, Dim>(c)](int i) {
     const auto a = Row::spread(rows[i]);
     Vec<Pack, Dim> force{};
@@ -167,7 +168,9 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
         force += Pack(unit * o.rho() * o.V() * Pi * dw_per_q) * d;
       }
       if constexpr (M.viscosity == Viscosity::riemann) {
-        const Pack r_speed = reconstructed_closing_speed(approach, a.D(), o.D(), one, d);
+        const Pack r_speed = limiter == Limiter::none
+                                 ? reconstructed_closing_speed(approach, a.D(), o.D(), one, d)
+                                 : limited_closing_speed(approach, a.D(), o.D(), one, d, limiter);
         const Pack p = riemann_dissipation(r_speed, a.impedance(), o.impedance(), Pack(r * a.root_rho()),
                                            Pack(r * o.root_rho()));
         force -= Pack(c.riemann_factor * p * (o.V() * dw_per_q)) * d;

@@ -59,6 +59,7 @@ TEST_SUITE("cli") {
         {{"run", scene, "--set", "s"}, {"speed=", "spacing=", "stepping="}},
         {{"run", scene, "--method", "tl", "--set", "method.z"}, {}},
         {{"run", scene, "--method", "enog", "--set", "method.z"}, {"method.zeta="}},
+        {{"run", scene, "--method", "ulsph-r-tic", "--set", "method.limiter=m"}, {"method.limiter=minmod"}},
         {{"run", scene, "--set", "pull=1", "--set", "stepping="}, {"stepping=dual", "stepping=single"}},
         {{"run", "--quiet", "tran"}, {"tran-duc-rings"}},
         {{"run", scene, "--fields", "speed,den"}, {"speed,density"}},

@@ -214,6 +214,9 @@ TEST_SUITE("cli") {
                 {"no constant 'zta'", "'zeta'"});
     check_error("until = 2", "until = 2\nmethod = \"enog\"\nmethod_constants = { zeta = @-4 }",
                 {"zeta = -4 is out of bounds", "allowed: "});
+    check_error("until = 2",
+                "until = 2\nmethod = \"ulsph-r-tic\"\nmethod_constants = { limiter = @\"minmd\" }",
+                {"unknown limiter 'minmd'", "'minmod'"});
     check_error("material = \"rubber\"", "material = @\"ruber\"", {"unknown material 'ruber'", "'rubber'"});
     check_error("type = \"ring\"", "type = @\"rings\"", {"unknown type 'rings'", "did you mean 'ring'"});
     check_error("component = \"y\"", "component = @\"z\"", {"unknown component 'z'", "x, y"});

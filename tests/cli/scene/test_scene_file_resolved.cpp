@@ -5,6 +5,7 @@
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/text/format.hpp"
+#include "engine/error.hpp"
 #include "engine/layout/initial_particles.hpp"
 #include "engine/scene/shapes/box.hpp"
 #include "engine/scene/shapes/round_shapes.hpp"
@@ -243,6 +244,25 @@ TEST_SUITE("unit") {
     CHECK(other.settings.cfl != 0.123);
     CHECK_FALSE(other.settings.constants.contains("zeta"));
     check_round_trip(other);
+  }
+
+  TEST_CASE("a constant with named values takes its names only") {
+    const std::string method = "until = 2\nmethod = \"d-ulsph-r-tic\"",
+                      text = replaced(small_scene, "until = 2",
+                                      method + "\nmethod_constants = { limiter = \"minmod\" }");
+    const auto limiter = [](const SceneFile& file) { return file.settings.constants.at("limiter"); };
+    CHECK(limiter(read_text(replaced(small_scene, "until = 2", method))) == 0);
+    CHECK(limiter(read_text(text)) == 1);
+    CHECK(read_text(text).find_resolved("method.limiter")->value == "minmod");
+    const SceneFile changed = read_text(text, set({{"method.limiter", "van-leer"}}));
+    CHECK(limiter(changed) == 2);
+    CHECK(changed.find_resolved("method.limiter")->default_value == "none");
+    check_round_trip(changed);
+    for (const std::string wrong : {"minmd", "1", "van - leer"}) {
+      const std::string message = "unknown method.limiter '" + wrong + "'";
+      CHECK_THROWS_WITH_AS(read_text(text, set({{"method.limiter", wrong}})),
+                           doctest::Contains(message.c_str()), UsageError);
+    }
   }
 
   TEST_CASE("the resolved text contains the changed drawing") {

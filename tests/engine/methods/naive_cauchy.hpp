@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -64,6 +65,7 @@ struct Particle {
 
 struct Counts {
   long tension = 0, compression = 0, viscous = 0, inner = 0, outer = 0, diffused = 0, contacts = 0;
+  long limited = 0, flattened = 0;  // slopes, one for each particle of a pair
 };
 
 template <int Dim>
@@ -80,6 +82,7 @@ class Run {
   Counts counts;
   double time = 0;
   double riemann_factor = 1;
+  int limiter = 0;  // 1: minmod, 2: van Leer, 3: no reconstruction
   double geometry = 0.5;
 
   void step() {
@@ -251,10 +254,23 @@ class Run {
     return grad;
   }
 
-  /// Eq. 37, 40, 41, 43, 44: factor of m_j ∇w.
+  /// Difference of the velocities of a pair by the gradient at one particle. Limiters compare the differences to the
+  /// other particle and to its mirror image.
+  double limited(double across, double by_gradient) {
+    const double mirrored = 2 * by_gradient - across;
+    if (limiter == 0) return by_gradient;
+    if (limiter == 3 || across * mirrored <= 0) return ++counts.flattened, 0;
+    ++counts.limited;
+    if (limiter == 1) return std::copysign(std::min(std::abs(across), std::abs(mirrored)), across);
+    return 2 / (1 / across + 1 / mirrored);  // van Leer: harmonic mean
+  }
+
+  /// Eq. 37, 40, 41, 43, 44: the factor of m_j ∇w.
   double riemann(const Particle& a, const Particle& b, const Matrix& grad_a, const Matrix& grad_b) {
     const Vector r = b.r - a.r, e = r / r.norm();
-    const double u_i = (a.u + 0.5 * (grad_a * r)).dot(e), u_j = (b.u - 0.5 * (grad_b * r)).dot(e);
+    const double across = (b.u - a.u).dot(e);
+    const double u_i = a.u.dot(e) + 0.5 * limited(across, (grad_a * r).dot(e));
+    const double u_j = b.u.dot(e) - 0.5 * limited(across, (grad_b * r).dot(e));
     const double C = (a.material.c() * a.rho * std::sqrt(a.rho) + b.material.c() * b.rho * std::sqrt(b.rho)) /
                      (std::sqrt(a.rho) + std::sqrt(b.rho));
     ++counts.viscous;

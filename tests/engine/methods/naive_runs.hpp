@@ -65,6 +65,7 @@ naive_cauchy::Run<Dim> naive_current(const Scene& scene, const Settings& setting
   for (const Material& material : scene.materials) c0 = std::max(c0, material.sound_speed());
   naive_cauchy::Run<Dim> run(naive_cauchy::method_named(settings.method), scene.spacing, c0);
   run.riemann_factor = constant_of(settings, Dim, "riemann_factor");
+  run.limiter = static_cast<int>(constant_of(settings, Dim, "limiter"));
   run.geometry = constant_of(settings, Dim, "geometry");
   lay_particles(run, scene, [&](auto& a, int i, const InitialParticles& initial) {
     const Material& material = scene.materials[initial.material[i]];

@@ -43,7 +43,7 @@ Scene two_materials() {
 }
 
 template <int Dim>
-void check_agreement(const Snapshot& engine, const naive_cauchy::Run<Dim>& run) {
+void check_agreement(const Snapshot& engine, const naive_cauchy::Run<Dim>& run, double share = 1e-10) {
   std::vector<double> x, v, rho, p, s;
   for (const naive_cauchy::Particle<Dim>& a : run.particles) {
     x.insert(x.end(), a.r.begin(), a.r.end());
@@ -56,11 +56,11 @@ void check_agreement(const Snapshot& engine, const naive_cauchy::Run<Dim>& run) 
       s.insert(s.end(), {a.S(0, 0), a.S(0, 1), a.S(0, 2), a.S(1, 1), a.S(1, 2), a.S(2, 2)});
   }
   CHECK(engine.time == relative(run.time, 1e-12));
-  check_field("x", engine.x, x);
-  check_field("v", engine.v, v);
-  check_field("rho", engine.rho, rho);
-  check_field("p", engine.p, p);
-  check_field("s", engine.s, s);
+  check_field("x", engine.x, x, share);
+  check_field("v", engine.v, v, share);
+  check_field("rho", engine.rho, rho, share);
+  check_field("p", engine.p, p, share);
+  check_field("s", engine.s, s, share);
 }
 
 void check_active(const naive_cauchy::Counts& counts, const std::string& name) {
@@ -72,6 +72,23 @@ void check_active(const naive_cauchy::Counts& counts, const std::string& name) {
   CHECK((counts.diffused > 1000) == is.delta);
   CHECK((counts.inner > 100) == is.tic);
   CHECK((counts.outer > 100) == is.tic);
+}
+
+/// 40 steps with each limiter.
+template <int Dim>
+void check_limiters(const Scene& scene, const std::string& method) {
+  const Snapshot published = state_after(40, scene, with_method(method));
+  for (const double limiter : {1, 2, 3}) {
+    CAPTURE(limiter);
+    Settings settings = with_method(method);
+    settings.constants["limiter"] = limiter;
+    const naive_cauchy::Run<Dim> run = after_steps(naive_current<Dim>(scene, settings), 40);
+    CHECK(run.counts.flattened > 1000);
+    CHECK((run.counts.limited > 1000) == (limiter < 3));
+    const Snapshot engine = state_after(40, scene, settings);
+    check_agreement(engine, run, 1e-12);
+    CHECK(engine.v != published.v);
+  }
 }
 
 template <int Dim>
@@ -115,6 +132,13 @@ TEST_SUITE("reference") {
     const Snapshot engine = state_after(16, scene, settings);
     check_agreement(engine, run);
     CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);
+  }
+  TEST_CASE("naive: the slope limiters of the Riemann term follow the transcription in 2D and 3D") {
+    for (const char* method : {"d-ulsph-r-as", "ulsph-r-tic", "d-ulsph-r-tic"}) {
+      CAPTURE(method);
+      check_limiters<2>(small_collision(), method);
+      check_limiters<3>(small_solid_collision(), method);
+    }
   }
   TEST_CASE("naive: with ∇u at the start of the step, as printed, d-ulsph-r-tic follows the transcription") {
     const Scene scene = two_materials();

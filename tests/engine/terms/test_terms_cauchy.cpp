@@ -186,6 +186,28 @@ TEST_SUITE("term") {
     });
   }
 
+  TEST_CASE("Riemann term: limiters keep linear velocities undamped and reconstructed ones within the pair") {
+    const Sym2 D = symmetric_part(some_L);
+    for (const Limiter limiter : {Limiter::minmod, Limiter::van_leer}) {
+      for (const Neighbor& j : neighbors()) {
+        const double closing = dot(some_L * j.x(), j.e);
+        CHECK(std::abs(limited_closing_speed(closing, D, D, j.r, j.e, limiter)) < 1e-13);
+        for (const double factor : {-3.0, 0.2, 0.6, 5.0}) {
+          const double share =
+              limited_closing_speed(factor * closing, D, D, j.r, j.e, limiter) / (factor * closing);
+          CHECK(share > (limiter == Limiter::minmod ? -1e-13 : -1.0));
+          CHECK(share <= 1);
+        }
+      }
+      CHECK(limited(2.0, 2.0, limiter) == 2);
+      CHECK(limited(2.0, -1.0, limiter) == 0);
+    }
+    CHECK(limited(2.0, 3.0, Limiter::minmod) == 2);
+    CHECK(limited(-3.0, -2.0, Limiter::minmod) == -2);
+    CHECK(limited(2.0, 6.0, Limiter::van_leer) == Approx(3));  // harmonic mean
+    CHECK(limited_closing_speed(0.7, D, D, 1.0, Vec2{1, 0}, Limiter::first_order) == 0.7);
+  }
+
   TEST_CASE("tensile control: the sum of equal tensions becomes their difference") {
     const std::vector<Neighbor> all = neighbors();
     const Mat2 tension = {{{4, 1}, {2, 3}}};  // σ·L
