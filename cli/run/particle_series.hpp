@@ -8,14 +8,15 @@
 
 namespace taut::cli {
 
-/// Saves the particles of a run: a file per time, written atomically, and an index of all files.
+/// Saves the particles of a run: a file per time, written atomically, and an index of all .vtp files.
 class ParticleSeries {
  public:
   /// Adds its time to `seconds`.
-  ParticleSeries(std::vector<const Field*> fields, const RunFolder& folder, Seconds& seconds);
+  ParticleSeries(std::vector<const Field*> fields, ParticleForm form, const RunFolder& folder,
+                 Seconds& seconds);
 
   void add(const Snapshot& snapshot);
-  /// Writes the index of all files so far. Throws OutputError, as `add` does.
+  /// Writes the index of all .vtp files so far. Throws OutputError, as `add` does.
   void save_index();
   int written() const { return static_cast<int>(times_.size()); }
   /// Waits until all files are on disk.
@@ -28,7 +29,12 @@ class ParticleSeries {
   }
 
  private:
+  std::filesystem::path file(std::size_t number) const {
+    return folder_.particle_file(static_cast<int>(number), form_.format);
+  }
+
   std::vector<const Field*> fields_;
+  ParticleForm form_;
   RunFolder folder_;
   Seconds& seconds_;
   std::vector<double> times_;  // s

@@ -26,7 +26,8 @@ struct RunOptions {
   std::optional<double> checkpoint_every;  // s
   bool keep_checkpoint = false;
   bool no_render = false;
-  bool save_particles = false;
+  std::string save_particles;       // format; empty: particles are not saved
+  std::string particle_precision;   // empty: double
   std::vector<std::string> fields;  // to save; none: all
 };
 
@@ -48,6 +49,9 @@ RunPlan make_plan(const RunOptions& options);
 
 /// Fields to save; none if particles are not saved.
 std::vector<const Field*> particle_fields(const RunOptions& options, int dim);
+
+/// Throws UsageError for unknown names.
+ParticleForm particle_form(const RunOptions& options);
 
 /// Throws UsageError for unknown names, and for `stable`, on which no run can fail.
 std::optional<Verdict> parse_verdict(const std::optional<std::string>& text);

@@ -21,6 +21,7 @@ struct RunPlan {
   std::optional<double> requested_spacing;    // m, from the scene or the command line
   std::optional<Drawing> drawing;             // none: no frames
   std::vector<const Field*> particle_fields;  // none: not saved
+  ParticleForm particle_form;
   std::vector<double> frame_times,
       history_times;  // s, sorted; particles are saved at frame times
   RunFolder folder{"."};
