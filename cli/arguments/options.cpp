@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
@@ -124,6 +125,13 @@ Option Options::add_flag(std::string_view name, bool& target, std::string_view h
   return Option(*app_->add_flag(std::string(name), target, std::string(help)));
 }
 
+Option Options::add_flag(std::string_view name, const std::vector<std::string>& words, std::string& target,
+                         std::string_view help) {
+  flags_.push_back({std::string(name), words, &target});
+  return with_placeholder(*app_->add_flag(std::string(name), target, std::string(help)),
+                          "[" + join(words, "|") + "]");
+}
+
 std::vector<Option> Options::all() const {
   std::vector<Option> all;
   for (CLI::Option* option : app_->get_options()) all.emplace_back(*option);
@@ -133,8 +141,10 @@ std::vector<Option> Options::all() const {
 std::string Options::help() const { return app_->help(); }
 
 bool Options::read(const std::vector<std::string>& words) try {
-  std::vector<std::string> reversed(words.rbegin(), words.rend());
+  std::vector<std::string> reversed = joined(words);
+  std::ranges::reverse(reversed);
   app_->parse(reversed);
+  set_flags(words);
   refuse_unknown();
   return true;
 } catch (const CLI::CallForHelp&) {
@@ -142,6 +152,38 @@ bool Options::read(const std::vector<std::string>& words) try {
 } catch (const CLI::ParseError& e) {
   refuse_unknown();  // a misspelt option also makes "SCENE is required"
   throw UsageError(fmt::format("{}; see `{} --help`", what_is_wrong(*app_, e), app_->get_name()));
+}
+
+const Options::FlagWithWords* Options::find_flag(std::string_view name) const {
+  const auto flag = std::ranges::find(flags_, name, &FlagWithWords::name);
+  return flag == flags_.end() ? nullptr : &*flag;
+}
+
+std::vector<std::string> Options::joined(const std::vector<std::string>& words) const {
+  std::vector<std::string> all;
+  for (const std::string& word : words) {
+    const FlagWithWords* flag = all.empty() ? nullptr : find_flag(all.back());
+    if (flag && std::ranges::count(flag->words, word) > 0 && std::ranges::count(all, "--") == 0)
+      all.back() += "=" + word;
+    else
+      all.push_back(word);
+  }
+  return all;
+}
+
+/// Throws UsageError for a flag followed by another word, unless this word is an argument.
+void Options::set_flags(const std::vector<std::string>& words) const {
+  for (const FlagWithWords& flag : flags_) {
+    if (app_->get_option(flag.name)->count() == 0) continue;
+    if (*flag.target == "true") *flag.target = flag.words.front();
+    if (std::ranges::count(flag.words, *flag.target) == 0)
+      throw UsageError(unknown_name("value of " + flag.name, *flag.target, flag.words));
+    const auto at = std::ranges::find(words, flag.name);
+    const std::vector<std::string> rest = app_->remaining();
+    if (at != words.end() && at + 1 != words.end() && !(at + 1)->starts_with('-') &&
+        std::ranges::count(rest, *(at + 1)) > 0)
+      throw UsageError(unknown_name("value of " + flag.name, *(at + 1), flag.words));
+  }
 }
 
 /// CLI11's own message has no nearest names.

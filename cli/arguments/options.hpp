@@ -31,7 +31,7 @@ class Option {
   /// Name, such as "--out", or the placeholder of a positional argument.
   std::string name() const;
   bool has_name(const std::string& name) const;
-  std::string placeholder() const;
+  std::string placeholder() const;  // of a value that may be left out: in brackets
   std::string help() const;
   bool is_positional() const;
   bool takes_value() const;
@@ -64,6 +64,10 @@ class Options {
   Option add(std::string_view name, std::string_view placeholder,
              const std::function<void(const std::vector<std::string>&)>& take, std::string_view help);
   Option add_flag(std::string_view name, bool& target, std::string_view help);
+  /// Declares a flag that one of `words` may follow: --name, --name WORD or --name=WORD. `target` becomes the word, by
+  /// default the first one.
+  Option add_flag(std::string_view name, const std::vector<std::string>& words, std::string& target,
+                  std::string_view help);
   template <class Target>
   Option add_argument(std::string_view name, Target& target, std::string_view help) {
     return add(name, " ", target, help);
@@ -74,11 +78,22 @@ class Options {
   std::string help() const;
   /// Sets all targets. Returns false for --help. Throws UsageError.
   bool read(const std::vector<std::string>& words);
+  /// `words` with "--name=WORD" for "--name WORD" of a flag with words.
+  std::vector<std::string> joined(const std::vector<std::string>& words) const;
 
  private:
+  struct FlagWithWords {
+    std::string name;
+    std::vector<std::string> words;
+    std::string* target;
+  };
+
+  const FlagWithWords* find_flag(std::string_view name) const;
+  void set_flags(const std::vector<std::string>& words) const;
   void refuse_unknown() const;
 
   std::unique_ptr<CLI::App> app_;
+  std::vector<FlagWithWords> flags_;
 };
 
 }  // namespace taut::cli

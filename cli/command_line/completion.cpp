@@ -23,7 +23,7 @@ std::string up_to_end_of_line(const std::string& text) { return text.substr(0, t
 class CommandLine {
  public:
   CommandLine(const Options& command, const Words& words) : options_(command.all()) {
-    for (std::size_t k = 0; k + 1 < words.size(); ++k) take(words[k]);
+    for (const std::string& word : command.joined({words.begin(), words.end() - 1})) take(word);
   }
 
   const std::optional<Option>& open_option() const { return open_; }
@@ -108,9 +108,11 @@ Completion complete_command(const Command& command, const Words& words) {
     add_values(completion, *option, line, "", last);
   } else if (is_option(last) && equals != std::string::npos) {
     const std::optional<Option> assigned = line.find(last.substr(0, equals));
-    if (assigned && assigned->takes_value())
+    if (assigned && !assigned->placeholder().empty())
       add_values(completion, *assigned, line, last.substr(0, equals + 1), last.substr(equals + 1));
   } else {
+    const std::optional<Option> flag = words.size() > 1 ? line.find(words[words.size() - 2]) : std::nullopt;
+    if (flag && !flag->placeholder().empty()) add_values(completion, *flag, line, "", last);
     const std::optional<Option> argument = line.next_argument();
     if (argument && !last.starts_with('-')) add_values(completion, *argument, line, "", last);
     if (last.starts_with('-') || !argument)

@@ -178,6 +178,7 @@ void add_alternative(Choices& choices, std::string_view name, const std::string&
 
 Choices choices(std::string_view placeholder, const std::string& typed, const SceneFile* scene) {
   drop_end(placeholder, " ...");
+  if (placeholder.starts_with('[') && drop_end(placeholder, "]")) placeholder.remove_prefix(1);
   Choices result;
   for (const std::string_view name : alternatives(placeholder)) add_alternative(result, name, typed, scene);
   return result;

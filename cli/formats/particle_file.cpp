@@ -1,12 +1,14 @@
 #include "cli/formats/particle_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <numeric>
 #include <optional>
 #include <utility>
 
+#include "cli/formats/particle_arrays.hpp"
 #include "cli/formats/zlib_blocks.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/shown.hpp"
@@ -18,9 +20,11 @@ namespace {
 constexpr std::string_view points_name = "Points";
 constexpr std::string_view diameter_name = "diameter";
 constexpr std::string_view velocity_name = "velocity";
-constexpr std::string_view held_name = "held";
-constexpr std::string_view time_name = "TimeValue";
-constexpr std::size_t most_particles = 20'000'000;  // as in a scene
+constexpr std::string_view stress_name = "stress";
+constexpr std::array no_fields{diameter_name, std::string_view("held"), std::string_view("id"),
+                               std::string_view("mass"), std::string_view("volume")};
+constexpr std::string_view time_name = "TimeValue";  // name used by ParaView
+constexpr std::size_t most_particles = 20'000'000;   // as in a scene
 constexpr std::string_view data_begin = "<AppendedData encoding=\"raw\">\n_";
 
 std::string attribute(std::string_view key, std::string_view value) {
@@ -35,10 +39,14 @@ class Writer {
 
   template <class Number>
   void array(std::string_view name, std::string_view type, const std::vector<Number>& values,
-             int components = 1) {
-    line("<DataArray" + attribute("type", type) + attribute("Name", name) +
-         attribute("NumberOfComponents", std::to_string(components)) + attribute("format", "appended") +
-         attribute("offset", std::to_string(data_.size())) + "/>");
+             std::span<const std::string_view> components = {}) {
+    std::string tag =
+        "<DataArray" + attribute("type", type) + attribute("Name", name) +
+        attribute("NumberOfComponents", std::to_string(std::max<std::size_t>(components.size(), 1)));
+    if (components.size() == tensor_components().size())
+      for (std::size_t k = 0; k < components.size(); ++k)
+        tag += attribute("ComponentName" + std::to_string(k), components[k]);
+    line(tag + attribute("format", "appended") + attribute("offset", std::to_string(data_.size())) + "/>");
     data_ += to_zlib_blocks(std::as_bytes(std::span(values)));
   }
 
@@ -50,25 +58,28 @@ class Writer {
   std::string xml_, data_;
 };
 
-std::vector<double> with_three_components(const std::vector<double>& vectors, int dim) {
-  const auto d = static_cast<std::size_t>(dim);
-  std::vector<double> three(3 * (vectors.size() / d));
-  for (std::size_t i = 0; i < vectors.size(); ++i) three[3 * (i / d) + i % d] = vectors[i];
-  return three;
+template <class Number>
+void add_as(Writer& file, std::string_view type, const ParticleArray& array) {
+  file.array(array.name, type, std::vector<Number>(array.values.begin(), array.values.end()),
+             array.components);
 }
 
-void write_point_data(Writer& file, const Snapshot& now, std::span<const Field* const> fields) {
-  std::vector<const Field*> measured(fields.begin(), fields.end());
-  std::erase_if(measured, [](const Field* field) { return field->counts != Counted::nothing; });
-  file.line("<PointData" + (measured.empty() ? "" : attribute("Scalars", measured.front()->key)) +
-            attribute("Vectors", velocity_name) + ">");
-  const std::vector<std::vector<double>> values = evaluate(measured, now);
-  for (std::size_t k = 0; k < values.size(); ++k) file.array(measured[k]->key, "Float64", values[k]);
-  file.array(diameter_name, "Float64", now.diameter);
-  file.array(velocity_name, "Float64", with_three_components(now.v, now.dim), 3);
-  file.array("body", "Int32", now.body);
-  file.array("material", "Int32", now.material);
-  file.array(held_name, "UInt8", now.clamped);
+void add(Writer& file, const ParticleArray& array, bool single_precision) {
+  using Type = ParticleArray::Type;
+  if (array.type == Type::flag) return add_as<std::uint8_t>(file, "UInt8", array);
+  if (array.type == Type::whole) return add_as<std::int32_t>(file, "Int32", array);
+  if (single_precision) return add_as<float>(file, "Float32", array);
+  file.array(array.name, "Float64", array.values, array.components);
+}
+
+void write_point_data(Writer& file, const std::vector<ParticleArray>& arrays, bool single_precision) {
+  // ParaView first shows these
+  const bool has_field = arrays.front().name != diameter_name;
+  const bool has_tensor = std::ranges::count(arrays, stress_name, &ParticleArray::name) > 0;
+  file.line("<PointData" + (has_field ? attribute("Scalars", arrays.front().name) : "") +
+            attribute("Vectors", velocity_name) + (has_tensor ? attribute("Tensors", stress_name) : "") +
+            ">");
+  for (const ParticleArray& array : arrays) add(file, array, single_precision);
   file.line("</PointData>");
 }
 
@@ -114,7 +125,8 @@ std::string header_of(std::ifstream& file) {
 
 }  // namespace
 
-std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields) {
+std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields,
+                               bool single_precision) {
   const std::string count = std::to_string(snapshot.size());
   Writer file;
   file.line("<?xml version=\"1.0\"?>");
@@ -124,9 +136,9 @@ std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* 
   file.line("<DataArray type=\"Float64\"" + attribute("Name", time_name) + " NumberOfTuples=\"1\" " +
             "format=\"ascii\">" + exact(snapshot.time) + "</DataArray>\n</FieldData>");
   file.line("<Piece" + attribute("NumberOfPoints", count) + attribute("NumberOfVerts", count) + ">");
-  write_point_data(file, snapshot, fields);
+  write_point_data(file, particle_arrays(snapshot, fields), single_precision);
   file.line("<Points>");
-  file.array(points_name, "Float64", with_three_components(snapshot.x, snapshot.dim), 3);
+  add(file, position_array(snapshot), single_precision);
   file.line("</Points>");
   write_vertices(file, snapshot.size());
   file.line("</Piece>\n</PolyData>");
@@ -176,6 +188,7 @@ const ParticleFile::Array* ParticleFile::find(const std::string& name) const {
 
 std::vector<double> ParticleFile::read(const Array& array) const {
   if (array.type == "Float64") return read_as<double>(array);
+  if (array.type == "Float32") return read_as<float>(array);
   if (array.type == "Int32") return read_as<std::int32_t>(array);
   if (array.type == "UInt8") return read_as<std::uint8_t>(array);
   fail("stores " + array.name + " as " + array.type + ", which taut never writes");
@@ -205,8 +218,7 @@ std::vector<double> ParticleFile::read_as(const Array& array) const {
 std::vector<std::string> ParticleFile::fields() const {
   std::vector<std::string> names;
   for (const Array& array : arrays_)
-    if (array.components == 1 && array.name != diameter_name && array.name != held_name)
-      names.push_back(array.name);
+    if (array.components == 1 && std::ranges::count(no_fields, array.name) == 0) names.push_back(array.name);
   return names;
 }
 

@@ -10,9 +10,10 @@
 
 namespace taut::cli {
 
-/// Compressed VTK PolyData (.vtp) for ParaView: positions (z = 0 in 2D), time, `fields`, diameter, velocity,
-/// body, material, held (1: clamped). Measured values have double precision.
-std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields);
+/// Compressed VTK PolyData (.vtp) for ParaView: time, positions (z = 0 in 2D), a vertex each, and the arrays of
+/// particle_arrays(). Tensors have the components xx, yy, zz, xy, yz, xz. Real numbers are Float64, or Float32.
+std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields,
+                               bool single_precision = false);
 
 /// Loads arrays on demand.
 class ParticleFile {

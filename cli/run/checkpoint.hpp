@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/formats/particle_format.hpp"
 #include "cli/system/build_info.hpp"
 #include "cli/system/provenance.hpp"
 
@@ -13,8 +14,9 @@ namespace taut::cli {
 
 struct Checkpoint {
   std::string method;
-  std::string scene;                        // text of scene.toml
-  std::vector<std::string> fields;          // empty: no particles are saved
+  std::string scene;                // text of scene.toml
+  std::vector<std::string> fields;  // none: particles are not saved
+  ParticleForm particle_form;
   std::optional<double> requested_spacing;  // m
   double every = 0;                         // simulated interval, s; 0: only when interrupted
   bool draws = true;
@@ -22,7 +24,10 @@ struct Checkpoint {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(method, scene, fields, requested_spacing, every, draws, state);
+    archive(method, scene, fields, particle_form.format, particle_form.single_precision, requested_spacing,
+            every, draws, state);
+    archive.check("a format of particles",
+                  [&] { return static_cast<std::size_t>(particle_form.format) < particle_formats.size(); });
     archive.check("an interval or a spacing", [&] {
       return std::isfinite(every) && every >= 0 &&
              (!requested_spacing || (std::isfinite(*requested_spacing) && *requested_spacing > 0));

@@ -26,8 +26,10 @@ constexpr std::string_view head_of_record = "{\n  \"taut\": \"";  // as in `to_j
 /// Includes temporary files.
 bool is_particle_file(const fs::path& path) {
   const std::string name = path.filename().string();
-  return name.starts_with("particles") &&
-         (name.find(".vtp") != std::string::npos || name.find(".pvd") != std::string::npos);
+  const auto has = [&name](std::string_view extension) {
+    return name.find("." + std::string(extension)) != std::string::npos;
+  };
+  return name.starts_with("particles") && (has("pvd") || std::ranges::any_of(particle_formats, has));
 }
 
 void remove_file(const fs::path& path) {
@@ -127,8 +129,8 @@ void RunFolder::check_frames(int number) const {
   refuse_missing(number, [this](int k) { return frame(k); });
 }
 
-void RunFolder::check_particle_files(int number) const {
-  refuse_missing(number, [this](int k) { return particle_file(k); });
+void RunFolder::check_particle_files(int number, ParticleFormat format) const {
+  refuse_missing(number, [this, format](int k) { return particle_file(k, format); });
 }
 
 void RunFolder::keep_frames(int number) const {
@@ -137,9 +139,9 @@ void RunFolder::keep_frames(int number) const {
   remove_files_if(frames(), [&](const fs::path& path) { return is_frame(path) && !kept.contains(path); });
 }
 
-void RunFolder::keep_particle_files(int number) const {
+void RunFolder::keep_particle_files(int number, ParticleFormat format) const {
   std::set<fs::path> kept{particle_index()};
-  for (int k = 0; k < number; ++k) kept.insert(particle_file(k));
+  for (int k = 0; k < number; ++k) kept.insert(particle_file(k, format));
   remove_files_if(particles(),
                   [&](const fs::path& path) { return is_particle_file(path) && !kept.contains(path); });
 }
@@ -154,8 +156,8 @@ void RunFolder::clear_frames() const {
   remove_file(difference());
 }
 
-fs::path RunFolder::particle_file(int number) const {
-  return particles() / numbered("particles", number, "vtp");
+fs::path RunFolder::particle_file(int number, ParticleFormat format) const {
+  return particles() / numbered("particles", number, name(format).data());
 }
 
 std::optional<fs::path> run_around(const fs::path& path) {

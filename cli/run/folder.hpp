@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "cli/drawing/frames.hpp"
+#include "cli/formats/particle_format.hpp"
 #include "cli/system/folder_lock.hpp"
 
 namespace taut::cli {
@@ -28,11 +29,11 @@ class RunFolder {
   void clear() const;
   /// Throw UsageError if one of the first `number` files is missing.
   void check_frames(int number) const;
-  void check_particle_files(int number) const;
-  /// Keep the first `number` files. Throw OutputError.
+  void check_particle_files(int number, ParticleFormat format) const;
+  /// Remove all but the first `number` files. Throw OutputError.
   void keep_frames(int number) const;
-  void keep_particle_files(int number) const;
-  /// Removes complete and temporary checkpoints. Throws OutputError.
+  void keep_particle_files(int number, ParticleFormat format) const;
+  /// Removes the checkpoint, complete or temporary. Throws OutputError.
   void clear_checkpoint() const;
   /// Also removes difference.png. Throws OutputError.
   void clear_frames() const;
@@ -41,9 +42,13 @@ class RunFolder {
   std::filesystem::path frames() const { return path_ / "frames"; }
   std::filesystem::path frame(int number) const { return frames() / frame_name(number); }
   std::filesystem::path particles() const { return path_ / "particles"; }
-  std::filesystem::path particle_file(int number) const;
-  /// Index for ParaView.
+  std::filesystem::path particle_file(int number, ParticleFormat format = ParticleFormat::vtp) const;
+  /// Times and names of the .vtp files, for ParaView.
   std::filesystem::path particle_index() const { return particles() / "particles.pvd"; }
+  /// The file to open in other programs: the index, or the first file of a format without index.
+  std::filesystem::path particle_entry(ParticleFormat format) const {
+    return format == ParticleFormat::vtp ? particle_index() : particle_file(0, format);
+  }
   std::filesystem::path history() const { return path_ / "history.csv"; }
   std::filesystem::path lines() const { return path_ / "lines.csv"; }
   std::filesystem::path scene() const { return path_ / "scene.toml"; }

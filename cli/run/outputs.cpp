@@ -257,10 +257,11 @@ class ParticlesOutput final : public OutputOf<ParticlesOutput> {
  public:
   ParticlesOutput(const RunPlan& plan, const Simulation& simulation, LastStep& last_step, RunResult& result)
       : folder_(plan.folder),
+        format_(plan.particle_form.format),
         simulation_(simulation),
         last_step_(last_step),
         agenda_(plan.frame_times),
-        series_(plan.particle_fields, plan.folder, result.record.seconds) {}
+        series_(plan.particle_fields, plan.particle_form, plan.folder, result.record.seconds) {}
 
   double next() const override { return agenda_.next(); }
   void write_due() override {
@@ -268,18 +269,19 @@ class ParticlesOutput final : public OutputOf<ParticlesOutput> {
   }
   void put_on_disk() override { series_.put_on_disk(); }
   void update_result() override { series_.save_index(); }
-  void discard_newer() override { folder_.keep_particle_files(series_.written()); }
+  void discard_newer() override { folder_.keep_particle_files(series_.written(), format_); }
 
   template <class Archive>
   void serialize(Archive& archive) {
     archive(agenda_, series_);
     archive.check("the number of particle files",
                   [&] { return std::cmp_equal(agenda_.done(), series_.written()); });
-    if (Archive::loads) folder_.check_particle_files(series_.written());
+    if (Archive::loads) folder_.check_particle_files(series_.written(), format_);
   }
 
  private:
   const RunFolder& folder_;
+  ParticleFormat format_;
   const Simulation& simulation_;
   LastStep& last_step_;
   Agenda agenda_;

@@ -12,7 +12,8 @@ namespace taut::cli {
 class ParticleSeries {
  public:
   /// Adds its time to `seconds`.
-  ParticleSeries(std::vector<const Field*> fields, const RunFolder& folder, Seconds& seconds);
+  ParticleSeries(std::vector<const Field*> fields, ParticleForm form, const RunFolder& folder,
+                 Seconds& seconds);
 
   void add(const Snapshot& snapshot);
   /// Throws OutputError, as `add` does.
@@ -27,7 +28,12 @@ class ParticleSeries {
   }
 
  private:
+  std::filesystem::path file(std::size_t number) const {
+    return folder_.particle_file(static_cast<int>(number), form_.format);
+  }
+
   std::vector<const Field*> fields_;
+  ParticleForm form_;
   RunFolder folder_;
   Seconds& seconds_;
   std::vector<double> times_;  // s

@@ -102,7 +102,7 @@ std::string no_use(const RunOptions& options) {
   std::vector<std::string> names;
   for (const auto& [key, value] : options.drawing.typed)
     if (value) names.push_back("--" + key);
-  if (!options.save_particles) {
+  if (options.save_particles.empty()) {
     if (options.frames) names.emplace_back("--frames");
     if (options.every) names.emplace_back("--every");
   }
@@ -136,12 +136,23 @@ std::string lines_without_samples(const Scene& scene) {
 
 std::vector<const Field*> particle_fields(const RunOptions& options, int dim) {
   std::vector<const Field*> chosen;
-  if (options.save_particles && options.fields.empty())
+  if (!options.save_particles.empty() && options.fields.empty())
     for (const Field& field : fields(dim)) chosen.push_back(&field);
   for (const std::string& key : options.fields)
     if (const Field& field = known_field(key, dim); std::ranges::find(chosen, &field) == chosen.end())
       chosen.push_back(&field);
   return chosen;
+}
+
+ParticleForm particle_form(const RunOptions& options) {
+  const auto index = [](const char* kind, const std::string& given, const std::vector<std::string>& names) {
+    const auto known = std::ranges::find(names, given);
+    if (known == names.end() && !given.empty()) throw UsageError(unknown_name(kind, given, names));
+    return given.empty() ? 0 : known - names.begin();
+  };
+  const std::vector<std::string> formats(particle_formats.begin(), particle_formats.end());
+  return {static_cast<ParticleFormat>(index("format of particles", options.save_particles, formats)),
+          index("--particle-precision", options.particle_precision, {"double", "single"}) == 1};
 }
 
 namespace {
@@ -207,12 +218,19 @@ void declare_output_options(Options& command, RunOptions& o) {
 
 void declare_particle_options(Options& command, RunOptions& o) {
   const Option save = command.add_flag(
-      "--save-particles", o.save_particles,
-      "write particles/*.vtp with each frame, for `taut render`, `taut compare` and ParaView");
+      "--save-particles", {particle_formats.begin(), particle_formats.end()}, o.save_particles,
+      "write a file into particles/ with each frame: vtp (the default) for `taut render`, `taut compare` and "
+      "ParaView, extended xyz for OVITO and ASE, or csv");
   command
       .add("--fields", "FIELD,...", o.fields,
            "fields to save with the particles (`taut list fields`); default: all")
       .comma_separated()
+      .needs(save);
+  command
+      .add(
+          "--particle-precision", "double|single", o.particle_precision,
+          "digits of saved particles; single halves the files, but pictures of `taut render` may differ from "
+          "those of the run; default: double")
       .needs(save);
 }
 
@@ -256,6 +274,7 @@ RunPlan make_plan(const RunOptions& options) {
   plan.keep_checkpoint = options.keep_checkpoint;
   if (!options.no_render) plan.drawing = file.drawing;
   plan.particle_fields = particle_fields(options, file.scene.dim);
+  plan.particle_form = particle_form(options);
   if (plan.drawing || !plan.particle_fields.empty())
     plan.frame_times = times_in_parts(file.scene.until, file.drawing.frames);
   plan.history_times = times_every(file.scene.until, *file.history);

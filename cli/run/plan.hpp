@@ -26,8 +26,9 @@ struct RunOptions {
   std::optional<double> checkpoint_every;  // s
   bool keep_checkpoint = false;
   bool no_render = false;
-  bool save_particles = false;
-  std::vector<std::string> fields;  // none: all
+  std::string save_particles;       // format; empty: particles are not saved
+  std::string particle_precision;   // empty: double
+  std::vector<std::string> fields;  // to save; none: all
 };
 
 void declare_setting_options(Options& command, RunOptions& options);
@@ -48,7 +49,10 @@ RunPlan make_plan(const RunOptions& options);
 /// None if particles are not saved.
 std::vector<const Field*> particle_fields(const RunOptions& options, int dim);
 
-/// Throws UsageError for unknown names and for `stable`.
+/// Throws UsageError for unknown names.
+ParticleForm particle_form(const RunOptions& options);
+
+/// Throws UsageError for unknown names, and for `stable`, on which no run can fail.
 std::optional<Verdict> parse_verdict(const std::optional<std::string>& text);
 
 }  // namespace taut::cli

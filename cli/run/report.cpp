@@ -158,7 +158,8 @@ std::string run_report(const RunPlan& plan, const RunResult& result) {
   rows.push_back({"run", plan.folder.path().string()});
   if (plan.drawing)
     rows.push_back({"frames", fmt::format("{} ({})", plan.folder.frames().string(), result.frames)});
-  if (!plan.particle_fields.empty()) rows.push_back({"particles", plan.folder.particle_index().string()});
+  if (!plan.particle_fields.empty())
+    rows.push_back({"particles", plan.folder.particle_entry(plan.particle_form.format).string()});
   return fmt::format("{}\n{}{}", heading(record), measures_table(plan, record), in_columns(rows));
 }
 

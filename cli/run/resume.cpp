@@ -63,12 +63,15 @@ RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoin
     options.checkpoint_every =
         checkpoint->every > 0 ? std::optional(checkpoint->every) : given.checkpoint_every;
     options.no_render = !checkpoint->draws;
-    options.save_particles = !checkpoint->fields.empty();
+    const ParticleForm& form = checkpoint->particle_form;
+    if (!checkpoint->fields.empty()) options.save_particles = name(form.format);
+    if (form.single_precision) options.particle_precision = "single";
     options.fields = checkpoint->fields;
   } else {
     options.checkpoint_every = given.checkpoint_every;
     options.no_render = given.no_render;
     options.save_particles = given.save_particles;
+    options.particle_precision = given.particle_precision;
     options.fields = given.fields;
   }
   return options;
@@ -79,7 +82,8 @@ std::string first_conflict(const RunOptions& given, const RunOptions& stored, co
   std::error_code error;
   if (given.out && !fs::equivalent(*given.out, plan.folder.path(), error)) return "--out " + *given.out;
   if (given.no_render && plan.drawing) return "--no-render";
-  if (given.save_particles && particle_fields(given, plan.file.scene.dim) != plan.particle_fields)
+  if (!given.save_particles.empty() && (particle_fields(given, plan.file.scene.dim) != plan.particle_fields ||
+                                        particle_form(given) != plan.particle_form))
     return "--save-particles";
   if (given.checkpoint_every && given.checkpoint_every != stored.checkpoint_every)
     return "--checkpoint-every " + exact(*given.checkpoint_every);

@@ -183,6 +183,7 @@ void Run::write_checkpoint(std::string state) const {
   Checkpoint checkpoint{record_.method,
                         plan_.scene_text(),
                         {},
+                        plan_.particle_form,
                         plan_.requested_spacing,
                         plan_.checkpoint_every.value_or(0),
                         plan_.drawing.has_value(),

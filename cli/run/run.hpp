@@ -18,10 +18,11 @@ namespace taut::cli {
 /// A validated run.
 struct RunPlan {
   SceneFile file;
-  std::optional<double> requested_spacing;         // m
-  std::optional<Drawing> drawing;                  // none: no frames
-  std::vector<const Field*> particle_fields;       // none: not saved
-  std::vector<double> frame_times, history_times;  // s, sorted
+  std::optional<double> requested_spacing;    // m, from the scene or the command line
+  std::optional<Drawing> drawing;             // none: no frames
+  std::vector<const Field*> particle_fields;  // none: not saved
+  ParticleForm particle_form;
+  std::vector<double> frame_times, history_times;  // s, sorted; particles are saved at frame times
   RunFolder folder{"."};
   std::optional<double> checkpoint_every;  // simulated time, s; none: only after an interrupt
   bool keep_checkpoint = false;            // for continuing to a later `until`

@@ -21,6 +21,15 @@ std::optional<int> number_of(const RunFolder& folder, const fs::path& file) {
   return number && file == folder.particle_file(*number) ? number : std::nullopt;
 }
 
+std::string what_is_saved(const RunFolder& folder) {
+  std::error_code error;
+  for (const ParticleFormat format : {ParticleFormat::xyz, ParticleFormat::csv})
+    if (fs::exists(folder.particle_file(0, format), error))
+      return "particles as ." + std::string(name(format)) +
+             " files, which other programs read and taut does not";
+  return "no saved particles";
+}
+
 }  // namespace
 
 SavedRun open_saved_run(const fs::path& path) {
@@ -34,8 +43,8 @@ SavedRun open_saved_run(const fs::path& path) {
     if (const auto number = number_of(folder, entry.path())) files[*number] = entry.path();
   if (files.empty())
     throw UsageError(fmt::format(
-        "'{0}' contains no saved particles; save them with\n  taut run {1} --save-particles --out {0}",
-        path.string(), folder.scene().string()));
+        "'{0}' contains {1}; save particles as .vtp files with\n  taut run {2} --save-particles --out {0}",
+        path.string(), what_is_saved(folder), folder.scene().string()));
   SavedRun run{folder, read_scene(folder.scene()), {}, {}};
   for (const auto& [number, file] : files) {
     run.particles.emplace_back(file);

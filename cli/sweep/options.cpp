@@ -28,8 +28,8 @@ std::string path_of_program() {
 }
 
 bool draws(const SweepOptions& o) {
-  // frame times are also the times of saved particles
-  const bool times_of_frames = !o.run.save_particles && (o.run.frames || o.run.every);
+  // also the times of saved particles
+  const bool times_of_frames = o.run.save_particles.empty() && (o.run.frames || o.run.every);
   return o.render || times_of_frames || o.run.drawing.any();
 }
 
@@ -120,7 +120,7 @@ std::vector<std::string> command_to_repeat(const Options& command) {
     if (std::ranges::find(passing, option.name()) != passing.end()) continue;
     for (const std::string& value : option.values()) {
       if (!option.is_positional())
-        words.push_back(option.name() + (option.takes_value() ? "=" + value : ""));
+        words.push_back(option.name() + (option.takes_value() || value != "true" ? "=" + value : ""));
       else
         words.push_back(value.starts_with('-') ? "./" + value : value);
     }

@@ -209,7 +209,8 @@ void SweepRun::read_folder() {
   const bool ended = found->status == Status::finished || (failed && found->verdict == Verdict::diverged);
   std::error_code error;
   const bool drawn = last_frame < 0 || fs::exists(files.frame(failed ? 0 : last_frame), error);
-  const bool saved = !options.save_particles || fs::exists(files.particle_index(), error);
+  const bool saved = options.save_particles.empty() ||
+                     fs::exists(files.particle_entry(particle_form(options).format), error);
   const bool followed = fs::exists(files.history(), error);
   if (!same) {
     state = ended ? SweepRunState::outdated : SweepRunState::interrupted;

@@ -23,8 +23,8 @@ inline constexpr std::array<FileFormat, 7> file_formats{{{"run.json", 1},
                                                          {"results.csv", 1},
                                                          {"history.csv", 1},
                                                          {"lines.csv", 1},
-                                                         {"particles", 1},
-                                                         {"checkpoint.bin", 15}}};
+                                                         {"particles", 2},
+                                                         {"checkpoint.bin", 16}}};
 
 consteval int format_of(std::string_view file) {
   for (const FileFormat& format : file_formats)

@@ -75,7 +75,7 @@ RunOptions run_options(const SmallScene& scene) {
   RunOptions options = options_of(scene);
   options.out = (folder() / "run").string();
   options.checkpoint_every = 1;  // only at the interrupt
-  options.save_particles = true;
+  options.save_particles = "vtp";
   return options;
 }
 

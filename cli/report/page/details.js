@@ -55,9 +55,12 @@ function run_details(run) {
       command.length ?
           command_block('Command of this run', ['taut', ...command.slice(1)], provenance.working_folder) :
           null,
+      // several runs mostly share them
       element(
-          'div', {class: 'players'}, table_of('Parameters of the scene', record.parameters || {}),
-          table_of('Settings and size', settings)),
+          'details', {open: !run.many}, element('summary', {}, 'Parameters and settings'),
+          element(
+              'div', {class: 'players'}, table_of('Parameters of the scene', record.parameters || {}),
+              table_of('Settings and size', settings))),
       element(
           'details', {}, element('summary', {}, 'Provenance'),
           element(

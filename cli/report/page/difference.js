@@ -33,8 +33,9 @@ function verdict_of_pictures(report) {
 }
 
 function picture_values(picture, limits) {
-  const row = (label, value, limit) =>
-      element('tr', {}, element('th', {scope: 'row'}, label), cell(value), cell(limit));
+  const row = (label, ...values) => element(
+      'tr', {}, element('th', {scope: 'row'}, label),
+      values.map((value) => element('td', {class: 'number'}, brief(value))));
   return element(
       'div', {class: 'scroll'},
       element(

@@ -110,6 +110,7 @@ function stability_map(sweep) {
   const draw = () => {
     const values = [...new Set(sweep.left.map((row) => row['set.' + x]))].sort(compare_cells);
     const series = [...new Set(sweep.left.map((row) => sweep.series_of(row, x)))];
+    const others = sweep.swept.filter(({name}) => name !== x).map(({label}) => label).join(', ');
     const find = (name, value) =>
         sweep.left.find((row) => row['set.' + x] === value && sweep.series_of(row, x) === name);
     const cell_of = (row) => {
@@ -135,7 +136,10 @@ function stability_map(sweep) {
         element(
             'thead', {},
             element(
-                'tr', {}, element('th', {scope: 'col'}, sweep.label(x)),
+                'tr', {}, element('td'),
+                element('th', {scope: 'colgroup', colspan: values.length}, sweep.label(x))),
+            element(
+                'tr', {}, element('th', {scope: 'col'}, others),
                 values.map((value) => element('th', {scope: 'col'}, brief(value))))),
         element(
             'tbody', {},

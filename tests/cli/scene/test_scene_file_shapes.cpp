@@ -232,8 +232,8 @@ unit = "s"
     Snapshot now;
     now.dim = 2;
     now.x = {0, 0, 0.05, 0, 1, 1, 2, 0.1};
-    now.v.assign(8, 3);
-    now.m.assign(4, 1), now.diameter = {0.05, 0.05, 0.05, 0.06};
+    now.x0 = now.x, now.v.assign(8, 3);
+    now.m.assign(4, 1), now.rho.assign(4, 1), now.diameter = {0.05, 0.05, 0.05, 0.06};
     now.body = {0, 0, 1, 1}, now.material = {0, 0, 0, 0}, now.clamped.assign(4, 0);
     write_file("saved.vtp", particle_file_text(now, {}));
     const InitialParticles all = laid(scene_text(R"({ type = "particles", file = "saved.vtp" })"));
@@ -256,7 +256,7 @@ unit = "s"
     write_file("cut.vtp", particle_file_text(now, {}).substr(0, 900));
     check_shape_error(R"({ type = "particles", file = @"cut.vtp" })", {"is not a particle file of taut"});
     now.dim = 3;
-    now.x = {0, 0, 0, 0.05, 0, 0, 1, 1, 0.1, 2, 0.1, 0}, now.v.assign(12, 3);
+    now.x = {0, 0, 0, 0.05, 0, 0, 1, 1, 0.1, 2, 0.1, 0}, now.x0 = now.x, now.v.assign(12, 3);
     write_file("solid.vtp", particle_file_text(now, {}));
     check_shape_error(R"({ type = "particles", file = @"solid.vtp" })",
                       {"is a file of a scene with dim = 3"});

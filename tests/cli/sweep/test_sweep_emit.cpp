@@ -70,6 +70,17 @@ TEST_SUITE("cli") {
     CHECK(statuses(folder / "out")[2] == "failed");
   }
 
+  TEST_CASE("an emitted script saves particles in the requested format") {
+    const TemporaryFolder folder;
+    const Texts grid{"--grid", "speed=1", "--until", "1e-5", "--frames", "1", "--save-particles"};
+    REQUIRE(shell("SLURM_ARRAY_TASK_ID=0 sh " + emitted(folder, "slurm", grid)) == 0);
+    CHECK(fs::exists(folder / "out/speed=1/particles/particles.pvd"));
+    Texts in_columns = grid;
+    in_columns.emplace_back("csv");
+    REQUIRE(shell("SLURM_ARRAY_TASK_ID=0 sh " + emitted(folder, "slurm", in_columns)) == 0);
+    CHECK(fs::exists(folder / "out/speed=1/particles/particles_00001.csv"));
+  }
+
   TEST_CASE("the script for GNU parallel does the runs and collects the results") {
     const TemporaryFolder folder;
     const Texts grid{"--grid", "speed=max(1,2),3", "--threads", "2"};
