@@ -22,9 +22,9 @@ struct Dot {
 /// into the cache; empty tiles are skipped.
 class DiscPainter {
  public:
-  /// Draws into one plot of one image. At first the plot must be filled with `background`. Nothing else may draw into
-  /// it.
-  explicit DiscPainter(const Rect& plot, Rgb background = white);
+  /// Draws into one plot of one image. At first the plot must be filled with `background`, or transparent. Nothing
+  /// else may draw into it.
+  explicit DiscPainter(const Rect& plot, Rgb background = white, bool transparent = false);
 
   /// Draws `discs` into the plot, in place of the previous ones.
   void draw(Image& image, std::span<const Dot> discs);
@@ -42,7 +42,7 @@ class DiscPainter {
   std::size_t sample(int column, int row) const { return static_cast<std::size_t>(row) * stride_ + column; }
 
   Rect plot_;
-  std::uint32_t background_;             // bytes B, G, R, 255
+  std::uint32_t background_;             // bytes B, G, R, 255, or 0
   int bands_, tiles_;                    // numbers in the plot, downwards and to the right
   std::size_t stride_;                   // samples from one row to the next
   std::vector<std::uint32_t> end_;       // 0, then the end of each band's discs in `sorted_`

@@ -41,6 +41,7 @@ struct Look {
   PageTexts texts{};                   // unless bare
   double glyph = 1;                    // drawn / true diameter
   Rgb background = white;              // texts contrast with it
+  bool transparent = false;            // draws no background
   /// Names of categories; values then count from 0, a legend replaces the bar, range and colour map may be open.
   std::vector<std::string> categories{};
 };

@@ -9,7 +9,7 @@
 
 namespace taut::render {
 
-/// PNG file with RGB of 8 bits per channel.
+/// PNG file with 8 bits per channel: RGB, of a transparent picture RGBA.
 std::vector<std::uint8_t> encode_png(const Image& image);
 
 /// Writes encoded bytes to a file, completely or not at all. Throws OutputError.
