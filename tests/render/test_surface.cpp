@@ -13,6 +13,8 @@
 #include "tests/support/relative.hpp"
 #include "tests/support/synthetic.hpp"
 
+namespace of_sheets {
+
 using namespace taut;
 using namespace taut::render;
 using namespace taut::test;
@@ -191,3 +193,5 @@ TEST_SUITE("image") {
     CHECK(light[7] == Approx(alone(1, 0)));
   }
 }
+
+}  // namespace of_sheets

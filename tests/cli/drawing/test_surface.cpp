@@ -11,9 +11,12 @@
 #include "cli/drawing/staging.hpp"
 #include "cli/drawing/surface.hpp"
 #include "engine/scene/shapes/box.hpp"
+#include "engine/scene/shapes/polygon.hpp"
 #include "engine/scene/shapes/round_shapes.hpp"
 #include "tests/support/pressed.hpp"
 #include "tests/support/relative.hpp"
+
+namespace of_surfaces {
 
 namespace {
 
@@ -155,6 +158,17 @@ TEST_SUITE("unit") {
     const Covered body(fork);
     CHECK(measure(body.at(body.mapped(stretch)), 2) == Approx(determinant(2) * 0.0082).epsilon(1e-9));
 
+    // corners of a star point inwards, its tips have no particle
+    Chain corners;
+    for (int k = 0; k < 10; ++k) {
+      const double r = k % 2 == 0 ? 0.1 : 0.05, angle = (k + 0.5) * std::numbers::pi / 5;
+      corners.push_back({r * std::cos(angle), r * std::sin(angle), 0});
+    }
+    const Polygon polygon({corners});
+    const Covered star(scene_of({polygon}));
+    CHECK(measure(star.at(star.mapped(stretch)), 2) ==
+          Approx(determinant(2) * polygon.measure(2)).epsilon(1e-6));
+
     const Covered ball(scene_of({Disc{{0, 0, 0}, 0.06}}, 3));
     const SurfaceShape skin = ball.at(ball.mapped(stretch));
     CHECK(measure(skin, 3) ==
@@ -254,3 +268,5 @@ TEST_SUITE("unit") {
     }
   }
 }
+
+}  // namespace of_surfaces
