@@ -51,7 +51,7 @@ Staging::Staging(const Drawing& drawing, Origins origins)
                      "\" hides all particles: it is true at every initial position; "
                      "hide fewer, or reverse the expression");
   if (drawing.style == Style::cells) find_cells();
-  if (drawing.scene) surface_.emplace(*drawing.scene, origins_, shown_, drawing.is_cut);
+  if (drawing.scene) surface_.reset(new LazySurface{drawing.scene, drawing.is_cut});
 }
 
 void Staging::find_cells() {
@@ -100,12 +100,19 @@ StagedParticles Staging::operator()(const FrameView& particles) const {
   return staged;
 }
 
+/// Drawing threads share the surface.
+const Surface& Staging::surface() const {
+  std::call_once(surface_->made,
+                 [this] { surface_->surface.emplace(*surface_->scene, origins_, shown_, surface_->is_cut); });
+  return *surface_->surface;
+}
+
 /// Adds outlines and, in style `surface`, replaces particles by a surface.
 StagedParticles Staging::with_surface(StagedParticles staged) const {
-  SurfaceShape shape = surface_->at(staged.x, staged.value, has_categories_);
+  SurfaceShape shape = surface().at(staged.x, staged.value, has_categories_);
   if (outline_ == Outlines::deformed || outline_ == Outlines::both) staged.outline = std::move(shape.outline);
   if (outline_ == Outlines::undeformed || outline_ == Outlines::both) {
-    staged.undeformed = surface_->undeformed();
+    staged.undeformed = surface().undeformed();
     for (std::size_t k = 0; k < staged.undeformed.size(); ++k) staged.undeformed[k] -= staged.origin[k % 2];
   }
   if (!draws_surface_) return staged;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,7 +48,15 @@ class Staging {
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 
  private:
+  struct LazySurface {
+    std::shared_ptr<const Scene> scene;
+    Expression is_cut;
+    std::once_flag made{};
+    std::optional<Surface> surface{};
+  };
+
   void find_cells();
+  const Surface& surface() const;
   StagedParticles with_surface(StagedParticles staged) const;
   Point middle(const FrameView& particles) const;
 
@@ -55,7 +65,8 @@ class Staging {
   std::optional<int> followed_;
   std::vector<std::size_t> shown_;  // particle numbers
   std::optional<Cells> cells_;      // of `shown_`, in style `cells`
-  std::optional<Surface> surface_;  // of `shown_`, in style `surface` and for outlines
+  std::shared_ptr<LazySurface>
+      surface_;  // of `shown_`, in style `surface` and for outlines; made at first use
   bool draws_surface_, has_categories_;
   Outlines outline_;
 };

@@ -179,7 +179,9 @@ std::vector<std::array<std::uint32_t, 3>> Surface::boundary(const std::vector<bo
                                                             std::span<const double> x) const {
   std::vector<std::array<std::uint32_t, 3>> found;
   const auto is_kept = [&](int simplex) { return simplex >= 0 && kept[static_cast<std::size_t>(simplex)]; };
-  for (const auto& [points, of] : faces_) {
+  for (const Face& face : faces_) {
+    const auto& points = face.point;
+    const auto& of = face.of;
     if (is_kept(of[0]) == is_kept(of[1])) continue;
     found.push_back(points);
     if (dim_ == 2) continue;

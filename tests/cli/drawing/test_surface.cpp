@@ -131,16 +131,19 @@ TEST_SUITE("unit") {
 
   TEST_CASE("a surface fills its body without gap or overlap under any linear deformation") {
     const Box square{{0, 0, 0}, {0.1, 0.06, 0}}, cube{{0, 0, 0}, {0.06, 0.05, 0.04}};
-    for (const auto& [shapes, dim, size] :
-         {std::tuple(std::vector<Shape>{square}, 2, 0.006),
-          std::tuple(std::vector<Shape>{square, Box{{0.02, 0.06, 0}, {0.04, 0.15, 0}}}, 2, 0.0078),
-          std::tuple(std::vector<Shape>{cube}, 3, 1.2e-4),
-          std::tuple(std::vector<Shape>{cube, Box{{0.02, 0.05, 0}, {0.04, 0.08, 0.04}}}, 3, 1.44e-4)}) {
-      CAPTURE(dim);
-      CAPTURE(shapes.size());
-      const Covered body(scene_of(shapes, dim));
+    struct Case {
+      std::vector<Shape> shapes;
+      int dim;
+      double size;  // m^dim
+    };
+    for (const Case& each :
+         {Case{{square}, 2, 0.006}, Case{{square, Box{{0.02, 0.06, 0}, {0.04, 0.15, 0}}}, 2, 0.0078},
+          Case{{cube}, 3, 1.2e-4}, Case{{cube, Box{{0.02, 0.05, 0}, {0.04, 0.08, 0.04}}}, 3, 1.44e-4}}) {
+      CAPTURE(each.dim);
+      CAPTURE(each.shapes.size());
+      const Covered body(scene_of(each.shapes, each.dim));
       const SurfaceShape shape = body.at(body.mapped(stretch));
-      CHECK(measure(shape, dim) == Approx(determinant(dim) * size).epsilon(1e-9));
+      CHECK(measure(shape, each.dim) == Approx(determinant(each.dim) * each.size).epsilon(1e-9));
       CHECK(shape.loose.empty());
     }
   }
