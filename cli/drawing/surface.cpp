@@ -41,6 +41,18 @@ double squared_distance(std::span<const double> x, std::size_t dim, std::size_t 
   return sum;
 }
 
+/// Twice the area, in 3D six times the volume; positive if the points turn to the left, in 3D if the last point is on
+/// the side to which the normal of the others points.
+double signed_size(std::span<const double> x, std::size_t dim, const std::array<std::uint32_t, 4>& points) {
+  std::array<std::array<double, 3>, 3> way{};  // from the first point
+  for (std::size_t c = 0; c < dim; ++c)
+    for (std::size_t k = 0; k < dim; ++k) way[c][k] = x[dim * points[c + 1] + k] - x[dim * points[0] + k];
+  if (dim == 2) way[2] = {0, 0, 1};
+  const auto& [a, b, c] = way;
+  return (a[1] * b[2] - a[2] * b[1]) * c[0] + (a[2] * b[0] - a[0] * b[2]) * c[1] +
+         (a[0] * b[1] - a[1] * b[0]) * c[2];
+}
+
 }  // namespace
 
 Surface::Surface(const Scene& scene, const Origins& origins, std::span<const std::size_t> shown,
@@ -66,7 +78,8 @@ Surface::Surface(const Scene& scene, const Origins& origins, std::span<const std
     add_nodes(scene, places[body], NodeWeights(particles, static_cast<int>(body), dp_), is_cut);
     triangulate(scene, static_cast<int>(body), particles.first, first_node);
   }
-  find_faces();
+  do find_faces();
+  while (drop_flat());
 }
 
 Point Surface::initial(std::uint32_t point) const {
@@ -134,7 +147,21 @@ bool Surface::fits(const Scene& scene, int body, const Simplex& simplex) const {
   return !on_faces || holds(of, middle, scene.dim, 0);
 }
 
+/// Drops simplices without size on the boundary, such as four nodes of a plane: outside and inside of their faces
+/// depend on round-off. Returns whether there were any.
+bool Surface::drop_flat() {
+  const double least = 1e-3 * std::pow(dp_, static_cast<double>(dim_));
+  std::vector<bool> drop(simplices_.size());
+  for (const Face& face : faces_) {
+    const auto simplex = static_cast<std::size_t>(face.of[0]);
+    if (face.of[1] < 0) drop[simplex] = std::abs(signed_size(x0_, dim_, simplices_[simplex])) < least;
+  }
+  std::size_t next = 0;
+  return std::erase_if(simplices_, [&](const Simplex&) { return drop[next++]; }) > 0;
+}
+
 void Surface::find_faces() {
+  faces_.clear();
   std::vector<Face> all;
   for (std::size_t s = 0; s < simplices_.size(); ++s)
     for (std::size_t without = 0; without <= dim_; ++without) {
@@ -188,15 +215,7 @@ std::vector<std::array<std::uint32_t, 3>> Surface::boundary(const std::vector<bo
     const Simplex& simplex = simplices_[static_cast<std::size_t>(is_kept(of[0]) ? of[0] : of[1])];
     const std::uint32_t behind = *std::ranges::find_if(
         simplex, [&](std::uint32_t p) { return std::ranges::find(points, p) == points.end(); });
-    std::array<std::array<double, 3>, 3> way{};  // from the first point
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double from = x[3 * points[0] + k];
-      way[0][k] = x[3 * points[1] + k] - from, way[1][k] = x[3 * points[2] + k] - from;
-      way[2][k] = x[3 * behind + k] - from;
-    }
-    const auto& [a, b, c] = way;
-    const double volume = (a[1] * b[2] - a[2] * b[1]) * c[0] + (a[2] * b[0] - a[0] * b[2]) * c[1] +
-                          (a[0] * b[1] - a[1] * b[0]) * c[2];
+    const double volume = signed_size(x, dim_, {points[0], points[1], points[2], behind});
     if (volume > 0) std::swap(found.back()[1], found.back()[2]);
   }
   return found;

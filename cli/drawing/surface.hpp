@@ -49,6 +49,7 @@ class Surface {
   void triangulate(const Scene& scene, int body, std::span<const int> first, std::size_t first_node);
   bool fits(const Scene& scene, int body, const Simplex& simplex) const;
   void find_faces();
+  bool drop_flat();
   std::vector<double> points_at(std::span<const double> x) const;
   bool is_whole(const Simplex& simplex, std::span<const double> x) const;
   std::vector<std::array<std::uint32_t, 3>> boundary(const std::vector<bool>& kept,
