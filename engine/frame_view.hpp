@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -16,8 +17,12 @@ struct FrameView {
   double time = 0;                   // s
   std::span<const double> x;         // n × dim, m
   std::span<const double> diameter;  // m
-  std::span<const double> value;     // in `unit`
-  std::span<const double> cell;      // edge vectors, n × dim vectors, m; empty = round
+  std::span<const double> value;     // coloured field, in `unit`
+  std::span<const double> cell;      // edge vectors of cells, n × dim vectors, m; empty = round
+  /// Triangles of a surface, three point numbers each, in 3D anticlockwise from outside. `x` and `value` then belong to
+  /// its points; a `diameter` above 0 marks a loose particle. Empty = particles.
+  std::span<const std::uint32_t> triangle;
+  std::span<const double> outline, undeformed;  // 2D: line segments, four coordinates each, m
   std::span<const WallFace> walls;
   std::string_view field;  // "von Mises stress"
   std::string_view unit;   // "Pa"

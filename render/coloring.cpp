@@ -48,11 +48,24 @@ Coloring::Coloring(const Look& look) : range_(range_of(look)), key_(key_of(look)
   for (std::size_t k = 0; k < look.categories.size(); ++k) colors_.push_back(packed(category_color(k)));
 }
 
+float Coloring::place(double value) const {
+  if (std::isnan(value)) return no_place;
+  const double place = range_ ? (value - range_->low) / (range_->high - range_->low)
+                              : value / std::max(1.0, static_cast<double>(colors_.size() - 1));
+  return std::clamp(static_cast<float>(place), -farthest_place, farthest_place);
+}
+
 std::uint32_t Coloring::operator()(double value) const {
   if (std::isnan(value)) return packed(not_a_number_color);
   const double last = static_cast<double>(colors_.size() - 1);
   const double place = range_ ? (value - range_->low) / (range_->high - range_->low) * last : value;
   return colors_[static_cast<std::size_t>(std::lround(std::clamp(place, 0.0, last)))];
+}
+
+std::vector<std::uint32_t> Coloring::palette() const {
+  std::vector<std::uint32_t> all = colors_;
+  all.push_back(packed(not_a_number_color));
+  return all;
 }
 
 OffScale Coloring::off_scale(double value) const {

@@ -17,6 +17,12 @@ class Coloring {
   explicit Coloring(const Look& look);
 
   std::uint32_t operator()(double value) const;  // bytes R, G, B, 255
+  /// Place of a value among the colours, from 0 to 1 unless off-scale; `no_place` for NaN.
+  float place(double value) const;
+  static constexpr float no_place = -1e6f, farthest_place = 100;
+  bool has_categories() const { return !range_; }
+  /// The colours, then the colour of NaN.
+  std::vector<std::uint32_t> palette() const;
   /// Detects NaN, and values out of range by more than half a colour step.
   OffScale off_scale(double value) const;
   const ColorKey& key() const { return key_; }

@@ -95,9 +95,9 @@ struct DiscPainter::Bands {
   int first, last;
 };
 
-DiscPainter::DiscPainter(const Rect& plot, Rgb background)
+DiscPainter::DiscPainter(const Rect& plot, Rgb background, bool transparent)
     : plot_(plot),
-      background_(with_blue_first(packed(background))),
+      background_(transparent ? 0 : with_blue_first(packed(background))),
       bands_(parts(plot.height, band_height)),
       tiles_(parts(plot.width, tile_width)),
       stride_(static_cast<std::size_t>(tiles_) * tile_width * samples),

@@ -18,8 +18,9 @@ struct Dot {
 /// measured in radii of the disc.
 class DiscPainter {
  public:
-  /// The plot must be filled with `background`. Nothing else may draw into it.
-  explicit DiscPainter(const Rect& plot, Rgb background = white);
+  /// Draws into one plot of one image. At first the plot must be filled with `background`, or transparent. Nothing
+  /// else may draw into it.
+  explicit DiscPainter(const Rect& plot, Rgb background = white, bool transparent = false);
 
   /// Replaces the previous discs.
   void draw(Image& image, std::span<const Dot> discs);
@@ -37,15 +38,15 @@ class DiscPainter {
   std::size_t sample(int column, int row) const { return static_cast<std::size_t>(row) * stride_ + column; }
 
   Rect plot_;
-  std::uint32_t background_;  // bytes B, G, R, 255
-  int bands_, tiles_;
-  std::size_t stride_;
-  std::vector<std::uint32_t> end_;     // 0, then the end of each band in `sorted_`
-  std::vector<std::uint32_t> sorted_;  // by band
-  std::vector<std::uint32_t> color_;   // bytes B, G, R, 255
-  std::vector<float> depth_;           // 0 to 1
-  std::vector<std::uint8_t> touched_;
-  std::vector<std::uint8_t> was_drawn_;
+  std::uint32_t background_;             // bytes B, G, R, 255, or 0
+  int bands_, tiles_;                    // numbers in the plot, downwards and to the right
+  std::size_t stride_;                   // samples from one row to the next
+  std::vector<std::uint32_t> end_;       // 0, then the end of each band's discs in `sorted_`
+  std::vector<std::uint32_t> sorted_;    // disc numbers by band
+  std::vector<std::uint32_t> color_;     // samples of a band; bytes B, G, R, 255
+  std::vector<float> depth_;             // distance from the nearest centre, 0 to 1
+  std::vector<std::uint8_t> touched_;    // tiles of the band with discs
+  std::vector<std::uint8_t> was_drawn_;  // tiles of the plot with discs
 };
 
 }  // namespace taut::render

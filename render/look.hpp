@@ -33,13 +33,14 @@ struct Look {
   std::optional<Camera> camera{};      // only in 3D
   std::optional<Range> range;          // values outside are clamped
   const Colormap* colormap = nullptr;  // nullptr: open
-  double middle = 0;                   // of a diverging map
-  std::string unit{};                  // determines the width of numbers
-  std::optional<Size> size = Size{};
-  bool bare = false;  // only particles
-  PageTexts texts{};  // unless bare
-  double glyph = 1;   // drawn / true diameter
-  Rgb background = white;
+  double middle = 0;                   // value of a diverging map's middle, if in range
+  std::string unit{};                  // of the values; determines the width of their numbers
+  std::optional<Size> size = Size{};   // sides from least_size to greatest_size
+  bool bare = false;                   // only particles, over the whole picture
+  PageTexts texts{};                   // unless bare
+  double glyph = 1;                    // drawn / true diameter
+  Rgb background = white;              // texts contrast with it
+  bool transparent = false;            // draws no background
   /// Names of categories; values then count from 0, a legend replaces the bar, range and colour map may be open.
   std::vector<std::string> categories{};
 };

@@ -146,6 +146,11 @@ Image empty_image(const PanelOptions& options, const Grid& grid) {
   return {width, height};
 }
 
+Image transparent_or_not(Image image, bool transparent) {
+  image.transparent = transparent;
+  return image;
+}
+
 Look look_of_cells(Look look, const Grid& grid) {
   look.size = {grid.cell_width, grid.cell_height};
   look.bare = true;
@@ -172,7 +177,7 @@ struct Panel::Parts {
   explicit Parts(const PanelOptions& options_)
       : options(options_),
         grid(options.look.size ? fitted_grid(options) : own_grid(options)),
-        image(empty_image(options, grid)),
+        image(transparent_or_not(empty_image(options, grid), options.look.transparent)),
         canvas(image, options.look.background),
         renderer(look_of_cells(options.look, grid)),
         key(Coloring(options.look).key()) {

@@ -15,6 +15,7 @@
 #include "render/disc_painter.hpp"
 #include "render/gl/gl_context.hpp"
 #include "render/gl/solid_painter.hpp"
+#include "render/page/segments.hpp"
 #include "render/page/wall_line.hpp"
 #include "render/solids.hpp"
 
@@ -113,13 +114,14 @@ struct Renderer::Parts {
   PageTexts texts;
   PageLayout layout;
   Image image;
-  std::optional<Projection> projection;
-  std::optional<DiscPainter> disc_painter;  // if only discs
-  std::optional<GlContext> context;         // on demand
-  std::optional<SolidPainter> solid_painter;
-  std::optional<Annotation> annotation;  // not in small pictures
-  std::optional<Canvas> canvas;
+  std::optional<Projection> projection;       // in 3D
+  std::optional<DiscPainter> disc_painter;    // if the plot has only discs
+  std::optional<GlContext> context;           // on demand
+  std::optional<SolidPainter> solid_painter;  // also for 2D cells
+  std::optional<Annotation> annotation;       // none in small pictures
+  std::optional<Canvas> canvas;               // for 2D walls and outlines
   Rgb background;
+  bool transparent;
   double glyph;
   std::vector<Dot> discs;
   Solids solids;
@@ -128,8 +130,10 @@ struct Renderer::Parts {
   Parts(const Look& look, double until);
   void check(const FrameView& frame) const;
   void place_discs(const FrameView& frame);
-  void draw_walls(const FrameView& frame);
+  bool has_lines(const FrameView& frame) const;
+  void draw_lines(const FrameView& frame);
   void draw_discs(const FrameView& frame);
+  std::vector<float> places_of(const FrameView& frame) const;
   void draw_solids(const FrameView& frame);
 };
 
@@ -140,8 +144,10 @@ Renderer::Parts::Parts(const Look& look, double until)
       layout(make_layout(look.size->width, look.size->height, *look.view, !look.bare, key_width, look.texts)),
       image(look.size->width, look.size->height),
       background(look.background),
+      transparent(look.transparent),
       glyph(look.glyph),
       solids(layout, glyph) {
+  image.transparent = transparent;
   if (look.camera) projection.emplace(*look.camera, *look.view);
   if (layout.font > 0) annotation.emplace(image, layout, coloring.key(), until, background, texts.parts);
   if (annotation && look.camera) {
@@ -155,7 +161,8 @@ void Renderer::Parts::check(const FrameView& frame) const {
   if (static_cast<std::size_t>(frame.dim) != dim)
     throw std::logic_error("a scene in 3D needs a camera; a scene in 2D cannot have one");
   if (frame.x.size() != dim * n || frame.diameter.size() != n ||
-      (!frame.cell.empty() && frame.cell.size() != dim * dim * n)) {
+      (!frame.cell.empty() && frame.cell.size() != dim * dim * n) || frame.triangle.size() % 3 != 0 ||
+      std::ranges::any_of(frame.triangle, [n](std::uint32_t point) { return point >= n; })) {
     throw std::logic_error("the arrays of a frame do not have the same number of particles");
   }
 }
@@ -187,37 +194,56 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::Parts::draw_walls(const FrameView& frame) {
-  if (frame.walls.empty()) return;
-  constexpr double em_of_height = 0.022;  // without text
+bool Renderer::Parts::has_lines(const FrameView& frame) const {
+  return !frame.walls.empty() || !frame.outline.empty() || !frame.undeformed.empty();
+}
+
+/// Draws 2D walls and outlines over the particles.
+void Renderer::Parts::draw_lines(const FrameView& frame) {
+  if (!has_lines(frame)) return;
+  constexpr double em_of_height = 0.022;  // in pictures without text
   const double em = layout.font > 0 ? layout.font : std::max(6.0, em_of_height * layout.plot.height);
   if (!canvas) canvas.emplace(image, background);
   canvas->begin();
+  draw_segments(*canvas, layout, frame.undeformed, Stroke::thin, em);
+  draw_segments(*canvas, layout, frame.outline, Stroke::bold, em);
   for (const WallFace& wall : frame.walls)
     draw_wall_line(*canvas, layout.plot, layout.plot.x + layout.column(wall.at[0]),
                    layout.plot.y + layout.row(wall.at[1]), wall.normal[0], -wall.normal[1], em);
   canvas->end();
 }
 
-/// Keeps the previous page if both have only discs.
+/// Keeps the previous page if both have only discs, without lines.
 void Renderer::Parts::draw_discs(const FrameView& frame) {
   const bool page_stands =
-      disc_painter && frame.walls.empty() && (!annotation || annotation->is_current_for(frame));
+      disc_painter && !has_lines(frame) && (!annotation || annotation->is_current_for(frame));
   if (!page_stands) {
     image.fill(background);
-    disc_painter.emplace(layout.plot, background);
+    disc_painter.emplace(layout.plot, background, transparent);
   }
   place_discs(frame);
   disc_painter->draw(image, discs);
-  draw_walls(frame);
+  draw_lines(frame);
+  if (has_lines(frame)) disc_painter.reset();
   if (!annotation) return;
   page_stands ? annotation->draw_again(frame, off_scale) : annotation->draw(frame, off_scale);
+}
+
+std::vector<float> Renderer::Parts::places_of(const FrameView& frame) const {
+  std::vector<float> places(frame.value.size());
+  std::ranges::transform(frame.value, places.begin(), [this](double value) { return coloring.place(value); });
+  return places;
 }
 
 void Renderer::Parts::draw_solids(const FrameView& frame) {
   std::vector<std::uint32_t> color(frame.value.size());
   std::ranges::transform(frame.value, color.begin(), [this](double value) { return coloring(value); });
-  if (!projection)
+  std::vector<std::uint32_t> palette;
+  if (!frame.triangle.empty()) {
+    palette = coloring.palette();
+    solids.place_surface(frame, projection ? &*projection : nullptr, places_of(frame), color,
+                         coloring.has_categories());
+  } else if (!projection)
     solids.place_parallelograms(frame, color);
   else if (frame.cell.empty())
     solids.place_balls(frame, *projection, color);
@@ -230,10 +256,11 @@ void Renderer::Parts::draw_solids(const FrameView& frame) {
   if (!context) context.emplace(image.width, image.height);
   {
     const GlContext::Current current(*context, image);
-    if (!solid_painter) solid_painter.emplace(image.width, image.height, layout.plot, background);
-    solid_painter->draw(current.framebuffer(), solids.balls(), solids.corners());
+    if (!solid_painter)
+      solid_painter.emplace(image.width, image.height, layout.plot, background, transparent);
+    solid_painter->draw(current.framebuffer(), {solids.balls(), solids.corners(), solids.surface(), palette});
   }
-  if (!projection) draw_walls(frame);
+  if (!projection) draw_lines(frame);
   if (annotation) annotation->draw(frame, off_scale);
 }
 
@@ -252,7 +279,7 @@ const OffScale& Renderer::off_scale() const { return parts_->off_scale; }
 const Image& Renderer::draw(const FrameView& frame) {
   Parts& parts = *parts_;
   parts.check(frame);
-  if (parts.projection || !frame.cell.empty())
+  if (parts.projection || !frame.cell.empty() || !frame.triangle.empty())
     parts.draw_solids(frame);
   else
     parts.draw_discs(frame);

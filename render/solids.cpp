@@ -4,10 +4,12 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
 #include "render/page/ticks.hpp"
+#include "render/smooth_light.hpp"
 #include "render/wall_grid.hpp"
 
 namespace taut::render {
@@ -56,6 +58,7 @@ void Solids::clear() {
   placed_.clear();
   balls_.clear();
   corners_.clear();
+  surface_.clear();
 }
 
 void Solids::place_balls(const FrameView& frame, const Projection& projection,
@@ -131,6 +134,44 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
       add_face(sum(centre, half[k], towards), a, b,
                dimmed(colors[i], light_on(static_cast<float>(normal[0]), static_cast<float>(normal[1]),
                                           static_cast<float>(normal[2]))));
+    }
+  }
+}
+
+void Solids::place_surface(const FrameView& frame, const Projection* projection,
+                           std::span<const float> places, std::span<const std::uint32_t> colors,
+                           bool uniform) {
+  clear();
+  const double metre = layout_.pixels_per_metre;
+  std::vector<Vector> seen(frame.value.size());  // pixels
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const Projection::Projected p = projection
+                                        ? (*projection)(at(frame.x, i))
+                                        : Projection::Projected{{frame.x[2 * i], frame.x[2 * i + 1], 0}, 1};
+    constexpr double behind = std::numeric_limits<double>::quiet_NaN();
+    seen[i] = {layout_.column(p.at[0]), layout_.row(p.at[1]), p.scale > 0 ? p.at[2] * metre : behind};
+    const double radius = drawn_radius(0.5 * frame.diameter[i] * p.scale * metre);
+    if (!in_picture(seen[i][0], seen[i][1], std::max(radius, 1.0)) || !std::isfinite(seen[i][2])) continue;
+    placed_.push_back(i);
+    if (frame.diameter[i] > 0)
+      balls_.push_back({static_cast<float>(seen[i][0]), static_cast<float>(seen[i][1]),
+                        static_cast<float>(seen[i][2]), static_cast<float>(radius), colors[i]});
+  }
+  const std::vector<float> light = projection ? smooth_light(seen, frame.triangle) : std::vector<float>{};
+  for (std::size_t k = 0; k < frame.triangle.size(); k += 3) {
+    const auto corners = frame.triangle.subspan(k, 3);
+    // OpenGL clips triangles, but not points at an infinite distance
+    constexpr double farthest = 1e6;  // pixels
+    if (!std::ranges::all_of(corners, [&](std::uint32_t i) {
+          return std::abs(seen[i][0]) < farthest && std::abs(seen[i][1]) < farthest &&
+                 std::isfinite(seen[i][2]);
+        }))
+      continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t i = corners[c];
+      surface_.push_back({static_cast<float>(seen[i][0]), static_cast<float>(seen[i][1]),
+                          static_cast<float>(seen[i][2]), places[uniform ? corners[0] : i],
+                          light.empty() ? 1 : light[k + c]});
     }
   }
 }

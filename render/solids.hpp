@@ -25,12 +25,19 @@ class Solids {
                    std::span<const std::uint32_t> colors);
   /// Lines on 3D walls, except where a particle hides them.
   void place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color);
+  /// Places the triangles of a surface, and its loose particles as balls. `places` are the points' places among the
+  /// colours; `uniform` triangles have the place of their first point. In 3D, light varies smoothly except at edges.
+  /// No `projection` in 2D.
+  void place_surface(const FrameView& frame, const Projection* projection, std::span<const float> places,
+                     std::span<const std::uint32_t> colors, bool uniform);
+  /// Places 2D cells.
   void place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors);
 
   /// Particles that reach into the picture, including hidden ones.
   std::span<const std::size_t> placed() const { return placed_; }
   std::span<const Ball> balls() const { return balls_; }
   std::span<const Corner> corners() const { return corners_; }
+  std::span<const SurfaceCorner> surface() const { return surface_; }
 
  private:
   bool in_picture(double x, double y, double reach) const;
@@ -45,6 +52,7 @@ class Solids {
   std::vector<std::size_t> placed_;
   std::vector<Ball> balls_;
   std::vector<Corner> corners_;
+  std::vector<SurfaceCorner> surface_;
   Cover cover_;
 };
 

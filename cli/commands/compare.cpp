@@ -31,6 +31,7 @@ struct CompareArguments : DrawingOptions {
   std::string out;
   std::vector<double> times;  // s
   std::vector<std::string> labels;
+  bool times_across = false;
 };
 
 struct Column {
@@ -140,18 +141,18 @@ void warn_about_particles_outside(const render::View& view, const std::vector<Sa
   }
 }
 
-void draw(render::Panel& panel, const std::vector<Column>& columns) {
-  for (int column = 0; const auto& [staging, cells] : columns) {
-    for (int row = 0; const PanelCell& cell : cells) {
-      if (cell.particles)
-        panel.draw(column, row, staging.with_cells_and_walls(staging(cell.particles->view())).view());
+void draw(render::Panel& panel, const std::vector<Column>& columns, bool times_across) {
+  for (int run = 0; const auto& [staging, cells] : columns) {
+    for (int time = 0; const PanelCell& cell : cells) {
+      const int column = times_across ? time : run, row = times_across ? run : time;
+      if (cell.particles) panel.draw(column, row, staging.completed(staging(cell.particles->view())).view());
       if (!cell.particles)
         panel.write_middle(column, row, cell.remark);
       else if (!cell.remark.empty())
         panel.write_corner(column, row, cell.remark);
-      ++row;
+      ++time;
     }
-    ++column;
+    ++run;
   }
 }
 
@@ -167,6 +168,14 @@ render::PanelOptions panel_options(const Drawing& drawing, RunLabels labels) {
   panel.unit = colors.unit;
   panel.columns = std::move(labels.columns);
   return panel;
+}
+
+void transpose(render::PanelOptions& panel) {
+  std::vector<std::string> runs;
+  for (const auto& [title, note] : panel.columns) runs.push_back(note.empty() ? title : title + ", " + note);
+  panel.columns.clear();
+  for (const std::string& time : panel.rows) panel.columns.push_back({time, ""});
+  panel.rows = std::move(runs);
 }
 
 int compare_runs(const CompareArguments& options, Streams streams) {
@@ -200,8 +209,9 @@ int compare_runs(const CompareArguments& options, Streams streams) {
   for (std::size_t k = 0; k < options.labels.size(); ++k) labels.columns[k] = {options.labels[k], ""};
   render::PanelOptions about = panel_options(fitted, std::move(labels));
   about.rows = time_labels(times, until);
+  if (options.times_across) transpose(about);
   render::Panel panel(about);
-  draw(panel, columns);
+  draw(panel, columns, options.times_across);
   const render::Image& image = panel.finish();
   make_folder_of(options.out);
   render::write_png(image, options.out);
@@ -227,6 +237,7 @@ std::function<int(Streams)> declare_compare(Options& command) {
       .add("--labels", "LABEL,...", options->labels,
            "headings of the columns, one for each run; default: the settings in which the runs differ")
       .comma_separated();
+  command.add_flag("--times-across", options->times_across, "times from left to right, runs from top to bottom");
   declare_drawing_options(command, *options);
   return [options](Streams streams) { return compare_runs(*options, streams); };
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,7 +19,9 @@ namespace taut::cli {
 
 inline constexpr int most_frames = 1000000;
 
-enum class Style : std::uint8_t { discs, spheres, cells };
+enum class Style : std::uint8_t { discs, spheres, cells, surface };
+/// Lines around bodies in 2D.
+enum class Outlines : std::uint8_t { none, deformed, undeformed, both };
 
 struct ColorFormula {
   /// Current and initial position.
@@ -40,8 +43,10 @@ struct Drawing {
   render::Look look{};
   int frames = 60;               // after t = 0, evenly spaced
   std::optional<Style> style{};  // default: discs in 2D, spheres in 3D
-  std::string cut{};             // expression; hides particles whose initial position makes it nonzero
-  std::string follow{};          // body that stays in the middle
+  std::string cut{};             // expression that hides particles where it is not 0 at the start
+  std::string hide{};            // bodies that are not drawn, with commas between
+  Outlines outline = Outlines::none;
+  std::string follow{};  // body whose centre of mass stays in the middle
 
   std::optional<std::string> title{};   // default: the scene's; empty: none
   std::optional<double> font_points{};  // default: by the size, or print_font
@@ -53,7 +58,9 @@ struct Drawing {
 
   // set by `apply_scene` (cli/scene)
   Expression is_cut{};
-  std::optional<int> followed{};  // index into Scene::bodies
+  std::optional<int> followed{};         // index into Scene::bodies
+  std::vector<int> hidden{};             // indices into Scene::bodies
+  std::shared_ptr<const Scene> scene{};  // for surfaces and outlines, else null
   std::vector<WallFace> walls{};
   double round_off = 0;  // minimum width of an open range, in the unit of the colours
   ColorFormula of_formula{};

@@ -58,7 +58,7 @@ Drawing fitted(const Drawing& drawing, const Snapshot& snapshot) {
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot) {
   const std::vector<double> value = color_values(drawing, snapshot);
   const Staging staging(drawing, origins_of(snapshot));
-  const StagedParticles drawn = staging.with_cells_and_walls(staging(view_of(snapshot, value)));
+  const StagedParticles drawn = staging.completed(staging(view_of(snapshot, value)));
   render::Renderer renderer(sized(drawing).look, captions.until);
   return renderer.draw(with_texts(drawn.view(), drawing, captions));
 }
@@ -178,7 +178,7 @@ std::vector<std::uint8_t> Frames::draw_picture(int worker, const StagedParticles
   std::optional<render::Renderer>& renderer = renderers_[static_cast<std::size_t>(worker)];
   if (!renderer) renderer.emplace(drawing_.look, captions_.until);
   if (from) renderer->look_from(from->camera, from->view);
-  const StagedParticles drawn = staging_.with_cells_and_walls(particles);
+  const StagedParticles drawn = staging_.completed(particles);
   const render::Image& image = renderer->draw(with_texts(drawn.view(), drawing_, captions_));
   drawing_time_ += watch.seconds();
   const Stopwatch encoding;

@@ -149,7 +149,9 @@ DrawingValue get_fov(const Drawing& drawing) {
   return camera ? Numbers{camera->field_of_view} : left_open();
 }
 
-constexpr std::array<std::string_view, 3> style_names{"discs", "spheres", "cells"};  // in the order of Style
+// in the order of the enumerators
+constexpr std::array<std::string_view, 4> style_names{"discs", "spheres", "cells", "surface"};
+constexpr std::array<std::string_view, 4> outline_names{"none", "deformed", "undeformed", "both"};
 
 std::vector<std::string> names_of_styles() { return {style_names.begin(), style_names.end()}; }
 
@@ -163,6 +165,18 @@ std::string set_style(Drawing& drawing, const DrawingValue& value) {
 DrawingValue get_style(const Drawing& drawing) {
   if (!drawing.style) return left_open();
   return std::string(style_names[static_cast<std::size_t>(*drawing.style)]);
+}
+
+std::vector<std::string> names_of_outlines() { return {outline_names.begin(), outline_names.end()}; }
+
+std::string set_outline(Drawing& drawing, const DrawingValue& value) {
+  const auto place = std::ranges::find(outline_names, word(value));
+  drawing.outline = static_cast<Outlines>(place - outline_names.begin());
+  return "";
+}
+
+DrawingValue get_outline(const Drawing& drawing) {
+  return std::string(outline_names[static_cast<std::size_t>(drawing.outline)]);
 }
 
 template <std::string Drawing::*Text>
@@ -283,8 +297,10 @@ std::span<const DrawingKey> drawing_keys() {
           .name = "style",
           .placeholder = "STYLE",
           .help =
-              "shape of particles: discs (2D), spheres (3D), or cells, which fill the bodies without gaps",
-          .session_help = "shape of particles: discs (2D), spheres (3D), or cells",
+              "shape of particles: discs (2D), spheres (3D), cells (flat pieces of one colour and one strain "
+              "each: hairline gaps open where the strain varies), or surface (continuous bodies with "
+              "interpolated values)",
+          .session_help = "shape of particles: discs (2D), spheres (3D), cells, or surface",
           .allows_auto = true,
           .words = {"style", names_of_styles},
           .set = set_style,
@@ -296,6 +312,22 @@ std::span<const DrawingKey> drawing_keys() {
                  .is_free_text = true,
                  .set = set_text<&Drawing::cut>,
                  .get = get_text<&Drawing::cut>},
+      DrawingKey{.name = "hide",
+                 .placeholder = "BODY,...|none",
+                 .help = "bodies to hide",
+                 .session_help = "bodies to hide",
+                 .is_free_text = true,
+                 .set = set_text<&Drawing::hide>,
+                 .get = get_text<&Drawing::hide>},
+      DrawingKey{
+          .name = "outline",
+          .placeholder = "OUTLINE",
+          .help =
+              "2D: lines around bodies: deformed, undeformed (their initial shape, a thin line), both or none",
+          .session_help = "2D: lines around bodies: deformed, undeformed, both or none",
+          .words = {"outline", names_of_outlines},
+          .set = set_outline,
+          .get = get_outline},
       DrawingKey{
           .name = "follow",
           .placeholder = "BODY|none",
@@ -316,11 +348,12 @@ std::span<const DrawingKey> drawing_keys() {
                  .set = set_glyph,
                  .get = get_glyph},
       DrawingKey{.name = "background",
-                 .placeholder = "white|black|#RRGGBB",
-                 .help = "background colour: white, black or #rrggbb; texts get a contrasting colour",
-                 .session_help = "background colour: white, black or #rrggbb",
+                 .placeholder = "white|black|transparent|#RRGGBB",
+                 .help = "background: white, black, #rrggbb, or transparent (PNG with opacity); texts get a "
+                         "contrasting colour, dark on transparent",
+                 .session_help = "background: white, black, #rrggbb or transparent",
                  .is_free_text = true,
-                 .pattern = "^(white|black|#[0-9A-Fa-f]{6})$",
+                 .pattern = "^(white|black|transparent|#[0-9A-Fa-f]{6})$",
                  .numbers = {.typed = std::string(right_colors)},
                  .set = set_background,
                  .get = get_background},

@@ -20,6 +20,7 @@ struct NamedColor {
 };
 constexpr std::array<NamedColor, 2> named_colors{{{"white", {255, 255, 255}}, {"black", {0, 0, 0}}}};
 
+constexpr std::string_view transparent = "transparent";
 constexpr std::string_view all_texts = "all";
 
 struct NamedText {
@@ -85,6 +86,8 @@ DrawingValue get_size(const Drawing& drawing) {
 
 std::string set_background(Drawing& drawing, const DrawingValue& value) {
   const std::string& text = word(value);
+  drawing.look.transparent = text == transparent;
+  if (drawing.look.transparent) return drawing.look.background = render::white, "";
   const auto* named = std::ranges::find(named_colors, text, &NamedColor::name);
   if (named != named_colors.end()) return drawing.look.background = named->color, "";
   unsigned code = 0;
@@ -97,6 +100,7 @@ std::string set_background(Drawing& drawing, const DrawingValue& value) {
 }
 
 DrawingValue get_background(const Drawing& drawing) {
+  if (drawing.look.transparent) return std::string(transparent);
   const auto& [red, green, blue] = drawing.look.background;
   const auto* named = std::ranges::find(named_colors, drawing.look.background, &NamedColor::color);
   if (named != named_colors.end()) return std::string(named->name);

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "engine/error.hpp"
-#include "engine/layout/initial_particles.hpp"
 
 namespace taut::cli {
 namespace {
@@ -19,23 +18,6 @@ Point point(std::span<const double> of, int dim, std::size_t i) {
 
 }  // namespace
 
-Origins origins_of(const Snapshot& snapshot) {
-  return {snapshot.dim, snapshot.x0, snapshot.m, snapshot.diameter, snapshot.body};
-}
-
-Origins origins_of(const Scene& scene) {
-  const InitialParticles particles = make_initial_particles(scene);
-  Origins origins{scene.dim, {}, {}, {}, particles.body};
-  for (std::size_t i = 0; i < particles.V0.size(); ++i) {
-    const Point& x = particles.x[i];
-    origins.x0.insert(origins.x0.end(), x.begin(), x.begin() + scene.dim);
-    const auto material = static_cast<std::size_t>(particles.material[i]);
-    origins.diameter.push_back(std::pow(particles.V0[i], 1.0 / scene.dim));
-    origins.m.push_back(scene.materials[material].density * particles.V0[i]);
-  }
-  return origins;
-}
-
 FrameView StagedParticles::view() const {
   FrameView view;
   view.dim = dim;
@@ -44,6 +26,8 @@ FrameView StagedParticles::view() const {
   view.diameter = diameter;
   view.value = value;
   view.cell = cell;
+  view.triangle = triangle;
+  view.outline = outline, view.undeformed = undeformed;
   view.walls = walls;
   return view;
 }
@@ -52,8 +36,13 @@ Staging::Staging(const Drawing& drawing, Origins origins)
     : origins_(std::move(origins)),
       walls_(drawing.walls),
       followed_(drawing.followed),
-      shown_(origins_.size()) {
+      shown_(origins_.size()),
+      draws_surface_(drawing.style == Style::surface),
+      has_categories_(!drawing.look.categories.empty()),
+      outline_(drawing.outline) {
   std::iota(shown_.begin(), shown_.end(), std::size_t{0});
+  std::erase_if(shown_,
+                [&](std::size_t i) { return std::ranges::count(drawing.hidden, origins_.body[i]) > 0; });
   if (drawing.is_cut)
     std::erase_if(shown_,
                   [&](std::size_t i) { return drawing.is_cut(point(origins_.x0, origins_.dim, i)) != 0; });
@@ -62,6 +51,7 @@ Staging::Staging(const Drawing& drawing, Origins origins)
                      "\" hides all particles: it is true at every initial position; "
                      "hide fewer, or reverse the expression");
   if (drawing.style == Style::cells) find_cells();
+  if (drawing.scene) surface_.reset(new LazySurface{drawing.scene, drawing.is_cut});
 }
 
 void Staging::find_cells() {
@@ -110,16 +100,42 @@ StagedParticles Staging::operator()(const FrameView& particles) const {
   return staged;
 }
 
-StagedParticles Staging::with_cells_and_walls(StagedParticles staged) const {
+/// Drawing threads share the surface.
+const Surface& Staging::surface() const {
+  std::call_once(surface_->made,
+                 [this] { surface_->surface.emplace(*surface_->scene, origins_, shown_, surface_->is_cut); });
+  return *surface_->surface;
+}
+
+/// Adds outlines and, in style `surface`, replaces particles by a surface.
+StagedParticles Staging::with_surface(StagedParticles staged) const {
+  SurfaceShape shape = surface().at(staged.x, staged.value, has_categories_);
+  if (outline_ == Outlines::deformed || outline_ == Outlines::both) staged.outline = std::move(shape.outline);
+  if (outline_ == Outlines::undeformed || outline_ == Outlines::both) {
+    staged.undeformed = surface().undeformed();
+    for (std::size_t k = 0; k < staged.undeformed.size(); ++k) staged.undeformed[k] -= staged.origin[k % 2];
+  }
+  if (!draws_surface_) return staged;
+  std::vector<double> diameter(shape.value.size(), 0);
+  for (const std::uint32_t i : shape.loose) diameter[i] = staged.diameter[i];
+  staged.x = std::move(shape.x), staged.value = std::move(shape.value);
+  staged.triangle = std::move(shape.triangle), staged.diameter = std::move(diameter);
+  return staged;
+}
+
+StagedParticles Staging::completed(StagedParticles staged) const {
   staged.walls = walls_;
   for (WallFace& wall : staged.walls)
     for (std::size_t k = 0; k < 3; ++k) wall.at[k] -= staged.origin[k];
+  if (surface_) staged = with_surface(std::move(staged));
   if (!cells_) return staged;
   CellShapes shapes = cells_->at(staged.x);
   StagedParticles drawn{.dim = staged.dim,
                         .time = staged.time,
                         .x = std::move(shapes.centre),
                         .cell = std::move(shapes.edge),
+                        .outline = std::move(staged.outline),
+                        .undeformed = std::move(staged.undeformed),
                         .origin = staged.origin,
                         .walls = std::move(staged.walls)};
   for (const std::size_t k : shapes.particle) {

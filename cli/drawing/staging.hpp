@@ -1,46 +1,40 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "cli/drawing/bounds.hpp"
 #include "cli/drawing/drawing.hpp"
+#include "cli/drawing/origins.hpp"
+#include "cli/drawing/surface.hpp"
 #include "engine/diagnostics/cells.hpp"
 #include "engine/frame_view.hpp"
 #include "engine/snapshot.hpp"
 
 namespace taut::cli {
 
-/// Initial particles, in the order of creation.
-struct Origins {
-  int dim = 2;
-  std::vector<double> x0;        // n × dim, m
-  std::vector<double> m;         // kg, in 2D per metre of depth
-  std::vector<double> diameter;  // m
-  std::vector<int> body;         // index into Scene::bodies
-
-  std::size_t size() const { return m.size(); }
-};
-
-Origins origins_of(const Snapshot& snapshot);
-/// Throws SceneError.
-Origins origins_of(const Scene& scene);
-
-/// Particles of one picture; `view` refers to them.
+/// Particles of one picture. `view` refers to the arrays of this object.
 struct StagedParticles {
   int dim = 2;
   double time = 0;  // s
   std::vector<double> x{}, diameter{}, value{}, cell{};
-  Point origin{};                 // m, in the scene
-  std::vector<WallFace> walls{};  // relative to `origin`
+  std::vector<std::uint32_t> triangle{};        // of a surface, whose points have x and value
+  std::vector<double> outline{}, undeformed{};  // 2D segments, m
+  Point origin{};                               // of the coordinates, in the scene, m
+  std::vector<WallFace> walls{};                // relative to `origin`
 
   FrameView view() const;
 };
 
-/// Selects and places the particles of a picture. The cut uses initial positions, so it deforms with the body.
+/// Selects and places the particles of a picture: removes hidden bodies and those in the cut, and centres the followed
+/// body. A cut uses initial positions, so that it deforms with the body.
 class Staging {
  public:
-  /// Throws UsageError if the cut leaves no particle.
+  /// Throws UsageError if no particle is left.
   Staging(const Drawing& drawing, Origins origins);
 
   int dim() const { return origins_.dim; }
@@ -48,19 +42,33 @@ class Staging {
 
   /// Requires all particles of the run.
   StagedParticles operator()(const FrameView& particles) const;
-  /// Adds walls; style `cells` replaces particles by visible cells.
-  StagedParticles with_cells_and_walls(StagedParticles staged) const;
+  /// Adds walls and outlines; replaces particles by visible cells or by a surface, if that is the style.
+  StagedParticles completed(StagedParticles staged) const;
+  /// Adds the values, and the positions that an open view must contain.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 
  private:
+  struct LazySurface {
+    std::shared_ptr<const Scene> scene;
+    Expression is_cut;
+    std::once_flag made{};
+    std::optional<Surface> surface{};
+  };
+
   void find_cells();
+  const Surface& surface() const;
+  StagedParticles with_surface(StagedParticles staged) const;
   Point middle(const FrameView& particles) const;
 
   Origins origins_;
   std::vector<WallFace> walls_;
   std::optional<int> followed_;
   std::vector<std::size_t> shown_;  // particle numbers
-  std::optional<Cells> cells_;
+  std::optional<Cells> cells_;      // of `shown_`, in style `cells`
+  std::shared_ptr<LazySurface>
+      surface_;  // of `shown_`, in style `surface` and for outlines; made at first use
+  bool draws_surface_, has_categories_;
+  Outlines outline_;
 };
 
 }  // namespace taut::cli

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "cli/drawing/keys.hpp"
+#include "cli/drawing/page_keys.hpp"
 #include "cli/scene/sections.hpp"
 #include "cli/text/print_size.hpp"
 #include "cli/text/suggest.hpp"
@@ -98,12 +99,16 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   if (drawing.style == (flat ? Style::spheres : Style::discs))
     return Mismatch{
         {"style"},
-        flat ? "style = \"spheres\" needs dim = 3, but this scene has dim = 2; use discs or cells"
-             : "style = \"discs\" needs dim = 2, but this scene has dim = 3; use spheres or cells"};
-  if (drawing.style == Style::cells && drawing.look.glyph != 1)
+        flat ? "style = \"spheres\" needs dim = 3, but this scene has dim = 2; use discs, cells or surface"
+             : "style = \"discs\" needs dim = 2, but this scene has dim = 3; use spheres, cells or surface"};
+  if ((drawing.style == Style::cells || drawing.style == Style::surface) && drawing.look.glyph != 1)
     return Mismatch{
         {"glyph"},
-        "glyph is the size of round particles and cannot be used with style = \"cells\"; remove one of them"};
+        fmt::format("glyph is the size of round particles and cannot be used with style = \"{}\"; "
+                    "remove one of them",
+                    drawing.style == Style::cells ? "cells" : "surface")};
+  if (!flat && drawing.outline != Outlines::none)
+    return Mismatch{{"outline"}, "outline needs dim = 2, but this scene has dim = 3; remove it"};
   if (drawing.formula.empty() && drawing.field->counts != Counted::nothing &&
       (drawing.look.range || drawing.look.colormap))
     return Mismatch{{"range", "colormap"},
@@ -114,6 +119,13 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   const std::vector<std::string> bodies = names_of(scene.bodies);
   if (!drawing.follow.empty() && std::ranges::find(bodies, drawing.follow) == bodies.end())
     return Mismatch{{"follow"}, unknown_name("body", drawing.follow, bodies)};
+  const std::vector<std::string> hidden = split_at_commas(drawing.hide);
+  for (const std::string& name : hidden)
+    if (std::ranges::find(bodies, name) == bodies.end())
+      return Mismatch{{"hide"}, unknown_name("body", name, bodies)};
+  if (std::ranges::all_of(bodies,
+                          [&](const std::string& name) { return std::ranges::count(hidden, name) > 0; }))
+    return Mismatch{{"hide"}, fmt::format("hide = \"{}\" hides all bodies; hide fewer", drawing.hide)};
   return std::nullopt;
 }
 
@@ -137,6 +149,11 @@ void fill_from_scene(Drawing& drawing, const Scene& scene) {
   for (const Wall& wall : scene.walls) drawing.walls.push_back({wall.at, wall.normal});
   drawing.round_off = drawing.formula.empty() ? round_off(*drawing.field, scene) : 0;
   drawing.followed.reset();
+  drawing.hidden.clear();
+  for (const std::string& name : split_at_commas(drawing.hide))
+    drawing.hidden.push_back(static_cast<int>(index_of(scene.bodies, name)));
+  const bool needs_scene = drawing.style == Style::surface || drawing.outline != Outlines::none;
+  drawing.scene = needs_scene ? std::make_shared<const Scene>(scene) : nullptr;
   if (!drawing.follow.empty()) drawing.followed = static_cast<int>(index_of(scene.bodies, drawing.follow));
 }
 

@@ -82,6 +82,29 @@ flat in vec4 triangle_color;
 out vec4 color;
 void main() { color = vec4(triangle_color.rgb, 1.0); })";
 
+constexpr const char* surface_vertex_shader = R"(#version 330 core
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec2 shade;  // place among the colours, light
+uniform vec3 band;
+uniform vec2 depth;
+out vec2 surface_shade;
+void main() {
+  gl_Position = vec4(2.0 * place.x / band.x - 1.0, 1.0 - 2.0 * (place.y - band.y) / band.z,
+                     2.0 * (depth.x - place.z) * depth.y - 1.0, 1.0);
+  surface_shade = shade;
+})";
+
+constexpr const char* surface_fragment_shader = R"(#version 330 core
+in vec2 surface_shade;
+uniform sampler2D palette;  // the last colour is that of no number
+out vec4 color;
+void main() {
+  int last = textureSize(palette, 0).x - 2;
+  int index = surface_shade.x < -1000.0 ? last + 1
+                                        : int(floor(clamp(surface_shade.x, 0.0, 1.0) * float(last) + 0.5));
+  color = vec4(texelFetch(palette, ivec2(index, 0), 0).rgb * surface_shade.y, 1.0);
+})";
+
 constexpr const char* resolve_vertex_shader = R"(#version 330 core
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); })";
 
@@ -94,6 +117,7 @@ uniform ivec2 top_edge;  // last column and row of samples
 uniform float range;     // of depths, pixels
 uniform float reach;     // of the light about a pixel, pixels
 uniform vec3 background;
+uniform float opacity;   // of the background
 out vec4 color;
 
 float depth_at(vec2 place) {
@@ -128,14 +152,15 @@ void main() {
     hollow += 0.125 * max(shadow_a + shadow_b, 0.0);
   }
   float light = light_on(normalize(vec3(-slope.x, slope.y, 1.0)), 0.6) * (1.0 - 0.6 * min(1.2 * hollow, 1.0));
-  color = vec4((mean.rgb - blank) * light + blank, 1.0);
+  color = vec4((mean.rgb - blank) * light + blank, max(mean.a, opacity));
 })";
 
-GLuint make_texture(GLint format, GLenum kind, GLenum type, GLint filter, int width, int height) {
+GLuint make_texture(GLint format, GLenum kind, GLenum type, GLint filter, int width, int height,
+                    const void* texels = nullptr) {
   GLuint texture = 0;
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, kind, type, nullptr);
+  glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, kind, type, texels);
   for (const GLenum which : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     glTexParameteri(GL_TEXTURE_2D, which, filter);
   for (const GLenum which : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
@@ -143,11 +168,16 @@ GLuint make_texture(GLint format, GLenum kind, GLenum type, GLint filter, int wi
   return texture;
 }
 
-void declare_attributes(int floats, std::size_t stride) {
+/// Declares `floats` numbers, then a colour or `shades` numbers.
+void declare_attributes(int floats, int shades, std::size_t stride) {
   const auto place = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
   const auto bytes = static_cast<GLsizei>(stride);
   glVertexAttribPointer(0, floats, GL_FLOAT, GL_FALSE, bytes, place(0));
-  glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, bytes, place(static_cast<std::size_t>(floats) * 4));
+  const void* const rest = place(static_cast<std::size_t>(floats) * 4);
+  if (shades > 0)
+    glVertexAttribPointer(1, shades, GL_FLOAT, GL_FALSE, bytes, rest);
+  else
+    glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, bytes, rest);
   glEnableVertexAttribArray(0);
   glEnableVertexAttribArray(1);
 }
@@ -171,14 +201,17 @@ struct SolidPainter::Extent {
   float range() const { return std::max(near - far, 1e-3f) * 1.001f; }  // farthest point is not background
 };
 
-SolidPainter::SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background)
+SolidPainter::SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background,
+                           bool transparent)
     : image_width_(image_width),
       image_height_(image_height),
       plot_(plot),
       background_{background[0] / 255.0f, background[1] / 255.0f, background[2] / 255.0f},
+      opacity_(transparent ? 0.0f : 1.0f),
       reach_(std::max(6, std::min(plot.width, plot.height) / 24)),
       band_height_(
           std::clamp(samples_per_band / (samples * samples * plot.width) - 2 * reach_, 1, plot.height)) {
+  if (transparent) background_ = {};
   const int width = samples * plot_.width;
   const int height = samples * std::min(band_height_ + 2 * reach_, plot_.height);
   glGenFramebuffers(1, &framebuffer_);
@@ -189,7 +222,7 @@ SolidPainter::SolidPainter(int image_width, int image_height, const Rect& plot, 
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     fail_for_memory(image_width, image_height);
-  const auto make_shape = [](Shape& shape, const char* vertex, const char* fragment, int floats,
+  const auto make_shape = [](Shape& shape, const char* vertex, const char* fragment, int floats, int shades,
                              std::size_t stride) {
     shape.program = make_program(vertex, fragment);
     shape.band_uniform = glGetUniformLocation(shape.program, "band");
@@ -198,24 +231,27 @@ SolidPainter::SolidPainter(int image_width, int image_height, const Rect& plot, 
     glGenBuffers(1, &shape.buffer);
     glBindVertexArray(shape.vertices);
     glBindBuffer(GL_ARRAY_BUFFER, shape.buffer);
-    declare_attributes(floats, stride);
+    declare_attributes(floats, shades, stride);
   };
-  make_shape(ball_, ball_vertex_shader, ball_fragment_shader, 4, sizeof(Ball));
-  make_shape(triangle_, triangle_vertex_shader, triangle_fragment_shader, 3, sizeof(Corner));
+  make_shape(ball_, ball_vertex_shader, ball_fragment_shader, 4, 0, sizeof(Ball));
+  make_shape(triangle_, triangle_vertex_shader, triangle_fragment_shader, 3, 0, sizeof(Corner));
+  make_shape(surface_, surface_vertex_shader, surface_fragment_shader, 3, 2, sizeof(SurfaceCorner));
   resolve_program_ = make_program(resolve_vertex_shader, resolve_fragment_shader);
   glGenVertexArrays(1, &no_vertices_);
   glDepthFunc(GL_LESS);
 }
 
-void SolidPainter::draw(std::uint32_t picture, std::span<const Ball> balls, std::span<const Corner> corners) {
+void SolidPainter::draw(std::uint32_t picture, const SolidParts& parts) {
+  const auto& [balls, corners, surface, palette] = parts;
   glBindFramebuffer(GL_FRAMEBUFFER, picture);
   glDisable(GL_SCISSOR_TEST);
-  glClearColor(background_[0], background_[1], background_[2], 1);
+  glClearColor(background_[0], background_[1], background_[2], opacity_);
   glClear(GL_COLOR_BUFFER_BIT);
   Extent extent;
   for (const Ball& ball : balls) extent.add(ball.x, ball.y, ball.z, ball.radius);
   for (const Corner& corner : corners) extent.add(corner.x, corner.y, corner.z, 0);
-  if (balls.empty() && corners.empty()) return;
+  for (const SurfaceCorner& corner : surface) extent.add(corner.x, corner.y, corner.z, 0);
+  if (balls.empty() && corners.empty() && surface.empty()) return;
   std::vector<Ball> thrice;
   thrice.reserve(3 * balls.size());
   for (const Ball& ball : balls) thrice.insert(thrice.end(), 3, ball);
@@ -223,30 +259,43 @@ void SolidPainter::draw(std::uint32_t picture, std::span<const Ball> balls, std:
   fill_buffer(thrice.data(), thrice.size() * sizeof(Ball), ball_.capacity);
   glBindBuffer(GL_ARRAY_BUFFER, triangle_.buffer);
   fill_buffer(corners.data(), corners.size_bytes(), triangle_.capacity);
+  if (!surface.empty()) {
+    glBindBuffer(GL_ARRAY_BUFFER, surface_.buffer);
+    fill_buffer(surface.data(), surface.size_bytes(), surface_.capacity);
+    if (palette_ == 0)
+      palette_ = make_texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_NEAREST,
+                              static_cast<int>(palette.size()), 1, palette.data());
+  }
+  ball_.count = static_cast<int>(thrice.size());
+  triangle_.count = static_cast<int>(corners.size());
+  surface_.count = static_cast<int>(surface.size());
   for (int top = 0; top < plot_.height; top += band_height_) {
     const int height = std::min(band_height_, plot_.height - top);
     const int above = std::min(reach_, top), below = std::min(reach_, plot_.height - top - height);
-    draw_band(top - above, above + height + below, static_cast<int>(thrice.size()),
-              static_cast<int>(corners.size()), extent);
+    draw_band(top - above, above + height + below, extent);
     resolve(picture, top, height, below, extent);
   }
 }
 
-void SolidPainter::draw_band(int top, int height, int ball_corners, int corners, const Extent& extent) {
+void SolidPainter::draw_band(int top, int height, const Extent& extent) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   glViewport(0, 0, samples * plot_.width, samples * height);
   glClearColor(background_[0], background_[1], background_[2], 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glDisable(GL_BLEND);
   glEnable(GL_DEPTH_TEST);
-  for (const auto& [shape, count] : {std::pair(&ball_, ball_corners), std::pair(&triangle_, corners)}) {
-    if (count == 0) continue;
+  for (const Shape* shape : {&ball_, &triangle_, &surface_}) {
+    if (shape->count == 0) continue;
+    if (shape == &surface_) {
+      glActiveTexture(GL_TEXTURE0);
+      glBindTexture(GL_TEXTURE_2D, palette_);
+    }
     glUseProgram(shape->program);
     glUniform3f(shape->band_uniform, static_cast<float>(plot_.width), static_cast<float>(top),
                 static_cast<float>(height));
     glUniform2f(shape->depth_uniform, extent.near, 1 / extent.range());
     glBindVertexArray(shape->vertices);
-    glDrawArrays(GL_TRIANGLES, 0, count);
+    glDrawArrays(GL_TRIANGLES, 0, shape->count);
   }
 }
 
@@ -280,6 +329,7 @@ void SolidPainter::resolve(std::uint32_t picture, int top, int height, int below
   glUniform1f(glGetUniformLocation(program, "range"), extent.range());
   glUniform1f(glGetUniformLocation(program, "reach"), static_cast<float>(reach_));
   glUniform3f(glGetUniformLocation(program, "background"), background_[0], background_[1], background_[2]);
+  glUniform1f(glGetUniformLocation(program, "opacity"), opacity_);
   glBindVertexArray(no_vertices_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_SCISSOR_TEST);

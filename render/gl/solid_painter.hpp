@@ -20,16 +20,35 @@ struct Corner {
   std::uint32_t color;
 };
 
-/// Draws spheres and triangles with OpenGL. Requires a current context throughout its lifetime. The depths around
-/// each pixel make hollows darker [Luft, Colditz, Deussen: Image enhancement by unsharp masking the depth buffer,
-/// 2006].
+/// Corner of a triangle of a surface, in the coordinates of a Ball.
+struct SurfaceCorner {
+  float x, y, z;
+  float place;  // of its value among the colours, from 0 to 1; below −1000: no number
+  float light;  // factor of the colour
+};
+
+/// Content of a picture.
+struct SolidParts {
+  std::span<const Ball> balls{};
+  std::span<const Corner> corners{};         // three per triangle
+  std::span<const SurfaceCorner> surface{};  // three per triangle
+  std::span<const std::uint32_t> palette{};  // colours of the surface, then the colour of no number
+};
+
+/// Draws spheres and triangles with OpenGL. Requires a current context throughout its lifetime.
+///
+/// The light comes from the upper left, behind the camera. Shading darkens colours and keeps their hues. Spheres are
+/// shaded by their normals. All visible surfaces are also shaded by the depths around each pixel, so that hollows are
+/// darker [Luft, Colditz, Deussen: Image enhancement by unsharp masking the depth buffer, 2006].
 class SolidPainter {
  public:
-  /// Throws UsageError without enough memory.
-  SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background = white);
+  /// Throws UsageError if there is not enough memory for such a picture.
+  SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background = white,
+               bool transparent = false);
 
-  /// Fills the framebuffer with the background, and draws balls and triangles (three corners each).
-  void draw(std::uint32_t picture, std::span<const Ball> balls, std::span<const Corner> corners);
+  /// Fills the framebuffer `picture` with the background, and draws the parts into the plot. Surfaces interpolate
+  /// values, not colours.
+  void draw(std::uint32_t picture, const SolidParts& parts);
 
  private:
   struct Extent;
@@ -37,18 +56,21 @@ class SolidPainter {
     std::uint32_t program = 0, vertices = 0, buffer = 0;
     int band_uniform = -1, depth_uniform = -1;
     std::size_t capacity = 0;  // bytes
+    int count = 0;             // corners
   };
 
-  void draw_band(int top, int height, int ball_corners, int corners, const Extent& extent);
+  void draw_band(int top, int height, const Extent& extent);
   void resolve(std::uint32_t picture, int top, int height, int below, const Extent& extent);
 
   int image_width_, image_height_;
   Rect plot_;
-  std::array<float, 3> background_;
-  int reach_;  // pixels
-  int band_height_;
+  std::array<float, 3> background_;  // 0 if transparent
+  float opacity_;                    // of the background
+  int reach_;                        // radius of the shading, pixels
+  int band_height_;                  // limits the buffers of large pictures
   std::uint32_t framebuffer_ = 0, color_ = 0, depth_ = 0;
-  Shape ball_, triangle_;
+  Shape ball_, triangle_, surface_;
+  std::uint32_t palette_ = 0;
   std::uint32_t resolve_program_ = 0, no_vertices_ = 0;
 };
 

@@ -19,10 +19,12 @@ inline constexpr Rgb white = {255, 255, 255};
 /// both contrasts are about equal.
 inline bool is_light(Rgb color) { return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] > 118; }
 
-/// Picture by rows from the top. A pixel has the bytes B, G, R, 255, since OSMesa and Cairo draw into it.
+/// A picture, by rows from the top. A pixel has the bytes B, G, R, 255, since OSMesa and Cairo draw into it. In a
+/// transparent picture, the last byte is the opacity, and the others are multiplied by it.
 struct Image {
   int width = 0;
   int height = 0;
+  bool transparent = false;
   std::vector<std::uint8_t> pixels;
 
   Image() = default;
@@ -40,7 +42,9 @@ struct Image {
     std::uint8_t* p = &pixels[offset(column, row)];
     p[0] = color[2], p[1] = color[1], p[2] = color[0], p[3] = 255;
   }
+  /// Fills with `color`, or with nothing if transparent.
   void fill(Rgb color) {
+    if (transparent) return pixels.assign(pixels.size(), 0);
     for (std::size_t k = 0; k < pixels.size(); k += 4)
       pixels[k] = color[2], pixels[k + 1] = color[1], pixels[k + 2] = color[0], pixels[k + 3] = 255;
   }

@@ -92,10 +92,24 @@ void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
   append_number(file, crc32_gzip_refl(0, &file[from], file.size() - from));
 }
 
-/// Filter type none suits flat colours.
+/// Channel without its factor, the opacity. Invisible pixels are white, for readers that ignore opacity.
+std::uint8_t divided(std::uint8_t channel, std::uint8_t opacity) {
+  if (opacity == 0) return 255;
+  return static_cast<std::uint8_t>(std::min((255 * channel + opacity / 2) / opacity, 255));
+}
+
+int channels(const Image& image) { return image.transparent ? 4 : 3; }
+
+/// Writes filter type none, which flat colours do not need, then R, G, B and the opacity of transparent pictures.
 void put_row(const Image& image, int row, std::uint8_t* to) {
   *to++ = PNG_FILTER_VALUE_NONE;
   const std::uint8_t* from = &image.pixels[image.offset(0, row)];
+  if (image.transparent) {
+    for (int column = 0; column < image.width; ++column, from += 4, to += 4)
+      to[0] = divided(from[2], from[3]), to[1] = divided(from[1], from[3]), to[2] = divided(from[0], from[3]),
+      to[3] = from[3];
+    return;
+  }
   for (int column = 0; column < image.width; ++column, from += 4, to += 3)
     to[0] = from[2], to[1] = from[1], to[2] = from[0];
 }
@@ -134,7 +148,9 @@ struct Deflater {
 class Bands {
  public:
   explicit Bands(const Image& image)
-      : image_(image), width_(3 * static_cast<std::size_t>(image.width) + 1), rows_(rows_at_once * width_) {}
+      : image_(image),
+        width_(static_cast<std::size_t>(channels(image)) * static_cast<std::size_t>(image.width) + 1),
+        rows_(rows_at_once * width_) {}
 
   int count() const { return (image_.height + rows_at_once - 1) / rows_at_once; }
   /// Valid until the next call.
@@ -183,7 +199,8 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
   std::vector<std::uint8_t> file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   std::vector<std::uint8_t> header;
   for (const int side : {image.width, image.height}) append_number(header, static_cast<std::uint32_t>(side));
-  header.insert(header.end(), {8, PNG_COLOR_TYPE_RGB, 0, 0, PNG_INTERLACE_NONE});
+  const std::uint8_t kind = image.transparent ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
+  header.insert(header.end(), {8, kind, 0, 0, PNG_INTERLACE_NONE});
   append_chunk(file, "IHDR", header);
   append_chunk(file, "IDAT", compressed_rows(image));
   append_chunk(file, "IEND", {});

@@ -9,6 +9,7 @@
 
 namespace taut::render {
 
+/// PNG file with 8 bits per channel: RGB, of a transparent picture RGBA.
 std::vector<std::uint8_t> encode_png(const Image& image);
 
 /// Writes the file completely or not at all. Throws OutputError.

@@ -14,6 +14,7 @@ Canvas::Canvas(Image& image, Rgb background)
     : regular_(find_font(Weight::regular)),
       bold_(find_font(Weight::bold)),
       background_(background),
+      transparent_(image.transparent),
       contrast_(is_light(background) ? 0 : 1),
       surface_(cairo_image_surface_create_for_data(image.pixels.data(), CAIRO_FORMAT_ARGB32, image.width,
                                                    image.height, image.width * 4)),
@@ -37,11 +38,14 @@ void Canvas::end() {
 }
 
 void Canvas::gray(double level) {
+  erases_ = transparent_ && level == 1;
+  if (transparent_) return cairo_set_source_rgba(cairo_.get(), contrast_, contrast_, contrast_, 1 - level);
   const auto part = [&](std::size_t k) { return contrast_ + level * (background_[k] / 255.0 - contrast_); };
   cairo_set_source_rgb(cairo_.get(), part(0), part(1), part(2));
 }
 
 void Canvas::color(Rgb color) {
+  erases_ = false;
   cairo_set_source_rgb(cairo_.get(), color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
 }
 
@@ -50,8 +54,10 @@ void Canvas::use(Weight weight, double size) {
 }
 
 void Canvas::fill(double x, double y, double width, double height) {
+  cairo_set_operator(cairo_.get(), erases_ ? CAIRO_OPERATOR_CLEAR : CAIRO_OPERATOR_OVER);
   cairo_rectangle(cairo_.get(), x, y, width, height);
   cairo_fill(cairo_.get());
+  cairo_set_operator(cairo_.get(), CAIRO_OPERATOR_OVER);
 }
 
 void Canvas::text(const std::string& text, double x, double y, Align align) {

@@ -32,7 +32,8 @@ class Canvas {
   void end();
 
   cairo_t* cairo() { return cairo_.get(); }
-  /// 0 (white on dark, black on light) to 1 (background).
+  /// Sets the gray level, from 0 (white on dark, black on light) to 1 (background). Levels between are opacities in a
+  /// transparent picture.
   void gray(double level);
   void color(Rgb color);
   void use(Weight weight, double size);
@@ -52,7 +53,8 @@ class Canvas {
   };
   Font regular_, bold_;
   Rgb background_;
-  double contrast_;
+  bool transparent_, erases_ = false;
+  double contrast_;  // strongest contrast to the background, 0 or 1
   std::unique_ptr<cairo_surface_t, Deleter> surface_;
   std::unique_ptr<cairo_t, Deleter> cairo_;
 };

@@ -138,7 +138,7 @@ TEST_SUITE("image") {
       GlContext context(400, 300);
       const auto paint = [&](Image& image, const std::vector<Ball>& balls) {
         const GlContext::Current current(context, image);
-        SolidPainter(400, 300, layout.plot).draw(current.framebuffer(), balls, {});
+        SolidPainter(400, 300, layout.plot).draw(current.framebuffer(), {.balls = balls});
       };
       paint(few, seen);
       paint(many, every);

@@ -30,6 +30,8 @@ Drawing other_drawing() {
           .frames = 9,
           .style = Style::cells,
           .cut = "x > 0",
+          .hide = "plate,ring",
+          .outline = Outlines::both,
           .follow = "ball",
           .title = "A ball",
           .font_points = 8,
@@ -66,6 +68,8 @@ TEST_SUITE("unit") {
     CHECK(copy.look.camera == other.look.camera);
     CHECK(copy.style == other.style);
     CHECK(copy.cut == other.cut);
+    CHECK(copy.hide == other.hide);
+    CHECK(copy.outline == other.outline);
     CHECK(copy.follow == other.follow);
     CHECK(copy.title == other.title);
     CHECK(copy.font_points == other.font_points);
@@ -86,12 +90,23 @@ TEST_SUITE("unit") {
     CHECK_FALSE(drawing.title);
     CHECK_FALSE(drawing.font_points);
     CHECK_FALSE(drawing.dpi);
-    for (const std::string_view name : {"cut", "follow", "width", "title"})
+    for (const std::string_view name : {"cut", "hide", "follow", "width", "title"})
       CHECK(drawing_key(name).set(drawing, std::string(nothing)).empty());
     CHECK(drawing.cut.empty());
+    CHECK(drawing.hide.empty());
     CHECK(drawing.follow.empty());
     CHECK(drawing.print_width.empty());
     CHECK(drawing.title == "");
+  }
+
+  TEST_CASE("keys of drawing: a transparent background and a colour replace each other") {
+    const Drawing transparent = with_options(other_drawing(), typed("background", "transparent"));
+    CHECK(transparent.look.transparent);
+    CHECK(transparent.look.background == render::white);
+    CHECK(drawing_key("background").get(transparent) == DrawingValue(std::string("transparent")));
+    const Drawing black = with_options(transparent, typed("background", "black"));
+    CHECK_FALSE(black.look.transparent);
+    CHECK(drawing_key("background").get(black) == DrawingValue(std::string("black")));
   }
 
   TEST_CASE("keys of drawing: a change of field resets range and colour map") {
@@ -127,9 +142,9 @@ TEST_SUITE("unit") {
           std::array{"color", "=", "must be a field, or = and an expression"},
           std::array{"glyph", "0", "must be a number from 0.05 to 20"},
           std::array{"glyph", "auto", "must be a number"},
-          std::array{"background", "#12345", "must be white, black or #rrggbb"},
-          std::array{"background", "#12345g", "must be white, black or #rrggbb"},
-          std::array{"background", "wite", "must be white, black or #rrggbb"},
+          std::array{"background", "#12345", "must be white, black, transparent or #rrggbb"},
+          std::array{"background", "#12345g", "must be white, black, transparent or #rrggbb"},
+          std::array{"background", "wite", "must be white, black, transparent or #rrggbb"},
           std::array{"text", "non", "unknown text 'non' (did you mean 'none'?)"},
           std::array{"text", "time,bra", "unknown text 'bra' (did you mean 'bar'?)"},
           std::array{"text", "none,bar", "--text is 'none,bar'; it must be all, none, or some of title"},

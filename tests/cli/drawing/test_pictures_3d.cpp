@@ -84,12 +84,14 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     REQUIRE(run(folder, "a", {"--save-particles"}, floor_below).code == 0);
     const std::string scene = text_of(folder / "a/scene.toml");
-    for (const char* line : {"camera = [1.0, -2.0, 1.0]", "up = [0.0, 0.0, 1.0]", "view = \"auto\"",
-                             "fov = 0.0", "style = \"auto\"", "cut = \"none\"", "follow = \"none\""})
+    for (const char* line :
+         {"camera = [1.0, -2.0, 1.0]", "up = [0.0, 0.0, 1.0]", "view = \"auto\"", "fov = 0.0",
+          "style = \"auto\"", "cut = \"none\"", "hide = \"none\"", "outline = \"none\"", "follow = \"none\""})
       CHECK_MESSAGE(contains(scene, line), line);
     for (const Words& options :
          {Words{}, Words{"--cut", "y < 0"}, Words{"--style", "cells"}, Words{"--follow", "left"},
-          Words{"--camera", "1:1:0", "--up", "0:1:0", "--fov", "40"}}) {
+          Words{"--style", "surface", "--cut", "y < 0"}, Words{"--hide", "left"},
+          Words{"--background", "transparent"}, Words{"--camera", "1:1:0", "--up", "0:1:0", "--fov", "40"}}) {
       CAPTURE(options.empty() ? "" : options[0]);
       REQUIRE(run(folder, "b", options, floor_below).code == 0);
       Words again{"render", folder.str("a"), "--quiet"};
@@ -163,6 +165,14 @@ TEST_SUITE("cli") {
     CHECK(panel({"--cut", "x < 0"}) != plain);
     CHECK(panel({"--style", "cells"}) != plain);
     CHECK(panel({"--fov", "60"}) != plain);
+    const auto size = [&](const Words& options) {
+      panel(options);
+      const render::Image image = render::read_png(folder / "p.png");
+      return std::pair(image.width, image.height);
+    };
+    // two runs at one time: side by side, or one above the other
+    CHECK(size({}).first > 1.3 * size({"--times-across"}).first);
+    CHECK(size({"--times-across"}).second > 1.3 * size({}).second);
   }
 
   TEST_CASE("a session in 3D orbits, zooms and cuts, and returns to its first view") {
@@ -191,9 +201,12 @@ TEST_SUITE("cli") {
     check_error("color = \"von_mises\"", "fov = @130",
                 {"fov = 130 must be from 0 (parallel) to 120 degrees"});
     check_error("color = \"von_mises\"", "up = @[0, 0, 0]", {"cannot be [0, 0, 0]"});
-    check_error("color = \"von_mises\"", "style = @\"spheres\"", {"needs dim = 3", "discs or cells"});
+    check_error("color = \"von_mises\"", "style = @\"spheres\"",
+                {"needs dim = 3", "discs, cells or surface"});
     check_error("color = \"von_mises\"", "style = @\"sphere\"", {"unknown style 'sphere'", "'spheres'"});
     check_error("color = \"von_mises\"", "follow = @\"rin\"", {"unknown body 'rin'", "'ring'"});
+    check_error("color = \"von_mises\"", "hide = @\"rin\"", {"unknown body 'rin'", "'ring'"});
+    check_error("color = \"von_mises\"", "outline = @\"all\"", {"unknown outline 'all'", "deformed"});
     check_error("color = \"von_mises\"", "cut = \"x >@\"", {"'x >'"});
     check_error("color = \"von_mises\"", "cut = @3", {"cut must be a text in quotes"});
     const TemporaryFolder folder;

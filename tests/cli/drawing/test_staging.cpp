@@ -89,7 +89,7 @@ TEST_SUITE("unit") {
     drawing.style = Style::cells;
     Origins origins = two_pairs();
     const Staging staging(drawing, origins);
-    const StagedParticles drawn = staging.with_cells_and_walls(staging(frame(moved, origins, {1, 2, 3, 4})));
+    const StagedParticles drawn = staging.completed(staging(frame(moved, origins, {1, 2, 3, 4})));
     CHECK(drawn.x == moved);
     CHECK(drawn.value == Numbers{1, 2, 3, 4});
     REQUIRE(drawn.cell.size() == 16);
@@ -108,8 +108,7 @@ TEST_SUITE("unit") {
     drawing.style = Style::cells;
     drawing.is_cut = [](const Point& x) { return static_cast<double>(x[0] > 1.5); };
     const Staging staging(drawing, origins);
-    const StagedParticles drawn =
-        staging.with_cells_and_walls(staging(frame(origins.x0, origins, Numbers(9, 0))));
+    const StagedParticles drawn = staging.completed(staging(frame(origins.x0, origins, Numbers(9, 0))));
     REQUIRE(drawn.value.size() == 6);
     double area = 0, right = 0;
     for (std::size_t k = 0; k < 6; ++k) {
@@ -129,8 +128,7 @@ TEST_SUITE("unit") {
       drawing.walls = {{{1, -2, 0}, {0, 1, 0}}};
       const auto wall = [&] {
         const Staging staging(drawing, origins);
-        const StagedParticles drawn =
-            staging.with_cells_and_walls(staging(frame(moved, origins, {1, 2, 3, 4})));
+        const StagedParticles drawn = staging.completed(staging(frame(moved, origins, {1, 2, 3, 4})));
         REQUIRE(drawn.view().walls.size() == 1);
         CHECK(drawn.walls[0].normal == Point{0, 1, 0});
         return drawn.walls[0].at;
