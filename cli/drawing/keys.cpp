@@ -297,9 +297,9 @@ std::span<const DrawingKey> drawing_keys() {
           .name = "style",
           .placeholder = "STYLE",
           .help =
-              "shape of particles: discs (2D), spheres (3D), cells (flat pieces of one colour and one strain "
-              "each: hairline gaps open where the strain varies), or surface (continuous bodies with "
-              "interpolated values)",
+              "shape of particles: discs (2D), spheres (3D), "
+              "cells (flat pieces of one colour and one strain each: hairline gaps open where the strain varies), "
+              "or surface (continuous bodies with interpolated values)",
           .session_help = "shape of particles: discs (2D), spheres (3D), cells, or surface",
           .allows_auto = true,
           .words = {"style", names_of_styles},
@@ -349,8 +349,8 @@ std::span<const DrawingKey> drawing_keys() {
                  .get = get_glyph},
       DrawingKey{.name = "background",
                  .placeholder = "white|black|transparent|#RRGGBB",
-                 .help = "background: white, black, #rrggbb, or transparent (PNG with opacity); texts get a "
-                         "contrasting colour, dark on transparent",
+                 .help = "background: white, black, #rrggbb, or transparent (PNG with opacity); "
+                         "texts get a contrasting colour, dark on transparent",
                  .session_help = "background: white, black, #rrggbb or transparent",
                  .is_free_text = true,
                  .pattern = "^(white|black|transparent|#[0-9A-Fa-f]{6})$",

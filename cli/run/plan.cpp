@@ -219,18 +219,18 @@ void declare_output_options(Options& command, RunOptions& o) {
 void declare_particle_options(Options& command, RunOptions& o) {
   const Option save = command.add_flag(
       "--save-particles", {particle_formats.begin(), particle_formats.end()}, o.save_particles,
-      "write a file into particles/ with each frame: vtp (the default) for `taut render`, `taut compare` and "
-      "ParaView, extended xyz for OVITO and ASE, or csv");
+      "write a file into particles/ with each frame: "
+      "vtp (the default) for `taut render`, `taut compare` and ParaView, extended xyz for OVITO and ASE, or csv");
   command
       .add("--fields", "FIELD,...", o.fields,
            "fields to save with the particles (`taut list fields`); default: all")
       .comma_separated()
       .needs(save);
   command
-      .add(
-          "--particle-precision", "double|single", o.particle_precision,
-          "digits of saved particles; single halves the files, but pictures of `taut render` may differ from "
-          "those of the run; default: double")
+      .add("--particle-precision", "double|single", o.particle_precision,
+           "digits of saved particles; "
+           "single halves the files, but pictures of `taut render` may differ from those of the run; "
+           "default: double")
       .needs(save);
 }
 
