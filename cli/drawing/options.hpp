@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/drawing/drawing.hpp"
+#include "cli/drawing/keys.hpp"
 
 namespace taut::cli {
 
@@ -14,6 +15,7 @@ class Options;
 /// Drawing options as typed. Omitted values come from the scene.
 struct DrawingOptions {
   std::map<std::string, std::optional<std::string>, std::less<>> typed;  // by key
+  DrawingValues values;  // of a file other than the scene; `typed` has priority
 
   bool any() const;
 };

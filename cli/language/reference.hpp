@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-/// Reference of the language of scene, sweep and claim files, generated from the tables that the readers use.
+/// Reference of the language of scene, sweep, claim and suite files, generated from the tables that the readers use.
 namespace taut::cli {
 
 /// A section, a list such as the shapes, or one shape, ...
@@ -27,6 +27,7 @@ struct LanguageFile {
 LanguageFile scene_language();
 LanguageFile sweep_language();
 LanguageFile claim_language();
+LanguageFile suite_language();
 
 /// Topics called `name`: sections, lists, shapes, probes, measures, laws, fields or colour maps, and keys only if
 /// nothing else has this name. Several if a probe and a measure share a name; empty if there is none.

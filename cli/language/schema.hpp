@@ -4,9 +4,10 @@
 
 namespace taut::cli {
 
-/// JSON Schema (draft-07) of scene, sweep and claim files for TOML editors.
+/// JSON Schema (draft-07) of scene, sweep, claim and suite files for TOML editors.
 Json scene_schema();
 Json sweep_schema();
 Json claim_schema();
+Json suite_schema();
 
 }  // namespace taut::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "cli/report/links.hpp"
 #include "cli/text/json.hpp"
@@ -12,6 +13,7 @@ namespace taut::cli {
 struct Compared {
   std::filesystem::path expected, got;
   render::DifferenceLimit limit;
+  std::optional<double> warn{};  // ΔE*ab; see warns()
 };
 
 /// The data of a comparison that a page shows, most different picture first. Writes a picture of the differences into

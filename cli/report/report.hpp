@@ -11,11 +11,12 @@
 namespace taut::cli {
 
 /// Content of a page.
-enum class PageKind { run, runs, sweep, difference };
+enum class PageKind { run, runs, sweep, difference, suite };
 std::string_view name(PageKind kind);
 
 struct ReportRequest {
-  std::vector<std::string> paths;       // run folders, or sweeps; with a baseline one folder with pictures
+  std::vector<std::string>
+      paths;  // run folders, or sweeps; one suite; with a baseline one folder with pictures
   std::optional<std::string> out;       // folder, or with `embed` file
   std::optional<std::string> baseline;  // folder with the expected pictures
   render::DifferenceLimit limit{};      // with a baseline

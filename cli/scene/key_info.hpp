@@ -139,7 +139,7 @@ struct KeyInfo {
 inline constexpr std::string_view any_name = "NAME";
 inline constexpr KeyInfo named_by_user[] = {{any_name, {}, "", ""}};
 
-/// A table of a scene, sweep or claim file, for `taut describe` and the reader.
+/// A table of a scene, sweep, claim or suite file, for `taut describe` and the reader.
 struct Section {
   std::string_view name;
   std::string_view header;  // "[[body]]"
@@ -152,6 +152,7 @@ struct Section {
 std::span<const Section> scene_sections();
 std::span<const Section> sweep_sections();
 std::span<const Section> claim_sections();
+std::span<const Section> suite_sections();
 const Section& find_section(std::string_view name);
 std::span<const KeyInfo> keys_of(std::string_view section);
 

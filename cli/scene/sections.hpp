@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/drawing/keys.hpp"
 #include "cli/scene/expression.hpp"
 #include "cli/scene/key_info.hpp"
 #include "cli/scene/scene_file.hpp"
@@ -66,6 +67,8 @@ std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path&
                                  std::string_view what);
 /// Reads the drawing. Requires the scene's bodies.
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
+/// Reads keys of [render] in a file other than a scene. Whether they fit the scene is checked by apply_scene.
+DrawingValues read_drawing_values(TomlCursor& render);
 TomlValue drawing_table(const Drawing& drawing);
 
 /// Reads columns of a CSV file, in which `lead` must increase. Lines that start with # are comments. Throws

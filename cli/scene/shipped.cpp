@@ -17,6 +17,7 @@ namespace {
 constexpr const char* gallery = "gallery/";
 constexpr const char* studies = "studies/";
 constexpr const char* papers = "papers/";
+constexpr const char* suites = "suites/";
 
 bool is_folder(const fs::path& path) {
   std::error_code error;
@@ -121,6 +122,17 @@ fs::path find_sweep(const std::string& sweep) {
   if (std::ranges::find(names, sweep) != names.end()) return file_of(studies + sweep);
   throw UsageError("there is no sweep file '" + sweep + "' and no study of that name" +
                    known_names(sweep, names) + "; to sweep a scene, add --grid NAME=VALUES");
+}
+
+std::vector<std::string> suite_names() {
+  refuse_no_folder();
+  const std::set<std::string> names = names_below(suites);
+  return {names.begin(), names.end()};
+}
+
+std::optional<fs::path> shipped_suite(const std::string& name) {
+  const std::set<std::string> names = names_below(suites);
+  return names.contains(name) ? std::optional(file_of(suites + name)) : std::nullopt;
 }
 
 std::vector<std::string> paper_names() {

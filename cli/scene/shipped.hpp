@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,11 @@ std::filesystem::path find_scene(const std::string& scene);
 std::vector<std::string> study_names();
 /// `sweep` is a path or a name. Throws UsageError with the nearest names.
 std::filesystem::path find_sweep(const std::string& sweep);
+
+/// Sorted names of the suite files in suites/ of the scene folders.
+std::vector<std::string> suite_names();
+/// Suite file of this name, if any.
+std::optional<std::filesystem::path> shipped_suite(const std::string& name);
 
 /// Sorted names of the claim files in papers/ of the scene folders, such as "Zhang2024".
 std::vector<std::string> paper_names();

@@ -47,6 +47,7 @@ struct SweepRun {
   std::vector<SweepRun*> all();
   /// Cost of this run and its repetitions, as far as they have results.
   std::optional<RepeatedCost> cost() const;
+  bool has_diverged() const { return record && record->status == RunRecord::Status::failed; }
   /// Reads state and record from the run folder.
   void read_folder();
   /// Resets state and record, as for an empty folder.

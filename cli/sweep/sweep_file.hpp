@@ -22,6 +22,8 @@ struct SweepFile {
 
 /// Reads a table NAME = VALUE of settings. Throws SceneError.
 std::vector<Setting> read_settings(TomlCursor& table);
+/// Settings of `own` have priority over those of `common`.
+std::vector<Setting> merged(const std::vector<Setting>& common, const std::vector<Setting>& own);
 /// Path of the scene that the key `scene` names: relative to the folder of `file`, or a shipped scene. Throws
 /// SceneError.
 std::string find_scene_of(TomlCursor& table, const std::filesystem::path& file);

@@ -18,12 +18,14 @@ struct FileFormat {
 
 /// Format number of each kind of file. Raise a number if old readers would misread the new format; for checkpoint.bin
 /// also if a `serialize` or the bytes of a step change.
-inline constexpr std::array<FileFormat, 7> file_formats{{{"run.json", 1},
+inline constexpr std::array<FileFormat, 9> file_formats{{{"run.json", 1},
                                                          {"results.json", 1},
                                                          {"results.csv", 1},
                                                          {"history.csv", 1},
                                                          {"lines.csv", 1},
                                                          {"particles", 1},
+                                                         {"look.json", 1},
+                                                         {"suite.json", 1},
                                                          {"checkpoint.bin", 15}}};
 
 consteval int format_of(std::string_view file) {
