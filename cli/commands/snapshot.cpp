@@ -170,14 +170,13 @@ Json suite_json(const SuiteFile& suite, const SnapshotArguments& o) {
   Json json = json_answer("snapshot");
   json["suite"] = suite.path.string();
   json["folder"] = *o.out;
-  json["updated"] = o.update && !o.list;
-  json["entries"] = Json::array();
   return json;
 }
 
 int list_suite(const SuiteFile& suite, const SnapshotArguments& o, const std::vector<PlannedEntry>& entries,
                std::ostream& out) {
   Json json = suite_json(suite, o);
+  json["entries"] = Json::array();
   for (const PlannedEntry& planned : entries) json["entries"].add(entry_json(planned, nullptr));
   out << (o.json ? json.dump(2) + "\n" : list_of_entries(entries, text_columns(out)));
   return exit_fine;
@@ -216,7 +215,10 @@ int snapshot_of_suite(SnapshotArguments o, const fs::path& file, Streams streams
     for (const PlannedEntry& planned : entries) outcomes.push_back(compare_entry(planned));
   write_suite_record(*o.out, record_of(suite, options, outcomes));
   Json json = suite_json(suite, o);
-  json["passed"] = std::ranges::all_of(outcomes, &EntryOutcome::passed);
+  const bool passed = std::ranges::all_of(outcomes, &EntryOutcome::passed);
+  json["updated"] = o.update && passed;
+  json["passed"] = passed;
+  json["entries"] = Json::array();
   for (const EntryOutcome& outcome : outcomes) json["entries"].add(entry_json(*outcome.planned, &outcome));
   streams.out << (o.json ? json.dump(2) + "\n" : table_of_outcomes(outcomes, text_columns(streams.out)));
   o.publish(suite_report(suite, outcomes), streams.err);

@@ -182,7 +182,7 @@ TEST_SUITE("cli") {
     CHECK(contains(refusal_of_suite(entry + "render = { colour = 'speed' }\n"), "did you mean 'color'"));
     CHECK(contains(refusal_of_suite(entry + "render = { color = 'sped' }\n"),
                    "suite.toml:4:20: unknown field 'sped' (did you mean 'speed'"));
-    CHECK(contains(refusal_of_suite(entry + "render = { camera = [1, 0, 0] }\n"), "suite.toml:1:1: "));
+    CHECK(contains(refusal_of_suite(entry + "render = { camera = [1, 0, 0] }\n"), "suite.toml:1:"));
     CHECK(contains(refusal_of_suite(entry + "warn = 5\nfail = 5\n"), "warn must be less than fail"));
     CHECK(contains(refusal_of_suite(entry + "fail = -1\n"), "suite.toml:4:8: fail = -1 must be at least 0"));
     CHECK(contains(refusal_of_suite(entry + "until = 1\nset = { until = 1 }\n"), "set the same value"));
