@@ -25,7 +25,8 @@ add_custom_command(OUTPUT ${words}/done
 add_custom_target(taut_words ALL DEPENDS ${words}/done)
 install(FILES ${words}/taut.bash RENAME taut DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES ${words}/taut.zsh RENAME _taut DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
-install(FILES ${words}/scene.schema.json ${words}/sweep.schema.json ${words}/claim.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/taut/scenes)
+install(FILES ${words}/scene.schema.json ${words}/sweep.schema.json ${words}/claim.schema.json ${words}/suite.schema.json
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/taut/scenes)
 install(DIRECTORY ${words}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
 
 set(CPACK_GENERATOR DEB)

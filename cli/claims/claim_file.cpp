@@ -28,15 +28,6 @@ std::vector<Setting> settings_below(TomlCursor& above, TomlValue& table, const s
   return read_settings(cursor);
 }
 
-/// The run's `own` settings have priority.
-std::vector<Setting> merged(const std::vector<Setting>& common, const std::vector<Setting>& own) {
-  std::vector<Setting> all = common;
-  std::erase_if(
-      all, [&](const Setting& s) { return std::ranges::find(own, s.name, &Setting::name) != own.end(); });
-  all.insert(all.end(), own.begin(), own.end());
-  return all;
-}
-
 std::vector<ClaimRun> read_runs(TomlCursor& cursor) {
   std::vector<Setting> common;
   if (TomlValue* set = cursor.find("set")) common = settings_below(cursor, *set, "set", "'set'");

@@ -30,6 +30,8 @@ Words claim_names(const SceneFile*) {
   return names;
 }
 
+Words shipped_suites(const SceneFile*) { return suite_names(); }
+
 Words papers(const SceneFile*) { return paper_names(); }
 
 Words section_names(const SceneFile*) { return topic_names(); }
@@ -76,6 +78,7 @@ struct Placeholder {
 constexpr Placeholder table[] = {
     {"SCENE", shipped_scenes, "*.toml"},
     {"SWEEP", sweep_names, "*.toml"},
+    {"SUITE", shipped_suites, "*.toml"},
     {"PAPER", papers, ""},
     {"CLAIM", claim_names, ""},
     {"METHOD", method_names, ""},

@@ -134,11 +134,11 @@ constexpr Command table[] = {
     {"list", "list scenes, methods, laws, shapes, probes, measures, keys of scene files and more",
      "  taut list\n"
      "  taut list methods\n"
-     "  taut list keys                            all keys of scene, sweep and claim files\n"
+     "  taut list keys                            all keys of scene, sweep, claim and suite files\n"
      "  taut list scenes --json\n",
      declare_list},
     {"describe",
-     "explain a scene, a method, another listed name, or the format of scene, sweep and claim files",
+     "explain a scene, a method, another listed name, or the format of scene, sweep, claim and suite files",
      "  taut describe colliding-rings             its parameters with units and bounds, bodies, measures\n"
      "  taut describe enog                        its equations, constants with bounds, source\n"
      "  taut describe scene-file                  all sections and keys of a scene file\n"

@@ -229,7 +229,7 @@ Json as_json(const std::vector<Topic>& topics) {
 }
 
 bool describe_language(const std::string& name, bool json, std::ostream& out) {
-  for (const LanguageFile& file : {scene_language(), sweep_language(), claim_language()}) {
+  for (const LanguageFile& file : {scene_language(), sweep_language(), claim_language(), suite_language()}) {
     if (file.name != name) continue;
     if (json)
       out << Json{{"name", name}, {"rules", file.rules}, {"topics", as_json(file.topics)}}.dump(2) << '\n';
@@ -249,7 +249,7 @@ bool describe_language(const std::string& name, bool json, std::ostream& out) {
   std::vector<std::string> names = scene_names();
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);
   for (const std::string& topic : topic_names()) names.push_back(topic);
-  names.insert(names.end(), {"scene-file", "sweep-file", "claim-file"});
+  names.insert(names.end(), {"scene-file", "sweep-file", "claim-file", "suite-file"});
   for (const auto& row : key_rows()) names.push_back(row.front());
   throw UsageError(unknown_name("name", name, names) + "; `taut list` shows the kinds of names");
 }
@@ -266,10 +266,12 @@ int print_schema(const std::string& name, std::ostream& out) {
   Json (*schema)() = name == "scene-file"   ? scene_schema
                      : name == "sweep-file" ? sweep_schema
                      : name == "claim-file" ? claim_schema
+                     : name == "suite-file" ? suite_schema
                                             : nullptr;
   if (!schema)
     throw UsageError(fmt::format(
-        "--schema cannot describe '{}'; it describes scene-file, sweep-file and claim-file", name));
+        "--schema cannot describe '{}'; it describes scene-file, sweep-file, claim-file and suite-file",
+        name));
   out << schema().dump(2) << '\n';
   return exit_fine;
 }
@@ -282,7 +284,7 @@ int describe(const std::string& name, bool json, std::ostream& out) {
   }
   if (json)
     throw UsageError(fmt::format(
-        "--json cannot describe a {} ('{}'); it describes scene-file, sweep-file, claim-file and their parts",
+        "--json cannot describe a {} ('{}'); it describes scene-file, sweep-file, claim-file, suite-file and their parts",
         method ? "method" : "scene", name));
   method ? describe_method(*method, out) : describe_scene(name, out);
   return exit_fine;
@@ -298,15 +300,16 @@ std::function<int(Streams)> declare_describe(Options& command) {
   auto options = std::make_shared<DescribeArguments>();
   command
       .add_argument(
-          "SCENE|METHOD|scene-file|sweep-file|claim-file|SECTION", options->name,
+          "SCENE|METHOD|scene-file|sweep-file|claim-file|suite-file|SECTION", options->name,
           "a name that `taut list all` shows, such as that of a law, field or key, a section of scene files, "
           "or the path of a scene file")
       .required();
   const Option json =
       command.add_flag("--json", options->json, "print JSON, for scripts; not for scenes and methods");
   command
-      .add_flag("--schema", options->schema,
-                "print the JSON Schema (draft-07) of scene-file, sweep-file or claim-file, for editors")
+      .add_flag(
+          "--schema", options->schema,
+          "print the JSON Schema (draft-07) of scene-file, sweep-file, claim-file or suite-file, for editors")
       .excludes(json);
   return [options](Streams streams) {
     if (options->schema) return print_schema(options->name, streams.out);

@@ -58,6 +58,8 @@ class Frames {
 
   int kept() const { return static_cast<int>(kept_.size()); }
   int written() const { return written_; }
+  /// Range and view are set once the first frame is drawn.
+  const Drawing& drawing() const { return drawing_; }
 
   /// Call after `finish`.
   template <class Archive>

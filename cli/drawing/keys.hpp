@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +15,7 @@
 namespace taut::cli {
 
 using DrawingValue = std::variant<std::string, std::vector<double>>;
+using DrawingValues = std::map<std::string, DrawingValue, std::less<>>;  // by key
 
 inline constexpr std::string_view nothing = "none";
 inline constexpr std::string_view automatic = "auto";

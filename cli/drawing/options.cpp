@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cli/arguments/options.hpp"
-#include "cli/drawing/keys.hpp"
+#include "engine/error.hpp"
 
 namespace taut::cli {
 
@@ -19,9 +19,12 @@ void declare_drawing_options(Options& command, DrawingOptions& options) {
 }
 
 Drawing with_options(Drawing drawing, const DrawingOptions& options) {
-  for (const DrawingKey& key : drawing_keys())
+  for (const DrawingKey& key : drawing_keys()) {
+    if (const auto value = options.values.find(key.name); value != options.values.end())
+      if (const std::string wrong = key.set(drawing, value->second); !wrong.empty()) throw UsageError(wrong);
     if (const auto given = options.typed.find(key.name); given != options.typed.end() && given->second)
       set_typed(drawing, key, *given->second);
+  }
   return drawing;
 }
 

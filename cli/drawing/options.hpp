@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/drawing/drawing.hpp"
+#include "cli/drawing/keys.hpp"
 
 namespace taut::cli {
 
@@ -13,7 +14,8 @@ class Options;
 
 /// Drawing options of a command line. Omitted values come from the scene.
 struct DrawingOptions {
-  std::map<std::string, std::optional<std::string>, std::less<>> typed;  // value by key
+  std::map<std::string, std::optional<std::string>, std::less<>> typed;  // by key
+  DrawingValues values;  // of a file other than the scene; `typed` has priority
 
   bool any() const;
 };

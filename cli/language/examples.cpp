@@ -9,7 +9,8 @@ struct Example {
   std::string_view name, text;
 };
 
-/// Sections without a [header] are keys of the first body or reference.
+/// Sections with a [header] form one scene, one sweep, one claim file and one suite; the others are keys of the first
+/// body or reference.
 constexpr Example examples[] = {
     {"scene", R"toml(title = "A disc hits a bar"
 dim = 2
@@ -163,6 +164,27 @@ run.og = { method = "og" }
 run.oas = { method = "oas", "method.epsilon" = 0.3 }
 criterion = "og.verdict >= fractured && oas.verdict < fractured && og.since.fractured < 0.005"
 last_run = "never"
+)toml"},
+    {"suite", R"toml(title = "Pictures of the rings"
+set = { spacing = 0.002, until = 0.006 }
+render = { frames = 3, size = [320, 180] }
+fail = 20                               # ΔE*ab
+)toml"},
+    {"entry", R"toml([[entry]]
+name = "rings"
+scene = "colliding-rings"
+warn = 5                                # ΔE*ab
+
+[[entry]]
+name = "rings-tl"
+scene = "colliding-rings"
+method = "tl"
+render = { color = "pressure" }
+
+[[entry]]
+name = "faster-rings"                   # a control: shows that the suite can fail
+differs_from = "rings"
+set = { v0 = 0.07 }
 )toml"},
     {"rectangle", "shape = { type = \"rectangle\", low = [-0.05, -0.01], high = [0.05, 0] }\n"},
     {"disc", "shape = { type = \"disc\", centre = [0, 0.02], radius = 0.01 }\n"},

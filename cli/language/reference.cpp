@@ -128,10 +128,8 @@ void add_rows(std::vector<Topic>& topics, std::string_view what, const Rows& row
 
 std::vector<Topic> all_topics() {
   std::vector<Topic> all = scene_language().topics;
-  const std::vector<Topic> sweep = sweep_language().topics;
-  const std::vector<Topic> claims = claim_language().topics;
-  all.insert(all.end(), sweep.begin(), sweep.end());
-  all.insert(all.end(), claims.begin(), claims.end());
+  for (const LanguageFile& file : {sweep_language(), claim_language(), suite_language()})
+    all.insert(all.end(), file.topics.begin(), file.topics.end());
   for (const ShapeKind& kind : shape_kinds()) all.push_back(topic_of(kind));
   for (const ProbeKind& kind : probe_kinds()) all.push_back(topic_of(kind));
   for (const MeasureKind& kind : measure_kinds()) all.push_back(topic_of(kind));
@@ -146,7 +144,7 @@ std::vector<Topic> topics_of_key(std::string_view name) {
   Rows rows = key_rows();
   std::erase_if(rows, [&](const Texts& row) { return row != rows.front() && row.front() != name; });
   if (rows.size() == 1) return {};
-  return {{text(name), "", "a key of scene, sweep or claim files", std::move(rows), ""}};
+  return {{text(name), "", "a key of scene, sweep, claim or suite files", std::move(rows), ""}};
 }
 
 std::string indented(std::string_view lines) {
@@ -250,6 +248,12 @@ const Texts claim_rules{
     "A claim holds if its criterion is true, holds in part if only `part` is true, and otherwise does not hold. "
     "`taut claims --run` compares this with the recorded state."};
 
+const Texts suite_rules{
+    "A suite is a TOML file with scenes whose frames are compared with baselines: `taut snapshot "
+    "my-suite.toml --update` makes the baselines, and `taut snapshot my-suite.toml` compares.",
+    "A baseline keeps the view and the colour range with which it was made.",
+    "Keys of an entry override those of the suite, and these override the scene."};
+
 }  // namespace
 
 Rows shape_rows() {
@@ -328,7 +332,7 @@ Rows key_rows() {
       rows.push_back(std::move(row));
     }
   };
-  for (const auto& sections : {scene_sections(), sweep_sections(), claim_sections()})
+  for (const auto& sections : {scene_sections(), sweep_sections(), claim_sections(), suite_sections()})
     for (const Section& section : sections) add(section.name, section.keys);
   for (const ShapeKind& kind : shape_kinds()) add("shape " + text(kind.name), kind.keys);
   for (const ProbeKind& kind : probe_kinds()) add("probe " + text(kind.name), kind.keys);
@@ -358,6 +362,12 @@ LanguageFile sweep_language() {
 LanguageFile claim_language() {
   LanguageFile file{"claim-file", claim_rules, {}};
   for (const Section& section : claim_sections()) file.topics.push_back(topic_of(section));
+  return file;
+}
+
+LanguageFile suite_language() {
+  LanguageFile file{"suite-file", suite_rules, {}};
+  for (const Section& section : suite_sections()) file.topics.push_back(topic_of(section));
   return file;
 }
 
@@ -393,13 +403,14 @@ std::string as_text(const LanguageFile& file, std::optional<std::size_t> columns
 
 std::string language_page() {
   return fmt::format(
-      "# The language of scene, sweep and claim files\n\n"
-      "This page is the output of `taut describe scene-file`, `sweep-file` and `claim-file`. "
-      "A test checks that it is up to\n"
-      "date, and `TAUT_UPDATE_GOLDEN=1` rewrites it. Rules, choices and worked examples: "
+      "# The language of scene, sweep, claim and suite files\n\n"
+      "This page is the output of `taut describe scene-file`, `sweep-file`, `claim-file` and `suite-file`. "
+      "A test checks that\n"
+      "it is up to date, and `TAUT_UPDATE_GOLDEN=1` rewrites it. Rules, choices and worked examples: "
       "[SCENE-FILES.md](SCENE-FILES.md).\n\n"
-      "## Scene files\n\n{}## Sweep files\n\n{}## Claim files\n\n{}",
-      markdown(scene_language()), markdown(sweep_language()), markdown(claim_language()));
+      "## Scene files\n\n{}## Sweep files\n\n{}## Claim files\n\n{}## Suite files\n\n{}",
+      markdown(scene_language()), markdown(sweep_language()), markdown(claim_language()),
+      markdown(suite_language()));
 }
 
 }  // namespace taut::cli

@@ -26,6 +26,7 @@ struct LanguageFile {
 LanguageFile scene_language();
 LanguageFile sweep_language();
 LanguageFile claim_language();
+LanguageFile suite_language();
 
 /// Topics called `name`; keys only if nothing else has this name. Several if a probe and a measure share the name.
 std::vector<Topic> find_topics(std::string_view name);

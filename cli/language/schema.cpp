@@ -300,6 +300,8 @@ Json scene_schema() {
 
 Json sweep_schema() { return file_schema("A sweep of scenes of taut", "sweep"); }
 
+Json suite_schema() { return file_schema("A suite of snapshots, for taut snapshot", "suite"); }
+
 Json claim_schema() { return file_schema("Statements of a paper, for taut claims", "claims"); }
 
 }  // namespace taut::cli

@@ -8,5 +8,6 @@ namespace taut::cli {
 Json scene_schema();
 Json sweep_schema();
 Json claim_schema();
+Json suite_schema();
 
 }  // namespace taut::cli

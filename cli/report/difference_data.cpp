@@ -21,11 +21,12 @@ fs::path folder_of_pictures(const fs::path& given) {
   return folder;
 }
 
-Json limits(const render::DifferenceLimit& limit) {
+Json limits(const render::DifferenceLimit& limit, std::optional<double> warn) {
   return {{"tolerance", render::just_noticeable},
           {"share", limit.share},
           {"densest", limit.densest},
-          {"greatest", std::isfinite(limit.greatest) ? Json(limit.greatest) : Json()}};
+          {"greatest", std::isfinite(limit.greatest) ? Json(limit.greatest) : Json()},
+          {"warn", warn}};
 }
 
 Json names(const std::vector<std::string>& all, const fs::path& folder, const Links& links) {
@@ -47,6 +48,7 @@ Json difference_data(const Compared& compared, const fs::path& folder, const Lin
     const render::ImageDifference& d = picture.difference;
     Json shown{{"name", picture.name},
                {"alike", picture.alike},
+               {"warns", warns(picture, compared.warn)},
                {"excess", render::excess(d, compared.limit)},
                {"share", d.share},
                {"densest", d.densest},
@@ -67,7 +69,7 @@ Json difference_data(const Compared& compared, const fs::path& folder, const Lin
           {"got", compared.got.string()},
           {"alike", all.alike()},
           {"different", all.different()},
-          {"limits", limits(compared.limit)},
+          {"limits", limits(compared.limit, compared.warn)},
           {"pictures", pictures},
           {"only_in_expected", names(all.only_in_a, expected, links)},
           {"only_in_got", names(all.only_in_b, got, links)}};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "cli/report/links.hpp"
 #include "cli/text/json.hpp"
@@ -11,6 +12,7 @@ namespace taut::cli {
 struct Compared {
   std::filesystem::path expected, got;
   render::DifferenceLimit limit;
+  std::optional<double> warn{};  // ΔE*ab; see warns()
 };
 
 /// Differences for a page, greatest first, with pictures in `folder`. Throws UsageError for folders without

@@ -8,10 +8,12 @@
 #include "cli/report/page.hpp"
 #include "cli/report/particle_data.hpp"
 #include "cli/report/run_data.hpp"
+#include "cli/report/suite_data.hpp"
 #include "cli/report/sweep_data.hpp"
 #include "cli/run/folder.hpp"
 #include "cli/study/curve_style.hpp"
 #include "cli/study/stored_results.hpp"
+#include "cli/sweep/suite_record.hpp"
 #include "cli/system/build_info.hpp"
 #include "engine/error.hpp"
 
@@ -40,14 +42,19 @@ PageKind kind_of(const ReportRequest& request) {
                        " are given");
     return PageKind::difference;
   }
+  if (std::ranges::any_of(request.paths, has_suite_record)) {
+    if (request.paths.size() == 1) return PageKind::suite;
+    throw UsageError("a page shows one suite of snapshots; " + std::to_string(request.paths.size()) +
+                     " folders are given");
+  }
   std::size_t sweeps = 0;
   for (const std::string& path : request.paths) {
     if (is_sweep(path))
       ++sweeps;
     else if (!is_run(path))
       throw UsageError("'" + path +
-                       "' is neither a run folder nor the folder of a sweep; "
-                       "name a folder that `taut run` or `taut sweep` has written");
+                       "' is neither a run folder nor the folder of a sweep or suite; "
+                       "name a folder that `taut run`, `taut sweep` or `taut snapshot` has written");
   }
   if (sweeps == 0) return request.paths.size() == 1 ? PageKind::run : PageKind::runs;
   if (sweeps < request.paths.size())
@@ -82,11 +89,14 @@ class TemporaryPictures {
   fs::path path_;
 };
 
-Json difference_page(const ReportRequest& request, const fs::path& page, const Links& links) {
-  const Compared compared{*request.baseline, request.paths.front(), request.limit};
-  if (!request.embed) return difference_data(compared, page / "difference", links);
-  const TemporaryPictures pictures;
-  return difference_data(compared, pictures.path(), links);
+/// Data of a comparison, or of a suite of them.
+Json compared_pictures(const ReportRequest& request, PageKind kind, const fs::path& page,
+                       const Links& links) {
+  const auto data = [&](const fs::path& pictures) {
+    if (kind == PageKind::suite) return suite_data(request.paths.front(), pictures, links);
+    return difference_data({*request.baseline, request.paths.front(), request.limit}, pictures, links);
+  };
+  return request.embed ? data(TemporaryPictures().path()) : data(page / "difference");
 }
 
 bool is_running(const Json& run) {
@@ -138,6 +148,8 @@ std::string_view name(PageKind kind) {
       return "sweep";
     case PageKind::difference:
       return "difference";
+    case PageKind::suite:
+      return "suite";
   }
   return "";
 }
@@ -148,8 +160,8 @@ WrittenPage write_report(const ReportRequest& request) {
   check_page(place);
   const Links links(request.embed ? fs::absolute(place).parent_path() : place, request.embed);
   PageData data{.report = {{"taut", build_info.version}, {"kind", name(kind)}}, .runs = {}, .particles = {}};
-  if (kind == PageKind::difference)
-    data.report = data.report.with(difference_page(request, place, links));
+  if (kind == PageKind::difference || kind == PageKind::suite)
+    data.report = data.report.with(compared_pictures(request, kind, place, links));
   else if (kind == PageKind::sweep)
     add_sweep(data, request, links);
   else

@@ -10,15 +10,17 @@
 
 namespace taut::cli {
 
-enum class PageKind { run, runs, sweep, difference };
+/// Content of a page.
+enum class PageKind { run, runs, sweep, difference, suite };
 std::string_view name(PageKind kind);
 
 struct ReportRequest {
-  std::vector<std::string> paths;       // runs or sweeps; with a baseline, one folder of pictures
-  std::optional<std::string> out;       // folder; file with `embed`
-  std::optional<std::string> baseline;  // expected pictures
-  render::DifferenceLimit limit{};
-  bool embed = false;  // one file
+  std::vector<std::string>
+      paths;  // run folders, or sweeps; one suite; with a baseline one folder with pictures
+  std::optional<std::string> out;       // folder, or with `embed` file
+  std::optional<std::string> baseline;  // folder with the expected pictures
+  render::DifferenceLimit limit{};      // with a baseline
+  bool embed = false;                   // one file with everything in it
 };
 
 struct WrittenPage {

@@ -97,7 +97,7 @@ bool RunFolder::is_damaged() const {
   if (text->substr(0, known) != head_of_record.substr(0, known)) return false;
   std::set<std::string> names{run_lock_name};
   for (const fs::path& each :
-       {record(), scene(), history(), lines(), checkpoint(), difference(), frames(), particles()})
+       {record(), scene(), history(), lines(), checkpoint(), look(), difference(), frames(), particles()})
     names.insert({each.filename().string(), each.filename().string() + ".tmp"});
   return holds_only(names);
 }
@@ -153,6 +153,7 @@ void RunFolder::clear_checkpoint() const {
 
 void RunFolder::clear_frames() const {
   remove_files_if(frames(), is_frame);
+  remove_file(look());
   remove_file(difference());
 }
 

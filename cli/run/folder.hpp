@@ -35,7 +35,7 @@ class RunFolder {
   void keep_particle_files(int number, ParticleFormat format) const;
   /// Removes the checkpoint, complete or temporary. Throws OutputError.
   void clear_checkpoint() const;
-  /// Also removes difference.png. Throws OutputError.
+  /// Also removes look.json and difference.png. Throws OutputError.
   void clear_frames() const;
 
   const std::filesystem::path& path() const { return path_; }
@@ -54,6 +54,8 @@ class RunFolder {
   std::filesystem::path scene() const { return path_ / "scene.toml"; }
   std::filesystem::path record() const { return path_ / "run.json"; }
   std::filesystem::path checkpoint() const { return path_ / "checkpoint.bin"; }
+  /// Range and view of the frames, if they are to become a baseline.
+  std::filesystem::path look() const { return path_ / "look.json"; }
   std::filesystem::path difference() const { return path_ / "difference.png"; }
 
  private:

@@ -88,6 +88,15 @@ FolderDifference compare_folders(const fs::path& a, const fs::path& b, const ren
   return result;
 }
 
+bool warns(const PictureDifference& picture, std::optional<double> warn) {
+  return picture.alike && warn && picture.difference.greatest > *warn;
+}
+
+int number_of_warnings(const FolderDifference& difference, std::optional<double> warn) {
+  return static_cast<int>(
+      std::ranges::count_if(difference.pictures, [&](const PictureDifference& p) { return warns(p, warn); }));
+}
+
 void declare_difference_options(Options& command, DifferenceOptions& options) {
   command
       .add("--max-difference", "X", options.max_difference,

@@ -39,6 +39,10 @@ struct FolderDifference {
 FolderDifference compare_folders(const std::filesystem::path& a, const std::filesystem::path& b,
                                  const render::DifferenceLimit& limit);
 
+/// A picture that is alike warns if a pixel differs by more than `warn`, ΔE*ab.
+bool warns(const PictureDifference& picture, std::optional<double> warn);
+int number_of_warnings(const FolderDifference& difference, std::optional<double> warn);
+
 struct DifferenceOptions {
   std::optional<double> max_difference;  // ΔE*ab
 };

@@ -9,10 +9,12 @@
 #include <fmt/core.h>
 
 #include "cli/drawing/frames.hpp"
+#include "cli/drawing/kept_look.hpp"
 #include "cli/run/history.hpp"
 #include "cli/run/particle_series.hpp"
 #include "cli/run/report.hpp"
 #include "cli/run/schedule.hpp"
+#include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
@@ -190,11 +192,13 @@ class FramesOutput final : public OutputOf<FramesOutput> {
         last_step_(last_step),
         result_(result),
         agenda_(plan.frame_times),
+        keeps_look_(plan.keeps_look),
         frames_(*plan.drawing, origins_of(simulation.snapshot()), plan.folder.frames(),
                 {plan.file.scene.title, result.record.method, result.record.until}, simulation.threads(),
                 result.record.seconds) {
-    // frames before a restart may have shown particles
-    if (!plan.drawing->followed && !plan.state) unseen_ = plan.drawing->look.view;
+    // a continued run cannot know whether its earlier frames showed particles; in 3D the view is in the camera's plane
+    if (!plan.drawing->followed && !plan.state && simulation.snapshot().dim == 2)
+      unseen_ = plan.drawing->look.view;
   }
 
   double next() const override { return agenda_.next(); }
@@ -218,16 +222,9 @@ class FramesOutput final : public OutputOf<FramesOutput> {
     if (unseen_)
       result_.record.remark += std::string(result_.record.remark.empty() ? "" : "; ") + nothing_seen;
     frames_.finish();
-    const int count = frames_.kept();
-    if (count == 0) return true;
-    // frames of an interrupted run are drawn, too
-    const bool interrupted_before = interrupts.interrupted();
-    progress.begin(fmt::format("drawing {} frames", count));
-    const bool all = frames_.draw_kept([&](int drawn) {
-      progress.show(static_cast<double>(drawn) / count, "frame " + std::to_string(drawn + 1));
-      return interrupted_before || !interrupts.interrupted();
-    });
-    progress.end(std::to_string(frames_.written()) + " frames");
+    const bool all = frames_.kept() == 0 || draw_kept(interrupts, progress);
+    if (all && keeps_look_)
+      write_atomically(folder_.look(), to_json(look_of(frames_.drawing())).dump(2) + "\n");
     return all;
   }
 
@@ -240,6 +237,19 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   }
 
  private:
+  bool draw_kept(const Interrupts& interrupts, Progress& progress) {
+    const int count = frames_.kept();
+    // draw also after an interrupt
+    const bool interrupted_before = interrupts.interrupted();
+    progress.begin("drawing " + std::to_string(count) + " frames");
+    const bool all = frames_.draw_kept([&](int drawn) {
+      progress.show(static_cast<double>(drawn) / count, "frame " + std::to_string(drawn + 1));
+      return interrupted_before || !interrupts.interrupted();
+    });
+    progress.end(std::to_string(frames_.written()) + " frames");
+    return all;
+  }
+
   static constexpr const char* nothing_seen =
       "the view shows no particle in any frame: use --view auto to show the whole motion";
 
@@ -248,6 +258,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   LastStep& last_step_;
   RunResult& result_;
   Agenda agenda_;
+  bool keeps_look_;
   Frames frames_;
   std::optional<render::View> unseen_;  // view without a particle so far
   int on_disk_ = 0;

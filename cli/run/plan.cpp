@@ -273,6 +273,12 @@ RunPlan make_plan(const RunOptions& options) {
   plan.checkpoint_every = options.checkpoint_every;
   plan.keep_checkpoint = options.keep_checkpoint;
   if (!options.no_render) plan.drawing = file.drawing;
+  plan.keeps_look = options.keeps_look;
+  if (options.look && plan.drawing) {
+    set_open(*plan.drawing, *options.look);
+    file.drawing.look.range = plan.drawing->look.range;
+    if (file.scene.dim == 2) file.drawing.look.view = plan.drawing->look.view;  // scenes in 3D have no view
+  }
   plan.particle_fields = particle_fields(options, file.scene.dim);
   plan.particle_form = particle_form(options);
   if (plan.drawing || !plan.particle_fields.empty())

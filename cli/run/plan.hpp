@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/drawing/kept_look.hpp"
 #include "cli/drawing/options.hpp"
 #include "cli/run/run.hpp"
 
@@ -22,7 +23,9 @@ struct RunOptions {
   std::optional<double> every, history;
   std::optional<int> frames;
   DrawingOptions drawing;
-  int threads = 0;                         // 0: automatic
+  std::optional<KeptLook> look;            // of a baseline, for an open range and view
+  bool keeps_look = false;                 // writes look.json
+  int threads = 0;                         // 0: all cores, fewer in small scenes
   std::optional<double> checkpoint_every;  // s
   bool keep_checkpoint = false;
   bool no_render = false;

@@ -20,6 +20,7 @@ struct RunPlan {
   SceneFile file;
   std::optional<double> requested_spacing;    // m, from the scene or the command line
   std::optional<Drawing> drawing;             // none: no frames
+  bool keeps_look = false;                    // writes look.json after the frames
   std::vector<const Field*> particle_fields;  // none: not saved
   ParticleForm particle_form;
   std::vector<double> frame_times, history_times;  // s, sorted; particles are saved at frame times

@@ -227,6 +227,18 @@ void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
   render.finish();
 }
 
+DrawingValues read_drawing_values(TomlCursor& render) {
+  DrawingValues values;
+  Drawing drawing;
+  for (const bool words : {true, false})
+    for (const DrawingKey& key : drawing_keys()) {
+      if (key.takes_words() != words || !render.find(key.name)) continue;
+      read_key(render, key, drawing);
+      values.emplace(key.name, given(render, key));
+    }
+  return values;
+}
+
 TomlValue drawing_table(const Drawing& drawing) {
   TomlValue table;
   table.section = true;

@@ -143,7 +143,7 @@ std::optional<double> default_number(const KeyInfo& key);
 inline constexpr std::string_view any_name = "NAME";
 inline constexpr KeyInfo named_by_user[] = {{any_name, {}, "", ""}};
 
-/// A table of a scene, sweep or claim file.
+/// A table of a scene, sweep, claim or suite file, for `taut describe` and the reader.
 struct Section {
   std::string_view name;
   std::string_view header;  // "[[body]]"
@@ -155,6 +155,7 @@ struct Section {
 std::span<const Section> scene_sections();
 std::span<const Section> sweep_sections();
 std::span<const Section> claim_sections();
+std::span<const Section> suite_sections();
 const Section& find_section(std::string_view name);
 std::span<const KeyInfo> keys_of(std::string_view section);
 const KeyInfo& key_of_scene(std::string_view name);

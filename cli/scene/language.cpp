@@ -302,6 +302,39 @@ constexpr KeyInfo claim_keys[] = {
     {"last_run", types::line(), "", "date of the runs that confirmed the state"},
 };
 
+constexpr KeyType settings_of_entry = types::table("set", "{ NAME = value }");
+constexpr KeyType drawing_of_entry = types::table("render", "{ KEY = value }");
+constexpr KeyType color_difference = types::number("ΔE*ab", at_least(0));
+
+constexpr KeyInfo suite_keys[] = {
+    {"title", types::line(), "the file's name", "title of the suite"},
+    {"baselines", types::text("path"), "the file's name without .toml",
+     "folder of the baselines, one subfolder for each entry; relative to this file"},
+    {"set", settings_of_entry, "none", "settings of every entry, as with --set"},
+    {"render", drawing_of_entry, "none",
+     "drawing of every entry: keys of [render] that override those of the scenes"},
+    {"warn", color_difference, "none", "`warn` of every entry"},
+    {"fail", color_difference, "none", "`fail` of every entry"},
+    {"entry", types::table("entry", "[[entry]]").list(1), "", "scenes to run and to compare"},
+};
+
+constexpr KeyInfo entry_keys[] = {
+    {"name", types::label(), "", "name of the entry, its run folder and its baseline"},
+    {"scene", types::text("SCENE"), "or differs_from",
+     "name of a scene (`taut list scenes`), or a path relative to this file"},
+    {"differs_from", types::text("name of an entry"), "or scene",
+     "makes this entry a control: it has the scene, settings and limits of that entry, except for the keys "
+     "given here, and fails if all its frames are like that entry's baseline"},
+    {"method", method_name, "the scene's", "simulation method: `taut list methods`"},
+    {"until", types::number("s", above(0)), "the scene's", "end of the run"},
+    {"set", settings_of_entry, "the suite's", "settings, in addition to those of the suite"},
+    {"render", drawing_of_entry, "the suite's", "drawing, in addition to that of the suite"},
+    {"warn", color_difference, "the suite's",
+     "greatest difference of a pixel without a warning; a warning does not change the exit code"},
+    {"fail", color_difference, "the suite's",
+     "greatest allowed difference of a pixel, as --max-difference; without it, few pixels may differ visibly"},
+};
+
 std::vector<KeyInfo> all_material_keys() {
   std::vector<KeyInfo> keys(std::begin(material_keys), std::end(material_keys));
   static std::vector<std::string> texts;
@@ -401,11 +434,20 @@ std::span<const Section> claim_sections() {
   return sections;
 }
 
+std::span<const Section> suite_sections() {
+  static constexpr Section sections[] = {
+      {"suite", "", "the file itself: keys above the first [[entry]]", suite_keys},
+      {"entry", "[[entry]]", "a scene with settings, whose frames are compared with a baseline", entry_keys},
+  };
+  return sections;
+}
+
 const Section& find_section(std::string_view name) {
-  for (const auto& sections : {scene_sections(), sweep_sections(), claim_sections()})
+  for (const auto& sections : {scene_sections(), sweep_sections(), claim_sections(), suite_sections()})
     for (const Section& section : sections)
       if (section.name == name) return section;
-  throw std::logic_error("there is no section '" + std::string(name) + "' of scene, sweep and claim files");
+  throw std::logic_error("there is no section '" + std::string(name) +
+                         "' of scene, sweep, claim and suite files");
 }
 
 std::span<const KeyInfo> keys_of(std::string_view section) { return find_section(section).keys; }

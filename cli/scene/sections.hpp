@@ -12,6 +12,7 @@
 
 #include <fmt/core.h>
 
+#include "cli/drawing/keys.hpp"
 #include "cli/scene/expression.hpp"
 #include "cli/scene/key_info.hpp"
 #include "cli/scene/scene_file.hpp"
@@ -65,6 +66,8 @@ std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path&
                                  std::string_view what);
 /// Requires the scene's bodies.
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
+/// Reads keys of [render] in a file other than a scene. Whether they fit the scene is checked by apply_scene.
+DrawingValues read_drawing_values(TomlCursor& render);
 TomlValue drawing_table(const Drawing& drawing);
 
 /// Reads CSV columns; `lead` must increase, and # begins comments. Throws SceneError with the place in that file.

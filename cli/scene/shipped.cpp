@@ -19,6 +19,7 @@ namespace {
 constexpr const char* gallery = "gallery/";
 constexpr const char* studies = "studies/";
 constexpr const char* papers = "papers/";
+constexpr const char* suites = "suites/";
 
 bool is_folder(const fs::path& path) {
   std::error_code error;
@@ -123,6 +124,17 @@ fs::path find_sweep(const std::string& sweep) {
   throw UsageError(fmt::format(
       "there is no sweep file '{}' and no study of that name{}; to sweep a scene, add --grid NAME=VALUES",
       sweep, known_names(sweep, names)));
+}
+
+std::vector<std::string> suite_names() {
+  refuse_no_folder();
+  const std::set<std::string> names = names_below(suites);
+  return {names.begin(), names.end()};
+}
+
+std::optional<fs::path> shipped_suite(const std::string& name) {
+  const std::set<std::string> names = names_below(suites);
+  return names.contains(name) ? std::optional(file_of(suites + name)) : std::nullopt;
 }
 
 std::vector<std::string> paper_names() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,12 @@ std::vector<std::string> study_names();
 /// Like find_scene().
 std::filesystem::path find_sweep(const std::string& sweep);
 
-/// Sorted names in papers/: "Zhang2024".
+/// Sorted names of the suite files in suites/ of the scene folders.
+std::vector<std::string> suite_names();
+/// Suite file of this name, if any.
+std::optional<std::filesystem::path> shipped_suite(const std::string& name);
+
+/// Sorted names of the claim files in papers/ of the scene folders, such as "Zhang2024".
 std::vector<std::string> paper_names();
 /// Like find_scene().
 std::filesystem::path find_paper(const std::string& paper);

@@ -45,6 +45,8 @@ struct SweepRun {
   /// Includes repetitions.
   std::vector<SweepRun*> all();
   std::optional<RepeatedCost> cost() const;
+  bool has_diverged() const { return record && record->status == RunRecord::Status::failed; }
+  /// Reads state and record from the run folder.
   void read_folder();
   /// Resets the state, as for an empty folder.
   void forget();

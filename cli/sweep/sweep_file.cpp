@@ -114,6 +114,14 @@ std::vector<GridRow> read_rows(TomlCursor& root) {
 
 std::vector<Setting> read_settings(TomlCursor& table) { return SettingsReader(table).settings(); }
 
+std::vector<Setting> merged(const std::vector<Setting>& common, const std::vector<Setting>& own) {
+  std::vector<Setting> all = common;
+  std::erase_if(
+      all, [&](const Setting& s) { return std::ranges::find(own, s.name, &Setting::name) != own.end(); });
+  all.insert(all.end(), own.begin(), own.end());
+  return all;
+}
+
 std::string find_scene_of(TomlCursor& root, const fs::path& file) {
   const std::string scene = root.text("scene");
   std::error_code error;

@@ -22,7 +22,10 @@ struct SweepFile {
 
 /// Reads NAME = VALUE. Throws SceneError.
 std::vector<Setting> read_settings(TomlCursor& table);
-/// Path relative to the folder of `file`, or a shipped scene. Throws SceneError.
+/// Settings of `own` have priority over those of `common`.
+std::vector<Setting> merged(const std::vector<Setting>& common, const std::vector<Setting>& own);
+/// Path of the scene that the key `scene` names: relative to the folder of `file`, or a shipped scene. Throws
+/// SceneError.
 std::string find_scene_of(TomlCursor& table, const std::filesystem::path& file);
 
 /// Throws SceneError unless it is TOML.

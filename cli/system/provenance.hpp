@@ -18,12 +18,14 @@ struct FileFormat {
 
 /// Raise a number if old readers would misread the format; for checkpoint.bin also if a `serialize` function or the
 /// result of a step changes.
-inline constexpr std::array<FileFormat, 7> file_formats{{{"run.json", 1},
+inline constexpr std::array<FileFormat, 9> file_formats{{{"run.json", 1},
                                                          {"results.json", 1},
                                                          {"results.csv", 1},
                                                          {"history.csv", 1},
                                                          {"lines.csv", 1},
                                                          {"particles", 2},
+                                                         {"look.json", 1},
+                                                         {"suite.json", 1},
                                                          {"checkpoint.bin", 16}}};
 
 consteval int format_of(std::string_view file) {

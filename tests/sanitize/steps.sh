@@ -76,11 +76,11 @@ command_words() {
 
 command_describe() {
   local what
-  for what in $(taut list methods --json | sed -n 's/^ *"name": "\(.*\)".*/\1/p') scene-file sweep-file claim-file body measure; do
+  for what in $(taut list methods --json | sed -n 's/^ *"name": "\(.*\)".*/\1/p') scene-file sweep-file claim-file suite-file body measure; do
     taut describe "$what"
   done
-  for what in scene-file sweep-file claim-file body; do taut describe $what --json; done
-  for what in scene-file sweep-file claim-file; do taut describe $what --schema; done
+  for what in scene-file sweep-file claim-file suite-file body; do taut describe $what --json; done
+  for what in scene-file sweep-file claim-file suite-file; do taut describe $what --schema; done
   for what in $(taut list scenes --json | sed -n 's/^ *"name": "\(.*\)".*/\1/p'); do taut describe "$what"; done
 }
 
@@ -120,6 +120,10 @@ command_snapshot() {
   taut snapshot "${words[@]}" --baseline mine --update
   taut snapshot "${words[@]}" --baseline mine --json --junit mine.xml
   expect 1 taut snapshot "${words[@]}" --baseline mine --set v0=0.12
+  taut snapshot rings-and-balls --only rings --jobs 2 --quiet --baseline suite --update
+  taut snapshot rings-and-balls --only rings,faster-rings --jobs 2 --quiet --baseline suite --json --junit suite.xml
+  taut report out/snapshot-rings-and-balls
+  taut snapshot rings-and-balls --list
 }
 
 command_sweep() {

@@ -2,7 +2,7 @@
 
 function percent(share) { return brief(100 * share) + ' %'; }
 
-function verdict_of_pictures(report) {
+function verdict_of_pictures(report, title = 'Verdict', about = null) {
   const {limits} = report, missing = report.only_in_expected.length + report.only_in_got.length;
   const rule = limits.greatest === null ?
       `Pictures are alike if at most ${percent(limits.share)} of the pixels differ visibly (ΔE*ab above ${
@@ -10,12 +10,14 @@ function verdict_of_pictures(report) {
           `${percent(limits.densest)} of the pixels of any window of 16 × 16.` :
       `Pictures are alike if no pixel differs by more than ΔE*ab = ${brief(limits.greatest)}.`;
   return section(
-      'Verdict',
+      title, about,
       element(
           'p', {}, alike_badge(report.alike),
           ` ${report.different} of ${report.pictures.length} pictures differ` +
               (missing ? `, ${missing} exist on one side only` : '')),
-      element('p', {class: 'soft'}, rule),
+      element(
+          'p', {class: 'soft'},
+          rule + (limits.warn === null ? '' : ` A pixel above ΔE*ab = ${brief(limits.warn)} warns.`)),
       element(
           'p', {}, 'Differences: ',
           element('span', {class: 'ramp', role: 'img', 'aria-label': 'colours from orange to dark red'}),
@@ -66,7 +68,8 @@ class PictureComparison {
         (picture, k) => element(
             'button', {type: 'button', onclick: () => this.go(k)},
             element('img', {src: picture.got, alt: '', loading: 'lazy', width: 160, height: 90}),
-            picture.name, element('br'), alike_badge(picture.alike), element('br'),
+            picture.name, element('br'),
+            picture.warns ? badge('hourglass', '! warning') : alike_badge(picture.alike), element('br'),
             `ΔE ${brief(picture.greatest)}, ${percent(picture.share)}`));
   }
 

@@ -110,6 +110,7 @@ async function build(before = null) {
   try {
     if (taut_report.kind === 'sweep') return show_parts(content, show_sweep(taut_report));
     if (taut_report.kind === 'difference') return show_parts(content, show_difference(taut_report));
+    if (taut_report.kind === 'suite') return show_parts(content, show_suite(taut_report));
     const runs = await Promise.all(taut_report.scripts.map((_, k) => load_run(k)));
     const shown = loaded_data();
     const {clock, parts} = runs.length === 1 ? show_run(runs[0]) : show_runs(runs);

@@ -80,6 +80,8 @@ TEST_SUITE("cli") {
         {{"describe", "bod"}, {"body"}},
         {{"describe", "sweep-"}, {"sweep-file"}},
         {{"claims", "--run", "Zhang2024.fig-19"}, {"Zhang2024.fig-19a", "Zhang2024.fig-19b"}},
+        {{"snapshot", "rings-and"}, {"rings-and-balls"}},
+        {{"describe", "suite-"}, {"suite-file"}},
         {{"list", "e"}, {"equations"}},
         {{"plot", folder.str("run"), "--columns", "t,g"}, {"t,gap"}},
         {{"check", folder.str("run"), "--measure", ""}, {"touch_time"}},

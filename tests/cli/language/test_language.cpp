@@ -6,6 +6,7 @@
 #include "cli/language/reference.hpp"
 #include "cli/scene/key_info.hpp"
 #include "cli/scene/sections.hpp"
+#include "cli/sweep/suite_file.hpp"
 #include "cli/sweep/sweep_file.hpp"
 #include "tests/support/program_runner.hpp"
 #include "tests/support/scene_text.hpp"
@@ -93,8 +94,21 @@ TEST_SUITE("cli") {
     CHECK(paper.claims.front().runs.size() == 2);
   }
 
+  TEST_CASE("language: the section examples of a suite form a suite") {
+    const std::filesystem::path path = scratch_folder() / "suite.toml";
+    std::ofstream(path, std::ios::binary) << whole_file(suite_sections());
+    const SuiteFile suite = read_suite(path);
+    REQUIRE(suite.entries.size() == 3);
+    CHECK(suite.entries[2].differs_from == "rings");
+    CHECK(suite.entries[2].warn == 5);  // of `rings`
+    CHECK(suite.entries[2].settings.size() == 3);
+    CHECK_FALSE(suite.entries[1].warn);
+    CHECK(suite.entries[1].fail == 20);
+    CHECK(suite.entries[1].drawing.size() == 3);
+  }
+
   TEST_CASE("language: every key has its values and a help text, and every section has a help text") {
-    for (const auto& sections : {scene_sections(), sweep_sections(), claim_sections()})
+    for (const auto& sections : {scene_sections(), sweep_sections(), claim_sections(), suite_sections()})
       for (const Section& section : sections) CHECK_FALSE(section.help.empty());
     const Rows keys = key_rows();
     CHECK(keys.size() > 100);

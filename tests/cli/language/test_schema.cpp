@@ -75,6 +75,7 @@ TEST_SUITE("cli") {
     check_valid("scene-file", files);
     check_valid("sweep-file", toml_files(scenes / "studies"));
     check_valid("claim-file", toml_files(scenes / "papers"));
+    check_valid("suite-file", toml_files(scenes / "suites"));
   }
 
   TEST_CASE("schema: taut and the schema refuse invalid scenes at the same key") {
@@ -113,6 +114,24 @@ TEST_SUITE("cli") {
     CHECK(verdict("grid.v0 = 1\nrow = [{ v0 = 1 }]") == Texts{"the file"});
   }
 
+  TEST_CASE("schema: invalid suites are refused") {
+    if (!jsonschema_is_there()) return;
+    const TemporaryFolder folder;
+    const auto verdict = [&](const std::string& text) {
+      std::ofstream(folder / "suite.toml") << text;
+      return verdicts("suite-file", {folder / "suite.toml"});
+    };
+    const std::string entry = "[[entry]]\nname = 'a'\nscene = 'colliding-rings'\n";
+    CHECK(verdict("fail = 2\nset = { v0 = 0.1 }\n" + entry + "render = { color = 'speed' }") ==
+          Texts{"valid"});
+    CHECK(verdict(entry + "[[entry]]\nname = 'b'\ndiffers_from = 'a'") == Texts{"valid"});
+    CHECK(verdict("title = 'none'") != Texts{"valid"});
+    CHECK(verdict(entry + "differs_from = 'a'") != Texts{"valid"});  // both
+    CHECK(verdict(entry + "fail = -2") != Texts{"valid"});
+    CHECK(verdict(entry + "render = { colour = 'speed' }") != Texts{"valid"});
+    CHECK(verdict(entry + "method = 'ogg'") != Texts{"valid"});
+  }
+
   TEST_CASE("schema: descriptions, defaults and bounds come from the tables of the reader") {
     const auto schema = nlohmann::ordered_json::parse(call({"describe", "scene-file", "--schema"}).out);
     const auto& keys = schema["properties"];
@@ -124,8 +143,9 @@ TEST_SUITE("cli") {
     CHECK(keys["reference"]["items"]["required"] == nlohmann::ordered_json{"law", "name"});
     const Outcome other = call({"describe", "body", "--schema"});
     CHECK(other.code == 2);
-    CHECK(contains(other.err,
-                   "--schema cannot describe 'body'; it describes scene-file, sweep-file and claim-file"));
+    CHECK(contains(
+        other.err,
+        "--schema cannot describe 'body'; it describes scene-file, sweep-file, claim-file and suite-file"));
   }
 
   TEST_CASE("schema: a scene can name its schema in a comment") {

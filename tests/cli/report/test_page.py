@@ -93,6 +93,20 @@ frames = 4
 '''
 
 
+SUITE = '''
+title = "Discs <script>alert(1)</script> & more"
+set = { speed = SPEED }
+render = { frames = 2 }
+[[entry]]
+name = "discs"
+scene = "two-discs.toml"
+[[entry]]
+name = "faster"
+differs_from = "discs"
+set = { speed = 4 }
+'''
+
+
 def skip(why):
     print(f"test_page.py: {why}")
     sys.exit(1 if os.environ.get("CI") else 77)
@@ -335,6 +349,30 @@ def check_difference(browser, taut, folder):
     assert shown()[0][1] == names[1]
 
 
+def check_suite(browser, taut, folder):
+    write = lambda speed: (folder / "suite.toml").write_text(SUITE.replace("SPEED", speed))
+    write("2")
+    taut("snapshot", "suite.toml", "--update", "--quiet")
+    write("2.5")
+    taut("snapshot", "suite.toml", "--quiet", code=1)
+    taut("report", "out/snapshot-suite")
+    browser.open(folder / "out/snapshot-suite/report/index.html")
+    assert "1 of 2 entries failed" in browser.one("#head").text, browser.one("#head").text
+    rows = [one.text.replace("\n", " ") for one in browser.all(".entries tbody tr")]
+    assert rows[0].startswith("discs ≠ different 3 3 frame_0000"), rows
+    assert "differs, as it must" in rows[1], rows
+    shown = lambda: [one.get_attribute("src").split("/")[-2:] for one in browser.all(".compare img")]
+    assert [one[0] for one in shown()] == ["discs", "frames", "discs"], shown()
+    browser.button("blink").click()
+    browser.button("faster").click()
+    assert browser.one(".entries button[aria-pressed=true]").text == "faster"
+    assert "must differ from the baseline of discs" in browser.one("main").text
+    browser.script("document.activeElement.blur()")
+    before = shown()
+    browser.keys(Keys.ARROW_RIGHT)
+    assert shown() != before
+
+
 def check_embedded(browser, taut, folder):
     taut("report", "run", "--embed", "--out", "alone/page.html")
     assert [one.name for one in (folder / "alone").iterdir()] == ["page.html"]
@@ -404,7 +442,7 @@ def check_refresh(browser, taut, folder):
     assert "still running" not in browser.one("main").text
 
 
-CHECKS = [check_run, check_runs, check_sweep, check_difference, check_embedded, check_orbit, check_refresh]
+CHECKS = [check_run, check_runs, check_sweep, check_difference, check_suite, check_embedded, check_orbit, check_refresh]
 
 
 def main():
@@ -416,9 +454,9 @@ def main():
         folder = Path(name).resolve()
         (folder / "two-discs.toml").write_text(SCENE)
 
-        def taut(*words):
+        def taut(*words, code=0):
             done = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True)
-            assert done.returncode == 0, (words, done.stdout, done.stderr)
+            assert done.returncode == code, (words, done.stdout, done.stderr)
 
         taut("run", "two-discs.toml", "--out", "run", "--quiet")
         browser = Browser(folder / "profile")

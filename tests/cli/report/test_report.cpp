@@ -229,4 +229,42 @@ frames = 2
     CHECK(call({"report", run, "--baseline", folder.str("good # 1"), "--max-difference", "101"}).code == 0);
     CHECK(report_of(fs::path(run) / "report")["different"] == 0);
   }
+
+  TEST_CASE("report: a suite of snapshots has an index with the comparison of each entry") {
+    const TemporaryFolder folder;
+    write_tiny_scene(folder);
+    const auto snapshot = [&](const std::string& speed, const Texts& more) {
+      std::ofstream(folder / "suite.toml")
+          << "title = 'Discs'\nwarn = 1\nset = { until = 1e-3, speed = " + speed +
+                 " }\nrender.frames = 1\n[[entry]]\nname = 'discs'\nscene = "
+                 "'discs.toml'\n[[entry]]\nname = 'faster'\ndiffers_from = "
+                 "'discs'\nset.speed = 4\n";
+      Texts words{"snapshot", "suite.toml", "--quiet", "--jobs", "1"};
+      words.insert(words.end(), more.begin(), more.end());
+      return program(words, folder.path()).code;
+    };
+    REQUIRE(snapshot("2", {"--update"}) == 0);
+    REQUIRE(snapshot("3", {}) == 1);
+    const fs::path out = folder / "out/snapshot-suite";
+    const Outcome page = call({"report", out.string(), "--json"});  // from another folder
+    CAPTURE(page.err);
+    REQUIRE(page.code == 0);
+    CHECK(nlohmann::json::parse(page.out)["kind"] == "suite");
+    const auto report = report_of(out / "report");
+    CHECK(report["title"] == "Discs");
+    REQUIRE(report["entries"].size() == 2);
+    const auto& entry = report["entries"][0];
+    CHECK(entry["name"] == "discs");
+    CHECK(entry["comparison"]["different"] == 2);
+    CHECK(entry["comparison"]["limits"]["warn"] == 1);
+    CHECK(entry["comparison"]["pictures"][0]["expected"].get<std::string>().starts_with(
+        "../../../suite/discs/"));
+    CHECK(fs::exists(out / "report/difference/discs/frame_00000.png"));
+    CHECK(report["entries"][1]["differs_from"] == "discs");
+    fs::remove_all(folder / "suite/discs");
+    REQUIRE(call({"report", out.string()}).code == 0);
+    CHECK(contains(report_of(out / "report")["entries"][0]["problem"], "there are no pictures"));
+    const Outcome two = call({"report", out.string(), out.string()});
+    CHECK(contains(two.err, "a page shows one suite"));
+  }
 }
