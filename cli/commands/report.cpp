@@ -50,10 +50,9 @@ int report(const PageArguments& options, Streams streams) {
 std::function<int(Streams)> declare_report(Options& command) {
   auto options = std::make_shared<PageArguments>();
   command
-      .add_argument(
-          "DIR", options->request.paths,
-          "run folders, folders of sweeps, or the folder of a suite of snapshots; with --baseline, one folder "
-          "with pictures")
+      .add_argument("DIR", options->request.paths,
+                    "run folders, folders of sweeps, or the folder of a suite of snapshots; "
+                    "with --baseline, one folder with pictures")
       .required();
   command.add("--out", "DIR", options->request.out,
               "folder of the page, with --embed its file; default: DIR/report, for several DIRs out/report");

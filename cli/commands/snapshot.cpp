@@ -35,8 +35,9 @@ struct SnapshotArguments : RunOptions, DifferenceOptions, ReportOptions {
 void declare_options(Options& command, SnapshotArguments& o) {
   command
       .add_argument("SCENE|SUITE", o.scene,
-                    "a name from `taut list scenes`, or the path of a scene file; or a suite: the path of a "
-                    "suite file (`taut describe suite-file`), or its name in scenes/suites/")
+                    "a name from `taut list scenes`, or the path of a scene file; "
+                    "or a suite: the path of a suite file (`taut describe suite-file`), "
+                    "or its name in scenes/suites/")
       .required();
   command.add("--baseline", "DIR", o.baseline,
               "folder of the frames to compare with; of a suite, of all its baselines; default of a suite: "
@@ -161,8 +162,8 @@ void check_options(const Options& command, bool suite) {
       throw UsageError(option.name() + " is for suites, and this is a scene");
     if (suite && !in(of_suites, option))
       throw UsageError(option.name() +
-                       " is for scenes; write it into the suite file, where `set` and `render` take "
-                       "settings and drawing");
+                       " is for scenes; "
+                       "write it into the suite file, where `set` and `render` take settings and drawing");
   }
 }
 

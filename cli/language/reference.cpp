@@ -249,8 +249,8 @@ const Texts claim_rules{
     "`taut claims --run` compares this with the recorded state."};
 
 const Texts suite_rules{
-    "A suite is a TOML file with scenes whose frames are compared with baselines: `taut snapshot "
-    "my-suite.toml --update` makes the baselines, and `taut snapshot my-suite.toml` compares.",
+    "A suite is a TOML file with scenes whose frames are compared with baselines: "
+    "`taut snapshot my-suite.toml --update` makes the baselines, and `taut snapshot my-suite.toml` compares.",
     "A baseline keeps the view and the colour range with which it was made.",
     "Keys of an entry override those of the suite, and these override the scene."};
 

@@ -323,8 +323,8 @@ constexpr KeyInfo entry_keys[] = {
     {"scene", types::text("SCENE"), "or differs_from",
      "name of a scene (`taut list scenes`), or a path relative to this file"},
     {"differs_from", types::text("name of an entry"), "or scene",
-     "makes this entry a control: it has the scene, settings and limits of that entry, except for the keys "
-     "given here, and fails if all its frames are like that entry's baseline"},
+     "makes this entry a control: it has the scene, settings and limits of that entry, "
+     "except for the keys given here, and fails if all its frames are like that entry's baseline"},
     {"method", method_name, "the scene's", "simulation method: `taut list methods`"},
     {"until", types::number("s", above(0)), "the scene's", "end of the run"},
     {"set", settings_of_entry, "the suite's", "settings, in addition to those of the suite"},

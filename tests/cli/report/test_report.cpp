@@ -236,9 +236,9 @@ frames = 2
     const auto snapshot = [&](const std::string& speed, const Texts& more) {
       std::ofstream(folder / "suite.toml")
           << "title = 'Discs'\nwarn = 1\nset = { until = 1e-3, speed = " + speed +
-                 " }\nrender.frames = 1\n[[entry]]\nname = 'discs'\nscene = "
-                 "'discs.toml'\n[[entry]]\nname = 'faster'\ndiffers_from = "
-                 "'discs'\nset.speed = 4\n";
+                 " }\nrender.frames = 1\n"
+                 "[[entry]]\nname = 'discs'\nscene = 'discs.toml'\n"
+                 "[[entry]]\nname = 'faster'\ndiffers_from = 'discs'\nset.speed = 4\n";
       Texts words{"snapshot", "suite.toml", "--quiet", "--jobs", "1"};
       words.insert(words.end(), more.begin(), more.end());
       return program(words, folder.path()).code;
