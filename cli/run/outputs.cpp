@@ -224,7 +224,8 @@ class FramesOutput final : public OutputOf<FramesOutput> {
     frames_.finish();
     const bool all = frames_.kept() == 0 || draw_kept(interrupts, progress);
     if (all && keeps_look_)
-      write_atomically(folder_.look(), to_json(look_of(frames_.drawing())).dump(2) + "\n");
+      write_atomically(folder_.look(), to_json(look_of(frames_.drawing())).dump(2) + "\n",
+                       Durability::on_disk);
     return all;
   }
 

@@ -106,8 +106,9 @@ TEST_SUITE("cli") {
   TEST_CASE("every command, option and argument is known to completion") {
     const Words names = words_for({""});
     const taut::cli::SceneFile scene = taut::cli::read_scene(taut::cli::find_scene("colliding-rings"));
-    const std::set<std::string> numbers{
-        "N", "T", "DT", "DP", "X", "TIMES", "T,...", "WIDTHxHEIGHT", "LENGTH", "POINTS", "LABEL,..."};
+    const std::set<std::string> numbers{"N",      "T",      "DT",        "DP",
+                                        "X",      "TIMES",  "T,...",     "WIDTHxHEIGHT",
+                                        "LENGTH", "POINTS", "LABEL,...", "ENTRY,..."};
     for (const taut::cli::Command& command : taut::cli::commands()) {
       const std::string name(command.name);
       CHECK(std::ranges::count(names, name) == 1);
