@@ -153,7 +153,7 @@ TEST_SUITE("cli") {
     const Outcome first = study(folder, "snapshot-in-ci.sh baseline");
     CHECK(first.code == 0);
     CHECK(contains(first.out, "the first call"));
-    CHECK(files_in(folder / "baseline") == 5);
+    CHECK(files_in(folder / "baseline") == 6);  // five frames and look.json
     CHECK(study(folder, "snapshot-in-ci.sh baseline").code == 0);
     const Outcome changed = study(folder, "snapshot-in-ci.sh baseline --set v0=0.07");
     CHECK(changed.code == 1);

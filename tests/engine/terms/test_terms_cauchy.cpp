@@ -221,8 +221,7 @@ TEST_SUITE("term") {
     CHECK(magnitude(controlled) < 1e-13 * magnitude(force));
   }
 
-  TEST_CASE(
-      "colour function: the value is 1 inside a lattice, below 0.9 on its face, and above 0.9 one row deeper") {
+  TEST_CASE("colour function: it is 1 inside a lattice, below 0.9 on its face and above 0.9 one row deeper") {
     using K = Kernel<KernelName::wendland_c2>;
     const double length = 1.2;
     const auto colour = [&](int rows_above) {
