@@ -94,7 +94,7 @@ constexpr Placeholder table[] = {
     {"NAME=VALUES", settable_names, ""},
     {"DIR", nullptr, "*/"},
     {"FILE", nullptr, "*"},
-    {"A", nullptr, "*.png"},  // folders always fit
+    {"A", nullptr, "*.png"},  // folders are offered with every pattern
     {"B", nullptr, "*.png"},
 };
 

@@ -338,8 +338,8 @@ std::span<const DrawingKey> drawing_keys() {
           .get = get_text<&Drawing::follow>},
       DrawingKey{.name = "glyph",
                  .placeholder = "TIMES",
-                 .help = "drawn diameter of discs and spheres, in particle spacings",
-                 .session_help = "drawn diameter of discs and spheres, in particle spacings",
+                 .help = "drawn diameter of discs and spheres, in true diameters of the particles",
+                 .session_help = "drawn diameter of discs and spheres, in true diameters of the particles",
                  .numbers = {.in_file = "number",
                              .typed = fmt::format("a number from {} to {}", render::least_glyph,
                                                   render::greatest_glyph),
@@ -360,9 +360,9 @@ std::span<const DrawingKey> drawing_keys() {
       DrawingKey{
           .name = "text",
           .placeholder = "PART,...",
-          .help = "all; none: only the particles, which fill the whole picture; or some of title, method, "
-                  "time, bar, scale, axes",
-          .session_help = "all; none: only the particles; or some of title, method, time, bar, scale, axes",
+          .help = "texts to draw: all, none (the particles fill the whole picture), "
+                  "or some of title, method, time, bar, scale, axes",
+          .session_help = "texts to draw: all, none, or some of title, method, time, bar, scale, axes",
           .words = {.kind = "text", .names = names_of_texts, .is_list = true},
           .pattern = "^(all|none|(title|method|time|bar|scale|axes)(,(title|method|time|bar|scale|axes))*)$",
           .numbers = {.typed = "all, none, or some of title, method, time, bar, scale, axes"},
@@ -370,8 +370,8 @@ std::span<const DrawingKey> drawing_keys() {
           .get = get_texts},
       DrawingKey{.name = "title",
                  .placeholder = "TEXT|none|auto",
-                 .help = "title of the picture; auto: of the scene",
-                 .session_help = "title of the picture; auto: of the scene",
+                 .help = "title of the picture; auto: the scene's title",
+                 .session_help = "title of the picture; auto: the scene's title",
                  .allows_auto = true,
                  .is_free_text = true,
                  .set = set_title,
@@ -379,8 +379,8 @@ std::span<const DrawingKey> drawing_keys() {
       DrawingKey{
           .name = "font_size",
           .placeholder = "POINTS|auto",
-          .help =
-              "size of texts, points: pixels = POINTS / 72 × dpi; lines follow; auto: by the size, with --width 7",
+          .help = "size of texts in points (pixels = POINTS / 72 × dpi), which also scales lines; "
+                  "auto: from the picture size, or 7 points if --width is given",
           .allows_auto = true,
           .numbers = {.in_file = "points",
                       .typed = fmt::format("POINTS from {} to {}, or 'auto'", least_font, greatest_font),
@@ -401,19 +401,20 @@ std::span<const DrawingKey> drawing_keys() {
                              .high = render::greatest_size},
                  .set = set_size,
                  .get = get_size},
-      DrawingKey{.name = "width",
-                 .placeholder = "LENGTH|none",
-                 .help =
-                     "width on paper, such as 85mm: "
-                     "sets the pixels by --dpi, keeps the proportions of --size, and sets texts of 7 points",
-                 .is_free_text = true,
-                 .pattern = R"(^(none|[0-9]+(\.[0-9]+)?(mm|cm|in))$)",
-                 .numbers = {.typed = fmt::format("none or {}", right_print_widths)},
-                 .set = set_width,
-                 .get = get_width},
+      DrawingKey{
+          .name = "width",
+          .placeholder = "LENGTH|none",
+          .help =
+              "width on paper, such as 85mm: "
+              "with --dpi it gives the width in pixels; keeps the proportions of --size, and sets texts of 7 points",
+          .is_free_text = true,
+          .pattern = R"(^(none|[0-9]+(\.[0-9]+)?(mm|cm|in))$)",
+          .numbers = {.typed = fmt::format("none or {}", right_print_widths)},
+          .set = set_width,
+          .get = get_width},
       DrawingKey{.name = "dpi",
                  .placeholder = "N|auto",
-                 .help = "pixels per inch, for --width and --font-size; auto: 96, with --width 300",
+                 .help = "pixels per inch, for --width and --font-size; auto: 96, or 300 if --width is given",
                  .allows_auto = true,
                  .numbers = {.in_file = "pixels per inch",
                              .typed = fmt::format("N from {} to {}, or 'auto'", least_dpi, greatest_dpi),

@@ -44,7 +44,7 @@ class Staging {
   StagedParticles operator()(const FrameView& particles) const;
   /// Adds walls and outlines; replaces particles by visible cells or by a surface, if that is the style.
   StagedParticles completed(StagedParticles staged) const;
-  /// Adds the values, and the positions that an open view must contain.
+  /// Extends the bounds by the values, and by the positions that an automatic view must contain.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 
  private:

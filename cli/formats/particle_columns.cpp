@@ -60,7 +60,7 @@ std::set<std::string> component_names(const std::vector<ParticleArray>& arrays) 
   return names;
 }
 
-/// Whether a component is 0 by definition: of a vector along z, or of a shear in a plane with z.
+/// Whether a component is 0 in 2D: z of a vector, xz or yz of a tensor.
 bool is_zero_in_2d(const ParticleArray& array, std::size_t component) {
   if (array.components.empty()) return false;
   const std::string_view axes = array.components[component];

@@ -9,8 +9,8 @@ struct Example {
   std::string_view name, text;
 };
 
-/// Sections with a [header] form one scene, one sweep, one claim file and one suite; the others are keys of the first
-/// body or reference.
+/// Top-level keys and sections with a [header] form one scene, one sweep, one claim file and one suite. The others are
+/// keys of the first body or reference, or of the sweep.
 constexpr Example examples[] = {
     {"scene", R"toml(title = "A disc hits a bar"
 dim = 2

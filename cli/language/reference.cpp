@@ -243,10 +243,10 @@ const Texts claim_rules{
         "A criterion is an expression, as in scenes, of quantities of the runs. "
         "Verdicts are compared with their names, from best to worst: {}. "
         "`RUN.since.VERDICT` is the time in s at which a failure began; it is infinite if it never began. "
-        "A measure without a value counts as a disagreement.",
+        "If a measure has no value, the claim does not agree with its recorded state.",
         join(names_of_verdicts())),
     "A claim holds if its criterion is true, holds in part if only `part` is true, and otherwise does not hold. "
-    "`taut claims --run` compares this with the recorded state."};
+    "`taut claims --run` compares the result with the recorded `state`."};
 
 const Texts suite_rules{
     "A suite is a TOML file with scenes whose frames are compared with baselines: "

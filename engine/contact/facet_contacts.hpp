@@ -55,10 +55,10 @@ class FacetContacts final : public ContactMechanism<3> {
   };
   struct Touch {
     int near = 0;              // facets in range
-    double cover = 0;          // Σ W
+    double cover = 0;          // Σ W, W = facet area × weight_of(pair)
     double height = 0, M = 0;  // means with weights W: of p in m, of K + 4G/3 in Pa
     double k = 0;              // Pa/m
-    // derivatives of the energy by `cover`, J; by the means of p and M, divided by `cover`, N and m³
+    // ∂E/∂cover in J; (∂E/∂height)/cover in N; (∂E/∂M)/cover in m³
     double per_sum = 0, per_p = 0, per_M = 0;
     double per_weight(double p,
                       double modulus) const {  // derivative of the energy by the weight W of one facet, J
@@ -66,8 +66,9 @@ class FacetContacts final : public ContactMechanism<3> {
     }
   };
   struct Pair {
-    V d, middle;                                        // x_f − x_g, m; (n_g − n_f)/|n_g − n_f|
-    double p, l2, radius, cosine, share, weight, near;  // radius: R; factors of W: share s, weight w, near c
+    V d, middle;  // x_f − x_g, m; (n_g − n_f)/|n_g − n_f|
+    double p, l2, radius, cosine, share, weight,
+        near;  // radius: R; factors of weight_of: share s, weight w, near c
   };
 
   double weight_of(const Pair& pair) const { return pair.share * pair.weight * pair.near; }  // 1/m²

@@ -56,8 +56,9 @@ class OwnPairs {
  private:
   // in spacings
   static constexpr double skin = 1;
-  static constexpr double horizon = 4;    // search range
-  static constexpr double far_apart = 4;  // opposite faces of a thinner wall do not interact
+  static constexpr double horizon = 4;  // search range
+  static constexpr double far_apart =
+      4;  // initial distance; opposite faces of a thinner body do not interact
 
   void place(const Particles<Dim>& s) {
     stored_.resize(ids_.size());

@@ -117,9 +117,10 @@ const MethodInfo* find_method(std::string_view name) {
 
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim) {
   std::vector<MethodConstant> all = row_of(m.family).constants(m, dim);
-  all.push_back({"contact_stiffness", m.contact_stiffness, 0.01, 100.0,
-                 "contact stiffness over K1 K2/(K1 + K2); `surface`: over ½ M1 M2/(M1 + M2), M = K + 4G/3; "
-                 "1: as in [TranDuc2023], 2: as stiff as the material"});
+  all.push_back(
+      {"contact_stiffness", m.contact_stiffness, 0.01, 100.0,
+       "contact stiffness relative to K1 K2/(K1 + K2), with `surface` to ½ M1 M2/(M1 + M2), M = K + 4G/3; "
+       "1: as in [TranDuc2023], 2: as stiff as the material"});
   return all;
 }
 
@@ -134,7 +135,8 @@ ConstantValues constant_values(const Formulation& m, int dim, double dp, const S
 }
 
 std::string_view material_law(const MethodInfo& method, const Settings& settings, int dim) {
-  if (dim == 3 && method.laws.empty() && settings.law.empty()) return "neo_hookean";  // 1/d is 1/3
+  if (dim == 3 && method.laws.empty() && settings.law.empty())
+    return "neo_hookean";  // in 3D the factor 1/d is the usual 1/3
   return method.laws.empty() && settings.law.empty() ? method.material_law
                                                      : chosen_law(method, settings).material_law;
 }

@@ -74,7 +74,7 @@ class InterruptAfterLines : public std::streambuf {
 RunOptions run_options(const SmallScene& scene) {
   RunOptions options = options_of(scene);
   options.out = (folder() / "run").string();
-  options.checkpoint_every = 1;  // only at the interrupt
+  options.checkpoint_every = 1;  // s, longer than the run: written only at the interrupt
   options.save_particles = "vtp";
   return options;
 }
@@ -116,7 +116,8 @@ void read_checkpoint_file(std::string_view bytes) {
   file.append(reinterpret_cast<const char*>(&sum), sizeof sum);
   const Checkpoint checkpoint = cli::read_checkpoint(write("checkpoint.bin", file));
   write_checkpoint(folder() / "again.bin", checkpoint);
-  expect(read_whole(folder() / "again.bin") == file, "a checkpoint written again is another");
+  expect(read_whole(folder() / "again.bin") == file,
+         "a rewritten checkpoint differs from the one that was read");
 }
 
 void read_state(std::string_view bytes) {

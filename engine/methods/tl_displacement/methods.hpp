@@ -51,7 +51,7 @@ inline constexpr TlDisplacementFormulation tl_enog{
     {
         .name = "tl-enog",
         .paper = "Wu2023",
-        .summary = "shear of pairs instead of a divergence of stress, damped: no zigzag modes",
+        .summary = "damped shear forces between pairs instead of a stress divergence: no zigzag modes",
         .conserves = "linear momentum",
         .family = Family::tl_displacement,
         .deviator = Deviator::plane_strain,

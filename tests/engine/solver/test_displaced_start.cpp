@@ -34,8 +34,8 @@ Snapshot at_start(const Scene& scene, std::string_view method) {
   return make_simulation(scene, with_method(std::string(method)))->snapshot();
 }
 
-/// [Lee2016] §8.2: half a wave, with rollers at the faces through the origin and no tangential motion on the
-/// others.
+/// [Lee2016] §8.2: standing wave, a quarter wavelength per side; rollers at the faces through the origin, no
+/// tangential motion on the others.
 Scene swinging_cube(int dim, int n) {
   const double side = n * dp, amplitude = 1e-5 * side, wave = std::numbers::pi / (2 * side);
   Scene scene = block(side);
@@ -207,8 +207,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("convergence") {
-  TEST_CASE(
-      "displacement, guides, particles on the faces: a square and a cube vibrate like the exact solution") {
+  TEST_CASE("a square and a cube with guides and particles on the faces converge to the exact vibration") {
     const auto check = [](int dim, const char* method, double bound, double ratio) {
       CAPTURE(dim);
       CAPTURE(std::string(method));

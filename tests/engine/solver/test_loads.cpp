@@ -141,7 +141,8 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("loads: a load that grows in time acts with its value at the middle of the step") {
+  TEST_CASE(
+      "loads: a load that grows in time acts with its value at mid-step, in ul_cauchy at the start of the step") {
     const double g = 3e6, q = 4e9;
     const int steps = 20;
     Scene scene = bar();
@@ -229,7 +230,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("loads: a region without particles or of clamped particles is refused") {
+  TEST_CASE(
+      "loads: a region is refused if it is empty or all its particles are clamped or driven to the end") {
     const auto refused = [](Scene scene, const char* part) {
       try {
         make_simulation(scene, with_method("tl"));
@@ -258,7 +260,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("loads: a force on a partly driven region acts fully on its free particles") {
+  TEST_CASE(
+      "loads: free particles take the full force if the others are driven to the end, else their share") {
     Scene scene = bar();
     scene.bodies[0].loads = {load(Load::Kind::force, 3, 0)};
     Drive drive;

@@ -196,7 +196,8 @@ TEST_SUITE("convergence") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("blend: accumulated fields are linear, the others belong to the ending step") {
+  TEST_CASE(
+      "blend: state and energies are interpolated linearly, step number, body and clamping belong to the later snapshot") {
     Snapshot before;
     before.resize(2, 1);
     before.time = 1, before.step = 6;

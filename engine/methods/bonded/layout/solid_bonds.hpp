@@ -14,7 +14,7 @@ struct SolidGeometry {
 
   std::vector<Point> x;        // [n] m
   double spacing;              // m
-  std::vector<int> irregular;  // [n] first in `weights`; −1: lattice weights
+  std::vector<int> irregular;  // [n] index of the particle's first weight in `weights`; −1: lattice weights
   std::vector<double> weights;
   std::vector<Gradient> gradient;  // [n]
   bool off_lattice = false;
