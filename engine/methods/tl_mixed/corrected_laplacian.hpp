@@ -9,8 +9,8 @@
 namespace taut {
 
 /// Weights w_ij of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale` in m², [Lee2016] Eq. A.1–A.5 (THEORY.md). Departure:
-/// no quadratic correction (β = 0) where neighbours hardly distinguish linear from quadratic fields, as at corners; large w_ij would require tiny
-/// time steps.
+/// no quadratic correction (β = 0) where neighbours hardly distinguish linear from quadratic fields, as at corners;
+/// large w_ij would require tiny time steps.
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,

@@ -42,7 +42,8 @@ constexpr bool carries_stress(const UlSplitFormulation& m) {
 constexpr bool integrates_shear(const UlSplitFormulation& m) { return m.shear != Shear::nested_stress; }
 constexpr bool has_penalty(const UlSplitFormulation& m) { return m.shear == Shear::nested_with_penalty; }
 
-/// Whether clamped particles strain. That keeps `oas` from tearing off at clamps, but would make `enog` too stiff. [Zhang2024] does not specify clamps.
+/// Whether clamped particles strain. That keeps `oas` from tearing off at clamps, but would make `enog` too stiff.
+/// [Zhang2024] does not specify clamps.
 constexpr bool strains_clamped(const UlSplitFormulation& m) { return carries_stress(m); }
 
 constexpr bool consistent(const UlSplitFormulation& m) {
