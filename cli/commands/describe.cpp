@@ -174,7 +174,7 @@ void describe_scene(const std::string& name, std::ostream& out) {
   print_table(out, "Measures (kinds: taut list measures)", rows_of_measures(scene), 1);
 }
 
-/// Default and bounds of a constant; the values of 3D are added if they differ.
+/// 3D values are added if they differ.
 Rows::value_type constant_row(const MethodConstant& c, const std::vector<MethodConstant>& in_3d) {
   std::string value = brief(c.value), range = bounds(c.low, c.high);
   if (!c.choices.empty()) {
@@ -254,7 +254,7 @@ bool describe_language(const std::string& name, bool json, std::ostream& out) {
   throw UsageError(unknown_name("name", name, names) + "; `taut list` shows the kinds of names");
 }
 
-/// A path counts as a scene, even if the file is missing.
+/// Also a path without file.
 bool is_scene(const std::string& name) {
   if (name.ends_with(".toml") || name.find('/') != std::string::npos) return true;
   for (const std::string& known : scene_names())

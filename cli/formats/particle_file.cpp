@@ -23,7 +23,7 @@ constexpr std::string_view velocity_name = "velocity";
 constexpr std::string_view stress_name = "stress";
 constexpr std::array no_fields{diameter_name, std::string_view("held"), std::string_view("id"),
                                std::string_view("mass"), std::string_view("volume")};
-constexpr std::string_view time_name = "TimeValue";  // name used by ParaView
+constexpr std::string_view time_name = "TimeValue";  // for ParaView
 constexpr std::size_t most_particles = 20'000'000;   // as in a scene
 constexpr std::string_view data_begin = "<AppendedData encoding=\"raw\">\n_";
 
@@ -32,7 +32,7 @@ std::string attribute(std::string_view key, std::string_view value) {
   return text.append(key).append("=\"").append(value).append("\"");
 }
 
-/// Writes the XML text, followed by the bytes of the arrays.
+/// XML text, then the arrays.
 class Writer {
  public:
   void line(std::string_view text) { (xml_ += text) += '\n'; }
@@ -83,7 +83,7 @@ void write_point_data(Writer& file, const std::vector<ParticleArray>& arrays, bo
   file.line("</PointData>");
 }
 
-/// Writes a cell for each particle, because ParaView selects and cuts cells.
+/// ParaView selects and cuts cells.
 void write_vertices(Writer& file, std::size_t count) {
   std::vector<std::int32_t> number(count);
   std::iota(number.begin(), number.end(), 0);
@@ -114,7 +114,7 @@ std::vector<std::string_view> tags_of(std::string_view xml) {
   return tags;
 }
 
-/// Returns the text before the arrays, or "" if it is longer than 64 KiB.
+/// Text before the arrays; "" beyond 64 KiB.
 std::string header_of(std::ifstream& file) {
   std::string text(1 << 16, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));

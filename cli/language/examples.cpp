@@ -9,8 +9,7 @@ struct Example {
   std::string_view name, text;
 };
 
-/// Sections with a [header] form one scene, one sweep, one claim file and one suite; the others are keys of the first
-/// body or reference.
+/// Sections without [header] are keys of the first body or reference.
 constexpr Example examples[] = {
     {"scene", R"toml(title = "A disc hits a bar"
 dim = 2

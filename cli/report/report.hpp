@@ -10,17 +10,15 @@
 
 namespace taut::cli {
 
-/// Content of a page.
 enum class PageKind { run, runs, sweep, difference, suite };
 std::string_view name(PageKind kind);
 
 struct ReportRequest {
-  std::vector<std::string>
-      paths;  // run folders, or sweeps; one suite; with a baseline one folder with pictures
-  std::optional<std::string> out;       // folder, or with `embed` file
-  std::optional<std::string> baseline;  // folder with the expected pictures
-  render::DifferenceLimit limit{};      // with a baseline
-  bool embed = false;                   // one file with everything in it
+  std::vector<std::string> paths;  // run folders, sweeps, one suite, or one folder with pictures
+  std::optional<std::string> out;  // folder or file
+  std::optional<std::string> baseline;
+  render::DifferenceLimit limit{};  // with a baseline
+  bool embed = false;
 };
 
 struct WrittenPage {
@@ -30,7 +28,7 @@ struct WrittenPage {
   bool running = false;  // a run has not ended
 };
 
-/// Throws UsageError for paths that are not results of one kind and for an `out` that is not a page; OutputError.
+/// Throws UsageError for paths of several kinds or an `out` that is no page; OutputError.
 WrittenPage write_report(const ReportRequest& request);
 
 }  // namespace taut::cli
