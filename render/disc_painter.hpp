@@ -36,15 +36,15 @@ class DiscPainter {
   std::size_t sample(int column, int row) const { return static_cast<std::size_t>(row) * stride_ + column; }
 
   Rect plot_;
-  std::uint32_t background_;             // bytes B, G, R, 255, or 0
-  int bands_, tiles_;                    // downwards and to the right
-  std::size_t stride_;                   // between rows
-  std::vector<std::uint32_t> end_;       // 0, then each band's end in `sorted_`
-  std::vector<std::uint32_t> sorted_;    // by band
-  std::vector<std::uint32_t> color_;     // of a band; bytes B, G, R, 255
-  std::vector<float> depth_;             // from the nearest centre, 0 to 1
-  std::vector<std::uint8_t> touched_;    // tiles of the band
-  std::vector<std::uint8_t> was_drawn_;  // tiles of the plot
+  std::uint32_t background_;  // bytes B, G, R, 255, or 0
+  int bands_, tiles_;
+  std::size_t stride_;              // between rows
+  std::vector<std::uint32_t> end_;  // 0, then each band's end in `sorted_`
+  std::vector<std::uint32_t> sorted_;
+  std::vector<std::uint32_t> color_;   // of a band; bytes B, G, R, 255
+  std::vector<float> depth_;           // from the nearest centre, 0 to 1
+  std::vector<std::uint8_t> touched_;  // tiles of the band
+  std::vector<std::uint8_t> was_drawn_;
 };
 
 }  // namespace taut::render

@@ -36,10 +36,10 @@ struct Look {
   double middle = 0;                   // centre of a diverging map
   std::string unit{};                  // determines the width of numbers
   std::optional<Size> size = Size{};   // least_size to greatest_size
-  bool bare = false;                   // only particles
-  PageTexts texts{};                   // unless bare
-  double glyph = 1;                    // drawn / true diameter
-  Rgb background = white;              // texts contrast
+  bool bare = false;
+  PageTexts texts{};
+  double glyph = 1;        // drawn / true diameter
+  Rgb background = white;  // texts contrast
   bool transparent = false;
   /// Values then count from 0, a legend replaces the bar, range and colour map may be open.
   std::vector<std::string> categories{};

@@ -114,12 +114,12 @@ struct Renderer::Parts {
   PageTexts texts;
   PageLayout layout;
   Image image;
-  std::optional<Projection> projection;     // in 3D
-  std::optional<DiscPainter> disc_painter;  // only discs
+  std::optional<Projection> projection;
+  std::optional<DiscPainter> disc_painter;
   std::optional<GlContext> context;
-  std::optional<SolidPainter> solid_painter;  // also for 2D cells
-  std::optional<Annotation> annotation;       // none: small picture
-  std::optional<Canvas> canvas;               // 2D
+  std::optional<SolidPainter> solid_painter;  // 2D cells too
+  std::optional<Annotation> annotation;
+  std::optional<Canvas> canvas;
   Rgb background;
   bool transparent;
   double glyph;

@@ -12,7 +12,6 @@
 
 namespace taut::render {
 
-/// In picture coordinates.
 class Solids {
  public:
   explicit Solids(const PageLayout& layout, double glyph = 1)

@@ -185,7 +185,7 @@ void Options::set_flags(const std::vector<std::string>& words) const {
   }
 }
 
-/// CLI11's own message has no nearest names.
+/// CLI11's message has no nearest names.
 void Options::refuse_unknown() const {
   std::vector<std::string> rest = app_->remaining();
   std::erase(rest, "--");

@@ -13,7 +13,7 @@ class Option;
 
 namespace taut::cli {
 
-/// Valid as long as the Options that declared it.
+/// Valid while its Options exist.
 class Option {
  public:
   explicit Option(CLI::Option& option) : option_(&option) {}
@@ -27,10 +27,10 @@ class Option {
   Option& excludes(const Option& other);
   Option& needs(const Option& other);
 
-  /// "--out", or the placeholder of a positional argument.
+  /// "--out", or a positional argument's placeholder.
   std::string name() const;
   bool has_name(const std::string& name) const;
-  std::string placeholder() const;  // in brackets if it may be left out
+  std::string placeholder() const;
   std::string help() const;
   bool is_positional() const;
   bool takes_value() const;
@@ -54,7 +54,6 @@ class Options {
   explicit Options(const Texts& texts);
   ~Options();
 
-  /// An option with a vector may be repeated.
   template <class Target>
   Option add(std::string_view name, std::string_view placeholder, Target& target, std::string_view help);
   /// Calls `take` after all words have been read.

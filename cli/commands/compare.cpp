@@ -74,7 +74,7 @@ std::optional<render::View> common_view(const std::vector<SavedRun>& runs) {
   return view;
 }
 
-/// Keeps particles that fly away from shrinking the picture.
+/// Ignores particles that fly away.
 render::View within(const render::View& all, const std::optional<render::View>& window) {
   if (!window) return all;
   return {std::max(all.x_min, window->x_min), std::min(all.x_max, window->x_max),
@@ -90,7 +90,6 @@ Drawing chosen_drawing(const std::vector<SavedRun>& runs, const CompareArguments
   return drawing;
 }
 
-/// Throws UsageError if a run lacks the followed body.
 void check_followed_body(const Drawing& drawing, const std::vector<SavedRun>& runs) {
   for (const SavedRun& run : runs) {
     std::vector<std::string> names;

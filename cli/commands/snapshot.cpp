@@ -183,7 +183,7 @@ int list_suite(const SuiteFile& suite, const SnapshotArguments& o, const std::ve
   return exit_fine;
 }
 
-/// In order of priority: runs, comparisons, differences.
+/// Runs come first, then comparisons, then differences.
 int exit_code_of(const std::vector<EntryOutcome>& outcomes, int of_runs) {
   if (of_runs != exit_fine) return of_runs;
   const auto any = [&](const auto& is) { return std::ranges::any_of(outcomes, is); };

@@ -28,23 +28,23 @@ struct ColorFormula {
   using Function = std::function<double(const std::vector<double>&, double t)>;
 
   std::vector<const Field*> fields;
-  Function function;  // of the fields, `places` and the time
+  Function function;  // of fields, `places` and time
 
   /// x, x0: `dim` coordinates each, m.
   std::vector<double> values(std::span<const std::vector<double>> of_fields, int dim,
                              std::span<const double> x, std::span<const double> x0, double time) const;
 };
 
-/// `fitted` sets open members from everything shown. In 3D, a camera replaces the view.
+/// `fitted` sets open members.
 struct Drawing {
   const Field* field = find_field("von_mises");
   render::Look look{};
   int frames = 60;               // evenly spaced after t = 0
   std::optional<Style> style{};  // default: discs, in 3D spheres
   std::string cut{};             // hides particles where it is not 0 at the start
-  std::string hide{};            // body names, separated by commas
+  std::string hide{};            // separated by commas
   Outlines outline = Outlines::none;
-  std::string follow{};  // body whose centre of mass is centred
+  std::string follow{};  // centred body
 
   std::optional<std::string> title{};  // empty: none; default: the scene's
   std::optional<double> font_points{};
@@ -52,13 +52,13 @@ struct Drawing {
   std::string print_width{};  // "85mm", or empty
 
   std::string formula{};
-  bool orbit = false;  // one circle
+  bool orbit = false;
 
-  // set by `apply_scene` (cli/scene)
+  // set by `apply_scene`
   Expression is_cut{};
   std::optional<int> followed{};
   std::vector<int> hidden{};
-  std::shared_ptr<const Scene> scene{};  // for surfaces and outlines
+  std::shared_ptr<const Scene> scene{};
   std::vector<WallFace> walls{};
   double round_off = 0;  // minimum width of an open range
   ColorFormula of_formula{};
@@ -66,7 +66,7 @@ struct Drawing {
 
 /// `print_width` in pixels.
 std::optional<double> pixels_on_paper(const Drawing& drawing);
-/// Applies font size and width on paper; an open size stays open.
+/// An open size stays open.
 Drawing sized(Drawing drawing);
 
 struct ColorMeaning {

@@ -30,7 +30,6 @@ struct Captions {
   double until = 0;  // s; sets the unit of times
 };
 
-/// Sets unset members.
 Drawing fitted(const Drawing& drawing, const Snapshot& snapshot);
 /// Requires `fitted`.
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot);
@@ -39,7 +38,7 @@ render::Image draw_picture(const Drawing& drawing, const Captions& captions, con
 /// are pending. Files are written in order.
 class Frames {
  public:
-  static constexpr double memory_of_pictures = 1e9;  // bytes, with OpenGL
+  static constexpr double memory_of_pictures = 1e9;  // bytes
 
   /// Throws if no picture can be drawn. `finish` adds the times of all threads to `seconds`.
   Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
@@ -50,14 +49,12 @@ class Frames {
   void add(const FrameView& particles);
   /// Ascending; default: 0, 1, …
   void number_files(std::vector<int> numbers) { file_numbers_ = std::move(numbers); }
-  /// Returns false if `go_on` stopped it.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
   /// Waits for pending frames. Errors of drawing threads are rethrown here and by `add`.
   void finish();
 
   int kept() const { return static_cast<int>(kept_.size()); }
   int written() const { return written_; }
-  /// Complete after the first frame.
   const Drawing& drawing() const { return drawing_; }
 
   /// Call after `finish`.

@@ -9,7 +9,7 @@
 
 namespace taut::cli {
 
-/// File look.json of a baseline: colour range and view. Later frames keep its scale even if the motion changes.
+/// File look.json of a baseline. Later frames keep its colour range and view even if the motion changes.
 struct KeptLook {
   std::string color;                   // key, or "=EXPRESSION"
   std::optional<render::Range> range;  // none: bodies or materials

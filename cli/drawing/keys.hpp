@@ -15,7 +15,7 @@
 namespace taut::cli {
 
 using DrawingValue = std::variant<std::string, std::vector<double>>;
-using DrawingValues = std::map<std::string, DrawingValue, std::less<>>;  // by key
+using DrawingValues = std::map<std::string, DrawingValue, std::less<>>;
 
 inline constexpr std::string_view nothing = "none";
 inline constexpr std::string_view automatic = "auto";
@@ -26,10 +26,9 @@ struct DrawingKey {
     std::string_view kind;
     std::vector<std::string> (*names)() = nullptr;  // except "auto"
     bool or_formula = false;                        // allows "=EXPRESSION"
-    bool is_list = false;                           // separated by commas
+    bool is_list = false;
 
     bool has_formula(const std::string& word) const { return or_formula && word.starts_with('='); }
-    /// First word that is not allowed.
     std::optional<std::string> first_unknown(const std::string& text) const;
   };
   struct Numbers {
@@ -37,21 +36,21 @@ struct DrawingKey {
     bool whole = false;
     char between = ':';             // of typed numbers
     std::string_view in_file = {};  // in messages: "[low, high]"
-    std::string typed = {};         // in messages
+    std::string typed = {};
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   };
 
   std::string_view name;         // "font_size"
   std::string_view placeholder;  // ends in "|auto" if the key allows it
   std::string_view help;
-  std::string_view session_help = {};  // empty: not a session command
+  std::string_view session_help = {};  // empty: no session command
   bool allows_auto = false;            // in scene files
-  bool counts_frames = false;          // not the look
+  bool counts_frames = false;
   Words words = {};
-  bool is_free_text = false;      // typed "none" means empty
-  std::string_view pattern = {};  // for messages and JSON schema
+  bool is_free_text = false;  // typed "none" means empty
+  std::string_view pattern = {};
   Numbers numbers = {};
-  /// Returns an error message, or "". `apply_scene` checks the value against the scene.
+  /// Returns an error message, or "". `apply_scene` checks the scene.
   std::string (*set)(Drawing&, const DrawingValue&);
   DrawingValue (*get)(const Drawing&);
 

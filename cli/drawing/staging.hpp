@@ -22,7 +22,7 @@ struct StagedParticles {
   int dim = 2;
   double time = 0;  // s
   std::vector<double> x{}, diameter{}, value{}, cell{};
-  std::vector<std::uint32_t> triangle{};        // of a surface
+  std::vector<std::uint32_t> triangle{};
   std::vector<double> outline{}, undeformed{};  // 2D segments, m
   Point origin{};                               // in the scene, m
   std::vector<WallFace> walls{};
@@ -43,7 +43,6 @@ class Staging {
   StagedParticles operator()(const FrameView& particles) const;
   /// Adds walls and outlines; applies styles `cells` and `surface`.
   StagedParticles completed(StagedParticles staged) const;
-  /// Includes only what an open view must contain.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 
  private:

@@ -11,8 +11,8 @@
 namespace taut::cli {
 namespace {
 
-constexpr double longest = 2;  // spacings, of an edge
-constexpr double torn = 3;     // stretch of an edge
+constexpr double longest = 2;  // spacings
+constexpr double torn = 3;     // stretch
 
 std::vector<std::vector<Point>> face_points(const Scene& scene) {
   const InitialParticles initial = make_initial_particles(scene);
@@ -98,7 +98,7 @@ void Surface::add_nodes(const Scene& scene, const std::vector<Point>& places, co
     const auto distance = [&](const PointWeight& share) {
       return distance_between(initial(static_cast<std::uint32_t>(share.particle)), x, scene.dim);
     };
-    // the nearest particle comes first
+    // nearest first
     std::ranges::iter_swap(shares.begin(), std::ranges::min_element(shares, {}, distance));
     const double least = distance(shares.front());
     if (least < nearest * dp_ || least > farthest * dp_) continue;
@@ -146,7 +146,7 @@ bool Surface::fits(const Scene& scene, int body, const Simplex& simplex) const {
   return !on_faces || holds(of, middle, scene.dim, 0);
 }
 
-/// Drops boundary simplices without size, whose outside depends on round-off. Returns whether there were any.
+/// Drops boundary simplices without size, whose outside depends on round-off. Returns whether any existed.
 bool Surface::drop_flat() {
   const double least = 1e-3 * std::pow(dp_, static_cast<double>(dim_));
   std::vector<bool> drop(simplices_.size());
@@ -242,7 +242,6 @@ SurfaceShape Surface::at(std::span<const double> x, std::span<const double> valu
       sum += weight * of, low = std::min(low, of), high = std::max(high, of);
     }
     const auto& nearest = nodes_.shares[static_cast<std::size_t>(nodes_.begin[n])];
-    // within the values around
     shape.value.push_back(uniform           ? value[static_cast<std::size_t>(nearest.particle)]
                           : std::isnan(sum) ? sum
                                             : std::clamp(sum, low, high));

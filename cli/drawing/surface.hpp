@@ -11,12 +11,12 @@
 
 namespace taut::cli {
 
-/// Points: particles, then nodes on faces.
+/// Points are particles, then nodes.
 struct SurfaceShape {
   std::vector<double> x{}, value{};       // dim coordinates each, m
   std::vector<std::uint32_t> triangle{};  // 3 points each; 3D: anticlockwise from outside
   std::vector<double> outline{};          // 2D: four coordinates per segment, m
-  std::vector<std::uint32_t> loose{};     // in no triangle
+  std::vector<std::uint32_t> loose{};
 };
 
 /// Delaunay triangles (in 3D tetrahedra) of the initial positions of particles and of nodes on contact faces. Nodes
@@ -28,7 +28,7 @@ class Surface {
   Surface(const Scene& scene, const Origins& origins, std::span<const std::size_t> shown,
           const Expression& is_cut);
 
-  /// `x`: n × dim, m. Nodes have interpolated values, or, if `uniform`, the nearest particle's.
+  /// `x`: n × dim, m. Nodes have interpolated values, or, if `uniform`, those of nearest particles.
   SurfaceShape at(std::span<const double> x, std::span<const double> value, bool uniform) const;
   /// 2D: four coordinates per segment, m.
   std::vector<double> undeformed() const;
@@ -56,7 +56,7 @@ class Surface {
 
   std::size_t dim_, particles_ = 0;
   double dp_;               // m
-  std::vector<double> x0_;  // of points, m
+  std::vector<double> x0_;  // m
   FaceNodes nodes_;         // shares count particles of the surface
   std::vector<Simplex> simplices_;
   std::vector<Face> faces_;

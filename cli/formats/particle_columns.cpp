@@ -44,7 +44,7 @@ void append_value(std::string& text, const Column& column, std::size_t i, bool s
     append_number(text, column.at(i));
 }
 
-/// "displacement_x" of the x component of "displacement_vector".
+/// Such as "displacement_x".
 std::string column_name(const ParticleArray& array, std::size_t component) {
   std::string_view stem = array.name;
   if (array.components.empty()) return std::string(stem);
@@ -87,7 +87,6 @@ void add_property(std::vector<Column>& columns, std::string& text, const Particl
         {"", "", &array, width == ovito_order.size() ? ovito_order[c] : c, renamed ? known->scale : 1});
 }
 
-/// Lattice and Origin.
 std::string box_around(const ParticleArray& positions, const std::vector<double>& diameter) {
   std::array<double, 3> low, high;
   low.fill(std::numeric_limits<double>::infinity());

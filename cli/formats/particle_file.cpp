@@ -32,7 +32,6 @@ std::string attribute(std::string_view key, std::string_view value) {
   return text.append(key).append("=\"").append(value).append("\"");
 }
 
-/// XML text, then the arrays.
 class Writer {
  public:
   void line(std::string_view text) { (xml_ += text) += '\n'; }
@@ -114,7 +113,7 @@ std::vector<std::string_view> tags_of(std::string_view xml) {
   return tags;
 }
 
-/// Text before the arrays; "" beyond 64 KiB.
+/// "" beyond 64 KiB.
 std::string header_of(std::ifstream& file) {
   std::string text(1 << 16, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -199,7 +198,7 @@ std::vector<double> ParticleFile::read_as(const Array& array) const {
   std::ifstream file(path_, std::ios::binary | std::ios::ate);
   const auto length =
       static_cast<std::uint64_t>(std::max<std::streamoff>(file ? std::streamoff(file.tellg()) : 0, 0));
-  // zlib compresses at most about 1000-fold; damaged sizes must not allocate memory
+  // zlib compresses at most 1000-fold; damaged sizes must not allocate memory
   constexpr std::uint64_t most_packed = 1024;
   if (array.offset >= length || array.components > 9 ||
       array.components * size_ * sizeof(Number) > most_packed * (length - array.offset))

@@ -15,7 +15,6 @@ namespace taut::cli {
 std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                                bool single_precision = false);
 
-/// Loads arrays on demand.
 class ParticleFile {
  public:
   /// Throws UsageError for a missing or invalid file.

@@ -10,7 +10,7 @@
 
 namespace taut::cli {
 
-/// For ParaView and taut; extended XYZ for OVITO and ASE; spreadsheets.
+/// `vtp` is for ParaView and taut, `xyz` (extended) for OVITO and ASE.
 enum class ParticleFormat : std::uint8_t { vtp, xyz, csv };
 
 /// In enumerator order, also file extensions.

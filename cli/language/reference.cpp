@@ -72,7 +72,6 @@ Topic topic_of(const MeasureKind& kind) {
           rows_of(keys_of_measure(kind)), ""};
 }
 
-/// One row per different text.
 template <class Kinds, class Keys>
 Rows keys_of_kinds(const Kinds& kinds, const Keys& keys_of_kind) {
   Rows rows{{"key", "takes", "default", "what", "of"}};

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-/// Generated from the tables of the readers.
 namespace taut::cli {
 
 struct Topic {
@@ -15,7 +14,7 @@ struct Topic {
   std::string header;  // "[[body]]"
   std::string help;
   std::vector<std::vector<std::string>> rows;  // header first
-  std::string example;                         // may be empty
+  std::string example;
 };
 
 struct LanguageFile {

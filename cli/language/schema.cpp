@@ -12,8 +12,7 @@
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/methods/catalogue.hpp"
 
-/// Taplo, which completes TOML, ignores if/then and skips tables with allOf. So kinds are under oneOf; if/then adds
-/// checks.
+/// Taplo ignores if/then and skips tables with allOf. So kinds are under oneOf; if/then adds checks.
 namespace taut::cli {
 namespace {
 
@@ -142,8 +141,8 @@ Json schema_of(const KeyInfo& key, int dim) {
   return schema;
 }
 
-/// Sets of keys, such as {bodies} and {body, wall}, of which a table must have one. Keys of a set share a default
-/// text, which names the others.
+/// Sets of keys, such as {bodies} and {body, wall}, of which a table has one. Keys of a set share a default text,
+/// which names the others.
 std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo> keys) {
   const std::string named = std::string(first.by_default) + " ";
   const auto is_named = [&](const KeyInfo& key) {

@@ -23,12 +23,12 @@ struct ReportRequest {
 
 struct WrittenPage {
   PageKind kind;
-  std::filesystem::path file;  // to open
+  std::filesystem::path file;
   std::size_t runs = 0;
   bool running = false;  // a run has not ended
 };
 
-/// Throws UsageError for paths of several kinds or an `out` that is no page; OutputError.
+/// Throws UsageError for mixed paths or an `out` that is no page; OutputError.
 WrittenPage write_report(const ReportRequest& request);
 
 }  // namespace taut::cli

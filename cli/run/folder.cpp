@@ -80,7 +80,7 @@ void RunFolder::check() const {
       throw UsageError(fmt::format(
           "'{}' is a link; files would be written and removed in its target; remove it or name another folder with --out",
           inner.string()));
-  // left by a run killed at its start
+  // left by a killed run
   const bool begun = holds_only({run_lock_name, record().filename().string() + ".tmp"});
   if (!read_record(record()) && !begun && !is_damaged())
     throw UsageError(fmt::format(

@@ -28,7 +28,7 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// A run is judged after each of these parts of `until`; history rows have their own times.
+/// Parts of `until` after which a run is judged.
 constexpr int judged_parts = 200;
 
 /// Updates drift, verdict and indicators. Rows between judgements repeat the indicators.
@@ -66,7 +66,6 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   void put_on_disk() override { history_->put_on_disk(); }
   void update_result() override { result_.record.conservation = conservation_.so_far(); }
   void discard_newer() override { history_->discard_newer(); }
-  /// A longer run is judged at other times.
   void run_on() override { judge_times_.skip_to(simulation_.time()); }
 
   template <class Archive>

@@ -36,8 +36,8 @@ class ParticleSeries {
   RunFolder folder_;
   Seconds& seconds_;
   std::vector<double> times_;  // s
-  std::size_t on_disk_ = 0;    // number of files
-  std::size_t indexed_ = 0;    // in this process
+  std::size_t on_disk_ = 0;
+  std::size_t indexed_ = 0;
 };
 
 }  // namespace taut::cli

@@ -25,7 +25,7 @@ namespace {
 
 constexpr int default_history_rows = 1000;
 
-/// Before the scene, which depends on the method.
+/// Precedes the scene, which depends on the method.
 void check_methods(const std::vector<Setting>& settings) {
   std::vector<std::string> names;
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);

@@ -55,7 +55,7 @@ std::vector<const Field*> particle_fields(const RunOptions& options, int dim);
 /// Throws UsageError for unknown names.
 ParticleForm particle_form(const RunOptions& options);
 
-/// Throws UsageError for unknown names and for `stable`.
+/// Throws UsageError for unknown names and `stable`.
 std::optional<Verdict> parse_verdict(const std::optional<std::string>& text);
 
 }  // namespace taut::cli

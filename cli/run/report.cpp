@@ -112,7 +112,6 @@ double speed(const Snapshot& now, std::size_t particle) {
   return std::sqrt(sum);
 }
 
-/// Non-finite, else fastest.
 std::size_t worst_particle(const Snapshot& now) {
   std::size_t worst = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {

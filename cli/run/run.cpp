@@ -72,7 +72,7 @@ class Run {
   Pace pace_;
   Stopwatch since_saved_;
   double next_checkpoint_ = std::numeric_limits<double>::infinity();  // s
-  std::optional<std::string> final_state_;                            // before the final history row
+  std::optional<std::string> final_state_;
 };
 
 Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Interrupts& interrupts,

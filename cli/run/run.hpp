@@ -15,12 +15,11 @@
 
 namespace taut::cli {
 
-/// A validated run.
 struct RunPlan {
   SceneFile file;
-  std::optional<double> requested_spacing;    // m, scene or command line
-  std::optional<Drawing> drawing;             // none: no frames
-  bool keeps_look = false;                    // after the frames
+  std::optional<double> requested_spacing;  // m, scene or command line
+  std::optional<Drawing> drawing;           // none: no frames
+  bool keeps_look = false;
   std::vector<const Field*> particle_fields;  // none: not saved
   ParticleForm particle_form;
   std::vector<double> frame_times, history_times;  // s, sorted; frames also save particles

@@ -129,7 +129,6 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   return std::nullopt;
 }
 
-/// Smallest significant difference.
 double round_off(const Field& field, const Scene& scene) {
   constexpr double strain = 1e-9, in_single_precision = 1e-6;  // relative
   double stiffest = 0;                                         // Pa
@@ -210,7 +209,7 @@ void apply_scene(Drawing& drawing, const SceneFile& file) {
 
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
   TomlCursor render = root.section("render", "[render]", keys_of("render"));
-  // Keys with words come first, for missing keys and for errors.
+  // For missing keys and errors, keys with words come first.
   for (const bool words : {true, false})
     for (const DrawingKey& key : drawing_keys())
       if (key.takes_words() == words) read_key(render, key, drawing);

@@ -26,9 +26,9 @@ struct KeyType {
     whole,   // or expression
     flag,
     text,
-    word,  // `words` or `names()`
+    word,
     vector,
-    table,  // keys of `section`
+    table,
   };
   enum class Form : std::uint8_t { one, list, one_or_list };
   static constexpr std::size_t any_size = static_cast<std::size_t>(-1);
@@ -38,8 +38,8 @@ struct KeyType {
   std::string_view unit = {};
   NumberRange bounds = {};
   std::array<std::string_view, 8> words = {};
-  std::vector<std::string> (*names)() = nullptr;  // instead of `words`
-  std::string_view section = {};                  // of a table, or of a number that may be one
+  std::vector<std::string> (*names)() = nullptr;
+  std::string_view section = {};  // of a table, or of a number that may be one
   std::string_view pattern = {};
   std::size_t longest = any_size;
   std::size_t size = 0;         // 0: one per axis
@@ -48,7 +48,7 @@ struct KeyType {
   std::size_t depth = 1;                   // nesting
   std::size_t least = 0, most = any_size;  // innermost array
   std::string_view by = {};                // "MEASURE": a value per measure
-  std::string_view name_pattern = {};      // of the keys
+  std::string_view name_pattern = {};
 
   constexpr KeyType or_other(std::string_view word) const {
     KeyType type = *this;
@@ -131,7 +131,7 @@ constexpr KeyType table(std::string_view section, std::string_view shown) {
 struct KeyInfo {
   std::string_view name;  // or `any_name`
   KeyType type;
-  std::string_view by_default;  // empty: required; "or X": alternative key
+  std::string_view by_default;  // empty: required; "or X": alternative
   std::string_view help;
 };
 
@@ -149,7 +149,7 @@ struct Section {
   std::span<const KeyInfo> keys;
 };
 
-/// First the file itself. Kinds of shapes, probes and measures add keys.
+/// The file itself comes first. Kinds of shapes, probes and measures add keys.
 std::span<const Section> scene_sections();
 std::span<const Section> sweep_sections();
 std::span<const Section> claim_sections();

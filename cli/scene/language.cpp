@@ -13,7 +13,6 @@
 #include "engine/methods/catalogue.hpp"
 #include "engine/settings.hpp"
 
-/// Shapes, probes and measures define their kinds' keys.
 namespace taut::cli {
 namespace {
 

@@ -62,7 +62,7 @@ std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path&
                                  std::string_view what);
 /// Requires the scene's bodies.
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
-/// Of files other than scenes; apply_scene compares them with the scene.
+/// Files other than scenes; apply_scene checks the scene.
 DrawingValues read_drawing_values(TomlCursor& render);
 TomlValue drawing_table(const Drawing& drawing);
 
@@ -82,20 +82,20 @@ std::string file_text(const std::filesystem::path& path, std::size_t most_bytes 
 
 inline const std::vector<std::string> axis_names = {"x", "y", "z"};
 
-/// Of round shapes.
+/// Layout of round shapes.
 enum class Layers : std::uint8_t {
   for_initial_neighbours,
   for_searched_neighbours,
   of_lattice,  // hexagonal
-  none         // for cut-outs and combinations
+  none
 };
 struct ShapeSetting {
   int dim = 2;
   double dp = 0;  // m
   std::filesystem::path folder;
   Layers layers{};
-  bool alone = false;  // without cut-outs
-  int level = 0;       // enclosing shapes
+  bool alone = false;
+  int level = 0;  // enclosing shapes
 };
 struct ShapeKind {
   std::string_view name;
@@ -107,7 +107,6 @@ struct ShapeKind {
 };
 std::span<const ShapeKind> shape_kinds();
 
-/// Table or array.
 std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, const ShapeSetting& setting);
 /// Degrees (2D), or { angle, about, axis }; default: about `middle`.
 std::optional<Rotation> read_rotation(TomlCursor& cursor, int dim, const Point& middle);
@@ -127,7 +126,7 @@ Point turning_axis(TomlCursor& cursor, const Scene& scene);
 struct ProbeKind {
   std::string_view name;
   std::string_view unit, help;
-  std::vector<KeyInfo> keys;  // without `name` and `of`
+  std::vector<KeyInfo> keys;
 
   static constexpr std::string_view force_unit = "N, in 2D N/m";
   Probe::Kind kind() const { return {name, unit == force_unit}; }
@@ -137,7 +136,6 @@ std::span<const ProbeKind> probe_kinds();
 /// Empty for expressions. In 2D per metre of depth.
 std::string_view unit_of(const Probe& probe, int dim);
 
-/// Without `name`, `of` and `unit`.
 std::vector<KeyInfo> keys_of_measure(const MeasureKind& kind);
 
 struct ContactChoice {

@@ -72,7 +72,7 @@ void run(Session& session, const Words& words, const Dialogue& to) {
   say_time(session, to);
 }
 
-/// "LOW HIGH | auto" from "LOW:HIGH|auto".
+/// Writes "LOW:HIGH|auto" as "LOW HIGH | auto".
 std::string arguments_of(const DrawingKey& key) {
   std::string arguments;
   for (const char c : key.placeholder)

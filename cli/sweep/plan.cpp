@@ -37,7 +37,6 @@ RunOptions options_of(const SweepRequest& request, const GridRow& row, const Set
   return options;
 }
 
-/// Throws errors of particle creation.
 void check_particles(const SceneFile& file) try {
   Settings settings = file.settings;
   settings.threads = 1;  // a process that has had threads cannot be forked
@@ -55,7 +54,7 @@ bool is_wrong(const RunOptions& options) try {
   return true;
 }
 
-/// Without it, the run is valid; or nullptr.
+/// Returns nullptr without such a setting.
 const Setting* invalid_setting(const SweepRequest& request, const GridRow& row) {
   for (const GridRow* settings : {&request.set, &row})
     for (const Setting& s : *settings)
@@ -119,7 +118,6 @@ void add_swept(AvailableData& available, const std::string& name, const std::vec
   if (values.size() > 1) available.varied.push_back(name);
 }
 
-/// Equal runs by rounding.
 class Spacings {
  public:
   std::string add(const GridRow& row, double fitted) {

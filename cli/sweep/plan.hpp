@@ -21,7 +21,7 @@ enum class SweepRunState {
 };
 std::string_view name(SweepRunState);
 
-/// Of equal runs, CPU.
+/// CPU cost of equal runs.
 struct RepeatedCost {
   int runs = 0;
   const RunRecord* median;  // by CPU time
@@ -74,7 +74,7 @@ struct SweepRequest {
   std::vector<Setting> set;  // of the file, without names of `base`
   std::filesystem::path folder;
   std::vector<GridRow> rows;
-  int repeat = 1;  // per row
+  int repeat = 1;
   StudyPictures pictures;
 };
 

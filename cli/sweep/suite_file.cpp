@@ -21,7 +21,6 @@ std::optional<double> read_difference(TomlCursor& cursor, std::string_view key) 
   return difference;
 }
 
-/// `method` and `until` are settings.
 void read_setting(TomlCursor& cursor, std::string_view key, std::vector<Setting>& settings) {
   const TomlValue* value = cursor.find(key);
   if (!value) return;
@@ -78,7 +77,6 @@ void check_limits(const TomlCursor& root, const SuiteEntry& entry) {
                   brief(*entry.fail) + "; warn must be less than fail");
 }
 
-/// Adds the keys of the entries from which controls differ.
 void complete_controls(TomlCursor& root, std::vector<SuiteEntry>& entries) {
   std::vector<std::string> owners;
   for (const SuiteEntry& entry : entries)

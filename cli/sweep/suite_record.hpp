@@ -10,13 +10,13 @@ namespace taut::cli {
 /// File suite.json: comparisons of the last call, for `taut report`.
 struct SuiteRecord {
   struct Entry {
-    std::string name;  // also of its run folder
+    std::string name;
     std::filesystem::path baseline;
-    std::string differs_from;          // of a control
+    std::string differs_from;
     std::optional<double> warn, fail;  // ΔE*ab
     std::string problem;               // reason for no frames, or empty
   };
-  std::string title, file;  // of the suite
+  std::string title, file;
   std::vector<Entry> entries;
 };
 

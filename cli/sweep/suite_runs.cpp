@@ -47,7 +47,7 @@ SweepRequest request_of(const SuiteFile& suite, const SuiteEntry& entry, const B
   return request;
 }
 
-/// Errors without a place, such as of the drawing, are at the entry.
+/// Adds the entry to errors without a place, such as of the drawing.
 SweepRun planned_run(const SuiteFile& suite, const SuiteEntry& entry, const Baseline& baseline,
                      const SuiteOptions& options) {
   try {
@@ -75,7 +75,7 @@ void refuse_missing(const std::vector<PlannedEntry>& entries) {
                    "'; create it with --update --only " + join(names, ","));
 }
 
-/// Reason for no frames, or "".
+/// Returns "" for a run with frames.
 std::string problem_of(const SweepRun& run) {
   if (run.state != SweepRunState::done) return run.problem.empty() ? "the run is not finished" : run.problem;
   return run.record->status == RunRecord::Status::failed ? run.record->reason : "";

@@ -16,20 +16,20 @@ struct SuiteOptions {
   std::filesystem::path out;
   std::optional<std::filesystem::path> baselines;
   std::vector<std::string> only;  // entry names; empty: all
-  bool update = false;            // controls have none
-  int threads = 1;                // of each run
+  bool update = false;
+  int threads = 1;  // of each run
 };
 
 struct PlannedEntry {
   SuiteEntry entry;
-  Baseline baseline;  // of a control: of `differs_from`
+  Baseline baseline;
   SweepRun run;
 
   render::DifferenceLimit limit() const;
 };
 
-/// With `needs_baselines`, all must exist unless they are made. Throws SceneError with the place, and UsageError for
-/// unknown names and missing baselines.
+/// With `needs_baselines`, all must exist unless made. Throws SceneError with the place, and UsageError for unknown
+/// names and missing baselines.
 std::vector<PlannedEntry> plan_suite(const SuiteFile& suite, const SuiteOptions& options,
                                      bool needs_baselines = true);
 
@@ -41,8 +41,8 @@ struct EntryOutcome {
   const PlannedEntry* planned;
   EntryResult result = EntryResult::no_result;
   FolderDifference difference{};
-  std::size_t updated = 0;  // new baseline frames
-  std::string problem{};    // reason for no result
+  std::size_t updated = 0;
+  std::string problem{};  // reason for no result
 
   bool passed() const;
 };

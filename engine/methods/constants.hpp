@@ -22,7 +22,7 @@ inline double compression_wave_speed(const Elasticity& m) {
   return std::sqrt((m.K + 4.0 / 3 * m.G) / m.rho0);
 }
 
-/// Of the first particle's material, with the maximum c0.
+/// First particle's material, with the maximum c0.
 struct Constants : Elasticity {
   double dp = 0;                 // particle spacing, m
   double h = 0;                  // smoothing length, m
@@ -37,7 +37,7 @@ struct MethodConstant {
   double value;
   double low, high;
   std::string_view help;
-  bool in_spacings = false;                        // `value` is in spacings
+  bool in_spacings = false;
   bool at_set_up = false;                          // fixed during a run
   std::span<const std::string_view> choices = {};  // of 0, 1, …, the default first; else numbers
 };

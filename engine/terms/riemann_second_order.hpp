@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Velocities are reconstructed half way to the other particle, m/s; D: symmetric part of ∇u. [Khayyer2024] Eq. 37, 44
+/// In m/s, from velocities half way to the other particle; D: symmetric part of ∇u. [Khayyer2024] Eq. 37, 44
 template <class T, int Dim>
 T reconstructed_closing_speed(const T& closing_speed, const Sym<T, Dim>& D_i, const Sym<T, Dim>& D_j,
                               const T& r, const Vec<T, Dim>& e_ij) {

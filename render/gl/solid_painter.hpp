@@ -60,10 +60,10 @@ class SolidPainter {
 
   int image_width_, image_height_;
   Rect plot_;
-  std::array<float, 3> background_;  // 0 if transparent
-  float opacity_;                    // of the background
-  int reach_;                        // radius of the shading, pixels
-  int band_height_;                  // limits buffers
+  std::array<float, 3> background_;  // 0: transparent
+  float opacity_;
+  int reach_;  // radius of the shading, pixels
+  int band_height_;
   std::uint32_t framebuffer_ = 0, color_ = 0, depth_ = 0;
   Shape ball_, triangle_, surface_;
   std::uint32_t palette_ = 0;

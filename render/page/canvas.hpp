@@ -42,7 +42,6 @@ class Canvas {
   /// (x, y): middle of the baseline.
   void turned_text(const std::string& text, double x, double y);
   double width_of(const std::string& text);
-  /// Fits `room` pixels by an ellipsis.
   std::string fitted(std::string text, double room);
 
  private:
@@ -53,7 +52,7 @@ class Canvas {
   Font regular_, bold_;
   Rgb background_;
   bool transparent_, erases_ = false;
-  double contrast_;  // 0 or 1
+  double contrast_;
   std::unique_ptr<cairo_surface_t, Deleter> surface_;
   std::unique_ptr<cairo_t, Deleter> cairo_;
 };

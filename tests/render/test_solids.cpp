@@ -85,7 +85,7 @@ TEST_SUITE("image") {
       CHECK(inside > 7000);
       CHECK(wrong == 0);
       const auto [left, right] = std::pair(image.at(80, 80), image.at(125, 125));
-      CHECK(left[1] > right[1] + 20);  // upper left light
+      CHECK(left[1] > right[1] + 20);
       CHECK(hue_difference(image.at(100, 100), base) <= 2);
       CHECK(image.at(100, 100)[1] > 0.9 * base[1]);  // towards the camera
     }

@@ -77,7 +77,6 @@ void set_stress(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, int i,
   if constexpr (M.tensile_control) row.put(Row::surface_at, g.colour < c.surface_colour);
 }
 
-/// w(q) only if needed.
 template <const UlCauchyFormulation& M, int Dim>
 void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Threads& threads) {
   using K = Kernel<M.kernel>;

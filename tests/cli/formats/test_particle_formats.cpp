@@ -68,7 +68,7 @@ Numbers numbers_in(std::string text) {
   return numbers;
 }
 
-/// Of one array, particle after particle.
+/// Components of one array, particle after particle.
 Numbers interleaved(const std::vector<Numbers>& columns) {
   Numbers all;
   for (std::size_t i = 0; i < columns.front().size(); ++i)
@@ -93,7 +93,6 @@ bool has_python_module(const std::string& module) {
   return std::system(("/usr/bin/python3 -c 'import " + module + "' 2>/dev/null").c_str()) == 0;
 }
 
-/// The rest of each line by its first word.
 std::map<std::string, std::string> read_by_python(const TemporaryFolder& folder, const fs::path& file) {
   const std::string command = "/usr/bin/python3 " TAUT_SOURCE_DIR "/tests/cli/formats/read_particles.py " +
                               file.string() + " >" + folder.str("read") + " 2>&1";
@@ -108,7 +107,6 @@ std::map<std::string, std::string> read_by_python(const TemporaryFolder& folder,
   return lines;
 }
 
-/// By header name.
 std::map<std::string, Numbers> columns_of(const fs::path& csv) {
   const std::vector<std::string> lines = lines_of(csv);
   std::vector<std::string> names;
@@ -120,7 +118,7 @@ std::map<std::string, Numbers> columns_of(const fs::path& csv) {
     REQUIRE(row.size() == names.size());
     for (std::size_t c = 0; c < row.size(); ++c) columns[names[c]].push_back(row[c]);
   }
-  REQUIRE(columns.size() == names.size());  // once each
+  REQUIRE(columns.size() == names.size());
   return columns;
 }
 

@@ -200,7 +200,6 @@ frames = 2
     REQUIRE(data["data"].size() == 3);
     // 8 particles × (3 × 2 + 3) bytes
     for (const auto& each : data["data"]) CHECK(each.get<std::string>().size() == 96);
-    // the start is equal
     const std::string first = data["data"][0], last = data["data"][2], color = first.substr(64, 4);
     for (std::size_t k = 64; k < 96; k += 4) CHECK(first.substr(k, 4) == color);
     CHECK(last.substr(64, 4) != color);
