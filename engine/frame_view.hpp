@@ -17,8 +17,8 @@ struct FrameView {
   double time = 0;                   // s
   std::span<const double> x;         // n × dim, m
   std::span<const double> diameter;  // m
-  std::span<const double> value;
-  std::span<const double> cell;  // edge vectors, n × dim vectors, m; empty: round
+  std::span<const double> value;     // in `unit`
+  std::span<const double> cell;      // edge vectors, n × dim vectors, m; empty: round
   /// Three point numbers per triangle, in 3D anticlockwise from outside. `x` and `value` then belong to points; a
   /// `diameter` above 0 marks a loose particle. Empty: particles.
   std::span<const std::uint32_t> triangle;

@@ -44,7 +44,7 @@ struct Drawing {
   std::string cut{};             // hides particles where it is not 0 at the start
   std::string hide{};            // separated by commas
   Outlines outline = Outlines::none;
-  std::string follow{};  // centred body
+  std::string follow{};  // body that stays centred
 
   std::optional<std::string> title{};  // empty: none; default: the scene's
   std::optional<double> font_points{};

@@ -55,6 +55,7 @@ class Frames {
 
   int kept() const { return static_cast<int>(kept_.size()); }
   int written() const { return written_; }
+  /// Complete after the first frame.
   const Drawing& drawing() const { return drawing_; }
 
   /// Call after `finish`.

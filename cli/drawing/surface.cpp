@@ -41,7 +41,7 @@ double squared_distance(std::span<const double> x, std::size_t dim, std::size_t 
 }
 
 /// Twice the area, in 3D six times the volume; positive if the points turn to the left, in 3D if the last point is on
-// the side of the normal.
+/// the side of the normal.
 double signed_size(std::span<const double> x, std::size_t dim, const std::array<std::uint32_t, 4>& points) {
   std::array<std::array<double, 3>, 3> way{};
   for (std::size_t c = 0; c < dim; ++c)
@@ -242,6 +242,7 @@ SurfaceShape Surface::at(std::span<const double> x, std::span<const double> valu
       sum += weight * of, low = std::min(low, of), high = std::max(high, of);
     }
     const auto& nearest = nodes_.shares[static_cast<std::size_t>(nodes_.begin[n])];
+    // no interpolation beyond the values around
     shape.value.push_back(uniform           ? value[static_cast<std::size_t>(nearest.particle)]
                           : std::isnan(sum) ? sum
                                             : std::clamp(sum, low, high));

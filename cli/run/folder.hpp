@@ -16,7 +16,7 @@ namespace taut::cli {
 /// Files: cli/COMMANDS.md.
 class RunFolder {
  public:
-  /// `named` by the user: may be a link.
+  /// `named`: named by the user, may be a link.
   explicit RunFolder(std::filesystem::path path, bool named = true) : path_(std::move(path)), named_(named) {}
 
   /// Throws UsageError for other files.

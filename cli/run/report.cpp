@@ -112,6 +112,7 @@ double speed(const Snapshot& now, std::size_t particle) {
   return std::sqrt(sum);
 }
 
+/// A particle with a non-finite speed, else the fastest.
 std::size_t worst_particle(const Snapshot& now) {
   std::size_t worst = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {

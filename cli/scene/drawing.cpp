@@ -129,6 +129,7 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   return std::nullopt;
 }
 
+/// Smallest significant difference, in the field's unit.
 double round_off(const Field& field, const Scene& scene) {
   constexpr double strain = 1e-9, in_single_precision = 1e-6;  // relative
   double stiffest = 0;                                         // Pa

@@ -29,7 +29,7 @@ std::vector<std::string> names_of_contacts() {
   return names;
 }
 
-/// Setting, else file, else first name. `setting`: for --set.
+/// The setting, else the file's value, else the first name. `setting`: for --set.
 std::string chosen(TomlCursor& table, const std::string& key, const std::vector<std::string>& names,
                    const std::string& setting, const std::string* change, SceneFile& file) {
   table.text(key, names.front());
@@ -88,7 +88,7 @@ void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
   }
 }
 
-/// Setting, else file, else default.
+/// The setting, else the file's value, else the method's default.
 void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, int dim,
                     const Changes& changes, SceneFile& file) {
   TomlCursor section = root.section("method_constants", "[method_constants]", named_by_user);
@@ -123,7 +123,7 @@ std::vector<std::string> names_of_elastic_laws() {
   return names;
 }
 
-/// Must fit the file's method; or "".
+/// Law that the file's method must support, or "".
 std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   const TomlValue* given = root.find("law");
   if (!given) return "";
@@ -133,7 +133,7 @@ std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   return law;
 }
 
-/// Setting, else file, else the method's first. The remark names a law that the method lacks.
+/// The setting, else the file's law, else the method's first. The remark names a law that the method lacks.
 void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, const Changes& changes,
               SceneFile& file) {
   const std::string own = method.laws.empty() ? "" : std::string(method.laws.front().name);

@@ -23,6 +23,7 @@ std::string path_of_program() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) return program.string();
+  // the path at the start
   return fs::absolute(reinterpret_cast<const char*>(::getauxval(AT_EXECFN))).string();
 }
 

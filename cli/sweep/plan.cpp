@@ -54,7 +54,7 @@ bool is_wrong(const RunOptions& options) try {
   return true;
 }
 
-/// Returns nullptr without such a setting.
+/// The setting without which the run is valid, or nullptr.
 const Setting* invalid_setting(const SweepRequest& request, const GridRow& row) {
   for (const GridRow* settings : {&request.set, &row})
     for (const Setting& s : *settings)
@@ -118,6 +118,7 @@ void add_swept(AvailableData& available, const std::string& name, const std::vec
   if (values.size() > 1) available.varied.push_back(name);
 }
 
+/// Detects runs made equal by rounded spacings.
 class Spacings {
  public:
   std::string add(const GridRow& row, double fitted) {

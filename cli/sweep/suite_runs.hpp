@@ -22,13 +22,13 @@ struct SuiteOptions {
 
 struct PlannedEntry {
   SuiteEntry entry;
-  Baseline baseline;
+  Baseline baseline;  // for a control, of `differs_from`
   SweepRun run;
 
   render::DifferenceLimit limit() const;
 };
 
-/// With `needs_baselines`, all must exist unless made. Throws SceneError with the place, and UsageError for unknown
+/// With `needs_baselines`, all baselines must exist unless made. Throws SceneError with the place, and UsageError for unknown
 /// names and missing baselines.
 std::vector<PlannedEntry> plan_suite(const SuiteFile& suite, const SuiteOptions& options,
                                      bool needs_baselines = true);

@@ -13,7 +13,7 @@ namespace taut::cli {
 
 /// `columns`: width of the text.
 std::string list_of_entries(const std::vector<PlannedEntry>& entries, std::optional<std::size_t> columns);
-/// Omits alike frames and frames of controls.
+/// Lists frames that differ, warn or are missing, except those of controls.
 std::string table_of_outcomes(const std::vector<EntryOutcome>& outcomes, std::optional<std::size_t> columns);
 
 /// nullptr: entry without run.

@@ -62,8 +62,8 @@ class SolidPainter {
   Rect plot_;
   std::array<float, 3> background_;  // 0: transparent
   float opacity_;
-  int reach_;  // radius of the shading, pixels
-  int band_height_;
+  int reach_;        // radius of the shading, pixels
+  int band_height_;  // limits buffers of large pictures
   std::uint32_t framebuffer_ = 0, color_ = 0, depth_ = 0;
   Shape ball_, triangle_, surface_;
   std::uint32_t palette_ = 0;

@@ -162,7 +162,7 @@ TEST_SUITE("term") {
     }
     const double to_i = density_diffusion_term(10.0, 12.0, slope, Vec2{1, 1}, 1.0, dW, 0.5, Vec2{0.6, 0.8});
     const double to_j = density_diffusion_term(12.0, 10.0, Vec2{1, 1}, slope, 1.0, dW, 0.5, Vec2{-0.6, -0.8});
-    CHECK(to_i == Approx(-to_j));
+    CHECK(to_i == Approx(-to_j));  // for equal volumes
     CHECK(to_i == Approx(-(2 * 2 + 0.5 * (4 * 0.6 - 1 * 0.8)) * dW / 0.5));
   }
 
