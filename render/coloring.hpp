@@ -11,19 +11,19 @@
 
 namespace taut::render {
 
-/// The look must have a range and a colour map, or categories.
+/// Requires a range and a colour map, or categories.
 class Coloring {
  public:
   explicit Coloring(const Look& look);
 
   std::uint32_t operator()(double value) const;  // bytes R, G, B, 255
-  /// Place of a value among the colours, from 0 to 1 unless off-scale; `no_place` for NaN.
+  /// 0 to 1 unless off-scale; `no_place` for NaN.
   float place(double value) const;
   static constexpr float no_place = -1e6f, farthest_place = 100;
   bool has_categories() const { return !range_; }
-  /// The colours, then the colour of NaN.
+  /// The last colour is for NaN.
   std::vector<std::uint32_t> palette() const;
-  /// Detects NaN, and values out of range by more than half a colour step.
+  /// NaN, or out of range by over half a colour step.
   OffScale off_scale(double value) const;
   const ColorKey& key() const { return key_; }
 

@@ -14,12 +14,10 @@ struct Dot {
   std::uint32_t color;  // bytes R, G, B, 255
 };
 
-/// Draws antialiased discs, the same pixels on every machine. Each sample shows the disc with the nearest centre,
-/// measured in radii of the disc.
+/// Antialiased discs, the same pixels on every machine. Samples show the nearest centre, in radii of the disc.
 class DiscPainter {
  public:
-  /// Draws into one plot of one image. At first the plot must be filled with `background`, or transparent. Nothing
-  /// else may draw into it.
+  /// At first the plot must be filled with `background`, or transparent. Nothing else may draw into it.
   explicit DiscPainter(const Rect& plot, Rgb background = white, bool transparent = false);
 
   /// Replaces the previous discs.
@@ -38,15 +36,15 @@ class DiscPainter {
   std::size_t sample(int column, int row) const { return static_cast<std::size_t>(row) * stride_ + column; }
 
   Rect plot_;
-  std::uint32_t background_;             // bytes B, G, R, 255, or 0
-  int bands_, tiles_;                    // numbers in the plot, downwards and to the right
-  std::size_t stride_;                   // samples from one row to the next
-  std::vector<std::uint32_t> end_;       // 0, then the end of each band's discs in `sorted_`
-  std::vector<std::uint32_t> sorted_;    // disc numbers by band
-  std::vector<std::uint32_t> color_;     // samples of a band; bytes B, G, R, 255
-  std::vector<float> depth_;             // distance from the nearest centre, 0 to 1
-  std::vector<std::uint8_t> touched_;    // tiles of the band with discs
-  std::vector<std::uint8_t> was_drawn_;  // tiles of the plot with discs
+  std::uint32_t background_;  // bytes B, G, R, 255, or 0
+  int bands_, tiles_;
+  std::size_t stride_;              // between rows
+  std::vector<std::uint32_t> end_;  // 0, then each band's end in `sorted_`
+  std::vector<std::uint32_t> sorted_;
+  std::vector<std::uint32_t> color_;   // of a band; bytes B, G, R, 255
+  std::vector<float> depth_;           // from the nearest centre, 0 to 1
+  std::vector<std::uint8_t> touched_;  // tiles of the band
+  std::vector<std::uint8_t> was_drawn_;
 };
 
 }  // namespace taut::render

@@ -21,7 +21,7 @@ constexpr double title_height = 2.6;
 constexpr double heading_height = 1.75;
 constexpr double note_height = 1.3;
 constexpr double row_label = 1.7;
-constexpr double gap = 0.7;  // between pictures
+constexpr double gap = 0.7;
 constexpr double key_margin = 0.55;
 constexpr double footer = 2.3;
 constexpr double least_bar = 13;
@@ -50,7 +50,7 @@ struct Grid {
   int grid_height() const { return rows * cell_height + (rows - 1) * gap_size; }
 };
 
-/// Omits space for texts if the look is bare.
+/// Without texts if bare.
 Grid empty_grid(const PanelOptions& options, double em) {
   Grid grid;
   grid.em = em;
@@ -87,7 +87,7 @@ double font_or(const PanelOptions& options, double by_default) {
   return options.look.texts.font > 0 ? options.look.texts.font : by_default;
 }
 
-/// Keeps the view's aspect ratio. The key's width depends on the height, a little.
+/// Keeps the aspect ratio. The key's width depends on the height, a little.
 Grid grid_of_width(const PanelOptions& options) {
   Grid grid = empty_grid(options, font_or(options, own_font));
   const View view = options.look.view.value();
@@ -189,7 +189,6 @@ struct Panel::Parts {
   void draw_key();
 };
 
-/// Particles may lie beyond a picture's frame.
 void Panel::Parts::draw_frames() {
   canvas.gray(frame_gray);
   for (int column = 0; column < grid.columns; ++column) {

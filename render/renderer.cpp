@@ -64,7 +64,7 @@ void check_range(const Range& range) {
   }
 }
 
-/// A font that the user has set may leave no room.
+/// A font set by the user may leave no room.
 void check_room(const Look& look) {
   const Rect plot =
       make_layout(look.size->width, look.size->height, *look.view, true, room_of_bar, look.texts).plot;
@@ -114,12 +114,12 @@ struct Renderer::Parts {
   PageTexts texts;
   PageLayout layout;
   Image image;
-  std::optional<Projection> projection;       // in 3D
-  std::optional<DiscPainter> disc_painter;    // if the plot has only discs
-  std::optional<GlContext> context;           // on demand
-  std::optional<SolidPainter> solid_painter;  // also for 2D cells
-  std::optional<Annotation> annotation;       // none in small pictures
-  std::optional<Canvas> canvas;               // for 2D walls and outlines
+  std::optional<Projection> projection;
+  std::optional<DiscPainter> disc_painter;
+  std::optional<GlContext> context;
+  std::optional<SolidPainter> solid_painter;  // 2D cells too
+  std::optional<Annotation> annotation;
+  std::optional<Canvas> canvas;
   Rgb background;
   bool transparent;
   double glyph;
@@ -198,10 +198,9 @@ bool Renderer::Parts::has_lines(const FrameView& frame) const {
   return !frame.walls.empty() || !frame.outline.empty() || !frame.undeformed.empty();
 }
 
-/// Draws 2D walls and outlines over the particles.
 void Renderer::Parts::draw_lines(const FrameView& frame) {
   if (!has_lines(frame)) return;
-  constexpr double em_of_height = 0.022;  // in pictures without text
+  constexpr double em_of_height = 0.022;  // without text
   const double em = layout.font > 0 ? layout.font : std::max(6.0, em_of_height * layout.plot.height);
   if (!canvas) canvas.emplace(image, background);
   canvas->begin();
@@ -213,7 +212,7 @@ void Renderer::Parts::draw_lines(const FrameView& frame) {
   canvas->end();
 }
 
-/// Keeps the previous page if both have only discs, without lines.
+/// Keeps the previous page if both have only discs.
 void Renderer::Parts::draw_discs(const FrameView& frame) {
   const bool page_stands =
       disc_painter && !has_lines(frame) && (!annotation || annotation->is_current_for(frame));

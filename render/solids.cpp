@@ -19,7 +19,7 @@ Vector sum(const Vector& a, const Vector& b, double times = 1) {
   return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
 }
 
-// Overlap of cells; otherwise bending would open gaps between them, of second order in the spacing.
+// Without overlap, bending would open gaps of second order in the spacing.
 constexpr double overlap = 1.02, least_overlap = 0.7;
 
 Vector widened(const Vector& half) {
@@ -79,7 +79,7 @@ void Solids::place_balls(const FrameView& frame, const Projection& projection,
 }
 
 void Solids::drop_hidden() {
-  constexpr std::size_t few = 2000;  // below, drawing all is faster
+  constexpr std::size_t few = 2000;  // below, all are drawn
   if (balls_.size() < few) return;
   sort_roughly();
   cover_.clear();
@@ -90,7 +90,7 @@ void Solids::drop_hidden() {
   });
 }
 
-/// Slices of depth, nearest first. Exact order would only find more hidden balls.
+/// Nearest slices first. Exact order would only find more hidden balls.
 void Solids::sort_roughly() {
   constexpr std::size_t slices = 4096;
   const auto [far, near] = std::ranges::minmax(balls_, {}, &Ball::z);
@@ -160,7 +160,7 @@ void Solids::place_surface(const FrameView& frame, const Projection* projection,
   const std::vector<float> light = projection ? smooth_light(seen, frame.triangle) : std::vector<float>{};
   for (std::size_t k = 0; k < frame.triangle.size(); k += 3) {
     const auto corners = frame.triangle.subspan(k, 3);
-    // OpenGL clips triangles, but not points at an infinite distance
+    // OpenGL does not clip points at an infinite distance
     constexpr double farthest = 1e6;  // pixels
     if (!std::ranges::all_of(corners, [&](std::uint32_t i) {
           return std::abs(seen[i][0]) < farthest && std::abs(seen[i][1]) < farthest &&
@@ -191,7 +191,7 @@ void Solids::place_walls(const FrameView& frame, const Projection& projection, s
     for (const auto& [from, to] : grid_on(wall, seen, cell)) add_line(from, to, projection, color);
 }
 
-/// Adds short pieces of constant width, in front of the camera.
+/// Short pieces of constant width, in front of the camera.
 void Solids::add_line(const Vector& from, const Vector& to, const Projection& projection,
                       std::uint32_t color) {
   constexpr int pieces = 16;

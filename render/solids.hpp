@@ -12,7 +12,6 @@
 
 namespace taut::render {
 
-/// Particles in picture coordinates.
 class Solids {
  public:
   explicit Solids(const PageLayout& layout, double glyph = 1)
@@ -23,17 +22,16 @@ class Solids {
                    std::span<const std::uint32_t> colors);
   void place_boxes(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
-  /// Lines on 3D walls, except where a particle hides them.
+  /// Except where particles hide them.
   void place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color);
-  /// Places the triangles of a surface, and its loose particles as balls. `places` are the points' places among the
-  /// colours; `uniform` triangles have the place of their first point. In 3D, light varies smoothly except at edges.
-  /// No `projection` in 2D.
+  /// Loose particles become balls. `places`: places of points among the colours; `uniform` triangles have their first
+  /// point's. In 3D, light varies smoothly except at edges. No `projection` in 2D.
   void place_surface(const FrameView& frame, const Projection* projection, std::span<const float> places,
                      std::span<const std::uint32_t> colors, bool uniform);
-  /// Places 2D cells.
+  /// In 2D.
   void place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors);
 
-  /// Particles that reach into the picture, including hidden ones.
+  /// In the picture, including hidden ones.
   std::span<const std::size_t> placed() const { return placed_; }
   std::span<const Ball> balls() const { return balls_; }
   std::span<const Corner> corners() const { return corners_; }
@@ -56,8 +54,8 @@ class Solids {
   Cover cover_;
 };
 
-/// Drawn radius, pixels. Gaps narrower than a pixel cause moiré: small particles grow, by less than 0.7 pixel, and
-/// below a diameter of 2 pixels fill a square.
+/// Pixels. Gaps narrower than a pixel cause moiré: small particles grow by less than 0.7 pixel, and below a diameter
+/// of 2 pixels fill a square.
 double drawn_radius(double radius);
 
 }  // namespace taut::render

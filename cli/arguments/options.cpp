@@ -13,14 +13,13 @@
 namespace taut::cli {
 namespace {
 
-/// The option that took several words, or nullptr.
 const CLI::Option* greedy_option(const CLI::App& app) {
   for (const CLI::Option* o : app.get_options())
     if (!o->get_positional() && o->get_items_expected_max() > 1 && o->count() > 1) return o;
   return nullptr;
 }
 
-/// Replaces messages of CLI11 such as "1 required FLOAT missing".
+/// Replaces CLI11's messages.
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& e) {
   const std::string text = e.what();
   if (const CLI::Option* taker = greedy_option(app); taker && dynamic_cast<const CLI::RequiredError*>(&e))
@@ -150,7 +149,7 @@ bool Options::read(const std::vector<std::string>& words) try {
 } catch (const CLI::CallForHelp&) {
   return false;
 } catch (const CLI::ParseError& e) {
-  refuse_unknown();  // a misspelt option also makes "SCENE is required"
+  refuse_unknown();  // precedes "SCENE is required"
   throw UsageError(fmt::format("{}; see `{} --help`", what_is_wrong(*app_, e), app_->get_name()));
 }
 
@@ -171,7 +170,7 @@ std::vector<std::string> Options::joined(const std::vector<std::string>& words) 
   return all;
 }
 
-/// Throws UsageError for a flag followed by another word, unless this word is an argument.
+/// Throws UsageError for a flag followed by a word that is no argument.
 void Options::set_flags(const std::vector<std::string>& words) const {
   for (const FlagWithWords& flag : flags_) {
     if (app_->get_option(flag.name)->count() == 0) continue;
@@ -186,10 +185,10 @@ void Options::set_flags(const std::vector<std::string>& words) const {
   }
 }
 
-/// CLI11's own message has no nearest names.
+/// CLI11's message has no nearest names.
 void Options::refuse_unknown() const {
   std::vector<std::string> rest = app_->remaining();
-  std::erase(rest, "--");  // words after it are arguments
+  std::erase(rest, "--");
   const auto dashed = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
   const auto option = std::ranges::find_if(rest, dashed);
   if (option != rest.end()) {

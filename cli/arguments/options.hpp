@@ -13,30 +13,29 @@ class Option;
 
 namespace taut::cli {
 
-/// An option, flag or positional argument; valid as long as the Options that declared it.
+/// Valid while its Options exist.
 class Option {
  public:
   explicit Option(CLI::Option& option) : option_(&option) {}
   bool operator==(const Option&) const = default;
 
   Option& required(bool is_required = true);
-  /// `check` returns a message, or "" for a valid value.
+  /// `check` returns a message, or "".
   Option& check(std::string (*check)(const std::string& value));
-  /// Takes one value per occurrence of the option.
   Option& one_word_each();
   Option& comma_separated();
   Option& excludes(const Option& other);
   Option& needs(const Option& other);
 
-  /// Name, such as "--out", or the placeholder of a positional argument.
+  /// "--out", or a positional argument's placeholder.
   std::string name() const;
   bool has_name(const std::string& name) const;
-  std::string placeholder() const;  // of a value that may be left out: in brackets
+  std::string placeholder() const;
   std::string help() const;
   bool is_positional() const;
   bool takes_value() const;
   bool may_be_repeated() const;
-  /// Values as typed; "true" for a flag.
+  /// "true" for a flag.
   std::vector<std::string> values() const;
 
  private:
@@ -55,17 +54,15 @@ class Options {
   explicit Options(const Texts& texts);
   ~Options();
 
-  /// Declares an option that sets `target`. The option may be repeated if `target` is a vector.
   template <class Target>
   Option add(std::string_view name, std::string_view placeholder, Target& target, std::string_view help);
-  /// Calls `take` with the text of the option, after all words have been read.
+  /// Calls `take` after all words have been read.
   Option add(std::string_view name, std::string_view placeholder,
              const std::function<void(const std::string&)>& take, std::string_view help);
   Option add(std::string_view name, std::string_view placeholder,
              const std::function<void(const std::vector<std::string>&)>& take, std::string_view help);
   Option add_flag(std::string_view name, bool& target, std::string_view help);
-  /// Declares a flag that one of `words` may follow: --name, --name WORD or --name=WORD. `target` becomes the word, by
-  /// default the first one.
+  /// Declares --name, --name WORD or --name=WORD. `target` becomes the word, by default the first one.
   Option add_flag(std::string_view name, const std::vector<std::string>& words, std::string& target,
                   std::string_view help);
   template <class Target>
@@ -73,12 +70,11 @@ class Options {
     return add(name, " ", target, help);
   }
 
-  /// All options; --help comes first.
   std::vector<Option> all() const;
   std::string help() const;
-  /// Sets all targets. Returns false for --help. Throws UsageError.
+  /// Returns false for --help. Throws UsageError.
   bool read(const std::vector<std::string>& words);
-  /// `words` with "--name=WORD" for "--name WORD" of a flag with words.
+  /// Writes "--name WORD" of flags as "--name=WORD".
   std::vector<std::string> joined(const std::vector<std::string>& words) const;
 
  private:

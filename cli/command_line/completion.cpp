@@ -48,7 +48,7 @@ class CommandLine {
         next.push_back(option);
     return next;
   }
-  /// Scene with the typed method, also of a run folder; nullopt if unreadable.
+  /// With the typed method; nullopt if unreadable.
   std::optional<SceneFile> scene() const try {
     if (arguments_.empty()) return std::nullopt;
     std::vector<Setting> settings;

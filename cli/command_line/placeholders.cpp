@@ -103,7 +103,6 @@ const Placeholder* find_placeholder(std::string_view name) {
   return found == std::end(table) ? nullptr : found;
 }
 
-/// Words of a drawing key, or empty.
 Words drawing_names(std::string_view placeholder) {
   const auto keys = drawing_keys();
   const auto key = std::ranges::find_if(keys, [placeholder](const DrawingKey& each) {
@@ -173,7 +172,7 @@ void add_alternative(Choices& choices, std::string_view name, const std::string&
     choices.words.emplace_back(name);
   } else if (!extension(name).empty()) {
     const std::string pattern = std::string("*").append(extension(name));
-    choices.files = choices.files.empty() ? pattern : "*";  // any file for two patterns
+    choices.files = choices.files.empty() ? pattern : "*";
   }
 }
 

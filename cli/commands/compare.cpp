@@ -74,14 +74,13 @@ std::optional<render::View> common_view(const std::vector<SavedRun>& runs) {
   return view;
 }
 
-/// Limits the view to the window, so that particles that fly away do not shrink the picture.
+/// Ignores particles that fly away.
 render::View within(const render::View& all, const std::optional<render::View>& window) {
   if (!window) return all;
   return {std::max(all.x_min, window->x_min), std::min(all.x_max, window->x_max),
           std::max(all.y_min, window->y_min), std::min(all.y_max, window->y_max)};
 }
 
-/// The first run's drawing without size and view, overridden by the options.
 Drawing chosen_drawing(const std::vector<SavedRun>& runs, const CompareArguments& options) {
   Drawing drawing = runs.front().file.drawing;
   drawing.look.size.reset();
@@ -91,7 +90,6 @@ Drawing chosen_drawing(const std::vector<SavedRun>& runs, const CompareArguments
   return drawing;
 }
 
-/// Throws UsageError if a run lacks the followed body.
 void check_followed_body(const Drawing& drawing, const std::vector<SavedRun>& runs) {
   for (const SavedRun& run : runs) {
     std::vector<std::string> names;
@@ -104,7 +102,7 @@ void check_followed_body(const Drawing& drawing, const std::vector<SavedRun>& ru
   }
 }
 
-/// Whether the view of the scenes applies. Any --view overrides it, including `auto`.
+/// Any --view overrides the scene's, including `auto`.
 bool is_bounded(const Drawing& drawing, const CompareArguments& options) {
   const auto typed = options.typed.find("view");
   const bool chosen = typed != options.typed.end() && typed->second;
@@ -124,7 +122,7 @@ Drawing fitted_to(const Drawing& drawing, bool bounded, const std::vector<SavedR
 
 void warn_about_particles_outside(const render::View& view, const std::vector<SavedRun>& runs,
                                   const std::vector<Column>& columns, std::ostream& err) {
-  constexpr double worth_a_warning = 0.02;  // share of the particles
+  constexpr double worth_a_warning = 0.02;  // share of particles
   for (std::size_t k = 0; k < columns.size(); ++k) {
     double most = 0;
     for (const PanelCell& cell : columns[k].cells) {
@@ -237,7 +235,8 @@ std::function<int(Streams)> declare_compare(Options& command) {
       .add("--labels", "LABEL,...", options->labels,
            "headings of the columns, one for each run; default: the settings in which the runs differ")
       .comma_separated();
-  command.add_flag("--times-across", options->times_across, "times from left to right, runs from top to bottom");
+  command.add_flag("--times-across", options->times_across,
+                   "times from left to right, runs from top to bottom");
   declare_drawing_options(command, *options);
   return [options](Streams streams) { return compare_runs(*options, streams); };
 }

@@ -104,7 +104,7 @@ Rows body_rows(const Scene& scene) {
   return rows;
 }
 
-/// Gravity at t = until, in m/s².
+/// At t = until, m/s².
 std::string gravity_text(const Scene& scene) {
   std::string text;
   for (std::size_t k = 0; k < static_cast<std::size_t>(scene.dim); ++k)
@@ -174,7 +174,7 @@ void describe_scene(const std::string& name, std::ostream& out) {
   print_table(out, "Measures (kinds: taut list measures)", rows_of_measures(scene), 1);
 }
 
-/// Default and bounds of a constant; the values of 3D are added if they differ.
+/// Adds different values of 3D.
 Rows::value_type constant_row(const MethodConstant& c, const std::vector<MethodConstant>& in_3d) {
   std::string value = brief(c.value), range = bounds(c.low, c.high);
   if (!c.choices.empty()) {
@@ -254,7 +254,6 @@ bool describe_language(const std::string& name, bool json, std::ostream& out) {
   throw UsageError(unknown_name("name", name, names) + "; `taut list` shows the kinds of names");
 }
 
-/// A path counts as a scene, even if the file is missing.
 bool is_scene(const std::string& name) {
   if (name.ends_with(".toml") || name.find('/') != std::string::npos) return true;
   for (const std::string& known : scene_names())

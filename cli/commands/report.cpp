@@ -32,11 +32,10 @@ int report(const PageArguments& options, Streams streams) {
   json["kind"] = name(page.kind);
   json["page"] = page.file.string();
   json["runs"] = page.runs;
-  streams.out << (options.json ? json.dump(2) : "page  " + page.file.string())
-              << std::endl;  // flush before the watch
+  streams.out << (options.json ? json.dump(2) : "page  " + page.file.string()) << std::endl;
   const Interrupts interrupts;
   while (options.watch && page.running) {
-    for (int k = 0; k < 20; ++k) {  // two seconds
+    for (int k = 0; k < 20; ++k) {
       if (interrupts.interrupted()) return interrupts.exit_code();
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }

@@ -136,7 +136,7 @@ int snapshot_of_scene(SnapshotArguments options, Streams streams) {
   return result.code;
 }
 
-/// Path of the suite file that `what` names; nullopt for a scene.
+/// nullopt for a scene.
 std::optional<fs::path> suite_of(const std::string& what) {
   std::error_code error;
   if (fs::is_regular_file(what, error))
@@ -144,11 +144,11 @@ std::optional<fs::path> suite_of(const std::string& what) {
   if (fs::exists(what, error)) return std::nullopt;
   const std::optional<fs::path> suite = shipped_suite(what);
   if (!suite) return std::nullopt;
-  const std::vector<std::string> scenes = scene_names();  // have priority
+  const std::vector<std::string> scenes = scene_names();  // scenes have priority
   return std::ranges::find(scenes, what) == scenes.end() ? suite : std::nullopt;
 }
 
-/// Throws UsageError for an option that does not apply to a scene, or to a suite.
+/// Throws UsageError for an option that does not apply.
 void check_options(const Options& command, bool suite) {
   static const std::vector<std::string> of_suites = {"--only", "--list", "--jobs"},
                                         of_both = {"--baseline", "--update", "--out",   "--threads",
@@ -183,7 +183,7 @@ int list_suite(const SuiteFile& suite, const SnapshotArguments& o, const std::ve
   return exit_fine;
 }
 
-/// The gravest reason: of runs, then of comparisons, then differences.
+/// Runs come first, then comparisons, then differences.
 int exit_code_of(const std::vector<EntryOutcome>& outcomes, int of_runs) {
   if (of_runs != exit_fine) return of_runs;
   const auto any = [&](const auto& is) { return std::ranges::any_of(outcomes, is); };

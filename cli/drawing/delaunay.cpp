@@ -15,14 +15,13 @@ extern "C" {
 namespace taut::cli {
 namespace {
 
-/// Differs irregularly between points, within ±1.
+/// Irregular, within ±1.
 double scatter(std::size_t point, std::size_t axis) {
   constexpr std::array<double, 3> irrational{0.618033988749895, 0.414213562373095, 0.732050807568877};
   const double n = static_cast<double>(point + 1);
   return 2 * std::fmod(n * irrational[axis] + 0.25 * n * n * irrational[(axis + 1) % 3], 1.0) - 1;
 }
 
-/// Qhull's state and its messages.
 struct Qhull {
   qhT state{};
   char* text = nullptr;

@@ -19,7 +19,6 @@ FrameView view_of(const Snapshot& snapshot, std::span<const double> value) {
   return view;
 }
 
-/// The result refers to the arguments.
 FrameView with_texts(FrameView view, const Drawing& drawing, const Captions& captions) {
   const ColorMeaning colors = meaning(drawing);
   view.field = colors.name;
@@ -29,7 +28,7 @@ FrameView with_texts(FrameView view, const Drawing& drawing, const Captions& cap
   return view;
 }
 
-/// Limited by memory: spheres need four 8-byte samples per pixel, and the same in OpenGL.
+/// Limits memory: four 8-byte samples per pixel, also in OpenGL.
 int pictures_at_once(const Drawing& drawing, int threads) {
   constexpr double bytes_of_pixel = 70;
   const render::Size size = sized(drawing).look.size.value_or(render::Size{});

@@ -22,43 +22,40 @@
 namespace taut::cli {
 
 std::string frame_name(int number);
-/// Whether the path is named like a frame, including its temporary file.
+/// Includes temporary files.
 bool is_frame(const std::filesystem::path& path);
 
 struct Captions {
   std::string title, method;
-  double until = 0;  // s; determines the unit of all times
+  double until = 0;  // s; sets the unit of times
 };
 
-/// Sets the unset members (range, view, colour map) from this snapshot.
 Drawing fitted(const Drawing& drawing, const Snapshot& snapshot);
-/// Requires a drawing without unset members, see `fitted`.
+/// Requires `fitted`.
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot);
 
-/// Draws each frame of a run immediately if range and view are fixed; otherwise stores the frames and draws them at
-/// the end. Worker threads draw; `add` waits if too many frames are pending. Files are written in order.
+/// Draws immediately if range and view are fixed, else at the end. Worker threads draw; `add` waits if too many frames
+/// are pending. Files are written in order.
 class Frames {
  public:
-  static constexpr double memory_of_pictures = 1e9;  // bytes, with OpenGL
+  static constexpr double memory_of_pictures = 1e9;  // bytes
 
-  /// Throws if no picture can be drawn. `origins` describes the particles that will be added. `finish` adds the
-  /// drawing and writing time of all threads to `seconds`.
+  /// Throws if no picture can be drawn. `finish` adds the times of all threads to `seconds`.
   Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
          int threads, Seconds& seconds);
 
   void add(const Snapshot& snapshot);
-  /// Requires all particles of the run, with values.
+  /// Requires all particles of the run.
   void add(const FrameView& particles);
-  /// Ascending file numbers; default: 0, 1, …
+  /// Ascending; default: 0, 1, …
   void number_files(std::vector<int> numbers) { file_numbers_ = std::move(numbers); }
-  /// Draws the stored frames; returns false if `go_on` stopped it.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
-  /// Waits for pending frames. Errors of the drawing threads are rethrown here and by `add`.
+  /// Waits for pending frames. Errors of drawing threads are rethrown here and by `add`.
   void finish();
 
   int kept() const { return static_cast<int>(kept_.size()); }
   int written() const { return written_; }
-  /// Range and view are set once the first frame is drawn.
+  /// Complete after the first frame.
   const Drawing& drawing() const { return drawing_; }
 
   /// Call after `finish`.
@@ -80,7 +77,7 @@ class Frames {
   }
 
  private:
-  /// Stored in double precision: in single precision, particles far from the origin would coincide.
+  /// In single precision, particles far from the origin would coincide.
   struct Kept {
     double time;   // s
     Point origin;  // m
@@ -111,15 +108,15 @@ class Frames {
   Captions captions_;
   Seconds& seconds_;
   int dim_ = 2;
-  std::vector<double> diameter_;  // m
+  std::vector<double> diameter_;
   std::vector<Kept> kept_;
-  std::optional<render::Vector> orbited_;  // centre of the orbit, m
+  std::optional<render::Vector> orbited_;  // centre, m
   std::vector<int> file_numbers_;
-  int drawn_ = 0;  // including frames being drawn
+  int drawn_ = 0;  // including pending frames
   std::atomic<int> written_ = 0;
   std::atomic<double> drawing_time_ = 0, writing_time_ = 0;  // s, not yet in `seconds_`
   std::vector<std::optional<render::Renderer>> renderers_;
-  OrderedWork work_;  // last, because its threads use the others
+  OrderedWork work_;  // last: its threads use the others
 };
 
 }  // namespace taut::cli

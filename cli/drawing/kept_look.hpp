@@ -9,22 +9,20 @@
 
 namespace taut::cli {
 
-/// Colour range and view of drawn frames: the file look.json of a baseline. Later frames with this look have the same
-/// scale, even if the motion, from which an automatic range and view follow, has changed.
+/// File look.json of a baseline. Later frames keep its colour range and view even if the motion changes.
 struct KeptLook {
-  std::string color;                   // key of the field, or "=EXPRESSION": the range is of its values
-  std::optional<render::Range> range;  // none: one colour per body or material
-  std::optional<render::View> view;    // none: of a camera on an orbit
-  double front = 0;  // 3D: coordinate of the nearest particle along the camera's direction, m
+  std::string color;                   // key, or "=EXPRESSION"
+  std::optional<render::Range> range;  // none: bodies or materials
+  std::optional<render::View> view;    // none: orbit
+  double front = 0;                    // 3D: nearest particle along the camera's direction, m
 };
 
-/// Look of frames that were drawn with `drawn`, whose range and view are set.
 KeptLook look_of(const Drawing& drawn);
-/// Sets an open view, and an open range if the colours are of the same field.
+/// Sets an open view, and an open range for the same field.
 void set_open(Drawing& drawing, const KeptLook& look);
 
 Json to_json(const KeptLook& look);
-/// Returns nullopt for a missing file. Throws UsageError for a damaged one.
+/// Returns nullopt if missing. Throws UsageError if damaged.
 std::optional<KeptLook> read_look(const std::filesystem::path& file);
 
 }  // namespace taut::cli

@@ -20,7 +20,7 @@ DrawingValue get_color(const Drawing& drawing) {
   return drawing.formula.empty() ? std::string(drawing.field->key) : "=" + drawing.formula;
 }
 
-/// Resets range and colour map, which belong to a field.
+/// Also resets range and colour map.
 std::string set_color(Drawing& drawing, const DrawingValue& value) {
   const std::string& text = word(value);
   if (DrawingValue(text) == get_color(drawing)) return "";
@@ -58,7 +58,7 @@ std::vector<std::string> names_of_colormaps() {
 }
 
 std::string set_colormap(Drawing& drawing, const DrawingValue& value) {
-  drawing.look.colormap = render::find_colormap(word(value));  // null for "auto"
+  drawing.look.colormap = render::find_colormap(word(value));
   return "";
 }
 
@@ -149,7 +149,7 @@ DrawingValue get_fov(const Drawing& drawing) {
   return camera ? Numbers{camera->field_of_view} : left_open();
 }
 
-// in the order of the enumerators
+// in enumerator order
 constexpr std::array<std::string_view, 4> style_names{"discs", "spheres", "cells", "surface"};
 constexpr std::array<std::string_view, 4> outline_names{"none", "deformed", "undeformed", "both"};
 
@@ -205,7 +205,7 @@ std::optional<Numbers> typed_numbers(const DrawingKey::Numbers& key, std::string
   return values;
 }
 
-/// Returns nullopt for a wrong value. Throws UsageError for an unknown name.
+/// nullopt for a wrong value. Throws UsageError for an unknown name.
 std::optional<DrawingValue> typed_value(const DrawingKey& key, const std::string& text) {
   if (text == automatic && key.placeholder.ends_with("|auto")) return left_open();
   if (key.is_free_text) return text;

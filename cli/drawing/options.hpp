@@ -12,17 +12,17 @@ namespace taut::cli {
 
 class Options;
 
-/// Drawing options of a command line. Omitted values come from the scene.
+/// Omitted values come from the scene.
 struct DrawingOptions {
-  std::map<std::string, std::optional<std::string>, std::less<>> typed;  // by key
-  DrawingValues values;  // of a file other than the scene; `typed` has priority
+  std::map<std::string, std::optional<std::string>, std::less<>> typed;
+  DrawingValues values;  // of another file; `typed` has priority
 
   bool any() const;
 };
 
 void declare_drawing_options(Options& command, DrawingOptions& options);
 
-/// Overrides `drawing` by the typed options. Throws UsageError for a wrong value.
+/// Throws UsageError for a wrong value.
 Drawing with_options(Drawing drawing, const DrawingOptions& options);
 
 }  // namespace taut::cli

@@ -20,7 +20,6 @@ std::string number_out_of_bounds(std::string_view key, double value, std::string
 bool is_whole_within(double value, int low, int high);
 std::vector<std::string> split_at_commas(const std::string& text);
 
-// Values of the keys for page and texts, as in DrawingKey: `set` returns an error, or "".
 inline constexpr std::string_view right_colors =
     "white, black, transparent or #rrggbb (six hexadecimal digits)";
 inline constexpr double least_font = 1, greatest_font = 100, least_dpi = 30, greatest_dpi = 2400;

@@ -107,7 +107,6 @@ const Surface& Staging::surface() const {
   return *surface_->surface;
 }
 
-/// Adds outlines and, in style `surface`, replaces particles by a surface.
 StagedParticles Staging::with_surface(StagedParticles staged) const {
   SurfaceShape shape = surface().at(staged.x, staged.value, has_categories_);
   if (outline_ == Outlines::deformed || outline_ == Outlines::both) staged.outline = std::move(shape.outline);

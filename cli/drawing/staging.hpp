@@ -17,21 +17,20 @@
 
 namespace taut::cli {
 
-/// Particles of one picture. `view` refers to the arrays of this object.
+/// Particles of one picture, to which `view` refers.
 struct StagedParticles {
   int dim = 2;
   double time = 0;  // s
   std::vector<double> x{}, diameter{}, value{}, cell{};
-  std::vector<std::uint32_t> triangle{};        // of a surface, whose points have x and value
+  std::vector<std::uint32_t> triangle{};
   std::vector<double> outline{}, undeformed{};  // 2D segments, m
-  Point origin{};                               // of the coordinates, in the scene, m
-  std::vector<WallFace> walls{};                // relative to `origin`
+  Point origin{};                               // in the scene, m
+  std::vector<WallFace> walls{};
 
   FrameView view() const;
 };
 
-/// Selects and places the particles of a picture: removes hidden bodies and those in the cut, and centres the followed
-/// body. A cut uses initial positions, so that it deforms with the body.
+/// Selects and places the particles of a picture. The cut uses initial positions, so it deforms with the body.
 class Staging {
  public:
   /// Throws UsageError if no particle is left.
@@ -42,7 +41,7 @@ class Staging {
 
   /// Requires all particles of the run.
   StagedParticles operator()(const FrameView& particles) const;
-  /// Adds walls and outlines; replaces particles by visible cells or by a surface, if that is the style.
+  /// Adds walls and outlines; applies styles `cells` and `surface`.
   StagedParticles completed(StagedParticles staged) const;
   /// Extends the bounds by the values, and by the positions that an automatic view must contain.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
@@ -63,10 +62,9 @@ class Staging {
   Origins origins_;
   std::vector<WallFace> walls_;
   std::optional<int> followed_;
-  std::vector<std::size_t> shown_;  // particle numbers
-  std::optional<Cells> cells_;      // of `shown_`, in style `cells`
-  std::shared_ptr<LazySurface>
-      surface_;  // of `shown_`, in style `surface` and for outlines; made at first use
+  std::vector<std::size_t> shown_;
+  std::optional<Cells> cells_;            // in style `cells`
+  std::shared_ptr<LazySurface> surface_;  // made at first use
   bool draws_surface_, has_categories_;
   Outlines outline_;
 };

@@ -11,10 +11,9 @@
 namespace taut::cli {
 namespace {
 
-constexpr double longest = 2;  // spacings, of an edge
-constexpr double torn = 3;     // stretch of an edge
+constexpr double longest = 2;  // spacings
+constexpr double torn = 3;     // stretch
 
-/// [body] nodes on its faces, m.
 std::vector<std::vector<Point>> face_points(const Scene& scene) {
   const InitialParticles initial = make_initial_particles(scene);
   std::vector<std::vector<Point>> places(scene.bodies.size());
@@ -42,9 +41,9 @@ double squared_distance(std::span<const double> x, std::size_t dim, std::size_t 
 }
 
 /// Twice the area, in 3D six times the volume; positive if the points turn to the left, in 3D if the last point is on
-/// the side to which the normal of the others points.
+/// the side of the normal.
 double signed_size(std::span<const double> x, std::size_t dim, const std::array<std::uint32_t, 4>& points) {
-  std::array<std::array<double, 3>, 3> way{};  // from the first point
+  std::array<std::array<double, 3>, 3> way{};
   for (std::size_t c = 0; c < dim; ++c)
     for (std::size_t k = 0; k < dim; ++k) way[c][k] = x[dim * points[c + 1] + k] - x[dim * points[0] + k];
   if (dim == 2) way[2] = {0, 0, 1};
@@ -88,7 +87,7 @@ Point Surface::initial(std::uint32_t point) const {
   return x;
 }
 
-/// Omits nodes on particles, as at bodies with particles on their faces, and nodes far from all particles.
+/// Omits nodes on particles and nodes far from all particles.
 void Surface::add_nodes(const Scene& scene, const std::vector<Point>& places, const NodeWeights& weights,
                         const Expression& is_cut) {
   constexpr double nearest = 0.1, farthest = 1.5;  // spacings
@@ -99,7 +98,7 @@ void Surface::add_nodes(const Scene& scene, const std::vector<Point>& places, co
     const auto distance = [&](const PointWeight& share) {
       return distance_between(initial(static_cast<std::uint32_t>(share.particle)), x, scene.dim);
     };
-    // the nearest particle comes first
+    // nearest first
     std::ranges::iter_swap(shares.begin(), std::ranges::min_element(shares, {}, distance));
     const double least = distance(shares.front());
     if (least < nearest * dp_ || least > farthest * dp_) continue;
@@ -127,8 +126,8 @@ void Surface::triangulate(const Scene& scene, int body, std::span<const int> fir
   }
 }
 
-/// Whether the simplex is small and inside its body. Particles inside cannot have a simplex outside; an edge between
-/// two nodes could bridge a groove. Chords of hollow faces are slightly outside.
+/// Whether the simplex is small and inside its body. An edge between two nodes could bridge a groove; chords of hollow
+/// faces are slightly outside.
 bool Surface::fits(const Scene& scene, int body, const Simplex& simplex) const {
   constexpr double chord = 0.15;  // spacings
   const Body& of = scene.bodies[static_cast<std::size_t>(body)];
@@ -147,8 +146,7 @@ bool Surface::fits(const Scene& scene, int body, const Simplex& simplex) const {
   return !on_faces || holds(of, middle, scene.dim, 0);
 }
 
-/// Drops simplices without size on the boundary, such as four nodes of a plane: outside and inside of their faces
-/// depend on round-off. Returns whether there were any.
+/// Drops boundary simplices without size, whose outside depends on round-off. Returns whether any existed.
 bool Surface::drop_flat() {
   const double least = 1e-3 * std::pow(dp_, static_cast<double>(dim_));
   std::vector<bool> drop(simplices_.size());
@@ -191,7 +189,7 @@ std::vector<double> Surface::points_at(std::span<const double> x) const {
   return all;
 }
 
-/// False also for positions that are no numbers.
+/// False also for NaN.
 bool Surface::is_whole(const Simplex& simplex, std::span<const double> x) const {
   for (std::size_t a = 0; a <= dim_; ++a)
     for (std::size_t b = 0; b < a; ++b)
@@ -201,7 +199,7 @@ bool Surface::is_whole(const Simplex& simplex, std::span<const double> x) const 
   return true;
 }
 
-/// Faces of exactly one kept simplex. In 3D anticlockwise from outside.
+/// Faces of exactly one kept simplex; in 3D anticlockwise from outside.
 std::vector<std::array<std::uint32_t, 3>> Surface::boundary(const std::vector<bool>& kept,
                                                             std::span<const double> x) const {
   std::vector<std::array<std::uint32_t, 3>> found;
@@ -244,7 +242,7 @@ SurfaceShape Surface::at(std::span<const double> x, std::span<const double> valu
       sum += weight * of, low = std::min(low, of), high = std::max(high, of);
     }
     const auto& nearest = nodes_.shares[static_cast<std::size_t>(nodes_.begin[n])];
-    // no greater and no smaller than the values around
+    // no interpolation beyond the values around
     shape.value.push_back(uniform           ? value[static_cast<std::size_t>(nearest.particle)]
                           : std::isnan(sum) ? sum
                                             : std::clamp(sum, low, high));

@@ -11,36 +11,33 @@
 
 namespace taut::cli {
 
-/// A surface at one time. Its points are the particles, then the nodes on faces.
+/// Points are particles, then nodes.
 struct SurfaceShape {
-  std::vector<double> x{}, value{};       // of points; x has dim coordinates each, m
-  std::vector<std::uint32_t> triangle{};  // 3 points each; in 3D the outside, anticlockwise from outside
-  std::vector<double> outline{};          // 2D: segments, four coordinates each, m
-  std::vector<std::uint32_t> loose{};     // particles of no triangle
+  std::vector<double> x{}, value{};       // dim coordinates each, m
+  std::vector<std::uint32_t> triangle{};  // 3 points each; 3D: anticlockwise from outside
+  std::vector<double> outline{};          // 2D: four coordinates per segment, m
+  std::vector<std::uint32_t> loose{};
 };
 
-/// Continuous bodies: the Delaunay triangles (in 3D tetrahedra) of the initial positions of particles and of nodes on
-/// the faces that contact uses. A node moves with the particles around it. Triangles have edges of at most two spacings
-/// and are dropped where an edge is stretched more than three times: neighbours are then beyond the range of the usual
-/// kernel (2.6 spacings).
+/// Delaunay triangles (in 3D tetrahedra) of the initial positions of particles and of nodes on contact faces. Nodes
+/// move with the particles around them. Edges are at most two spacings long; triangles are dropped beyond a stretch of
+/// three, where neighbours leave the usual kernel (2.6 spacings).
 class Surface {
  public:
-  /// Particle k of the surface is `shown[k]` of the scene, ascending. `is_cut` hides nodes. Bodies without faces end at
-  /// their outermost particles.
+  /// Particle k is `shown[k]` of the scene, ascending. `is_cut` hides nodes.
   Surface(const Scene& scene, const Origins& origins, std::span<const std::size_t> shown,
           const Expression& is_cut);
 
-  /// Positions `x` (n × dim, m) and values of the particles. Nodes have interpolated values, or, if `uniform`, the
-  /// value of the nearest particle.
+  /// `x`: n × dim, m. Nodes have interpolated values, or, if `uniform`, those of nearest particles.
   SurfaceShape at(std::span<const double> x, std::span<const double> value, bool uniform) const;
-  /// 2D: the initial outline, four coordinates per segment, m.
+  /// 2D: four coordinates per segment, m.
   std::vector<double> undeformed() const;
 
  private:
-  using Simplex = std::array<std::uint32_t, 4>;  // in 2D, the last one is unused
+  using Simplex = std::array<std::uint32_t, 4>;  // in 2D, the last is unused
   struct Face {
-    std::array<std::uint32_t, 3> point{};  // ascending; in 2D, the last one is unused
-    std::array<int, 2> of{-1, -1};         // simplices; the second may be missing
+    std::array<std::uint32_t, 3> point{};  // ascending; in 2D, the last is unused
+    std::array<int, 2> of{-1, -1};         // second may be missing
   };
 
   Point initial(std::uint32_t point) const;
@@ -59,8 +56,8 @@ class Surface {
 
   std::size_t dim_, particles_ = 0;
   double dp_;               // m
-  std::vector<double> x0_;  // of points, m
-  FaceNodes nodes_;         // shares count the particles of the surface
+  std::vector<double> x0_;  // m
+  FaceNodes nodes_;         // shares count particles of the surface
   std::vector<Simplex> simplices_;
   std::vector<Face> faces_;
 };

@@ -65,7 +65,7 @@ ParticleArray stresses(const Snapshot& now) {
   return {"stress", "Pa", std::move(stress), Type::real, tensor};
 }
 
-/// In 2D, components that are no fields are 0 (plane strain).
+/// In 2D, components without field are 0 (plane strain).
 ParticleArray strain_tensors(const Snapshot& now, std::span<const Field* const> fields,
                              const std::vector<std::vector<double>>& values) {
   std::vector<double> strain(tensor.size() * now.size());

@@ -10,25 +10,24 @@
 
 namespace taut::cli {
 
-/// One quantity of all particles, as particle files of every format contain it.
 struct ParticleArray {
   enum class Type : std::uint8_t { real, whole, flag };
 
   std::string_view name;
-  std::string_view unit;       // in 2D per metre of depth; empty if dimensionless
-  std::vector<double> values;  // particle after particle
+  std::string_view unit;  // 2D: per metre of depth; empty: dimensionless
+  std::vector<double> values;
   Type type = Type::real;
-  std::span<const std::string_view> components{};  // "x", "y", "z" or "xx", "yy" ...; empty for a scalar
+  std::span<const std::string_view> components{};  // "x", "y", "z" or "xx", "yy" ...; empty: scalar
 
   std::size_t width() const { return components.empty() ? 1 : components.size(); }
 };
 
-/// Order of VTK for a symmetric tensor with six components.
+/// VTK's order.
 std::span<const std::string_view> tensor_components();
 
-/// Fields in the given order, then diameter, velocity, body, material, held, id, mass, volume, initial position,
-/// displacement. The stress tensor (Cauchy, positive in tension) follows if `fields` contain one of its components,
-/// the strain tensor (logarithmic, ½ ln F Fᵀ) likewise. Vectors have three components also in 2D.
+/// Fields as given, then diameter, velocity, body, material, held, id, mass, volume, initial position, displacement.
+/// Stress tensor (Cauchy, positive in tension) and strain tensor (logarithmic, ½ ln F Fᵀ) follow if `fields` contain
+/// a component. Vectors have three components also in 2D.
 std::vector<ParticleArray> particle_arrays(const Snapshot& now, std::span<const Field* const> fields);
 
 /// Positions, three components each, m.

@@ -17,7 +17,6 @@ namespace {
 
 using Type = ParticleArray::Type;
 
-/// One component of all particles.
 struct Column {
   std::string name;
   std::string_view unit;
@@ -45,7 +44,7 @@ void append_value(std::string& text, const Column& column, std::size_t i, bool s
     append_number(text, column.at(i));
 }
 
-/// "displacement_x" of the x component of "displacement_vector".
+/// Such as "displacement_x".
 std::string column_name(const ParticleArray& array, std::size_t component) {
   std::string_view stem = array.name;
   if (array.components.empty()) return std::string(stem);
@@ -68,13 +67,13 @@ bool is_zero_in_2d(const ParticleArray& array, std::size_t component) {
 }
 
 struct Property {
-  std::string_view array, name;  // name: in OVITO's manual
+  std::string_view array, name;  // in OVITO's manual
   double scale = 1;
 };
 constexpr std::array properties{Property{"velocity", "velo"}, Property{"displacement_vector", "disp"},
                                 Property{"diameter", "radius", 0.5}};
 
-/// From tensor_components() to OVITO's xx, yy, zz, xy, xz, yz.
+/// To xx, yy, zz, xy, xz, yz.
 constexpr std::array<std::size_t, 6> ovito_order{0, 1, 2, 3, 5, 4};
 
 void add_property(std::vector<Column>& columns, std::string& text, const ParticleArray& array) {
@@ -88,7 +87,6 @@ void add_property(std::vector<Column>& columns, std::string& text, const Particl
         {"", "", &array, width == ovito_order.size() ? ovito_order[c] : c, renamed ? known->scale : 1});
 }
 
-/// Lattice and Origin of the box around all particles.
 std::string box_around(const ParticleArray& positions, const std::vector<double>& diameter) {
   std::array<double, 3> low, high;
   low.fill(std::numeric_limits<double>::infinity());

@@ -23,7 +23,7 @@ constexpr std::string_view velocity_name = "velocity";
 constexpr std::string_view stress_name = "stress";
 constexpr std::array no_fields{diameter_name, std::string_view("held"), std::string_view("id"),
                                std::string_view("mass"), std::string_view("volume")};
-constexpr std::string_view time_name = "TimeValue";  // name used by ParaView
+constexpr std::string_view time_name = "TimeValue";  // for ParaView
 constexpr std::size_t most_particles = 20'000'000;   // as in a scene
 constexpr std::string_view data_begin = "<AppendedData encoding=\"raw\">\n_";
 
@@ -32,7 +32,6 @@ std::string attribute(std::string_view key, std::string_view value) {
   return text.append(key).append("=\"").append(value).append("\"");
 }
 
-/// Writes the XML text, followed by the bytes of the arrays.
 class Writer {
  public:
   void line(std::string_view text) { (xml_ += text) += '\n'; }
@@ -83,7 +82,7 @@ void write_point_data(Writer& file, const std::vector<ParticleArray>& arrays, bo
   file.line("</PointData>");
 }
 
-/// Writes a cell for each particle, because ParaView selects and cuts cells.
+/// ParaView selects and cuts cells.
 void write_vertices(Writer& file, std::size_t count) {
   std::vector<std::int32_t> number(count);
   std::iota(number.begin(), number.end(), 0);
@@ -114,7 +113,7 @@ std::vector<std::string_view> tags_of(std::string_view xml) {
   return tags;
 }
 
-/// Returns the text before the arrays, or "" if it is longer than 64 KiB.
+/// "" beyond 64 KiB.
 std::string header_of(std::ifstream& file) {
   std::string text(1 << 16, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -199,7 +198,7 @@ std::vector<double> ParticleFile::read_as(const Array& array) const {
   std::ifstream file(path_, std::ios::binary | std::ios::ate);
   const auto length =
       static_cast<std::uint64_t>(std::max<std::streamoff>(file ? std::streamoff(file.tellg()) : 0, 0));
-  // zlib compresses at most about 1000-fold; damaged sizes must not allocate memory
+  // zlib compresses at most 1000-fold; damaged sizes must not allocate memory
   constexpr std::uint64_t most_packed = 1024;
   if (array.offset >= length || array.components > 9 ||
       array.components * size_ * sizeof(Number) > most_packed * (length - array.offset))

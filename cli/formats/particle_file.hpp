@@ -10,12 +10,11 @@
 
 namespace taut::cli {
 
-/// Compressed VTK PolyData (.vtp) for ParaView: time, positions (z = 0 in 2D), a vertex each, and the arrays of
-/// particle_arrays(). Tensors have the components xx, yy, zz, xy, yz, xz. Real numbers are Float64, or Float32.
+/// Compressed VTK PolyData (.vtp): time, positions (z = 0 in 2D), vertices, particle_arrays(). Tensors: xx, yy, zz,
+/// xy, yz, xz. Real numbers are Float64, or Float32.
 std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                                bool single_precision = false);
 
-/// Loads arrays on demand.
 class ParticleFile {
  public:
   /// Throws UsageError for a missing or invalid file.
@@ -23,7 +22,7 @@ class ParticleFile {
 
   double time() const { return time_; }  // s
   std::size_t size() const { return size_; }
-  std::vector<std::string> fields() const;  // keys of scalar arrays, in file order
+  std::vector<std::string> fields() const;  // in file order
   bool has(const std::string& field) const;
   std::vector<double> positions(int dim) const;  // n × dim, m
   std::vector<double> diameter() const;          // m
@@ -34,7 +33,7 @@ class ParticleFile {
   struct Array {
     std::string name, type;
     std::size_t components = 1;
-    std::uint64_t offset = 0;  // from the start of the file
+    std::uint64_t offset = 0;
   };
   void read_header();
   const Array* find(const std::string& name) const;

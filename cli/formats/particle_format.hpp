@@ -10,10 +10,10 @@
 
 namespace taut::cli {
 
-/// vtp: for ParaView and for taut itself. xyz: extended XYZ for OVITO and ASE. csv: for spreadsheets.
+/// `vtp` is for ParaView and taut, `xyz` (extended) for OVITO and ASE.
 enum class ParticleFormat : std::uint8_t { vtp, xyz, csv };
 
-/// Names in the order of ParticleFormat, also extensions of the files.
+/// In enumerator order, also file extensions.
 inline constexpr std::array<std::string_view, 3> particle_formats{"vtp", "xyz", "csv"};
 
 constexpr std::string_view name(ParticleFormat format) {
@@ -27,7 +27,6 @@ struct ParticleForm {
   bool operator==(const ParticleForm&) const = default;
 };
 
-/// Content of a particle file with the arrays of particle_arrays().
 std::string particle_text(const Snapshot& snapshot, std::span<const Field* const> fields, ParticleForm form);
 
 }  // namespace taut::cli

@@ -72,7 +72,6 @@ Topic topic_of(const MeasureKind& kind) {
           rows_of(keys_of_measure(kind)), ""};
 }
 
-/// Returns a row for each different text, with the kinds that have it.
 template <class Kinds, class Keys>
 Rows keys_of_kinds(const Kinds& kinds, const Keys& keys_of_kind) {
   Rows rows{{"key", "takes", "default", "what", "of"}};
@@ -157,7 +156,7 @@ std::string indented(std::string_view lines) {
   return result;
 }
 
-/// Does not escape vertical bars, because markdown_table() does.
+/// markdown_table() escapes vertical bars.
 std::string plain(const std::string& text) {
   std::string result;
   for (const char c : text) {

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-/// Reference pages, generated from the tables of the readers.
 namespace taut::cli {
 
 struct Topic {
@@ -15,7 +14,7 @@ struct Topic {
   std::string header;  // "[[body]]"
   std::string help;
   std::vector<std::vector<std::string>> rows;  // header first
-  std::string example;                         // TOML, or empty
+  std::string example;
 };
 
 struct LanguageFile {
@@ -28,12 +27,11 @@ LanguageFile sweep_language();
 LanguageFile claim_language();
 LanguageFile suite_language();
 
-/// Topics called `name`; keys only if nothing else has this name. Several if a probe and a measure share the name.
+/// Keys only if nothing else has this name. A probe and a measure may share a name.
 std::vector<Topic> find_topics(std::string_view name);
 /// Excludes keys.
 std::vector<std::string> topic_names();
 
-/// `columns` wraps the text.
 std::string as_text(const Topic& topic, std::optional<std::size_t> columns = {});
 std::string as_text(const LanguageFile& file, std::optional<std::size_t> columns = {});
 /// Content of scenes/LANGUAGE.md.
@@ -51,7 +49,7 @@ Rows colormap_rows();
 Rows method_rows();
 Rows key_rows();
 
-/// Example of a section or shape, or empty.
+/// May be empty.
 std::string_view example_of(std::string_view name);
 
 }  // namespace taut::cli

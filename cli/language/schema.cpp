@@ -12,8 +12,7 @@
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/methods/catalogue.hpp"
 
-/// Taplo completes TOML in editors. It ignores if/then, and skips tables with allOf. So the keys of kinds are
-/// under oneOf, and if/then only adds checks.
+/// Taplo ignores if/then and skips tables with allOf. So kinds are under oneOf; if/then adds checks.
 namespace taut::cli {
 namespace {
 
@@ -51,7 +50,7 @@ Json list_schema(Json items, std::size_t least, std::size_t most) {
   return schema;
 }
 
-/// `dim` is 0 for 2D or 3D.
+/// `dim` 0: 2D or 3D.
 Json vector_schema(const KeyType& type, int dim) {
   const auto fixed = type.size > 0 ? type.size : static_cast<std::size_t>(dim);
   Json schema =
@@ -115,7 +114,7 @@ Json schema_of(const KeyType& type, int dim) {
   return table;
 }
 
-/// Returns nullopt for a text such as "the method's".
+/// nullopt for texts such as "the method's".
 std::optional<Json> default_value(const KeyInfo& key) {
   const std::string text(key.by_default);
   if (text.empty()) return std::nullopt;
@@ -142,8 +141,8 @@ Json schema_of(const KeyInfo& key, int dim) {
   return schema;
 }
 
-/// Sets of keys, such as {bodies} and {body, wall}; a table must have exactly one. Keys of a set share their
-/// default text, which names a key of each other set.
+/// Sets of keys, such as {bodies} and {body, wall}, of which a table has one. Keys of a set share a default text,
+/// which names the others.
 std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo> keys) {
   const std::string named = std::string(first.by_default) + " ";
   const auto is_named = [&](const KeyInfo& key) {
@@ -162,7 +161,6 @@ std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo>
   return sets;
 }
 
-/// All combinations of one set per group.
 std::vector<Keys> choices(std::span<const KeyInfo> keys) {
   std::vector<Keys> all;
   Keys known;
@@ -221,7 +219,7 @@ Json shape_schema() {
 
 Json section_schema(std::string_view name) {
   std::vector<Json> kinds;
-  if (name == "shape") return {{"$ref", "#/definitions/shape"}};  // shapes can contain shapes
+  if (name == "shape") return {{"$ref", "#/definitions/shape"}};
   if (name == "probe")
     for (const ProbeKind& kind : probe_kinds())
       kinds.push_back(kind_schema(name, "of", kind.name, kind.help, kind.keys, 0));
@@ -231,7 +229,7 @@ Json section_schema(std::string_view name) {
   return kinds.empty() ? table_schema(keys_of(name), 0) : Json{{"oneOf", array_of(std::move(kinds))}};
 }
 
-/// Bounds include all values allowed in 2D or in 3D.
+/// Includes values allowed in 2D or 3D.
 Json constant_schema(const MethodConstant& constant, const std::vector<MethodConstant>& in_3d) {
   if (!constant.choices.empty())
     return {{"description", constant.help},

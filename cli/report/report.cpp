@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-// rows limit the size of the page
+// limits the page
 constexpr std::size_t most_rows = 5000, most_rows_in_sweep = 250;
 
 bool is_sweep(const fs::path& path) {
@@ -89,7 +89,6 @@ class TemporaryPictures {
   fs::path path_;
 };
 
-/// Data of a comparison, or of a suite of them.
 Json compared_pictures(const ReportRequest& request, PageKind kind, const fs::path& page,
                        const Links& links) {
   const auto data = [&](const fs::path& pictures) {
@@ -128,7 +127,7 @@ void add_sweep(PageData& data, const ReportRequest& request, const Links& links)
     data.runs.push_back(has_run_folder(run) ? run_data(run.folder(), links, most_rows_in_sweep) : Json());
 }
 
-/// Null without data, or if the page embeds the scripts.
+/// Null without data, or if embedded.
 Json scripts_of(const std::vector<Json>& runs, std::string (*name)(std::size_t), const Links& links) {
   Json scripts = Json::array();
   for (std::size_t k = 0; k < runs.size(); ++k)

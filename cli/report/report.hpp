@@ -10,27 +10,25 @@
 
 namespace taut::cli {
 
-/// Content of a page.
 enum class PageKind { run, runs, sweep, difference, suite };
 std::string_view name(PageKind kind);
 
 struct ReportRequest {
-  std::vector<std::string>
-      paths;  // run folders, or sweeps; one suite; with a baseline one folder with pictures
-  std::optional<std::string> out;       // folder, or with `embed` file
-  std::optional<std::string> baseline;  // folder with the expected pictures
-  render::DifferenceLimit limit{};      // with a baseline
-  bool embed = false;                   // one file with everything in it
+  std::vector<std::string> paths;  // run folders, sweeps, one suite, or one folder with pictures
+  std::optional<std::string> out;  // folder or file
+  std::optional<std::string> baseline;
+  render::DifferenceLimit limit{};  // with a baseline
+  bool embed = false;
 };
 
 struct WrittenPage {
   PageKind kind;
-  std::filesystem::path file;  // to open
+  std::filesystem::path file;
   std::size_t runs = 0;
   bool running = false;  // a run has not ended
 };
 
-/// Throws UsageError for paths that are not results of one kind and for an `out` that is not a page; OutputError.
+/// Throws UsageError for mixed paths or an `out` that is no page; OutputError.
 WrittenPage write_report(const ReportRequest& request);
 
 }  // namespace taut::cli

@@ -14,11 +14,11 @@ namespace taut::cli {
 
 struct Checkpoint {
   std::string method;
-  std::string scene;                // text of scene.toml
-  std::vector<std::string> fields;  // none: particles are not saved
+  std::string scene;
+  std::vector<std::string> fields;  // none: not saved
   ParticleForm particle_form;
   std::optional<double> requested_spacing;  // m
-  double every = 0;                         // simulated interval, s; 0: only when interrupted
+  double every = 0;                         // simulated s; 0: only when interrupted
   bool draws = true;
   std::string state;  // empty: at the start
 
@@ -35,17 +35,16 @@ struct Checkpoint {
   }
 };
 
-/// The version is only for messages.
+/// Version: only for messages.
 struct CheckpointHeader {
   std::string version{build_info.version};
   int format = format_of("checkpoint.bin");
 };
 
-/// Replaces the file atomically. Kind, version and format number precede the contents; a checksum ends the
-/// file. Throws OutputError.
+/// Atomic. A checksum ends the file. Throws OutputError.
 void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, CheckpointHeader header = {});
 
-/// Throws UsageError for a damaged file or another format.
+/// Throws UsageError if damaged or of another format.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace taut::cli

@@ -13,27 +13,27 @@
 
 namespace taut::cli {
 
-/// Output folder of a run; files: cli/COMMANDS.md.
+/// Files: cli/COMMANDS.md.
 class RunFolder {
  public:
-  /// `named`: the user named the folder, which may then be a link.
+  /// `named`: named by the user, may be a link.
   explicit RunFolder(std::filesystem::path path, bool named = true) : path_(std::move(path)), named_(named) {}
 
-  /// Throws UsageError for files that are not from a run.
+  /// Throws UsageError for other files.
   void check() const;
-  /// Whether the folder contains a run whose run.json is unreadable.
+  /// Contains an unreadable run.json.
   bool is_damaged() const;
-  /// Creates the folder and first its run.json, which marks it as a run. Throws OutputError.
+  /// Writes run.json first, which marks a run. Throws OutputError.
   void claim(std::string_view record) const;
-  /// Removes an earlier run's results. Throws OutputError.
+  /// Throws OutputError.
   void clear() const;
   /// Throw UsageError if one of the first `number` files is missing.
   void check_frames(int number) const;
   void check_particle_files(int number, ParticleFormat format) const;
-  /// Remove all but the first `number` files. Throw OutputError.
+  /// Keep the first `number` files. Throw OutputError.
   void keep_frames(int number) const;
   void keep_particle_files(int number, ParticleFormat format) const;
-  /// Removes the checkpoint, complete or temporary. Throws OutputError.
+  /// Removes complete and temporary checkpoints. Throws OutputError.
   void clear_checkpoint() const;
   /// Also removes look.json and difference.png. Throws OutputError.
   void clear_frames() const;
@@ -43,9 +43,9 @@ class RunFolder {
   std::filesystem::path frame(int number) const { return frames() / frame_name(number); }
   std::filesystem::path particles() const { return path_ / "particles"; }
   std::filesystem::path particle_file(int number, ParticleFormat format = ParticleFormat::vtp) const;
-  /// Times and names of the .vtp files, for ParaView.
+  /// Index for ParaView.
   std::filesystem::path particle_index() const { return particles() / "particles.pvd"; }
-  /// The file to open in other programs: the index, or the first file of a format without index.
+  /// For other programs: the index, or the first file.
   std::filesystem::path particle_entry(ParticleFormat format) const {
     return format == ParticleFormat::vtp ? particle_index() : particle_file(0, format);
   }
@@ -54,7 +54,6 @@ class RunFolder {
   std::filesystem::path scene() const { return path_ / "scene.toml"; }
   std::filesystem::path record() const { return path_ / "run.json"; }
   std::filesystem::path checkpoint() const { return path_ / "checkpoint.bin"; }
-  /// Range and view of the frames, if they are to become a baseline.
   std::filesystem::path look() const { return path_ / "look.json"; }
   std::filesystem::path difference() const { return path_ / "difference.png"; }
 
@@ -65,9 +64,9 @@ class RunFolder {
   bool named_;
 };
 
-/// Run folder that contains `path`; lock it before `path` is written.
+/// Lock it before writing `path`.
 std::optional<std::filesystem::path> run_around(const std::filesystem::path& path);
-/// Locks this folder; nullptr outside run folders. Throws like FolderLock.
+/// nullptr outside run folders. Throws like FolderLock.
 std::unique_ptr<const FolderLock> lock_around(const std::filesystem::path& path, std::string_view command);
 
 }  // namespace taut::cli

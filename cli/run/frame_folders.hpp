@@ -13,7 +13,7 @@ class Options;
 class Json;
 struct TestCase;
 
-/// Sorted names of PNG files; none if the folder is missing.
+/// Sorted PNG files; none for a missing folder.
 std::vector<std::string> picture_names(const std::filesystem::path& folder);
 
 /// Frames of a run folder, else `folder`.
@@ -27,11 +27,11 @@ struct PictureDifference {
 
 struct FolderDifference {
   std::vector<std::string> only_in_a, only_in_b;
-  std::vector<PictureDifference> pictures;  // in both folders
+  std::vector<PictureDifference> pictures;
   std::string worst;
   render::ImageDifference at_worst;
 
-  int different() const;  // beyond the limit
+  int different() const;
   bool alike() const { return only_in_a.empty() && only_in_b.empty() && different() == 0; }
 };
 
@@ -39,7 +39,7 @@ struct FolderDifference {
 FolderDifference compare_folders(const std::filesystem::path& a, const std::filesystem::path& b,
                                  const render::DifferenceLimit& limit);
 
-/// A picture that is alike warns if a pixel differs by more than `warn`, ΔE*ab.
+/// Alike pictures warn beyond `warn`, ΔE*ab.
 bool warns(const PictureDifference& picture, std::optional<double> warn);
 int number_of_warnings(const FolderDifference& difference, std::optional<double> warn);
 

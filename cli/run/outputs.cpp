@@ -28,10 +28,10 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// A run is judged after each of these parts of `until`; history rows have their own times.
+/// Parts of `until` after which a run is judged.
 constexpr int judged_parts = 200;
 
-/// Writes history.csv; updates drift, verdict and indicators. Rows between judgements repeat the indicators.
+/// Updates drift, verdict and indicators. Rows between judgements repeat the indicators.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
@@ -66,7 +66,6 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   void put_on_disk() override { history_->put_on_disk(); }
   void update_result() override { result_.record.conservation = conservation_.so_far(); }
   void discard_newer() override { history_->discard_newer(); }
-  /// A longer run is judged at other times.
   void run_on() override { judge_times_.skip_to(simulation_.time()); }
 
   template <class Archive>
@@ -196,7 +195,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
         frames_(*plan.drawing, origins_of(simulation.snapshot()), plan.folder.frames(),
                 {plan.file.scene.title, result.record.method, result.record.until}, simulation.threads(),
                 result.record.seconds) {
-    // a continued run cannot know whether its earlier frames showed particles; in 3D the view is in the camera's plane
+    // earlier frames of a continued run are unknown; in 3D the view is in the camera's plane
     if (!plan.drawing->followed && !plan.state && simulation.snapshot().dim == 2)
       unseen_ = plan.drawing->look.view;
   }
@@ -240,7 +239,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
  private:
   bool draw_kept(const Interrupts& interrupts, Progress& progress) {
     const int count = frames_.kept();
-    // draw also after an interrupt
+    // also after an interrupt
     const bool interrupted_before = interrupts.interrupted();
     progress.begin("drawing " + std::to_string(count) + " frames");
     const bool all = frames_.draw_kept([&](int drawn) {
@@ -261,7 +260,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   Agenda agenda_;
   bool keeps_look_;
   Frames frames_;
-  std::optional<render::View> unseen_;  // view without a particle so far
+  std::optional<render::View> unseen_;
   int on_disk_ = 0;
 };
 
@@ -314,7 +313,7 @@ const Snapshot& LastStep::at(double t) {
 std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
                                                      LastStep& last_step, RunResult& result) {
   std::vector<std::unique_ptr<RunOutput>> all;
-  // first, since it detects divergence: other outputs skip diverged states
+  // first: detects divergence, after which outputs skip states
   all.push_back(std::make_unique<HistoryOutput>(plan, simulation, result));
   all.push_back(std::make_unique<MeasuresOutput>(plan, simulation, last_step, result));
   if (plan.drawing) all.push_back(std::make_unique<FramesOutput>(plan, simulation, last_step, result));

@@ -8,10 +8,9 @@
 
 namespace taut::cli {
 
-/// A file per time, written atomically, and an index.
+/// Writes files atomically.
 class ParticleSeries {
  public:
-  /// Adds its time to `seconds`.
   ParticleSeries(std::vector<const Field*> fields, ParticleForm form, const RunFolder& folder,
                  Seconds& seconds);
 
@@ -37,8 +36,8 @@ class ParticleSeries {
   RunFolder folder_;
   Seconds& seconds_;
   std::vector<double> times_;  // s
-  std::size_t on_disk_ = 0;    // number of files
-  std::size_t indexed_ = 0;    // by this process
+  std::size_t on_disk_ = 0;
+  std::size_t indexed_ = 0;
 };
 
 }  // namespace taut::cli

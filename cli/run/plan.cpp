@@ -25,7 +25,7 @@ namespace {
 
 constexpr int default_history_rows = 1000;
 
-/// Called before the scene is read, which depends on the method.
+/// Precedes the scene, which depends on the method.
 void check_methods(const std::vector<Setting>& settings) {
   std::vector<std::string> names;
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);
@@ -72,7 +72,7 @@ std::optional<std::filesystem::path> run_folder_of(const SceneFile& file) {
   return folder.path();
 }
 
-/// "-v0=0.08-spacing=0.002": settings and, unless `again`, changed parameters of a copied scene.toml.
+/// "-v0=0.08-spacing=0.002", unless `again` with changed parameters of a copied scene.toml.
 std::string changes_text(const SceneFile& file, bool again) {
   constexpr std::size_t longest = 120;
   using enum ResolvedSetting::Source;
@@ -157,7 +157,6 @@ ParticleForm particle_form(const RunOptions& options) {
 
 namespace {
 
-/// Leaves expressions unchanged.
 std::string number_or_expression(const std::string& text) {
   const auto number = parsed<double>(text);
   return number ? exact(*number) : text;
@@ -235,7 +234,7 @@ void declare_particle_options(Options& command, RunOptions& o) {
 }
 
 void check_threads(int threads, std::string_view option) {
-  constexpr int few = 8;  // per core; further threads only wait
+  constexpr int few = 8;  // per core; more only wait
   const int most = std::max(2 * few, few * cores());
   if (threads > most)
     throw UsageError(fmt::format("{} is {}; at most {} are allowed, since this machine has {} cores", option,
@@ -277,7 +276,7 @@ RunPlan make_plan(const RunOptions& options) {
   if (options.look && plan.drawing) {
     set_open(*plan.drawing, *options.look);
     file.drawing.look.range = plan.drawing->look.range;
-    if (file.scene.dim == 2) file.drawing.look.view = plan.drawing->look.view;  // scenes in 3D have no view
+    if (file.scene.dim == 2) file.drawing.look.view = plan.drawing->look.view;  // 3D scenes have no view
   }
   plan.particle_fields = particle_fields(options, file.scene.dim);
   plan.particle_form = particle_form(options);

@@ -17,21 +17,21 @@ class Options;
 /// Omitted values come from the scene.
 struct RunOptions {
   std::string scene;
-  std::vector<Setting> settings;  // --method, --spacing, --until, then --set, which has priority
+  std::vector<Setting> settings;  // --set has priority
   std::optional<std::string> out;
   bool out_named = true;  // by the user
   std::optional<double> every, history;
   std::optional<int> frames;
   DrawingOptions drawing;
-  std::optional<KeptLook> look;            // of a baseline, for an open range and view
-  bool keeps_look = false;                 // writes look.json
+  std::optional<KeptLook> look;  // of a baseline
+  bool keeps_look = false;
   int threads = 0;                         // 0: all cores, fewer in small scenes
   std::optional<double> checkpoint_every;  // s
   bool keep_checkpoint = false;
   bool no_render = false;
-  std::string save_particles;       // format; empty: particles are not saved
+  std::string save_particles;       // empty: not saved
   std::string particle_precision;   // empty: double
-  std::vector<std::string> fields;  // to save; none: all
+  std::vector<std::string> fields;  // none: all
 };
 
 void declare_setting_options(Options& command, RunOptions& options);
@@ -39,23 +39,23 @@ void declare_output_options(Options& command, RunOptions& options);
 
 void declare_particle_options(Options& command, RunOptions& options);
 
-/// Throws UsageError if `threads` is far above the number of cores.
+/// Throws UsageError far above the number of cores.
 void check_threads(int threads, std::string_view option = "--threads");
 /// Throws UsageError and SceneError.
 SceneFile scene_to_run(const RunOptions& options);
 
 void print_remark(const SceneFile& file, std::ostream& err);
 
-/// Checks all input; does not touch the run folder. Throws UsageError and SceneError.
+/// Does not touch the run folder. Throws UsageError and SceneError.
 RunPlan make_plan(const RunOptions& options);
 
-/// None if particles are not saved.
+/// None: not saved.
 std::vector<const Field*> particle_fields(const RunOptions& options, int dim);
 
 /// Throws UsageError for unknown names.
 ParticleForm particle_form(const RunOptions& options);
 
-/// Throws UsageError for unknown names, and for `stable`, on which no run can fail.
+/// Throws UsageError for unknown names and `stable`.
 std::optional<Verdict> parse_verdict(const std::optional<std::string>& text);
 
 }  // namespace taut::cli

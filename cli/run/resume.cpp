@@ -77,7 +77,7 @@ RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoin
   return options;
 }
 
-/// First option that would change the plan, or "".
+/// Returns "" without conflict.
 std::string first_conflict(const RunOptions& given, const RunOptions& stored, const RunPlan& plan) {
   std::error_code error;
   if (given.out && !fs::equivalent(*given.out, plan.folder.path(), error)) return "--out " + *given.out;

@@ -24,7 +24,7 @@
 namespace taut::cli {
 namespace {
 
-constexpr double record_interval = 5.0;  // s between updates of run.json
+constexpr double record_interval = 5.0;  // s
 
 class Run {
  public:
@@ -72,7 +72,7 @@ class Run {
   Pace pace_;
   Stopwatch since_saved_;
   double next_checkpoint_ = std::numeric_limits<double>::infinity();  // s
-  std::optional<std::string> final_state_;                            // state before the final history row
+  std::optional<std::string> final_state_;
 };
 
 Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Interrupts& interrupts,
@@ -111,7 +111,7 @@ RunResult Run::execute() {
   return std::move(result_);
 }
 
-/// Files for a restart come first, since the run may be killed.
+/// Restart files first: the run may be killed.
 void Run::begin() {
   write_atomically(plan_.folder.scene(), plan_.scene_text(), Durability::on_disk);
   plan_.checkpoint_every ? write_checkpoint("") : plan_.folder.clear_checkpoint();
@@ -120,7 +120,7 @@ void Run::begin() {
   plan_next_checkpoint();
 }
 
-/// Removes output newer than the checkpoint.
+/// Removes newer output.
 void Run::resume_from(const std::string& state) {
   const double setup = record_.seconds.setup;
   open_files(AppendFile::Start::as_it_is);
@@ -157,7 +157,7 @@ void Run::open_files(AppendFile::Start start) {
   for (const auto& output : outputs_) output->open(start);
 }
 
-/// A checkpoint refers to other files, so these are put on disk first.
+/// Puts the files on disk to which a checkpoint refers.
 std::string Run::state() {
   put_on_disk();
   const Timed timed(record_.seconds.write);
@@ -221,8 +221,8 @@ void Run::step_through() {
     advance(std::min({next_output(), next_checkpoint_, record_.until}));
     const bool stopped = interrupts_.interrupted();
     show_what_is_due(false);
-    // A checkpoint follows outputs that need the earlier state. It precedes the final row, which a continued
-    // run must not have.
+    // A checkpoint follows outputs of the earlier state and precedes the final row, which a continued run must not
+    // have.
     const bool well = result_.failure.empty();
     if (well && (stopped || record_.reached >= next_checkpoint_)) save_checkpoint();
     going = well && !stopped && record_.reached < record_.until;
@@ -243,7 +243,7 @@ double Run::next_output() const {
   return next;
 }
 
-/// Next time of an interpolated output, s.
+/// s, interpolated.
 double Run::next_between_steps() const {
   double next = std::numeric_limits<double>::infinity();
   for (const auto& output : outputs_)
@@ -258,7 +258,7 @@ void Run::show_what_is_due(bool at_end) {
   }
 }
 
-/// Slices allow checks for interrupts; they do not change the steps.
+/// Slices allow interrupts without changing steps.
 void Run::advance(double target) {
   while (record_.reached < target && !interrupts_.interrupted()) {
     const Stopwatch watch;
@@ -272,7 +272,7 @@ void Run::advance(double target) {
   }
 }
 
-/// Stores the state before a step that passes an output time.
+/// Stores the state before an output time.
 void Run::step_to(double target) {
   const auto advance = [&](double short_of) {
     const Timed timed(record_.seconds.solve);
@@ -313,7 +313,7 @@ void Run::write_record() const {
   write_atomically(plan_.folder.record(), record_text(), Durability::on_disk);
 }
 
-/// Tries each part, even after failures such as a full disk.
+/// Tries each part, even with a full disk.
 void Run::save_failure(const std::string& reason) {
   const auto tried = [](const auto& work) {
     try {

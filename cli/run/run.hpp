@@ -15,35 +15,34 @@
 
 namespace taut::cli {
 
-/// A validated run.
 struct RunPlan {
   SceneFile file;
-  std::optional<double> requested_spacing;    // m, from the scene or the command line
-  std::optional<Drawing> drawing;             // none: no frames
-  bool keeps_look = false;                    // writes look.json after the frames
+  std::optional<double> requested_spacing;  // m, scene or command line
+  std::optional<Drawing> drawing;           // none: no frames
+  bool keeps_look = false;
   std::vector<const Field*> particle_fields;  // none: not saved
   ParticleForm particle_form;
-  std::vector<double> frame_times, history_times;  // s, sorted; particles are saved at frame times
+  std::vector<double> frame_times, history_times;  // s, sorted; frames also save particles
   RunFolder folder{"."};
-  std::optional<double> checkpoint_every;  // simulated time, s; none: only after an interrupt
-  bool keep_checkpoint = false;            // for continuing to a later `until`
-  std::optional<std::string> state;        // bytes of a checkpoint; none: start at t = 0
+  std::optional<double> checkpoint_every;  // simulated s; none: only when interrupted
+  bool keep_checkpoint = false;            // for a later `until`
+  std::optional<std::string> state;        // a checkpoint; none: t = 0
   bool runs_on = false;                    // `state` has an earlier `until`
 
   std::string scene_text() const { return resolved_text(file, folder.path()); }
 };
 
-/// Makes the simulation. Errors contain their place in the scene file.
+/// Errors contain their place in the scene file.
 std::unique_ptr<Simulation> start(const SceneFile& file);
 
 struct RunResult {
   RunRecord record;
   int frames = 0;
-  std::string failure;  // reason if the run ended early
+  std::string failure;
 };
 
-/// Simulates and writes the run folder. Throws OutputError. Errors of make_simulation are thrown before any file
-/// changes. `setup_seconds`: time already spent reading the scene, s. `before_it_begins` is called after all checks.
+/// Throws OutputError. Errors of make_simulation come before any file changes. `setup_seconds`: s spent reading the
+/// scene. `before_it_begins` is called after all checks.
 RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
                     double setup_seconds, const std::function<void()>& before_it_begins = {});
 

@@ -35,7 +35,7 @@ std::string what_is_saved(const RunFolder& folder) {
 SavedRun open_saved_run(const fs::path& path) {
   const RunFolder folder(path);
   std::error_code error;
-  if (!fs::is_regular_file(folder.scene(), error))  // do not wait for a pipe
+  if (!fs::is_regular_file(folder.scene(), error))  // a pipe would wait
     throw UsageError(
         fmt::format("'{}' is not a run folder; name a folder that `taut run` has written", path.string()));
   std::map<int, fs::path> files;

@@ -26,9 +26,9 @@ struct KeyType {
     whole,   // or expression
     flag,
     text,
-    word,  // from `words` or `names()`
+    word,
     vector,
-    table,  // with the keys of `section`
+    table,
   };
   enum class Form : std::uint8_t { one, list, one_or_list };
   static constexpr std::size_t any_size = static_cast<std::size_t>(-1);
@@ -38,17 +38,17 @@ struct KeyType {
   std::string_view unit = {};
   NumberRange bounds = {};
   std::array<std::string_view, 8> words = {};
-  std::vector<std::string> (*names)() = nullptr;  // alternative to `words`
-  std::string_view section = {};                  // of a table, or of a number that can also be a table
-  std::string_view pattern = {};                  // regular expression
+  std::vector<std::string> (*names)() = nullptr;
+  std::string_view section = {};  // of a table, or of a number that may be one
+  std::string_view pattern = {};
   std::size_t longest = any_size;
-  std::size_t size = 0;         // 0: one component per axis
-  std::string_view other = {};  // also allowed: "auto", or "=EXPRESSION" for texts that begin with =
+  std::size_t size = 0;         // 0: one per axis
+  std::string_view other = {};  // "auto", or "=EXPRESSION" for texts
   Form form = Form::one;
   std::size_t depth = 1;                   // nesting
-  std::size_t least = 0, most = any_size;  // size of the innermost array
-  std::string_view by = {};                // "MEASURE": a table with a value per measure
-  std::string_view name_pattern = {};      // of the table's keys
+  std::size_t least = 0, most = any_size;  // innermost array
+  std::string_view by = {};                // "MEASURE": a value per measure
+  std::string_view name_pattern = {};
 
   constexpr KeyType or_other(std::string_view word) const {
     KeyType type = *this;
@@ -77,10 +77,9 @@ struct KeyType {
   }
 };
 
-/// "number > 0, m", "spaced or lattice", "[[x, y], ...], m".
 std::string type_text(const KeyType& type);
 std::vector<std::string> words_of(const KeyType& type);
-/// "must be greater than 0"; empty for an allowed value.
+/// "must be greater than 0", or "".
 std::string against_bounds(const KeyType& type, double value);
 
 namespace types {
@@ -88,7 +87,7 @@ namespace types {
 constexpr KeyType number(std::string_view unit = {}, NumberRange bounds = {}) {
   return {.kind = KeyType::Kind::number, .unit = unit, .bounds = bounds};
 }
-/// `shown`: "expression of t".
+/// "expression of t".
 constexpr KeyType expression(std::string_view shown) {
   return {.kind = KeyType::Kind::number, .shown = shown};
 }
@@ -122,7 +121,7 @@ constexpr KeyType vector_of(std::size_t size, std::string_view shown, std::strin
 constexpr KeyType number_or_table(std::string_view shown, std::string_view section) {
   return {.kind = KeyType::Kind::number, .shown = shown, .section = section};
 }
-/// `shown`: "[[body]]", "{ file, column }".
+/// "[[body]]", "{ file, column }".
 constexpr KeyType table(std::string_view section, std::string_view shown) {
   return {.kind = KeyType::Kind::table, .shown = shown, .section = section};
 }
@@ -132,18 +131,17 @@ constexpr KeyType table(std::string_view section, std::string_view shown) {
 struct KeyInfo {
   std::string_view name;  // or `any_name`
   KeyType type;
-  std::string_view by_default;  // empty: required; "or X": key X can be given instead
+  std::string_view by_default;  // empty: required; "or X": alternative
   std::string_view help;
 };
 
-/// Value of a default such as "0.5"; nullopt for "the method's".
+/// nullopt for "the method's".
 std::optional<double> default_number(const KeyInfo& key);
 
-/// A key that the user chooses.
 inline constexpr std::string_view any_name = "NAME";
 inline constexpr KeyInfo named_by_user[] = {{any_name, {}, "", ""}};
 
-/// A table of a scene, sweep, claim or suite file, for `taut describe` and the reader.
+/// For `taut describe` and the reader.
 struct Section {
   std::string_view name;
   std::string_view header;  // "[[body]]"
@@ -151,7 +149,7 @@ struct Section {
   std::span<const KeyInfo> keys;
 };
 
-/// The first section is the file itself. Kinds of shapes, probes and measures add keys.
+/// The file itself comes first. Kinds of shapes, probes and measures add keys.
 std::span<const Section> scene_sections();
 std::span<const Section> sweep_sections();
 std::span<const Section> claim_sections();

@@ -13,7 +13,6 @@
 #include "engine/methods/catalogue.hpp"
 #include "engine/settings.hpp"
 
-/// Shapes, probes and measures define the keys of their kinds.
 namespace taut::cli {
 namespace {
 

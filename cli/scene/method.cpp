@@ -29,7 +29,7 @@ std::vector<std::string> names_of_contacts() {
   return names;
 }
 
-/// Returns the change, else the value in the file, else the first name. `setting`: name for --set.
+/// The setting, else the file's value, else the first name. `setting`: for --set.
 std::string chosen(TomlCursor& table, const std::string& key, const std::vector<std::string>& names,
                    const std::string& setting, const std::string* change, SceneFile& file) {
   table.text(key, names.front());
@@ -88,7 +88,7 @@ void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
   }
 }
 
-/// Setting, else the file's value, else the method's default.
+/// The setting, else the file's value, else the method's default.
 void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, int dim,
                     const Changes& changes, SceneFile& file) {
   TomlCursor section = root.section("method_constants", "[method_constants]", named_by_user);
@@ -123,7 +123,7 @@ std::vector<std::string> names_of_elastic_laws() {
   return names;
 }
 
-/// Law in the file, which its method must support, or "".
+/// Law that the file's method must support, or "".
 std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   const TomlValue* given = root.find("law");
   if (!given) return "";
@@ -133,7 +133,7 @@ std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   return law;
 }
 
-/// The setting, else the file's law, else the method's first. If the method lacks the file's law, the remark says so.
+/// The setting, else the file's law, else the method's first. The remark names a law that the method lacks.
 void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, const Changes& changes,
               SceneFile& file) {
   const std::string own = method.laws.empty() ? "" : std::string(method.laws.front().name);
@@ -208,7 +208,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   name_touching(root, file);
 
   read_law(root, of_file, method, changes, file);
-  // constants and CFL number of the file belong to its method
+  // those of the file belong to its method
   const double cfl_of_file = root.find("cfl") ? root.number("cfl") : of_file.cfl;
   const double in_scene = &method == &of_file ? cfl_of_file : method.cfl;
   const std::string* cfl_change = changes.find("cfl");

@@ -20,11 +20,10 @@
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/scene/scene.hpp"
 
-/// Readers fill the scene, write defaults and settings into the table, and throw SceneError for the file,
-/// UsageError for settings.
+/// Readers write defaults and settings into the table. They throw SceneError for the file, UsageError for settings.
 namespace taut::cli {
 
-/// Texts of settings, by name.
+/// By name.
 struct Changes {
   std::map<std::string, std::string, std::less<>> general, parameters, constants;
 
@@ -39,17 +38,15 @@ void resolve(SceneFile& file, std::string name, const std::string& value, const 
 void resolve(SceneFile& file, std::string name, double value, double in_scene, double usual);
 /// Throws UsageError unless finite.
 double changed_number(std::string_view name, const std::string& text, const Names& names);
-/// Throws UsageError unless finite and within the bounds of the key.
+/// Throws UsageError unless finite and within the key's bounds.
 double changed_number(const KeyInfo& key, const std::string& text, const Names& names);
 
-/// Makes the parameters known to `root`; without `dp`, only those independent of dp.
+/// Without `dp`, only parameters independent of dp.
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file);
-/// Parameters that depend on dp, and `dp` itself.
+/// Includes `dp`.
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
-/// Reads method, constants, law, stepping, cfl and contact.
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
-/// Defines `touching`, the gap below which bodies touch, m. Call again after read_bodies, which can change
-/// the published contact law.
+/// Defines `touching`, m. Call again after read_bodies, which can change the published contact law.
 void name_touching(TomlCursor& root, const SceneFile& file);
 void read_gravity_and_damping(TomlCursor& root, Scene& scene);
 void read_materials(TomlCursor& root, Scene& scene);
@@ -59,29 +56,28 @@ void read_probes(TomlCursor& root, Scene& scene);
 void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
-/// For tables and shape files.
 void make_paths_relative(const std::filesystem::path& folder, TomlValue& scene);
-/// Finds the file of the key `file` in `folder` or a scene folder; rewrites the key. `what` is for messages.
+/// Searches `folder`, then scene folders; rewrites `file`. `what`: for messages.
 std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
                                  std::string_view what);
 /// Requires the scene's bodies.
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
-/// Reads keys of [render] in a file other than a scene. Whether they fit the scene is checked by apply_scene.
+/// Files other than scenes; apply_scene checks the scene.
 DrawingValues read_drawing_values(TomlCursor& render);
 TomlValue drawing_table(const Drawing& drawing);
 
-/// Reads CSV columns; `lead` must increase, and # begins comments. Throws SceneError with the place in that file.
+/// `lead` must increase; # begins comments. Throws SceneError with the place.
 ReferenceTable read_table(const std::filesystem::path& path, const std::string& lead,
                           const std::vector<std::string>& columns);
 struct ColumnTable {
-  std::vector<std::vector<double>> columns;  // missing optional columns are empty
+  std::vector<std::vector<double>> columns;  // empty if optional and missing
   std::vector<int> lines;
 
   std::size_t rows() const { return lines.size(); }
 };
 ColumnTable read_columns(const std::filesystem::path& path, const std::vector<std::string>& needed,
                          const std::vector<std::string>& optional);
-/// Throws SceneError for a missing, unreadable or larger file.
+/// Throws SceneError if missing, unreadable or larger.
 std::string file_text(const std::filesystem::path& path, std::size_t most_bytes = 4 << 20);
 
 inline const std::vector<std::string> axis_names = {"x", "y", "z"};
@@ -91,58 +87,55 @@ enum class Layers : std::uint8_t {
   for_initial_neighbours,
   for_searched_neighbours,
   of_lattice,  // hexagonal
-  none         // for cut-outs and combined shapes
+  none
 };
 struct ShapeSetting {
   int dim = 2;
   double dp = 0;  // m
   std::filesystem::path folder;
   Layers layers{};
-  bool alone = false;  // only shape, without cut-outs
-  int level = 0;       // number of enclosing shapes
+  bool alone = false;
+  int level = 0;  // enclosing shapes
 };
 struct ShapeKind {
   std::string_view name;
   int dim;  // 0: both
   std::string_view help;
-  std::span<const KeyInfo> keys;  // besides the common keys
-  std::string_view otherwise;     // similar types of the other dimension
+  std::span<const KeyInfo> keys;  // besides common keys
+  std::string_view otherwise;     // similar types in the other dimension
   Shape (*read)(TomlCursor&, const ShapeSetting&);
 };
 std::span<const ShapeKind> shape_kinds();
 
-/// One table or an array.
 std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, const ShapeSetting& setting);
-/// Reads degrees (2D), or { angle, about, axis }; default: about `middle`.
+/// Degrees (2D), or { angle, about, axis }; default: about `middle`.
 std::optional<Rotation> read_rotation(TomlCursor& cursor, int dim, const Point& middle);
 
-/// Throws SceneError for names too long for expressions.
+/// Throws SceneError if too long for expressions.
 void check_name_length(const TomlCursor& table, FilePlace place, std::string_view key,
                        const std::string& name);
 /// Throws SceneError for invalid and reserved names.
 void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind);
-/// Reads `name`: letters, digits, '_' and '-'; not in `taken`.
+/// Letters, digits, '_' and '-'; not in `taken`.
 std::string label(TomlCursor& entry, const std::vector<std::string>& taken);
-/// Adds c0, E, nu, rho, K and G.
 void add_names(Names& names, const Material& material);
 
-/// Unit vector of the key `axis`; default and in 2D: z.
+/// Unit vector; default and in 2D: z.
 Point turning_axis(TomlCursor& cursor, const Scene& scene);
 
 struct ProbeKind {
   std::string_view name;
   std::string_view unit, help;
-  std::vector<KeyInfo> keys;  // without `name` and `of`
+  std::vector<KeyInfo> keys;
 
   static constexpr std::string_view force_unit = "N, in 2D N/m";
   Probe::Kind kind() const { return {name, unit == force_unit}; }
   bool takes(std::string_view key) const;
 };
 std::span<const ProbeKind> probe_kinds();
-/// Empty for expressions. 2D forces are per metre of depth.
+/// Empty for expressions. In 2D per metre of depth.
 std::string_view unit_of(const Probe& probe, int dim);
 
-/// Without `name`, `of` and `unit`.
 std::vector<KeyInfo> keys_of_measure(const MeasureKind& kind);
 
 struct ContactChoice {
@@ -151,9 +144,9 @@ struct ContactChoice {
 };
 std::span<const ContactChoice> contact_choices();
 
-/// Name, in references and run.json, of the law of methods without out-of-plane stress. Scenes cannot choose it.
+/// Law, in references and run.json, of methods without out-of-plane stress. Scenes cannot choose it.
 inline constexpr std::string_view in_plane_law = "2d_deviator";
-/// Converts neo_hookean (run.json) to neo-hookean.
+/// neo_hookean (run.json) to neo-hookean.
 std::string law_name(std::string_view material_law);
 
 int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene);
@@ -177,7 +170,7 @@ std::vector<std::string> names_of(const Items& items) {
   return names;
 }
 
-/// Returns items.size() if not found.
+/// items.size() if not found.
 template <class Items>
 std::size_t index_of(const Items& items, std::string_view name) {
   std::size_t i = 0;

@@ -7,25 +7,24 @@
 
 namespace taut::cli {
 
-/// In search order: TAUT_SCENES (separated by ':'), then `scenes` beside the program or share/taut/scenes.
-/// The first match counts. Throws UsageError for a missing folder.
+/// In search order: TAUT_SCENES (separated by ':'), then `scenes` beside the program or share/taut/scenes. Throws
+/// UsageError for a missing folder.
 std::vector<std::filesystem::path> scene_folders();
 /// Sorted, then "gallery/NAME". Throws UsageError without scene folders.
 std::vector<std::string> scene_names();
-/// Path or name. Throws UsageError with the nearest names.
+/// Path or name. Throws UsageError.
 std::filesystem::path find_scene(const std::string& scene);
 
-/// Sorted names in studies/.
+/// Sorted.
 std::vector<std::string> study_names();
 /// Like find_scene().
 std::filesystem::path find_sweep(const std::string& sweep);
 
-/// Sorted names of the suite files in suites/ of the scene folders.
+/// Sorted.
 std::vector<std::string> suite_names();
-/// Suite file of this name, if any.
 std::optional<std::filesystem::path> shipped_suite(const std::string& name);
 
-/// Sorted names of the claim files in papers/ of the scene folders, such as "Zhang2024".
+/// Sorted, such as "Zhang2024".
 std::vector<std::string> paper_names();
 /// Like find_scene().
 std::filesystem::path find_paper(const std::string& paper);

@@ -72,7 +72,7 @@ void run(Session& session, const Words& words, const Dialogue& to) {
   say_time(session, to);
 }
 
-/// "LOW HIGH | auto" from "LOW:HIGH|auto".
+/// Writes "LOW:HIGH|auto" as "LOW HIGH | auto".
 std::string arguments_of(const DrawingKey& key) {
   std::string arguments;
   for (const char c : key.placeholder)
@@ -88,7 +88,7 @@ std::string text_of(const DrawingKey& key, const Drawing& drawing) {
   return join(words, " ");
 }
 
-/// Rewrites a message about an option, such as "--range is '2:1'; …".
+/// Such as "--range is '2:1'; …".
 std::string in_session_words(std::string message, const DrawingKey& key) {
   if (!message.starts_with("--")) return message;
   if (key.numbers.count > 1) std::ranges::replace(message, ':', ' ');
@@ -100,7 +100,7 @@ void take_look(Session& session, const DrawingKey& key, const Words& words) {
     return session.set_look(key, join(words, " "));
   const bool one_word = words.size() == 1 && (key.takes_words() || words[0] == automatic);
   if (!one_word && (key.takes_words() || words.size() != key.numbers.count)) wrong_words(key.name);
-  if (!one_word) std::ranges::for_each(words, number);  // throws errors that name the word
+  if (!one_word) std::ranges::for_each(words, number);  // errors name the word
   session.set_look(key, join(words, std::string_view(&key.numbers.between, 1)));
 }
 
@@ -145,7 +145,7 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
   drawing.print_width.clear(), drawing.font_points.reset();
   terminal.adapt(look);
   to.out << terminal.text_of(session.picture(drawing));
-  // texts would be illegible
+  // illegible texts
   const ColorMeaning colors = meaning(drawing);
   if (look.bare)
     to.out << colors.name << ' ' << (look.range ? ends(look.range->low, look.range->high) : "by colour")
@@ -156,7 +156,7 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
 
 void frame(Session& session, const Words& words, const Dialogue& to) {
   if (words.size() != 1) wrong_words("frame");
-  // a wrong completion must not overwrite another file
+  // completion errors must not overwrite files
   if (const std::string wrong = png_name(words[0]); !wrong.empty()) throw UsageError(wrong);
   session.frame(words[0]);
   to.out << "file=" << words[0] << '\n';

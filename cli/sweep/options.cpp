@@ -28,7 +28,7 @@ std::string path_of_program() {
 }
 
 bool draws(const SweepOptions& o) {
-  // also the times of saved particles
+  // also for saved particles
   const bool times_of_frames = o.run.save_particles.empty() && (o.run.frames || o.run.every);
   return o.render || times_of_frames || o.run.drawing.any();
 }
@@ -55,7 +55,6 @@ SweepRequest request_of_file(const SweepOptions& o) {
   request.file = file.path;
   request.base = o.run;
   request.base.scene = file.scene;
-  // the command line has priority
   std::erase_if(file.set, [&](const Setting& s) {
     return std::ranges::find(o.run.settings, s.name, &Setting::name) != o.run.settings.end();
   });

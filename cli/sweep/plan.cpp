@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Compares scene.toml files; `drawn`: drawings must agree.
+/// `drawn`: drawings must agree.
 bool are_of_one_run(const std::string& one, const std::string& other, bool drawn) try {
   return one == other || (!drawn && without_drawing(one) == without_drawing(other));
 } catch (const SceneError&) {
@@ -37,7 +37,6 @@ RunOptions options_of(const SweepRequest& request, const GridRow& row, const Set
   return options;
 }
 
-/// Throws errors that appear only when the particles are created.
 void check_particles(const SceneFile& file) try {
   Settings settings = file.settings;
   settings.threads = 1;  // a process that has had threads cannot be forked
@@ -71,13 +70,13 @@ const Setting* invalid_setting(const SweepRequest& request, const GridRow& row) 
   throw SceneError(request.file.string(), place.line, place.column, setting ? setting->name : "", message);
 }
 
-/// Particles × steps, up to a factor.
+/// Particles × steps, scaled.
 double work_of(const SceneFile& file) {
   const Scene& scene = file.scene;
   return scene.until / (file.settings.cfl * std::pow(scene.spacing, scene.dim + 1));
 }
 
-/// Throws for a name that is both fixed and swept.
+/// Throws for names both fixed and swept.
 void check_base(const SweepRequest& request) {
   std::set<std::string> fixed;
   for (const std::vector<Setting>* settings : {&request.base.settings, &request.set})
@@ -205,7 +204,7 @@ void SweepRun::read_folder() {
   const bool same = found->version == build_info.version &&
                     are_of_one_run(read_whole(files.scene()).value_or(""), scene, last_frame >= 0);
   const bool failed = found->status == Status::failed;
-  // other failed runs could not write their output
+  // other failed runs could not write output
   const bool ended = found->status == Status::finished || (failed && found->verdict == Verdict::diverged);
   std::error_code error;
   const bool drawn = last_frame < 0 || fs::exists(files.frame(failed ? 0 : last_frame), error);
@@ -247,7 +246,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
     try {
       const RunPlan planned = make_plan(run.options);
       const SceneFile& file = planned.file;
-      // once per combination, for speed
+      // for speed
       if (combinations.emplace(file.settings.method, file.scene.contact).second) check_particles(file);
       if (!file.remark.empty()) plan.remarks.insert(file.remark);
       if (const std::string same = spacings.add(row, file.scene.spacing); !same.empty())

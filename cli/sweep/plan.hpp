@@ -13,10 +13,10 @@ namespace taut::cli {
 
 enum class SweepRunState {
   to_do,
-  outdated,     // other settings or version
+  outdated,     // settings or version
   interrupted,  // or killed
   damaged,      // unreadable run.json
-  broken,       // no result: crash or full disk
+  broken,       // crash or full disk
   done,         // finished or diverged
 };
 std::string_view name(SweepRunState);
@@ -30,29 +30,26 @@ struct RepeatedCost {
 
 struct SweepRun {
   int index = 0;
-  GridRow settings;  // swept ones, as in the grid
+  GridRow settings;
   RunOptions options;
-  std::string folder;   // in the sweep's folder
-  std::string scene;    // text of its scene.toml
+  std::string folder;
+  std::string scene;
   int last_frame = -1;  // -1: none
   double work = 0;      // relative duration
   bool forced = false;  // repeat even if done
   SweepRunState state = SweepRunState::to_do;
-  std::string problem;              // if broken
-  std::optional<RunRecord> record;  // if done or interrupted
+  std::string problem;
+  std::optional<RunRecord> record;
   std::vector<SweepRun> repetitions;
 
   /// Includes repetitions.
   std::vector<SweepRun*> all();
   std::optional<RepeatedCost> cost() const;
   bool has_diverged() const { return record && record->status == RunRecord::Status::failed; }
-  /// Reads state and record from the run folder.
   void read_folder();
-  /// Resets the state, as for an empty folder.
   void forget();
 };
 
-/// A name that the grid or the rows set.
 struct Swept {
   std::string name;
   std::string unit, help;  // of parameters
@@ -63,25 +60,25 @@ struct SweepPlan {
   std::string scene;
   std::filesystem::path folder;
   std::vector<Swept> swept;
-  std::vector<Setting> fixed;  // for all runs
+  std::vector<Setting> fixed;
   std::vector<SweepRun> runs;  // in grid order
   StudyPictures pictures;
   std::set<std::string> remarks;
 };
 
-/// Settings from a file contain their place.
+/// Settings of files contain their place.
 struct SweepRequest {
   std::string title;
   std::filesystem::path file;  // empty: command line
-  RunOptions base;             // for all runs
-  std::vector<Setting> set;    // from the file; no name of `base`
+  RunOptions base;
+  std::vector<Setting> set;  // of the file, without names of `base`
   std::filesystem::path folder;
   std::vector<GridRow> rows;
-  int repeat = 1;  // per row
+  int repeat = 1;
   StudyPictures pictures;
 };
 
-/// Starts no run. Throws SceneError with the place in the sweep file, or UsageError with the run.
+/// Starts no run. Throws SceneError with the place, or UsageError with the run.
 SweepPlan plan_sweep(const SweepRequest& request);
 
 }  // namespace taut::cli

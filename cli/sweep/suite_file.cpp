@@ -21,7 +21,6 @@ std::optional<double> read_difference(TomlCursor& cursor, std::string_view key) 
   return difference;
 }
 
-/// `method` and `until`, which are settings with a key of their own.
 void read_setting(TomlCursor& cursor, std::string_view key, std::vector<Setting>& settings) {
   const TomlValue* value = cursor.find(key);
   if (!value) return;
@@ -33,7 +32,6 @@ void read_setting(TomlCursor& cursor, std::string_view key, std::vector<Setting>
       {std::string(key), is_number ? exact(value->number) : cursor.text_of(*value, key), value->place});
 }
 
-/// Keys that suite and entries share.
 void read_common(TomlCursor& cursor, SuiteEntry& entry) {
   if (TomlValue* set = cursor.find("set")) {
     TomlCursor table = cursor.enter(*set, "set", "'set'", keys_of("set"));
@@ -63,7 +61,6 @@ SuiteEntry read_entry(TomlCursor& cursor, const std::vector<std::string>& taken,
   return entry;
 }
 
-/// Keys of `own` have priority over those of `below`.
 SuiteEntry over(const SuiteEntry& below, SuiteEntry own) {
   own.settings = merged(below.settings, own.settings);
   own.drawing.insert(below.drawing.begin(), below.drawing.end());
@@ -80,7 +77,6 @@ void check_limits(const TomlCursor& root, const SuiteEntry& entry) {
                   brief(*entry.fail) + "; warn must be less than fail");
 }
 
-/// Completes controls by the keys of the entries from which they differ.
 void complete_controls(TomlCursor& root, std::vector<SuiteEntry>& entries) {
   std::vector<std::string> owners;
   for (const SuiteEntry& entry : entries)

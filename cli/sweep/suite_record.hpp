@@ -7,23 +7,23 @@
 
 namespace taut::cli {
 
-/// The file suite.json in the folder of a suite's runs, for `taut report`: the comparisons of the last call.
+/// File suite.json: comparisons of the last call, for `taut report`.
 struct SuiteRecord {
   struct Entry {
-    std::string name;                  // also of its run folder
-    std::filesystem::path baseline;    // relative to the folder
-    std::string differs_from;          // of a control
+    std::string name;
+    std::filesystem::path baseline;
+    std::string differs_from;
     std::optional<double> warn, fail;  // ΔE*ab
-    std::string problem;               // reason why the run has no frames to compare, or empty
+    std::string problem;               // reason for no frames, or empty
   };
-  std::string title, file;  // of the suite
+  std::string title, file;
   std::vector<Entry> entries;
 };
 
 /// Throws OutputError.
 void write_suite_record(const std::filesystem::path& folder, const SuiteRecord& record);
 bool has_suite_record(const std::filesystem::path& folder);
-/// Throws UsageError for a missing or damaged file.
+/// Throws UsageError if missing or damaged.
 SuiteRecord read_suite_record(const std::filesystem::path& folder);
 
 }  // namespace taut::cli

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Entries to run, in the order of the file.
+/// In file order.
 std::vector<SuiteEntry> chosen(const SuiteFile& suite, const SuiteOptions& options) {
   std::vector<std::string> names;
   for (const SuiteEntry& entry : suite.entries) names.push_back(entry.name);
@@ -47,7 +47,7 @@ SweepRequest request_of(const SuiteFile& suite, const SuiteEntry& entry, const B
   return request;
 }
 
-/// An error without a place, such as of the drawing, is at the entry.
+/// Adds the entry to errors without a place, such as of the drawing.
 SweepRun planned_run(const SuiteFile& suite, const SuiteEntry& entry, const Baseline& baseline,
                      const SuiteOptions& options) {
   try {
@@ -75,7 +75,7 @@ void refuse_missing(const std::vector<PlannedEntry>& entries) {
                    "'; create it with --update --only " + join(names, ","));
 }
 
-/// Reason why a run has no frames to compare; "" if it has.
+/// Returns "" for a run with frames.
 std::string problem_of(const SweepRun& run) {
   if (run.state != SweepRunState::done) return run.problem.empty() ? "the run is not finished" : run.problem;
   return run.record->status == RunRecord::Status::failed ? run.record->reason : "";

@@ -13,25 +13,23 @@
 namespace taut::cli {
 
 struct SuiteOptions {
-  std::filesystem::path out;                       // folder of the runs
-  std::optional<std::filesystem::path> baselines;  // instead of those of the file
-  std::vector<std::string> only;                   // names of entries; empty: all
-  bool update = false;                             // makes the baselines; controls have none
-  int threads = 1;                                 // of each run
+  std::filesystem::path out;
+  std::optional<std::filesystem::path> baselines;
+  std::vector<std::string> only;  // entry names; empty: all
+  bool update = false;
+  int threads = 1;  // of each run
 };
 
-/// An entry with its validated run.
 struct PlannedEntry {
   SuiteEntry entry;
-  Baseline baseline;  // of a control: that of the entry from which it differs
+  Baseline baseline;  // for a control, of `differs_from`
   SweepRun run;
 
   render::DifferenceLimit limit() const;
 };
 
-/// Checks the runs and baselines of the chosen entries; with `needs_baselines`, all must exist unless they are made.
-/// Throws SceneError with the place in the suite file, and
-/// UsageError for unknown names and missing baselines.
+/// With `needs_baselines`, all baselines must exist unless made. Throws SceneError with the place, and UsageError for
+/// unknown names and missing baselines.
 std::vector<PlannedEntry> plan_suite(const SuiteFile& suite, const SuiteOptions& options,
                                      bool needs_baselines = true);
 
@@ -42,16 +40,15 @@ std::string_view name(EntryResult result);
 struct EntryOutcome {
   const PlannedEntry* planned;
   EntryResult result = EntryResult::no_result;
-  FolderDifference difference{};  // of the baseline and the frames
-  std::size_t updated = 0;        // number of new frames in the baseline
-  std::string problem{};          // without result: the reason
+  FolderDifference difference{};
+  std::size_t updated = 0;
+  std::string problem{};  // reason for no result
 
   bool passed() const;
 };
 
-/// Compares the frames of a run with the baseline.
 EntryOutcome compare_entry(const PlannedEntry& planned);
-/// Replaces the baselines by the frames, if all runs have results: else the old ones stay. Throws OutputError.
+/// Keeps the old baselines unless all runs have results. Throws OutputError.
 std::vector<EntryOutcome> update_entries(const std::vector<PlannedEntry>& entries);
 
 }  // namespace taut::cli

@@ -33,7 +33,6 @@ std::vector<std::string> row_of(const EntryOutcome& outcome) {
           brief(d.at_worst.greatest)};
 }
 
-/// Frames that differ, warn or are missing.
 void add_frames(const EntryOutcome& outcome, Rows& rows) {
   const auto& [entry, baseline, run] = *outcome.planned;
   const FolderDifference& difference = outcome.difference;

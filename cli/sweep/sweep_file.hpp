@@ -10,7 +10,6 @@
 
 namespace taut::cli {
 
-/// See cli/COMMANDS.md and scenes/LANGUAGE.md.
 struct SweepFile {
   std::filesystem::path path;
   std::string title, scene;
@@ -20,17 +19,16 @@ struct SweepFile {
   StudyPictures pictures;
 };
 
-/// Reads NAME = VALUE. Throws SceneError.
+/// NAME = VALUE. Throws SceneError.
 std::vector<Setting> read_settings(TomlCursor& table);
-/// Settings of `own` have priority over those of `common`.
+/// `own` has priority.
 std::vector<Setting> merged(const std::vector<Setting>& common, const std::vector<Setting>& own);
-/// Path of the scene that the key `scene` names: relative to the folder of `file`, or a shipped scene. Throws
-/// SceneError.
+/// Path relative to the folder of `file`, or a shipped scene. Throws SceneError.
 std::string find_scene_of(TomlCursor& table, const std::filesystem::path& file);
 
 /// Throws SceneError unless it is TOML.
 bool is_sweep_file(const std::filesystem::path& path);
-/// Throws SceneError with the place. Does not check names and values against the scene.
+/// Throws SceneError with the place. Does not compare names and values with the scene.
 SweepFile read_sweep(const std::filesystem::path& path);
 
 }  // namespace taut::cli

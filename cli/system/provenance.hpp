@@ -16,8 +16,8 @@ struct FileFormat {
   int number;
 };
 
-/// Raise a number if old readers would misread the format; for checkpoint.bin also if a `serialize` function or the
-/// result of a step changes.
+/// Raise a number if old readers would misread the format; for checkpoint.bin also if `serialize` or a step's result
+/// changes.
 inline constexpr std::array<FileFormat, 9> file_formats{{{"run.json", 1},
                                                          {"results.json", 1},
                                                          {"results.csv", 1},
@@ -34,14 +34,14 @@ consteval int format_of(std::string_view file) {
   throw "no such kind of file";
 }
 
-/// The first line has name, version and commit.
+/// First line: name, version and commit.
 std::string version_text();
 
 std::string host_name();
 
 class Provenance {
  public:
-  /// Times are from construction to this call.
+  /// Times end at this call.
   Json to_json() const;
 
  private:

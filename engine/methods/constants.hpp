@@ -17,12 +17,12 @@ struct Elasticity {
   std::array<double, most_law_parameters> of_law{};  // values of LawRow::parameters
 };
 
-/// In m/s; the same in plane strain and 3D.
+/// m/s; the same in plane strain and 3D.
 inline double compression_wave_speed(const Elasticity& m) {
   return std::sqrt((m.K + 4.0 / 3 * m.G) / m.rho0);
 }
 
-/// With several materials: the first particle's material, but the maximum c0.
+/// First particle's material, with the maximum c0.
 struct Constants : Elasticity {
   double dp = 0;                 // particle spacing, m
   double h = 0;                  // smoothing length, m
@@ -31,16 +31,15 @@ struct Constants : Elasticity {
   double step = 0;  // fixed time step, s; 0: from cfl
 };
 
-/// A user-settable constant ("--set method.zeta=4").
+/// "--set method.zeta=4".
 struct MethodConstant {
   std::string_view name;
-  double value;  // default
+  double value;
   double low, high;
   std::string_view help;
-  bool in_spacings = false;  // `value` is in spacings
-  bool at_set_up = false;    // cannot change during a run
-  std::span<const std::string_view> choices =
-      {};  // names of the values 0, 1, …, the default first; else numbers
+  bool in_spacings = false;
+  bool at_set_up = false;                          // fixed during a run
+  std::span<const std::string_view> choices = {};  // of 0, 1, …, the default first; else numbers
 };
 
 template <class C>

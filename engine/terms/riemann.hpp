@@ -3,8 +3,8 @@
 #include "engine/core/pack.hpp"
 #include "engine/term_info.hpp"
 
-/// Riemann problem along e_ij (from j to i), left state i: U_L = −v_i·e_ij, U_R = −v_j·e_ij, closing speed U_L − U_R.
-/// Departure: a linearised solver, since [Zhang2024] prints neither U* nor P*.
+/// Along e_ij (from j to i), left state i: U_L = −v_i·e_ij, U_R = −v_j·e_ij. Departure: linearised, since [Zhang2024]
+/// prints neither U* nor P*.
 namespace taut {
 
 struct Dissipation {
@@ -13,9 +13,9 @@ struct Dissipation {
   double least;    // lower bound of β
 };
 
-/// P* = ½ (p_i + p_j) + ½ β ρ0 c0 (U_L − U_R) in Pa, [Zhang2024] Eq. 12. β = 1 is the linearised solver. The solver
-/// that [Zhang2024] cites has the limiter β = min(3 max(U_L − U_R, 0)/c0, 1). Departure: the paper prints no β, and no
-/// lower bound of β fits all its figures: rings of `og` tear in time only up to 0.2, rings of `oas` stay whole from 0.6.
+/// P* = ½ (p_i + p_j) + ½ β ρ0 c0 (U_L − U_R) in Pa, [Zhang2024] Eq. 12. Departure: the paper prints no β. β = 1 is
+/// the linearised solver; the cited solver has β = min(3 max(U_L − U_R, 0)/c0, 1). No lower bound fits all figures:
+/// rings of `og` tear in time only up to 0.2, rings of `oas` stay whole from 0.6.
 template <class T>
 T riemann_pressure(const T& p_i, const T& p_j, const T& closing_speed, const Dissipation& d) {
   T impedance = filled<T>(d.rho0_c0);
@@ -26,8 +26,7 @@ inline constexpr TermInfo riemann_pressure_info{"pressure force", "dv/dt = −2 
                                                 "[Zhang2024] Eq. 12", "terms/riemann.hpp:riemann_pressure",
                                                 "riemann: P* is symmetric in the two states"};
 
-/// Term j of (dρ_i/dt)/ρ_i, 1/s. [Zhang2024] Eq. 11. Departure: pressures in U* are separate, see
-/// `pressure_diffusion_term`.
+/// Term j of (dρ_i/dt)/ρ_i, 1/s. [Zhang2024] Eq. 11. Departure: without the pressures in U*.
 template <class T>
 T compression_term(const T& V_j, const T& dW, const T& closing_speed) {
   return -V_j * dW * closing_speed;
@@ -36,8 +35,8 @@ inline constexpr TermInfo compression_info{"continuity", "dρ/dt = ρ_i Σ V_j v
                                            "terms/riemann.hpp:compression_term",
                                            "riemann: approaching pairs grow denser, whatever their order"};
 
-/// Part of Eq. 11 from the pressures in U*, 1/s. Departure: share = 0 by default, as in the authors' program, since
-/// it softens bending.
+/// Pressures in U* of Eq. 11, 1/s. Departure: share = 0 by default, as in the authors' program, since it softens
+/// bending.
 template <class T>
 T pressure_diffusion_term(const T& V_j, const T& dW, const T& p_i, const T& p_j, double share, double rho0,
                           double c0) {

@@ -10,21 +10,19 @@
 
 namespace taut {
 
-/// Closing speed of the velocities reconstructed half way to the other particle, m/s; D: symmetric part of ∇u.
-/// [Khayyer2024] Eq. 37, 44
+/// In m/s, from velocities half way to the other particle; D: symmetric part of ∇u. [Khayyer2024] Eq. 37, 44
 template <class T, int Dim>
 T reconstructed_closing_speed(const T& closing_speed, const Sym<T, Dim>& D_i, const Sym<T, Dim>& D_j,
                               const T& r, const Vec<T, Dim>& e_ij) {
   return closing_speed + 0.5 * r * dot(e_ij, (D_i + D_j) * e_ij);
 }
 
-/// Slope limiter of the reconstruction. [Khayyer2024] §3.3 has none and names limiters as future work; `first_order`
-/// omits the reconstruction, Eq. 37.
+/// [Khayyer2024] §3.3 has no limiter; `first_order` omits the reconstruction, Eq. 37.
 enum class Limiter { none, minmod, van_leer, first_order };
 inline constexpr std::string_view limiter_names[] = {"none", "minmod", "van-leer", "first-order"};
 
-/// Velocity difference over a pair after limiting, m/s. `over`: difference of the two velocities; `behind`: difference
-/// over the same distance on the far side of one of the particles. 0 if their signs differ.
+/// m/s; 0 if the signs differ. `over`: difference over the pair; `behind`: over the same distance on the far side of
+/// one particle.
 template <class T>
 T limited(const T& over, const T& behind, Limiter limiter) {
   const T zero = filled<T>(0), product = over * behind;
@@ -34,7 +32,7 @@ T limited(const T& over, const T& behind, Limiter limiter) {
   return product > zero ? T(2.0 * product / (product > zero ? over + behind : filled<T>(1))) : zero;
 }
 
-/// As reconstructed_closing_speed, with limited slopes: reconstructed velocities lie between the pair's velocities.
+/// With limited slopes, reconstructed velocities lie between the pair's.
 template <class T, int Dim>
 T limited_closing_speed(const T& closing_speed, const Sym<T, Dim>& D_i, const Sym<T, Dim>& D_j, const T& r,
                         const Vec<T, Dim>& e_ij, Limiter limiter) {
@@ -45,7 +43,7 @@ T limited_closing_speed(const T& closing_speed, const Sym<T, Dim>& D_i, const Sy
   return closing_speed + 0.5 * (part(D_i) + part(D_j));
 }
 
-/// p** in Pa, [Khayyer2024] Eq. 40, 41; `impedance` is c ρ √ρ. Departure: the force is −p** V_j ∇_i W, as Eq. 39
+/// p**, Pa, [Khayyer2024] Eq. 40, 41; `impedance` is c ρ √ρ. Departure: the force is −p** V_j ∇_i W, as Eq. 39
 /// implies, without the unstable factor 2 of Eq. 43.
 template <class T>
 T riemann_dissipation(const T& closing_speed, const T& impedance_i, const T& impedance_j, const T& root_rho_i,
@@ -53,8 +51,7 @@ T riemann_dissipation(const T& closing_speed, const T& impedance_i, const T& imp
   return (impedance_i + impedance_j) / (root_rho_i + root_rho_j) * closing_speed;
 }
 
-/// CFL speed at a material interface, m/s: dense neighbours damp light particles. Departure: [Khayyer2024] has no
-/// such limit.
+/// CFL speed, m/s: dense neighbours damp light particles. Departure: [Khayyer2024] has no such limit.
 inline double riemann_step_speed(double rho_i, double c_i, double rho_j, double c_j) {
   const double root_i = std::sqrt(rho_i), root_j = std::sqrt(rho_j);
   return riemann_dissipation(1.0, c_i * rho_i * root_i, c_j * rho_j * root_j, root_i, root_j) /

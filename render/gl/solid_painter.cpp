@@ -22,8 +22,7 @@ constexpr int samples = 2;
 // 16 Mi samples of 8 bytes; a picture of 1920 × 1080 has one band
 constexpr int samples_per_band = 1 << 24;
 
-// x to the right, y downwards, z towards the camera. Surfaces that face away from the light keep the share `ambient`
-// of their colour.
+// x to the right, y downwards, z towards the camera. Surfaces facing away keep the share `ambient`.
 constexpr std::array<float, 3> to_light = {-0.32f, -0.44f, 0.839f};
 constexpr float ambient = 0.72f;
 #define TAUT_LIGHT                                                  \
@@ -108,8 +107,8 @@ void main() {
 constexpr const char* resolve_vertex_shader = R"(#version 330 core
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); })";
 
-// Compares opposite points around a pixel. Their mean depth equals the pixel's on a plane and is nearer in a hollow.
-// Half their difference is the slope. Much farther points belong to other objects.
+// Compares opposite points. Their mean depth equals the pixel's on a plane and is nearer in a hollow; half their
+// difference is the slope. Much farther points belong to other objects.
 constexpr const char* resolve_fragment_shader = "#version 330 core\n" TAUT_LIGHT R"(
 uniform sampler2D colors, depths;
 uniform ivec2 corner;    // of the picture's part, pixels
@@ -168,7 +167,7 @@ GLuint make_texture(GLint format, GLenum kind, GLenum type, GLint filter, int wi
   return texture;
 }
 
-/// Declares `floats` numbers, then a colour or `shades` numbers.
+/// Numbers, then a colour or `shades` numbers.
 void declare_attributes(int floats, int shades, std::size_t stride) {
   const auto place = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
   const auto bytes = static_cast<GLsizei>(stride);
@@ -299,7 +298,7 @@ void SolidPainter::draw_band(int top, int height, const Extent& extent) {
   }
 }
 
-/// Draws rows `top` … `top + height − 1`. The band has `below` further rows under these.
+/// Rows `top` … `top + height − 1`, with `below` further rows of the band under them.
 void SolidPainter::resolve(std::uint32_t picture, int top, int height, int below, const Extent& extent) {
   const int bottom = image_height_ - (plot_.y + top + height);
   glBindFramebuffer(GL_FRAMEBUFFER, picture);

@@ -20,34 +20,30 @@ struct Corner {
   std::uint32_t color;
 };
 
-/// Corner of a triangle of a surface, in the coordinates of a Ball.
+/// In the coordinates of a Ball.
 struct SurfaceCorner {
   float x, y, z;
-  float place;  // of its value among the colours, from 0 to 1; below −1000: no number
-  float light;  // factor of the colour
+  float place;  // among the colours, 0 to 1; below −1000: NaN
+  float light;  // colour factor
 };
 
-/// Content of a picture.
 struct SolidParts {
   std::span<const Ball> balls{};
   std::span<const Corner> corners{};         // three per triangle
   std::span<const SurfaceCorner> surface{};  // three per triangle
-  std::span<const std::uint32_t> palette{};  // colours of the surface, then the colour of no number
+  std::span<const std::uint32_t> palette{};  // of the surface; the last is for NaN
 };
 
-/// Draws spheres and triangles with OpenGL. Requires a current context throughout its lifetime.
-///
-/// The light comes from the upper left, behind the camera. Shading darkens colours and keeps their hues. Spheres are
-/// shaded by their normals. All visible surfaces are also shaded by the depths around each pixel, so that hollows are
-/// darker [Luft, Colditz, Deussen: Image enhancement by unsharp masking the depth buffer, 2006].
+/// Draws spheres and triangles. Requires a current context throughout its lifetime. Shading keeps hues. The depths
+/// around each pixel make hollows darker [Luft, Colditz, Deussen: Image enhancement by unsharp masking the depth
+/// buffer, 2006].
 class SolidPainter {
  public:
-  /// Throws UsageError if there is not enough memory for such a picture.
+  /// Throws UsageError without enough memory.
   SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background = white,
                bool transparent = false);
 
-  /// Fills the framebuffer `picture` with the background, and draws the parts into the plot. Surfaces interpolate
-  /// values, not colours.
+  /// Fills the framebuffer `picture` with the background first. Surfaces interpolate values, not colours.
   void draw(std::uint32_t picture, const SolidParts& parts);
 
  private:
@@ -64,17 +60,17 @@ class SolidPainter {
 
   int image_width_, image_height_;
   Rect plot_;
-  std::array<float, 3> background_;  // 0 if transparent
-  float opacity_;                    // of the background
-  int reach_;                        // radius of the shading, pixels
-  int band_height_;                  // limits the buffers of large pictures
+  std::array<float, 3> background_;  // 0: transparent
+  float opacity_;
+  int reach_;        // radius of the shading, pixels
+  int band_height_;  // limits buffers of large pictures
   std::uint32_t framebuffer_ = 0, color_ = 0, depth_ = 0;
   Shape ball_, triangle_, surface_;
   std::uint32_t palette_ = 0;
   std::uint32_t resolve_program_ = 0, no_vertices_ = 0;
 };
 
-/// Colour factor of a unit normal: x to the right, y downwards, z towards the camera.
+/// For a unit normal: x to the right, y downwards, z towards the camera.
 float light_on(float x, float y, float z);
 
 }  // namespace taut::render

@@ -7,7 +7,7 @@
 
 namespace taut::render {
 
-/// Area in pixels from the top left.
+/// Pixels from the top left.
 struct Rect {
   int x = 0, y = 0, width = 0, height = 0;
 };
@@ -15,12 +15,11 @@ struct Rect {
 using Rgb = std::array<std::uint8_t, 3>;
 inline constexpr Rgb white = {255, 255, 255};
 
-/// Whether black is easier to read on this colour than white. Weights of ITU-R BT.709 on the stored values; at 118,
-/// both contrasts are about equal.
+/// Black is easier to read on it than white; ITU-R BT.709 on stored values. At 118, both contrasts are about equal.
 inline bool is_light(Rgb color) { return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] > 118; }
 
-/// A picture, by rows from the top. A pixel has the bytes B, G, R, 255, since OSMesa and Cairo draw into it. In a
-/// transparent picture, the last byte is the opacity, and the others are multiplied by it.
+/// Rows from the top. A pixel has the bytes B, G, R, 255, since OSMesa and Cairo draw into it. If transparent, the
+/// last byte is the opacity, which multiplies the others.
 struct Image {
   int width = 0;
   int height = 0;
@@ -42,7 +41,7 @@ struct Image {
     std::uint8_t* p = &pixels[offset(column, row)];
     p[0] = color[2], p[1] = color[1], p[2] = color[0], p[3] = 255;
   }
-  /// Fills with `color`, or with nothing if transparent.
+  /// Ignores `color` if transparent.
   void fill(Rgb color) {
     if (transparent) return pixels.assign(pixels.size(), 0);
     for (std::size_t k = 0; k < pixels.size(); k += 4)

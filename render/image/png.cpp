@@ -24,14 +24,13 @@
 namespace taut::render {
 namespace {
 
-// Limits against forged headers; panels can be twice the largest drawn side.
+// Against forged headers; panels can be twice the largest drawn side.
 constexpr png_uint_32 greatest_side = 16384;
 constexpr png_alloc_size_t max_chunk_bytes = 8 << 20;
 constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
-// The classic API of libpng: the simplified one converts to sRGB.
+// libpng's simplified API converts to sRGB.
 
-/// Outlives the frames that longjmp skips.
 struct Complaint {
   char message[128] = {0};
 };
@@ -82,7 +81,7 @@ void append_number(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
   for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
 }
 
-/// Length, kind, content, checksum [PNG §5.3].
+/// [PNG §5.3].
 void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
                   std::span<const std::uint8_t> holds) {
   append_number(file, static_cast<std::uint32_t>(holds.size()));
@@ -92,7 +91,7 @@ void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
   append_number(file, crc32_gzip_refl(0, &file[from], file.size() - from));
 }
 
-/// Channel without its factor, the opacity. Invisible pixels are white, for readers that ignore opacity.
+/// Divides by the opacity. Invisible pixels are white, for readers that ignore opacity.
 std::uint8_t divided(std::uint8_t channel, std::uint8_t opacity) {
   if (opacity == 0) return 255;
   return static_cast<std::uint8_t>(std::min((255 * channel + opacity / 2) / opacity, 255));
@@ -100,7 +99,7 @@ std::uint8_t divided(std::uint8_t channel, std::uint8_t opacity) {
 
 int channels(const Image& image) { return image.transparent ? 4 : 3; }
 
-/// Writes filter type none, which flat colours do not need, then R, G, B and the opacity of transparent pictures.
+/// Filter type none suits flat colours.
 void put_row(const Image& image, int row, std::uint8_t* to) {
   *to++ = PNG_FILTER_VALUE_NONE;
   const std::uint8_t* from = &image.pixels[image.offset(0, row)];
@@ -114,8 +113,7 @@ void put_row(const Image& image, int row, std::uint8_t* to) {
     to[0] = from[2], to[1] = from[1], to[2] = from[0];
 }
 
-/// ISA-L at level 0 with the picture's code. In ISA-L 2.30, the output of levels 1 and 2 may depend on memory
-/// addresses. Too large for the stack.
+/// ISA-L at level 0: in 2.30, output of levels 1 and 2 may depend on memory addresses. Too large for the stack.
 struct Deflater {
   isal_zstream stream;
   isal_hufftables code;
@@ -169,7 +167,7 @@ class Bands {
 
 std::unique_ptr<isal_huff_histogram> histogram(Bands& bands) {
   constexpr int apart = 6;
-  auto seen = std::make_unique<isal_huff_histogram>();  // zeros
+  auto seen = std::make_unique<isal_huff_histogram>();
   for (int k = std::min(apart, bands.count()) / 2; k < bands.count(); k += apart) {
     const std::span<std::uint8_t> bytes = bands(k);
     isal_update_histogram(bytes.data(), static_cast<int>(bytes.size()), seen.get());
@@ -210,18 +208,18 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 void write_png(const Image& image, const std::filesystem::path& path) { write_png(encode_png(image), path); }
 
 void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  // same folder: a rename is atomic only within a file system
+  // renames are atomic only within a file system
   std::filesystem::path part = path;
   part += ".part" + std::to_string(getpid());
 
-  // a new file: a link with this name may have been laid by a stranger
+  // a stranger may have made a link of this name
   ::unlink(part.c_str());
   const int descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   std::FILE* const file = descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
   if (!file) fail_to_write(path, std::strerror(errno));
   const bool all = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   int reason = all ? 0 : errno;
-  // a full disk may be reported only now
+  // a full disk may be reported now
   if (std::fclose(file) != 0 && all) reason = errno;
 
   std::error_code error;
@@ -235,7 +233,7 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
 }
 
 Image read_png(const std::filesystem::path& path, Alpha alpha) {
-  // a pipe in a stranger's folder must not be waited for; /dev/stdin is the user's
+  // a stranger's pipe must not be waited for; /dev/stdin is the user's
   const bool of_system = path.string().starts_with("/dev/");
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | (of_system ? 0 : O_NONBLOCK));
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(

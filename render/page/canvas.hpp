@@ -11,29 +11,28 @@
 
 namespace taut::render {
 
-// From 0 (full contrast) to 1 (background). Black on white has too much contrast.
+// 0 (full contrast) to 1 (background). Black on white has too much contrast.
 inline constexpr double ink = 0.13;
 inline constexpr double faint = 0.42;
-inline constexpr double cap_height = 0.73;  // of digits, per font size
+inline constexpr double cap_height = 0.73;  // of digits
 
-/// Width in whole pixels.
+/// Whole pixels.
 double line_width(double em);
 
-/// Draws with Cairo; pixels from the top left.
+/// Pixels from the top left.
 class Canvas {
  public:
   enum class Align { left, centre, right };
 
-  /// The image must outlive the canvas and must not move its pixels.
+  /// The image must outlive the canvas and keep its pixels in place.
   explicit Canvas(Image& image, Rgb background = white);
 
-  /// Call `begin` after anything else has drawn into the image.
+  /// Call after other drawing.
   void begin();
   void end();
 
   cairo_t* cairo() { return cairo_.get(); }
-  /// Sets the gray level, from 0 (white on dark, black on light) to 1 (background). Levels between are opacities in a
-  /// transparent picture.
+  /// 0 (white on dark, black on light) to 1 (background); opacities in transparent pictures.
   void gray(double level);
   void color(Rgb color);
   void use(Weight weight, double size);
@@ -43,7 +42,6 @@ class Canvas {
   /// (x, y): middle of the baseline.
   void turned_text(const std::string& text, double x, double y);
   double width_of(const std::string& text);
-  /// Shortens text with an ellipsis to `room` pixels.
   std::string fitted(std::string text, double room);
 
  private:
@@ -54,7 +52,7 @@ class Canvas {
   Font regular_, bold_;
   Rgb background_;
   bool transparent_, erases_ = false;
-  double contrast_;  // strongest contrast to the background, 0 or 1
+  double contrast_;
   std::unique_ptr<cairo_surface_t, Deleter> surface_;
   std::unique_ptr<cairo_t, Deleter> cairo_;
 };

@@ -10,7 +10,7 @@ namespace taut::render {
 
 enum class Stroke : std::uint8_t { thin, bold };
 
-/// Draws lines of a 2D scene, four coordinates each, m. Thin ones are faint.
+/// 2D, four coordinates each, m. Thin lines are faint.
 void draw_segments(Canvas& canvas, const PageLayout& layout, std::span<const double> segments, Stroke stroke,
                    double em);
 

@@ -57,7 +57,7 @@ const std::string& state_of(std::size_t number) {
   return known[number];
 }
 
-/// Interrupts a run after `lines` lines of progress.
+/// After `lines` lines.
 class InterruptAfterLines : public std::streambuf {
  public:
   explicit InterruptAfterLines(int lines) : lines_(lines) {}
@@ -107,7 +107,7 @@ std::string header_of_checkpoint() {
 
 }  // namespace
 
-/// `bytes` lacks header and checksum.
+/// Without header and checksum.
 void read_checkpoint_file(std::string_view bytes) {
   static const std::string header = header_of_checkpoint();
   std::string file = header + std::string(bytes);

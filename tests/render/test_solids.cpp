@@ -57,7 +57,7 @@ Bodies lattice(int n) {
   return bodies;
 }
 
-/// Greatest deviation of a channel from `base` scaled to the colour's brightness.
+/// Greatest channel deviation from `base` at the same brightness.
 double hue_difference(Rgb color, Rgb base) {
   const double light = static_cast<double>(color[0] + color[1] + color[2]) / (base[0] + base[1] + base[2]);
   double difference = light > 1.01 ? 255 : 0;
@@ -77,7 +77,7 @@ TEST_SUITE("image") {
       int inside = 0, wrong = 0;
       for (int row = 0; row < 200; ++row) {
         for (int column = 0; column < 200; ++column) {
-          const double r = std::hypot(column - 99.5, row - 99.5);  // radius 50 pixels
+          const double r = std::hypot(column - 99.5, row - 99.5);
           if (r > 51) wrong += image.at(column, row) != white;
           if (r < 49) ++inside, wrong += hue_difference(image.at(column, row), base) > 2;
         }
@@ -85,9 +85,9 @@ TEST_SUITE("image") {
       CHECK(inside > 7000);
       CHECK(wrong == 0);
       const auto [left, right] = std::pair(image.at(80, 80), image.at(125, 125));
-      CHECK(left[1] > right[1] + 20);  // light from the upper left
+      CHECK(left[1] > right[1] + 20);
       CHECK(hue_difference(image.at(100, 100), base) <= 2);
-      CHECK(image.at(100, 100)[1] > 0.9 * base[1]);  // facing the camera
+      CHECK(image.at(100, 100)[1] > 0.9 * base[1]);  // towards the camera
     }
   }
 
@@ -101,7 +101,7 @@ TEST_SUITE("image") {
       const Rgb yellow = find_colormap("viridis")->at(1);
       const Image front = drawn(two, bare(along_y));
       CHECK(hue_difference(front.at(100, 100), yellow) <= 2);
-      CHECK(hue_difference(front.at(144, 100), yellow) > 10);  // the other sphere
+      CHECK(hue_difference(front.at(144, 100), yellow) > 10);
       const Image behind = drawn(two, bare({.from = {0, 1, 0}}));
       CHECK(hue_difference(behind.at(100, 100), yellow) > 10);
     }
@@ -125,7 +125,7 @@ TEST_SUITE("image") {
       solids.place_balls(all.frame(), projection, colors);
       const std::vector<Ball> seen(solids.balls().begin(), solids.balls().end());
       std::vector<Ball> every;
-      for (std::size_t i = 0; i < all.value.size(); i += 1000) {  // too few for culling
+      for (std::size_t i = 0; i < all.value.size(); i += 1000) {
         FrameView part = all.frame();
         part.x = part.x.subspan(3 * i, 3000), part.value = part.value.subspan(i, 1000);
         part.diameter = part.diameter.subspan(i, 1000);
@@ -150,7 +150,7 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("a box of cells is a closed surface") {
-    // outer cells of 12³, sheared
+    // outside of 12³, sheared
     Bodies box;
     const int n = 12;
     const double dp = 0.08;

@@ -21,7 +21,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A sheet of n × n squares over [−0.8, 0.8]², deformed by `map`; each square is two triangles.
+/// n × n squares of two triangles over [−0.8, 0.8]², deformed by `map`.
 struct Sheet {
   std::vector<double> x, value, diameter;
   std::vector<std::uint32_t> triangle;
@@ -75,7 +75,7 @@ int difference(Rgb a, Rgb b) {
 
 TEST_SUITE("image") {
   TEST_CASE("a stretched and bent surface has no gap") {
-    // a uniform stretch, then a bend; both leave |X| < 0.7 in a known place
+    // a uniform stretch, then a bend; both preserve |X| < 0.7
     const auto stretched = [](double X, double Y) { return std::array{1.2 * X, 0.7 * Y}; };
     const auto bent = [](double X, double Y) { return std::array{X, 0.8 * Y + 0.2 * X * X}; };
     const auto gaps = [](const auto& map) {
@@ -106,8 +106,8 @@ TEST_SUITE("image") {
         worst = std::max(worst, difference(image.at(column, row),
                                            table[static_cast<std::size_t>(std::lround(255 * value))]));
     }
-    CHECK(worst <= 6);  // two steps of the colour map
-    // the middle of the ends' colours is far from the map's middle
+    CHECK(worst <= 6);  // two colour steps
+    // far from the map's middle
     Rgb mean{};
     for (std::size_t k = 0; k < 3; ++k)
       mean[k] = static_cast<std::uint8_t>((table[0][k] + table[255][k]) / 2);
@@ -116,10 +116,10 @@ TEST_SUITE("image") {
 
   TEST_CASE("a point without a number colours its triangles as no number") {
     Sheet sheet(2, same);
-    sheet.value[4] = std::numeric_limits<double>::quiet_NaN();  // the middle
+    sheet.value[4] = std::numeric_limits<double>::quiet_NaN();
     const Image image = drawn(sheet.frame(), bare());
     CHECK(image.at(98, 98) == not_a_number_color);
-    CHECK(image.at(24, 175) != not_a_number_color);  // in a triangle of other points
+    CHECK(image.at(24, 175) != not_a_number_color);  // a triangle of other points
   }
 
   TEST_CASE("categories are not interpolated") {
@@ -170,7 +170,7 @@ TEST_SUITE("image") {
       }
       CHECK(faint > 0);
       CHECK(dark > 10);
-      // a premultiplied channel is at most the opacity
+      // premultiplied: at most the opacity
       int wrong = 0;
       for (std::size_t k = 0; k < image.pixels.size(); ++k)
         wrong += image.pixels[k] > image.pixels[k / 4 * 4 + 3];
@@ -179,13 +179,13 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("the light of a surface varies smoothly on round faces and changes at edges") {
-    // two triangles at a slight angle, and a third at right angles to the second; y downwards
+    // two at a slight angle, a third at right angles; y downwards
     const std::vector<Vector> points{{0, 0, 0}, {0, -1, 0}, {1, 0, 0.1}, {1, -1, 0.2}, {1, 0, -1}};
     const std::vector<std::uint32_t> triangles{0, 2, 1, 1, 2, 3, 2, 4, 3};
     const std::vector<float> light = smooth_light(points, triangles);
     REQUIRE(light.size() == 9);
-    CHECK(light[1] == light[4]);  // point 2 of the first two
-    CHECK(light[4] != light[6]);  // point 2 beyond the edge
+    CHECK(light[1] == light[4]);  // at a slight angle
+    CHECK(light[4] != light[6]);  // beyond the edge
     const auto alone = [&](float x, float z) {
       return light_on(x / std::hypot(x, z), 0, z / std::hypot(x, z));
     };

@@ -17,10 +17,10 @@
 #include "engine/terms/velocity_gradient.hpp"
 #include "engine/terms/xsph.hpp"
 
-/// All loops gather over i, so results do not depend on the number of threads.
+/// Loops gather over i, so results do not depend on the number of threads.
 namespace taut {
 
-/// Pair geometry at the start of the step. Padding has w′/q = 0 and r beyond the support.
+/// At the start of the step. Padding has w′/q = 0 and r beyond the support.
 template <int Dim>
 struct CauchyPair {
   Vec<Pack, Dim> d;  // x_i − x_j, m
@@ -40,7 +40,7 @@ struct KernelScale {
         of_gradient(K::alpha(Dim) / power<Dim + 2>(h)),
         beyond2(power<2>(2 * K::support * h)) {}
 
-  /// Recomputed in each pass; loading stored values would be no faster.
+  /// Loading stored values would be no faster.
   CauchyPair<Dim> pair(const Vec<Pack, Dim>& d) const {
     const Pack r2 = dot(d, d);
     const Pack r = root(r2 == 0 ? filled<Pack>(beyond2) : r2);  // padding and coincident particles
@@ -77,7 +77,6 @@ void set_stress(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, int i,
   if constexpr (M.tensile_control) row.put(Row::surface_at, g.colour < c.surface_colour);
 }
 
-/// Computes gradients, w(q) of pairs if needed, and the stress rows.
 template <const UlCauchyFormulation& M, int Dim>
 void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Threads& threads) {
   using K = Kernel<M.kernel>;
@@ -110,7 +109,7 @@ void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Artificial stress in units of ∇W.
+/// In units of ∇W.
 template <const UlCauchyFormulation& M, int Dim>
 class Repulsion {
  public:
@@ -138,7 +137,7 @@ class Repulsion {
   double per_w_dp_, exponent_;
 };
 
-/// Advances v over the whole step and computes density diffusion, kg/(m³ s). Returns the maximum v², m²/s².
+/// Advances v over the whole step; density diffusion is in kg/(m³ s). Returns the maximum v², m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Kick<Dim>& kick,
                    const Threads& threads) {
@@ -202,8 +201,8 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Computes the transport velocity û, [Khayyer2024] Eq. 14, and sets `transported` to the time `ahead`, s, of the
-/// step. Returns the maximum squared velocity relative to the rigid motion of the body, m²/s².
+/// Computes û, [Khayyer2024] Eq. 14, and sets `transported` to `ahead`, s. Returns the maximum squared velocity
+/// relative to the body's rigid motion, m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
                       double ahead, const Threads& threads) {
@@ -234,7 +233,7 @@ double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, 
   });
 }
 
-/// Advances densities, stresses and positions with ∇û of `transported`. [Khayyer2024] Eq. 8, 13, 27, 29
+/// Uses ∇û of `transported`. [Khayyer2024] Eq. 8, 13, 27, 29
 template <const UlCauchyFormulation& M, int Dim>
 void rate_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, double dt, const Threads& threads) {
   using K = Kernel<M.kernel>;

@@ -29,7 +29,7 @@ Words words_for(const Words& typed) {
   return words;
 }
 
-/// Completions with the cursor at the end of `line`.
+/// With the cursor at the end of `line`.
 Words offered_by_bash(const TemporaryFolder& folder, const std::string& line) {
   std::ofstream(folder / "ask.sh") << "source <(\"$1\"/taut completion bash)\n"
                                       "compopt() { :; }  # bash defines it only during a completion\n"
@@ -140,7 +140,7 @@ TEST_SUITE("cli") {
     CHECK(offered_by_bash(folder, "taut run discs.toml --set contact=i") == Words{"impulse"});
     CHECK(offered_by_bash(folder, "taut run discs.toml --method=oe") == Words{"oenog"});
     CHECK(offered_by_bash(folder, "taut run discs.toml --fr") == Words{"--frames"});
-    // bash inserts completions unquoted
+    // unquoted by bash
     for (const char* name : {"dip`touch x`", "dip $(touch x)", "dip;x", "dip\nx"})
       std::ofstream(folder / (std::string(name) + ".toml"));
     ::setenv("TAUT_SCENES", folder.path().c_str(), 1);

@@ -111,7 +111,7 @@ TEST_SUITE("cli") {
 
     REQUIRE(call(tiny_snapshot(folder, {"--set", "speed=3", "--frames", "2", "--update"})).code == 0);
     CHECK(files_in(folder / "base") == 4);
-    CHECK(files_in(folder.path()) == 3);  // no leftovers
+    CHECK(files_in(folder.path()) == 3);
     CHECK(call(tiny_snapshot(folder, {"--set", "speed=3", "--frames", "2"})).code == 0);
     CHECK_FALSE(fs::exists(folder / "out/difference.png"));
   }
@@ -130,7 +130,7 @@ TEST_SUITE("cli") {
     CHECK(snapshot(faster).code == 0);
     CHECK(text_of(folder / "out/frames/frame_00000.png") == text_of(folder / "base/frame_00000.png"));
     CHECK(snapshot({"--set", "speed=2.4"}).code == 1);
-    // as in baselines of older versions: even the first frame differs, since the texts at the colour bar move
+    // older baselines: even the first frame differs, since the texts at the colour bar move
     fs::remove(folder / "base/look.json");
     CHECK(snapshot(faster).code == 1);
     CHECK(text_of(folder / "out/frames/frame_00000.png") != text_of(folder / "base/frame_00000.png"));
@@ -149,7 +149,7 @@ TEST_SUITE("cli") {
     REQUIRE(call(tiny_snapshot(folder, {"--frames", "2", "--update"})).code == 0);
     CHECK(fs::is_symlink(folder / "base"));
     CHECK(files_in(folder / "shared") == 4);
-    CHECK(files_in(folder.path()) == 4);  // scene, run, baseline, link
+    CHECK(files_in(folder.path()) == 4);
   }
 
   TEST_CASE("an invalid update never removes a baseline") {

@@ -15,7 +15,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Every value is non-default and non-automatic.
+/// Neither default nor automatic.
 Drawing other_drawing() {
   return {.field = find_field("pressure"),
           .look = {.view = render::View{-1, 2, -3, 4},
@@ -228,7 +228,7 @@ TEST_SUITE("unit") {
     };
     std::vector<double> values;
     for (int k = 0; k <= 1000; ++k) values.push_back(k);
-    CHECK(range_of(values) == render::Range{0, 1000});  // near the quantile 990
+    CHECK(range_of(values) == render::Range{0, 1000});  // quantile 990
     CHECK(range_of(values, 0.0) == render::Range{-1000, 1000});
     CHECK(range_of(values, 1.0) == render::Range{-998, 1000});
     values.push_back(1e9);

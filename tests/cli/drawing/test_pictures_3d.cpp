@@ -170,7 +170,6 @@ TEST_SUITE("cli") {
       const render::Image image = render::read_png(folder / "p.png");
       return std::pair(image.width, image.height);
     };
-    // two runs at one time: side by side, or one above the other
     CHECK(size({}).first > 1.3 * size({"--times-across"}).first);
     CHECK(size({"--times-across"}).second > 1.3 * size({}).second);
   }

@@ -16,7 +16,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// Two pairs; the second has unequal masses.
+/// With unequal masses in the second.
 Origins two_pairs() {
   return {.dim = 2,
           .x0 = {0, 0, 1, 0, 0, 3, 1, 3},
@@ -71,7 +71,7 @@ TEST_SUITE("unit") {
     const Origins origins = two_pairs();
     const Staging staging(drawing, origins);
     const StagedParticles staged = staging(frame(moved, origins, {1, 2, 3, 4}));
-    CHECK(staged.x == Numbers{-7, -3.5, -6, -3.5, -3, -1.5, 1, 0.5});  // centre (7, 4.5)
+    CHECK(staged.x == Numbers{-7, -3.5, -6, -3.5, -3, -1.5, 1, 0.5});  // (7, 4.5)
     SequenceBounds bounds;
     staging.extend(bounds, staged);
     const render::View view = *fitted(drawing, bounds).look.view;
@@ -98,7 +98,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("beside a cut, cells end half-way to the removed neighbour, also on the boundary of a body") {
-    // 3 × 3 boundary particles of a square of 2 m
+    // a square of 2 m
     Origins origins{.dim = 2, .x0 = {}, .m = Numbers(9, 1), .diameter = {}, .body = std::vector<int>(9, 0)};
     for (int n = 0; n < 9; ++n) {
       origins.x0.insert(origins.x0.end(), {n % 3 * 1.0, n / 3 * 1.0});

@@ -47,7 +47,7 @@ struct Covered {
     }
     return all;
   }
-  /// Positions after a linear map of the initial ones.
+  /// Maps the initial positions.
   Numbers mapped(const Map& map) const {
     const auto d = static_cast<std::size_t>(scene.dim);
     Numbers x;
@@ -62,7 +62,7 @@ struct Covered {
   SurfaceShape at(const Numbers& x) const { return surface.at(x, Numbers(shown.size(), 1), false); }
 };
 
-/// Area in 2D, enclosed volume in 3D, m^dim. Triangles in 2D may have any orientation.
+/// m^dim; triangles in 2D may have any orientation.
 double measure(const SurfaceShape& shape, int dim) {
   double sum = 0;
   const auto point = [&](std::size_t k, std::size_t axis) {
@@ -85,7 +85,6 @@ double determinant(int dim) {
          stretch[1][2] * stretch[2][1] * stretch[0][0];
 }
 
-/// One body.
 Scene scene_of(const std::vector<Shape>& shapes, int dim = 2) {
   Scene scene = scene_of_shapes({shapes.front()}, dim, spacing);
   scene.bodies[0].shapes = shapes;
@@ -152,16 +151,16 @@ TEST_SUITE("unit") {
     const Covered ring(scene_of({Ring{{0, 0, 0}, 0.1, 0.2}}));
     const double area = std::numbers::pi * (0.04 - 0.01);
     const SurfaceShape shape = ring.at(ring.mapped({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));
-    CHECK(measure(shape, 2) == Approx(area).epsilon(2e-3));  // chords, in place of arcs
+    CHECK(measure(shape, 2) == Approx(area).epsilon(2e-3));  // chords
     CHECK(length(shape.outline) == Approx(2 * std::numbers::pi * 0.3).epsilon(2e-3));
 
-    // a fork with a slot of one spacing
+    // slot of one spacing
     Scene fork = scene_of({Box{{0, 0, 0}, {0.09, 0.1, 0}}});
     fork.bodies[0].without = {Box{{0.04, 0.02, 0}, {0.05, 0.1, 0}}};
     const Covered body(fork);
     CHECK(measure(body.at(body.mapped(stretch)), 2) == Approx(determinant(2) * 0.0082).epsilon(1e-9));
 
-    // inner corners of a star stay open; its tips, which have no particle, are cut: 0.5 % of the area
+    // inner corners stay open; tips, which have no particle, are cut: 0.5 % of the area
     Chain corners;
     for (int k = 0; k < 10; ++k) {
       const double r = k % 2 == 0 ? 0.1 : 0.05, angle = (k + 0.5) * std::numbers::pi / 5;
@@ -193,7 +192,6 @@ TEST_SUITE("unit") {
       if (shape.x[2 * k] > 0.02 && shape.x[2 * k] < 0.08)
         CHECK(shape.value[k] == Approx(3 * shape.x[2 * k]).epsilon(1e-9));
     }
-    // uniform values are those of particles
     const SurfaceShape uniform = body.surface.at(x, value, true);
     for (const double v : uniform.value)
       CHECK(std::ranges::any_of(value, [v](double of) { return of == v; }));
@@ -206,14 +204,14 @@ TEST_SUITE("unit") {
     CHECK(whole == Approx(0.32));
     CHECK(length(body.surface.undeformed()) == Approx(0.32));
     for (std::size_t i = 0; i < body.shown.size(); ++i)
-      if (x[2 * i] > 0.05) x[2 * i] += 0.05;  // 6 spacings between the halves
+      if (x[2 * i] > 0.05) x[2 * i] += 0.05;  // 6 spacings
     const SurfaceShape torn = body.at(x);
     CHECK(torn.loose.empty());
     CHECK(length(torn.outline) > whole + 0.03);
     CHECK(measure(torn, 2) > 0.8 * 0.006);
     CHECK(measure(torn, 2) < 0.006);
 
-    x[0] -= 0.05;  // the first particle leaves
+    x[0] -= 0.05;
     CHECK(body.at(x).loose == std::vector<std::uint32_t>{0});
     x[1] = std::nan("");
     CHECK(body.at(x).loose == std::vector<std::uint32_t>{0});
@@ -223,7 +221,7 @@ TEST_SUITE("unit") {
     const Covered half(scene_of({Box{{0, 0, 0}, {0.06, 0.06, 0.04}}}, 3),
                        [](const Point& x) { return static_cast<double>(x[1] < 0.029); });
     const SurfaceShape shape = half.at(half.mapped({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));
-    // from the first layer that is left at 0.035, with a rim at the nodes at 0.03
+    // the layer left at 0.035, with a rim at 0.03
     CHECK(measure(shape, 3) > 0.06 * 0.04 * 0.025);
     CHECK(measure(shape, 3) < 0.06 * 0.04 * 0.03);
   }

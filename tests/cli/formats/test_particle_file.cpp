@@ -53,7 +53,7 @@ bool unpacks(std::string_view text, std::vector<double>& values) {
   return from_zlib_blocks(text, std::as_writable_bytes(std::span(values)));
 }
 
-/// New memory beyond these bytes is refused.
+/// In bytes.
 class MemoryLimit {
  public:
   explicit MemoryLimit(std::size_t bytes) {
@@ -151,7 +151,7 @@ TEST_SUITE("unit") {
     const auto claim = [&](const std::string& count) {
       std::string forged = text_of(path);
       forged.replace(forged.find("\"50\""), 4, "\"" + count + "\"");
-      // long enough for the former limit of 1024 particles per byte
+      // the former limit was 1024 particles per byte
       std::ofstream(folder / "forged.vtp", std::ios::binary) << forged << std::string(56000, '\0');
       return folder / "forged.vtp";
     };
@@ -176,7 +176,7 @@ TEST_SUITE("unit") {
       file.positions(2);
     };
     CHECK_NOTHROW(read_all());
-    // the file ends with about 150 bytes that only ParaView reads
+    // only ParaView reads the last 150 bytes or so
     for (std::size_t length = 0; length + 400 < end; length += 41) {
       std::ofstream(path, std::ios::binary) << whole.substr(0, length);
       CAPTURE(length);

@@ -21,7 +21,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// A lattice of 3 particles along each axis after the motion x = F X, with different stresses.
+/// 3 particles along each axis after x = F X, with different stresses.
 Snapshot deformed_lattice(int dim, const LinearMap& F) {
   Snapshot now;
   now.resize(dim, dim == 3 ? 27 : 9);
@@ -60,7 +60,6 @@ std::vector<const Field*> all_fields(int dim) {
 
 Numbers values_of(std::string_view key, const Snapshot& now) { return evaluate(*find_field(key), now); }
 
-/// Numbers of a line, or of a text with other separators.
 Numbers numbers_in(std::string text) {
   std::ranges::replace(text, ',', ' ');
   std::istringstream words(text);
@@ -69,7 +68,7 @@ Numbers numbers_in(std::string text) {
   return numbers;
 }
 
-/// Components of `columns` that belong to one array, particle after particle.
+/// Components of one array, particle after particle.
 Numbers interleaved(const std::vector<Numbers>& columns) {
   Numbers all;
   for (std::size_t i = 0; i < columns.front().size(); ++i)
@@ -94,7 +93,6 @@ bool has_python_module(const std::string& module) {
   return std::system(("/usr/bin/python3 -c 'import " + module + "' 2>/dev/null").c_str()) == 0;
 }
 
-/// Output of read_particles.py: the rest of each line by its first word.
 std::map<std::string, std::string> read_by_python(const TemporaryFolder& folder, const fs::path& file) {
   const std::string command = "/usr/bin/python3 " TAUT_SOURCE_DIR "/tests/cli/formats/read_particles.py " +
                               file.string() + " >" + folder.str("read") + " 2>&1";
@@ -109,7 +107,6 @@ std::map<std::string, std::string> read_by_python(const TemporaryFolder& folder,
   return lines;
 }
 
-/// Columns of a CSV file by the name in the header.
 std::map<std::string, Numbers> columns_of(const fs::path& csv) {
   const std::vector<std::string> lines = lines_of(csv);
   std::vector<std::string> names;
@@ -121,7 +118,7 @@ std::map<std::string, Numbers> columns_of(const fs::path& csv) {
     REQUIRE(row.size() == names.size());
     for (std::size_t c = 0; c < row.size(); ++c) columns[names[c]].push_back(row[c]);
   }
-  REQUIRE(columns.size() == names.size());  // each name once
+  REQUIRE(columns.size() == names.size());
   return columns;
 }
 
@@ -163,8 +160,8 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("the strain tensor is the logarithmic strain of the motion") {
-    // a stretch by 2 along (1, 1) and by 1/2 across it
-    constexpr double regularized = 1e-8;  // the fit is exact up to its regularisation
+    // stretch by 2 along (1, 1) and by 1/2 across
+    constexpr double regularized = 1e-8;
     const LinearMap F{1.25, 0.75, 0, 0.75, 1.25, 0, 0, 0, 1};
     Snapshot now = deformed_lattice(2, F);
     now.body.assign(now.size(), 0);
@@ -250,7 +247,6 @@ TEST_SUITE("unit") {
       CHECK(comment.find(property) != std::string::npos);
     for (const char* part : {":stress_xx", ":velocity_x", ":displacement_x", ":strain_xy", ":diameter"})
       CHECK(comment.find(part) == std::string::npos);
-    // the place of a property in a row
     std::size_t column = 0, at = comment.find(":stress:R:6");
     std::istringstream before(comment.substr(comment.find("species"), at - comment.find("species")));
     for (std::string name, type, width; std::getline(before, name, ':') && std::getline(before, type, ':') &&
@@ -331,7 +327,6 @@ TEST_SUITE("unit") {
       CHECK(read_as("strain") == in_order("strain"));
       CHECK(read_as("time") == Numbers{now.time});
       CHECK(read_as("periodic") == Numbers{0, 0, 0});
-      // the box touches the outermost particles
       CHECK(read_as("origin")[1] == Approx(-0.05));
       CHECK(read_as("cell")[4] == Approx(0.2 * 0.9 + (dim == 3 ? 0.2 * 0.2 : 0) + 0.1));
     }

@@ -18,7 +18,7 @@ namespace {
 
 bool has_header(const Section& section) { return section.header.empty() || section.header.starts_with('['); }
 
-/// Examples of all sections with a header except `without`.
+/// All sections with a header except `without`.
 std::string whole_file(std::span<const Section> sections, std::string_view without = "") {
   std::string text;
   for (const Section& section : sections)
@@ -26,7 +26,7 @@ std::string whole_file(std::span<const Section> sections, std::string_view witho
   return text;
 }
 
-/// Inserts `lines` after the first `header`, in place of `key`.
+/// Replaces `key` after the first `header`.
 std::string with_key(std::string text, std::string_view header, std::string_view key,
                      std::string_view lines) {
   const std::size_t begin = text.find(header) + header.size() + 1;
@@ -100,7 +100,7 @@ TEST_SUITE("cli") {
     const SuiteFile suite = read_suite(path);
     REQUIRE(suite.entries.size() == 3);
     CHECK(suite.entries[2].differs_from == "rings");
-    CHECK(suite.entries[2].warn == 5);  // of `rings`
+    CHECK(suite.entries[2].warn == 5);
     CHECK(suite.entries[2].settings.size() == 3);
     CHECK_FALSE(suite.entries[1].warn);
     CHECK(suite.entries[1].fail == 20);

@@ -16,7 +16,7 @@ bool jsonschema_is_there() {
   return std::system("/usr/bin/python3 -c 'import tomllib, jsonschema' 2>/dev/null") == 0;
 }
 
-/// Per file "valid" or the refused keys.
+/// "valid" or the refused keys.
 Texts verdicts(const std::string& kind, const std::vector<fs::path>& files) {
   const TemporaryFolder folder;
   std::ofstream(folder / "schema.json") << call({"describe", kind, "--schema"}).out;
@@ -126,7 +126,7 @@ TEST_SUITE("cli") {
           Texts{"valid"});
     CHECK(verdict(entry + "[[entry]]\nname = 'b'\ndiffers_from = 'a'") == Texts{"valid"});
     CHECK(verdict("title = 'none'") != Texts{"valid"});
-    CHECK(verdict(entry + "differs_from = 'a'") != Texts{"valid"});  // both
+    CHECK(verdict(entry + "differs_from = 'a'") != Texts{"valid"});
     CHECK(verdict(entry + "fail = -2") != Texts{"valid"});
     CHECK(verdict(entry + "render = { colour = 'speed' }") != Texts{"valid"});
     CHECK(verdict(entry + "method = 'ogg'") != Texts{"valid"});

@@ -25,7 +25,7 @@ nlohmann::ordered_json run_of(const fs::path& page, int run) {
   return assigned(text_of(page / ("runs/" + number + ".js")), "taut_runs[" + number + "]");
 }
 
-/// Run of the tiny scene with another reference for `gap`.
+/// The tiny scene with another `gap`.
 std::string run_with_title(const TemporaryFolder& folder, const std::string& title) {
   write_tiny_scene(folder);
   std::string text = text_of(folder / "discs.toml");
@@ -102,7 +102,7 @@ TEST_SUITE("cli") {
     REQUIRE(call({"report", run, run, "--out", out}).code == 0);
     CHECK(fs::exists(folder / "page/runs/1.js"));
     CHECK(report_of(folder / "page")["kind"] == "runs");
-    REQUIRE(call({"report", run, "--out", out}).code == 0);  // an older page may have had more runs
+    REQUIRE(call({"report", run, "--out", out}).code == 0);  // older pages may have had more runs
     CHECK_FALSE(fs::exists(folder / "page/runs/1.js"));
     const Outcome other = call({"report", run, "--out", run});
     CHECK(other.code == 2);
@@ -200,7 +200,6 @@ frames = 2
     REQUIRE(data["data"].size() == 3);
     // 8 particles × (3 × 2 + 3) bytes
     for (const auto& each : data["data"]) CHECK(each.get<std::string>().size() == 96);
-    // all particles start with the same displacement and colour
     const std::string first = data["data"][0], last = data["data"][2], color = first.substr(64, 4);
     for (std::size_t k = 64; k < 96; k += 4) CHECK(first.substr(k, 4) == color);
     CHECK(last.substr(64, 4) != color);
@@ -246,7 +245,7 @@ frames = 2
     REQUIRE(snapshot("2", {"--update"}) == 0);
     REQUIRE(snapshot("3", {}) == 1);
     const fs::path out = folder / "out/snapshot-suite";
-    const Outcome page = call({"report", out.string(), "--json"});  // from another folder
+    const Outcome page = call({"report", out.string(), "--json"});
     CAPTURE(page.err);
     REQUIRE(page.code == 0);
     CHECK(nlohmann::json::parse(page.out)["kind"] == "suite");

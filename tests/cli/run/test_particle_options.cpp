@@ -33,10 +33,9 @@ TEST_SUITE("cli") {
         const Outcome outcome = run_with(folder, "out", words);
         CHECK(outcome.code == 0);
         CHECK(contains(outcome.out, "particles/particles_00000." + format));
-        CHECK(files_in(folder / "out/particles") == 3);  // none of the older run
+        CHECK(files_in(folder / "out/particles") == 3);
         CHECK(fs::exists(folder / ("out/particles/particles_00002." + format)));
       }
-    // a scene may follow the option, as before
     const std::string scene = write_tiny_scene(folder);
     CHECK(call({"run", "--save-particles", scene, "--out", folder.str("first"), "--until", "1e-5", "--quiet"})
               .code == 0);

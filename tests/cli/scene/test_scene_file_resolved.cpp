@@ -45,7 +45,7 @@ bool equal_as(const Shape& a, const Shape& b) {
   return ((a.as<Kinds>() && b.as<Kinds>() && *a.as<Kinds>() == *b.as<Kinds>()) || ...);
 }
 
-/// Comparable shapes; others are compared by their particles.
+/// Others are compared by their particles.
 bool is_simple(const Shape& shape) { return equal_as<Box, Disc, Ring, Cylinder>(shape, shape); }
 
 void check_same(const Body& a, const Body& b) {
@@ -278,7 +278,7 @@ TEST_SUITE("unit") {
     const std::string text = replaced(small_scene, "\"Small\"", "\"a \\\"b\\\" \\\\ c ν\"");
     CHECK(read_text(text).scene.title == "a \"b\" \\ c ν");
     check_round_trip(read_text(text));
-    // only titles are limited to one line
+    // titles are limited to one line
     TomlValue lines;
     lines.set("a", TomlValue(std::string("b\n\t\x01 ν")));
     CHECK(parse_toml(print_toml(lines), "").find("a")->value.text == "b\n\t\x01 ν");

@@ -23,7 +23,6 @@ namespace {
 
 constexpr std::string_view block = R"({ type = "rectangle", low = [0, 0], high = [2, 1] })";
 
-/// Scene of one body in a scratch folder.
 std::string scene_text(const std::string& shape, const std::string& keys = "", int dim = 2) {
   return "dim = " + std::to_string(dim) + R"(
 spacing = 0.05
@@ -222,7 +221,7 @@ unit = "s"
       CHECK(error_of(far, 0).find("too far apart, or too far from the origin") != std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,6e-4\n.1,.1,6e-4\n", 0).find("about 0.0245 m apart") !=
           std::string::npos);
-    // 0.05² m² each without volumes
+    // 0.05² m² each
     for (const auto* other : {"x,y\n0,0\n.1,0\n.2,0\n0,.1\n", "x,y\n0,0\n.025,0\n.025,.025\n"})
       CHECK(error_of(other, 0).find("without a column volume") != std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,1e-300\n1,1,1\n", 0).find("does not fit a spacing") != std::string::npos);

@@ -64,9 +64,9 @@ TEST_SUITE("cli") {
     const Outcome updated = run_suite(folder, short_runs + entries_of_discs, {"--update"});
     CAPTURE(updated.err);
     REQUIRE(updated.code == 0);
-    CHECK(files_in(folder / "suite/discs") == 4);  // three frames and their look
+    CHECK(files_in(folder / "suite/discs") == 4);
     CHECK(files_in(folder / "suite/discs-og") == 4);
-    CHECK_FALSE(fs::exists(folder / "suite/faster"));  // a control has no baseline
+    CHECK_FALSE(fs::exists(folder / "suite/faster"));
     const Outcome alike = run_suite(folder, short_runs + entries_of_discs);
     CHECK(alike.code == 0);
     CHECK(contains(alike.out, "differs, as a control must"));
@@ -75,7 +75,7 @@ TEST_SUITE("cli") {
     const std::string faster = replaced_once(short_runs, "until = 0.001", "until = 0.001, speed = 2.5");
     const Outcome other = run_suite(folder, faster + entries_of_discs);
     CHECK(other.code == 1);
-    CHECK(lines_about(other.out, "discs ", "different") == 1 + 3);  // the entry and its frames
+    CHECK(lines_about(other.out, "discs ", "different") == 1 + 3);  // entry and frames
     CHECK(contains(other.out, "of 3 entries failed"));
   }
 

@@ -16,8 +16,8 @@ const std::string strange =
     "-a b {} {#} {= `touch ran`; =} $(touch ran) `touch ran` 'q' \"r\" \\ %d @x # ;[y]\n"
     "#SBATCH -z\ntouch ran";
 
-/// Writes a substitute for GNU parallel. It ignores options up to -q and runs the command once per input line, with
-/// {} and {#} replaced. It runs `touch ran` if a word contains {=.
+/// A substitute for GNU parallel ignores options up to -q and runs the command once per input line, replacing {} and
+/// {#}. A word with {= runs `touch ran`.
 void write_parallel(const TemporaryFolder& folder) {
   fs::create_directories(folder / "bin");
   std::ofstream(folder / "bin/parallel") << R"(#!/bin/sh

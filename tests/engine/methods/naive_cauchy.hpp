@@ -11,8 +11,8 @@
 #include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
-/// Transcription of [Khayyer2024] and [TranDuc2023] §2.2 in 2D and, ours, in 3D. As in [Khayyer2024], r_ij = r_j − r_i,
-/// u_ij = u_j − u_i, and ∇ is ∇_i w. tests/README.md (Transcriptions) lists its choices.
+/// Transcribes [Khayyer2024] and [TranDuc2023] §2.2 in 2D and, ours, in 3D. r_ij = r_j − r_i, u_ij = u_j − u_i, ∇ is
+/// ∇_i w. Choices: tests/README.md (Transcriptions).
 namespace taut::test::naive_cauchy {
 
 template <int Dim>
@@ -65,7 +65,7 @@ struct Particle {
 
 struct Counts {
   long tension = 0, compression = 0, viscous = 0, inner = 0, outer = 0, diffused = 0, contacts = 0;
-  long limited = 0, flattened = 0;  // slopes, one for each particle of a pair
+  long limited = 0, flattened = 0;  // slopes, per particle of a pair
 };
 
 template <int Dim>
@@ -90,7 +90,7 @@ class Run {
     find_others();
     const std::vector<Vector> a = accelerations();
     const std::vector<double> D = density_diffusion();
-    const std::vector<double> rho = densities();  // volumes stay the initial ones
+    const std::vector<double> rho = densities();  // initial volumes
     for (std::size_t i = 0; i < particles.size(); ++i)
       if (!particles[i].clamped) particles[i].u = particles[i].u + dt * a[i];
     if (!is_.tranduc) stop_approach();
@@ -111,7 +111,7 @@ class Run {
  private:
   std::size_t n() const { return particles.size(); }
   bool near(std::size_t i, std::size_t j) const { return particles[i].body == particles[j].body; }
-  /// The radius exceeds the support because positions change within a step.
+  /// Exceeds the support because positions change within a step.
   void find_others() {
     std::vector<Vector> r;
     for (const Particle& a : particles) r.push_back(a.r);
@@ -147,7 +147,7 @@ class Run {
     return rho;
   }
 
-  /// Correction L_i; I for uncorrected methods.
+  /// L_i; I if uncorrected.
   Matrix correction(std::size_t i, const std::vector<Vector>& r) const {
     if (!is_.corrected) return Matrix::Identity();
     Matrix M = Matrix::Zero();
@@ -243,7 +243,7 @@ class Run {
     return acceleration;
   }
 
-  /// Eq. 45, with u itself.
+  /// Eq. 45, with u.
   std::vector<Matrix> plain_velocity_gradients(const std::vector<Matrix>& L) const {
     std::vector<Matrix> grad(n(), Matrix::Zero());
     for (std::size_t i = 0; i < n(); ++i)
@@ -254,18 +254,17 @@ class Run {
     return grad;
   }
 
-  /// Difference of the velocities of a pair by the gradient at one particle. Limiters compare the differences to the
-  /// other particle and to its mirror image.
+  /// Limiters compare the differences to the other particle and to its mirror image.
   double limited(double across, double by_gradient) {
     const double mirrored = 2 * by_gradient - across;
     if (limiter == 0) return by_gradient;
     if (limiter == 3 || across * mirrored <= 0) return ++counts.flattened, 0;
     ++counts.limited;
     if (limiter == 1) return std::copysign(std::min(std::abs(across), std::abs(mirrored)), across);
-    return 2 / (1 / across + 1 / mirrored);  // van Leer: harmonic mean
+    return 2 / (1 / across + 1 / mirrored);  // harmonic mean
   }
 
-  /// Eq. 37, 40, 41, 43, 44: the factor of m_j ∇w.
+  /// Eq. 37, 40, 41, 43, 44: factor of m_j ∇w.
   double riemann(const Particle& a, const Particle& b, const Matrix& grad_a, const Matrix& grad_b) {
     const Vector r = b.r - a.r, e = r / r.norm();
     const double across = (b.u - a.u).dot(e);
@@ -353,7 +352,7 @@ class Run {
     return Q * a.S * Q.transpose() + 2 * a.material.G * dt * (strain - strain.trace() / 3 * I);
   }
 
-  /// Calls f(b, b.r − a.r, distance) for other bodies within one spacing.
+  /// f(b, b.r − a.r, distance) for other bodies within one spacing.
   template <class F>
   void for_each_touch(const Particle& a, const F& f) {
     for (const std::size_t j : others_[static_cast<std::size_t>(&a - particles.data())]) {
@@ -376,7 +375,7 @@ class Run {
     return force;
   }
 
-  /// Eq. 53, 54 on the new velocities.
+  /// Eq. 53, 54, new velocities.
   void stop_approach() {
     std::vector<Vector> change;
     for (const Particle& a : particles) {

@@ -10,8 +10,7 @@
 #include "tests/engine/methods/naive_total_lagrangian.hpp"
 #include "tests/engine/methods/naive_zhang2024.hpp"
 
-/// Makes runs of transcriptions, which are independent programs of the papers' equations. Only this file connects
-/// them with the engine.
+/// Transcriptions are independent programs of the papers' equations. Only this file connects them with the engine.
 namespace taut::test {
 
 template <class Vector>
@@ -21,7 +20,7 @@ Vector vector_of(const Point& x) {
   return v;
 }
 
-/// `lay(a, i, initial)` sets members whose names differ.
+/// `lay(a, i, initial)` sets members with other names.
 template <class Run, class Lay>
 void lay_particles(Run& run, const Scene& scene, const Lay& lay) {
   const InitialParticles initial = make_initial_particles(scene);
@@ -33,7 +32,7 @@ void lay_particles(Run& run, const Scene& scene, const Lay& lay) {
   }
 }
 
-/// A method's constant, or its default, or 0 if it has none.
+/// Constant, or default, or 0 without either.
 inline double constant_of(const Settings& settings, int dim, const std::string& name) {
   const auto set = settings.constants.find(name);
   if (set != settings.constants.end()) return set->second;

@@ -74,7 +74,6 @@ void check_active(const naive_cauchy::Counts& counts, const std::string& name) {
   CHECK((counts.outer > 100) == is.tic);
 }
 
-/// 40 steps with each limiter.
 template <int Dim>
 void check_limiters(const Scene& scene, const std::string& method) {
   const Snapshot published = state_after(40, scene, with_method(method));
@@ -113,7 +112,7 @@ TEST_SUITE("reference") {
     for (const char* method : current_configuration) check_method<2>(two_materials(), method, 25);
   }
   TEST_CASE("naive: in 3D updated-Lagrangian methods follow the transcription in collisions and at a clamp") {
-    Scene clamped = small_clamped_block();  // some particles are away from the surface
+    Scene clamped = small_clamped_block();  // some particles are inside
     const double dp = clamped.spacing;
     clamped.bodies[0].shapes = {Box{{-3 * dp, -2.5 * dp, -2.5 * dp}, {6 * dp, 2.5 * dp, 2.5 * dp}}};
     clamped.bodies[1].shapes = {Disc{{0.0003, 0.0052, 0.0002}, 0.0021}};
@@ -128,7 +127,7 @@ TEST_SUITE("reference") {
     Settings settings = with_method("d-ulsph-r-tic");
     settings.constants["riemann_factor"] = 2;
     const naive_cauchy::Run<2> run = after_steps(naive_current<2>(scene, settings), 16);
-    settings.step = run.time / 16;  // the engine's own step is shorter, see riemann_step_speed()
+    settings.step = run.time / 16;  // shorter in the engine, see riemann_step_speed()
     const Snapshot engine = state_after(16, scene, settings);
     check_agreement(engine, run);
     CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);
@@ -153,7 +152,7 @@ TEST_SUITE("reference") {
 TEST_SUITE("unit") {
   TEST_CASE(
       "surface vicinity: any reach from 1.1 to 1.3 spacings selects the same particles, 1.48 selects others") {
-    // in the inner corner some particles are one cell diagonal, 1.41 spacings, from the nearest surface particle
+    // some particles in the inner corner are 1.41 spacings, a cell diagonal, from the surface
     Scene scene = small_collision();
     scene.bodies.pop_back();
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.012, 0.012, 0}}, Box{{0.012, 0, 0}, {0.024, 0.006, 0}}};

@@ -31,7 +31,7 @@ using Mat2 = Mat<double, 2>;
 using Sym2 = Sym<double, 2>;
 
 constexpr double dW = slope_of_pair;
-constexpr double h = 1.3;  // the cloud's spacing is 1
+constexpr double h = 1.3;
 const Mat2 some_L = {{{0.4, -1.2}, {0.5, 0.9}}};
 
 struct Neighbor {
@@ -162,7 +162,7 @@ TEST_SUITE("term") {
     }
     const double to_i = density_diffusion_term(10.0, 12.0, slope, Vec2{1, 1}, 1.0, dW, 0.5, Vec2{0.6, 0.8});
     const double to_j = density_diffusion_term(12.0, 10.0, Vec2{1, 1}, slope, 1.0, dW, 0.5, Vec2{-0.6, -0.8});
-    CHECK(to_i == Approx(-to_j));  // density is conserved for equal volumes
+    CHECK(to_i == Approx(-to_j));  // for equal volumes
     CHECK(to_i == Approx(-(2 * 2 + 0.5 * (4 * 0.6 - 1 * 0.8)) * dW / 0.5));
   }
 
@@ -257,7 +257,7 @@ TEST_SUITE("term") {
       CHECK(turned(1, 1) == Approx(n * n * s(0, 0) + 2 * c * n * s(0, 1) + c * c * s(1, 1)));
       CHECK(turned(0, 1) == Approx(c * n * (s(0, 0) - s(1, 1)) + (c * c - n * n) * s(0, 1)));
     }
-    const double dt = 1e-7;  // limit of Jaumann's rate
+    const double dt = 1e-7;  // Jaumann's limit
     const Sym2 rate = jaumann_rate<Deviator::plane_strain>(some_L, s, G);
     const Sym2 next = turned_stress<Deviator::plane_strain>(some_L, s, G, dt);
     for (int k = 0; k < 3; ++k) CHECK((next.c[k] - s.c[k]) / dt == Approx(rate.c[k]).epsilon(1e-5));
