@@ -101,7 +101,7 @@ DiscPainter::DiscPainter(const Rect& plot, Rgb background, bool transparent)
       bands_(parts(plot.height, band_height)),
       tiles_(parts(plot.width, tile_width)),
       stride_(static_cast<std::size_t>(tiles_) * tile_width * samples),
-      color_(stride_ * band_height * samples + lanes),
+      color_(stride_ * band_height * samples + lanes),  // last vector
       depth_(color_.size()),
       touched_(static_cast<std::size_t>(tiles_)),
       was_drawn_(touched_.size() * static_cast<std::size_t>(bands_)) {}
@@ -114,7 +114,7 @@ DiscPainter::Bands DiscPainter::bands_of(const Dot& disc) const {
 }
 
 void DiscPainter::sort_into_bands(std::span<const Dot> discs) {
-  // first each band's start, one place later; filling moves it to the end
+  // `end_` first contains each band's start, one place later; filling moves it to the end
   end_.assign(static_cast<std::size_t>(bands_) + 2, 0);
   for (const Dot& disc : discs)
     for (auto [band, last] = bands_of(disc); band <= last; ++band) ++end_[static_cast<std::size_t>(band) + 2];

@@ -108,7 +108,7 @@ class Frames {
   Captions captions_;
   Seconds& seconds_;
   int dim_ = 2;
-  std::vector<double> diameter_;
+  std::vector<double> diameter_;  // m
   std::vector<Kept> kept_;
   std::optional<render::Vector> orbited_;  // centre, m
   std::vector<int> file_numbers_;

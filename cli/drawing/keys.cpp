@@ -58,7 +58,7 @@ std::vector<std::string> names_of_colormaps() {
 }
 
 std::string set_colormap(Drawing& drawing, const DrawingValue& value) {
-  drawing.look.colormap = render::find_colormap(word(value));
+  drawing.look.colormap = render::find_colormap(word(value));  // null for "auto"
   return "";
 }
 

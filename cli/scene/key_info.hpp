@@ -87,7 +87,7 @@ namespace types {
 constexpr KeyType number(std::string_view unit = {}, NumberRange bounds = {}) {
   return {.kind = KeyType::Kind::number, .unit = unit, .bounds = bounds};
 }
-/// "expression of t".
+/// `shown`: "expression of t".
 constexpr KeyType expression(std::string_view shown) {
   return {.kind = KeyType::Kind::number, .shown = shown};
 }
@@ -121,7 +121,7 @@ constexpr KeyType vector_of(std::size_t size, std::string_view shown, std::strin
 constexpr KeyType number_or_table(std::string_view shown, std::string_view section) {
   return {.kind = KeyType::Kind::number, .shown = shown, .section = section};
 }
-/// "[[body]]", "{ file, column }".
+/// `shown`: "[[body]]", "{ file, column }".
 constexpr KeyType table(std::string_view section, std::string_view shown) {
   return {.kind = KeyType::Kind::table, .shown = shown, .section = section};
 }

@@ -208,7 +208,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   name_touching(root, file);
 
   read_law(root, of_file, method, changes, file);
-  // those of the file belong to its method
+  // constants and CFL number of the file belong to its method
   const double cfl_of_file = root.find("cfl") ? root.number("cfl") : of_file.cfl;
   const double in_scene = &method == &of_file ? cfl_of_file : method.cfl;
   const std::string* cfl_change = changes.find("cfl");

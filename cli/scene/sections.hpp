@@ -23,7 +23,7 @@
 /// Readers write defaults and settings into the table. They throw SceneError for the file, UsageError for settings.
 namespace taut::cli {
 
-/// By name.
+/// Texts of settings, by name.
 struct Changes {
   std::map<std::string, std::string, std::less<>> general, parameters, constants;
 
@@ -62,7 +62,7 @@ std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path&
                                  std::string_view what);
 /// Requires the scene's bodies.
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
-/// Files other than scenes; apply_scene checks the scene.
+/// For files other than scenes; apply_scene checks whether the keys fit the scene.
 DrawingValues read_drawing_values(TomlCursor& render);
 TomlValue drawing_table(const Drawing& drawing);
 
@@ -133,7 +133,7 @@ struct ProbeKind {
   bool takes(std::string_view key) const;
 };
 std::span<const ProbeKind> probe_kinds();
-/// Empty for expressions. In 2D per metre of depth.
+/// Empty for expressions. 2D forces are per metre of depth.
 std::string_view unit_of(const Probe& probe, int dim);
 
 std::vector<KeyInfo> keys_of_measure(const MeasureKind& kind);

@@ -26,7 +26,7 @@ inline constexpr TermInfo riemann_pressure_info{"pressure force", "dv/dt = −2 
                                                 "[Zhang2024] Eq. 12", "terms/riemann.hpp:riemann_pressure",
                                                 "riemann: P* is symmetric in the two states"};
 
-/// Term j of (dρ_i/dt)/ρ_i, 1/s. [Zhang2024] Eq. 11. Departure: without the pressures in U*.
+/// Term j of (dρ_i/dt)/ρ_i, 1/s. [Zhang2024] Eq. 11. Departure: pressures in U* are separate.
 template <class T>
 T compression_term(const T& V_j, const T& dW, const T& closing_speed) {
   return -V_j * dW * closing_speed;

@@ -51,7 +51,8 @@ T riemann_dissipation(const T& closing_speed, const T& impedance_i, const T& imp
   return (impedance_i + impedance_j) / (root_rho_i + root_rho_j) * closing_speed;
 }
 
-/// CFL speed, m/s: dense neighbours damp light particles. Departure: [Khayyer2024] has no such limit.
+/// CFL speed at a material interface, m/s: dense neighbours damp light particles. Departure: [Khayyer2024] has no such
+/// limit.
 inline double riemann_step_speed(double rho_i, double c_i, double rho_j, double c_j) {
   const double root_i = std::sqrt(rho_i), root_j = std::sqrt(rho_j);
   return riemann_dissipation(1.0, c_i * rho_i * root_i, c_j * rho_j * root_j, root_i, root_j) /

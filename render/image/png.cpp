@@ -31,6 +31,7 @@ constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
 // libpng's simplified API converts to sRGB.
 
+/// Outlives the frames that longjmp skips.
 struct Complaint {
   char message[128] = {0};
 };

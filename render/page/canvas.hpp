@@ -52,7 +52,7 @@ class Canvas {
   Font regular_, bold_;
   Rgb background_;
   bool transparent_, erases_ = false;
-  double contrast_;
+  double contrast_;  // 0 or 1
   std::unique_ptr<cairo_surface_t, Deleter> surface_;
   std::unique_ptr<cairo_t, Deleter> cairo_;
 };

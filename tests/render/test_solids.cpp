@@ -77,7 +77,7 @@ TEST_SUITE("image") {
       int inside = 0, wrong = 0;
       for (int row = 0; row < 200; ++row) {
         for (int column = 0; column < 200; ++column) {
-          const double r = std::hypot(column - 99.5, row - 99.5);
+          const double r = std::hypot(column - 99.5, row - 99.5);  // radius 50 pixels
           if (r > 51) wrong += image.at(column, row) != white;
           if (r < 49) ++inside, wrong += hue_difference(image.at(column, row), base) > 2;
         }

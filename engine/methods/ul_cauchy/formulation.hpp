@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// In (1/ρ) ∇·σ.
+/// Pair term in (1/ρ) ∇·σ.
 enum class PairStress : std::uint8_t {
   product,  // [Khayyer2024] Eq. 9
   squares,  // [TranDuc2023] Eq. 2.3

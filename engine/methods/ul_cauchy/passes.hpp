@@ -109,7 +109,7 @@ void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// In units of ∇W.
+/// Artificial stress in units of ∇W.
 template <const UlCauchyFormulation& M, int Dim>
 class Repulsion {
  public:

@@ -31,7 +31,7 @@ using Mat2 = Mat<double, 2>;
 using Sym2 = Sym<double, 2>;
 
 constexpr double dW = slope_of_pair;
-constexpr double h = 1.3;
+constexpr double h = 1.3;  // the cloud's spacing is 1
 const Mat2 some_L = {{{0.4, -1.2}, {0.5, 0.9}}};
 
 struct Neighbor {
