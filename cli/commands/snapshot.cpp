@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <ostream>
 
+#include <fmt/core.h>
+
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/command_line/report_options.hpp"
@@ -16,6 +18,7 @@
 #include "cli/system/folder_lock.hpp"
 #include "cli/system/terminal_columns.hpp"
 #include "cli/text/checks.hpp"
+#include "cli/text/suggest.hpp"
 #include "engine/core/machine.hpp"
 #include "engine/error.hpp"
 #include "render/image/png.hpp"
@@ -94,7 +97,11 @@ void compare_with_baseline(const SnapshotArguments& options, const fs::path& bas
 
 int snapshot_of_scene(SnapshotArguments options, Streams streams) {
   const Stopwatch setup;
-  if (!options.baseline) throw UsageError("--baseline is required: the folder of the frames to compare with");
+  if (!options.baseline) {
+    if (const std::string near = did_you_mean(options.scene, suite_names()); !near.empty())
+      throw UsageError(fmt::format("there is no suite '{}'{}", options.scene, near));
+    throw UsageError("--baseline is required: the folder of the frames to compare with");
+  }
   const Baseline baseline(*options.baseline);
   if (!options.out) {
     options.out = "out/snapshot-" + plain_path(baseline.path()).filename().string();

@@ -120,6 +120,8 @@ TEST_SUITE("cli") {
     CHECK(frame("discs") == discs);
     CHECK(frame("discs-og") != og);
     CHECK(run_suite(folder, faster + entries_of_discs, {"--only", "discs-og,faster"}).code == 0);
+    CHECK(contains(call({"snapshot", "rings-and-ball"}).err,
+                   "there is no suite 'rings-and-ball' (did you mean 'rings-and-balls'?)"));
     CHECK(contains(run_suite(folder, faster + entries_of_discs, {"--only", "dics"}).err,
                    "unknown entry 'dics' (did you mean 'discs'?)"));
     CHECK(contains(run_suite(folder, faster + entries_of_discs, {"--update", "--only", "faster"}).err,
