@@ -39,9 +39,9 @@ struct Look {
   bool bare = false;
   PageTexts texts{};
   double glyph = 1;        // drawn / true diameter
-  Rgb background = white;  // texts contrast
+  Rgb background = white;  // texts contrast with it
   bool transparent = false;
-  /// Values then count from 0, a legend replaces the bar, range and colour map may be open.
+  /// If not empty, values count from 0, a legend replaces the bar, and range and colour map may be open.
   std::vector<std::string> categories{};
 };
 

@@ -16,7 +16,7 @@ struct SurfaceShape {
   std::vector<double> x{}, value{};       // dim coordinates each, m
   std::vector<std::uint32_t> triangle{};  // 3 points each; 3D: anticlockwise from outside
   std::vector<double> outline{};          // 2D: four coordinates per segment, m
-  std::vector<std::uint32_t> loose{};
+  std::vector<std::uint32_t> loose{};     // points without triangles
 };
 
 /// Delaunay triangles (in 3D tetrahedra) of the initial positions of particles and of nodes on contact faces. Nodes
@@ -37,7 +37,7 @@ class Surface {
   using Simplex = std::array<std::uint32_t, 4>;  // in 2D, the last is unused
   struct Face {
     std::array<std::uint32_t, 3> point{};  // ascending; in 2D, the last is unused
-    std::array<int, 2> of{-1, -1};         // second may be missing
+    std::array<int, 2> of{-1, -1};         // simplices; the second is −1 at the surface
   };
 
   Point initial(std::uint32_t point) const;
