@@ -113,7 +113,7 @@ struct LatticeCells {
   }
 };
 
-/// Fills cells that have all (`all`) or any of their neighbours up to `reach` along an axis filled.
+/// Fills a cell if all (`all`) or any of the cells up to `reach` away along the axis are filled.
 LatticeCells along_axis(const LatticeCells& cells, std::size_t axis, int reach, bool all) {
   LatticeCells result = cells;
   std::array<int, 3> cell{};
@@ -166,7 +166,7 @@ std::optional<LatticeBody> on_lattice(const Snapshot& start, std::span<const std
   return body;
 }
 
-/// Thin parts are far from any block of 3 × 3 (× 3) particles.
+/// Warns of thin parts: they are far from any block of 3 × 3 (× 3) particles.
 void warn_about_thin_parts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr int steps_of_lattice = 2;  // of round bodies
   const auto dim = static_cast<std::size_t>(start.dim);

@@ -11,7 +11,7 @@ using Vector = std::array<double, 3>;
 /// Viewpoint in 3D. View coordinates are in the picture plane, relative to the scene's origin.
 struct Camera {
   Vector from = {1, -2, 1};  // towards the camera, any length
-  Vector up = {0, 0, 1};     // y or x if parallel to `from`
+  Vector up = {0, 0, 1};     // replaced by y or x if parallel to `from`
   double field_of_view = 0;  // vertical, degrees; 0: parallel projection
   double front = 0;          // in perspective, height of the front plane, where lengths are true, m
   bool operator==(const Camera&) const = default;

@@ -11,19 +11,19 @@
 
 namespace taut::render {
 
-/// Requires a range and a colour map, or categories.
+/// The look must have a range and a colour map, or categories.
 class Coloring {
  public:
   explicit Coloring(const Look& look);
 
   std::uint32_t operator()(double value) const;  // bytes R, G, B, 255
-  /// 0 to 1 unless off-scale; `no_place` for NaN.
+  /// Place among the colours, 0 to 1 unless off-scale; `no_place` for NaN.
   float place(double value) const;
   static constexpr float no_place = -1e6f, farthest_place = 100;
   bool has_categories() const { return !range_; }
   /// The last colour is for NaN.
   std::vector<std::uint32_t> palette() const;
-  /// NaN, or out of range by over half a colour step.
+  /// Whether the value is NaN, or out of range by over half a colour step.
   OffScale off_scale(double value) const;
   const ColorKey& key() const { return key_; }
 

@@ -14,7 +14,8 @@ struct Dot {
   std::uint32_t color;  // bytes R, G, B, 255
 };
 
-/// Antialiased discs, the same pixels on every machine. Samples show the nearest centre, in radii of the disc.
+/// Antialiased discs, the same pixels on every machine. A sample shows the disc with the nearest centre, measured in
+/// radii of the disc.
 class DiscPainter {
  public:
   /// At first the plot must be filled with `background`, or transparent. Nothing else may draw into it.

@@ -50,7 +50,7 @@ struct Grid {
   int grid_height() const { return rows * cell_height + (rows - 1) * gap_size; }
 };
 
-/// Without texts if bare.
+/// Margins of a grid without cells; no texts if bare.
 Grid empty_grid(const PanelOptions& options, double em) {
   Grid grid;
   grid.em = em;

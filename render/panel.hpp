@@ -17,7 +17,7 @@ struct Heading {
 
 /// Pictures with equal colours and scales.
 struct PanelOptions {
-  Look look;  // without a size: one that is legible at 1:1
+  Look look;  // without a size, the panel is legible at 1:1
   std::string title, note;
   std::string field, unit;
   std::vector<Heading> columns;

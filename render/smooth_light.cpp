@@ -11,7 +11,7 @@ constexpr double alike = 0.8;  // least cosine between averaged normals, 37°
 
 Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-/// Twice the areas, outwards. Downward y reverses the rotation.
+/// Outward normals, as long as twice the areas. Downward y reverses the rotation.
 std::vector<Vector> normals_of(std::span<const Vector> points, std::span<const std::uint32_t> triangles) {
   std::vector<Vector> normals;
   for (std::size_t k = 0; k < triangles.size(); k += 3) {

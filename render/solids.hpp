@@ -22,16 +22,16 @@ class Solids {
                    std::span<const std::uint32_t> colors);
   void place_boxes(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
-  /// Except where particles hide them.
+  /// Adds grid lines; particles in front hide them.
   void place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color);
-  /// Loose particles become balls. `places`: places of points among the colours; `uniform` triangles have their first
-  /// point's. In 3D, light varies smoothly except at edges. No `projection` in 2D.
+  /// Loose particles become balls. `places`: places of points among the colours; if `uniform`, the first point of a
+  /// triangle gives its place. In 3D, light varies smoothly except at edges. No `projection` in 2D.
   void place_surface(const FrameView& frame, const Projection* projection, std::span<const float> places,
                      std::span<const std::uint32_t> colors, bool uniform);
   /// In 2D.
   void place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors);
 
-  /// In the picture, including hidden ones.
+  /// Particles in the picture, including hidden ones.
   std::span<const std::size_t> placed() const { return placed_; }
   std::span<const Ball> balls() const { return balls_; }
   std::span<const Corner> corners() const { return corners_; }

@@ -31,13 +31,13 @@ class Contact {
   bool prepare(const Particles<Dim>& s, double way);
   void search(const Particles<Dim>& s);
 
-  /// Evaluates the forces at the current positions; they act for `dt`, s.
+  /// Evaluates the forces at the current positions. The forces act for `dt` (in s).
   void evaluate(const Particles<Dim>& s, double dt, int threads);
 
   /// Greatest ratio of contact stiffness to material stiffness, at least 1.
   double stiffening() const { return mechanism_->stiffening(); }
 
-  /// Force on particle i as last evaluated, N. Requires `acting`.
+  /// Force on particle i as last evaluated, in N. Requires `acting`.
   const V& force(int i) const { return force_[i]; }
 
   /// Impulse laws: calls `change(i, impulse)` for touching particles. Impulses follow from the state before the first

@@ -28,7 +28,7 @@ class ContactMechanism {
 
   virtual ~ContactMechanism() = default;
 
-  /// See Contact::prepare. Always searches without `way`.
+  /// See Contact::prepare. Searches in any case if `way` is empty.
   virtual bool search(const Particles<Dim>& /*particles*/, const WallContacts<Dim>& /*walls*/,
                       std::optional<double> /*way*/) {
     return false;
@@ -36,7 +36,7 @@ class ContactMechanism {
   /// Particles that may get a force before the next search, ascending.
   const std::vector<int>& touching() const { return touching_; }
 
-  /// Sets the forces on the particles of `touching`, N, and records the impulses of walls over `dt`, s.
+  /// Sets the forces in N on the particles of `touching` and records the impulses of walls over `dt` (in s).
   virtual void evaluate(const Particles<Dim>& /*particles*/, double /*dt*/, WallContacts<Dim>& /*walls*/,
                         std::vector<V>& /*force*/, int /*threads*/) {}
   virtual double energy(const Particles<Dim>&, const WallContacts<Dim>&) { return 0; }

@@ -29,7 +29,7 @@ bool FaceCandidates::search(const Particles<2>& s, MovingFaces& faces, const Wal
 }
 
 void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<2>& walls) {
-  constexpr double margin = horizon + 2;  // 2: distance of the ends of a segment, at most
+  constexpr double margin = horizon + 2;  // 2: the ends of a segment are no farther apart
   const std::vector<char> near = near_other_bodies<2>(faces.places(), faces.outline().body, margin * dp_);
   std::vector<int> nodes, segments;
   std::ranges::copy_if(all_nodes_, std::back_inserter(nodes), [&](int n) { return near[n]; });
@@ -47,9 +47,8 @@ void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<
       if (walls.height(w, faces.places()[n]) < 0.5 * horizon * dp_) near_wall.emplace_back(n, w);
 }
 
-/// Whether no side of the node can face this segment before the next search. Faces that were initially close count
-/// only once they begin to face each other: they are often at right angles, which would require a search every few
-/// steps.
+/// Whether no side of the node can face this segment before the next search. Faces that were initially close are often
+/// at right angles. They count only if the cosine is below `folded`; otherwise a search would be due every few steps.
 bool FaceCandidates::cannot_face(const MovingFaces& faces, int node, int segment) const {
   const auto& [a, b] = faces.segment(segment).node;
   const V D = faces.x0(node) - 0.5 * (faces.x0(a) + faces.x0(b));

@@ -51,7 +51,7 @@ class FaceCandidates {
   // in spacings
   static constexpr double skin = 1;       // longer: fewer searches, more pairs
   static constexpr double horizon = 4;    // search range
-  static constexpr double far_apart = 3;  // opposite faces of a thinner wall do not interact
+  static constexpr double far_apart = 3;  // initial distance; faces of a thinner body do not interact
   static constexpr double aside = 0.5;    // greatest cosine of the normals of a candidate
   static constexpr double close_by = 4;   // initial distance; closer faces need a cosine below `folded`
   static constexpr double folded = -0.1;

@@ -24,9 +24,9 @@ struct FacetColumns {
   const double* normal[3];
 };
 
-/// Among facets first … last − 1, finds those whose midpoints are nearer to that of facet p than √near2 and were
-/// farther than √far2 initially, and whose normals have a cosine below `cosine` with that of p. Stores indices and
-/// squared distances, m². Returns their number.
+/// Finds the facets among first … last − 1 that are nearer to facet p than √near2, were initially farther than √far2,
+/// and have normals with a cosine below `cosine` to the normal of p. Distances are between midpoints. Stores indices
+/// and squared distances [m²]. Returns the number of facets.
 inline int find_near_facets(const FacetColumns& facets, int p, int first, int last, double near2, double far2,
                             double cosine, int* found, double* distance2) {
   int count = 0;

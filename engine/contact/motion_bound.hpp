@@ -19,20 +19,20 @@ class MotionBound {
  public:
   using V = Vec<double, Dim>;
 
-  /// `free`: allowed approach of two points, m; `x`: positions by body, m.
+  /// `free`: allowed approach of two points [m]; `x`: positions by body [m].
   void restart(double free, std::vector<V> x) {
     free_ = free;
     gone_ = 0;
     from_ = std::move(x);
   }
 
-  /// Call before points move by at most `way`, m. If false, call `still_holds`.
+  /// Call before points move by at most `way` (in m). If the result is false, call `still_holds`.
   bool holds(double way) {
     gone_ += way;
     return 2 * gone_ <= free_;
   }
 
-  /// `x`: positions before the motion by `way`, m. Returns false if a search is needed.
+  /// `x`: positions before the motion by `way` [m]. Returns false if a search is needed.
   bool still_holds(const std::vector<V>& x, const std::vector<int>& body, double way) {
     gone_ = 0;
     const std::size_t n = x.size();
@@ -58,7 +58,7 @@ class MotionBound {
       }
     }
     gone_ = std::sqrt(gone_);
-    constexpr double worthwhile = 0.75;  // of `free_`; with a smaller rest, this test would run in every step
+    constexpr double worthwhile = 0.75;  // of `free_`; beyond, a search is cheaper
     return 2 * gone_ <= worthwhile * free_ && holds(way);
   }
 

@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// Half of a side of a node, up to the middle of the side, where it lies over a segment and faces it.
+/// The half of a node's side that ends at the node, as far as this half lies over a segment and faces the segment.
 struct FacingHalf {
   int side = Outline::none;
   double half = 0;              // initial length, m
@@ -121,7 +121,7 @@ class MovingFaces {
     return dot(offset, offset);
   }
 
-  /// Initial length of the node's sides that faces `normal`, m.
+  /// Initial length in m of the node's sides that faces `normal`.
   double facing(int node, const V& normal) const {
     double area = 0;
     for (const int k : outline_.beside[node])
@@ -130,8 +130,8 @@ class MovingFaces {
     return area;
   }
 
-  /// Calls give(n, f) with the forces f on nodes n, in N per metre depth, by which an energy per length (J/m) turns the
-  /// sides of a node.
+  /// Calls give(n, f) with the forces f on nodes n, in N per metre depth, with which an energy per length (in J/m)
+  /// turns the sides of a node.
   template <class Give>
   void push_facing(int node, const V& normal, double energy, const Give& give) const {
     for (const int k : outline_.beside[node])
@@ -140,10 +140,10 @@ class MovingFaces {
           turn(k, normal, energy * 0.5 * outline_.segments[k].length * slope, give);
   }
 
-  /// Replaces `best` by the closest point of segment k if the node faces it and the rank is lower. The rank is the
-  /// distance plus up to half a length for segments that the sides of the node face obliquely: a corner is pushed back
-  /// by the face in front of it, not by the face beside it. Beyond a sharp end a node acts with the length of its side
-  /// over the segment and the depth of the side at that end.
+  /// Replaces `best` by the closest point of segment k if the node faces the segment and the rank of this point is
+  /// lower. The rank is the distance, plus up to half the segment length for segments that the sides of the node face
+  /// obliquely: the face in front of a corner pushes the corner back, not the face beside it. Beyond a sharp end a node
+  /// acts with the length of its side over the segment and the depth of the side at that end.
   void measure(int node, int k, ClosestPoint& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];

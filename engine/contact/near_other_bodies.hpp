@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Marks points inside the bounding box of another body, widened by `margin`, m.
+/// Marks points inside the bounding box of another body, widened by `margin` (in m).
 template <int Dim>
 std::vector<char> near_other_bodies(const std::vector<Vec<double, Dim>>& x, const std::vector<int>& body,
                                     double margin) {

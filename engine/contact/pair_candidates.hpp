@@ -75,7 +75,7 @@ class PairCandidates {
   }
 
  private:
-  static constexpr double skin = 0.5;
+  static constexpr double skin = 0.5;  // in spacings
 
   void search_others(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
     travelled_ = 0;

@@ -18,8 +18,8 @@ struct PointColumns {
   const double* body;
 };
 
-/// Among points first … last − 1, finds those of the body of point p that are nearer to p than √near2 and were farther
-/// than √far2 initially. Stores indices and squared distances, m². Returns their number.
+/// Finds the points among first … last − 1 in the body of point p that are nearer to p than √near2 and were initially
+/// farther than √far2. Stores indices and squared distances [m²]. Returns the number of points.
 template <int Dim>
 int find_near_points(const PointColumns<Dim>& points, int p, int first, int last, double near2, double far2,
                      int* found, double* distance2) {
@@ -47,7 +47,7 @@ class PointSearch {
  public:
   using V = Vec<double, Dim>;
 
-  /// Adds a point with its initial position `start`, m. `body` must not decrease from call to call.
+  /// Adds a point with the initial position `start`. `body` must not decrease from call to call.
   void add(const V& start, int body) {
     X_.push_back(start);
     body_.push_back(body);
@@ -55,9 +55,9 @@ class PointSearch {
   int size() const { return static_cast<int>(X_.size()); }
   const std::vector<int>& bodies() const { return body_; }
 
-  /// Calls found(a, b) once for each pair nearer than `listed` and initially farther apart than `far`, m. Returns
-  /// the distance of the nearest pair beyond `listed`, m, at most `horizon`. `x`: current positions, m, in the
-  /// order of `add`.
+  /// Calls found(a, b) once for each pair nearer than `listed` and initially farther apart than `far`. Returns the
+  /// distance of the nearest pair beyond `listed`, at most `horizon`. `x`: current positions, in the order of `add`.
+  /// Lengths are in m.
   template <class Found>
   double find(const std::vector<V>& x, double listed, double horizon, double far, const Found& found) {
     if (x.empty()) return horizon;

@@ -20,7 +20,7 @@ namespace taut {
 template <class T>
 concept Count = std::integral<T> && !std::same_as<T, bool>;
 
-/// Whether `value` is a valid index; pairs componentwise.
+/// Whether `value` is an index below `bound`; pairs are compared componentwise.
 template <Count T, Count Bound>
 bool is_below(T value, Bound bound) {
   return std::cmp_greater_equal(value, 0) && std::cmp_less(value, bound);

@@ -4,8 +4,8 @@
 
 #include "engine/core/pack.hpp"
 
-/// Small vectors and tensors over T = double or Pack. The alignment of Eigen's fixed-size types depends on the
-/// instruction set.
+/// Small vectors and tensors over T = double or Pack. Not Eigen's fixed-size types, because their alignment depends on
+/// the instruction set.
 namespace taut {
 
 /// Alignment, equal in all builds, so that structs have one layout. Without AVX, a bare Pack has a smaller alignment.

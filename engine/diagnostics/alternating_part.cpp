@@ -26,7 +26,7 @@ namespace {
 
 constexpr double reach = 2.1;  // in dp
 
-/// Least share of e_i that the quadratic fit must leave; lattice surfaces leave 0.53, corners 0.
+/// Least |(I − P) e_i|² of a particle with weights; 0.53 at lattice surfaces, 0 at corners.
 constexpr double least_left = 0.3;
 
 /// κ (THEORY.md, Alternating part).
@@ -107,7 +107,7 @@ Eigen::MatrixXd quadratics(const Snapshot& start, std::span<const int> near, dou
   return M;
 }
 
-/// κ (I − P) e_i / |(I − P) e_i|; empty if the fit leaves less than `least_left`.
+/// κ (I − P) e_i / |(I − P) e_i|; empty if |(I − P) e_i|² is below `least_left`.
 Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
   const Eigen::VectorXd e_i = Eigen::VectorXd::Unit(quadratics.rows(), 0);
   const Gram G = quadratics.transpose().lazyProduct(quadratics);

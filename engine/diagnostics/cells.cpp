@@ -17,7 +17,7 @@ using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
 constexpr double adjacent = 1.35;  // in spacings, greatest distance of cells that share a side
-constexpr double torn = 1.5;       // least stretch of a neighbour that covers a cell no longer
+constexpr double torn = 1.5;       // stretch from which a neighbour no longer covers a cell
 constexpr double straight = 0.8;   // least cosine between a neighbour and an axis
 
 Vector vector(const Point& a) { return {a[0], a[1], a[2]}; }
@@ -54,7 +54,7 @@ std::span<const std::size_t> Cells::neighbors(std::size_t i) const {
 }
 
 /// In 3D the axes point to the nearest neighbour, towards the most perpendicular one, and at right angles to both.
-/// In 2D they are the best fit to the adjacent neighbours: the layers of a ring are staggered.
+/// In 2D they are the best fit to the adjacent neighbours, since the layers of a ring are staggered.
 void Cells::find_axes(std::size_t i) {
   std::array<Vector, 3> axes{Vector::UnitX(), Vector::UnitY(), Vector::UnitZ()};
   Vector across = Vector::Zero();

@@ -44,8 +44,8 @@ double rms_difference(const Curve& a, const Curve& b, double begin, double end);
 /// RMS with three Gauss points between samples of `a`.
 double rms_difference(const Curve& a, const std::function<double(double)>& b, double begin, double end);
 
-/// Angle by which (x, y) turns about the origin until `end`, rad, with full turns; requires less than half a turn per
-/// sample.
+/// Angle by which (x, y) turns about the origin until `end`, in rad, including full turns; requires less than half a
+/// turn per sample.
 double turn(const Curve& x, const Curve& y, double end);
 
 }  // namespace taut

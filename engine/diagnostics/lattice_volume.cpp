@@ -54,7 +54,7 @@ std::map<LatticeSite, std::size_t> sites(const Snapshot& now, int body) {
   return at;
 }
 
-/// Integral of det of the trilinear map; two Gauss points per axis are exact.
+/// Integral of the Jacobian of the trilinear map; two Gauss points per axis are exact.
 double volume(const Corners& corner) {
   const double offset = 0.5 / std::sqrt(3.0);
   double sum = 0;

@@ -31,7 +31,7 @@ struct Site {
   double mass = 0;
 };
 
-/// Subtracts the motion t + ω × X of least Σ m |difference|².
+/// Subtracts the motion t + ω × X that minimises Σ m |difference|².
 void take_plane_motion_off(std::vector<Site>& sites) {
   double mass = 0;
   Point centre{}, mean{};

@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Frequency of the highest peak within `band`, Hz (THEORY.md, Peak frequency); `begin`, `end` in s. Returns none
+/// Frequency in Hz of the highest peak within `band` (THEORY.md, Peak frequency); `begin`, `end` in s. Returns none
 /// for less than two periods, or if the band has no peak. Trends, impacts, round-off, side lobes and amplitudes
 /// below 3e-5 of the highest are not peaks.
 std::optional<double> peak_frequency(const Curve& curve, double begin, double end,

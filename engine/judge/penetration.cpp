@@ -45,7 +45,7 @@ struct Around<2> {
   bool leaves_gap() { return widest_gap(directions) > widest_inside; }
 };
 
-/// Unit vectors to the surface points of a 5 × 5 × 5 lattice; one is within 18° of any direction.
+/// Unit vectors to the surface points of a 5 × 5 × 5 lattice; any direction is within 18° of one.
 std::array<Vec<double, 3>, 98> spread_directions() {
   std::array<Vec<double, 3>, 98> all;
   std::size_t n = 0;

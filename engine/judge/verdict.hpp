@@ -20,7 +20,7 @@
 
 namespace taut {
 
-/// Verdicts from best to worst; a run has its worst one.
+/// Verdicts from best to worst; a run gets the worst that applies.
 enum class Verdict { stable, hourglass, penetrated, fractured, diverged };
 std::string_view name(Verdict);
 std::optional<Verdict> find_verdict(std::string_view name);

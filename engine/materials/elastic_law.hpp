@@ -13,7 +13,7 @@ enum class Law : std::uint8_t {
   rotated_piola,
 };
 
-/// Whether volume ratio and cofactor of F may be unknowns.
+/// Whether the law permits the volume ratio and the cofactor of F as unknowns.
 constexpr bool takes_volume_ratio(Law law) { return law == Law::neo_hookean || law == Law::mooney_rivlin; }
 
 /// Laws that users may choose.

@@ -14,7 +14,7 @@
 /// J is det F or an unknown ([Lee2016] Eq. 33c). A law that takes_volume_ratio also has
 ///   piola(F, H, J)        H is cof F or an unknown ([Lee2016] Eq. 12)
 ///   shear_energy(F, H, j) shear part of the energy, with j = det F
-///   slopes(F, H, j)       its derivatives by F, H and j, Pa; the first two divided by F and H
+///   slopes(F, H, j)       derivatives of shear_energy by F, H and j, Pa; the first two divided by F and H
 namespace taut {
 
 /// Cauchy stress, Pa; `zz`, normal to the plane, is 0 in 3D.
@@ -29,7 +29,7 @@ double beside_plane(double zz) {
   return Dim == 2 ? zz : 0;
 }
 
-/// Each derives from the law's struct and has a static LawRow `row`.
+/// Each specialisation derives from the struct of its law and has a static LawRow `row`.
 template <Law law>
 struct LawOf;
 

@@ -22,7 +22,7 @@ inline Mat<double, 3> turned_by(const Vec<double, 3>& omega, double angle, const
   return result;
 }
 
-/// Whether a symmetric RᵀF with positive determinant has two negative eigenvalues.
+/// Whether RᵀF, which must be symmetric, has a positive determinant and two negative eigenvalues.
 inline bool is_half_turn(const Mat<double, 3>& R, const Mat<double, 3>& F) {
   Mat<double, 3> U{};
   for (int a = 0; a < 3; ++a)

@@ -22,7 +22,7 @@ inline double compression_wave_speed(const Elasticity& m) {
   return std::sqrt((m.K + 4.0 / 3 * m.G) / m.rho0);
 }
 
-/// First particle's material, with the maximum c0.
+/// The inherited elasticity is the first particle's, with the maximum c0 of all materials.
 struct Constants : Elasticity {
   double dp = 0;                 // particle spacing, m
   double h = 0;                  // smoothing length, m
@@ -31,7 +31,7 @@ struct Constants : Elasticity {
   double step = 0;  // fixed time step, s; 0: from cfl
 };
 
-/// "--set method.zeta=4".
+/// Constant that users may set, as in "--set method.zeta=4".
 struct MethodConstant {
   std::string_view name;
   double value;
@@ -39,7 +39,7 @@ struct MethodConstant {
   std::string_view help;
   bool in_spacings = false;
   bool at_set_up = false;                          // fixed during a run
-  std::span<const std::string_view> choices = {};  // of 0, 1, …, the default first; else numbers
+  std::span<const std::string_view> choices = {};  // names of 0, 1, …, the default first; empty: a number
 };
 
 template <class C>

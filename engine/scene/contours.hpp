@@ -30,7 +30,7 @@ std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(long
 /// Contours of `inside`, bisected to 1e-9 of the pitch.
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(const Point&)>& inside);
 
-/// Omits points that deviate by at most `tolerance`, m [Douglas, Peucker 1973].
+/// Omits points that deviate by at most `tolerance` (in m) [Douglas, Peucker 1973].
 Chain simplified(const Chain& chain, double tolerance);
 
 /// Points about dp apart, with one at each corner, where the chain, simplified to 0.1 dp, turns by more than 40°.

@@ -25,7 +25,7 @@ struct Material {
   double density = 0;             // ρ0, kg/m³
   double youngs_modulus = 0;      // E, Pa
   double poisson_ratio = 0;       // ν
-  double given_bulk_modulus = 0;  // Pa; 0 = from E and ν. [Khayyer2024] Eq. 57: E
+  double given_bulk_modulus = 0;  // Pa; 0 = from E and ν; E in [Khayyer2024] Eq. 57
   std::map<std::string, double, std::less<>> law_parameters{};  // LawRow::parameters
 
   double bulk_modulus() const {  // K, Pa
@@ -88,7 +88,7 @@ struct Rotation {
 /// Exact to the last bit for quarter turns and mirror images.
 Point rotated(const Rotation& rotation, const Point& x);
 
-/// Uniform displacement within ± `share` spacings.
+/// Random displacement, uniform within ± `share` spacings.
 struct Jitter {
   static constexpr double least_unusable = 0.5;  // particles of a square lattice can coincide
   double share = 0;
@@ -102,8 +102,8 @@ struct Body {
   Lattice lattice = Lattice::square;
   bool on_boundary = false;  // one box with particles on its faces
   int material = 0;
-  std::vector<Part> parts;             // last one counts
-  std::vector<Drive> drives;           // last one counts
+  std::vector<Part> parts;             // the last that contains a particle counts
+  std::vector<Drive> drives;           // as for parts
   std::vector<Load> loads;             // add up
   std::array<Expression, 3> velocity;  // m/s
   Expression clamped;

@@ -53,8 +53,8 @@ class Drives {
   bool active() const { return active_; }
   int number_of_active() const { return static_cast<int>(std::ranges::count_if(drives_, &Timed::on)); }
 
-  /// `t`, in s: pass the end of the step if positions advance with the mean of old and new velocity, and its middle if
-  /// they advance with the new velocity. Both are second-order accurate. Expressions are not thread-safe.
+  /// `t`, in s: pass the end of the step if positions advance with the mean of old and new velocity, and the middle of
+  /// the step if they advance with the new velocity. Both are second-order accurate. Expressions are not thread-safe.
   void set_time(double t);
 
   /// Whether the particle is driven until the end of the run.
@@ -111,7 +111,7 @@ class Reactions {
 
   bool active() const { return active_; }
 
-  /// Stores the velocities before the step of `dt`, s. The storage order must not change during the step.
+  /// Stores the velocities before the step of `dt` seconds. The storage order must not change during the step.
   void begin(const std::vector<V>& v, double dt) {
     v_ = v;
     dt_ = dt;

@@ -25,7 +25,7 @@ struct External {
 
   bool active() const { return drives.active() || loads.active() || guides.active(); }
 
-  /// `t`: time of the new velocities, s. Call once in each step, before `act`.
+  /// `t`: time of the new velocities [s]. Call once in each step, before `act`.
   void set_time(double dt, double t, const Particles<Dim>& p) {
     const int before = drives.number_of_active();
     drives.set_time(t);
@@ -44,8 +44,8 @@ struct External {
 
   Steering<Dim> steering() const { return {drives.active() || guides.active() ? axes_.data() : nullptr}; }
 
-  /// Mean force on particle i by its clamp, guide or drive over the last step, in N. Includes the weight that they
-  /// carry, but no loads.
+  /// Mean force on particle i by its clamp, guide or drive over the last step, in N. Includes the weight of the
+  /// particle, but no loads.
   V reaction(const Particles<Dim>& p, int i) const {
     const int id = p.id[i];
     const bool free = p.mobile[i] != 0 && !drives.moves(id);

@@ -46,8 +46,8 @@ int position(const std::vector<int>& layer, int i) {
   return found != layer.end() && *found == i ? static_cast<int>(found - layer.begin()) : -1;
 }
 
-/// Outward unit normal of the layer at particle i: the direction in which the layer is thin. Returns 0 if it is not
-/// thin.
+/// Outward unit normal of the layer at particle i: the direction in which the layer is thin. Returns 0 if the layer is
+/// not thin.
 template <int Dim>
 Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int> near,
                     const std::vector<int>& layer, double spacing) {
@@ -160,7 +160,8 @@ int beside(int i, const Place<Dim>& along, const InitialParticles& initial, cons
   return found;
 }
 
-/// Unit vectors along the face in whose directions particle k of the layer has a neighbour, unless the face ends there.
+/// Unit vectors along the face towards the neighbours of particle k of the layer, also where the face ends and a
+/// neighbour is missing.
 template <int Dim>
 std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                                    const NeighborsOfOne<Dim>& near) {

@@ -19,7 +19,7 @@ InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const Solve
                                                 GradientCorrection gradient, double normalised,
                                                 bool corrected_forces)
     : materials(input.law, input.materials), common_(common) {
-  // creation order follows the rows of a lattice or the layers of a round body
+  // not sorted: the creation order follows the rows of a lattice or the layers of a round body
   const Particles<Dim>& p = common.particles;
   const InitialParticles& initial = common.initial;
   const double h = common.constants.h;
@@ -43,7 +43,7 @@ InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const Solve
     of_four.mobile[i % lanes] = p.mobile[i];
     for (int c = 0; c < Sym<double, Dim>::size; ++c) of_four.B.c[c][i % lanes] = pairs.B[i].c[c];
   }
-  // normalised gradients underestimate uniform fields; loads then act on the outermost layer, as in their paper
+  // normalised gradients underestimate uniform fields; loads then act on the outermost layer, as in [Zhang2020]
   if (gradient == GradientCorrection::corrected)
     common.external.loads.act_on_faces(input.scene, initial, FaceRule::uniform, surface(corrected_forces),
                                        common.run.support);

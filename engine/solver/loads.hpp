@@ -31,7 +31,7 @@ class Loads {
 
   bool active() const { return active_; }
 
-  /// `t`: middle of the velocity update, s. Expressions are not thread-safe.
+  /// `t`: middle of the velocity update [s]. Expressions are not thread-safe.
   void set_time(double t);
 
   /// Acceleration of particle i without damping, m/s². Only gravity unless `free`.
@@ -40,13 +40,13 @@ class Loads {
   /// Acceleration of particle i by loads, gravity and damping, m/s².
   V acceleration(const Particles<Dim>& s, int i) const { return push(s, i) - damping_ * s.v[i]; }
 
-  /// Adds the effect of a step of `dt`, s, to `v`. Damping uses the mean of the old and the new velocity.
+  /// Adds the effect of a step of `dt` seconds to `v`. Damping uses the mean of the old and the new velocity.
   void act(const Particles<Dim>& s, int i, double dt, V& v) {
     const double half = 0.5 * damping_ * dt * s.mobile[i];
     v += (dt * s.mobile[i]) * push(s, i);
     v = (1 / (1 + half)) * (v - half * s.v[i]);
   }
-  /// Records the work at velocity `mean`, m/s.
+  /// Records the work and the damped energy at velocity `mean` (in m/s).
   void count(const Particles<Dim>& s, int i, double dt, const V& mean) {
     work_[s.id[i]] += dt * s.mobile[i] * s.m[i] * dot(push(s, i), mean);
     damped_[s.id[i]] += dt * s.mobile[i] * s.m[i] * damping_ * dot(mean, mean);

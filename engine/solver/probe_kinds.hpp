@@ -66,7 +66,7 @@ struct ProbeStep : ProbeView<Dim> {
   const Snapshot* shown;
   double time, dt;                    // s; initially dt = 0
   const std::vector<double>& before;  // values of the earlier probes
-  bool evaluates_expensive;           // true every few steps
+  bool evaluates_expensive;           // true every 32 steps
 };
 
 template <int Dim>

@@ -45,10 +45,10 @@ class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// Advances to the first step that ends at or past `t`, s; never shortens a step, so that output does not alter a
+  /// Advances to the first step that ends at or past `t` (in s). Never shortens a step, so that output does not alter a
   /// run. Throws NumericalError if the run diverges.
   void advance_to(double t) { advance(t, std::numeric_limits<double>::infinity()); }
-  /// Like `advance_to`, but makes no step that ends at or past `short_of`, s.
+  /// Like `advance_to`, but makes no step that ends at or past `short_of` (in s).
   virtual void advance(double t, double short_of) = 0;
   /// Makes `advance` return after the current step once `stop` is not 0. `stop` must outlive the simulation.
   void set_stop_flag(const std::atomic<int>& stop) { stop_ = &stop; }

@@ -35,8 +35,8 @@ inline constexpr TermInfo compression_info{"continuity", "dρ/dt = ρ_i Σ V_j v
                                            "terms/riemann.hpp:compression_term",
                                            "riemann: approaching pairs grow denser, whatever their order"};
 
-/// Pressures in U* of Eq. 11, 1/s. Departure: share = 0 by default, as in the authors' program, since it softens
-/// bending.
+/// Term of the pressures in U* of Eq. 11, 1/s. Departure: share = 0 by default, as in the authors' program, since it
+/// softens bending.
 template <class T>
 T pressure_diffusion_term(const T& V_j, const T& dW, const T& p_i, const T& p_j, double share, double rho0,
                           double c0) {

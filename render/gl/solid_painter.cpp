@@ -167,7 +167,7 @@ GLuint make_texture(GLint format, GLenum kind, GLenum type, GLint filter, int wi
   return texture;
 }
 
-/// Numbers, then a colour or `shades` numbers.
+/// Declares `floats` numbers, then `shades` numbers or, if 0, a colour.
 void declare_attributes(int floats, int shades, std::size_t stride) {
   const auto place = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
   const auto bytes = static_cast<GLsizei>(stride);
@@ -298,7 +298,7 @@ void SolidPainter::draw_band(int top, int height, const Extent& extent) {
   }
 }
 
-/// Rows `top` … `top + height − 1`, with `below` further rows of the band under them.
+/// Shades rows `top` … `top + height − 1`; the band has `below` further rows under them.
 void SolidPainter::resolve(std::uint32_t picture, int top, int height, int below, const Extent& extent) {
   const int bottom = image_height_ - (plot_.y + top + height);
   glBindFramebuffer(GL_FRAMEBUFFER, picture);

@@ -70,7 +70,7 @@ class SolidPainter {
   std::uint32_t resolve_program_ = 0, no_vertices_ = 0;
 };
 
-/// For a unit normal: x to the right, y downwards, z towards the camera.
+/// Light on a face with this unit normal: x to the right, y downwards, z towards the camera.
 float light_on(float x, float y, float z);
 
 }  // namespace taut::render

@@ -15,7 +15,8 @@ struct Rect {
 using Rgb = std::array<std::uint8_t, 3>;
 inline constexpr Rgb white = {255, 255, 255};
 
-/// Black is easier to read on it than white; ITU-R BT.709 on stored values. At 118, both contrasts are about equal.
+/// Whether black is easier to read on `color` than white; ITU-R BT.709 on stored values. At 118, both contrasts are
+/// about equal.
 inline bool is_light(Rgb color) { return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] > 118; }
 
 /// Rows from the top. A pixel has the bytes B, G, R, 255, since OSMesa and Cairo draw into it. If transparent, the

@@ -25,7 +25,7 @@ struct DifferenceLimit {
   double greatest = std::numeric_limits<double>::infinity();  // ΔE*ab
 };
 
-/// Pixels differ above `tolerance`, ΔE*ab. Throws UsageError for different sizes.
+/// Pixels differ if ΔE*ab exceeds `tolerance`. Throws UsageError for different sizes.
 ImageDifference compare(const Image& a, const Image& b, double tolerance = just_noticeable);
 
 /// Greatest ratio of a difference to its limit; pictures are alike up to 1.

@@ -29,7 +29,7 @@ constexpr png_uint_32 greatest_side = 16384;
 constexpr png_alloc_size_t max_chunk_bytes = 8 << 20;
 constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
-// libpng's simplified API converts to sRGB.
+// The simplified API of libpng would convert to sRGB.
 
 /// Outlives the frames that longjmp skips.
 struct Complaint {
@@ -114,7 +114,8 @@ void put_row(const Image& image, int row, std::uint8_t* to) {
     to[0] = from[2], to[1] = from[1], to[2] = from[0];
 }
 
-/// ISA-L at level 0: in 2.30, output of levels 1 and 2 may depend on memory addresses. Too large for the stack.
+/// ISA-L at level 0: in 2.30, output of levels 1 and 2 may depend on memory addresses. Allocate it on the heap: the
+/// stack is too small.
 struct Deflater {
   isal_zstream stream;
   isal_hufftables code;
@@ -234,7 +235,7 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
 }
 
 Image read_png(const std::filesystem::path& path, Alpha alpha) {
-  // a stranger's pipe must not be waited for; /dev/stdin is the user's
+  // never waits for a stranger's pipe; /dev/stdin is the user's
   const bool of_system = path.string().starts_with("/dev/");
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | (of_system ? 0 : O_NONBLOCK));
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(

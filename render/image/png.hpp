@@ -12,13 +12,13 @@ namespace taut::render {
 /// 8 bits per channel: RGB, or RGBA if transparent.
 std::vector<std::uint8_t> encode_png(const Image& image);
 
-/// Completely or not at all. Throws OutputError.
+/// Writes the whole file or none. Throws OutputError.
 void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 void write_png(const Image& image, const std::filesystem::path& path);
 
 enum class Alpha : std::uint8_t { dropped, kept };
 
-/// At most 8192 × 8192 pixels and 16384 per side. Throws UsageError if missing, damaged or no PNG.
+/// Reads at most 8192 × 8192 pixels, and 16384 per side. Throws UsageError if missing, damaged or no PNG.
 Image read_png(const std::filesystem::path& path, Alpha alpha = Alpha::dropped);
 
 }  // namespace taut::render

@@ -11,15 +11,15 @@
 
 namespace taut::render {
 
-// 0 (full contrast) to 1 (background). Black on white has too much contrast.
+// Gray levels, 0 (full contrast) to 1 (background). Black on white has too much contrast.
 inline constexpr double ink = 0.13;
 inline constexpr double faint = 0.42;
 inline constexpr double cap_height = 0.73;  // of digits
 
-/// Whole pixels.
+/// Line width in whole pixels.
 double line_width(double em);
 
-/// Pixels from the top left.
+/// Draws on an image with Cairo, in pixels from the top left.
 class Canvas {
  public:
   enum class Align { left, centre, right };
@@ -27,7 +27,7 @@ class Canvas {
   /// The image must outlive the canvas and keep its pixels in place.
   explicit Canvas(Image& image, Rgb background = white);
 
-  /// Call after other drawing.
+  /// Call if others have drawn on the image.
   void begin();
   void end();
 

@@ -13,7 +13,7 @@ enum class Weight { regular, bold };
 /// Finds DejaVu Sans in the system's folders. Throws OutputError, which names the package.
 std::filesystem::path find_font(Weight weight);
 
-/// Without fontconfig and hinting: letters are equal on all machines.
+/// Uses neither fontconfig nor hinting, so letters are equal on all machines.
 class Font {
  public:
   explicit Font(const std::filesystem::path& file);

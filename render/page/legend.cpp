@@ -22,7 +22,7 @@ double length_of(std::string_view text) {
 
 }  // namespace
 
-/// If not all entries fit, the last line is for the number of the others.
+/// If not all entries fit, the last line contains the number of omitted entries.
 std::size_t Legend::shown(int height, double em) const {
   const auto lines =
       static_cast<std::size_t>(std::max((height - title_height * em) / (line_height * em), 1.0));

@@ -6,13 +6,13 @@
 
 namespace taut::render {
 
-/// Visible region, m; the picture extends it to its aspect ratio.
+/// Visible region, m; extended to the aspect ratio of the picture.
 struct View {
   double x_min = 0, x_max = 1, y_min = 0, y_max = 1;
   bool operator==(const View&) const = default;
 };
 
-/// Unit vectors of the scene's axes: to the right, up and towards the viewer.
+/// Unit vectors of the scene's axes; components to the right, up and towards the viewer.
 using AxesMarker = std::array<std::array<double, 3>, 3>;
 
 struct PageLayout {

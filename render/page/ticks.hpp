@@ -35,7 +35,7 @@ double nice_length(double length);
 /// Formats with a typographic minus; never "−0".
 std::string format_fixed(double value, int decimals);
 
-/// Formats as "5.004 ms". With the last time `until`, s, all times have the same unit.
+/// Formats as "5.004 ms". With the last time `until` (in s), all times have the same unit.
 std::string format_time(double t, double until = 0);
 
 }  // namespace taut::render

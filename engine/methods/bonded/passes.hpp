@@ -10,7 +10,8 @@
 
 namespace taut {
 
-/// Groups that a pass processes together: long dependency chains overlap only without bond loops between them.
+/// Groups whose laws a pass evaluates one after another: their long dependency chains overlap only if no loops over
+/// bonds run in between.
 inline constexpr int groups_of_block = 8;
 template <int Dim>
 int block_count(const BondedFields<Dim>& f) {

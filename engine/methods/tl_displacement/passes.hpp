@@ -27,7 +27,7 @@ Mat<Pack, Dim> deformation(const TlDisplacementFields<Dim>& f, int group) {
   return F;
 }
 
-/// Computes V P(F) B; with pair shear the isotropic P and the shear weights.
+/// Computes V P(F) B; with pair shear, the isotropic P and the pair shear modulus g.
 template <const TlDisplacementFormulation& M, int Dim>
 void stress_pass(const TlDisplacementFields<Dim>& f, const Threads& threads) {
   f.laws.template visit<M>([&]<class L>(const L* of_materials) {

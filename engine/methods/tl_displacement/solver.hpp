@@ -7,7 +7,7 @@
 namespace taut {
 
 /// Computes F from positions, [Lee2016] Eq. 34. Position Verlet, [Zhang2020] Eq. 10, 11 with forces at mid-step,
-/// conserves the energy of forces that have one.
+/// conserves energy if the forces derive from an energy.
 template <int Dim>
 class TlDisplacement final : public Scheme<Dim> {
  public:

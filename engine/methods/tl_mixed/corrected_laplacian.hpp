@@ -16,7 +16,7 @@ std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
                                         double h, double scale, int threads = 1) {
   constexpr int N = Dim + 1;
-  // minimum nonlinear share of Σ V r⁴; lattice corners have 0 at the default h, 0.03 and more above
+  // minimum nonlinear share of Σ V r⁴; lattice corners have 0 at the default h, at least 0.03 at a greater h
   constexpr double least_nonlinear_share = 0.02;
   std::vector<double> w(pairs.j.size());
   parallel_for(pairs.size(), threads, [&](int i) {

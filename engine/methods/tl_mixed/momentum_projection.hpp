@@ -42,9 +42,9 @@ inline Pack volumes_of_four(const double* V, int i, int last) {
   return four;
 }
 
-/// Changes `a` of a body of one density least, weighted by volume, to make force and torque 0, [Lee2016] Eq. 45–48.
-/// `a` is padded by a pack; `share` scales the change. The result depends neither on the number of threads nor on the
-/// place in storage.
+/// Makes force and torque on a body of one density 0 by the least change of `a`, weighted by volume, [Lee2016] Eq.
+/// 45–48. `a` is padded by a pack; `share` scales the change. The result depends neither on the number of threads nor
+/// on the place in storage.
 template <int Dim>
 void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, const double* V, int first,
                         int last, double share = 1) {

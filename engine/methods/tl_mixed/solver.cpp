@@ -225,8 +225,8 @@ void TlMixed<Dim>::project_on_boundary(double ahead) {
                     [&](int i) { return p_.x[i] + ahead * v_start_[i]; });
 }
 
-/// Impulse law: moves x, F, J and H by the stopped velocity. A particle stopped in each step creeps by dt²/4 times
-/// the difference of both stages' accelerations; correcting this would change angular momentum.
+/// Impulse law: advances x, F, J and H by the changes of the velocities. A particle stopped in each step creeps by
+/// dt²/4 times the difference of both stages' accelerations; correcting this would change angular momentum.
 template <int Dim>
 void TlMixed<Dim>::stop_approach(double dt) {
   bool stopped = false;

@@ -93,8 +93,8 @@ inline constexpr Citation tranduc2023_citations[] = {
      "naive: updated-Lagrangian methods follow the transcription for a plate hit by a disc"},
 };
 
-/// Common settings of the methods of [TranDuc2023] §2.2, kernel of §2.1. Its "artificial stresses" include viscosity
-/// (§3.1).
+/// Common settings of the methods of [TranDuc2023] §2.2, kernel of §2.1. The "artificial stresses" of the paper include
+/// viscosity (§3.1).
 constexpr UlCauchyFormulation current_configuration(Formulation m, UlCauchySwitches switches = {}) {
   m.family = Family::ul_cauchy;
   m.citations = tranduc2023_citations;

@@ -20,7 +20,7 @@
 /// Loops gather over i, so results do not depend on the number of threads.
 namespace taut {
 
-/// At the start of the step. Padding has w′/q = 0 and r beyond the support.
+/// Pair at the start of the step. Padding has w′/q = 0 and r beyond the support.
 template <int Dim>
 struct CauchyPair {
   Vec<Pack, Dim> d;  // x_i − x_j, m
@@ -28,7 +28,8 @@ struct CauchyPair {
   Pack dw_per_q;     // w′(q)/q
 };
 
-/// To avoid divisions, terms get w′/q, `one` and x_i − x_j for ∂W/∂r, r and e_ij; α/h^(Dim+2) scales their sums.
+/// To avoid divisions, terms get w′/q, `one` and x_i − x_j in place of ∂W/∂r, r and e_ij; α/h^(Dim+2) scales their
+/// sums.
 template <const UlCauchyFormulation& M, int Dim>
 struct KernelScale {
   using K = Kernel<M.kernel>;
@@ -40,7 +41,7 @@ struct KernelScale {
         of_gradient(K::alpha(Dim) / power<Dim + 2>(h)),
         beyond2(power<2>(2 * K::support * h)) {}
 
-  /// Loading stored values would be no faster.
+  /// Called in each pass; loading stored values would be no faster.
   CauchyPair<Dim> pair(const Vec<Pack, Dim>& d) const {
     const Pack r2 = dot(d, d);
     const Pack r = root(r2 == 0 ? filled<Pack>(beyond2) : r2);  // padding and coincident particles
@@ -137,7 +138,7 @@ class Repulsion {
   double per_w_dp_, exponent_;
 };
 
-/// Advances v over the whole step; density diffusion is in kg/(m³ s). Returns the maximum v², m²/s².
+/// Advances v over the whole step and stores the density diffusion in `drho`. Returns the maximum v², m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Kick<Dim>& kick,
                    const Threads& threads) {
@@ -201,8 +202,8 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Computes û, [Khayyer2024] Eq. 14, and sets `transported` to `ahead`, s. Returns the maximum squared velocity
-/// relative to the body's rigid motion, m²/s².
+/// Computes û, [Khayyer2024] Eq. 14, and sets `transported` to the state `ahead` (in s). Returns the maximum squared
+/// velocity relative to the body's rigid motion, m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
                       double ahead, const Threads& threads) {
@@ -233,7 +234,7 @@ double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, 
   });
 }
 
-/// Uses ∇û of `transported`. [Khayyer2024] Eq. 8, 13, 27, 29
+/// Advances ρ, s and x with ∇û and û of `transported`. [Khayyer2024] Eq. 8, 13, 27, 29
 template <const UlCauchyFormulation& M, int Dim>
 void rate_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, double dt, const Threads& threads) {
   using K = Kernel<M.kernel>;

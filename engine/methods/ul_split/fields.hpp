@@ -169,7 +169,7 @@ struct UlSplitFields {
   S *s, *ds;              // deviatoric stress, Pa, and its rate
   bool sph_contact;       // bodies interact as one
 
-  FlowRow<Dim>* flow;         // mid-step v, p, V
+  FlowRow<Dim>* flow;         // v at the start of the step, p and V at mid-step
   FlowRow<Dim>* flow_new;     // with the new velocity
   TensorRow<Dim>* stress;     // s
   TensorRow<Dim>* repulsion;  // artificial stress and mass

@@ -42,12 +42,12 @@ constexpr bool carries_stress(const UlSplitFormulation& m) {
 constexpr bool integrates_shear(const UlSplitFormulation& m) { return m.shear != Shear::nested_stress; }
 constexpr bool has_penalty(const UlSplitFormulation& m) { return m.shear == Shear::nested_with_penalty; }
 
-/// Whether clamped particles strain. That keeps `oas` from tearing off at clamps, but would make `enog` too stiff.
-/// [Zhang2024] does not specify clamps.
+/// Whether clamped particles strain. Their strain keeps `oas` from tearing off at clamps, but would make `enog` too
+/// stiff. [Zhang2024] does not specify clamps.
 constexpr bool strains_clamped(const UlSplitFormulation& m) { return carries_stress(m); }
 
 constexpr bool consistent(const UlSplitFormulation& m) {
-  return (!m.artificial_stress || carries_stress(m)) &&  // needed for artificial stress
+  return (!m.artificial_stress || carries_stress(m)) &&  // artificial stress needs the stress
          m.artificial_stress == (m.epsilon > 0) && m.cfl_advection > 0;
 }
 

@@ -140,8 +140,8 @@ Vec<Pack, Dim> gradient_inside(const UlSplitFields<Dim>& s, int i, int b) {
   return g;
 }
 
-/// Advances v (Eq. 24), then x to the end of the step (Eq. 25). Terms receive `one` and ∇_i W for ∂W/∂r and e_ij.
-/// Returns the maximum v², m²/s².
+/// Advances v (Eq. 24), then x to the end of the step (Eq. 25). Terms receive `one` and ∇_i W in place of ∂W/∂r and
+/// e_ij. Returns the maximum v², m²/s².
 template <const UlSplitFormulation& M, int Dim>
 double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Kick<Dim>& kick,
                      const Threads& threads) {
@@ -204,7 +204,7 @@ Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const UlSplitConstan
   return total;
 }
 
-/// Advances the penalty acceleration; after all velocity gradients.
+/// Advances the penalty acceleration. Requires the velocity gradients of all particles.
 template <int Dim>
 void penalty_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double dt, const Threads& threads) {
   parallel_pass(s.size, threads, [&](int i) {
@@ -224,7 +224,7 @@ void penalty_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double
   });
 }
 
-/// Advances by the second half step, Eq. 25, with rates of the new velocities.
+/// Advances densities and shear by the second half step, Eq. 25, with rates of the new velocities.
 template <const UlSplitFormulation& M, int Dim, bool pressure_diffusion>
 void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Steering<Dim>& steering,
                double dt, const Threads& threads) {

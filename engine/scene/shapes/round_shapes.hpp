@@ -7,8 +7,8 @@
 
 namespace taut {
 
-/// Layout of round bodies. Methods with initial neighbours work best with layers along the faces, methods that
-/// search neighbours with equal distances in all directions.
+/// Layout of round bodies. Layers along the faces suit methods with initial neighbours; equal distances in all
+/// directions suit methods that search neighbours.
 enum class RoundLayout : std::uint8_t {
   aligned,  // equally many per layer; hollow only
   spaced,   // about dp apart

@@ -50,7 +50,7 @@ std::vector<InverseMoment> inverse_moments(const Bonds& bonds, int n, int thread
   return B;
 }
 
-/// Surface S_j (bonds.hpp) for volumes V, m^dim.
+/// Surface S_j (THEORY.md, Volumes and masses) for volumes V in m^dim.
 inline std::vector<Point> surface_of(const Bonds& bonds, const std::vector<InverseMoment>& B,
                                      const std::vector<double>& V) {
   std::vector<Point> S(V.size());

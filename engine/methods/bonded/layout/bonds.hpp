@@ -79,7 +79,7 @@ inline Bonds make_bonds(const Scene& scene, const InitialParticles& initial, dou
   return make_bonds(scene, initial, make_constraints(scene, initial), h);
 }
 
-/// Replaces G in bonds, Pa (terms/bond.hpp).
+/// Modulus of bonds, at most G, in Pa (terms/bond.hpp).
 double modulus_of_bonds(int dim, const Elasticity& m);
 /// G of bond b of particle i, Pa: the harmonic mean of both ends. A rigid particle takes the modulus of the other
 /// end.

@@ -7,7 +7,7 @@
 namespace taut {
 
 enum class Constraint : unsigned char {
-  free,     // also driven for part of the run, or in a body with `on_boundary`
+  free,     // includes particles driven for part of the run, or driven in a body with `on_boundary`
   pinned,   // does not move; bonded like a free particle
   clamped,  // does not move
   driven    // to the end of the run

@@ -13,7 +13,7 @@
 namespace taut {
 namespace {
 
-/// Unit vectors about 15 degrees apart.
+/// Unit vectors; any direction is within 18 degrees of one.
 std::vector<Eigen::Vector3d> make_directions() {
   std::vector<Eigen::Vector3d> all;
   for (int x = -2; x <= 2; ++x)

@@ -20,7 +20,7 @@ double even_share(double per_r);
 
 bool is_on_lattice(const std::vector<Eigen::Vector3d>& X, double spacing);
 
-/// Whether no neighbour X lies within 60 degrees (2D: 50) of some direction.
+/// Whether there is a direction without a neighbour X within 60 degrees (2D: 50).
 bool is_at_surface(const std::vector<Eigen::Vector2d>& X);
 bool is_at_surface(const std::vector<Eigen::Vector3d>& X);
 

@@ -37,8 +37,8 @@ struct RecoveredGradient {
   const double* of(int i, int b) const { return &g[row[i] + dim * (b - begin[i])]; }
 };
 
-/// Particle id[k] is stored at k; the result uses stored indices. `drive`: as in `initial`, −1 after its end.
-/// `reach`: of the own gradient, m. `halved`: for layouts without equal neighbourhoods.
+/// Particle id[k] is stored at k; the result uses stored indices. `drive`: as in `initial`, but −1 after the end of the
+/// drive. `reach`: of the own gradient, m. `halved`: for layouts without equal neighbourhoods.
 RecoveredGradient recovered_gradient(const InitialParticles& initial, const Constraints& constraints,
                                      const std::vector<int>& drive, const std::vector<int>& id,
                                      double spacing, double reach, int threads = 1, bool halved = false);
