@@ -13,8 +13,8 @@ namespace taut {
 /// Warns of `reaction` and `contact_force` probes if the method does not conserve momentum.
 std::string warning_about_reactions(const Scene& scene, const MethodInfo& method);
 
-/// Warns of masses that differ from the shapes, speeds above the sound speed, thin parts, contacts that store energy,
-/// and bodies that may join in contact by `sph`.
+/// Warns of bodies whose mass differs from that of the shape, speeds above the sound speed, thin parts, contacts that
+/// store energy, and bodies that may join in contact by `sph`.
 std::vector<std::string> warnings_at_start(const Scene& scene, const MethodInfo& method,
                                            const Simulation& simulation);
 

@@ -18,7 +18,6 @@ class Contact {
  public:
   using V = Vec<double, Dim>;
 
-  /// Range of gap probes, in spacings.
   static constexpr double reach = ContactMechanism<Dim>::reach;
 
   explicit Contact(const SolverInput& input);

@@ -5,7 +5,6 @@
 
 namespace taut {
 
-/// Law of contact (terms/contact_laws.hpp).
 struct ContactLaw {
   std::string_view name;
 

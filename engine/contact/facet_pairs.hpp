@@ -26,7 +26,7 @@ struct FacetColumns {
 
 /// Finds the facets among first … last − 1 that are nearer to facet p than √near2, were initially farther than √far2,
 /// and have normals with a cosine below `cosine` to the normal of p. Distances are between midpoints. Stores indices
-/// and squared distances [m²]. Returns the number of facets.
+/// and squared distances [m²].
 inline int find_near_facets(const FacetColumns& facets, int p, int first, int last, double near2, double far2,
                             double cosine, int* found, double* distance2) {
   int count = 0;

@@ -141,8 +141,8 @@ class MovingFaces {
   }
 
   /// Replaces `best` by the closest point of segment k if the node faces the segment and the rank of this point is
-  /// lower. The rank is the distance, plus up to half the segment length for segments that the sides of the node face
-  /// obliquely: the face in front of a corner pushes the corner back, not the face beside it. Beyond a sharp end a node
+  /// lower. The rank is the distance plus, where the sides of the node face the segment obliquely, up to half its
+  /// length: a corner is pushed back by the face in front of it, not by the face beside it. Beyond a sharp end a node
   /// acts with the length of its side over the segment and the depth of the side at that end.
   void measure(int node, int k, ClosestPoint& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;

@@ -15,7 +15,7 @@ namespace taut {
 /// pair, equal and opposite to the last bit. Departs from [Khayyer2024] Eq. 53–54, which stops only the approach of the
 /// old velocities: faces under a pressure p creep into each other at about p/(ρ c0). Here new velocities are stopped
 /// before positions follow. The paper gives no contact distance; here it is one spacing, as between two layers of a
-/// body. The impulses of several pairs of a particle are summed without a limit (terms/THEORY.md).
+/// body.
 template <int Dim>
 class PairContacts final : public ContactMechanism<Dim> {
  public:

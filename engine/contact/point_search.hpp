@@ -19,7 +19,7 @@ struct PointColumns {
 };
 
 /// Finds the points among first … last − 1 in the body of point p that are nearer to p than √near2 and were initially
-/// farther than √far2. Stores indices and squared distances [m²]. Returns the number of points.
+/// farther than √far2. Stores indices and squared distances [m²].
 template <int Dim>
 int find_near_points(const PointColumns<Dim>& points, int p, int first, int last, double near2, double far2,
                      int* found, double* distance2) {

@@ -5,10 +5,9 @@
 
 namespace taut {
 
-/// Chooses the number of threads of the next step: all, or one if more do not help. Results do not depend on this
-/// number. After a block of steps on one thread, the team makes further blocks while they are no slower. After a slower
-/// block, one thread continues until the loss is 1/`worth` of the time, and at least for 2, 4, 8 … blocks after
-/// repeated failures.
+/// Chooses the number of threads of the next step: all, or one if more do not help. After a block of steps on one
+/// thread, the team makes further blocks while they are no slower. After a slower block, one thread continues until the
+/// loss is 1/`worth` of the time, and at least for 2, 4, 8 … blocks after repeated failures.
 class TeamSize {
  public:
   explicit TeamSize(int most) : most_(most) {}

@@ -328,8 +328,8 @@ const std::vector<MeasureKind> kinds = {
      .value = last_below,
      .reference = as_given},
     {.name = "final_ratio",
-     .help = "last value divided by `scale`; with `free`, "
-             "none unless that series was ≤ `threshold` and is above it at the end, and the ratio is ≥ 0",
+     .help = "last value divided by `scale`; with a series `free`, "
+             "none unless `free` was ≤ `threshold` and is above it at the end, and the ratio is ≥ 0",
      .keys = {"probe", "threshold", "scale", "free"},
      .number = true,
      .value = final_ratio,

@@ -23,7 +23,6 @@ C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, co
   return c;
 }
 
-/// Validated input of a solver.
 struct SolverInput {
   const Formulation& method;
   const Scene& scene;

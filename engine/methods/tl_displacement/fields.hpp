@@ -21,7 +21,7 @@ struct TlDisplacementFields {
   PairLanesView<Dim> pairs;
   ColumnsView<Dim> displacement;  // u = x − X, m
   ColumnsView<Dim * Dim> stress;  // V P B, row by row, N/m^(Dim − 1); pair shear: P, Pa
-  // With a pair force; otherwise null
+  // null without a pair force
   PairLanesView<Dim, Dim + 2> bonds;  // X_i − X_j and weights
   ColumnsView<Dim * Dim> F;           // deformation gradient; only with the hourglass force
   ColumnsView<Dim> velocity;          // pair shear: v before the kick, m/s

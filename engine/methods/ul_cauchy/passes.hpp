@@ -17,7 +17,6 @@
 #include "engine/terms/velocity_gradient.hpp"
 #include "engine/terms/xsph.hpp"
 
-/// Loops gather over i, so results do not depend on the number of threads.
 namespace taut {
 
 /// Pair at the start of the step. Padding has w′/q = 0 and r beyond the support.

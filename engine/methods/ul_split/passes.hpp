@@ -15,7 +15,6 @@
 #include "engine/terms/stress_rate.hpp"
 #include "engine/terms/velocity_gradient.hpp"
 
-/// All loops gather over i, so results do not depend on the number of threads.
 namespace taut {
 
 template <KernelName Name, int Dim>
