@@ -15,8 +15,8 @@
 namespace taut {
 
 /// Contact between overlapping faces in 2D (terms/surface_contact.hpp). Each node is pushed towards its closest point
-/// of the other face, weighted by the length of the node's sides over that face. Conserves linear and angular momentum.
-/// Conserves energy, except where facing_share changes at a corner that turns.
+/// of the other face, weighted by the length of the node's sides over that face. Conserves linear and angular momentum,
+/// and energy except where facing_share changes at a corner that turns.
 class FaceContacts final : public ContactMechanism<2> {
  public:
   using V = Vec<double, 2>;

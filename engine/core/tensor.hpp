@@ -8,7 +8,7 @@
 /// the instruction set.
 namespace taut {
 
-/// Alignment, equal in all builds, so that structs have one layout. Without AVX, a bare Pack has a smaller alignment.
+/// Alignment, equal in all builds, so that structs have one layout.
 template <class T>
 inline constexpr std::size_t alignment_of = sizeof(T) == sizeof(Pack) ? sizeof(Pack) : alignof(T);
 

@@ -174,7 +174,6 @@ inline constexpr Probe::Kind Probe::Kind::displacement{"displacement"}, Probe::K
 
 inline bool is_step_mean(const Probe& probe) { return probe.kind.is_force || probe.of_forces; }
 
-/// Points at which a field is sampled.
 struct SampleLine {
   std::string name;
   int body = 0;
@@ -228,7 +227,6 @@ struct Reference {
   }
 };
 
-/// A simulation as plain data.
 struct Scene {
   std::string name;
   std::string title;

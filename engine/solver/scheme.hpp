@@ -21,7 +21,7 @@ class Scheme {
   /// Stores the particles of these groups of four, in ascending order, in a snapshot that Common::begin_snapshot has
   /// begun.
   virtual void show(Snapshot& out, std::span<const int> groups) const = 0;
-  /// See Simulation::motion. Returns false if energies depend on stresses.
+  /// See Simulation::motion.
   virtual bool show_motion(Snapshot& /*out*/) const { return false; }
 
   /// Contact force on the first body of `probe` over the last step of `dt` seconds, N.
