@@ -173,7 +173,7 @@ TEST_SUITE("failure") {
   }
 
   // §8.7, Fig. 19
-  TEST_CASE("punch cube: with Mooney–Rivlin rubber the methods with J and with H too survive and agree") {
+  TEST_CASE("punch cube: with Mooney–Rivlin rubber the methods with J, and with J and H, survive and agree") {
     const std::vector<Setting> rubber{
         {"law", "mooney-rivlin"}, {"poisson_ratio", "0.495"}, {"until", "0.0125"}, smoothed_J};
     const Run with_J = run("punch-cube", "pfj-jst", rubber), with_H = run("punch-cube", "pfhj-jst", rubber);

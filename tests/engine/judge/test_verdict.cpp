@@ -189,7 +189,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("judge: a body cut in half is a fracture, in 2D and 3D, wherever it lies") {
+  TEST_CASE("judge: a body cut in half is fractured, in 2D and 3D, wherever it lies") {
     for (const int dim : {2, 3}) {
       for (const double origin : {0.0, -7.77, 1234.5}) {
         CAPTURE(dim);
