@@ -131,7 +131,8 @@ void read_picture(std::string_view bytes) {
   constexpr int most = 512;  // pixels per side
   if (picture.width > most || picture.height > most) return;
   render::write_png(picture, folder() / "again.png");
-  expect(render::read_png(folder() / "again.png") == picture, "a picture changes when written and read again");
+  expect(render::read_png(folder() / "again.png") == picture,
+         "a picture changes when written and read again");
   expect(alike(render::compare(picture, picture)), "a picture differs from itself");
   render::difference_picture(picture, picture);
 }

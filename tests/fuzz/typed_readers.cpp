@@ -175,7 +175,8 @@ void read_text(std::string_view bytes) {
   expect(std::ranges::count(drawn, '\'') == 2 && drawn.front() == '\'' && drawn.back() == '\'',
          "a quote ends a text in a gnuplot script early");
   const std::string data = data_text(text);
-  expect(std::ranges::count(data, '"') == 2 && data.find('\\') == std::string::npos, "a quoted text contains quotes");
+  expect(std::ranges::count(data, '"') == 2 && data.find('\\') == std::string::npos,
+         "a quoted text contains quotes");
   const std::string comment = plot_comment(text);
   expect(std::ranges::count(comment, '\n') == 1, "a comment has several lines");
   shortened(text);

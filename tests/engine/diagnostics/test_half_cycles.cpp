@@ -98,7 +98,8 @@ TEST_SUITE("unit") {
     CHECK(value("decay", sampled(unequal_times(1.51, 1e-3), wave)));
   }
 
-  TEST_CASE("period: a one-sided oscillation has a period about its mean, and about 0 a reason in place of a period") {
+  TEST_CASE(
+      "period: a one-sided oscillation has a period about its mean, and about 0 a reason in place of a period") {
     const double T = 0.254, loss = 0.4;
     const auto swing = [=](double t) {
       return -0.03 * (1 - std::exp(-loss * t / T) * std::cos(2 * pi * t / T)) + 2e-4 * std::sin(40 * t / T);

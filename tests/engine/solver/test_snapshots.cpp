@@ -60,7 +60,8 @@ double difference(const Snapshot& a, const Snapshot& b, std::vector<double> Snap
 }  // namespace
 
 TEST_SUITE("determinism") {
-  TEST_CASE("snapshots: a run stopped before a time lacks one step and continues to the same state in every method") {
+  TEST_CASE(
+      "snapshots: a run stopped before a time lacks one step and continues to the same state in every method") {
     for (const Scene& scene : {small_collision(), small_clamped_plate()}) {
       for (const MethodInfo& method : methods()) {
         CAPTURE(scene.name);
@@ -103,7 +104,8 @@ TEST_SUITE("determinism") {
     }
   }
 
-  TEST_CASE("snapshots: motion() returns the positions, velocities and energies of snapshot() to the last bit") {
+  TEST_CASE(
+      "snapshots: motion() returns the positions, velocities and energies of snapshot() to the last bit") {
     for (const Scene& scene :
          {small_collision(), small_clamped_plate(), small_solid_collision(), small_clamped_block()}) {
       for (const MethodInfo& method : methods()) {

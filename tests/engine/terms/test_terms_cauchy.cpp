@@ -72,7 +72,8 @@ void check_opposite(const Term& term) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("gradient correction: gradients of linear fields are exact at a surface, and wrong without correction") {
+  TEST_CASE(
+      "gradient correction: gradients of linear fields are exact at a surface, and wrong without correction") {
     const std::vector<Neighbor> all = neighbors();
     Mat2 raw{};
     for (const Neighbor& j : all) {
@@ -186,7 +187,8 @@ TEST_SUITE("term") {
     });
   }
 
-  TEST_CASE("Riemann term: limiters leave linear velocities undamped and never increase the closing speed of a pair") {
+  TEST_CASE(
+      "Riemann term: limiters leave linear velocities undamped and never increase the closing speed of a pair") {
     const Sym2 D = symmetric_part(some_L);
     for (const Limiter limiter : {Limiter::minmod, Limiter::van_leer}) {
       for (const Neighbor& j : neighbors()) {
@@ -221,7 +223,8 @@ TEST_SUITE("term") {
     CHECK(magnitude(controlled) < 1e-13 * magnitude(force));
   }
 
-  TEST_CASE("colour function: the value is 1 inside a lattice, below 0.9 on its face and above 0.9 one row deeper") {
+  TEST_CASE(
+      "colour function: the value is 1 inside a lattice, below 0.9 on its face and above 0.9 one row deeper") {
     using K = Kernel<KernelName::wendland_c2>;
     const double length = 1.2;
     const auto colour = [&](int rows_above) {

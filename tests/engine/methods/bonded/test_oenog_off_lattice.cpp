@@ -122,7 +122,8 @@ TEST_SUITE("unit") {
     CHECK_FALSE(is_on_lattice(face.X, 1.01 * dp));
   }
 
-  TEST_CASE("off-lattice: the bonds of over a quarter of the particles are as stiff as the solid, and no bonds are stiffer") {
+  TEST_CASE(
+      "off-lattice: the bonds of over a quarter of the particles are as stiff as the solid, and no bonds are stiffer") {
     for (const Scene& scene : {jittered(block(7), 0.2), body_centred(7)}) {
       const InitialParticles initial = make_initial_particles(scene);
       const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
