@@ -64,7 +64,7 @@ std::function<int(Streams)> declare_only(Options& command) {
   return [kept](Streams) { return 0; };
 }
 
-/// All commands. Only `list`, `completion` and `plan` run; the others end after reading their arguments.
+/// Only `list`, `completion` and `plan` run; other commands end after reading their arguments.
 std::vector<Command> harmless_commands() {
   const std::span<const Command> all = commands();
   constexpr std::size_t most = 24;

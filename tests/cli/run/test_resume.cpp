@@ -59,7 +59,7 @@ void check_same_run(const fs::path& a, const fs::path& b) {
   }
 }
 
-/// Kills the program once `history` exceeds `bytes`; false if it ended before.
+/// Kills the program once `history` exceeds `bytes`; returns false if the program ended before.
 bool run_and_kill(const Arguments& arguments, const fs::path& history, std::uintmax_t bytes) {
   ChildProgram child(arguments);
   ChildProgram::wait([&] {

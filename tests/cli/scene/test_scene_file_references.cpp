@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// The small scene with other references; its measure `peak` is the tip at rest.
+/// The small scene with other references; `peak` is the tip at rest.
 std::string with_references(const std::string& references) {
   const std::string old = "[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nvalues = { peak = 3 }\n";
   return replaced(replaced(small_scene, "of = \"maximum\"", "of = \"at_rest\""), old, references);

@@ -162,7 +162,7 @@ TEST_SUITE("unit") {
     const auto swing = [](double t) { return 5 - 2 * std::pow(0.8, t) * std::cos(2 * pi * t); };
     const Series series = sampled(unequal_times(4.3, 1e-4), swing);
     scene.measures[0].about = 5;
-    // 2π tan(2πt) = −ln 0.8
+    // 2π tan(2πt) = ln 0.8
     const double top = 0.5 + std::atan(std::log(0.8) / (2 * pi)) / (2 * pi);
     expect(result(scene, series).value, swing(top) - 5, 1e-6);
     scene.measures[0].kind = "peak_time";
