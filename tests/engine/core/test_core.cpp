@@ -298,7 +298,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "team: a trial of all threads ends at the first step that makes it slower, and costs 2 % of the time") {
+      "team: a trial of all threads ends once the trial is slower than one thread, and costs 2 % of the time") {
     TeamSize team(2);
     CHECK(steps_alone(team) == 16);
     team.step_took(10e-3);
