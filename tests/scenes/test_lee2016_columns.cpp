@@ -143,7 +143,8 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("failure") {
   // §8.6, Fig. 16
-  TEST_CASE("punch: at ν = 0.499 tl and pf-jst have a pressure checkerboard, and methods with J have none") {
+  TEST_CASE(
+      "punch: at ν = 0.499 tl, pf and pf-jst have a pressure checkerboard, and methods with J have none") {
     const Run smooth = run("punch", "pfj-jst", {smoothed_J});
     CHECK(smooth.checkerboard < 0.06);
     for (const std::string method : {"tl", "pf", "pf-jst"}) {
