@@ -32,15 +32,15 @@ inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
 inline constexpr TermInfo repulsion_info{
     "artificial stress", "dv/dt: terms of the stress divergence of −σ⁺, times ε (W/W(dp))ⁿ",
     "[Khayyer2024] Eq. 17–21", "terms/artificial_stress.hpp:positive_part",
-    "artificial stress: the positive part is that of given principal stresses"};
+    "artificial stress: the positive part keeps the axes and the positive principal stresses"};
 inline constexpr TermInfo corrected_repulsion_info{
     "artificial stress", "dv/dt: terms of the stress divergence of −σ⁺, times ε (W/W(dp))ⁿ",
     "[Khayyer2024] Eq. 18–21, 31", "terms/artificial_stress.hpp:positive_part",
-    "artificial stress: the positive part is that of given principal stresses"};
+    "artificial stress: the positive part keeps the axes and the positive principal stresses"};
 inline constexpr TermInfo surface_repulsion_info{
     "artificial stress, at surfaces", "dv/dt: terms of the stress divergence of −σ⁺, times ε (W/W(dp))ⁿ",
     "[Khayyer2024] Eq. 18–21, 31", "terms/artificial_stress.hpp:positive_part",
-    "artificial stress: the positive part is that of given principal stresses"};
+    "artificial stress: the positive part keeps the axes and the positive principal stresses"};
 
 /// R = −ε σ⁺/ρ², Pa m⁶/kg²
 template <int Dim>

@@ -64,6 +64,6 @@ Sym<double, 3> turned_stress(const Mat<double, 3>& L, const Sym<double, 3>& s, d
 inline constexpr TermInfo turned_stress_info{
     "stress rate", "ds/dt = 2G (D − tr D/3 I) + ω s − s ω", "[Khayyer2024] Eq. 6, 7",
     "terms/stress_rate.hpp:turned_stress",
-    "rotated stress: a rigid rotation in one step rotates it and keeps its magnitude"};
+    "rotated stress: a rigid rotation in one step rotates the stress and keeps its magnitude"};
 
 }  // namespace taut

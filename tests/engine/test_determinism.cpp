@@ -58,7 +58,7 @@ void for_each_run(const F& f) {
 }  // namespace
 
 TEST_SUITE("determinism") {
-  TEST_CASE("threads: 1, 2 and 3 give the same bytes") {
+  TEST_CASE("threads: 1, 2 and 3 threads give the same bytes") {
     for_each_run([](const Scene& scene, const std::string& method) {
       Settings settings = with_method(method);
       // one thread takes the first 16 steps
@@ -124,7 +124,7 @@ TEST_SUITE("determinism") {
     });
   }
 
-  TEST_CASE("instruction sets: every one available gives the same bytes") {
+  TEST_CASE("instruction sets: every available instruction set gives the same bytes") {
     for_each_run([](const Scene& scene, const std::string& method) {
       Settings settings = with_method(method);
       const Snapshot best = state_after(steps, scene, settings);

@@ -92,7 +92,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("equations: every citation belongs to a term of its method") {
+  TEST_CASE("equations: every citation belongs to a term of a method that cites it") {
     for (const MethodInfo& method : methods()) {
       for (const Citation& citation : method.formulation.citations) {
         const auto has = [&](const MethodInfo& m) {
@@ -105,7 +105,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("constants: each setting has its own place, and omitted ones have their default") {
+  TEST_CASE("constants: each setting sets its own member, and omitted settings have their default") {
     check_constants(ul_split::Methods{}, ul_split::constants);
     check_constants(ul_cauchy::Methods{}, ul_cauchy::constants);
     check_constants(bonded::Methods{}, bonded::constants);

@@ -39,7 +39,7 @@ bool contains(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("methods: each is found by its name and has a description") {
+  TEST_CASE("methods: each method is found by its name and has a description") {
     CHECK(methods().size() >= 4);
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));

@@ -7,7 +7,7 @@
 # wrong.
 
 scene=$faults/discs.toml
-patience=${TAUT_FAULTS_PATIENCE:-60}  # s, after which a program counts as hung
+patience=${TAUT_FAULTS_PATIENCE:-60}  # in s; a program that runs longer counts as hung
 
 # ---- findings
 
@@ -87,7 +87,7 @@ finish() {
   sound "$1"
 }
 
-# strike SIGNALS: sends signals, like "KILL" or "INT INT", in a row; sets $struck to 1 if one hit
+# strike SIGNALS: sends signals, like "KILL" or "INT INT", in a row; sets $struck to 1 if a signal hit
 strike() {
   struck=0
   local signal
@@ -106,7 +106,7 @@ strike_at_random() {
   finish "taut ${*:3} (SIG$1 after $picked ms)"
 }
 
-# how_long ARGUMENT...: sets $took to the duration of the undisturbed program, ms
+# how_long ARGUMENT...: sets $took to the duration of the undisturbed program, in ms
 how_long() {
   local from=${EPOCHREALTIME/./}
   taut "$@"

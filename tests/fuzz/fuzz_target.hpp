@@ -10,7 +10,7 @@
 
 namespace taut::fuzz {
 
-/// Readers of untrusted input.
+/// Reader of untrusted input.
 struct Target {
   std::string_view name;  // also of the folders in corpus/ and found/
   void (*read)(std::string_view bytes);

@@ -100,12 +100,12 @@ void read_particle_file(std::string_view bytes) {
   std::vector<std::string> names = file.fields();
   names.emplace_back("pressure");
   for (const std::string& name : names)
-    attempt([&] { expect(file.field(name).size() == file.size(), "a field of another length"); });
-  attempt([&] { expect(file.diameter().size() == file.size(), "diameters of another number"); });
+    attempt([&] { expect(file.field(name).size() == file.size(), "a field has the wrong length"); });
+  attempt([&] { expect(file.diameter().size() == file.size(), "the number of diameters is wrong"); });
   for (const int dim : {2, 3})
     attempt([&] {
       expect(file.positions(dim).size() == file.size() * static_cast<std::size_t>(dim),
-             "positions of another number");
+             "the number of positions is wrong");
     });
   const std::filesystem::path scene =
       write("scene.toml",
@@ -131,8 +131,9 @@ void read_picture(std::string_view bytes) {
   constexpr int most = 512;  // pixels per side
   if (picture.width > most || picture.height > most) return;
   render::write_png(picture, folder() / "again.png");
-  expect(render::read_png(folder() / "again.png") == picture, "a picture written and read again is another");
-  expect(alike(render::compare(picture, picture)), "a picture is not like itself");
+  expect(render::read_png(folder() / "again.png") == picture,
+         "a picture changes when written and read again");
+  expect(alike(render::compare(picture, picture)), "a picture differs from itself");
   render::difference_picture(picture, picture);
 }
 

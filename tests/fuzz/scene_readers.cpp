@@ -45,7 +45,7 @@ void check_resolved(const SceneFile& file) {
   } catch (const std::runtime_error& error) {
     throw Finding(std::string("scene.toml cannot be read again: ") + error.what() + "\n" + once);
   }
-  expect(resolved_text(again, folder()) == once, "scene.toml read again is another:\n" + once);
+  expect(resolved_text(again, folder()) == once, "scene.toml changes when read and written again:\n" + once);
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ void read_toml(std::string_view bytes) {
   const std::string once = print_toml(parse_toml(bytes, "fuzz.toml"));
   std::string again;
   attempt([&] { again = print_toml(parse_toml(once, "printed.toml")); });
-  expect(again == once, "TOML printed and read again is another:\n" + once);
+  expect(again == once, "TOML changes when printed and read again:\n" + once);
 }
 
 void read_scene_file(std::string_view bytes) {
@@ -150,7 +150,7 @@ void read_outline(std::string_view bytes) {
 void read_svg_file(std::string_view bytes) {
   constexpr int rows = 64;
   for (const Chain& chain : faces_of(paint_svg(write("shape.svg", bytes), rows), 0.5))
-    expect(chain.size() >= 3, "an outline of fewer than three points");
+    expect(chain.size() >= 3, "an outline has fewer than three points");
 }
 
 }  // namespace taut::fuzz

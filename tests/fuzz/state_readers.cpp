@@ -57,7 +57,7 @@ const std::string& state_of(std::size_t number) {
   return known[number];
 }
 
-/// After `lines` lines.
+/// Raises SIGTERM at the end of line number `lines`.
 class InterruptAfterLines : public std::streambuf {
  public:
   explicit InterruptAfterLines(int lines) : lines_(lines) {}
@@ -107,7 +107,7 @@ std::string header_of_checkpoint() {
 
 }  // namespace
 
-/// Without header and checksum.
+/// `bytes`: a checkpoint without header and checksum.
 void read_checkpoint_file(std::string_view bytes) {
   static const std::string header = header_of_checkpoint();
   std::string file = header + std::string(bytes);

@@ -35,7 +35,7 @@ void limit_memory() {
   ::setrlimit(RLIMIT_DATA, &limit);
 }
 
-/// Prints each name before reading, so that the last name is of the file that crashed.
+/// Prints each name before reading, so that the last name is the file that crashed.
 int feed_all(const Target& target, const std::vector<fs::path>& files) {
   limit_memory();
   int failures = 0;

@@ -64,12 +64,12 @@ std::function<int(Streams)> declare_only(Options& command) {
   return [kept](Streams) { return 0; };
 }
 
-/// Only commands that read no files run.
+/// Only `list`, `completion` and `plan` run; other commands end after reading their arguments.
 std::vector<Command> harmless_commands() {
   const std::span<const Command> all = commands();
   constexpr std::size_t most = 24;
   std::vector<Command> harmless(all.begin(), all.end());
-  expect(all.size() <= most, "more commands than this knows");
+  expect(all.size() <= most, "there are more commands than `most`");
   [&]<std::size_t... k>(std::index_sequence<k...>) {
     const auto replace = [&](std::size_t number, auto* declare) {
       if (number >= all.size()) return;
@@ -115,7 +115,7 @@ void read_arguments(std::string_view bytes) {
   std::ostringstream out, err;
   const int code = run_program(harmless, lines_of(bytes), {out, err});
   expect(code != exit_bug, err.str());
-  expect(code == exit_fine || !err.str().empty(), "an exit code without a word");
+  expect(code == exit_fine || !err.str().empty(), "an exit code without a message");
 }
 
 void read_completion(std::string_view bytes) {
@@ -123,7 +123,7 @@ void read_completion(std::string_view bytes) {
   const std::vector<std::string> words = lines_of(bytes);
   const std::string typed = words.empty() ? "" : words.back();
   for (const Completion::Word& word : complete(commands(), words).words)
-    expect(word.text.find('\n') == std::string::npos, "a word of two lines for '" + typed + "'");
+    expect(word.text.find('\n') == std::string::npos, "a suggestion of two lines for '" + typed + "'");
   answer_to_shell(commands(), words);
 }
 
@@ -157,7 +157,7 @@ void read_values(std::string_view bytes) {
       const DrawingValue value = key.get(drawing);
       Drawing again;
       const std::string wrong = key.set(again, value);
-      expect(wrong.empty() && key.get(again) == value, text + " is not taken again: " + wrong);
+      expect(wrong.empty() && key.get(again) == value, text + " is refused when read again: " + wrong);
     }
 }
 
@@ -165,19 +165,20 @@ void read_text(std::string_view bytes) {
   const std::string text(bytes);
   const CsvTable table = parse_csv("a,b\n" + csv_cell(text) + ",2\n", "cells.csv");
   expect(table.rows.size() == 1 && table.rows[0].size() == 2 && table.rows[0][0] == text,
-         "a cell of a CSV table changes");
+         "a cell of a CSV table changes when written and read again");
   for (const std::string& quoted : {plot_text(text), data_text(text)})
     expect(std::ranges::none_of(quoted, [](char c) { return c == '\n' || c == '\r' || c == '\0'; }),
-           "a line break in a script of gnuplot");
+           "a text in a gnuplot script has a line break");
   constexpr std::string_view quote = "'.\"\\047\".'";  // in a gnuplot string
   std::string drawn = plot_text(text);
   for (std::size_t at = 0; (at = drawn.find(quote, at)) != std::string::npos;) drawn.erase(at, quote.size());
   expect(std::ranges::count(drawn, '\'') == 2 && drawn.front() == '\'' && drawn.back() == '\'',
-         "a quote ends the text");
+         "a quote ends a text in a gnuplot script early");
   const std::string data = data_text(text);
-  expect(std::ranges::count(data, '"') == 2 && data.find('\\') == std::string::npos, "quotes in quotes");
+  expect(std::ranges::count(data, '"') == 2 && data.find('\\') == std::string::npos,
+         "a quoted text contains quotes");
   const std::string comment = plot_comment(text);
-  expect(std::ranges::count(comment, '\n') == 1, "a comment of several lines");
+  expect(std::ranges::count(comment, '\n') == 1, "a comment has several lines");
   shortened(text);
 }
 

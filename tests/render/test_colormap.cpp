@@ -25,7 +25,7 @@ TEST_SUITE("unit") {
     CHECK(find_colormap("virids") == nullptr);
   }
 
-  TEST_CASE("the ends of the colour maps are those published") {
+  TEST_CASE("the colour maps end with the published colours") {
     struct Ends {
       const char* key;
       Rgb low, high;

@@ -120,7 +120,7 @@ TEST_SUITE("image") {
     CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("at most 67 million are allowed"), UsageError);
   }
 
-  TEST_CASE("a panel of a given width has it exactly, and keeps the view's proportions") {
+  TEST_CASE("a panel has exactly the given width, and keeps the view's proportions") {
     PanelOptions options = two_by_two();
     options.look.size.reset();
     options.look.texts.font = 20;

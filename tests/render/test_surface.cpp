@@ -114,7 +114,7 @@ TEST_SUITE("image") {
     CHECK(difference(mean, image.at(100, 100)) > 40);
   }
 
-  TEST_CASE("a point without a number colours its triangles as no number") {
+  TEST_CASE("a point with the value NaN gives its triangles the colour of NaN") {
     Sheet sheet(2, same);
     sheet.value[4] = std::numeric_limits<double>::quiet_NaN();
     const Image image = drawn(sheet.frame(), bare());

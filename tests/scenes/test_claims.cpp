@@ -26,7 +26,7 @@ TEST_SUITE("failure") {
   TEST_CASE("the quick claims of Lee2016 have their recorded state") { check_quick_claims("Lee2016"); }
   TEST_CASE("the quick claims of Zhang2020 have their recorded state") { check_quick_claims("Zhang2020"); }
 
-  TEST_CASE("the table of the claims is that of the claim files") {
+  TEST_CASE("the table of the claims agrees with the claim files") {
     const std::string page =
         text_of(std::filesystem::path(TAUT_SOURCE_DIR) / "scenes/studies/results/claims.md");
     const Outcome tables = call({"claims", "--markdown"});

@@ -143,7 +143,8 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("failure") {
   // §8.6, Fig. 16
-  TEST_CASE("punch: at ν = 0.499 tl and pf-jst have a pressure checkerboard, and methods with J have none") {
+  TEST_CASE(
+      "punch: at ν = 0.499 tl, pf and pf-jst have a pressure checkerboard, and methods with J have none") {
     const Run smooth = run("punch", "pfj-jst", {smoothed_J});
     CHECK(smooth.checkerboard < 0.06);
     for (const std::string method : {"tl", "pf", "pf-jst"}) {
@@ -173,7 +174,7 @@ TEST_SUITE("failure") {
   }
 
   // §8.7, Fig. 19
-  TEST_CASE("punch cube: with Mooney–Rivlin rubber the methods with J and with H too survive and agree") {
+  TEST_CASE("punch cube: with Mooney–Rivlin rubber the methods with J, and with J and H, survive and agree") {
     const std::vector<Setting> rubber{
         {"law", "mooney-rivlin"}, {"poisson_ratio", "0.495"}, {"until", "0.0125"}, smoothed_J};
     const Run with_J = run("punch-cube", "pfj-jst", rubber), with_H = run("punch-cube", "pfhj-jst", rubber);

@@ -79,7 +79,7 @@ TEST_SUITE("convergence") {
       return *cable.measure.at("end_rmse");
     };
     const double coarse = error("d-ulsph-r-tic", 0.05);
-    // no interior in four rows
+    // four rows have no interior, where the methods would differ
     CHECK(error("d-ulsph-r-as", 0.05) == coarse);
     CHECK(coarse > 1e-4);
     CHECK(error("d-ulsph-r-tic", 0.025) < 0.6 * coarse);

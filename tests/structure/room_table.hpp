@@ -19,7 +19,7 @@ struct RoomRow {
 ///     | room | what for | may include |
 ///     |---|---|---|
 ///     | `core/` | numbers only | `error.hpp` |
-///     | `methods/` | one algorithm box a room | all above |
+///     | `methods/` | one algorithm per room | all above |
 class RoomTable {
  public:
   static std::optional<RoomTable> read(const std::string& markdown);

@@ -45,7 +45,7 @@ const std::string less_energy = "fast.first.kinetic_energy < slow.first.kinetic_
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("claims: a run agrees if its state is the recorded one") {
+  TEST_CASE("claims: the run of a claim agrees if its state equals the recorded state") {
     const TemporaryFolder folder;
     const auto state = [&](const std::string& lines) { return run_claim(folder, two_runs + lines); };
     const Outcome holds = state("criterion = '" + more_energy + "'");

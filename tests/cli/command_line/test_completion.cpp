@@ -29,7 +29,7 @@ Words words_for(const Words& typed) {
   return words;
 }
 
-/// With the cursor at the end of `line`.
+/// Words that bash offers with the cursor at the end of `line`.
 Words offered_by_bash(const TemporaryFolder& folder, const std::string& line) {
   std::ofstream(folder / "ask.sh") << "source <(\"$1\"/taut completion bash)\n"
                                       "compopt() { :; }  # bash defines it only during a completion\n"

@@ -78,7 +78,7 @@ TEST_SUITE("cli") {
     std::signal(SIGHUP, SIG_DFL);
     ChildProgram::wait_for(folder / "deaf/frames/frame_00000.png");
     deaf.send(SIGHUP);
-    deaf.send(SIGINT);  // a second signal would end it
+    deaf.send(SIGINT);  // if SIGHUP counted, a second signal would end the program
     CHECK(deaf.exit_code() == 130);
     CHECK(json_of(folder / "deaf/run.json")["status"] == "interrupted");
   }

@@ -1,6 +1,6 @@
 // After an intended change
-//   TAUT_UPDATE_GOLDEN=1 build/tests/cli_tests --test-suite=image
-// rewrites the golden pictures: inspect before you commit.
+//   TAUT_UPDATE_GOLDEN=1 build/tests/cli_tests -tc='every field matches*'
+// rewrites the golden pictures: look at them before you commit.
 
 #include <cstdlib>
 #include <filesystem>

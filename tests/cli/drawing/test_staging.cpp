@@ -16,7 +16,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// With unequal masses in the second.
+/// Two bodies, with unequal masses in the second.
 Origins two_pairs() {
   return {.dim = 2,
           .x0 = {0, 0, 1, 0, 0, 3, 1, 3},

@@ -151,7 +151,6 @@ TEST_SUITE("unit") {
     const auto claim = [&](const std::string& count) {
       std::string forged = text_of(path);
       forged.replace(forged.find("\"50\""), 4, "\"" + count + "\"");
-      // the former limit was 1024 particles per byte
       std::ofstream(folder / "forged.vtp", std::ios::binary) << forged << std::string(56000, '\0');
       return folder / "forged.vtp";
     };

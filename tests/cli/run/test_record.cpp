@@ -84,7 +84,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("the load by others is read from provenance and is written into results only") {
+  TEST_CASE("the load by other programs is read from provenance and is written into results only") {
     const Json json = {{"taut", "0.2.0"}, {"provenance", {{"other_load", 1.5}}}};
     const RunRecord record = read(json);
     CHECK(record.other_load == 1.5);

@@ -59,7 +59,7 @@ void check_same_run(const fs::path& a, const fs::path& b) {
   }
 }
 
-/// Kills the program once `history` exceeds `bytes`; false if it ended before.
+/// Kills the program once `history` exceeds `bytes`; returns false if the program ended before.
 bool run_and_kill(const Arguments& arguments, const fs::path& history, std::uintmax_t bytes) {
   ChildProgram child(arguments);
   ChildProgram::wait([&] {
@@ -107,7 +107,7 @@ void check_refused(const TemporaryFolder& folder, const std::string& reason, con
 }  // namespace
 
 TEST_SUITE("restart") {
-  TEST_CASE("runs killed at any moment resume to the same bytes: a method of each family") {
+  TEST_CASE("runs killed at any moment resume to the same bytes with methods of four families") {
     std::mt19937 random(1);
     int kills = 0;
     for (const char* method : {"enog", "og", "oenog", "d-ulsph-r-tic", "tl"}) {

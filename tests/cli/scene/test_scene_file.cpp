@@ -101,7 +101,7 @@ TEST_SUITE("unit") {
     CHECK(file.drawing.look.view->y_max == file.parameters[2].value);
   }
 
-  TEST_CASE("the spacing is rounded to divide the first body, and dp is the rounded one") {
+  TEST_CASE("the spacing is rounded to divide the first body, and dp is the rounded spacing") {
     const std::string text = replaced(small_scene, "spacing = 0.1", "spacing = \"v0*4\"");  // 1/0.24 = 4.17
     CHECK(read_text(text).scene.spacing == 0.25);
     const SceneFile file = read_text(replaced(text, "at = [2, 0.5]", "at = [\"2 - dp\", \"dp\"]"));

@@ -153,7 +153,7 @@ TEST_SUITE("cli") {
         {"layout", "inner"});
   }
 
-  TEST_CASE("scene: a shape of the other dimension is refused with the nearest one") {
+  TEST_CASE("scene: a shape of the other dimension is refused with the nearest shape") {
     const auto solid = [](const char* type, const char* instead) {
       check_solid_error(solid_scene(std::string("{ type = @\"") + type + "\" }"),
                         {type, "is a shape with dim = 2, but the scene has dim = 3; use ", instead});
@@ -199,7 +199,7 @@ TEST_SUITE("cli") {
                 {"held must be an array of 2"});
   }
 
-  TEST_CASE("scene: a body can be cut out, rotated, laid on its boundary and displaced") {
+  TEST_CASE("scene: a body can be cut out, rotated, given particles on its boundary, and displaced") {
     const SceneFile file =
         read_text(solid_scene(brick,
                               "without = [{ type = \"ball\", centre = [2, 1, 0.5], radius = 0.4 }, "

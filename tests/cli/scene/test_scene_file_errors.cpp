@@ -207,7 +207,7 @@ TEST_SUITE("cli") {
     check_error("color = \"von_mises\"", "frames = @1.5", {"frames = 1.5 must be a whole number from 1"});
   }
 
-  TEST_CASE("scene: unknown names are refused with the nearest one") {
+  TEST_CASE("scene: unknown names are refused with the nearest name") {
     check_error("until = 2", "until = 2\nmethod = @\"enogg\"", {"unknown method 'enogg'", "'enog'"});
     check_error("until = 2", "until = 2\nstepping = @\"duel\"", {"unknown stepping 'duel'", "dual, single"});
     check_error("until = 2", "until = 2\nmethod = \"enog\"\nmethod_constants = { @zta = 4 }",

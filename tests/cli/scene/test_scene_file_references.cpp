@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// `peak` is the tip at rest.
+/// The small scene with other references; `peak` is the tip at rest.
 std::string with_references(const std::string& references) {
   const std::string old = "[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nvalues = { peak = 3 }\n";
   return replaced(replaced(small_scene, "of = \"maximum\"", "of = \"at_rest\""), old, references);
@@ -51,7 +51,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "references: one for the method precedes one for the parameters, and both precede a general one") {
+      "references: a method's reference comes first, then a reference for the parameters, then a general reference") {
     const std::string any = reference("any", "solutions = { peak = \"v0\" }");
     const std::string these = reference("these", "values = { peak = 3 }");
     const std::string own = reference("own", "methods = [\"icb\", \"tl\"]\nsolutions = { peak = \"2*v0\" }");

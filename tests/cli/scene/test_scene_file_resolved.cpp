@@ -45,7 +45,7 @@ bool equal_as(const Shape& a, const Shape& b) {
   return ((a.as<Kinds>() && b.as<Kinds>() && *a.as<Kinds>() == *b.as<Kinds>()) || ...);
 }
 
-/// Others are compared by their particles.
+/// Other shapes are compared by their particles.
 bool is_simple(const Shape& shape) { return equal_as<Box, Disc, Ring, Cylinder>(shape, shape); }
 
 void check_same(const Body& a, const Body& b) {
@@ -159,7 +159,7 @@ std::vector<Setting> set(const std::vector<std::pair<std::string, std::string>>&
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("every scene equals the one read from its resolved text") {
+  TEST_CASE("every scene equals the scene read from its resolved text") {
     for (const std::string& name : scene_names()) {
       INFO("scene ", name);
       const SceneFile file = read_scene(find_scene(name));
@@ -246,7 +246,7 @@ TEST_SUITE("unit") {
     check_round_trip(other);
   }
 
-  TEST_CASE("a constant with named values takes its names only") {
+  TEST_CASE("a constant with named values accepts only these names") {
     const std::string method = "until = 2\nmethod = \"d-ulsph-r-tic\"",
                       text = replaced(small_scene, "until = 2",
                                       method + "\nmethod_constants = { limiter = \"minmod\" }");

@@ -74,7 +74,7 @@ std::string error_in_file(const std::string& text, int line) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("shapes: each is read, filled with particles, and equal in the resolved text") {
+  TEST_CASE("shapes: each shape is read, filled with particles, and equal in the resolved text") {
     const double pi = std::numbers::pi;
     CHECK(volume(laid(
               scene_text(R"({ type = "ellipse", centre = [0, 0], semi_axes = [2, "r"], rotate = 30 })"))) ==

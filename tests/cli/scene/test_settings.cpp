@@ -65,7 +65,7 @@ TEST_SUITE("cli") {
     CHECK(folder_of(copied, {{"v0", "0.06"}}) == "out/scene-oenog");
   }
 
-  TEST_CASE("labels of runs name each setting that differs from the method's") {
+  TEST_CASE("labels of runs name each setting that differs from the method's default") {
     const auto run_with = [](const std::vector<Setting>& settings) {
       return SavedRun{RunFolder("out/a"), read_text(small_scene, settings), {}, {}};
     };

@@ -80,7 +80,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "the default measure is the one that most runs have, and event times and measures with units come last") {
+      "the default measure is the measure of most runs, and event times and measures with units come last") {
     const TemporaryFolder folder;
     const auto chosen = [&](const std::string& rows) {
       std::ofstream(folder / "results.csv")

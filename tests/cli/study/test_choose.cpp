@@ -28,7 +28,7 @@ taut::cli::Chart chart_of(const TemporaryFolder& folder) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("the cheapest run that is stable, accurate and not contradicted by a finer one is chosen") {
+  TEST_CASE("the cheapest run that is stable, accurate and not contradicted by a finer run is chosen") {
     const TemporaryFolder folder;
     const taut::cli::Chart chart = chart_of(folder);
     const auto all = taut::cli::suitable_offers(chart, {0.01, std::nullopt});
@@ -76,7 +76,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "without an error choose lists the cost of each accuracy, and a request for one returns its run") {
+      "without --error choose lists the cost of each accuracy, and --error with a listed accuracy returns its run") {
     const TemporaryFolder folder;
     const taut::cli::Chart chart = chart_of(folder);
     const auto all = taut::cli::pareto_front(chart, std::nullopt);

@@ -108,7 +108,8 @@ TEST_SUITE("cli") {
     CHECK(with("warn = 0.01\nfail = 60\n", "2.02").code == 0);
   }
 
-  TEST_CASE("suite: --only renews the chosen baselines, and an unknown name is refused with the nearest") {
+  TEST_CASE(
+      "suite: --only renews the chosen baselines, and an unknown name is refused with the nearest name") {
     const TemporaryFolder folder;
     REQUIRE(run_suite(folder, short_runs + entries_of_discs, {"--update"}).code == 0);
     const auto frame = [&](const char* entry) {

@@ -37,7 +37,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("cli") {
-  TEST_CASE("Ctrl-C while a run is setting up ends it at once, before it touches a file") {
+  TEST_CASE("Ctrl-C during the set-up of a run ends the run at once, before any file is touched") {
     const TemporaryFolder folder;
     // with 270 000 particles bonds take seconds
     TerminalProgram program(

@@ -43,7 +43,7 @@ TEST_SUITE("cli") {
           "rings [" + std::string(29, '#') + "] 100 %  0:00 left");
   }
 
-  TEST_CASE("progress: a terminal shows what is set up until the work begins") {
+  TEST_CASE("progress: a terminal shows the set-up until the work begins") {
     for (const auto style : {Progress::Style::bar, Progress::Style::lines, Progress::Style::none}) {
       std::ostringstream err;
       {

@@ -30,7 +30,7 @@ TEST_SUITE("unit") {
     CHECK(did_you_mean("viridis", {"enog"}).empty());
   }
 
-  TEST_CASE("an unknown name shows all of a few names, and at most five of many") {
+  TEST_CASE("the message for an unknown name lists all of a few names, and at most five of many") {
     CHECK(known_names("xyz", {"sph", "penalty"}) == "; there are: sph, penalty");
     CHECK(known_names("sp", {"sph", "penalty"}) == " (did you mean 'sph'?); there are: sph, penalty");
     CHECK(known_names("sph", {}) == "; there is none");

@@ -24,7 +24,7 @@ namespace {
 constexpr double round_off = 1e-13;
 constexpr double dp = 0.001;
 
-/// One particle each, `gap` spacings apart.
+/// Two bodies of one particle, `gap` spacings apart.
 Scene two_particles(double gap, double speed) {
   Scene scene;
   scene.name = "two-particles";
@@ -125,7 +125,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("contact: every law stops two bodies and conserves their momentum if the method does") {
+  TEST_CASE("contact: every law slows two bodies down and conserves their momentum if the method does") {
     Scene scene = small_collision();
     for (const MethodInfo& method : methods()) {
       for (const ContactLaw law : method.contact_laws) {

@@ -127,7 +127,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("wall: a wall acts by penalty contact if bodies interact by their stress as one") {
+  TEST_CASE("wall: a wall acts by penalty contact if bodies interact by their stress as one body") {
     Scene scene = flying_block();
     scene.walls = {wall("wall", {0, 0, 0}, {-1, 0, 0})};
     const auto after = [&](ContactLaw law) {

@@ -127,7 +127,7 @@ TEST_SUITE("unit") {
     CHECK(std::isnan(inverse_cube_root(std::nan(""))));
   }
 
-  TEST_CASE("tensor: a symmetric one is stored as its upper triangle") {
+  TEST_CASE("tensor: a symmetric tensor is stored as its upper triangle") {
     check_symmetric_tensor<2>();
     check_symmetric_tensor<3>();
   }
@@ -246,7 +246,7 @@ TEST_SUITE("unit") {
       }
   }
 
-  TEST_CASE("parallel: the maximum is the greatest value, or NaN if there is one") {
+  TEST_CASE("parallel: the maximum is the greatest value, or NaN if any value is NaN") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const int threads : {1, 2, 3}) {
       CAPTURE(threads);
@@ -286,7 +286,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "team: one thread makes the first block of steps, and all threads make the next ones while not slower") {
+      "team: one thread makes the first block of steps, and all threads make the next blocks if they are not slower") {
     for (const int most : {1, 3}) {
       TeamSize team(most);
       for (int step = 0; step < 1600; ++step) {
@@ -298,7 +298,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "team: a trial of all threads ends at the first step that makes it slower, and costs 2 % of the time") {
+      "team: a trial of all threads ends once the trial is slower than one thread, and costs 2 % of the time") {
     TeamSize team(2);
     CHECK(steps_alone(team) == 16);
     team.step_took(10e-3);

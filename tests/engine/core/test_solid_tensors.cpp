@@ -83,7 +83,7 @@ std::vector<Matrix> symmetric_ones() {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("principal axes: they equal Eigen's, and are orthogonal for equal values") {
+  TEST_CASE("principal axes: axes and values equal Eigen's, and axes are orthogonal for equal values") {
     for (const Matrix& A : symmetric_ones()) {
       CAPTURE(A(0, 0));
       CAPTURE(A(0, 1));

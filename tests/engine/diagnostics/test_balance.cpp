@@ -61,7 +61,7 @@ TEST_SUITE("unit") {
     CHECK(balance(now, scene).strain == Approx(3 * 9 / (4 * 1.5)));
   }
 
-  TEST_CASE("balance: a bar under tension σ holds σ²/2E per volume") {
+  TEST_CASE("balance: a bar under tension σ has the strain energy σ²/2E per volume") {
     const Material rubber = {"rubber", 1200, 1e7, 0.4};
     const Scene scene = made_scene(3, 1, {rubber});
     Snapshot now = made_snapshot(3, {{0, 0, 0}});

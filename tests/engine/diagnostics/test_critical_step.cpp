@@ -54,7 +54,7 @@ double critical(const Scene& scene, const Settings& settings) {
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("critical step: four neighbours give the sharp limit, which exceeds the sufficient one") {
+  TEST_CASE("critical step: four neighbours give the sharp limit, which exceeds the sufficient limit") {
     for (const double normalised : {0.0, 1.0}) {
       CAPTURE(normalised);
       const Scene scene = square();

@@ -98,7 +98,8 @@ TEST_SUITE("unit") {
     CHECK(value("decay", sampled(unequal_times(1.51, 1e-3), wave)));
   }
 
-  TEST_CASE("period: a one-sided oscillation has a period about its mean, and a reason for none about 0") {
+  TEST_CASE(
+      "period: a one-sided oscillation has a period about its mean, and about 0 a reason in place of a period") {
     const double T = 0.254, loss = 0.4;
     const auto swing = [=](double t) {
       return -0.03 * (1 - std::exp(-loss * t / T) * std::cos(2 * pi * t / T)) + 2e-4 * std::sin(40 * t / T);
@@ -161,7 +162,7 @@ TEST_SUITE("unit") {
     const auto swing = [](double t) { return 5 - 2 * std::pow(0.8, t) * std::cos(2 * pi * t); };
     const Series series = sampled(unequal_times(4.3, 1e-4), swing);
     scene.measures[0].about = 5;
-    // 2π tan(2πt) = −ln 0.8
+    // 2π tan(2πt) = ln 0.8
     const double top = 0.5 + std::atan(std::log(0.8) / (2 * pi)) / (2 * pi);
     expect(result(scene, series).value, swing(top) - 5, 1e-6);
     scene.measures[0].kind = "peak_time";

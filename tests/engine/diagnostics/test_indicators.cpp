@@ -222,7 +222,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "checkerboards: a pure checkerboard gives 1, one on a smooth background ε/√(1 + ε²), in any unit") {
+      "checkerboards: a pure checkerboard gives 1, and with a smooth background ε/√(1 + ε²), in any unit") {
     const double dp = 0.02;
     const Sample body = lattice(50, 50, dp);
     const ScalarField smooth = [](const Point& X) {

@@ -197,7 +197,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("natural frequencies: waves around annuli give the scenes' references") {
-    // [Zhang2020] Table 2: 152.5, 356.0, 445.3
+    // [Zhang2020] Table 2: 152.5, 356.0 and 445.3 Hz
     const auto f = [](int n) { return annulus_frequency(jelly, 2.5e-4, 5e-4, n); };
     CHECK(f(2) / 150.898 == Approx(1).epsilon(5e-6));
     CHECK(f(0) / 355.982 == Approx(1).epsilon(5e-6));

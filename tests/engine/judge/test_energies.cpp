@@ -32,7 +32,7 @@ struct Squares {
     for (std::size_t i = 0; i < now.size(); ++i) now.body[i] = now.material[i] = static_cast<int>(i / 16);
   }
   EnergyTest test() const { return {scene, now, support, true}; }
-  /// A common motion along x, and neighbours against each other along y.
+  /// Sets a common speed along x, and opposite speeds of neighbours along y, in m/s.
   void set_speeds(int body, double common, double against) {
     for (std::size_t i = 0; i < now.size(); ++i)
       if (now.body[i] == body) now.v[2 * i] = common, now.v[2 * i + 1] = i % 2 ? against : -against;
@@ -80,7 +80,7 @@ TEST_SUITE("unit") {
       Squares squares({{}, {3 * dp + apart, 0, 0}});
       squares.set_speeds(0, 1, 0);
       EnergyTest test = squares.test();
-      squares.set_speeds(0, 0.5, 0.4);  // 8 J of 16 J, 4 J in the frame of both
+      squares.set_speeds(0, 0.5, 0.4);  // zigzags of 1.3 J; before, 4 J in the frame of both bodies
       CHECK(squares.diverges(test, 0.01) == (apart > 1));
       squares.move(1, 100);
       CHECK(squares.diverges(test, 0.02) == (apart > 1));

@@ -113,7 +113,8 @@ Snapshot folded_sheet(double r) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("penetration: the widest gap of directions is a fraction of π") {
+  TEST_CASE(
+      "penetration: the widest gap between neighbouring directions is an angle, 2 π for one direction or none") {
     const auto gap = [](std::vector<double> directions) { return widest_gap(directions) / std::numbers::pi; };
     CHECK(gap({}) == 2);
     CHECK(gap({1}) == 2);

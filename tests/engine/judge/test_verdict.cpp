@@ -29,7 +29,7 @@ TEST_SUITE("unit") {
     CHECK(Verdict::fractured < Verdict::diverged);
   }
 
-  TEST_CASE("judge: a zigzag is found, and smooth bending of any strength is not") {
+  TEST_CASE("judge: a zigzag is found, and smooth bending into a half circle is not") {
     const Scene scene = one_body(2);
     const Snapshot start = lattice(2, 20, 10);
     IndicatorGauge gauge(scene, start);
@@ -46,7 +46,7 @@ TEST_SUITE("unit") {
               x[1] += (i % 2 ? amplitude : -amplitude) * dp;
             }) == (amplitude > 0.03 ? Verdict::hourglass : Verdict::stable));
     }
-    // a half circle; the inner face is compressed to 0.7
+    // a half circle; the inner face is compressed to a quarter
     CHECK(verdict([&](std::size_t, double x0, double y0, double* x) {
             const double radius = 2 * 1.9 / 3.14159265358979 / 2, angle = x0 / radius;
             x[0] = (radius + y0 - 0.45) * std::sin(angle);
@@ -189,7 +189,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("judge: a body cut in half is a fracture, in 2D and 3D, wherever it lies") {
+  TEST_CASE("judge: a body cut in half is fractured, in 2D and 3D, wherever it lies") {
     for (const int dim : {2, 3}) {
       for (const double origin : {0.0, -7.77, 1234.5}) {
         CAPTURE(dim);

@@ -111,7 +111,7 @@ class Run {
  private:
   std::size_t n() const { return particles.size(); }
   bool near(std::size_t i, std::size_t j) const { return particles[i].body == particles[j].body; }
-  /// Exceeds the support because positions change within a step.
+  /// The search radius exceeds the support, because positions change within a step.
   void find_others() {
     std::vector<Vector> r;
     for (const Particle& a : particles) r.push_back(a.r);
@@ -352,7 +352,7 @@ class Run {
     return Q * a.S * Q.transpose() + 2 * a.material.G * dt * (strain - strain.trace() / 3 * I);
   }
 
-  /// f(b, b.r − a.r, distance) for other bodies within one spacing.
+  /// Calls f(b, b.r − a.r, distance) for particles of other bodies within one spacing.
   template <class F>
   void for_each_touch(const Particle& a, const F& f) {
     for (const std::size_t j : others_[static_cast<std::size_t>(&a - particles.data())]) {

@@ -20,7 +20,7 @@ Vector vector_of(const Point& x) {
   return v;
 }
 
-/// `lay(a, i, initial)` sets members with other names.
+/// `lay(a, i, initial)` sets the members whose names differ between transcriptions.
 template <class Run, class Lay>
 void lay_particles(Run& run, const Scene& scene, const Lay& lay) {
   const InitialParticles initial = make_initial_particles(scene);
@@ -32,7 +32,7 @@ void lay_particles(Run& run, const Scene& scene, const Lay& lay) {
   }
 }
 
-/// Constant, or default, or 0 without either.
+/// Value of a constant in the settings, else its default, else 0.
 inline double constant_of(const Settings& settings, int dim, const std::string& name) {
   const auto set = settings.constants.find(name);
   if (set != settings.constants.end()) return set->second;

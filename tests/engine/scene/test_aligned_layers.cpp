@@ -98,7 +98,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("aligned layers: solid shapes and shapes with another layout have no such layers") {
+  TEST_CASE("aligned layers: solid shapes and shapes with another layout have no aligned layers") {
     Ring cut = shell();
     cut.layout = RoundLayout::lattice;
     CHECK(cut.sites(3, dp).empty());
@@ -123,7 +123,8 @@ TEST_SUITE("unit") {
     check(Turned{shell(), {{0, 0, 1}, {0.01, 0, 0}, 30}}, 4 * pi * (4e-4 + 1.44e-4));
   }
 
-  TEST_CASE("aligned layers: contact uses their faces, mirrored to the last bit for a mirrored body") {
+  TEST_CASE(
+      "aligned layers: contact uses the faces of the layers, mirrored to the last bit for a mirrored body") {
     Scene scene = scene_of_shapes({shell({0.03, 0.001, 0})}, 3, dp);
     CHECK(can_have_surface_mesh(scene));
     const InitialParticles initial = make_initial_particles(scene);

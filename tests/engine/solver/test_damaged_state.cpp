@@ -70,7 +70,6 @@ void put(std::string& bytes, std::size_t at, T value) {
   std::memcpy(bytes.data() + at, &value, std::min(sizeof value, bytes.size() - at));
 }
 
-/// The checksum matches the damage.
 constexpr int kinds_of_damage = 10;
 void damage(std::string& bytes, std::size_t at, int kind, int particles) {
   switch (kind) {

@@ -106,7 +106,7 @@ TEST_SUITE("unit") {
     body.without = {Box{{0.008, 0.008, 0}, {0.012, 0.012, 0}}};
     for (const double x : {0.0, 0.008, 0.02}) CHECK(takes({x, 0, 0}, 0.001));
     CHECK(takes({0.008, 0.008, 0}, 0.001));
-    CHECK_FALSE(takes({0.01, 0.01, 0}, 0.001));  // 2.12 spacings from four corners
+    CHECK_FALSE(takes({0.01, 0.01, 0}, 0.001));  // 2 spacings from the faces of the hole
     CHECK_FALSE(takes({-0.0011, 0.01, 0}, 0.001));
   }
 

@@ -267,7 +267,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact_force: bodies that interact by their stress as one are refused") {
+  TEST_CASE("contact_force: bodies that interact by their stress as one body are refused") {
     Scene scene = small_collision();
     scene.contact = ContactLaw::sph;
     scene.probes = {component(Probe::Kind::contact_force, {0, 1}, 0)};

@@ -23,7 +23,7 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// The velocity is that of the time `lag` before.
+/// Path of one particle; the velocity of a snapshot is v at the time `lag` before.
 struct Path {
   std::function<Point(double)> x, v;
   double lag = 0;
@@ -60,7 +60,8 @@ double difference(const Snapshot& a, const Snapshot& b, std::vector<double> Snap
 }  // namespace
 
 TEST_SUITE("determinism") {
-  TEST_CASE("snapshots: stopping before a time omits one step in every method and alters none") {
+  TEST_CASE(
+      "snapshots: a run stopped before a time lacks one step and continues to the same state in every method") {
     for (const Scene& scene : {small_collision(), small_clamped_plate()}) {
       for (const MethodInfo& method : methods()) {
         CAPTURE(scene.name);
@@ -103,7 +104,8 @@ TEST_SUITE("determinism") {
     }
   }
 
-  TEST_CASE("snapshots: motion has the positions, velocities and energies of a snapshot, to the last bit") {
+  TEST_CASE(
+      "snapshots: motion() returns the positions, velocities and energies of snapshot() to the last bit") {
     for (const Scene& scene :
          {small_collision(), small_clamped_plate(), small_solid_collision(), small_clamped_block()}) {
       for (const MethodInfo& method : methods()) {

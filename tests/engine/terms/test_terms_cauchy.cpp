@@ -72,7 +72,8 @@ void check_opposite(const Term& term) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("gradient correction: gradients of linear fields are exact at a surface, and wrong without it") {
+  TEST_CASE(
+      "gradient correction: gradients of linear fields are exact at a surface, and wrong without correction") {
     const std::vector<Neighbor> all = neighbors();
     Mat2 raw{};
     for (const Neighbor& j : all) {
@@ -186,7 +187,8 @@ TEST_SUITE("term") {
     });
   }
 
-  TEST_CASE("Riemann term: limiters keep linear velocities undamped and reconstructed ones within the pair") {
+  TEST_CASE(
+      "Riemann term: limiters leave linear velocities undamped and never increase the closing speed of a pair") {
     const Sym2 D = symmetric_part(some_L);
     for (const Limiter limiter : {Limiter::minmod, Limiter::van_leer}) {
       for (const Neighbor& j : neighbors()) {
@@ -221,7 +223,8 @@ TEST_SUITE("term") {
     CHECK(magnitude(controlled) < 1e-13 * magnitude(force));
   }
 
-  TEST_CASE("colour function: it is 1 inside a lattice, below 0.9 on its face and above 0.9 one row deeper") {
+  TEST_CASE(
+      "colour function: the value is 1 inside a lattice, below 0.9 on its face and above 0.9 one row deeper") {
     using K = Kernel<KernelName::wendland_c2>;
     const double length = 1.2;
     const auto colour = [&](int rows_above) {
@@ -246,7 +249,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("rotated stress: a rigid rotation in one step rotates it and keeps its magnitude") {
+  TEST_CASE("rotated stress: a rigid rotation in one step rotates the stress and keeps its magnitude") {
     const Sym2 s = {1.5, -0.6, -0.7};
     const double G = 3.7;
     for (const double angle : {0.01, 0.5, 1.5}) {
@@ -264,7 +267,7 @@ TEST_SUITE("term") {
   }
 
   TEST_CASE(
-      "rotated stress: in 3D a rigid rotation about any axis rotates it, and small steps have Jaumann's rate") {
+      "rotated stress: in 3D a rigid rotation rotates the stress, and small steps have Jaumann's rate") {
     using Mat3 = Mat<double, 3>;
     const Sym<double, 3> s = {1.5, -0.6, 0.3, -0.7, 0.9, -0.8};
     const Vec<double, 3> axis = {2.0 / 7, 3.0 / 7, 6.0 / 7};

@@ -91,7 +91,7 @@ const Sym2 some_s = {1.5, -0.6, -1.5};
 Sym2 in_plane_rate(const Mat2& L, const Sym2& s) { return jaumann_rate<Deviator::in_plane>(L, s, G); }
 Sym2 plane_strain_rate(const Mat2& L, const Sym2& s) { return jaumann_rate<Deviator::plane_strain>(L, s, G); }
 
-/// n at `angle` to x.
+/// Stress with the principal values a and b; the axis of a is at `angle` to x.
 Sym2 principal(double a, double b, double angle) { return turned(rotation(angle), Sym2{a, 0, b}); }
 
 }  // namespace
@@ -190,7 +190,7 @@ TEST_SUITE("term") {
     CHECK(rate(0, 1) == jaumann_rate<Deviator::in_plane>(L, s, G)(0, 1));
   }
 
-  TEST_CASE("artificial stress: the positive part is that of given principal stresses") {
+  TEST_CASE("artificial stress: the positive part keeps the axes and the positive principal stresses") {
     for (const double angle : {0.0, 0.3, 0.25 * std::numbers::pi, 1.4, 2.9}) {
       for (const auto& [a, b] : {std::pair{4.0, -3.0},
                                  {-3.0, 4.0},

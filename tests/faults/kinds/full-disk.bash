@@ -16,12 +16,12 @@ prepare() {
   printf 'run until 0.01\nsave state\nrun until 0.02\nsave state\nframe now.png\n' >script
 }
 
-# fails_for_want_of_room ARGUMENT...: runs the command, which must exit with 4 and the path, or succeed
+# fails_for_want_of_room ARGUMENT...: runs the command, which must succeed, or exit with 4 and the reason
 fails_for_want_of_room() {
   ends "0 4" "$@"
-  [[ $code != 4 ]] || { harmed; says_the_place; }
+  [[ $code != 4 ]] || { harmed; gives_the_reason; }
 }
-says_the_place() { grep -qE '(No space left on device|File too large|ffmpeg failed|gnuplot failed)' "$here/complained" "$here/said" || wrong "no reason: $(complaint)"; }
+gives_the_reason() { grep -qE '(No space left on device|File too large|ffmpeg failed|gnuplot failed)' "$here/complained" "$here/said" || wrong "no reason: $(complaint)"; }
 
 # small_disk KIB: mounts a disk of a random size up to KIB; without mounts, limits the file size instead
 small_disk() {

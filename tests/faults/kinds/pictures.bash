@@ -1,7 +1,7 @@
-harm="movie, chart, map, plot, compare, diff, render and snapshot --update are struck: the file is the old or the new one"
+harm="movie, chart, map, plot, compare, diff, render and snapshot --update are interrupted: the file is the old or the new one"
 
-# file | exit code | the command that made its old version | the command that is struck; the last option names the
-# file
+# file | exit code | the command that made its old version | the command that is interrupted; the last option
+# names the file
 works=(
   "movie.mp4|0|movie $ground/run --fps 10 --out|movie $ground/other --out"
   "movie.gif|0|movie $ground/run --fps 10 --out|movie $ground/other --out"
@@ -21,7 +21,7 @@ prepare() {
   ends 0 sweep "$scene" --grid speed=0.4,0.6 --grid method=enog,oas --until 0.01 --quiet --out small
 }
 
-# makes both versions once, $ground/NAME-old and -new; $took is the duration of the second command, ms
+# makes both versions once, $ground/NAME-old and -new; $took is the duration of the second command, in ms
 make_states() {
   local states=$ground/$name
   if [[ ! -e $states.took ]]; then

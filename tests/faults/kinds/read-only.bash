@@ -45,7 +45,7 @@ prepare() {
   printf 'run until 0.001\nsave all/state\n' >script
 }
 
-# Without mounts, permissions forbid writing; root can write all the same.
+# Without mounts, permissions forbid writing, but not for root.
 forbid() { read_only all || { ((EUID)) && chmod -R a-w all; }; }
 allow() { if mountpoint -q all; then umount all; else chmod -R u+w all; fi; }
 

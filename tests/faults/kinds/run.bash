@@ -1,11 +1,11 @@
-harm="a run with checkpoints is struck up to five times and resumed: its bytes are those of an undisturbed run"
+harm="a run with checkpoints is interrupted up to five times and resumed: its files equal those of an undisturbed run"
 
 methods=(enog og oenog d-ulsph-r-tic tl pfj-jst ulsph-av-as ccb oas)
 options=(--quiet --save-particles --fields pressure,speed)
 
 prepare() { :; }
 
-# undisturbed METHOD RANGE: $straight is the folder of that run, $took its duration, ms
+# undisturbed METHOD RANGE: sets $straight to the folder of this undisturbed run, $took to its duration in ms
 undisturbed() {
   straight=$ground/$1-$2
   if [[ ! -e $straight ]]; then

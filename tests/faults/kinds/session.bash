@@ -1,4 +1,4 @@
-harm="a session that saves repeatedly is struck: the state is a saved one, and continues to the same numbers"
+harm="a session that saves repeatedly is interrupted: its state file is a saved version, and continues to the same numbers"
 
 steps=(0.005 0.01 0.015 0.02 0.03 0.04 0.05 0.06 0.07 0.08)
 session=(session "$scene" --threads 1)
@@ -15,7 +15,7 @@ prepare() {
   how_long "${session[@]}"
 }
 
-# one_of FILE PATTERN: the file equals one that the undisturbed session has saved
+# one_of FILE PATTERN: FILE equals a version that the undisturbed session saved
 one_of() {
   local good
   [[ -e $1 ]] || return 0

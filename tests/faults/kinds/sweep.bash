@@ -1,4 +1,4 @@
-harm="a sweep or one of its children is struck, and the sweep is restarted: results and runs are the same"
+harm="a sweep is interrupted or a child killed, and the sweep is restarted: results and runs equal those of an undisturbed sweep"
 
 grid=(sweep "$scene" --grid speed=0.2,0.4,0.8 --grid method=enog,oenog --until 0.05 --jobs 2 --quiet --out out)
 

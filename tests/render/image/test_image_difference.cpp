@@ -12,7 +12,7 @@ using namespace taut::render;
 using namespace taut::test;
 
 TEST_SUITE("unit") {
-  TEST_CASE("a picture is alike to itself") {
+  TEST_CASE("a picture and itself are alike") {
     Image image(50, 40);
     image.set(3, 4, {10, 20, 30});
     const ImageDifference difference = compare(image, image);

@@ -119,7 +119,7 @@ TEST_SUITE("unit") {
     CHECK(bytes[25] == 2);
   }
 
-  TEST_CASE("the bytes of a picture do not depend on those that were encoded before") {
+  TEST_CASE("the bytes of a picture do not depend on the pictures that were encoded before") {
     const std::vector<std::uint8_t> first = encode_png(gradient(400, 300));
     encode_png(noise(1280, 720));
     encode_png(Image(1280, 720));

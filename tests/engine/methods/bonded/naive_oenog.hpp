@@ -278,7 +278,7 @@ class NaiveOenogIn {
     return m.shear_modulus() / 2 * (J.to(-2.0 / 3) * C - 3) + m.bulk_modulus() / 2 * (J - 1) * (J - 1);
   }
 
-  /// Derivatives at an interface: by F, b and s.
+  /// Derivatives at an interface: by F, its jump b, and the squared stretches s of bonds.
   static constexpr int most_bonds = 26;
   using Wide = Dual<components + Dim + most_bonds>;
   using WideSquare = std::array<Wide, components>;

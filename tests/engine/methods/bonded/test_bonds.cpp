@@ -194,7 +194,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("bonds: weights at steps and angles are finite wherever the body is") {
+  TEST_CASE("bonds: weights at steps and angles of the faces are finite wherever the body lies") {
     const auto step = [](double x, double width, double height, double low, double high) {
       Scene scene = alone(Box{{x, 0, 0}, {x + width, low, 0}}, 0.002);
       scene.bodies[0].shapes.push_back(Box{{x, 0, 0}, {x + high, height, 0}});
@@ -362,7 +362,7 @@ TEST_SUITE("term") {
   }
 
   TEST_CASE_TEMPLATE(
-      "bond: the cancelled energy is the bond's for λ² from 1/4 to 25/4 (3D: 4), and linear beyond",
+      "bond: the cancelled energy equals the bond energy for λ² from 1/4 to 25/4 (3D: 4), and is linear beyond",
       Dimension, std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
     constexpr int Dim = Dimension::value;
     constexpr double end = Dim == 2 ? 6.25 : 4;
@@ -464,7 +464,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("rings: oenog neither fractures nor diverges at twice the speed that oas does not survive") {
+  TEST_CASE("rings: oenog is stable in a collision at 0.12 sound speeds") {
     const Scene scene = colliding_rings(0.12, 0.002);
     const auto simulation = make_simulation(scene, with_method("oenog"));
     Judge judge(scene, *simulation);

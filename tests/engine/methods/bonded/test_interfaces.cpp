@@ -55,7 +55,7 @@ double force_left(const Scene& scene, double traction) {
   return greatest / (traction * scene.spacing);
 }
 
-/// Rod waves with transverse inertia ([Love] §278): M u″ + ρ ω² (ν r)² u″ …, r² = H²/12, plane strain.
+/// Rod waves with transverse inertia ([Love] §278): (M − ρ ω² (ν r)²) u″ + ρ ω² u = 0, r² = H²/12, plane strain.
 double lowest_frequency(double ratio) {
   struct Wave {
     double k, Z;  // 1/m; traction over velocity
@@ -78,7 +78,7 @@ double lowest_frequency(double ratio) {
   return above / (2 * std::numbers::pi);
 }
 
-/// Frequency of the bar's length over five periods; each half starts as a cosine.
+/// Frequency of the bar's length in Hz, over five periods; each half starts as a cosine.
 double measured_frequency(double ratio, double spacing) {
   Scene scene = bar(ratio, matched(ratio), 0, spacing, H / 2);
   const double expected = lowest_frequency(ratio), omega = 2 * std::numbers::pi * expected;

@@ -80,7 +80,7 @@ double error(const Rows& rows, const Gradient& g, const InitialParticles& initia
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "recovered gradient: rows are exact for quadratic fields, and without a row the method's own gradient is") {
+      "recovered gradient: rows are exact for quadratic fields, and particles without a row have an exact gradient") {
     for (const Scene& scene : {block(10), block_of_two(), small_collision(), small_clamped_plate()}) {
       CAPTURE(scene.name);
       const InitialParticles initial = make_initial_particles(scene);
@@ -200,7 +200,7 @@ TEST_SUITE("analytic") {
 
   // A region to be released later belongs to the body, so it is strained.
   TEST_CASE(
-      "oenog: the stress of the free part reaches to the face of a driven end, or inside once released") {
+      "oenog: the stress of the free part ends at the face of a driven end, or inside an end that is released later") {
     const double dp = H / 5, rate = 1e3, step = 1e-9;
     for (const int variant : {0, 1, 2, 3, 4, 5, 6, 7}) {
       const int dim = variant % 2 == 0 ? 2 : 3;
