@@ -79,8 +79,8 @@ std::string shown_error(const Chart& chart, double error);
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 
 /// The default measure has errors in most runs; at a tie, the scene's first counts. Times (`*_time`) and errors with a
-/// unit come last. Of runs with the same spacing the cheapest counts. Reference runs have no point. Throws UsageError for a measure
-/// without errors.
+/// unit come last. Of runs with the same spacing the cheapest counts. Reference runs have no point. Throws UsageError
+/// for a measure without errors.
 Chart make_chart(const StoredResults& results, const ChartRequest& request);
 
 }  // namespace taut::cli
