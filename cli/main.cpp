@@ -7,7 +7,7 @@
 
 namespace {
 
-/// Opened files must not replace a closed stream, whose use remains an error.
+/// Keeps opened files from getting the number of a closed standard stream, whose use remains an error.
 void occupy_closed_streams() {
   for (const int stream : {0, 1, 2})
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);

@@ -28,7 +28,7 @@ const std::regex& dotted_name() {
   return name;
 }
 
-/// muParser knows no names with dots.
+/// muParser allows no dots in names.
 std::string without_dots(const std::string& name) {
   return std::regex_replace(name, std::regex("\\."), "__");
 }

@@ -94,7 +94,7 @@ std::function<int(Streams)> declare_check(Options& command) {
   command.add("--baseline", "FILE", options->baseline,
               "folder or run.json of another run, whose measures and verdict are expected");
   command.add("--tolerance", "X", options->tolerance,
-              "tolerance of measures that are given without one, and of --baseline");
+              "tolerance of --baseline, and of each --measure that has none of its own");
   command.add("--verdict", "stable|VERDICT", options->verdict,
               "the worst verdict that is allowed, such as stable");
   options->declare_json(command);

@@ -86,7 +86,7 @@ std::function<int(Streams)> declare_diff(Options& command) {
   command
       .add_argument(
           "B", options->b,
-          "second one, of the same kind; images of the same name are compared and must have the same size")
+          "second image or folder; in folders, images of the same name are compared and must have the same size")
       .required();
   declare_difference_options(command, *options);
   command

@@ -75,7 +75,7 @@ constexpr Listing listings[] = {
     {"measures", of_language<measure_rows>, "numbers that are compared with references"},
     {"fields", of_language<field_rows>, "quantities that colour the particles"},
     {"colormaps", of_language<colormap_rows>, "colour maps"},
-    {"keys", of_language<key_rows>, "keys of scene, sweep and claim files"}};
+    {"keys", of_language<key_rows>, "keys of scene, sweep, claim and suite files"}};
 
 std::string as_text(const Json& rows, std::optional<std::size_t> columns) {
   std::vector<std::vector<std::string>> cells;
@@ -106,7 +106,7 @@ int list_kinds(std::ostream& out) {
     rows.push_back({kind, std::to_string(l.rows().items().size()), "taut list " + kind, std::string(l.help)});
   }
   out << in_columns(rows, 2, text_columns(out)) << '\n'
-      << "taut list all prints everything; taut describe NAME explains one of them.\n";
+      << "taut list all prints everything; taut describe NAME explains a name.\n";
   return exit_fine;
 }
 

@@ -43,23 +43,27 @@ void declare_options(Options& command, SnapshotArguments& o) {
                     "or its name in scenes/suites/")
       .required();
   command.add("--baseline", "DIR", o.baseline,
-              "folder of the frames to compare with; of a suite, of all its baselines; default of a suite: "
-              "`baselines` in its file");
+              "folder of the frames to compare with, or of all baselines of a suite; "
+              "default for a suite: `baselines` in its file");
   command.add_flag("--update", o.update, "replace the baseline by the frames of this run; check them first");
-  command.add("--only", "ENTRY,...", o.only, "of a suite: run, or with --update renew, these entries only")
+  command
+      .add("--only", "ENTRY,...", o.only,
+           "for a suite: entries to run; with --update: entries whose baselines are renewed")
       .comma_separated();
-  command.add_flag("--list", o.list, "of a suite: list the entries; run nothing");
-  command.add("--jobs", "N", o.jobs, "of a suite: number of runs at a time; default: cores over --threads")
+  command.add_flag("--list", o.list, "for a suite: list the entries; run nothing");
+  command
+      .add("--jobs", "N", o.jobs,
+           "for a suite: number of runs at a time; default: cores divided by --threads")
       .check(positive_whole_number);
   declare_difference_options(command, o);
   declare_setting_options(command, o);
   command.add(
       "--out", "DIR", o.out,
-      "run folder; default: out/snapshot-BASELINE; of a suite: out/snapshot-SUITE, with a run in each subfolder");
+      "run folder; default: out/snapshot-BASELINE; for a suite: out/snapshot-SUITE, with a run in each subfolder");
   declare_output_options(command, o);
   command
       .add("--threads", "N", o.threads,
-           "number of threads; default: all cores, fewer for small scenes; of each run of a suite: 1")
+           "number of threads; default: all cores, fewer for small scenes; for each run of a suite: 1")
       .check(positive_whole_number);
   o.declare_json(command);
   o.declare_junit(command);
@@ -190,7 +194,7 @@ int list_suite(const SuiteFile& suite, const SnapshotArguments& o, const std::ve
   return exit_fine;
 }
 
-/// Runs come first, then comparisons, then differences.
+/// Code of the runs, else of failed comparisons, else of differences.
 int exit_code_of(const std::vector<EntryOutcome>& outcomes, int of_runs) {
   if (of_runs != exit_fine) return of_runs;
   const auto any = [&](const auto& is) { return std::ranges::any_of(outcomes, is); };

@@ -73,7 +73,7 @@ struct Property {
 constexpr std::array properties{Property{"velocity", "velo"}, Property{"displacement_vector", "disp"},
                                 Property{"diameter", "radius", 0.5}};
 
-/// To xx, yy, zz, xy, xz, yz.
+/// Indices of xx, yy, zz, xy, xz, yz in VTK's order.
 constexpr std::array<std::size_t, 6> ovito_order{0, 1, 2, 3, 5, 4};
 
 void add_property(std::vector<Column>& columns, std::string& text, const ParticleArray& array) {

@@ -12,8 +12,7 @@ namespace taut::cli {
 std::string extended_xyz_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                               bool single_precision = false);
 
-/// Header such as "time [s],id,x [m],y [m]"; each component once. In 2D without components along z, except normal
-/// ones.
+/// Header such as "time [s],id,x [m],y [m]"; each component has one column. In 2D, z, xz and yz are left out.
 std::string particle_csv_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                               bool single_precision = false);
 

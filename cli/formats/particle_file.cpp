@@ -82,7 +82,7 @@ void write_point_data(Writer& file, const std::vector<ParticleArray>& arrays, bo
   file.line("</PointData>");
 }
 
-/// ParaView selects and cuts cells.
+/// ParaView can select and cut only cells.
 void write_vertices(Writer& file, std::size_t count) {
   std::vector<std::int32_t> number(count);
   std::iota(number.begin(), number.end(), 0);

@@ -21,7 +21,7 @@ gravity = [0, -9.81]                    # m/s²
 )toml"},
     {"parameters", R"toml([parameters]                            # each can be changed with --set speed=8
 speed = { value = 5, unit = "m/s", min = 0, max = 20, help = "downward speed of the disc" }
-high = { value = "0.01 + 2*dp", unit = "m", help = "height of its centre above the bar" }
+high = { value = "0.01 + 2*dp", unit = "m", help = "height of the disc's centre above the bar" }
 )toml"},
     {"material", R"toml([material.rubber]
 density = 1200

@@ -12,7 +12,7 @@
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/methods/catalogue.hpp"
 
-/// Taplo ignores if/then and skips tables with allOf. So kinds are under oneOf; if/then adds checks.
+/// Taplo ignores if/then and skips tables with allOf. Therefore oneOf lists the kinds, and if/then only adds checks.
 namespace taut::cli {
 namespace {
 

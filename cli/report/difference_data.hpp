@@ -15,7 +15,8 @@ struct Compared {
   std::optional<double> warn{};  // ΔE*ab; see warns()
 };
 
-/// Greatest first, with pictures in `folder`. Throws UsageError for folders without pictures, OutputError.
+/// Greatest difference first; writes difference pictures into `folder`. Throws UsageError for folders
+/// without pictures, OutputError.
 Json difference_data(const Compared& compared, const std::filesystem::path& folder, const Links& links);
 
 }  // namespace taut::cli

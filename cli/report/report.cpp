@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-// limits the page
+// limit the size of the page
 constexpr std::size_t most_rows = 5000, most_rows_in_sweep = 250;
 
 bool is_sweep(const fs::path& path) {

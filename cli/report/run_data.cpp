@@ -28,7 +28,7 @@ Json numbers(const std::vector<double>& values) {
   return list;
 }
 
-/// Times in s; unknown if the scene had another number of frames.
+/// Times in s; null for frames beyond the number in the scene.
 Json frames_data(const RunFolder& folder, const std::optional<SceneFile>& scene, const Links& links) {
   const std::vector<double> times =
       scene ? times_in_parts(scene->scene.until, scene->drawing.frames) : std::vector<double>();

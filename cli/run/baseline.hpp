@@ -15,7 +15,7 @@ class Baseline {
 
   const std::filesystem::path& path() const { return path_; }
   bool exists() const;
-  /// nullopt without look. Throws UsageError for a damaged file.
+  /// nullopt without look.json. Throws UsageError for a damaged file.
   std::optional<KeptLook> look() const;
   /// Throws UsageError if the path is no folder, or inside the run folder; with `update` also if it contains other
   /// files.

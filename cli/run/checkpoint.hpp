@@ -35,7 +35,7 @@ struct Checkpoint {
   }
 };
 
-/// Version: only for messages.
+/// `version` is for messages only.
 struct CheckpointHeader {
   std::string version{build_info.version};
   int format = format_of("checkpoint.bin");

@@ -19,7 +19,7 @@ class RunFolder {
   /// `named`: named by the user, may be a link.
   explicit RunFolder(std::filesystem::path path, bool named = true) : path_(std::move(path)), named_(named) {}
 
-  /// Throws UsageError for other files.
+  /// Throws UsageError for a link, a file, and a folder that contains files but no run.
   void check() const;
   /// Contains an unreadable run.json.
   bool is_damaged() const;
@@ -64,7 +64,7 @@ class RunFolder {
   bool named_;
 };
 
-/// Lock it before writing `path`.
+/// Run folder that contains `path`, to be locked before `path` is written.
 std::optional<std::filesystem::path> run_around(const std::filesystem::path& path);
 /// nullptr outside run folders. Throws like FolderLock.
 std::unique_ptr<const FolderLock> lock_around(const std::filesystem::path& path, std::string_view command);

@@ -239,7 +239,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
  private:
   bool draw_kept(const Interrupts& interrupts, Progress& progress) {
     const int count = frames_.kept();
-    // also after an interrupt
+    // an interrupt of the run does not stop the drawing
     const bool interrupted_before = interrupts.interrupted();
     progress.begin("drawing " + std::to_string(count) + " frames");
     const bool all = frames_.draw_kept([&](int drawn) {

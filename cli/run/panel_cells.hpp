@@ -12,7 +12,8 @@ struct PanelCell {
   std::string remark;  // in the corner, or centred without particles
 };
 
-/// Particles saved nearest to `time` [s]; none after the run. The remark shows another time, or the end of the run.
+/// Particles saved nearest to `time` [s]; none after the run. The remark shows the saved time if it differs,
+/// or the end of the run.
 PanelCell cell_at(const SavedRun& run, double time, double until, const Drawing& drawing,
                   const Origins& origins);
 

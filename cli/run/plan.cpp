@@ -25,7 +25,7 @@ namespace {
 
 constexpr int default_history_rows = 1000;
 
-/// Precedes the scene, which depends on the method.
+/// Called before the scene is read, which depends on the method.
 void check_methods(const std::vector<Setting>& settings) {
   std::vector<std::string> names;
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);
@@ -72,7 +72,7 @@ std::optional<std::filesystem::path> run_folder_of(const SceneFile& file) {
   return folder.path();
 }
 
-/// "-v0=0.08-spacing=0.002", unless `again` with changed parameters of a copied scene.toml.
+/// "-v0=0.08-spacing=0.002". Without `again`, includes parameters that a copied scene.toml changes.
 std::string changes_text(const SceneFile& file, bool again) {
   constexpr std::size_t longest = 120;
   using enum ResolvedSetting::Source;

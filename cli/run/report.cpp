@@ -150,7 +150,7 @@ std::string run_report(const RunPlan& plan, const RunResult& result) {
     rows.push_back(
         {"law",
          fmt::format(
-             "not followed since t = {} s: up to {} of the bonds are stretched too far and are stiffer",
+             "not followed since t = {} s: up to {} of the bonds are stretched too far and are stiffer than the law",
              brief(beyond.since), percent(beyond.share))});
   if (record.requested_spacing)
     rows.push_back({"spacing", fmt::format("{} m; {} m does not divide the first body", brief(record.spacing),

@@ -10,7 +10,7 @@ namespace taut::cli {
 void check_resumable(const std::filesystem::path& folder, const RunOptions& given);
 
 /// Continues the run from its checkpoint, else from the start. `given` must agree with the folder, except
-/// --threads, --keep-checkpoint and a later --until; without a checkpoint file, they select frames, particles
+/// --threads, --keep-checkpoint and a later --until. Without a checkpoint file, `given` selects frames, particles
 /// and checkpoints. Throws UsageError.
 RunPlan resume_plan(const std::filesystem::path& folder, const RunOptions& given);
 

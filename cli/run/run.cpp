@@ -221,8 +221,8 @@ void Run::step_through() {
     advance(std::min({next_output(), next_checkpoint_, record_.until}));
     const bool stopped = interrupts_.interrupted();
     show_what_is_due(false);
-    // A checkpoint follows outputs of the earlier state and precedes the final row, which a continued run must not
-    // have.
+    // A checkpoint is saved after the outputs that are due and before the final row, which a continued run must
+    // not have.
     const bool well = result_.failure.empty();
     if (well && (stopped || record_.reached >= next_checkpoint_)) save_checkpoint();
     going = well && !stopped && record_.reached < record_.until;
@@ -243,7 +243,7 @@ double Run::next_output() const {
   return next;
 }
 
-/// s, interpolated.
+/// Time of the next interpolated output, in s.
 double Run::next_between_steps() const {
   double next = std::numeric_limits<double>::infinity();
   for (const auto& output : outputs_)

@@ -210,7 +210,7 @@ void apply_scene(Drawing& drawing, const SceneFile& file) {
 
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
   TomlCursor render = root.section("render", "[render]", keys_of("render"));
-  // For missing keys and errors, keys with words come first.
+  // Keys with words come first, also in errors and if they are missing.
   for (const bool words : {true, false})
     for (const DrawingKey& key : drawing_keys())
       if (key.takes_words() == words) read_key(render, key, drawing);

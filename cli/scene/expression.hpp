@@ -31,7 +31,7 @@ Expression compile(const std::string& text, const Names& names);
 std::function<double(double)> compile_of_time(const std::string& text, const Names& names);
 Solution compile_in_time(const std::string& text, const Names& names);
 
-/// Function of t and of numbers that have the names `values`. Names that are no identifiers cannot be used.
+/// Function of t and of variables with the names `values`. Names that are not identifiers are left out.
 std::function<double(const std::vector<double>&, double)> compile_of_values(
     const std::string& text, Names names, const std::vector<std::string>& values);
 

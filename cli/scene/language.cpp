@@ -40,7 +40,7 @@ constexpr KeyInfo top_keys[] = {
      "changed to the nearest value that divides the thinnest side of the first shape into whole particles"},
     {"jitter", types::number("dp", {0, 0.5, false, true}), "0",
      "largest random shift of a particle to either side along each axis, in spacings. Volumes do not change. "
-     "Particles are not shifted along held and driven axes, nor across a face with on_boundary"},
+     "Particles are not shifted along clamped and driven axes, nor across a face with on_boundary"},
     {"jitter_seed", types::whole(1, 1e9), "1",
      "seed of the random shifts; bodies of the same shape get the same shifts"},
     {"until", types::number("s", above(0)), "", "end time of the run"},
@@ -234,7 +234,7 @@ constexpr KeyInfo sweep_keys[] = {
     {"grid", types::table("grid", "[grid]"), "or row", "every combination of values"},
     {"row", types::table("row", "[[row]]").list(), "or grid", "settings of single runs"},
     {"repeat", types::whole(1, 100), "1",
-     "number of repetitions of each run, whose median cost counts; above 1, jobs do not share cores"},
+     "number of times that each run is made; the median cost counts. Above 1, jobs do not share cores"},
     {"chart", types::table("chart", "[chart]"), "none", "picture of error against cost"},
     {"map", types::table("map", "[map]"), "none", "picture of the verdicts"},
     {"history", types::table("history", "[history]"), "none", "picture of the histories"},

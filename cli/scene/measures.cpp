@@ -124,7 +124,7 @@ void read_free(TomlCursor& cursor, const Scene& scene, Measure& measure) {
 struct MeasureKey : KeyInfo {
   void (*read)(TomlCursor&, const Scene&, Measure&);
 };
-/// Keys read before `numbers`: these use the material of the objects.
+/// Keys read first, since `numbers` use the material of these objects.
 constexpr std::array objects = {
     MeasureKey{{"probe", types::text("name of a probe"), "", "probe that gives the series"}, read_probe_of},
     MeasureKey{{"probes", types::text("PROBE").list(2, 3), "",

@@ -29,7 +29,7 @@ std::vector<std::string> names_of_contacts() {
   return names;
 }
 
-/// The setting, else the file's value, else the first name. `setting`: for --set.
+/// The setting, else the file's value, else the first name. `setting`: name in --set.
 std::string chosen(TomlCursor& table, const std::string& key, const std::vector<std::string>& names,
                    const std::string& setting, const std::string* change, SceneFile& file) {
   table.text(key, names.front());

@@ -129,7 +129,7 @@ void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const
                 fmt::format("the parameter '{}' is unused; remove it or use it in an expression", entry.key));
 }
 
-/// Reads with spacing dp all that `fitted` needs; `finish` reads the rest.
+/// The constructor reads what `fitted` needs, with the spacing `dp`; `finish` reads the rest.
 class SceneReading {
  public:
   SceneReading(double dp, const std::filesystem::path& path, const TomlValue& original,

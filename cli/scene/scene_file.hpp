@@ -78,7 +78,7 @@ SceneFile read_scene(const std::filesystem::path& path, const std::vector<Settin
 std::vector<std::string> names_to_set(const SceneFile& scene);
 /// Values of a setting; empty if it takes numbers.
 std::vector<std::string> allowed_words(std::string_view name);
-/// Sets all that depends on the scene, such as the cut. Throws UsageError if the drawing does not fit.
+/// Sets the members that depend on the scene, such as the cut. Throws UsageError if `drawing` does not fit the scene.
 void apply_scene(Drawing& drawing, const SceneFile& scene);
 /// Adds file, line and column to an engine error.
 SceneError locate(const SceneFile& scene, const SceneError& error);

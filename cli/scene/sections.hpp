@@ -77,7 +77,7 @@ struct ColumnTable {
 };
 ColumnTable read_columns(const std::filesystem::path& path, const std::vector<std::string>& needed,
                          const std::vector<std::string>& optional);
-/// Throws SceneError if missing, unreadable or larger.
+/// Throws SceneError for a missing, unreadable or larger file.
 std::string file_text(const std::filesystem::path& path, std::size_t most_bytes = 4 << 20);
 
 inline const std::vector<std::string> axis_names = {"x", "y", "z"};
@@ -94,8 +94,8 @@ struct ShapeSetting {
   double dp = 0;  // m
   std::filesystem::path folder;
   Layers layers{};
-  bool alone = false;
-  int level = 0;  // enclosing shapes
+  bool alone = false;  // only shape of its body
+  int level = 0;       // enclosing shapes
 };
 struct ShapeKind {
   std::string_view name;

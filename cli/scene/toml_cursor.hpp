@@ -64,7 +64,7 @@ class TomlCursor {
   std::function<double(double)> function_of_time(const TomlValue& value, std::string_view key);
   /// Never empty.
   Solution solution(const TomlValue& value, std::string_view key);
-  /// Function of probes and time, s. Names that are no identifiers cannot be used.
+  /// Function of probes and time, s. Names that are not identifiers are left out.
   std::function<double(const std::vector<double>&, double)> function_of_probes(
       const TomlValue& value, std::string_view key, const std::vector<std::string>& probes);
   std::string text_of(const TomlValue& value, std::string_view key);

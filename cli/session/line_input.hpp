@@ -20,7 +20,7 @@ class LineInput {
   LineInput& operator=(const LineInput&) = delete;
 
   bool is_typed() const { return typed_; }
-  /// Nullopt at the end of input, or if a signal asks to end. Ctrl-C discards a partial line.
+  /// Nullopt at the end of input and after SIGTERM or SIGHUP. Ctrl-C discards a partial line.
   std::optional<std::string> next();
 
  private:

@@ -48,7 +48,7 @@ class Session {
   void zoom(double factor);
   /// Orbits the 3D camera, degrees.
   void orbit(double right, double upwards);
-  /// Drawing without open members.
+  /// Drawing with open members set for the shown state.
   Drawing drawing() const;
   /// Draws as `taut run` would.
   void frame(const std::filesystem::path& file) const;

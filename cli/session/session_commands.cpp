@@ -145,7 +145,7 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
   drawing.print_width.clear(), drawing.font_points.reset();
   terminal.adapt(look);
   to.out << terminal.text_of(session.picture(drawing));
-  // illegible texts
+  // in place of texts, which coloured characters cannot show
   const ColorMeaning colors = meaning(drawing);
   if (look.bare)
     to.out << colors.name << ' ' << (look.range ? ends(look.range->low, look.range->high) : "by colour")
@@ -156,7 +156,7 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
 
 void frame(Session& session, const Words& words, const Dialogue& to) {
   if (words.size() != 1) wrong_words("frame");
-  // completion errors must not overwrite files
+  // a wrong completion must not overwrite another file
   if (const std::string wrong = png_name(words[0]); !wrong.empty()) throw UsageError(wrong);
   session.frame(words[0]);
   to.out << "file=" << words[0] << '\n';

@@ -66,7 +66,7 @@ struct Chart {
   std::string kind{};      // of the measure: "rmse"
 };
 
-/// Costs are doubtful from this `other_load`.
+/// Costs are doubtful from this `other_load` on.
 inline constexpr double busy_load = 0.5;
 
 /// "no reference", "no value" or the verdict; empty if there is an error.
@@ -79,8 +79,8 @@ std::string shown_error(const Chart& chart, double error);
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 
 /// The default measure has errors in most runs; at a tie, the scene's first counts. Times (`*_time`) and errors with a
-/// unit come last. Of repeated runs the cheapest counts. Reference runs have no point. Throws UsageError for a measure
-/// without errors.
+/// unit come last. Of runs with the same spacing the cheapest counts. Reference runs have no point. Throws UsageError
+/// for a measure without errors.
 Chart make_chart(const StoredResults& results, const ChartRequest& request);
 
 }  // namespace taut::cli

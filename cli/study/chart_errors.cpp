@@ -150,9 +150,9 @@ const StoredRun* ChartErrors::reference_of(const StoredRun& run) const {
 std::optional<double> ChartErrors::of(const StoredRun& run) const {
   if (!run.has_result()) return std::nullopt;
   if (against.empty()) return finite(run.record.measure(measure).error);
-  const StoredRun* const judge = reference_of(run);
-  if (!judge || judge == &run || is_same_run(*judge, run)) return std::nullopt;
-  const auto value = run.value_of(measure), reference = judge->value_of(measure);
+  const StoredRun* const reference_run = reference_of(run);
+  if (!reference_run || reference_run == &run || is_same_run(*reference_run, run)) return std::nullopt;
+  const auto value = run.value_of(measure), reference = reference_run->value_of(measure);
   if (!value || !reference) return std::nullopt;
   return std::abs(*value - *reference) / (*reference != 0 ? std::abs(*reference) : 1);
 }
@@ -162,8 +162,9 @@ bool ChartErrors::measured(const StoredRun& run) const {
 }
 
 bool ChartErrors::relative(const StoredRun& run) const {
-  const StoredRun* const judge = reference_of(run);
-  return (judge ? judge->value_of(measure) : run.record.measure(measure).reference).value_or(0) != 0;
+  const StoredRun* const reference_run = reference_of(run);
+  return (reference_run ? reference_run->value_of(measure) : run.record.measure(measure).reference)
+             .value_or(0) != 0;
 }
 
 std::string ChartErrors::unit(const StoredRun& run) const {

@@ -17,7 +17,7 @@ std::vector<std::string> emit_names();
 /// Throws UsageError with the nearest names.
 const EmitForm& find_emit_form(const std::string& name);
 
-/// `sweep`: words of the command; without --index it also collects results. `threads` per run.
+/// `sweep`: words of the command, which without --index also collects results. `threads`: of each run.
 std::string emit_script(const EmitForm& form, const std::string& title, int runs, int threads,
                         const std::vector<std::string>& sweep);
 

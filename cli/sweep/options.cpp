@@ -28,7 +28,7 @@ std::string path_of_program() {
 }
 
 bool draws(const SweepOptions& o) {
-  // also for saved particles
+  // with saved particles, --frames and --every are for these
   const bool times_of_frames = o.run.save_particles.empty() && (o.run.frames || o.run.every);
   return o.render || times_of_frames || o.run.drawing.any();
 }
@@ -83,7 +83,7 @@ void declare_sweep_options(Options& command, SweepOptions& o) {
       .check(positive_whole_number);
   command
       .add("--repeat", "N", o.repeat,
-           "number of repetitions of each run, whose median cost counts; "
+           "number of times that each run is made; the median cost counts; "
            "above 1, at most one job per physical core; default: the sweep file's, else 1")
       .check(positive_whole_number);
   command.add("--index", "N", o.index, "do only run N; the first run is 0").check(whole_number);

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `drawn`: drawings must agree.
+/// `drawn`: settings of the drawing must also agree.
 bool are_of_one_run(const std::string& one, const std::string& other, bool drawn) try {
   return one == other || (!drawn && without_drawing(one) == without_drawing(other));
 } catch (const SceneError&) {
@@ -246,7 +246,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
     try {
       const RunPlan planned = make_plan(run.options);
       const SceneFile& file = planned.file;
-      // for speed
+      // once per method and contact law, for speed
       if (combinations.emplace(file.settings.method, file.scene.contact).second) check_particles(file);
       if (!file.remark.empty()) plan.remarks.insert(file.remark);
       if (const std::string same = spacings.add(row, file.scene.spacing); !same.empty())

@@ -21,7 +21,7 @@ std::string results_csv(const SweepPlan& plan);
 /// Writes both files atomically. Throws OutputError.
 void write_results(const SweepPlan& plan);
 
-/// Failed if the verdict is `fail_on` or worse; an error without a result.
+/// Failed if the verdict is `fail_on` or worse; an error if the run has no result.
 TestCase test_case(const SweepRun& run, const std::optional<Verdict>& fail_on);
 
 /// "fractured since 0.0031 s", "interrupted", ...

@@ -16,7 +16,7 @@ struct SuiteEntry {
   std::string name;
   FilePlace place;
   std::string scene;
-  std::string differs_from;  // a control: entry whose baseline its frames must not equal; else empty
+  std::string differs_from;  // of a control: entry from whose baseline it must differ; else empty
   std::vector<Setting> settings;
   DrawingValues drawing;
   std::optional<double> warn, fail;  // ΔE*ab
@@ -26,7 +26,7 @@ struct SuiteEntry {
   const std::string& owner() const { return is_control() ? differs_from : name; }
 };
 
-/// Keys of suite and controlled entry are merged into each entry. See scenes/LANGUAGE.md.
+/// Entries include the keys of the suite, and controls the keys of `differs_from`. See scenes/LANGUAGE.md.
 struct SuiteFile {
   std::filesystem::path path, baselines;
   std::string title;

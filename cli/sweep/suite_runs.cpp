@@ -47,7 +47,7 @@ SweepRequest request_of(const SuiteFile& suite, const SuiteEntry& entry, const B
   return request;
 }
 
-/// Adds the entry to errors without a place, such as of the drawing.
+/// Adds the entry to errors without a place, such as errors of the drawing.
 SweepRun planned_run(const SuiteFile& suite, const SuiteEntry& entry, const Baseline& baseline,
                      const SuiteOptions& options) {
   try {

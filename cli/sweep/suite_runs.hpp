@@ -28,8 +28,8 @@ struct PlannedEntry {
   render::DifferenceLimit limit() const;
 };
 
-/// With `needs_baselines`, all baselines must exist unless made. Throws SceneError with the place, and UsageError for
-/// unknown names and missing baselines.
+/// With `needs_baselines`, all baselines must exist unless this call makes them. Throws SceneError with the place,
+/// and UsageError for unknown names and missing baselines.
 std::vector<PlannedEntry> plan_suite(const SuiteFile& suite, const SuiteOptions& options,
                                      bool needs_baselines = true);
 
@@ -42,7 +42,7 @@ struct EntryOutcome {
   EntryResult result = EntryResult::no_result;
   FolderDifference difference{};
   std::size_t updated = 0;
-  std::string problem{};  // reason for no result
+  std::string problem{};  // why there is no result
 
   bool passed() const;
 };

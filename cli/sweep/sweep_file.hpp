@@ -26,7 +26,7 @@ std::vector<Setting> merged(const std::vector<Setting>& common, const std::vecto
 /// Path relative to the folder of `file`, or a shipped scene. Throws SceneError.
 std::string find_scene_of(TomlCursor& table, const std::filesystem::path& file);
 
-/// Throws SceneError unless it is TOML.
+/// Throws SceneError unless the file is TOML.
 bool is_sweep_file(const std::filesystem::path& path);
 /// Throws SceneError with the place. Does not compare names and values with the scene.
 SweepFile read_sweep(const std::filesystem::path& path);

@@ -12,7 +12,8 @@ namespace taut::cli {
 /// `on_disk` survives power cuts but is slow: for files that cannot be made again or mark others as complete.
 enum class Durability { from_crashes, on_disk };
 
-/// Writes a temporary file and renames it: other processes never see a part. Throws OutputError after removing it.
+/// Writes a temporary file and renames it: other processes never see a part. Before it throws OutputError,
+/// it removes the temporary file.
 void write_atomically(const std::filesystem::path& path, std::string_view text,
                       Durability durability = Durability::from_crashes);
 

@@ -13,7 +13,7 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
 /// " (did you mean 'a' or 'b'?)", or "".
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
-/// did_you_mean(), and all names up to eight; else, if none is near, the five nearest.
+/// did_you_mean(), and the names if there are at most eight. Of more names, the five nearest if none is near.
 std::string known_names(std::string_view given, const std::vector<std::string>& names);
 
 /// "unknown method 'enogg' (did you mean 'enog'?)".

@@ -13,12 +13,12 @@
 #     zhang-20    at 0.12 c0, enog
 #     khayyer-9   rotating plate, artificial stress of two strengths (ours) and tensile control; pressure
 #     khayyer-10  artificial stress and tensile control at three spacings; SPACING is the coarsest
-#     khayyer-12  path of the corner; a history of it in place of a panel
+#     khayyer-12  path of the corner: a history, no panel
 #     khayyer-13  tensile control without and with artificial stress at the surface
-#     lee-4       cable in 3D, pf without dissipation, pf-jst with none, 1/32 and 1/8 of the harmonic one; pressure
+#     lee-4       cable in 3D, pf, and pf-jst with harmonic dissipation 0, 1/32 and 1/8; pressure
 #     lee-9       tensile cube, pf-jst with and without the exact boundary projection
-#     lee-11      tensile cube, tl, pf without dissipation and the three methods with
-#     lee-13      coining, pf without dissipation and the three methods with
+#     lee-11      tensile cube, tl, pf and the three JST methods
+#     lee-13      coining, pf and the three JST methods
 #     lee-16      punch, ν = 0.499, tl, pf-jst, pfj-jst, pfhj-jst, and oenog
 #     lee-18      punch cube, tl, pf, pf-jst, and oenog
 #     lee-19      punch cube of Mooney–Rivlin rubber, ν = 0.495, pfj-jst, pfhj-jst
@@ -27,8 +27,8 @@
 #     lee-28      twisting column, ν = 0.499, pf-jst, pfj-jst, and oenog
 #
 # FOLDER receives the runs and the panel FIGURE.png (default: out/FIGURE); SPACING is the particle spacing in m
-# (default: as published). A run of Zhang's takes seconds, Khayyer's finest a minute. Uses build/taut, or the program
-# in TAUT.
+# (default: as published). A run of a zhang figure takes seconds, the finest of khayyer-10 a minute. Uses build/taut,
+# or the program in TAUT.
 set -eu
 taut=${TAUT:-$(dirname "$0")/../../build/taut}
 figure=${1:?which figure? the head of this script lists them}
@@ -136,7 +136,8 @@ case $figure in
     done
     panel 0.0083,0.0191,0.0313 560x800 ;;
   lee-23)
-    field=pressure every=0.1 until=1.5 spacing=${spacing:-0.5}   # at the usual step a section of two cells breathes ever more
+    # with the default time step, a breathing mode grows in a section of two cells
+    field=pressure every=0.1 until=1.5 spacing=${spacing:-0.5}
     run pf-jst bending-column-3d pf-jst --set poisson_ratio=0.499 --set cfl=0.1
     run pfj-jst bending-column-3d pfj-jst --set poisson_ratio=0.499 --set cfl=0.1 --set method.eps_J4=0.125
     run oenog bending-column-3d oenog --set poisson_ratio=0.499

@@ -12,9 +12,8 @@ folder=${1:-out/rings-movie}
 spacing=${2:-0.001}
 frames=${3:-60}
 
-# 1. Two runs with frames in FOLDER/METHOD/frames, in the same range and view. Saved particles can be drawn again in
-# other ways;
-#    two fields are enough here.
+# 1. Two runs with frames in FOLDER/METHOD/frames, in the same range and view. Saved particles, here with two fields,
+#    can be drawn again in other ways.
 for method in og enog; do
   "$taut" run colliding-rings --method $method --spacing "$spacing" --frames "$frames" --size 960x540 \
     --save-particles --fields von_mises,pressure --out "$folder/$method"

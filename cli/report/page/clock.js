@@ -65,7 +65,7 @@ class Clock {
   }
 }
 
-/** Clock of all runs: times of their frames or, if no run has frames, of their histories; else the frame's index. */
+/** Clock of all runs: times of their frames (without a time: its index) or, if no run has frames, of their histories. */
 function clock_of(runs) {
   const of_run = (run) =>
       run.frames.length ? run.frames.map((frame, k) => frame.t ?? k) : column_of(run, 't')?.values ?? [];

@@ -42,7 +42,7 @@ function with_unit(value, unit) {
   return brief(value) + (unit && unit !== '1' && typeof value === 'number' ? ' ' + unit : '');
 }
 
-/** An error as the report of a run prints it: a share of the reference, or a value with its unit if the reference is 0. */
+/** An error as in the report of a run: in % of the reference, or with its unit if the reference is 0. */
 function shown_error(measure) {
   if (typeof measure.error !== 'number') return '–';
   return measure.reference === 0 ? with_unit(measure.error, measure.unit) : brief(100 * measure.error) + ' %';

@@ -92,7 +92,7 @@ function refresh(clock, shown) {
     try {
       await load_script('data.js' + query);  // written after the data of the runs
       for (const script of taut_report.scripts.filter(Boolean)) await load_script(script + query);
-    } catch { /* the page has gone; what is shown stays */
+    } catch { /* the files are gone; the page stays as it is */
     }
     if (loaded_data() === shown) return refresh(clock, shown);
     globalThis.taut_particles = {};

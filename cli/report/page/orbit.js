@@ -36,7 +36,7 @@ function combined(...terms) {
   return [0, 1, 2].map((k) => terms.reduce((sum, [factor, vector]) => sum + factor * vector[k], 0));
 }
 
-/** The direction of view as angles about the direction that is up in the scene. */
+/** Direction of view in rad: angle `turned` about the scene's up direction, and angle `raised` above the horizontal. */
 class Orbit {
   constructor(data) {
     this.data = data;

@@ -8,7 +8,7 @@ class Sweep {
             Object.fromEntries(report.columns.map((column, k) => [column, cells[k]])),
             {index_of_run: index}));
     for (const row of this.rows) row.method ??= row['set.method'];
-    this.left = this.rows;  // by the filter of the table
+    this.left = this.rows;  // rows that the filter of the table leaves
     this.swept =
         report.swept.filter(({name}) => new Set(this.rows.map((row) => row['set.' + name])).size > 1);
     if (!this.swept.length) this.swept = report.swept;

@@ -7,7 +7,7 @@ function stored_theme() {
     return localStorage.getItem('taut-theme');
   } catch {
     return null;
-  }  // a browser may forbid it for files
+  }  // a browser may forbid storage for pages from files
 }
 
 function is_dark() { return document.documentElement.dataset.theme === 'dark'; }
