@@ -69,7 +69,8 @@ TEST_SUITE("cli") {
       files.push_back(folder / file.filename().string());
       std::ofstream(files.back()) << resolved_text(read_scene(file), folder.path());
     }
-    for (const fs::path& file : toml_files(scenes / "gallery")) files.push_back(file);
+    for (const char* folder_of_scenes : {"gallery", "studies/known-answers"})
+      for (const fs::path& file : toml_files(scenes / folder_of_scenes)) files.push_back(file);
     REQUIRE(call(tiny_run(folder, "run", {"--no-render"})).code == 0);
     files.push_back(folder / "run/scene.toml");
     check_valid("scene-file", files);
