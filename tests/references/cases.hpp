@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <map>
+#include <ostream>
+#include <string>
+
+namespace references {
+
+struct Settings {
+  int refine = 1;        ///< multiplies the number of elements along each axis
+  double courant = 0.8;  ///< time step over the transit time of a wave between two nodes
+  double until = std::numeric_limits<double>::infinity();  ///< last row of a table over time, s
+};
+
+/// Writes a table: a head with the names of the columns, then rows.
+using Case = std::function<void(const Settings& settings, std::ostream& table)>;
+
+/// Cases by the name of their table in scenes/references/.
+const std::map<std::string, Case>& cases();
+
+}  // namespace references
