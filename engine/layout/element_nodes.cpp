@@ -19,6 +19,35 @@ namespace {
 
 bool contains(const Expression& where, const Point& x) { return where && where(x) != 0; }
 
+/// Parts of an element between neighbouring nodes, about dp long: local nodes, 2^dim each.
+std::vector<std::vector<int>> cells_of_element(const ElementMesh& mesh) {
+  const int n = mesh.order + 1, cells = mesh.dim == 2 ? 1 : mesh.order;
+  std::vector<std::vector<int>> all;
+  for (int c = 0; c < cells; ++c)
+    for (int b = 0; b < mesh.order; ++b)
+      for (int a = 0; a < mesh.order; ++a) {
+        std::vector<int>& cell = all.emplace_back();
+        for (int k = 0; k < (mesh.dim == 2 ? 4 : 8); ++k)
+          cell.push_back(a + k % 2 + (b + k / 2 % 2) * n + (c + k / 4) * n * n);
+      }
+  return all;
+}
+
+/// Calls f(element, cell) for each cell whose middle is in a region.
+template <class F>
+void for_each_cell_in(const Expression& where, const ElementMesh& mesh, const F& f) {
+  const std::vector<std::vector<int>> cells = cells_of_element(mesh);
+  for (int e = 0; e < mesh.size(); ++e)
+    for (const std::vector<int>& cell : cells) {
+      Point middle{};
+      for (const int a : cell)
+        for (std::size_t k = 0; k < 3; ++k)
+          middle[k] += mesh.x[as_index(mesh.node[as_index(mesh.nodes_of_each() * e + a)])][k] /
+                       static_cast<double>(cell.size());
+      if (contains(where, middle)) f(e, cell);
+    }
+}
+
 /// Elements and nodes of one body.
 class BodyNodes {
  public:
@@ -70,8 +99,9 @@ class BodyNodes {
       for (std::size_t i = 0; i < in.size(); ++i) in[i] = contains(where, mesh_.x[i]);
       return in;
     }
-    for (std::size_t k = 0; k < mesh_.node.size(); ++k)
-      if (contains(where, mesh_.middle[k / as_index(mesh_.nodes_of_each())])) in[as_index(mesh_.node[k])] = 1;
+    for_each_cell_in(where, mesh_, [&](int e, const std::vector<int>& cell) {
+      for (const int a : cell) in[as_index(mesh_.node[as_index(mesh_.nodes_of_each() * e + a)])] = 1;
+    });
     return in;
   }
 
@@ -207,22 +237,35 @@ std::vector<double> load_weights(const Load& load, const Body& body, const Initi
                                  int index) {
   const ElementMesh& mesh = initial.mesh;
   std::vector<double> weight(initial.x.size());
-  std::vector<bool> loaded;
-  for (int e = 0; e < mesh.size(); ++e)
-    loaded.push_back(mesh.body[as_index(e)] == index && contains(load.where, mesh.middle[as_index(e)]));
-  const auto each = as_index(mesh.nodes_of_each());
+  const int each = mesh.nodes_of_each();
+  std::vector<double> share(mesh.node.size());  // of a node's cells in the element
+  std::vector<std::vector<std::vector<int>>> of_load(as_index(mesh.size()));  // [element] loaded cells
+  std::vector<double> cells(as_index(each));
+  for (const std::vector<int>& cell : cells_of_element(mesh))
+    for (const int a : cell) ++cells[as_index(a)];
+  for_each_cell_in(load.where, mesh, [&](int e, const std::vector<int>& cell) {
+    if (mesh.body[as_index(e)] != index) return;
+    of_load[as_index(e)].push_back(cell);
+    for (const int a : cell) share[as_index(each * e + a)] += 1 / cells[as_index(a)];
+  });
   if (load.kind != Load::Kind::traction) {
     for (std::size_t k = 0; k < mesh.node.size(); ++k) {
       const auto node = as_index(mesh.node[k]);
-      const bool counts = body.on_boundary
-                              ? initial.body[node] == index && contains(load.where, initial.x[node])
-                              : loaded[k / each];
-      if (counts) weight[node] += mesh.volume[k];
+      const bool counts = initial.body[node] == index && contains(load.where, initial.x[node]);
+      weight[node] += mesh.volume[k] * (body.on_boundary ? double(counts) : share[k]);
     }
     return weight;
   }
   std::vector<MeshFacet> facets = boundary_of(mesh);
-  std::erase_if(facets, [&](const MeshFacet& facet) { return !loaded[as_index(facet.element)]; });
+  std::erase_if(facets, [&](const MeshFacet& facet) {
+    const auto has_facet = [&](const std::vector<int>& cell) {
+      return std::ranges::all_of(facet.node, [&](int node) {
+        return std::ranges::any_of(
+            cell, [&](int a) { return mesh.node[as_index(each * facet.element + a)] == node; });
+      });
+    };
+    return std::ranges::none_of(of_load[as_index(facet.element)], has_facet);
+  });
   std::array<int, 6> count{};
   for (const MeshFacet& facet : facets) ++count[as_index(facet.side)];
   const int side = static_cast<int>(std::ranges::max_element(count) - count.begin());

@@ -75,9 +75,9 @@ struct ElementStrain {
       F[q] = product(G, points[q].to_local);
       for (int c = 0; c < Dim; ++c) F[q](c, c) += 1;
       J[q] = determinant(F[q]);
-      for (int m = 0; m < modes; ++m) sum[m] += points[q].weight * points[q].mode[m] * J[q];
+      for (int m = 0; m < modes; ++m) sum[m] += points[q].weight * points[q].mode[m] * (J[q] - 1);
     }
-    for (int q = 0; q < N; ++q) mean[q] = projected(sum, points[q]);
+    for (int q = 0; q < N; ++q) mean[q] = 1 + projected(sum, points[q]);  // exact at rest
   }
 
   static Pack projected(const Pack (&sum)[modes], const Point& point) {

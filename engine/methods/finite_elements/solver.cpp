@@ -8,8 +8,10 @@
 #include <Eigen/Dense>
 
 #include "engine/core/parallel.hpp"
+#include "engine/layout/surface_mesh.hpp"
 #include "engine/methods/finite_elements/describe.hpp"
 #include "engine/solver/particle_simulation.hpp"
+#include "engine/terms/surface_contact.hpp"
 
 namespace taut {
 namespace {
@@ -114,6 +116,7 @@ FiniteElements<Dim>::FiniteElements(Common<Dim>& common, const SolverInput& inpu
       of_four[lane] = p_.mobile[i + lane] / p_.m[i + lane];
     mobility_.push_back(of_four);
   }
+  set_contact_rate(input);
   common.run.pairs = static_cast<long>(mesh_.node.size());
   common.go_to_start();
   common.contact.search(p_);
@@ -177,9 +180,30 @@ void FiniteElements<Dim>::set_up(const SolverInput& input) {
   }
 }
 
+/// Greatest squared frequency of two equal nodes of faces on their contact spring.
+template <int Dim>
+void FiniteElements<Dim>::set_contact_rate(const SolverInput& input) {
+  const Constants& c = common_.constants;
+  std::vector<double> area(p_.x.size());  // m^(Dim − 1)
+  for (const MeshFacet& facet : boundary_of(mesh_)) {
+    const auto at = [&](int k) { return mesh_.x[facet.node[k]]; };
+    const double own = Dim == 2 ? distance_between(at(0), at(1), 2)
+                                : distance_between(vector_area({at(0), at(1), at(2), at(3)}), {}, 3);
+    constexpr int corners = Dim == 2 ? 2 : 4;
+    for (int k = 0; k < corners; ++k) area[facet.node[k]] += own / corners;
+  }
+  for (int i = 0; i < p_.size(); ++i) {
+    const Elasticity& e = input.materials[p_.material[i]];
+    const double M = e.K + 4.0 / 3 * e.G;
+    contact_rate_ =
+        std::max(contact_rate_, 2 * surface_stiffness(M, M, c.contact_stiffness, c.dp) * area[i] / p_.m[i]);
+  }
+}
+
 template <int Dim>
 double FiniteElements<Dim>::step_size() const {
-  return common_.fixed_or_stable_step(2 * common_.constants.cfl / std::sqrt(rate_));
+  const double rate = rate_ + (common_.contact.acting() ? contact_rate_ : 0);
+  return common_.fixed_or_stable_step(2 * common_.constants.cfl / std::sqrt(rate));
 }
 
 template <int Dim>

@@ -32,6 +32,7 @@ class FiniteElements final : public Scheme<Dim> {
   template <class Take>
   void with_strains(const std::vector<int>& groups, const Take& take) const;
   std::vector<int> element_groups(std::span<const int> of_nodes) const;
+  void set_contact_rate(const SolverInput& input);
   void update_rate();
 
   const Kernels& kernels_;
@@ -47,7 +48,7 @@ class FiniteElements final : public Scheme<Dim> {
   std::vector<int> begin_, slot_;
   std::vector<Pack> mobility_;
   FiniteElementFields<Dim> f_;
-  double rate_ = 0;  // greatest squared frequency, 1/s²
+  double rate_ = 0, contact_rate_ = 0;  // greatest squared frequencies, 1/s²
 };
 
 }  // namespace taut

@@ -135,7 +135,8 @@ TEST_SUITE("unit") {
     CHECK_THROWS_WITH_AS(make_initial_particles(scene),
                          doctest::Contains("shapes with a mesh: disc, ellipse, ring"), SceneError);
     Scene both = scene_of(3, 2, {Disc{{}, 1}, Box{{0, 0, 0}, {2, 1, 1}}});
-    CHECK_THROWS_WITH_AS(make_initial_particles(both), doctest::Contains("unions of boxes"), SceneError);
+    CHECK_THROWS_WITH_AS(make_initial_particles(both), doctest::Contains("unions and cut-outs of boxes"),
+                         SceneError);
     Scene shaken = scene_of(2, 1, {Disc{{}, 1}});
     shaken.jitter.share = 0.1;
     CHECK_THROWS_WITH_AS(make_initial_particles(shaken), doctest::Contains("jitter"), SceneError);
