@@ -59,7 +59,32 @@ Point bent(const Point& x, int dim) {
   return y;
 }
 
+/// Relative error of the period of the oscillating plate; reference: finite elements of fourth order, 0.25522 s.
+double period_error(const std::string& method, int across) {
+  const auto simulation = make_simulation(oscillating_plate(0.001, across), with_method(method));
+  simulation->advance_to(0.28);
+  const Series& series = simulation->series();
+  const std::vector<double>& y = series.value[0];
+  std::size_t k = 1;
+  while (!(series.time[k] > 0.2 && y[k - 1] < 0 && y[k] >= 0)) REQUIRE(++k < y.size());
+  const double share = y[k - 1] / (y[k - 1] - y[k]);
+  return std::lerp(series.time[k - 1], series.time[k], share) / 0.25522 - 1;
+}
+
 }  // namespace
+
+TEST_SUITE("convergence") {
+  TEST_CASE("finite elements: the period of a plate converges, with fe1 by second order") {
+    const double coarse = period_error("fe1", 2), fine = period_error("fe1", 4);
+    MESSAGE("errors of fe1: " << coarse << ", " << fine << "; of fe2: " << period_error("fe2", 2) << ", "
+                              << period_error("fe2", 4));
+    CHECK(std::abs(fine) < 0.015);
+    CHECK(coarse / fine > 3.5);
+    CHECK(coarse / fine < 6);
+    CHECK(std::abs(period_error("fe2", 2)) < 0.007);  // one element across
+    CHECK(std::abs(period_error("fe2", 4)) < 0.0015);
+  }
+}
 
 TEST_SUITE("term") {
   TEST_CASE("finite elements: linear displacements give uniform strain, rigid motions none") {
