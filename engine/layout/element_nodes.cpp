@@ -187,15 +187,18 @@ std::vector<PointWeight> shapes_at(const ElementMesh& mesh, int element, const P
   for (int round = 0; round < rounds; ++round) {
     Place off = Eigen::Map<const Place>(at.data());
     Eigen::Matrix<double, Dim, Dim> G = Eigen::Matrix<double, Dim, Dim>::Zero();
+    std::array<std::array<double, n>, Dim> value, slope;
+    for (int axis = 0; axis < Dim; ++axis)
+      for (std::size_t k = 0; k < n; ++k) {
+        value[as_index(axis)][k] = Line::value(Line::node, k, xi[axis]);
+        slope[as_index(axis)][k] = Line::slope(Line::node, k, xi[axis]);
+      }
     for (int a = 0; a < N; ++a) {
       const Place X = Eigen::Map<const Place>(mesh.x[as_index(node[a])].data());
       const auto product = [&](int sloped) {
         double of_all = 1;
-        for (int axis = 0; axis < Dim; ++axis) {
-          const auto k = as_index(index_along(axis, a, n));
-          of_all *=
-              axis == sloped ? Line::slope(Line::node, k, xi[axis]) : Line::value(Line::node, k, xi[axis]);
-        }
+        for (int axis = 0; axis < Dim; ++axis)
+          of_all *= (axis == sloped ? slope : value)[as_index(axis)][as_index(index_along(axis, a, n))];
         return of_all;
       };
       shape[as_index(a)] = product(-1);

@@ -9,9 +9,9 @@ namespace taut {
 /// Geometry of four elements at a Gauss point.
 template <int Dim, int modes>
 struct ElementPoint {
-  Mat<Pack, Dim> to_local;  // ∂ξ/∂X, 1/m
-  Pack weight;              // m^Dim
-  Pack mode[modes];         // orthonormal functions of the volume ratio, m^(−Dim/2)
+  Mat<Pack, Dim> to_local;                 // ∂ξ/∂X, 1/m
+  alignas(sizeof(Pack)) Pack weight;       // m^Dim
+  alignas(sizeof(Pack)) Pack mode[modes];  // orthonormal functions of the volume ratio, m^(−Dim/2)
 };
 
 /// Number of functions of the volume ratio in an element: constant or linear.
@@ -25,14 +25,14 @@ struct FiniteElementFields {
   int groups;  // of four elements
   V* x;
   const V *v, *X;
-  V* u;                     // displacement x − X, m
-  const int* node;          // [group][local node][lane]
-  const int* material;      // [element]
-  const void* points;       // ElementPoint [group][Gauss point]
-  const Pack* rate;         // [group] λ/ρ0, see element_rate, m/kg in 3D
-  double* force;            // [group][local node][component][lane], N
-  const int *begin, *slot;  // slot[begin[i]] …: indices in `force` of node i
-  const Pack* mobility;     // [group of nodes] 1/kg, 0 where clamped
+  V* u;                          // displacement x − X, m
+  const int* node;               // [group][local node][lane]
+  const int* material;           // [element]
+  const void* points;            // ElementPoint [group][Gauss point]
+  const Vec<Pack, 1>* rate;      // [group] λ/ρ0, λ: of OneElement, m/kg in 3D
+  double* force;                 // [group][local node][component][lane], N
+  const int *begin, *slot;       // slot[begin[i]] …: indices in `force` of node i
+  const Vec<Pack, 1>* mobility;  // [group of nodes] 1/kg, 0 where clamped
   LawsInUse laws;
 };
 

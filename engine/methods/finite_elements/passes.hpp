@@ -79,7 +79,7 @@ double node_pass(const FiniteElementFields<Dim>& f, const Kick<Dim>& kick, const
     parallel_for(groups, threads, [&](int group) { kick.record(lanes * group, nodal_force(f, group)); });
   return parallel_max(groups, threads, [&](int group) {
     const int first = lanes * group, count = f.size - first;
-    const Vec<Pack, Dim> v = kick.by_forces(first, f.mobility[group], nodal_force(f, group));
+    const Vec<Pack, Dim> v = kick.by_forces(first, f.mobility[group][0], nodal_force(f, group));
     store_four(load_four(f.x + first, count) + filled<Pack>(0.5 * kick.dt) * v, f.x + first, count);
     return greatest(dot(v, v));
   });
@@ -113,7 +113,7 @@ double rate_pass(const FiniteElementFields<Dim>& f, const Threads& threads) {
       Pack volume{};
       for (int q = 0; q < N; ++q) sum += points[q].weight * strain.F[q], volume += points[q].weight;
       const Mat<Pack, Dim> F = (1 / volume) * sum;
-      return greatest(f.rate[group] *
+      return greatest(f.rate[group][0] *
                       laws(group, [&](const auto& law) { return law.stiffness_bound(F, determinant(F)); }));
     });
   });

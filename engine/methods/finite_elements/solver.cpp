@@ -92,7 +92,7 @@ struct OneElement {
 
 /// Weight of Gauss point q of an element, m^Dim.
 template <int n, int Dim>
-double weight_of(const std::vector<Pack>& points, int element, int q) {
+double weight_of(const std::vector<Vec<Pack, 1>>& points, int element, int q) {
   using Point = ElementPoint<Dim, volume_modes(n - 1, Dim)>;
   const auto* const all = reinterpret_cast<const Point*>(points.data());
   return all[element / lanes * power_of(n, Dim) + q].weight[element % lanes];
@@ -114,7 +114,7 @@ FiniteElements<Dim>::FiniteElements(Common<Dim>& common, const SolverInput& inpu
     Pack of_four{};
     for (int lane = 0; lane < std::min(lanes, p_.size() - i); ++lane)
       of_four[lane] = p_.mobile[i + lane] / p_.m[i + lane];
-    mobility_.push_back(of_four);
+    mobility_.push_back({of_four});
   }
   set_contact_rate(input);
   common.run.pairs = static_cast<long>(mesh_.node.size());
@@ -159,7 +159,7 @@ void FiniteElements<Dim>::set_up(const SolverInput& input) {
       const int e = std::min(lanes * group + lane, mesh_.size() - 1);
       const Element element(mesh_, e);
       material_[lanes * group + lane] = mesh_.material[e];
-      rates_[group][lane] = element.rate / input.materials[mesh_.material[e]].rho0;
+      rates_[group][0][lane] = element.rate / input.materials[mesh_.material[e]].rho0;
       for (int a = 0; a < N; ++a) node_[(group * N + a) * lanes + lane] = mesh_.node[N * e + a];
       for (int q = 0; q < N; ++q) {
         points[q].weight[lane] = element.weight[q];

@@ -42,11 +42,12 @@ class FiniteElements final : public Scheme<Dim> {
   Materials materials_;
   std::vector<V> X_, u_;
   std::vector<int> node_, material_;
-  std::vector<Pack> points_;  // ElementPoint
-  std::vector<Pack> rates_;   // [group]
+  // Vec aligns packs in every build
+  std::vector<Vec<Pack, 1>> points_;  // ElementPoint
+  std::vector<Vec<Pack, 1>> rates_;   // [group]
   std::vector<double> force_;
   std::vector<int> begin_, slot_;
-  std::vector<Pack> mobility_;
+  std::vector<Vec<Pack, 1>> mobility_;
   FiniteElementFields<Dim> f_;
   double rate_ = 0, contact_rate_ = 0;  // greatest squared frequencies, 1/s²
 };
