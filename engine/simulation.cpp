@@ -92,6 +92,7 @@ void check_displacements(const Scene& scene, const MethodInfo& method) {
 /// Throws SceneError if a particle is behind a wall, or if an undisplaced shape reaches more than `greatest_depth`
 /// spacings behind it. Clamped regions may be inside walls.
 void check_walls(const Scene& scene, const InitialParticles& initial) {
+  constexpr double round_off = 1e-6;  // spacings
   const double dp = scene.spacing;
   for (const Wall& wall : scene.walls) {
     for (int i = 0; i < initial.size(); ++i) {
@@ -106,10 +107,9 @@ void check_walls(const Scene& scene, const InitialParticles& initial) {
             fmt::format("body '{}' starts inside the wall '{}': {}; move one of them, or reverse the normal",
                         body.name, wall.name, how));
       };
-      if (height < 0)
+      if (height < -round_off * dp)
         refuse(fmt::format("one of its particles is {:g} m behind the face of the wall", -height));
       for (std::size_t k = 0; k < 3; ++k) deep[k] -= (height + greatest_depth * dp) * wall.normal[k];
-      constexpr double round_off = 1e-6;  // spacings
       if (body.clamped && body.clamped(deep) != 0) continue;
       if (is_undisplaced(body) && holds(body, deep, scene.dim, -round_off * dp))
         refuse(
@@ -125,7 +125,8 @@ Constants common_constants(const std::vector<Elasticity>& materials, const Initi
   Constants c{materials[material.front()]};
   for (const int used : material) c.c0 = std::max(c.c0, materials[used].c0);
   c.dp = scene.spacing;
-  c.h = values.at("h");
+  const auto h = values.find("h");
+  c.h = h == values.end() ? c.dp : h->second;
   c.contact_stiffness = values.at("contact_stiffness");
   c.cfl = settings.cfl > 0 ? settings.cfl : method.cfl;
   c.step = settings.step;
@@ -139,9 +140,11 @@ int useful_threads(int particles) {
 
 }  // namespace
 
-std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& settings) {
+std::unique_ptr<Simulation> make_simulation(const Scene& given, const Settings& settings) {
   const MethodInfo* method = find_method(settings.method);
   if (!method) throw UsageError(fmt::format("there is no method '{}'", settings.method));
+  Scene scene = given;
+  scene.element_order = method->formulation.element_order;
   if (scene.bodies.empty()) throw SceneError("body", "the scene has no particles; add a [[body]]");
   const InitialParticles initial = make_initial_particles(scene);
   check_materials(scene, initial, *method);

@@ -142,7 +142,7 @@ bool Surface::fits(const Scene& scene, int body, const Simplex& simplex) const {
       if (simplex[b] >= particles_ && !holds(of, half, scene.dim, chord * dp_)) return false;
     }
   }
-  const bool on_faces = of.on_boundary || simplex[0] >= particles_;
+  const bool on_faces = scene.element_order > 0 || of.on_boundary || simplex[0] >= particles_;
   return !on_faces || holds(of, middle, scene.dim, 0);
 }
 

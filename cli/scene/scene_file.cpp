@@ -145,6 +145,7 @@ class SceneReading {
     read_jitter(root_, changes, file_);
     read_gravity_and_damping(root_, file_.scene);
     read_materials(root_, file_.scene);
+    file_.scene.element_order = find_method(file_.settings.method)->formulation.element_order;
     read_bodies(root_, find_method(file_.settings.method)->keeps_neighbors, file_);
     name_touching(root_, file_);
   }

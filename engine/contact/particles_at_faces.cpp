@@ -21,9 +21,14 @@ std::vector<int> without_all_nearest(const InitialParticles& initial, double spa
 }  // namespace
 
 std::vector<int> particles_at_faces(const Scene& scene, const InitialParticles& initial) {
-  if (scene.dim == 3) return without_all_nearest(initial, scene.spacing);
   std::vector<int> ids;
-  for (const PointWeight& share : make_outline(scene, initial).shares) ids.push_back(share.particle);
+  if (initial.mesh.order > 0) {
+    for (const MeshFacet& facet : boundary_of(initial.mesh))
+      ids.insert(ids.end(), facet.node.begin(), facet.node.end());
+  } else {
+    if (scene.dim == 3) return without_all_nearest(initial, scene.spacing);
+    for (const PointWeight& share : make_outline(scene, initial).shares) ids.push_back(share.particle);
+  }
   std::ranges::sort(ids);
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;

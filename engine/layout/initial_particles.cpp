@@ -11,6 +11,7 @@
 
 #include "engine/core/index.hpp"
 #include "engine/error.hpp"
+#include "engine/layout/element_nodes.hpp"
 #include "engine/layout/overlap.hpp"
 #include "engine/scene/shapes/box.hpp"
 
@@ -333,6 +334,7 @@ InitialParticles make_initial_particles(const Scene& scene) {
     throw SceneError("spacing", fmt::format("a spacing of {:g} m would make about {:g} million particles; "
                                             "at most 20 million are allowed",
                                             scene.spacing, expected / 1e6));
+  if (scene.element_order > 0) return make_element_nodes(scene);
   InitialParticles layout;
   layout.dim = scene.dim;
   layout.first.push_back(0);

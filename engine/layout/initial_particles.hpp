@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/layout/element_mesh.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace taut {
@@ -22,6 +23,7 @@ struct InitialParticles {
   // index of the image under a symmetry rotation of the body, or of the particle itself
   std::vector<int> turned;
   std::vector<int> first;  // [body] first particle; then the number of particles
+  ElementMesh mesh;        // of Scene::element_order > 0: the particles are the nodes
 
   int size() const { return static_cast<int>(x.size()); }
   std::vector<unsigned char> driven() const {
@@ -38,8 +40,8 @@ inline constexpr double greatest_particle_number = 20e6;
 /// Fills bodies with a lattice, or whole round bodies with layers (RoundLayout) of exact mass. In a box with particles
 /// on its faces, the n + 1 particles along n cells represent ½ − δ, 1 + δ, 1 … cells, δ = n/(12 (n − 1)), as in
 /// Gregory's rule: mass, moments of inertia and bending stiffness are exact. Guided faces may be planes of symmetry and
-/// keep half cells. Then jitters, reflects, rotates and displaces. Throws SceneError for no particles, too many
-/// particles and overlapping bodies.
+/// keep half cells. Then jitters, reflects, rotates and displaces. Finite elements: see make_element_nodes. Throws
+/// SceneError for no particles, too many particles and overlapping bodies.
 InitialParticles make_initial_particles(const Scene& scene);
 
 }  // namespace taut

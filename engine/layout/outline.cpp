@@ -128,10 +128,34 @@ class OutlineMaker {
   std::vector<int> open_;
 };
 
+/// Segments between neighbouring nodes on faces of finite elements.
+Outline outline_of(const InitialParticles& initial) {
+  Outline out;
+  std::vector<int> known(initial.x.size(), Outline::none);
+  const auto node_of = [&](int particle) {
+    int& node = known[as_index(particle)];
+    if (node != Outline::none) return node;
+    node = out.size();
+    out.add(initial.x[as_index(particle)], {{particle, 1}});
+    out.body.push_back(initial.body[as_index(particle)]);
+    out.beside.push_back({Outline::none, Outline::none});
+    return node;
+  };
+  for (const MeshFacet& facet : boundary_of(initial.mesh)) {
+    const int first = node_of(facet.node[0]), second = node_of(facet.node[1]);
+    out.beside[as_index(first)][1] = out.beside[as_index(second)][0] = static_cast<int>(out.segments.size());
+    out.segments.push_back({{first, second},
+                            distance_between(out.x[as_index(first)], out.x[as_index(second)], 2),
+                            facet.inverted ? -1.0 : 1.0});
+  }
+  return out;
+}
+
 }  // namespace
 
 Outline make_outline(const Scene& scene, const InitialParticles& initial) {
   if (scene.dim != 2) return {};
+  if (initial.mesh.order > 0) return outline_of(initial);
   return OutlineMaker(scene, initial).make();
 }
 

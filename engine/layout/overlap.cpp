@@ -170,7 +170,7 @@ void refuse_particles_inside(const InitialParticles& layout, const Scene& scene,
 
 void refuse_overlap(const InitialParticles& layout, const Scene& scene) {
   if (scene.bodies.size() < 2) return;
-  refuse_close_particles(layout, scene);
+  if (scene.element_order == 0) refuse_close_particles(layout, scene);
   const std::vector<Bounds> boxes = boxes_at_start(layout);
   const auto meet = [&](std::size_t a, std::size_t b) {
     for (std::size_t k = 0; k < 3; ++k)

@@ -330,6 +330,28 @@ class BodyMesh {
   std::vector<int> node_;
 };
 
+/// Facets between neighbouring nodes on faces of finite elements.
+SurfaceMesh surface_of(const Scene& scene, const InitialParticles& initial) {
+  SurfaceMesh mesh;
+  std::vector<int> known(initial.x.size(), -1);
+  for (MeshFacet& facet : boundary_of(initial.mesh)) {
+    if (facet.inverted) std::swap(facet.node[1], facet.node[3]);
+    SurfaceMesh::Facet out{.body = initial.mesh.body[as_index(facet.element)], .particle = facet.node[0]};
+    std::array<Point, 4> at{};
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      const int particle = facet.node[k];
+      at[k] = initial.x[as_index(particle)];
+      int& node = known[as_index(particle)];
+      if (node < 0) node = mesh.size(), mesh.add(at[k], {{particle, 1}});
+      out.node[k] = node;
+    }
+    out.area = distance_between(vector_area(at), {}, dim);
+    mesh.facets.push_back(out);
+  }
+  mesh.closed.assign(scene.bodies.size(), true);
+  return mesh;
+}
+
 }  // namespace
 
 Point vector_area(const std::array<Point, 4>& corner) {
@@ -343,6 +365,7 @@ Point vector_area(const std::array<Point, 4>& corner) {
 SurfaceMesh make_surface_mesh(const Scene& scene, const InitialParticles& initial, int threads) {
   SurfaceMesh mesh;
   if (scene.dim != dim) return mesh;
+  if (initial.mesh.order > 0) return surface_of(scene, initial);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     BodyMesh(scene, initial, static_cast<int>(b), mesh).add(threads);
   return mesh;

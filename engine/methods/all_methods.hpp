@@ -3,6 +3,7 @@
 #include <array>
 
 #include "engine/methods/bonded/methods.hpp"
+#include "engine/methods/finite_elements/methods.hpp"
 #include "engine/methods/tl_displacement/methods.hpp"
 #include "engine/methods/tl_mixed/methods.hpp"
 #include "engine/methods/ul_cauchy/methods.hpp"
@@ -11,7 +12,7 @@
 namespace taut {
 
 /// In listing order. The index selects the colour in charts: append new methods.
-inline constexpr std::array<const Formulation*, 24> all_methods{&og,
+inline constexpr std::array<const Formulation*, 26> all_methods{&og,
                                                                 &oas,
                                                                 &enog,
                                                                 &enog_nonconservative,
@@ -34,9 +35,11 @@ inline constexpr std::array<const Formulation*, 24> all_methods{&og,
                                                                 &tl_small_strain,
                                                                 &gnog,
                                                                 &tl_hg,
-                                                                &tl_enog};
+                                                                &tl_enog,
+                                                                &fe1,
+                                                                &fe2};
 static_assert(all_methods.size() == ul_split::Methods::size + ul_cauchy::Methods::size +
                                         bonded::Methods::size + tl_displacement::Methods::size +
-                                        tl_mixed::Methods::size);
+                                        tl_mixed::Methods::size + finite_elements::Methods::size);
 
 }  // namespace taut

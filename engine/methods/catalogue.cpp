@@ -29,8 +29,9 @@ std::vector<TermInfo> terms(const Formulation& m) {
   return all;
 }
 
-/// `sph` requires a neighbour search, `surface` initial neighbours.
-std::vector<ContactLaw> contact_laws_of(bool searches) {
+/// `sph` requires a neighbour search, `surface` initial neighbours. Laws between particles need equal particles.
+std::vector<ContactLaw> contact_laws_of(bool searches, bool of_elements = false) {
+  if (of_elements) return {ContactLaw::surface};
   std::vector<ContactLaw> all;
   for (const ContactLawRow& row : contact_laws)
     if (row.between == ContactBetween::particles ||
@@ -77,7 +78,7 @@ MethodInfo info(const Formulation& m) {
       .constants = method_constants(m, 2),
       .cfl = m.cfl,
       .contact = m.contact,
-      .contact_laws = contact_laws_of(!row.keeps_neighbors),
+      .contact_laws = contact_laws_of(!row.keeps_neighbors, m.element_order > 0),
       .keeps_neighbors = row.keeps_neighbors,
       .several_materials = m.several_materials,
   };
@@ -185,6 +186,8 @@ ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
   const std::string_view reason =
       needs_faces(scene.contact)
           ? "faces need initial neighbours, but its particles can leave their neighbours"
+      : method.formulation.element_order > 0
+          ? "it acts between equal particles, but nodes differ in mass and distance"
           : "its particles act on their initial neighbours only";
   throw SceneError(
       "contact", fmt::format("method '{}' cannot run with the contact law '{}': {}; allowed: {}", method.name,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/methods/bonded/describe.hpp"
+#include "engine/methods/finite_elements/describe.hpp"
 #include "engine/methods/tl_displacement/describe.hpp"
 #include "engine/methods/tl_mixed/describe.hpp"
 #include "engine/methods/ul_cauchy/describe.hpp"
@@ -59,6 +60,8 @@ inline constexpr std::array families{
     family_row<TlDisplacementFormulation, tl_displacement::terms, tl_displacement::constants>(
         tl_displacement::make),
     family_row<TlMixedFormulation, tl_mixed::terms, tl_mixed::constants>(tl_mixed::make),
+    family_row<FiniteElementFormulation, finite_elements::terms, finite_elements::constants>(
+        finite_elements::make),
 };
 
 inline const FamilyRow& row_of(Family family) {

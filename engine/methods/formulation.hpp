@@ -17,6 +17,7 @@ enum class Family : std::uint8_t {
   bonded,           // energy of bonds, terms/bond.hpp
   tl_displacement,  // F from positions, [Lee2016] Eq. 29c
   tl_mixed,         // F is an unknown, [Lee2016] §3.3.2
+  finite_elements,  // particles are nodes
 };
 
 /// Share of the trace removed from the strain rate.
@@ -41,6 +42,7 @@ struct Formulation {
   double h_over_dp = 1.3;
   double h_over_dp_3d = 0;  // 0: as in 2D
   double cfl = 0.4;         // acoustic, [Zhang2024] Eq. 22
+  int element_order = 0;    // of finite elements; 0 = particles
 };
 
 /// Null for a method of another family.

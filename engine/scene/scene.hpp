@@ -232,7 +232,8 @@ struct Scene {
   std::string title;
   std::string source;
   int dim = 2;
-  double spacing = 0;  // dp, m; see fitted_spacing
+  double spacing = 0;     // dp, m; see fitted_spacing
+  int element_order = 0;  // of finite elements; 0 = particles
   Jitter jitter;
   double until = 0;  // s
   std::vector<Material> materials;

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "engine/error.hpp"
+#include "engine/layout/element_nodes.hpp"
 #include "engine/scene/shapes/box.hpp"
 
 namespace taut {
@@ -102,14 +103,21 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
   const auto is_driven = [&](int id) {
     return initial.drive[id] >= 0 && !ends_before_run(scene.bodies[body].drives[initial.drive[id]], scene);
   };
+  const bool has_mesh = initial.mesh.order > 0;
+  const std::vector<double> of_mesh =
+      has_mesh ? load_weights(load, scene.bodies[body], initial, body) : std::vector<double>{};
+  const auto weight = [&](int id) { return has_mesh ? of_mesh[id] : initial.V0[id]; };
+  const auto is_loaded = [&](int id) {
+    return has_mesh ? of_mesh[id] > 0 : load.where(initial.cell(id)) != 0;
+  };
   // includes particles driven to the end, except for forces
   std::vector<int> loaded;
   double volume = 0;  // of the particles that are free at some time, m^Dim
   for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
-    if (initial.clamped[id] || load.where(initial.cell(id)) == 0) continue;
+    if (initial.clamped[id] || !is_loaded(id)) continue;
     if (is_driven(id) && load.kind == Load::Kind::force) continue;
     loaded.push_back(id);
-    if (!is_driven(id)) volume += initial.V0[id];
+    if (!is_driven(id)) volume += weight(id);
   }
   const std::string& name = scene.bodies[body].name;
   if (volume == 0)
@@ -118,14 +126,14 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
         fmt::format(
             "a load of body '{}' is only on particles that are held, or driven to the end, where it has no effect",
             name));
-  const double over = load.kind == Load::Kind::force      ? volume
-                      : load.kind == Load::Kind::traction ? scene.spacing
-                                                          : 1;
+  const double over = load.kind == Load::Kind::force                   ? volume
+                      : load.kind == Load::Kind::traction && !has_mesh ? scene.spacing
+                                                                       : 1;
   std::vector<std::pair<int, V>> shares;
   for (const int id : loaded) {
     V force{};
     for (int k = 0; k < Dim; ++k)
-      if (load.value[k]) force[k] = initial.V0[id] / over * load.value[k](initial.x[id]);
+      if (load.value[k]) force[k] = weight(id) / over * load.value[k](initial.x[id]);
     shares.emplace_back(id, force);
   }
   return shares;

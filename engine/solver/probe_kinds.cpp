@@ -40,6 +40,8 @@ Points point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
         fmt::format(
             "the point of the probe '{}' is outside its body, more than 1.5 spacings from the nearest particle",
             probe.name));
+  if (initial.mesh.order > 0)
+    if (Points found = point_in_element(initial, body, at); !found.empty()) return found;
   Points found = material_point(initial.x, begin, end, at, reach, scene, body);
   if (found.empty()) refuse(probe, "has too few particles of its body around its point");
   return found;
@@ -65,7 +67,7 @@ Points moving_point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
     motion_group[id] = initial.clamped[id] ? -1 : initial.drive[id] + 1;
   Points by_all = point(in, probe, at);
   const int body = probe.bodies[0];
-  if (in.scene.bodies[body].on_boundary) return by_all;
+  if (in.scene.bodies[body].on_boundary || initial.mesh.order > 0) return by_all;
   const std::vector<unsigned char> driven = initial.driven();
   return point_of_motion(std::move(by_all), surroundings(in, body, driven), motion_group, at);
 }

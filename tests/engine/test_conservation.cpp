@@ -68,8 +68,10 @@ const std::map<std::string, double> least_angular_change = {
     {"tl-small-strain", 0.002},
 };
 
-/// ccb does not damp tension, pf does not damp zigzags; tl-small-strain has the error of the step.
+/// ccb does not damp tension, pf does not damp zigzags; tl-small-strain has the error of the step. The faces of fe2
+/// have kinks, and contact gains energy where the closest face changes.
 double greatest_energy_gain(std::string_view method) {
+  if (method == "fe2") return 0.07;
   if (method == "ccb") return 0.2;
   if (method == "pf") return 5;
   return method == "tl-small-strain" ? 0.003 : 0;
@@ -191,7 +193,7 @@ TEST_SUITE("conservation") {
         ++clamped;
         moved += now.x[2 * i] != now.x0[2 * i] || now.x[2 * i + 1] != now.x0[2 * i + 1];
       }
-      CHECK(clamped == 20);
+      CHECK(clamped == (method.name == "fe2" ? 7 : has_elements(method) ? 6 : 4) * 5);
       CHECK(moved == 0);
     }
   }

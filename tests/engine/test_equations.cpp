@@ -111,6 +111,7 @@ TEST_SUITE("unit") {
     check_constants(bonded::Methods{}, bonded::constants);
     check_constants(tl_displacement::Methods{}, tl_displacement::constants);
     check_constants(tl_mixed::Methods{}, tl_mixed::constants);
+    check_constants(finite_elements::Methods{}, finite_elements::constants);
     Settings stiff;
     stiff.constants["contact_stiffness"] = 0.75;
     for (const MethodInfo& method : methods()) {

@@ -16,6 +16,12 @@ inline bool keeps_neighbors(const MethodInfo& method) {
   return std::ranges::find(method.contact_laws, ContactLaw::sph) == method.contact_laws.end();
 }
 
+inline bool supports(const MethodInfo& method, ContactLaw law) {
+  return std::ranges::find(method.contact_laws, law) != method.contact_laws.end();
+}
+
+inline bool has_elements(const MethodInfo& method) { return method.formulation.element_order > 0; }
+
 inline Settings with_method(const std::string& method, Stepping stepping = Stepping::dual) {
   Settings settings;
   settings.method = method;

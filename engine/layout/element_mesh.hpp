@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/scene/scene.hpp"
+
+namespace taut {
+
+/// Finite elements of all bodies, body after body. Elements have (order + 1)^dim nodes, numbered along the local axis 0
+/// first.
+struct ElementMesh {
+  int dim = 2, order = 0;           // order 0: no elements
+  std::vector<Point> x;             // [node] reference position, m
+  std::vector<int> node;            // [element][local node]
+  std::vector<Point> middle;        // [element] mean of the corners, m
+  std::vector<double> volume;       // [element][local node] share of the node, m^dim
+  std::vector<int> body, material;  // [element]
+
+  int nodes_of_each() const {
+    return dim == 2 ? (order + 1) * (order + 1) : (order + 1) * (order + 1) * (order + 1);
+  }
+  int size() const { return static_cast<int>(middle.size()); }
+};
+
+/// Piece of a face between neighbouring nodes: a segment in 2D, a quadrilateral in 3D.
+struct MeshFacet {
+  std::array<int, 4>
+      node{};  // node on the left first if seen from outside, in 3D anticlockwise; not if `inverted`
+  int element = 0;
+  int side = 0;           // 2 axis + (1 at the upper end)
+  bool inverted = false;  // the element is a mirror image of the reference element
+};
+
+/// Meshes a body: unions of boxes minus boxes by a grid through all their faces; discs, rings, balls, shells and
+/// cylinders by blocks. Elements of order 2 are twice as long, so that nodes are about dp apart. Throws SceneError for
+/// other shapes. Nodes are numbered from 0.
+ElementMesh mesh_of_body(const Body& body, int dim, int order, double dp);
+
+/// Facets that belong to one element only.
+std::vector<MeshFacet> boundary_of(const ElementMesh& mesh);
+
+}  // namespace taut

@@ -1,0 +1,305 @@
+#include "engine/layout/element_nodes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Dense>
+#include <fmt/core.h>
+
+#include "engine/core/index.hpp"
+#include "engine/error.hpp"
+#include "engine/layout/overlap.hpp"
+#include "engine/layout/reference_element.hpp"
+#include "engine/layout/surface_mesh.hpp"
+
+namespace taut {
+namespace {
+
+bool contains(const Expression& where, const Point& x) { return where && where(x) != 0; }
+
+/// Parts of an element between neighbouring nodes, about dp long: local nodes, 2^dim each.
+std::vector<std::vector<int>> cells_of_element(const ElementMesh& mesh) {
+  const int n = mesh.order + 1, cells = mesh.dim == 2 ? 1 : mesh.order;
+  std::vector<std::vector<int>> all;
+  for (int c = 0; c < cells; ++c)
+    for (int b = 0; b < mesh.order; ++b)
+      for (int a = 0; a < mesh.order; ++a) {
+        std::vector<int>& cell = all.emplace_back();
+        for (int k = 0; k < (mesh.dim == 2 ? 4 : 8); ++k)
+          cell.push_back(a + k % 2 + (b + k / 2 % 2) * n + (c + k / 4) * n * n);
+      }
+  return all;
+}
+
+/// Calls f(element, cell) for each cell whose middle is in a region.
+template <class F>
+void for_each_cell_in(const Expression& where, const ElementMesh& mesh, const F& f) {
+  const std::vector<std::vector<int>> cells = cells_of_element(mesh);
+  for (int e = 0; e < mesh.size(); ++e)
+    for (const std::vector<int>& cell : cells) {
+      Point middle{};
+      for (const int a : cell)
+        for (std::size_t k = 0; k < 3; ++k)
+          middle[k] += mesh.x[as_index(mesh.node[as_index(mesh.nodes_of_each() * e + a)])][k] /
+                       static_cast<double>(cell.size());
+      if (contains(where, middle)) f(e, cell);
+    }
+}
+
+/// Elements and nodes of one body.
+class BodyNodes {
+ public:
+  BodyNodes(const Scene& scene, int b, InitialParticles& out)
+      : scene_(scene), body_(scene.bodies[as_index(b)]), index_(b), out_(out), first_(out.size()) {
+    mesh_ = mesh_of_body(body_, scene.dim, scene.element_order, scene.spacing);
+  }
+
+  void add() {
+    set_materials();
+    check_regions();
+    const std::vector<unsigned char> clamped = nodes_in(body_.clamped);
+    std::vector<int> drive(mesh_.x.size(), -1);
+    for (std::size_t k = 0; k < body_.drives.size(); ++k) {
+      const std::vector<unsigned char> driven = nodes_in(body_.drives[k].where);
+      for (std::size_t i = 0; i < drive.size(); ++i)
+        if (driven[i] && !clamped[i]) drive[i] = static_cast<int>(k);
+    }
+    std::array<std::vector<unsigned char>, 3> guided;
+    for (std::size_t k = 0; k < guided.size(); ++k) guided[k] = nodes_in(body_.guided[k]);
+    for (std::size_t i = 0; i < mesh_.x.size(); ++i) {
+      unsigned guide = 0;
+      for (unsigned k = 0; k < guided.size(); ++k) guide |= guided[k][i] && !clamped[i] ? 1u << k : 0;
+      Point v{};
+      for (unsigned k = 0; k < as_index(scene_.dim); ++k)
+        if (!clamped[i] && (guide >> k & 1) == 0 && body_.velocity[k]) v[k] = body_.velocity[k](mesh_.x[i]);
+      out_.clamped.push_back(clamped[i]);
+      out_.drive.push_back(drive[i]);
+      out_.guided.push_back(static_cast<unsigned char>(guide));
+      out_.v.push_back(v);
+    }
+    add_nodes();
+    append_elements();
+  }
+
+ private:
+  void set_materials() {
+    for (const Point& middle : mesh_.middle) {
+      const int part = last_that_holds(body_.parts, middle);
+      mesh_.material.push_back(part < 0 ? body_.material : body_.parts[as_index(part)].material);
+    }
+    mesh_.body.assign(mesh_.middle.size(), index_);
+  }
+
+  std::vector<unsigned char> nodes_in(const Expression& where) const {
+    std::vector<unsigned char> in(mesh_.x.size());
+    if (!where) return in;
+    if (body_.on_boundary) {
+      for (std::size_t i = 0; i < in.size(); ++i) in[i] = contains(where, mesh_.x[i]);
+      return in;
+    }
+    for_each_cell_in(where, mesh_, [&](int e, const std::vector<int>& cell) {
+      for (const int a : cell) in[as_index(mesh_.node[as_index(mesh_.nodes_of_each() * e + a)])] = 1;
+    });
+    return in;
+  }
+
+  void refuse_empty(const Expression& where, const std::string& key, const std::string& what) const {
+    if (where && std::ranges::count(nodes_in(where), 1) == 0)
+      throw SceneError(
+          fmt::format("body.{}.{}", body_.name, key),
+          fmt::format("{}: no element of body '{}' is in this region: its value is 0 in the middle of each",
+                      what, body_.name));
+  }
+  void check_regions() const {
+    const auto check = [&](const auto& regions, const std::string& key) {
+      for (std::size_t k = 0; k < regions.size(); ++k)
+        refuse_empty(regions[k].where, key, fmt::format("{}[{}]", key, k));
+    };
+    check(body_.parts, "parts");
+    check(body_.drives, "driven");
+    check(body_.loads, "loaded");
+    const bool by_component =
+        std::ranges::any_of(body_.guided, [](const Expression& e) { return e != nullptr; });
+    for (std::size_t k = 0; k < body_.guided.size(); ++k)
+      refuse_empty(body_.guided[k], "held", fmt::format("held[{}]", k));
+    if (!by_component) refuse_empty(body_.clamped, "held", "held");
+    for (const Drive& drive : body_.drives)
+      for (const Point& middle : mesh_.middle)
+        if (contains(drive.where, middle) && contains(body_.clamped, middle))
+          throw SceneError(
+              fmt::format("body.{}.driven", body_.name),
+              fmt::format(
+                  "elements of body '{}' are both held and driven; 'held' and the 'where' of 'driven' must not overlap",
+                  body_.name));
+  }
+
+  /// A node has the material with the greatest share of its mass.
+  void add_nodes() {
+    const std::size_t nodes = mesh_.x.size(), each = as_index(mesh_.nodes_of_each());
+    std::vector<std::vector<double>> mass(nodes, std::vector<double>(scene_.materials.size()));
+    for (std::size_t k = 0; k < mesh_.node.size(); ++k) {
+      const std::size_t material = as_index(mesh_.material[k / each]);
+      mass[as_index(mesh_.node[k])][material] += scene_.materials[material].density * mesh_.volume[k];
+    }
+    for (std::size_t i = 0; i < nodes; ++i) {
+      const auto most = std::ranges::max_element(mass[i]);
+      const auto material = static_cast<std::size_t>(most - mass[i].begin());
+      double sum = 0;
+      for (const double m : mass[i]) sum += m;
+      out_.material.push_back(static_cast<int>(material));
+      out_.V0.push_back(sum / scene_.materials[material].density);
+      out_.inside.push_back(out_.V0.back() / std::pow(scene_.spacing, scene_.dim));
+      out_.body.push_back(index_);
+      out_.turned.push_back(out_.size());
+      out_.x.push_back(mesh_.x[i]);
+    }
+    out_.first.push_back(out_.size());
+  }
+
+  void append_elements() {
+    const auto append = [](auto& all, const auto& own) { all.insert(all.end(), own.begin(), own.end()); };
+    for (int& node : mesh_.node) node += first_;
+    ElementMesh& all = out_.mesh;
+    append(all.x, mesh_.x), append(all.node, mesh_.node), append(all.middle, mesh_.middle);
+    append(all.volume, mesh_.volume), append(all.body, mesh_.body), append(all.material, mesh_.material);
+  }
+
+  const Scene& scene_;
+  const Body& body_;
+  int index_;
+  InitialParticles& out_;
+  int first_;
+  ElementMesh mesh_;
+};
+
+/// Coordinates ξ of a point in an element by Newton's method, and the shape functions there. Empty outside.
+template <int n, int Dim>
+std::vector<PointWeight> shapes_at(const ElementMesh& mesh, int element, const Point& at) {
+  using Line = LineElement<n>;
+  using Place = Eigen::Vector<double, Dim>;
+  constexpr int N = power_of(n, Dim), rounds = 20;
+  constexpr double edge = 1e-6;
+  const int* const node = &mesh.node[as_index(N * element)];
+  Place xi = Place::Zero();
+  std::array<double, N> shape{};
+  for (int round = 0; round < rounds; ++round) {
+    Place off = Eigen::Map<const Place>(at.data());
+    Eigen::Matrix<double, Dim, Dim> G = Eigen::Matrix<double, Dim, Dim>::Zero();
+    std::array<std::array<double, n>, Dim> value, slope;
+    for (int axis = 0; axis < Dim; ++axis)
+      for (std::size_t k = 0; k < n; ++k) {
+        value[as_index(axis)][k] = Line::value(Line::node, k, xi[axis]);
+        slope[as_index(axis)][k] = Line::slope(Line::node, k, xi[axis]);
+      }
+    for (int a = 0; a < N; ++a) {
+      const Place X = Eigen::Map<const Place>(mesh.x[as_index(node[a])].data());
+      const auto product = [&](int sloped) {
+        double of_all = 1;
+        for (int axis = 0; axis < Dim; ++axis)
+          of_all *= (axis == sloped ? slope : value)[as_index(axis)][as_index(index_along(axis, a, n))];
+        return of_all;
+      };
+      shape[as_index(a)] = product(-1);
+      off -= shape[as_index(a)] * X;
+      for (int axis = 0; axis < Dim; ++axis) G.col(axis) += product(axis) * X;
+    }
+    const Place step = G.partialPivLu().solve(off);
+    if (step.norm() < 1e-12) break;
+    xi += step;
+  }
+  if (!(xi.cwiseAbs().maxCoeff() < 1 + edge)) return {};
+  std::vector<PointWeight> weights;
+  for (int a = 0; a < N; ++a)
+    if (std::abs(shape[as_index(a)]) > 1e-9) weights.push_back({node[a], shape[as_index(a)]});
+  return weights;
+}
+
+}  // namespace
+
+InitialParticles make_element_nodes(const Scene& scene) {
+  if (scene.jitter.share > 0)
+    throw SceneError("jitter",
+                     "a finite-element mesh has no jitter; remove it or use a method with particles");
+  InitialParticles layout;
+  layout.dim = layout.mesh.dim = scene.dim;
+  layout.mesh.order = scene.element_order;
+  layout.first.push_back(0);
+  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) BodyNodes(scene, b, layout).add();
+  if (has_displacements(scene))
+    for (int i = 0; i < layout.size(); ++i)
+      layout.start.push_back(
+          displaced(scene.bodies[as_index(layout.body[as_index(i)])], layout.x[as_index(i)]));
+  if (std::ranges::count(layout.guided, 0) == layout.size()) layout.guided.clear();
+  refuse_overlap(layout, scene);
+  return layout;
+}
+
+std::vector<double> load_weights(const Load& load, const Body& body, const InitialParticles& initial,
+                                 int index) {
+  const ElementMesh& mesh = initial.mesh;
+  std::vector<double> weight(initial.x.size());
+  const int each = mesh.nodes_of_each();
+  std::vector<double> share(mesh.node.size());  // of a node's cells in the element
+  std::vector<std::vector<std::vector<int>>> of_load(as_index(mesh.size()));  // [element] loaded cells
+  std::vector<double> cells(as_index(each));
+  for (const std::vector<int>& cell : cells_of_element(mesh))
+    for (const int a : cell) ++cells[as_index(a)];
+  for_each_cell_in(load.where, mesh, [&](int e, const std::vector<int>& cell) {
+    if (mesh.body[as_index(e)] != index) return;
+    of_load[as_index(e)].push_back(cell);
+    for (const int a : cell) share[as_index(each * e + a)] += 1 / cells[as_index(a)];
+  });
+  if (load.kind != Load::Kind::traction) {
+    for (std::size_t k = 0; k < mesh.node.size(); ++k) {
+      const auto node = as_index(mesh.node[k]);
+      const bool counts = initial.body[node] == index && contains(load.where, initial.x[node]);
+      weight[node] += mesh.volume[k] * (body.on_boundary ? double(counts) : share[k]);
+    }
+    return weight;
+  }
+  std::vector<MeshFacet> facets = boundary_of(mesh);
+  std::erase_if(facets, [&](const MeshFacet& facet) {
+    const auto has_facet = [&](const std::vector<int>& cell) {
+      return std::ranges::all_of(facet.node, [&](int node) {
+        return std::ranges::any_of(
+            cell, [&](int a) { return mesh.node[as_index(each * facet.element + a)] == node; });
+      });
+    };
+    return std::ranges::none_of(of_load[as_index(facet.element)], has_facet);
+  });
+  std::array<int, 6> count{};
+  for (const MeshFacet& facet : facets) ++count[as_index(facet.side)];
+  const int side = static_cast<int>(std::ranges::max_element(count) - count.begin());
+  for (const MeshFacet& facet : facets) {
+    if (facet.side != side) continue;
+    const auto at = [&](std::size_t k) { return mesh.x[as_index(facet.node[k])]; };
+    const std::size_t corners = mesh.dim == 2 ? 2 : 4;
+    const double area = mesh.dim == 2 ? distance_between(at(0), at(1), 2)
+                                      : distance_between(vector_area({at(0), at(1), at(2), at(3)}), {}, 3);
+    for (std::size_t k = 0; k < corners; ++k)
+      weight[as_index(facet.node[k])] += area / static_cast<double>(corners);
+  }
+  return weight;
+}
+
+std::vector<PointWeight> point_in_element(const InitialParticles& initial, int body, const Point& at) {
+  const ElementMesh& mesh = initial.mesh;
+  const auto each = as_index(mesh.nodes_of_each());
+  for (int e = 0; e < mesh.size(); ++e) {
+    if (mesh.body[as_index(e)] != body) continue;
+    double radius = 0;
+    for (std::size_t k = 0; k < each; ++k)
+      radius = std::max(radius, distance_between(mesh.x[as_index(mesh.node[as_index(e) * each + k])],
+                                                 mesh.middle[as_index(e)], mesh.dim));
+    if (distance_between(at, mesh.middle[as_index(e)], mesh.dim) > 1.01 * radius) continue;
+    std::vector<PointWeight> found = with_order(mesh.order, [&](auto n) {
+      return mesh.dim == 2 ? shapes_at<n, 2>(mesh, e, at) : shapes_at<n, 3>(mesh, e, at);
+    });
+    if (!found.empty()) return found;
+  }
+  return {};
+}
+
+}  // namespace taut

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/methods/finite_elements/formulation.hpp"
+
+namespace taut {
+
+/// Data that both orders share. `cfl` is relative to the greatest step of linear elements.
+constexpr Formulation finite_elements_of(Formulation m) {
+  m.deviator = Deviator::plane_strain;
+  m.contact = ContactLaw::surface;
+  m.several_materials = true;
+  m.cfl = 0.8;
+  return m;
+}
+
+inline constexpr FiniteElementFormulation fe1{
+    finite_elements_of({
+        .name = "fe1",
+        .paper = "Hughes1980",
+        .summary = "finite elements for comparison: four nodes, in 3D eight, with mean dilatation",
+        .conserves = "linear momentum, angular momentum, energy",
+        .family = Family::finite_elements,
+        .element_order = 1,
+    }),
+    {.law = Law::neo_hookean, .others = OtherLaws::all}};
+
+inline constexpr FiniteElementFormulation fe2{
+    finite_elements_of({
+        .name = "fe2",
+        .paper = "Hughes1980",
+        .summary = "finite elements for comparison: nine nodes, in 3D 27, with linear dilatation",
+        .conserves = "linear momentum, angular momentum, energy",
+        .family = Family::finite_elements,
+        .element_order = 2,
+    }),
+    {.law = Law::neo_hookean, .others = OtherLaws::all}};
+
+namespace finite_elements {
+using Methods = MethodList<fe1, fe2>;
+}
+
+}  // namespace taut

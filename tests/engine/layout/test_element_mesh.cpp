@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "engine/error.hpp"
+#include "engine/layout/element_nodes.hpp"
+#include "engine/layout/surface_mesh.hpp"
+#include "engine/scene/shapes/ellipse.hpp"
+#include "engine/scene/shapes/polygon.hpp"
+#include "engine/scene/shapes/turned.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/scenes.hpp"
+
+namespace of_this_file {
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Scene scene_of(int dim, int order, std::vector<Shape> shapes, double dp = 0.1) {
+  Scene scene;
+  scene.dim = dim;
+  scene.spacing = dp;
+  scene.element_order = order;
+  scene.materials = {ring_rubber()};
+  Body body;
+  body.name = "body";
+  body.shapes = std::move(shapes);
+  scene.bodies = {body};
+  return scene;
+}
+
+double volume_of(const InitialParticles& nodes) {
+  return std::accumulate(nodes.V0.begin(), nodes.V0.end(), 0.0);
+}
+
+/// ∮ x·n dA/dim over the faces, by facets.
+double enclosed(const InitialParticles& nodes) {
+  double sum = 0;
+  for (const MeshFacet& facet : boundary_of(nodes.mesh)) {
+    const auto at = [&](std::size_t k) { return nodes.x[static_cast<std::size_t>(facet.node[k])]; };
+    Point out{}, middle{};
+    if (nodes.dim == 2) {
+      out = {at(1)[1] - at(0)[1], at(0)[0] - at(1)[0], 0};
+      for (std::size_t k = 0; k < 2; ++k) middle[k] = 0.5 * (at(0)[k] + at(1)[k]);
+    } else {
+      out = vector_area({at(0), at(1), at(2), at(3)});
+      for (std::size_t k = 0; k < 3; ++k) middle[k] = 0.25 * (at(0)[k] + at(1)[k] + at(2)[k] + at(3)[k]);
+    }
+    for (std::size_t k = 0; k < 3; ++k) sum += (facet.inverted ? -1 : 1) * out[k] * middle[k] / nodes.dim;
+  }
+  return sum;
+}
+
+struct Case {
+  int dim;
+  Shape shape;
+  double volume;  // exact
+};
+
+std::vector<Case> cases() {
+  const auto ball = [](double r) { return 4 * pi / 3 * r * r * r; };
+  return {{2, Box{{0.2, 0.1, 0}, {1.3, 0.8, 0}}, 0.77},
+          {2, Disc{{2, 1, 0}, 0.7}, pi * 0.49},
+          {2, Ellipse{{2, 1, 0}, {0.7, 0.5, 1}}, pi * 0.35},
+          {2, Ring{{2, 1, 0}, 0.5, 0.8}, pi * (0.64 - 0.25)},
+          {3, Box{{0.2, 0.1, 0}, {1.3, 0.8, 0.5}}, 0.385},
+          {3, Disc{{2, 1, 0}, 0.7}, ball(0.7)},
+          {3, Ring{{2, 1, 0}, 0.5, 0.8}, ball(0.8) - ball(0.5)},
+          {3, Cylinder{{0, 0, 0}, {1, 0.5, 0.2}, 0.4}, pi * 0.16 * std::sqrt(1.29)},
+          {3, Cylinder{{0, 0, 0}, {0, 0, 1}, 0.5, 0.3}, pi * 0.16},
+          {3, Turned{Box{{0, 0, 0}, {1, 0.5, 0.5}}, Rotation{{0, 0, 1}, {}, 30}}, 0.25}};
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("element mesh: the volume of each shape is exact or converges, and all masses are positive") {
+    for (const Case& one : cases())
+      for (const int order : {1, 2}) {
+        CAPTURE(one.volume);
+        CAPTURE(one.dim);
+        CAPTURE(order);
+        const auto error = [&](double dp) {
+          const InitialParticles nodes = make_initial_particles(scene_of(one.dim, order, {one.shape}, dp));
+          CHECK(std::ranges::min(nodes.V0) > 0);
+          return std::abs(volume_of(nodes) / one.volume - 1);
+        };
+        const double coarse = error(0.1), fine = error(0.05);
+        const bool is_straight = coarse < 1e-12;
+        CHECK(is_straight == (one.shape.as<Box>() != nullptr || one.shape.as<Turned>() != nullptr));
+        if (!is_straight) {
+          CHECK(coarse < (order == 1 ? 0.05 : 0.003));
+          CHECK(fine < (order == 1 ? 0.35 : 0.12) * coarse);  // orders 2 and 4
+        }
+      }
+  }
+
+  TEST_CASE("element mesh: faces are closed and point outwards, also in mirrored bodies") {
+    for (const Case& one : cases())
+      for (const int order : {1, 2})
+        for (const bool mirrored : {false, true}) {
+          CAPTURE(one.volume);
+          CAPTURE(order);
+          Scene scene = scene_of(one.dim, order, {one.shape});
+          scene.bodies[0].mirror[0] = mirrored;
+          const InitialParticles nodes = make_initial_particles(scene);
+          // facets are flat, elements of order 2 are not
+          CHECK(enclosed(nodes) == relative(volume_of(nodes), order == 1 ? 1e-2 : 5e-2));
+          if (one.dim == 2) CHECK(enclosed(nodes) > 0.9 * one.volume);
+        }
+  }
+
+  TEST_CASE("element mesh: a union of boxes has grid lines through all faces, and cut-outs are empty") {
+    for (const int order : {1, 2}) {
+      Scene scene = scene_of(2, order, {Box{{0, 0, 0}, {1, 0.33, 0}}, Box{{0.7, -0.2, 0}, {1.27, 0.4, 0}}});
+      scene.bodies[0].without = {Box{{0.9, 0, 0}, {1.0, 0.1, 0}}};
+      const InitialParticles nodes = make_initial_particles(scene);
+      CHECK(volume_of(nodes) == relative(0.33 + 0.57 * 0.6 - 0.3 * 0.33 - 0.01));
+      CHECK(enclosed(nodes) == relative(volume_of(nodes)));
+    }
+  }
+
+  TEST_CASE(
+      "element mesh: a shape without mesh and jitter are refused, and the message names shapes with a mesh") {
+    const Polygon triangle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
+    const Scene scene = scene_of(2, 1, {triangle});
+    CHECK_THROWS_WITH_AS(make_initial_particles(scene),
+                         doctest::Contains("shapes with a mesh: disc, ellipse, ring"), SceneError);
+    Scene both = scene_of(3, 2, {Disc{{}, 1}, Box{{0, 0, 0}, {2, 1, 1}}});
+    CHECK_THROWS_WITH_AS(make_initial_particles(both), doctest::Contains("unions and cut-outs of boxes"),
+                         SceneError);
+    Scene shaken = scene_of(2, 1, {Disc{{}, 1}});
+    shaken.jitter.share = 0.1;
+    CHECK_THROWS_WITH_AS(make_initial_particles(shaken), doctest::Contains("jitter"), SceneError);
+  }
+
+  TEST_CASE("element mesh: a region contains the nodes of the elements whose middles it contains") {
+    Scene scene = scene_of(2, 1, {Box{{-0.3, 0, 0}, {1, 0.3, 0}}});
+    scene.bodies[0].clamped = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
+    const InitialParticles nodes = make_initial_particles(scene);
+    for (int i = 0; i < nodes.size(); ++i) CHECK(bool(nodes.clamped[i]) == (nodes.x[i][0] < 1e-9));
+    scene.bodies[0].clamped = [](const Point& x) { return x[0] < -0.26 ? 1.0 : 0.0; };
+    CHECK_THROWS_WITH_AS(make_initial_particles(scene), doctest::Contains("no element"), SceneError);
+  }
+
+  TEST_CASE("element mesh: a traction acts on the face of its layer, a force on the whole region") {
+    for (const int order : {1, 2}) {
+      Scene scene = scene_of(3, order, {Box{{0, 0, 0}, {1, 0.4, 0.4}}});
+      const InitialParticles nodes = make_initial_particles(scene);
+      Load load{.where = [](const Point& x) { return x[0] > 0.8 ? 1.0 : 0.0; },
+                .kind = Load::Kind::traction,
+                .value = {},
+                .ramp = {}};
+      const std::vector<double> area = load_weights(load, scene.bodies[0], nodes, 0);
+      CHECK(std::accumulate(area.begin(), area.end(), 0.0) == relative(0.16));
+      for (int i = 0; i < nodes.size(); ++i) CHECK((area[i] > 0) == (nodes.x[i][0] > 0.999));
+      load.kind = Load::Kind::force;
+      const std::vector<double> volume = load_weights(load, scene.bodies[0], nodes, 0);
+      CHECK(std::accumulate(volume.begin(), volume.end(), 0.0) == relative(0.2 * 0.16));
+    }
+  }
+
+  TEST_CASE("element mesh: shape functions at a point reproduce it") {
+    for (const Case& one : cases())
+      for (const int order : {1, 2}) {
+        const InitialParticles nodes = make_initial_particles(scene_of(one.dim, order, {one.shape}));
+        const Point at = nodes.mesh.middle[3];
+        const std::vector<PointWeight> point = point_in_element(nodes, 0, at);
+        REQUIRE(!point.empty());
+        Point found{};
+        for (const PointWeight& w : point)
+          for (std::size_t k = 0; k < 3; ++k) found[k] += w.weight * nodes.x[w.particle][k];
+        CHECK(distance_between(found, at, one.dim) < 1e-9);
+        CHECK(point_in_element(nodes, 0, {9, 9, 9}).empty());
+      }
+  }
+}
+
+}  // namespace of_this_file
