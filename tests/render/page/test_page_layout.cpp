@@ -56,6 +56,30 @@ TEST_SUITE("unit") {
     CHECK(make_layout(640, 360, view, true, room_of_bar, {.font = all.font}).plot.width == all.plot.width);
   }
 
+  TEST_CASE("a colour bar left of the plot or below it, and axes below, leave room to each other") {
+    const View view{0, 1, 0, 1};
+    const PageLayout all = make_layout(640, 360, view);
+    const auto with = [&](const PageTexts& texts) {
+      return make_layout(640, 360, view, true, room_of_bar, texts);
+    };
+    const PageLayout left = with({.bar = BarPosition::left});
+    CHECK(left.key.x == all.plot.x);
+    CHECK(left.key.x + left.key.width < left.plot.x);
+    CHECK(left.plot.width == all.plot.width);
+    CHECK(left.left == all.left);
+    const PageLayout below = with({.bar = BarPosition::bottom});
+    CHECK(below.plot.width > all.plot.width + 5 * all.font);
+    CHECK(below.plot.y + below.plot.height + 2 * all.font < below.key.y);  // for the scale bar
+    CHECK(below.key.y + below.key.height == 360);
+    CHECK(below.key.width == below.plot.width);
+    const PageLayout axes = with({.axes_outside = true});
+    CHECK(axes.plot.height < all.plot.height - 2 * all.font);
+    CHECK(with({.parts = {.axes = false}, .axes_outside = true}).plot.height == all.plot.height);
+    const PageLayout both = with({.bar = BarPosition::bottom, .axes_outside = true});
+    CHECK(both.plot.height == below.plot.height);
+    CHECK(both.key.x + both.key.width < both.plot.x + both.plot.width - 5 * all.font);
+  }
+
   TEST_CASE("plot and colour bar lie in the picture, side by side, at any size") {
     for (int width = least_size; width <= greatest_size; width += width / 7) {
       for (int height = least_size; height <= greatest_size; height += height / 7) {
