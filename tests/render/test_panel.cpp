@@ -153,14 +153,16 @@ TEST_SUITE("image") {
     const Found low = find_color(shared, options.look.colormap->at(0), shared.width);
     const Found high = find_color(shared, options.look.colormap->at(1), shared.width);
     CHECK(low.left < high.left);
-    options.beside.front().look.range = {0, 10};
+    options.beside.front().look.range = {-9, 1};
     options.beside.front().look.colormap = find_colormap("inferno");
     options.beside.front().field = "pressure";
     const Image own = drawn(options);
     CHECK(own.width > shared.width + 60);  // a second bar
     CHECK(own.height == shared.height);
-    // 1 is a dark colour of the second block's range
-    CHECK(find_color(own, find_colormap("inferno")->at(0.1), own.width).left > own.width / 2);
+    const int before_bar = own.width - 150;
+    const Found second = find_color(own, find_colormap("inferno")->at(1), before_bar);
+    CHECK(second.left > own.width / 2);
+    CHECK(second.right > second.left);
     for (const BarPosition bar : {BarPosition::left, BarPosition::bottom}) {
       options.look.texts.bar = bar;
       CHECK_FALSE(same(drawn(options), own));

@@ -62,8 +62,7 @@ TEST_SUITE("unit") {
     // wider steps, then further decimals
     CHECK(labels(nice_ticks(0, 2e6, "Pa", 5, none)) == "0 1 2 MPa");
     CHECK(labels(nice_ticks(0, 0.6, "", 5, none)) == "0.0 0.2 0.4 0.6 ");
-    CHECK(labels(nice_ticks(1.15e6, 1.4e6, "Pa", 5, NumberFormat{0, true})) ==
-          "1.15×10⁶ 1.20×10⁶ 1.25×10⁶ 1.30×10⁶ 1.35×10⁶ Pa");
+    CHECK(labels(nice_ticks(1.15e6, 1.4e6, "Pa", 5, NumberFormat{0, true})) == "1.2×10⁶ 1.3×10⁶ 1.4×10⁶ Pa");
   }
 
   TEST_CASE("a range without extent has no ticks") {
