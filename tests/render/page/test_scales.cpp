@@ -84,7 +84,7 @@ TEST_SUITE("image") {
     with.texts.bar = BarPosition::bottom;
     const PageLayout layout = make_layout(640, 360, unit_view, true, room_of_bar, with.texts);
     const Image image = Renderer(with).draw(particles.frame());
-    const int row = layout.key.y + 3, end = layout.key.x + layout.key.width;
+    const int row = layout.key.y, end = layout.key.x + layout.key.width;  // above the points of the arrows
     int lowest = 0, highest = 0;
     for (int column = 0; column < 640; ++column) {
       if (image.at(column, row) == with.colormap->at(0) && lowest == 0) lowest = column;
