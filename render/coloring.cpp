@@ -33,11 +33,13 @@ std::array<Rgb, 256> colors_of(const Look& look, const Range& range) {
 }
 
 ColorKey key_of(const Look& look) {
+  const bool across = look.texts.bar == BarPosition::bottom;
   if (const auto range = range_of(look))
-    return ColorKey(ColorBar(range->low, range->high, colors_of(look, *range), not_a_number_color));
+    return ColorKey(ColorBar(range->low, range->high, colors_of(look, *range), not_a_number_color,
+                             look.bar_format, across));
   std::vector<Legend::Entry> entries;
   for (const std::string& name : look.categories) entries.push_back({name, category_color(entries.size())});
-  return ColorKey(Legend(std::move(entries)));
+  return ColorKey(Legend(std::move(entries), across));
 }
 
 }  // namespace

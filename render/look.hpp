@@ -6,6 +6,7 @@
 
 #include "render/camera.hpp"
 #include "render/colormap.hpp"
+#include "render/page/ticks.hpp"
 
 namespace taut::render {
 
@@ -38,6 +39,7 @@ struct Look {
   std::optional<Size> size = Size{};   // least_size to greatest_size
   bool bare = false;
   PageTexts texts{};
+  NumberFormat bar_format{};
   double glyph = 1;        // drawn / true diameter
   Rgb background = white;  // texts contrast with it
   bool transparent = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 #include "engine/error.hpp"
 #include "render/coloring.hpp"
@@ -37,50 +38,99 @@ int pixels(double length) { return static_cast<int>(std::lround(length)); }
 
 struct Grid {
   double em = own_font;
-  int columns = 0, rows = 0;
-  int left = 0, top = 0, right = 0, bottom = 0;
+  int blocks = 1, columns = 0, rows = 0;  // columns of a block
+  std::vector<int> spaces{};              // left of, between and right of the blocks
+  int top = 0, bottom = 0;
   int gap_size = 0;
   int cell_width = 0, cell_height = 0;
 
   Rect cell(int column, int row) const {
-    return {left + column * (cell_width + gap_size), top + row * (cell_height + gap_size), cell_width,
-            cell_height};
+    const int block = column / columns;
+    return {left_of(block) + (column - block * columns) * (cell_width + gap_size),
+            top + row * (cell_height + gap_size), cell_width, cell_height};
   }
-  int grid_width() const { return columns * cell_width + (columns - 1) * gap_size; }
+  int block_width() const { return columns * cell_width + (columns - 1) * gap_size; }
+  int left_of(int block) const {
+    return std::accumulate(spaces.begin(), spaces.begin() + block + 1, 0) + block * block_width();
+  }
+  int right_of(int block) const { return left_of(block) + block_width(); }
+  int width() const { return right_of(blocks - 1) + spaces.back(); }
   int grid_height() const { return rows * cell_height + (rows - 1) * gap_size; }
+
+  int all_columns() const { return blocks * columns; }
+  /// Width of cells in a grid of `width` pixels.
+  int cell_width_in(int width) const {
+    const int taken = std::accumulate(spaces.begin(), spaces.end(), 0) + blocks * (columns - 1) * gap_size;
+    return (width - taken) / all_columns();
+  }
 };
+
+std::vector<PanelBlock> blocks_of(const PanelOptions& options) {
+  std::vector<PanelBlock> blocks{options};
+  for (PanelBlock block : options.beside) {
+    block.look.texts = options.look.texts;
+    block.look.background = options.look.background, block.look.transparent = options.look.transparent;
+    blocks.push_back(std::move(block));
+  }
+  return blocks;
+}
+
+bool same_colors(const PanelBlock& a, const PanelBlock& b) {
+  return a.field == b.field && a.unit == b.unit && a.look.range == b.look.range &&
+         a.look.colormap == b.look.colormap && a.look.categories == b.look.categories &&
+         a.look.bar_format == b.look.bar_format;
+}
 
 /// Margins of a grid without cells; no texts if bare.
 Grid empty_grid(const PanelOptions& options, double em) {
   Grid grid;
   grid.em = em;
+  grid.blocks = static_cast<int>(options.beside.size()) + 1;
   grid.columns = static_cast<int>(options.columns.size());
   grid.rows = static_cast<int>(options.rows.size());
   grid.gap_size = pixels(gap * em);
-  if (options.look.bare) {
-    grid.left = grid.top = grid.right = grid.bottom = grid.gap_size;
-    return grid;
-  }
+  grid.spaces.assign(options.beside.size() + 2, grid.gap_size);
+  grid.top = grid.bottom = grid.gap_size;
+  if (options.look.bare) return grid;
   const bool notes = std::ranges::any_of(options.columns, [](const Heading& h) { return !h.note.empty(); });
-  const TextParts& parts = options.look.texts.parts;
+  const PageTexts& texts = options.look.texts;
+  const TextParts& parts = texts.parts;
   const bool title = (parts.title && !options.title.empty()) || (parts.method && !options.note.empty());
-  grid.left = pixels((margin + (parts.time ? row_label : 0)) * em);
   grid.top = pixels((0.4 + (title ? title_height : 0) + heading_height + (notes ? note_height : 0)) * em);
-  grid.bottom = pixels((parts.scale ? footer : margin) * em);
+  double below = parts.scale ? footer : margin;
+  if (texts.has_bar(BarPosition::bottom)) below += room_of_bar_below;
+  if (texts.axes_outside && parts.axes) below = std::max(below, room_of_axes);
+  grid.bottom = pixels(below * em);
   return grid;
 }
 
-double key_width(const PanelOptions& options, const Grid& grid) {
-  return Coloring(options.look).key().width(grid.grid_height(), grid.em, options.unit);
+/// em; 0 if another block's key is for both: in consecutive blocks of equal colours, the last one has the key, or, on
+/// the left, the first one.
+double key_width(const std::vector<PanelBlock>& blocks, std::size_t k, const Grid& grid) {
+  const PanelBlock& block = blocks[k];
+  const bool left = block.look.texts.bar == BarPosition::left;
+  const std::size_t next = left ? k - 1 : k + 1;  // wraps around for the first one
+  if (next < blocks.size() && same_colors(block, blocks[next])) return 0;
+  return Coloring(block.look).key().width(grid.grid_height(), grid.em, block.unit);
 }
 
-void make_room_for_key(Grid& grid, const PanelOptions& options) {
+void make_room_for_keys(Grid& grid, const PanelOptions& options) {
   if (options.look.bare) return;
-  if (!options.look.texts.parts.bar) {
-    grid.right = pixels(margin * grid.em);
-    return;
+  const PageTexts& texts = options.look.texts;
+  const std::vector<PanelBlock> blocks = blocks_of(options);
+  const double em = grid.em, labels = margin + (texts.parts.time ? row_label : 0);
+  grid.spaces.assign(blocks.size() + 1, pixels(2 * gap * em));
+  grid.spaces.front() = pixels(labels * em), grid.spaces.back() = pixels(margin * em);
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    if (!texts.has_bar(BarPosition::right) && !texts.has_bar(BarPosition::left)) continue;
+    const double wide = key_width(blocks, k, grid);
+    if (wide == 0) continue;
+    const double room = margin + wide + key_margin + 0.15;
+    if (texts.has_bar(BarPosition::left))
+      grid.spaces[k] = pixels((room + (k == 0 ? labels - margin : 0)) * em);
+    else
+      grid.spaces[k + 1] = pixels((room + (k + 1 < blocks.size() ? gap : 0)) * em);
   }
-  grid.right = pixels((margin + key_width(options, grid) + key_margin + 0.15) * grid.em);
 }
 
 double font_or(const PanelOptions& options, double by_default) {
@@ -92,16 +142,16 @@ Grid grid_of_width(const PanelOptions& options) {
   Grid grid = empty_grid(options, font_or(options, own_font));
   const View view = options.look.view.value();
   const double aspect = (view.y_max - view.y_min) / (view.x_max - view.x_min);
-  grid.cell_height = pixels(aspect * options.width / grid.columns);
+  grid.cell_height = pixels(aspect * options.width / grid.all_columns());
   for (int pass = 0; pass < 2; ++pass) {
-    make_room_for_key(grid, options);
-    grid.cell_width =
-        (options.width - grid.left - grid.right - (grid.columns - 1) * grid.gap_size) / grid.columns;
+    make_room_for_keys(grid, options);
+    grid.cell_width = grid.cell_width_in(options.width);
     grid.cell_height = pixels(grid.cell_width * aspect);
   }
   if (grid.cell_width < least_size || grid.cell_height < least_size)
     throw UsageError("a panel " + std::to_string(options.width) + " pixels wide has no room for " +
-                     std::to_string(grid.columns) + " columns of pictures; use a larger --width or --dpi");
+                     std::to_string(grid.all_columns()) +
+                     " columns of pictures; use a larger --width or --dpi");
   return grid;
 }
 
@@ -110,12 +160,12 @@ Grid own_grid(const PanelOptions& options) {
   Grid grid = empty_grid(options, font_or(options, own_font));
   const View view = options.look.view.value();
   const double aspect = (view.y_max - view.y_min) / (view.x_max - view.x_min);
-  const double width = std::min(
-      {most_cell, most_cell / aspect, most_grid_width / grid.columns, most_grid_height / grid.rows / aspect});
+  const double width = std::min({most_cell, most_cell / aspect, most_grid_width / grid.all_columns(),
+                                 most_grid_height / grid.rows / aspect});
   const double least_height = (least_bar * grid.em - (grid.rows - 1) * grid.gap_size) / grid.rows;
   grid.cell_width = std::max(pixels(width), least_size);
   grid.cell_height = std::max({pixels(width * aspect), pixels(least_height), least_size});
-  make_room_for_key(grid, options);
+  make_room_for_keys(grid, options);
   return grid;
 }
 
@@ -125,22 +175,22 @@ Grid fitted_grid(const PanelOptions& options) {
       options,
       font_or(options, std::max(9.0, own_font * std::sqrt(size.width / 1280.0 * size.height / 720.0))));
   grid.cell_height = (size.height - grid.top - grid.bottom - (grid.rows - 1) * grid.gap_size) / grid.rows;
-  make_room_for_key(grid, options);
-  grid.cell_width = (size.width - grid.left - grid.right - (grid.columns - 1) * grid.gap_size) / grid.columns;
+  make_room_for_keys(grid, options);
+  grid.cell_width = grid.cell_width_in(size.width);
   if (grid.cell_width < least_size || grid.cell_height < least_size)
     throw UsageError("a panel of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
-                     " pixels is too small for " + std::to_string(grid.columns) + " x " +
+                     " pixels is too small for " + std::to_string(grid.all_columns()) + " x " +
                      std::to_string(grid.rows) + " pictures; use a larger --size");
   return grid;
 }
 
 Image empty_image(const PanelOptions& options, const Grid& grid) {
   if (const auto& size = options.look.size) return {size->width, size->height};
-  const int width = options.width > 0 ? options.width : grid.left + grid.grid_width() + grid.right,
+  const int width = options.width > 0 ? options.width : grid.width(),
             height = grid.top + grid.grid_height() + grid.bottom;
   constexpr double most_pixels = 8192.0 * 8192.0;
   if (static_cast<double>(width) * height > most_pixels)
-    throw UsageError("a panel of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
+    throw UsageError("a panel of " + std::to_string(grid.all_columns()) + " x " + std::to_string(grid.rows) +
                      " pictures would have " + std::to_string(width) + " x " + std::to_string(height) +
                      " pixels; at most 67 million are allowed, such as 8192 x 8192: use fewer runs or times");
   return {width, height};
@@ -166,32 +216,40 @@ void copy_into(Image& image, const Rect& place, const Image& picture) {
 }  // namespace
 
 struct Panel::Parts {
+  struct Block {
+    PanelBlock about;
+    Renderer renderer;
+    OffScale off_scale{};
+  };
   PanelOptions options;
   Grid grid;
   Image image;
   Canvas canvas;
-  Renderer renderer;
-  ColorKey key;
-  OffScale off_scale;
+  std::vector<Block> blocks;
 
   explicit Parts(const PanelOptions& options_)
       : options(options_),
         grid(options.look.size ? fitted_grid(options) : own_grid(options)),
         image(transparent_or_not(empty_image(options, grid), options.look.transparent)),
-        canvas(image, options.look.background),
-        renderer(look_of_cells(options.look, grid)),
-        key(Coloring(options.look).key()) {
+        canvas(image, options.look.background) {
+    for (const PanelBlock& block : blocks_of(options))
+      blocks.push_back({block, Renderer(look_of_cells(block.look, grid))});
     image.fill(options.look.background);
+  }
+  Block& block_of(int column) { return blocks[static_cast<std::size_t>(column / grid.columns)]; }
+  double pixels_per_metre(const Block& block) const {
+    return make_layout(grid.cell_width, grid.cell_height, *block.about.look.view, false).pixels_per_metre;
   }
   void draw_frames();
   void draw_headings();
   void draw_row_labels();
-  void draw_key();
+  void draw_keys();
+  void draw_scales();
 };
 
 void Panel::Parts::draw_frames() {
   canvas.gray(frame_gray);
-  for (int column = 0; column < grid.columns; ++column) {
+  for (int column = 0; column < grid.all_columns(); ++column) {
     for (int row = 0; row < grid.rows; ++row) {
       const Rect cell = grid.cell(column, row);
       canvas.fill(cell.x - 1, cell.y - 1, cell.width + 2, 1);
@@ -207,8 +265,8 @@ void Panel::Parts::draw_headings() {
   const bool notes = std::ranges::any_of(options.columns, [](const Heading& h) { return !h.note.empty(); });
   const double note_line = grid.top - 0.6 * em;
   const double title_line = note_line - (notes ? note_height * em : 0);
-  for (int column = 0; column < grid.columns; ++column) {
-    const Heading& heading = options.columns[static_cast<std::size_t>(column)];
+  for (int column = 0; column < grid.all_columns(); ++column) {
+    const Heading& heading = options.columns[static_cast<std::size_t>(column % grid.columns)];
     const Rect cell = grid.cell(column, 0);
     const double middle = cell.x + 0.5 * cell.width;
     canvas.use(Weight::bold, em);
@@ -227,23 +285,61 @@ void Panel::Parts::draw_row_labels() {
     const Rect cell = grid.cell(0, row);
     canvas.turned_text(
         canvas.fitted(options.rows[static_cast<std::size_t>(row)], cell.height + grid.gap_size),
-        grid.left - 0.7 * grid.em, cell.y + 0.5 * cell.height);
+        grid.left_of(0) - 0.7 * grid.em, cell.y + 0.5 * cell.height);
   }
 }
 
-void Panel::Parts::draw_key() {
-  const Rect room{grid.left + grid.grid_width() + pixels(margin * grid.em), grid.top,
-                  pixels(key_width(options, grid) * grid.em), grid.grid_height()};
-  key.draw(canvas, room, grid.em, options.field, options.unit);
-  key.draw_off_scale(canvas, room, grid.em, off_scale);
+/// One for consecutive blocks with equal colours.
+void Panel::Parts::draw_keys() {
+  const PageTexts& texts = options.look.texts;
+  const int gap_of_key = pixels(margin * grid.em);
+  OffScale off_scale;
+  for (int k = 0, first = 0; k < grid.blocks; ++k) {
+    const Block& block = blocks[static_cast<std::size_t>(k)];
+    off_scale |= block.off_scale;
+    if (k + 1 < grid.blocks && same_colors(block.about, blocks[static_cast<std::size_t>(k) + 1].about))
+      continue;
+    ColorKey key = Coloring(block.about.look).key();
+    Rect room{grid.right_of(k) + gap_of_key, grid.top, 0, grid.grid_height()};
+    room.width = pixels(key.width(room.height, grid.em, block.about.unit) * grid.em);
+    if (texts.has_bar(BarPosition::left))
+      room.x = first == 0 ? gap_of_key : grid.right_of(first - 1) + gap_of_key;
+    if (texts.has_bar(BarPosition::bottom)) {
+      const int high = pixels(room_of_bar_below * grid.em);
+      const int axes = texts.axes_outside && texts.parts.axes ? pixels(room_of_axes * grid.em) : 0;
+      room = {grid.left_of(first), image.height - high, grid.right_of(k) - grid.left_of(first) - axes, high};
+    }
+    key.draw(canvas, room, grid.em, block.about.field, block.about.unit);
+    key.draw_off_scale(canvas, room, grid.em, off_scale);
+    first = k + 1, off_scale = {};
+  }
+}
+
+/// Scale bar and axes of the first block, and of others that differ in scale or camera.
+void Panel::Parts::draw_scales() {
+  const TextParts& shown = options.look.texts.parts;
+  for (int k = 0; k < grid.blocks; ++k) {
+    const Block &block = blocks[static_cast<std::size_t>(k)],
+                &before = blocks[static_cast<std::size_t>(std::max(k - 1, 0))];
+    const auto &camera = block.about.look.camera, &camera_before = before.about.look.camera;
+    const double scale = pixels_per_metre(block);
+    if (shown.scale && (!camera || camera->field_of_view == 0) &&
+        (k == 0 || scale != pixels_per_metre(before) || camera != camera_before))
+      draw_scale_bar(canvas, grid.cell(k * grid.columns, grid.rows - 1), scale, grid.em);
+    if (camera && shown.axes &&
+        (k + 1 == grid.blocks || camera != blocks[static_cast<std::size_t>(k) + 1].about.look.camera))
+      draw_axes_marker(canvas, grid.cell((k + 1) * grid.columns - 1, grid.rows - 1), marker_of(*camera),
+                       grid.em, options.look.texts.axes_outside);
+  }
 }
 
 Panel::Panel(const PanelOptions& options) : parts_(std::make_unique<Parts>(options)) {}
 Panel::~Panel() = default;
 
 void Panel::draw(int column, int row, const FrameView& particles) {
-  copy_into(parts_->image, parts_->grid.cell(column, row), parts_->renderer.draw(particles));
-  parts_->off_scale |= parts_->renderer.off_scale();
+  Parts::Block& block = parts_->block_of(column);
+  copy_into(parts_->image, parts_->grid.cell(column, row), block.renderer.draw(particles));
+  block.off_scale |= block.renderer.off_scale();
 }
 
 void Panel::write_corner(int column, int row, const std::string& text) {
@@ -268,6 +364,8 @@ void Panel::write_middle(int column, int row, const std::string& text) {
   canvas.end();
 }
 
+std::set<std::string> Panel::cut_texts() const { return parts_->canvas.cut(); }
+
 const Image& Panel::finish() {
   Parts& parts = *parts_;
   const Grid& grid = parts.grid;
@@ -280,16 +378,11 @@ const Image& Panel::finish() {
   }
   const TextParts& shown = parts.options.look.texts.parts;
   draw_title(parts.canvas, shown.title ? parts.options.title : "", shown.method ? parts.options.note : "",
-             grid.left, 2.1 * em, parts.image.width - grid.left - margin * em, em);
+             grid.left_of(0), 2.1 * em, parts.image.width - grid.left_of(0) - margin * em, em);
   parts.draw_headings();
   if (shown.time) parts.draw_row_labels();
-  if (shown.bar) parts.draw_key();
-  const auto& camera = parts.options.look.camera;
-  const PageLayout layout = make_layout(grid.cell_width, grid.cell_height, *parts.options.look.view, false);
-  if (shown.scale && (!camera || camera->field_of_view == 0))
-    draw_scale_bar(parts.canvas, grid.cell(0, grid.rows - 1), layout.pixels_per_metre, em);
-  if (camera && shown.axes)
-    draw_axes_marker(parts.canvas, grid.cell(grid.columns - 1, grid.rows - 1), marker_of(*camera), em);
+  if (shown.bar) parts.draw_keys();
+  parts.draw_scales();
   parts.canvas.end();
   return parts.image;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,26 +17,34 @@ struct Heading {
 };
 
 /// Pictures with equal colours and scales.
-struct PanelOptions {
+struct PanelBlock {
   Look look;  // without a size, the panel is legible at 1:1
-  std::string title, note;
   std::string field, unit;
-  std::vector<Heading> columns;
+};
+
+struct PanelOptions : PanelBlock {
+  std::vector<PanelBlock>
+      beside{};  // the same columns with other looks; size, texts and background do not count
+  std::string title, note;
+  std::vector<Heading> columns;   // of each block
   std::vector<std::string> rows;  // labels, such as "t = 3 ms"
   int width = 0;                  // pixels; 0: legible at 1:1
 };
 
 class Panel {
  public:
-  /// The look must have a view, and a range or categories. Throws UsageError if its size is out of bounds, or too small
-  /// for so many pictures.
+  /// All looks must have a view, and a range or categories. Throws UsageError if its size is out of bounds, or too small
+  /// for so many pictures. Consecutive blocks with equal colours share a bar.
   explicit Panel(const PanelOptions& options);
   ~Panel();
 
+  /// Columns count over all blocks.
   void draw(int column, int row, const FrameView& particles);
   void write_corner(int column, int row, const std::string& text);
   void write_middle(int column, int row, const std::string& text);
   const Image& finish();
+  /// Texts of the finished panel that lack room.
+  std::set<std::string> cut_texts() const;
 
  private:
   struct Parts;

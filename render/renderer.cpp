@@ -121,7 +121,7 @@ struct Renderer::Parts {
   std::optional<Annotation> annotation;
   std::optional<Canvas> canvas;
   Rgb background;
-  bool transparent;
+  bool transparent, bare;
   double glyph;
   std::vector<Dot> discs;
   Solids solids;
@@ -145,11 +145,12 @@ Renderer::Parts::Parts(const Look& look, double until)
       image(look.size->width, look.size->height),
       background(look.background),
       transparent(look.transparent),
+      bare(look.bare),
       glyph(look.glyph),
       solids(layout, glyph) {
   image.transparent = transparent;
   if (look.camera) projection.emplace(*look.camera, *look.view);
-  if (layout.font > 0) annotation.emplace(image, layout, coloring.key(), until, background, texts.parts);
+  if (layout.font > 0) annotation.emplace(image, layout, coloring.key(), until, background, texts);
   if (annotation && look.camera) {
     annotation->show(marker_of(*look.camera));
     if (look.camera->field_of_view > 0) annotation->hide_scale_bar();
@@ -274,6 +275,11 @@ void Renderer::look_from(const Camera& camera, const View& view) {
 }
 
 const OffScale& Renderer::off_scale() const { return parts_->off_scale; }
+
+std::set<std::string> Renderer::cut_texts() const {
+  if (parts_->annotation) return parts_->annotation->cut_texts();
+  return parts_->bare ? std::set<std::string>{} : std::set<std::string>{"any text"};
+}
 
 const Image& Renderer::draw(const FrameView& frame) {
   Parts& parts = *parts_;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <set>
+#include <string>
 
 #include "engine/frame_view.hpp"
 #include "render/image/image.hpp"
@@ -26,6 +28,8 @@ class Renderer {
   /// not finite are omitted.
   const Image& draw(const FrameView& frame);
   const OffScale& off_scale() const;
+  /// Texts of drawn pictures that lack room.
+  std::set<std::string> cut_texts() const;
 
  private:
   struct Parts;

@@ -1,13 +1,17 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ostream>
 #include <span>
+#include <sstream>
+#include <string_view>
 
 #include <fmt/core.h>
 
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/drawing/bounds.hpp"
+#include "cli/drawing/frames.hpp"
 #include "cli/drawing/options.hpp"
 #include "cli/drawing/staging.hpp"
 #include "cli/run/labels.hpp"
@@ -17,6 +21,7 @@
 #include "cli/system/exit_code.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 #include "render/image/png.hpp"
 #include "render/panel.hpp"
@@ -31,12 +36,20 @@ struct CompareArguments : DrawingOptions {
   std::string out;
   std::vector<double> times;  // s
   std::vector<std::string> labels;
+  std::vector<std::string> beside;  // "color=pressure; range=0:1e6"
   bool times_across = false;
 };
 
 struct Column {
   Staging staging;
   std::vector<PanelCell> cells;
+};
+
+/// A column per run, drawn alike.
+struct Block {
+  Drawing drawing;
+  bool bounded = false;  // to the view of the scenes
+  std::vector<Column> columns{};
 };
 
 std::vector<SavedRun> open_runs(const std::vector<std::string>& folders) {
@@ -102,11 +115,60 @@ void check_followed_body(const Drawing& drawing, const std::vector<SavedRun>& ru
   }
 }
 
-/// Any --view overrides the scene's, including `auto`.
-bool is_bounded(const Drawing& drawing, const CompareArguments& options) {
+/// Any chosen view overrides the scene's, including `auto`.
+bool is_bounded(const Drawing& drawing, bool has_chosen_view) {
+  return !has_chosen_view && !drawing.look.view && !drawing.look.camera && !drawing.followed;
+}
+
+constexpr std::array<std::string_view, 14> keys_beside{"color",   "range",  "colormap", "view",      "camera",
+                                                       "up",      "fov",    "style",    "cut",       "hide",
+                                                       "outline", "follow", "glyph",    "bar_format"};
+
+struct Change {
+  const DrawingKey* key;
+  std::string value;
+};
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// "color=pressure; range=0:1e6", `color` first because it resets range and map.
+std::vector<Change> changes_in(const std::string& beside) {
+  std::vector<Change> changes;
+  std::istringstream parts(beside);
+  for (std::string part; std::getline(parts, part, ';');) {
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos)
+      throw UsageError(
+          fmt::format("--beside contains '{}'; it must be KEY=VALUE, such as color=pressure", trimmed(part)));
+    const std::string name = trimmed(part.substr(0, equals));
+    if (std::ranges::find(keys_beside, name) == keys_beside.end())
+      throw UsageError("--beside: " +
+                       unknown_name("drawing option", name, {keys_beside.begin(), keys_beside.end()}));
+    changes.push_back({&drawing_key(name), trimmed(part.substr(equals + 1))});
+  }
+  std::ranges::stable_partition(changes, [](const Change& change) { return change.key->name == "color"; });
+  return changes;
+}
+
+std::vector<Block> make_blocks(const Drawing& first, const CompareArguments& options, const SceneFile& file) {
   const auto typed = options.typed.find("view");
   const bool chosen = typed != options.typed.end() && typed->second;
-  return !chosen && !drawing.look.view && !drawing.look.camera && !drawing.followed;
+  std::vector<Block> blocks{{first, is_bounded(first, chosen)}};
+  for (const std::string& beside : options.beside) {
+    Block block{first};
+    const std::vector<Change> changes = changes_in(beside);
+    for (const Change& change : changes) set_typed(block.drawing, *change.key, change.value);
+    apply_scene(block.drawing, file);
+    block.bounded =
+        is_bounded(block.drawing, chosen || std::ranges::any_of(changes, [](const Change& change) {
+                                    return change.key->name == "view";
+                                  }));
+    blocks.push_back(std::move(block));
+  }
+  return blocks;
 }
 
 Drawing fitted_to(const Drawing& drawing, bool bounded, const std::vector<SavedRun>& runs,
@@ -139,10 +201,10 @@ void warn_about_particles_outside(const render::View& view, const std::vector<Sa
   }
 }
 
-void draw(render::Panel& panel, const std::vector<Column>& columns, bool times_across) {
+void draw(render::Panel& panel, const std::vector<Column>& columns, int first_column, bool times_across) {
   for (int run = 0; const auto& [staging, cells] : columns) {
     for (int time = 0; const PanelCell& cell : cells) {
-      const int column = times_across ? time : run, row = times_across ? run : time;
+      const int column = first_column + (times_across ? time : run), row = times_across ? run : time;
       if (cell.particles) panel.draw(column, row, staging.completed(staging(cell.particles->view())).view());
       if (!cell.particles)
         panel.write_middle(column, row, cell.remark);
@@ -154,16 +216,18 @@ void draw(render::Panel& panel, const std::vector<Column>& columns, bool times_a
   }
 }
 
+render::PanelBlock panel_block(const Drawing& drawing) {
+  const ColorMeaning colors = meaning(drawing);
+  return {sized(drawing).look, std::string(colors.name), std::string(colors.unit)};
+}
+
 render::PanelOptions panel_options(const Drawing& drawing, RunLabels labels) {
   render::PanelOptions panel;
-  panel.look = sized(drawing).look;
+  static_cast<render::PanelBlock&>(panel) = panel_block(drawing);
   if (const auto width = pixels_on_paper(drawing); width && !panel.look.size)
     panel.width = static_cast<int>(std::lround(*width));
   panel.title = drawing.title.value_or(std::move(labels.title));
   panel.note = std::move(labels.note);
-  const ColorMeaning colors = meaning(drawing);
-  panel.field = colors.name;
-  panel.unit = colors.unit;
   panel.columns = std::move(labels.columns);
   return panel;
 }
@@ -176,16 +240,8 @@ void transpose(render::PanelOptions& panel) {
   panel.rows = std::move(runs);
 }
 
-int compare_runs(const CompareArguments& options, Streams streams) {
-  if (!options.labels.empty() && options.labels.size() != options.runs.size())
-    throw UsageError(
-        fmt::format("--labels names {} columns, but there are {} runs; give one label for each run",
-                    options.labels.size(), options.runs.size()));
-  const std::vector<SavedRun> runs = open_runs(options.runs);
-  const Drawing chosen = chosen_drawing(runs, options);
-  check_followed_body(chosen, runs);
-  const double until = longest(runs);
-  const std::vector<double> times = chosen_times(options, until);
+std::vector<Column> make_columns(const Drawing& chosen, const std::vector<SavedRun>& runs,
+                                 const std::vector<double>& times, double until) {
   std::vector<Column> columns;
   for (const SavedRun& run : runs) {
     Drawing drawing = chosen;
@@ -200,17 +256,39 @@ int compare_runs(const CompareArguments& options, Streams streams) {
     for (const double time : times)
       columns.back().cells.push_back(cell_at(run, time, until, drawing, origins));
   }
-  const bool bounded = is_bounded(chosen, options);
-  const Drawing fitted = fitted_to(chosen, bounded, runs, columns);
-  if (bounded) warn_about_particles_outside(*fitted.look.view, runs, columns, streams.err);
+  return columns;
+}
+
+int compare_runs(const CompareArguments& options, Streams streams) {
+  if (!options.labels.empty() && options.labels.size() != options.runs.size())
+    throw UsageError(
+        fmt::format("--labels names {} columns, but there are {} runs; give one label for each run",
+                    options.labels.size(), options.runs.size()));
+  const std::vector<SavedRun> runs = open_runs(options.runs);
+  const Drawing chosen = chosen_drawing(runs, options);
+  const double until = longest(runs);
+  const std::vector<double> times = chosen_times(options, until);
+  std::vector<Block> blocks = make_blocks(chosen, options, runs.front().file);
+  for (Block& block : blocks) {
+    check_followed_body(block.drawing, runs);
+    block.columns = make_columns(block.drawing, runs, times, until);
+    block.drawing = fitted_to(block.drawing, block.bounded, runs, block.columns);
+    if (block.bounded)
+      warn_about_particles_outside(*block.drawing.look.view, runs, block.columns, streams.err);
+  }
   RunLabels labels = label_runs(runs);
   for (std::size_t k = 0; k < options.labels.size(); ++k) labels.columns[k] = {options.labels[k], ""};
-  render::PanelOptions about = panel_options(fitted, std::move(labels));
+  render::PanelOptions about = panel_options(blocks.front().drawing, std::move(labels));
+  for (std::size_t k = 1; k < blocks.size(); ++k) about.beside.push_back(panel_block(blocks[k].drawing));
   about.rows = time_labels(times, until);
   if (options.times_across) transpose(about);
   render::Panel panel(about);
-  draw(panel, columns, options.times_across);
+  for (int first = 0; const Block& block : blocks) {
+    draw(panel, block.columns, first, options.times_across);
+    first += static_cast<int>(about.columns.size());
+  }
   const render::Image& image = panel.finish();
+  streams.err << remark_on_texts(panel.cut_texts());
   make_folder_of(options.out);
   render::write_png(image, options.out);
   streams.out << "panel  " << options.out << " (" << image.width << "x" << image.height << ")\n";
@@ -235,6 +313,11 @@ std::function<int(Streams)> declare_compare(Options& command) {
       .add("--labels", "LABEL,...", options->labels,
            "headings of the columns, one for each run; default: the settings in which the runs differ")
       .comma_separated();
+  command
+      .add("--beside", "KEY=VALUE;...", options->beside,
+           "the same pictures beside the others, with other drawing options, such as color=pressure, "
+           "or 'camera=0:-1:0; color=speed'; can be repeated")
+      .one_word_each();
   command.add_flag("--times-across", options->times_across,
                    "times from left to right, runs from top to bottom");
   declare_drawing_options(command, *options);

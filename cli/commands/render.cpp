@@ -95,8 +95,9 @@ int render(const RenderArguments& options, Streams streams) {
   check_redrawing(run);  // must precede the removal of frames
   const fs::path folder = prepare(options, run);
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
-  const auto [frames, all] = redraw(run, folder, options.threads, progress);
+  const auto [frames, all, cut_texts] = redraw(run, folder, options.threads, progress);
   warn_about_missing_files(run, streams.err);
+  streams.err << remark_on_texts(cut_texts);
   streams.out << "frames  " << folder.string() << " (" << frames << ")\n";
   return all ? exit_fine : Interrupts::exit_code();
 }

@@ -6,6 +6,7 @@
 
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
+#include "cli/drawing/frames.hpp"
 #include "cli/run/dry_run.hpp"
 #include "cli/run/record.hpp"
 #include "cli/run/report.hpp"
@@ -133,6 +134,7 @@ int run(const RunArguments& options, Streams streams) {
   streams.out << run_report(plan, result);
   if (const std::string& all = result.record.remark; all.size() > plan.file.remark.size())
     streams.err << "taut: " << all.substr(plan.file.remark.empty() ? 0 : plan.file.remark.size() + 2) << '\n';
+  streams.err << remark_on_texts(result.cut_texts);
   if (result.record.status == RunRecord::Status::interrupted)
     streams.err << "taut: interrupted; `taut run --resume " << plan.folder.path().string()
                 << "` continues the run\n";

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "cli/text/format.hpp"
 #include "render/image/png.hpp"
 
@@ -153,6 +155,20 @@ void Frames::finish() {
     throw;
   }
   settle();
+}
+
+std::set<std::string> Frames::cut_texts() const {
+  std::set<std::string> all;
+  for (const auto& renderer : renderers_)
+    if (renderer && written_ > 0) all.merge(renderer->cut_texts());
+  return all;
+}
+
+std::string remark_on_texts(const std::set<std::string>& cut) {
+  if (cut.empty()) return "";
+  return fmt::format(
+      "taut: the picture has no room for {}; use a larger --size, or leave it out with --text\n",
+      join({cut.begin(), cut.end()}, "; "));
 }
 
 /// `share` of a full turn.

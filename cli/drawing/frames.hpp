@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,9 @@ Drawing fitted(const Drawing& drawing, const Snapshot& snapshot);
 /// Requires `fitted`.
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot);
 
+/// "taut: …" with end of line; empty if all texts fit.
+std::string remark_on_texts(const std::set<std::string>& cut);
+
 /// Draws immediately if range and view are fixed, else at the end. Worker threads draw; `add` waits if too many frames
 /// are pending. Files are written in order.
 class Frames {
@@ -58,6 +62,8 @@ class Frames {
   /// Complete after the first frame.
   const Drawing& drawing() const { return drawing_; }
 
+  /// Texts that lack room in the pictures. Call after `finish`.
+  std::set<std::string> cut_texts() const;
   /// Call after `finish`.
   template <class Archive>
   void serialize(Archive& archive) {

@@ -35,6 +35,10 @@ constexpr std::array<NamedText, 6> named_texts{{{"title", &Parts::title},
                                                 {"scale", &Parts::scale},
                                                 {"axes", &Parts::axes}}};
 
+// in enumerator order
+constexpr std::array<std::string_view, 3> bar_positions{"right", "left", "bottom"};
+constexpr std::array<std::string_view, 2> axes_positions{"inside", "outside"};
+
 template <std::optional<double> Drawing::*Member>
 std::string set_optional(Drawing& drawing, const DrawingValue& value, std::string_view key, double low,
                          double high) {
@@ -131,6 +135,46 @@ DrawingValue get_texts(const Drawing& drawing) {
   for (const NamedText& text : named_texts)
     if (parts.*text.part) names.emplace_back(text.name);
   return join(names, ",");
+}
+
+std::vector<std::string> names_of_bar_positions() { return {bar_positions.begin(), bar_positions.end()}; }
+
+std::string set_bar_position(Drawing& drawing, const DrawingValue& value) {
+  const auto place = std::ranges::find(bar_positions, word(value));
+  drawing.look.texts.bar = static_cast<render::BarPosition>(place - bar_positions.begin());
+  return "";
+}
+
+DrawingValue get_bar_position(const Drawing& drawing) {
+  return std::string(bar_positions[static_cast<std::size_t>(drawing.look.texts.bar)]);
+}
+
+std::string set_bar_format(Drawing& drawing, const DrawingValue& value) {
+  const std::string& text = word(value);
+  drawing.look.bar_format = {};
+  if (text == automatic) return "";
+  if (text.size() != 4 || !text.starts_with("%.") || text[2] < '0' || text[2] > '9' ||
+      (text[3] != 'f' && text[3] != 'e'))
+    return fmt::format("bar_format = \"{}\" must be {}", text, right_formats);
+  drawing.look.bar_format = {text[2] - '0', text[3] == 'e'};
+  return "";
+}
+
+DrawingValue get_bar_format(const Drawing& drawing) {
+  const render::NumberFormat& format = drawing.look.bar_format;
+  return format.decimals ? fmt::format("%.{}{}", *format.decimals, format.scientific ? 'e' : 'f')
+                         : left_open();
+}
+
+std::vector<std::string> names_of_axes_positions() { return {axes_positions.begin(), axes_positions.end()}; }
+
+std::string set_axes_position(Drawing& drawing, const DrawingValue& value) {
+  drawing.look.texts.axes_outside = word(value) == axes_positions[1];
+  return "";
+}
+
+DrawingValue get_axes_position(const Drawing& drawing) {
+  return std::string(axes_positions[drawing.look.texts.axes_outside ? 1 : 0]);
 }
 
 std::string set_title(Drawing& drawing, const DrawingValue& value) {

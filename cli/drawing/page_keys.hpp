@@ -30,6 +30,16 @@ std::string set_background(Drawing& drawing, const DrawingValue& value);
 DrawingValue get_background(const Drawing& drawing);
 std::string set_texts(Drawing& drawing, const DrawingValue& value);
 DrawingValue get_texts(const Drawing& drawing);
+inline constexpr std::string_view right_formats =
+    "auto, %.Nf (N decimals) or %.Ne (powers of ten), N from 0 to 9";
+std::vector<std::string> names_of_bar_positions();
+std::string set_bar_position(Drawing& drawing, const DrawingValue& value);
+DrawingValue get_bar_position(const Drawing& drawing);
+std::string set_bar_format(Drawing& drawing, const DrawingValue& value);
+DrawingValue get_bar_format(const Drawing& drawing);
+std::vector<std::string> names_of_axes_positions();
+std::string set_axes_position(Drawing& drawing, const DrawingValue& value);
+DrawingValue get_axes_position(const Drawing& drawing);
 std::string set_title(Drawing& drawing, const DrawingValue& value);
 DrawingValue get_title(const Drawing& drawing);
 std::string set_font_size(Drawing& drawing, const DrawingValue& value);

@@ -222,6 +222,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
       result_.record.remark += std::string(result_.record.remark.empty() ? "" : "; ") + nothing_seen;
     frames_.finish();
     const bool all = frames_.kept() == 0 || draw_kept(interrupts, progress);
+    result_.cut_texts = frames_.cut_texts();
     if (all && keeps_look_)
       write_atomically(folder_.look(), to_json(look_of(frames_.drawing())).dump(2) + "\n",
                        Durability::on_disk);

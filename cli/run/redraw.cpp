@@ -43,7 +43,7 @@ Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int thr
   const bool all = add_all() && frames.draw_kept(go_on);
   frames.finish();
   progress.end(std::to_string(frames.written()) + " frames");
-  return {frames.written(), all};
+  return {frames.written(), all, frames.cut_texts()};
 }
 
 }  // namespace taut::cli

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "cli/run/saved_run.hpp"
 #include "cli/system/progress.hpp"
@@ -15,6 +17,7 @@ void check_redrawing(const SavedRun& run);
 struct Redrawn {
   int frames = 0;
   bool all = true;
+  std::set<std::string> cut_texts{};  // without room in the frames
 };
 
 /// Frames have the numbers of their particle files. `threads` of 0 uses all cores.

@@ -81,7 +81,7 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Inte
       simulation_(std::move(simulation)),
       interrupts_(interrupts),
       progress_(progress),
-      result_{std::move(record), 0, ""},
+      result_{std::move(record), 0, {}, ""},
       last_step_(*simulation_),
       outputs_(make_outputs(plan, *simulation_, last_step_, result_)),
       pace_(record_.until) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "cli/drawing/drawing.hpp"
@@ -38,6 +39,7 @@ std::unique_ptr<Simulation> start(const SceneFile& file);
 struct RunResult {
   RunRecord record;
   int frames = 0;
+  std::set<std::string> cut_texts{};  // without room in the frames
   std::string failure;
 };
 

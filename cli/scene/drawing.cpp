@@ -109,6 +109,8 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
                     drawing.style == Style::cells ? "cells" : "surface")};
   if (!flat && drawing.outline != Outlines::none)
     return Mismatch{{"outline"}, "outline needs dim = 2, but this scene has dim = 3; remove it"};
+  if (flat && drawing.look.texts.axes_outside)
+    return Mismatch{{"axes_position"}, "axes_position needs dim = 3, but this scene has dim = 2; remove it"};
   if (drawing.formula.empty() && drawing.field->counts != Counted::nothing &&
       (drawing.look.range || drawing.look.colormap))
     return Mismatch{{"range", "colormap"},

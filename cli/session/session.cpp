@@ -83,10 +83,12 @@ void Session::reset() {
   between_.reset();
 }
 
+std::string_view Session::law() const {
+  return material_law(*find_method(file_.settings.method), file_.settings, file_.scene.dim);
+}
+
 std::vector<MeasureResult> Session::measures() const {
-  const std::string_view law =
-      material_law(*find_method(file_.settings.method), file_.settings, file_.scene.dim);
-  return measure(file_.scene, simulation_->series(), law, {}, &simulation_->snapshot());
+  return measure(file_.scene, simulation_->series(), law(), {}, &simulation_->snapshot());
 }
 
 void Session::set(const Setting& setting) {

@@ -30,6 +30,8 @@ class Session {
   /// Runs past `t`, then shows `t` exactly.
   void run_until(double t, const Interrupts& interrupts, Progress& progress);
 
+  /// Material law, which selects references.
+  std::string_view law() const;
   std::vector<MeasureResult> measures() const;
 
   const Snapshot& shown() const { return between_ ? *between_ : simulation_->snapshot(); }

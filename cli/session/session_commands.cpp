@@ -9,7 +9,10 @@
 
 #include <fmt/core.h>
 
+#include "cli/run/history.hpp"
+#include "cli/run/schedule.hpp"
 #include "cli/session/terminal.hpp"
+#include "cli/study/history_plot.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
@@ -90,9 +93,10 @@ std::string text_of(const DrawingKey& key, const Drawing& drawing) {
 
 /// Such as "--range is '2:1'; …".
 std::string in_session_words(std::string message, const DrawingKey& key) {
-  if (!message.starts_with("--")) return message;
+  const std::string option = key.option();
+  if (!message.starts_with(option)) return message;
   if (key.numbers.count > 1) std::ranges::replace(message, ':', ' ');
-  return message.substr(2);
+  return std::string(key.name) + message.substr(option.size());
 }
 
 void take_look(Session& session, const DrawingKey& key, const Words& words) {
@@ -203,6 +207,50 @@ void measures(Session& session, const Words& words, const Dialogue& to) {
   }
 }
 
+/// Names probes. Throws UsageError before the first step.
+HistoryPlot history_of(const Session& session, const Words& names) {
+  const Scene& scene = session.file().scene;
+  const Series& series = session.simulation().series();
+  const std::size_t rows = series.time.size();
+  if (rows < 2) throw UsageError("there is nothing to plot at t = 0; use `run until T` or `step` first");
+  const std::string& method = session.file().settings.method;
+  HistoryPlot plot{
+      .title = scene.title, .scene = scene.name, .columns = {}, .curves = {{method, method, {}}}};
+  std::vector<std::vector<double>>& table = plot.curves.front().rows;
+  for (const double t : series.time) table.push_back({t});
+  for (const std::string& name : names) {
+    plot.columns.push_back({name, name, {}, history_unit(name, scene)});
+    const std::vector<double>& values = series.value[static_cast<std::size_t>(
+        std::ranges::find(scene.probes, name, &Probe::name) - scene.probes.begin())];
+    for (std::size_t row = 0; row < rows; ++row) table[row].push_back(values[row]);
+  }
+  const double now = session.simulation().time();
+  for (ReferenceCurve& curve :
+       reference_curves(scene, std::string(session.law()), times_in_parts(now, solution_samples))) {
+    const auto beyond = std::ranges::upper_bound(curve.t, now) - curve.t.begin();
+    curve.t.resize(static_cast<std::size_t>(beyond)), curve.values.resize(curve.t.size());
+    if (std::ranges::find(names, curve.column) != names.end() && !curve.t.empty())
+      plot.references.push_back(std::move(curve));
+  }
+  return plot;
+}
+
+/// Probes from the start to now, with the reference curves of the scene.
+void plot(Session& session, const Words& words, const Dialogue& to) {
+  if (words.empty()) wrong_words("plot");
+  const PlotFiles files = plot_files(words[0]);
+  const std::vector<Probe>& probes = session.file().scene.probes;
+  std::vector<std::string> names;
+  for (const Probe& p : probes) names.push_back(p.name);
+  if (names.empty()) throw UsageError("the scene has no probes to plot");
+  const Words chosen = words.size() == 1 ? names : Words(words.begin() + 1, words.end());
+  for (const std::string& word : chosen)
+    if (std::ranges::find(names, word) == names.end()) throw UsageError(unknown_name("probe", word, names));
+  const HistoryPlot drawn = history_of(session, chosen);
+  draw_plot(files, history_script(drawn, files), history_data(drawn));
+  to.out << "file=" << words[0] << '\n';
+}
+
 void save(Session& session, const Words& words, const Dialogue& to) {
   if (words.size() != 1) wrong_words("save");
   session.save(words[0]);
@@ -270,6 +318,8 @@ std::vector<SessionCommand> make_commands() {
               {"preview", "", "show the picture in the terminal", preview},
               {"frame", "FILE.png", "write the picture to a file, as a frame of `taut run`", frame},
               {"probe", "[PROBE ...]", "print the current values of probes; default: all", probe},
+              {"plot", "FILE.png [PROBE ...]",
+               "plot probes over the time so far, with references; default: all", plot},
               {"measures", "[MEASURE ...]", "print measures of the time so far; default: all", measures},
               {"reset", "", "return to t = 0; settings and drawing options stay", reset},
               {"set", "CONSTANT=VALUE", "change cfl or method.NAME from the next step on", set},

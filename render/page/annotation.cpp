@@ -35,8 +35,13 @@ double ColorKey::width(int height, double em, std::string_view unit) const {
 }
 
 Annotation::Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background,
-                       const TextParts& parts)
-    : layout_(layout), until_(until), parts_(parts), canvas_(image, background), key_(std::move(key)) {}
+                       const PageTexts& texts)
+    : layout_(layout),
+      until_(until),
+      parts_(texts.parts),
+      axes_outside_(texts.axes_outside),
+      canvas_(image, background),
+      key_(std::move(key)) {}
 
 void Annotation::draw(const FrameView& frame, const OffScale& off_scale) {
   canvas_.begin();  // after OpenGL
@@ -47,7 +52,7 @@ void Annotation::draw(const FrameView& frame, const OffScale& off_scale) {
   }
   if (has_scale_bar_ && parts_.scale)
     draw_scale_bar(canvas_, layout_.plot, layout_.pixels_per_metre, layout_.font);
-  if (axes_ && parts_.axes) draw_axes_marker(canvas_, layout_.plot, *axes_, layout_.font);
+  if (axes_ && parts_.axes) draw_axes_marker(canvas_, layout_.plot, *axes_, layout_.font, axes_outside_);
   canvas_.end();
   field_ = frame.field, unit_ = frame.unit;
   off_scale_ = off_scale;
@@ -68,7 +73,7 @@ void Annotation::draw_again(const FrameView& frame, const OffScale& off_scale) {
 
 void Annotation::draw_header(const FrameView& frame) {
   const double em = layout_.font;
-  const double left = layout_.plot.x;
+  const double left = layout_.left;
   const double y = baseline_of_header * em;
   canvas_.use(Weight::regular, em);
   const std::string time = parts_.time ? format_time(frame.time, until_) : "";

@@ -18,7 +18,7 @@ class ColorKey {
   explicit ColorKey(ColorBar bar) : key_(std::move(bar)) {}
   explicit ColorKey(Legend legend) : key_(std::move(legend)) {}
 
-  /// Fills the height of `room`, from its left edge.
+  /// Fills the height of `room` from its left edge, or, below a plot, its width.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& off_scale);
   /// Width in em, for a height in pixels.
@@ -32,7 +32,7 @@ class Annotation {
  public:
   /// The image must outlive the annotation and must not move its pixels. `until`: see Renderer.
   Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background,
-             const TextParts& parts = {});
+             const PageTexts& texts = {});
 
   void show(const AxesMarker& axes) { axes_ = axes; }
   /// Call in perspective, where lengths differ with the depth.
@@ -41,6 +41,7 @@ class Annotation {
   void draw(const FrameView& frame, const OffScale& off_scale);
   /// Whether the picture shows the annotation of `frame`, except header and off-scale marks.
   bool is_current_for(const FrameView& frame) const { return frame.field == field_ && frame.unit == unit_; }
+  const std::set<std::string>& cut_texts() const { return canvas_.cut(); }
   /// Replaces title, method, time and off-scale marks.
   void draw_again(const FrameView& frame, const OffScale& off_scale);
 
@@ -50,6 +51,7 @@ class Annotation {
   PageLayout layout_;
   double until_;
   TextParts parts_;
+  bool axes_outside_;
   Canvas canvas_;
   ColorKey key_;
   OffScale off_scale_;

@@ -13,8 +13,9 @@ constexpr double letter_size = 0.94;
 
 }  // namespace
 
-void draw_axes_marker(Canvas& canvas, const Rect& plot, const AxesMarker& axes, double em) {
-  const double x = plot.x + plot.width - corner_gap * em, y = plot.y + plot.height - corner_gap * em;
+void draw_axes_marker(Canvas& canvas, const Rect& plot, const AxesMarker& axes, double em, bool below) {
+  const double x = plot.x + plot.width - corner_gap * em;
+  const double y = plot.y + plot.height + (below ? 0.5 * room_of_axes : -corner_gap) * em;
   std::array<std::size_t, 3> order{0, 1, 2};
   std::ranges::sort(order, {}, [&](std::size_t axis) { return axes[axis][2]; });
   canvas.use(Weight::regular, letter_size * em);

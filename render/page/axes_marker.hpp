@@ -5,6 +5,8 @@
 
 namespace taut::render {
 
-void draw_axes_marker(Canvas& canvas, const Rect& plot, const AxesMarker& axes, double em);
+/// In the bottom right corner of the plot, or below it.
+void draw_axes_marker(Canvas& canvas, const Rect& plot, const AxesMarker& axes, double em,
+                      bool below = false);
 
 }  // namespace taut::render

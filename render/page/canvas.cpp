@@ -82,7 +82,8 @@ double Canvas::width_of(const std::string& text) {
 }
 
 std::string Canvas::fitted(std::string text, double room) {
-  if (width_of(text) <= room) return text;
+  if (text.empty() || width_of(text) <= room) return text;
+  cut_.insert(text);
   std::vector<std::size_t> ends;
   for (std::size_t k = 1; k < text.size(); ++k)
     if ((static_cast<unsigned char>(text[k]) & 0xc0) != 0x80) ends.push_back(k);

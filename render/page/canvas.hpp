@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 
 #include <cairo.h>
@@ -42,7 +43,12 @@ class Canvas {
   /// (x, y): middle of the baseline.
   void turned_text(const std::string& text, double x, double y);
   double width_of(const std::string& text);
+  /// Shortens and records a text that is wider than `room`.
   std::string fitted(std::string text, double room);
+  /// Records a text without room.
+  void omit(const std::string& text) { cut_.insert(text); }
+  /// Texts that are not drawn in full.
+  const std::set<std::string>& cut() const { return cut_; }
 
  private:
   struct Deleter {
@@ -51,6 +57,7 @@ class Canvas {
   };
   Font regular_, bold_;
   Rgb background_;
+  std::set<std::string> cut_;
   bool transparent_, erases_ = false;
   double contrast_;  // 0 or 1
   std::unique_ptr<cairo_surface_t, Deleter> surface_;

@@ -11,6 +11,7 @@ constexpr double line_height = 1.55;
 constexpr double title_height = 1.75;
 constexpr double disc_radius = 0.45;
 constexpr double text_left = 1.4;
+constexpr double gap_across = 1.2;
 constexpr double letter_width = 0.62;  // average
 constexpr double small_size = 0.94;
 
@@ -44,23 +45,61 @@ void Legend::draw(Canvas& canvas, const Rect& room, double em, std::string_view 
   canvas.gray(faint);
   canvas.text(canvas.fitted(std::string(title), room.width), room.x, room.y + cap_height * em,
               Canvas::Align::left);
-  const std::size_t written = shown(room.height, em);
   canvas.use(Weight::regular, small_size * em);
+  if (across_)
+    draw_across(canvas, room, em);
+  else
+    draw_below(canvas, room, em);
+}
+
+namespace {
+
+void draw_disc(Canvas& canvas, const Rgb& color, double left, double middle, double em) {
+  canvas.color(color);
+  cairo_arc(canvas.cairo(), left + disc_radius * em, middle, disc_radius * em, 0, 2 * std::numbers::pi);
+  cairo_fill(canvas.cairo());
+}
+
+void write(Canvas& canvas, const std::string& text, double left, double middle, double em) {
+  canvas.text(text, left, middle + 0.5 * cap_height * small_size * em, Canvas::Align::left);
+}
+
+}  // namespace
+
+void Legend::draw_below(Canvas& canvas, const Rect& room, double em) const {
+  const std::size_t written = shown(room.height, em);
   double middle = room.y + (title_height + 0.5 * line_height) * em;
-  const auto write = [&](const std::string& text) {
-    canvas.text(canvas.fitted(text, room.width - text_left * em), room.x + text_left * em,
-                middle + 0.5 * cap_height * small_size * em, Canvas::Align::left);
+  const auto write_line = [&](const std::string& text) {
+    write(canvas, canvas.fitted(text, room.width - text_left * em), room.x + text_left * em, middle, em);
     middle += line_height * em;
   };
   for (std::size_t k = 0; k < written; ++k) {
-    canvas.color(entries_[k].color);
-    cairo_arc(canvas.cairo(), room.x + disc_radius * em, middle, disc_radius * em, 0, 2 * std::numbers::pi);
-    cairo_fill(canvas.cairo());
+    draw_disc(canvas, entries_[k].color, room.x, middle, em);
     canvas.gray(ink);
-    write(entries_[k].name);
+    write_line(entries_[k].name);
   }
   canvas.gray(faint);
-  write(rest(written));
+  write_line(rest(written));
+}
+
+/// In one line.
+void Legend::draw_across(Canvas& canvas, const Rect& room, double em) const {
+  const double middle = room.y + (title_height + 0.5 * line_height) * em, end = room.x + room.width;
+  const auto width = [&](const std::string& text) { return canvas.width_of(text) + text_left * em; };
+  double left = room.x;
+  for (std::size_t k = 0; k < entries_.size(); ++k) {
+    const std::string& name = entries_[k].name;
+    const std::string others = rest(k + 1);
+    if (left + width(name) + (others.empty() ? 0 : gap_across * em + width(others)) > end && k > 0) {
+      canvas.gray(faint);
+      write(canvas, canvas.fitted(rest(k), end - left), left, middle, em);
+      return;
+    }
+    draw_disc(canvas, entries_[k].color, left, middle, em);
+    canvas.gray(ink);
+    write(canvas, canvas.fitted(name, end - left - text_left * em), left + text_left * em, middle, em);
+    left += width(name) + gap_across * em;
+  }
 }
 
 }  // namespace taut::render

@@ -14,7 +14,9 @@ class Legend {
     std::string name;
     Rgb color;
   };
-  explicit Legend(std::vector<Entry> entries) : entries_(std::move(entries)) {}
+  /// `across`: entries from left to right.
+  explicit Legend(std::vector<Entry> entries, bool across = false)
+      : entries_(std::move(entries)), across_(across) {}
 
   /// Shortens long names, and counts entries that do not fit.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view title) const;
@@ -23,8 +25,11 @@ class Legend {
  private:
   std::size_t shown(int height, double em) const;
   std::string rest(std::size_t shown) const;
+  void draw_below(Canvas& canvas, const Rect& room, double em) const;
+  void draw_across(Canvas& canvas, const Rect& room, double em) const;
 
   std::vector<Entry> entries_;
+  bool across_;
 };
 
 }  // namespace taut::render

@@ -23,28 +23,40 @@ int pixels(double length) { return static_cast<int>(std::lround(length)); }
 int top_of_plot(double em, const TextParts& parts) { return pixels((parts.header() ? header : margin) * em); }
 
 /// Without a footer, the arrows of the colour bar still need the margin.
-int below_plot(double em, const TextParts& parts) { return pixels((parts.scale ? footer : margin) * em); }
+int below_plot(double em, const PageTexts& texts) {
+  double room = texts.parts.scale ? footer : margin;
+  if (texts.has_bar(BarPosition::bottom)) room += room_of_bar_below;
+  if (texts.axes_outside && texts.parts.axes) room = std::max(room, room_of_axes);
+  return pixels(room * em);
+}
 
-void place_all(PageLayout& layout, int width, int height, double room, const TextParts& parts) {
+void place_all(PageLayout& layout, int width, int height, double room, const PageTexts& texts) {
   const double em = layout.font;
-  const int left = pixels(margin * em);
-  const int top = top_of_plot(em, parts), below = below_plot(em, parts);
-  layout.right = width - margin * em;
-  if (!parts.bar) {
-    layout.plot = {left, top, pixels(layout.right) - left, height - below - top};
-    return;
-  }
+  const int left = pixels(margin * em), gap = pixels(key_gap * em);
+  const int top = top_of_plot(em, texts.parts), below = below_plot(em, texts);
+  layout.left = left, layout.right = width - margin * em;
+  const int right = pixels(layout.right), bottom = height - below;
   const double wide = std::max(std::min(room * em, most_of_width * width), room_of_bar * em);
-  const int key_left = pixels(layout.right - wide);
-  layout.plot = {left, top, key_left - pixels(key_gap * em) - left, height - below - top};
-  layout.key = {key_left, top, pixels(wide), layout.plot.height};
+  layout.plot = {left, top, right - left, bottom - top};
+  if (texts.has_bar(BarPosition::bottom)) {
+    const int end = texts.axes_outside && texts.parts.axes ? right - pixels(room_of_axes * em) : right;
+    const int high = pixels(room_of_bar_below * em);
+    layout.key = {left, height - high, end - left, high};
+  } else if (texts.has_bar(BarPosition::left)) {
+    layout.key = {left, top, pixels(wide), bottom - top};
+    layout.plot.x = left + pixels(wide) + gap;
+    layout.plot.width = right - layout.plot.x;
+  } else if (texts.has_bar(BarPosition::right)) {
+    layout.key = {pixels(layout.right - wide), top, pixels(wide), bottom - top};
+    layout.plot.width = layout.key.x - gap - left;
+  }
 }
 
 }  // namespace
 
 TextSize text_size(int width, int height, const PageTexts& texts) {
   const auto with_key = [&](double em) {
-    return TextSize{em, height - below_plot(em, texts.parts) - top_of_plot(em, texts.parts)};
+    return TextSize{em, height - below_plot(em, texts) - top_of_plot(em, texts.parts)};
   };
   if (texts.font > 0) return with_key(texts.font);
   if (width < least_text_width || height < least_text_height) return {};
@@ -60,7 +72,7 @@ PageLayout make_layout(int width, int height, const View& view, bool with_texts,
   PageLayout layout;
   if (with_texts) layout.font = text_size(width, height, texts).font;
   if (layout.font > 0) {
-    place_all(layout, width, height, room, texts.parts);
+    place_all(layout, width, height, room, texts);
   } else {
     layout.plot = {0, 0, width, height};
   }

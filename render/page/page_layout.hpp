@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "render/image/image.hpp"
 
@@ -19,7 +20,7 @@ struct PageLayout {
   double font = 0;  // em in pixels; 0: no texts
   Rect plot;
   Rect key;
-  double right = 0;  // end of the texts, pixels
+  double left = 0, right = 0;  // ends of the texts, pixels
   double pixels_per_metre = 1;
   double x_origin = 0, y_origin = 0;  // pixels
 
@@ -36,12 +37,21 @@ struct TextParts {
   bool header() const { return title || method || time; }
 };
 
-/// Minimum width of the colour key, em.
-inline constexpr double room_of_bar = 5.75;
+/// Position of the colour bar or legend, relative to the plot.
+enum class BarPosition : std::uint8_t { right, left, bottom };
+
+/// Minimum width of the colour key beside the plot, and height of the one below it, em.
+inline constexpr double room_of_bar = 5.75, room_of_bar_below = 4.2;
+/// Height and width of the axes beside the plot, em.
+inline constexpr double room_of_axes = 5.2;
 
 struct PageTexts {
   double font = 0;  // pixels; 0: by the picture's size
   TextParts parts{};
+  BarPosition bar = BarPosition::right;
+  bool axes_outside = false;  // below the plot instead of inside
+
+  bool has_bar(BarPosition position) const { return parts.bar && bar == position; }
 };
 
 /// Sizes in pixels; 0 in a picture that is too small for texts, unless `texts` sets the font.
@@ -51,8 +61,8 @@ struct TextSize {
 };
 TextSize text_size(int width, int height, const PageTexts& texts = {});
 
-/// Without texts the plot fills the picture. The key is `room` em wide, at most 36 % of the width, but at least
-/// `room_of_bar` em.
+/// Without texts the plot fills the picture. A key beside the plot is `room` em wide, at most 36 % of the width, but
+/// at least `room_of_bar` em.
 PageLayout make_layout(int width, int height, const View& view, bool with_texts = true,
                        double room = room_of_bar, const PageTexts& texts = {});
 

@@ -11,7 +11,9 @@ constexpr double bar_width = 1.15;
 constexpr double small_size = 0.94;
 constexpr double tick_length = 0.3;
 constexpr double tick_gap = 0.25;
-constexpr double tick_spacing = 3.8;  // minimum
+constexpr double tick_spacing = 3.8, tick_spacing_across = 5;  // minima
+constexpr double longest_bar = 36, inset_across = 1;           // for numbers at its ends
+constexpr double baseline_of_label = 3.65;                     // across
 constexpr double label_gap = 0.75;
 constexpr double most_beyond = 0.3;
 constexpr double arrow_height = 0.42;  // fits below the header
@@ -20,15 +22,19 @@ constexpr double swatch_size = 0.75;
 constexpr double swatch_gap = 0.35;
 constexpr double width_of_swatch = 6.6;
 
-Rect bar_in(const Rect& room, double em) {
-  return {room.x, room.y, static_cast<int>(std::lround(bar_width * em)), room.height};
-}
-
 /// Width in DejaVu Sans, per font size.
 double width_of_number(std::string_view label) {
   constexpr double digit = 0.636, point = 0.318, minus = 0.838;
   double width = label.starts_with("−") ? minus : 0;
   for (const char c : label) width += c == '.' ? point : c >= '0' && c <= '9' ? digit : 0;
+  // "×10⁶" and the power's minus
+  if (const std::size_t times = label.find("×"); times != std::string_view::npos) {
+    constexpr double raised = 0.42;
+    const std::string_view power = label.substr(times + std::string_view("×10").size());
+    width += minus + raised * static_cast<double>(std::ranges::count_if(power, [](char c) {
+                       return (static_cast<unsigned char>(c) & 0xc0) == 0xc0;
+                     }));
+  }
   return width;
 }
 
@@ -47,13 +53,23 @@ std::string label_of_bar(Canvas& canvas, std::string_view field, const std::stri
   return name + end;
 }
 
-ColorBar::ColorBar(double low, double high, const std::array<Rgb, 256>& colors, Rgb no_number)
-    : low_(low), high_(high), colors_(colors), no_number_(no_number) {}
+ColorBar::ColorBar(double low, double high, const std::array<Rgb, 256>& colors, Rgb no_number,
+                   const NumberFormat& format, bool across)
+    : low_(low), high_(high), colors_(colors), no_number_(no_number), format_(format), across_(across) {}
 
-Ticks ColorBar::ticks(int height, double em, std::string_view unit) const {
-  const int room = std::clamp(static_cast<int>(height / (tick_spacing * em)), 3, 12);
-  Ticks all = nice_ticks(low_, high_, unit, room);
-  return all.at.size() < 2 ? nice_ticks(low_, high_, unit, 5) : all;  // one number is useless
+Rect ColorBar::bar_in(const Rect& room, double em) const {
+  const int thick = static_cast<int>(std::lround(bar_width * em));
+  if (!across_) return {room.x, room.y, thick, room.height};
+  const int length =
+      static_cast<int>(std::lround(std::min(room.width - 2 * inset_across * em, longest_bar * em)));
+  return {room.x + (room.width - length) / 2, room.y, length, thick};
+}
+
+Ticks ColorBar::ticks(int length, double em, std::string_view unit) const {
+  const double spacing = across_ ? tick_spacing_across : tick_spacing;
+  const int room = std::clamp(static_cast<int>(length / (spacing * em)), 3, 12);
+  Ticks all = nice_ticks(low_, high_, unit, room, format_);
+  return all.at.size() < 2 ? nice_ticks(low_, high_, unit, 5, format_) : all;  // one number is useless
 }
 
 double ColorBar::width(int height, double em, std::string_view unit) const {
@@ -65,25 +81,55 @@ double ColorBar::width(int height, double em, std::string_view unit) const {
 void ColorBar::draw(Canvas& canvas, const Rect& room, double em, std::string_view field,
                     std::string_view unit) {
   const Rect bar = bar_in(room, em);
-  for (int row = 0; row < bar.height; ++row) {
-    const double t = 1 - (row + 0.5) / bar.height;
-    canvas.color(colors_[static_cast<std::size_t>(std::lround(t * 255))]);
-    canvas.fill(bar.x, bar.y + row, bar.width, 1);
+  const int length = across_ ? bar.width : bar.height;
+  for (int k = 0; k < length; ++k) {
+    const double t = (k + 0.5) / length;
+    canvas.color(colors_[static_cast<std::size_t>(std::lround((across_ ? t : 1 - t) * 255))]);
+    if (across_)
+      canvas.fill(bar.x + k, bar.y, 1, bar.height);
+    else
+      canvas.fill(bar.x, bar.y + k, bar.width, 1);
   }
   if (ticks_.at.empty() || tick_unit_ != unit) {
     tick_unit_ = unit;
-    ticks_ = ticks(bar.height, em, unit);
+    ticks_ = ticks(length, em, unit);
   }
   canvas.gray(ink);
+  if (across_)
+    draw_across(canvas, bar, em, field);
+  else
+    draw_upright(canvas, room, bar, em, field);
+}
+
+void ColorBar::draw_upright(Canvas& canvas, const Rect& room, const Rect& bar, double em,
+                            std::string_view field) const {
   canvas.use(Weight::regular, small_size * em);
   double widest = 0;
   for (const Tick& tick : ticks_.at) widest = std::max(widest, canvas.width_of(tick.label));
   canvas.use(Weight::regular, em);
   const std::string label = label_of_bar(canvas, field, ticks_.unit, bar.height);
   const double right = bar.width + (width_with(widest / em) - bar_width) * em;  // the bar has whole pixels
-  if (right > room.width + most_beyond * em || (label.empty() && !ticks_.unit.empty())) return;
+  if (right > room.width + most_beyond * em || (label.empty() && !ticks_.unit.empty()))
+    return canvas.omit("numbers of the colour bar");
   canvas.turned_text(label, bar.x + right, bar.y + 0.5 * bar.height);
   draw_ticks(canvas, bar, em);
+}
+
+/// Numbers and label below the bar.
+void ColorBar::draw_across(Canvas& canvas, const Rect& bar, double em, std::string_view field) const {
+  canvas.use(Weight::regular, em);
+  const std::string label = label_of_bar(canvas, field, ticks_.unit, bar.width);
+  if (label.empty() && !ticks_.unit.empty()) return canvas.omit("numbers of the colour bar");
+  canvas.text(label, bar.x + 0.5 * bar.width, bar.y + baseline_of_label * em, Canvas::Align::centre);
+  canvas.use(Weight::regular, small_size * em);
+  const double line = line_width(em), end = bar.y + bar.height;
+  for (const Tick& tick : ticks_.at) {
+    const double x = bar.x + bar.width * (tick.value - low_) / (high_ - low_);
+    const double left = std::clamp(std::round(x - 0.5 * line), double(bar.x), bar.x + bar.width - line);
+    canvas.fill(left, end, line, std::round(tick_length * em));
+    canvas.text(tick.label, x, end + (tick_length + tick_gap + cap_height * small_size) * em,
+                Canvas::Align::centre);
+  }
 }
 
 void ColorBar::draw_ticks(Canvas& canvas, const Rect& bar, double em) const {
@@ -103,29 +149,42 @@ void ColorBar::draw_off_scale(Canvas& canvas, const Rect& room_of_all, double em
   const Rect bar = bar_in(room_of_all, em);
   const double gap = std::max(2.0, std::round(arrow_gap * em));
   const double room = std::ceil(arrow_height * em + gap) + 1;
+  /// The end at `edge`; `way` leads outwards.
   const auto draw_end = [&](double edge, double way, bool arrow, Rgb color) {
+    const double begin = way < 0 ? edge - room : edge;
     canvas.gray(1);
-    canvas.fill(bar.x - 1, way < 0 ? edge - room : edge, bar.width + 2, room);
+    if (across_)
+      canvas.fill(begin, bar.y - 1, room, bar.height + 2);
+    else
+      canvas.fill(bar.x - 1, begin, bar.width + 2, room);
     if (!arrow) return;
-    const double base = edge + way * gap;
-    cairo_move_to(canvas.cairo(), bar.x, base);
-    cairo_line_to(canvas.cairo(), bar.x + 0.5 * bar.width, base + way * arrow_height * em);
-    cairo_line_to(canvas.cairo(), bar.x + bar.width, base);
+    const double base = edge + way * gap, tip = base + way * arrow_height * em;
+    const auto to = [&](double along, double share, auto draw) {
+      across_ ? draw(canvas.cairo(), along, bar.y + share * bar.height)
+              : draw(canvas.cairo(), bar.x + share * bar.width, along);
+    };
+    to(base, 0, cairo_move_to);
+    to(tip, 0.5, cairo_line_to);
+    to(base, 1, cairo_line_to);
     cairo_close_path(canvas.cairo());
     canvas.color(color);
     cairo_fill(canvas.cairo());
   };
-  draw_end(bar.y, -1, found.above, colors_.back());
-  draw_end(bar.y + bar.height, 1, found.below, colors_.front());
-  const double top = bar.y + bar.height + room, side = std::round(swatch_size * em);
+  const double low_end = across_ ? bar.x : bar.y + bar.height, high_end = across_ ? bar.x + bar.width : bar.y;
+  const double outwards = across_ ? 1 : -1;
+  draw_end(high_end, outwards, found.above, colors_.back());
+  draw_end(low_end, -outwards, found.below, colors_.front());
+  const double side = std::round(swatch_size * em);
+  const double left = across_ ? room_of_all.x + room_of_all.width - width_of_swatch * em : bar.x;
+  const double top = across_ ? bar.y - side - 2 * gap : bar.y + bar.height + room;
   canvas.gray(1);
-  canvas.fill(bar.x - 1, top, width_of_swatch * em, side + 2 * gap);
+  canvas.fill(left - 1, top, width_of_swatch * em, side + 2 * gap);
   if (!found.no_number) return;
   canvas.color(no_number_);
-  canvas.fill(bar.x, top + gap, side, side);
+  canvas.fill(left, top + gap, side, side);
   canvas.gray(ink);
   canvas.use(Weight::regular, small_size * em);
-  canvas.text("no number", bar.x + side + swatch_gap * em,
+  canvas.text("no number", left + side + swatch_gap * em,
               top + gap + 0.5 * side + 0.5 * cap_height * small_size * em, Canvas::Align::left);
 }
 

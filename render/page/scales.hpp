@@ -20,9 +20,11 @@ struct OffScale {
 
 class ColorBar {
  public:
-  ColorBar(double low, double high, const std::array<Rgb, 256>& colors, Rgb no_number);
+  /// `across`: from left to right.
+  ColorBar(double low, double high, const std::array<Rgb, 256>& colors, Rgb no_number,
+           const NumberFormat& format = {}, bool across = false);
 
-  /// Width in em, for a height in pixels.
+  /// Width in em of an upright bar, for a height in pixels.
   double width(int height, double em, std::string_view unit) const;
   /// Omits numbers if they, or their unit, do not fit.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
@@ -30,12 +32,18 @@ class ColorBar {
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& found) const;
 
  private:
-  Ticks ticks(int height, double em, std::string_view unit) const;
+  Ticks ticks(int length, double em, std::string_view unit) const;
+  Rect bar_in(const Rect& room, double em) const;
+  void draw_upright(Canvas& canvas, const Rect& room, const Rect& bar, double em,
+                    std::string_view field) const;
+  void draw_across(Canvas& canvas, const Rect& bar, double em, std::string_view field) const;
   void draw_ticks(Canvas& canvas, const Rect& bar, double em) const;
 
   double low_, high_;
   std::array<Rgb, 256> colors_;
   Rgb no_number_;
+  NumberFormat format_;
+  bool across_;
   Ticks ticks_;
   std::string tick_unit_;  // of ticks_
 };

@@ -60,19 +60,60 @@ Scale scale_for(double greatest, std::string_view unit) {
   return {std::pow(10.0, -exponent), unit.empty() ? power : power + " " + std::string(unit)};
 }
 
-Ticks nice_ticks(double low, double high, std::string_view unit, int most) {
-  const Scale scale = scale_for(std::max(std::abs(low), std::abs(high)), unit);
+namespace {
+
+/// Multiples of `step` from `low` to `high`.
+struct Multiples {
+  double step, first, last;
+  Multiples(double step_, double low, double high)
+      : step(step_), first(std::ceil(low / step - 1e-6)), last(std::floor(high / step + 1e-6)) {}
+  double count() const { return last - first + 1; }
+};
+
+/// Decimal exponent of the last digit.
+int last_digit(double value, int decimals, bool scientific) {
+  return (scientific && value != 0 ? decade(std::abs(value)) : 0) - decimals;
+}
+
+bool is_exact(const Multiples& ticks, int decimals, bool scientific) {
+  for (double k = ticks.first; k <= ticks.last; ++k) {
+    const double digits = k * ticks.step / std::pow(10.0, last_digit(k * ticks.step, decimals, scientific));
+    if (std::abs(digits - std::round(digits)) > 1e-6 * std::max(1.0, std::abs(digits))) return false;
+  }
+  return true;
+}
+
+std::string format_scientific(double value, int decimals) {
+  if (value == 0) return "0";
+  const int exponent = decade(std::abs(value));
+  return format_fixed(value / std::pow(10.0, exponent), decimals) + "×" + power_of_ten(exponent);
+}
+
+}  // namespace
+
+Ticks nice_ticks(double low, double high, std::string_view unit, int most, const NumberFormat& format) {
+  const Scale scale = format.scientific ? Scale{1, std::string(unit)}
+                                        : scale_for(std::max(std::abs(low), std::abs(high)), unit);
   Ticks ticks{{}, scale.unit};
   const double from = low * scale.factor;
   const double to = high * scale.factor;
   if (!(to > from) || !std::isfinite(to - from)) return ticks;
-  double step = nice_step((to - from) / (most + 1));
-  const auto first = [&] { return std::ceil(from / step - 1e-6); };
-  const auto last = [&] { return std::floor(to / step + 1e-6); };
-  while (last() - first() + 1 > most) step = nice_step(step * 1.01);
-  const int decimals = std::clamp(-decade(step), 0, 9);
-  for (double k = first(); k <= last(); ++k) {
-    ticks.at.push_back({k * step / scale.factor, format_fixed(k * step, decimals)});
+  Multiples all(nice_step((to - from) / (most + 1)), from, to);
+  while (all.count() > most) all = {nice_step(all.step * 1.01), from, to};
+  int decimals = std::clamp(format.scientific ? 0 : -decade(all.step), 0, 9);
+  if (format.decimals) {
+    decimals = *format.decimals;
+    for (Multiples wider = all; wider.count() >= 2; wider = {nice_step(wider.step * 1.01), from, to})
+      if (is_exact(wider, decimals, format.scientific)) {
+        all = wider;
+        break;
+      }
+    while (decimals < 9 && !is_exact(all, decimals, format.scientific)) ++decimals;
+  }
+  for (double k = all.first; k <= all.last; ++k) {
+    const double value = k * all.step;
+    ticks.at.push_back({value / scale.factor, format.scientific ? format_scientific(value, decimals)
+                                                                : format_fixed(value, decimals)});
   }
   return ticks;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,8 +27,15 @@ struct Ticks {
   std::string unit;
 };
 
-/// At most `most` (2 or more) ticks at multiples of 1, 2 or 5 times a power of ten.
-Ticks nice_ticks(double low, double high, std::string_view unit, int most);
+struct NumberFormat {
+  std::optional<int> decimals{};  // default: as few as possible
+  bool scientific = false;        // "1.5×10⁶" in the SI unit, without a prefix
+  bool operator==(const NumberFormat&) const = default;
+};
+
+/// At most `most` (2 or more) ticks at multiples of 1, 2 or 5 times a power of ten. Numbers are exact: where `format` has
+/// too few decimals, ticks are farther apart, or get more decimals.
+Ticks nice_ticks(double low, double high, std::string_view unit, int most, const NumberFormat& format = {});
 
 /// Greatest 1, 2 or 5 times a power of ten up to `length` > 0.
 double nice_length(double length);

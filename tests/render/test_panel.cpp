@@ -138,6 +138,39 @@ TEST_SUITE("image") {
     CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("has no room for 2 columns"), UsageError);
   }
 
+  TEST_CASE("blocks of a panel have their own colours, and equal colours share a bar") {
+    const auto drawn = [](const PanelOptions& options) {
+      Panel panel(options);
+      Particles first, second;
+      for (int column = 0; column < 2; ++column) panel.draw(column, 0, one_disc(first, 0));
+      for (int column = 2; column < 4; ++column) panel.draw(column, 0, one_disc(second, 1));
+      return Image(panel.finish());
+    };
+    PanelOptions options = two_by_two();
+    options.look.size.reset();
+    options.beside = {{options.look, options.field, options.unit}};
+    const Image shared = drawn(options);
+    const Found low = find_color(shared, options.look.colormap->at(0), shared.width);
+    const Found high = find_color(shared, options.look.colormap->at(1), shared.width);
+    CHECK(low.left < high.left);
+    options.beside.front().look.range = {-9, 1};
+    options.beside.front().look.colormap = find_colormap("inferno");
+    options.beside.front().field = "pressure";
+    const Image own = drawn(options);
+    CHECK(own.width > shared.width + 60);  // a second bar
+    CHECK(own.height == shared.height);
+    const int before_bar = own.width - 150;
+    const Found second = find_color(own, find_colormap("inferno")->at(1), before_bar);
+    CHECK(second.left > own.width / 2);
+    CHECK(second.right > second.left);
+    for (const BarPosition bar : {BarPosition::left, BarPosition::bottom}) {
+      options.look.texts.bar = bar;
+      CHECK_FALSE(same(drawn(options), own));
+    }
+    options.width = 1200;
+    CHECK(drawn(options).width == 1200);
+  }
+
   TEST_CASE("a bare panel contains only its pictures, on any background") {
     PanelOptions options = two_by_two();
     options.look.bare = true, options.look.background = {0, 0, 0};

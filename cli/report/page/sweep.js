@@ -164,14 +164,15 @@ function stability_map(sweep) {
   return part;
 }
 
-// markers of gnuplot, as in the pictures of `taut chart`; a pentagon is a rounded square here
-const marker_names = {
-  7: 'circle',
-  5: 'rect',
-  9: 'triangle',
-  13: 'rectRot',
-  11: 'triangle',
-  15: 'rectRounded'
+// markers of gnuplot, as in the pictures of `taut chart`, with their signs in the legend; a pentagon is a rounded
+// square here
+const markers = {
+  7: ['circle', '●'],
+  5: ['rect', '■'],
+  9: ['triangle', '▲'],
+  13: ['rectRot', '◆'],
+  11: ['triangle', '▼'],
+  15: ['rectRounded', '▣']
 };
 
 /** Lines for Chart.js: a series for each method and combination of other settings; unstable runs have open markers. */
@@ -195,7 +196,8 @@ function series_lines(sweep, along, point_of) {
       color: style.color,
       dash: dash_patterns[1 + (style.dash - 1 + number) % 5],
       radius: 5,
-      marker: marker_names[style.marker],
+      marker: markers[style.marker][0],
+      sign: markers[style.marker][1],
       rotation: style.marker === 11 ? 180 : 0
     };
   });
@@ -213,7 +215,9 @@ function line_legend(lines) {
         const key = element('span', {class: 'key', 'aria-hidden': 'true'});
         key.style.borderTopColor = line.color ? on_theme(line.color) : css_color('--soft');
         key.style.borderTopStyle = line.dash.length ? 'dashed' : 'solid';
-        return element('li', {}, key, line.label);
+        const sign = element('span', {class: 'sign', 'aria-hidden': 'true'}, line.sign || '');
+        sign.style.color = key.style.borderTopColor;
+        return element('li', {}, key, sign, line.label);
       }),
       lines.some((line) => line.points.some((point) => point.open)) ?
           element('li', {class: 'soft'}, 'open markers: the run was not stable') :

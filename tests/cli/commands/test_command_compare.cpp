@@ -57,6 +57,34 @@ TEST_SUITE("cli") {
     CHECK(panel("-0.03").empty());
   }
 
+  TEST_CASE("a panel shows two fields or views beside each other, and refuses keys of the whole page") {
+    const TemporaryFolder folder;
+    make_run(folder, "a", {"--until", "1e-4"});
+    const auto drawn = [&](const std::vector<std::string>& more) {
+      const Outcome outcome = compare(folder, {"a"}, more);
+      REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
+      return render::read_png(folder / "panel.png");
+    };
+    const render::Image one = drawn({});
+    const render::Image two = drawn({"--beside", "color=pressure"});
+    CHECK(two.width > one.width + 100);
+    CHECK(drawn({"--beside", "color = pressure; range = 0:1"}) ==
+          drawn({"--beside", "range=0:1; color=pressure"}));
+    CHECK_FALSE(drawn({"--beside", "color=pressure; range=0:1"}) == two);
+    CHECK(drawn({"--beside", "view=0:0.01:0:0.01"}).width < two.width);  // one colour bar
+    CHECK(drawn({"--beside", "color=pressure", "--beside", "color=speed"}).width > two.width);
+    const auto refused = [&](const std::string& text) {
+      const Outcome outcome = compare(folder, {"a"}, {"--beside", text});
+      CHECK(outcome.code == 2);
+      return outcome.err;
+    };
+    CHECK(contains(refused("size=300x200"), "--beside: unknown drawing option 'size'"));
+    CHECK(contains(refused("colour=speed"), "did you mean 'color'"));
+    CHECK(contains(refused("speed"), "--beside contains 'speed'; it must be KEY=VALUE"));
+    CHECK(contains(refused("color=spede"), "unknown field 'spede'"));
+    CHECK(contains(refused("camera=1:1:1"), "need dim = 3"));
+  }
+
   TEST_CASE("runs whose bodies have different names cannot share a legend") {
     const TemporaryFolder folder;
     make_run(folder, "a", {"--until", "1e-4"});

@@ -27,6 +27,25 @@ std::vector<std::string> tiny_snapshot(const TemporaryFolder& folder,
 }  // namespace
 
 TEST_SUITE("cli") {
+  TEST_CASE("run and render name the texts that have no room in the pictures") {
+    const TemporaryFolder folder;
+    const std::string title = "A title of so many words that no picture of this size can have room for it";
+    const auto told = [&](std::vector<std::string> more) {
+      more.insert(more.end(), {"--frames", "1", "--until", "1e-5", "--save-particles"});
+      const Outcome outcome = call(tiny_run(folder, "out", more));
+      CHECK(outcome.code == 0);
+      return outcome.err.substr(std::min(outcome.err.size(), outcome.err.find("taut: the picture")));
+    };
+    CHECK(told({"--size", "640x360"}).empty());
+    CHECK(told({"--text", "none"}).empty());
+    CHECK(contains(told({"--size", "400x300", "--title", title}), "has no room for " + title + ";"));
+    const Outcome drawn =
+        call({"render", folder.str("out"), "--quiet", "--size", "640x360", "--title", title});
+    CHECK(drawn.code == 0);
+    CHECK(contains(drawn.err, "has no room for " + title + ";"));
+    CHECK(call({"render", folder.str("out"), "--quiet", "--title", "Short"}).err.empty());
+  }
+
   TEST_CASE("two folders are alike if they have the same names and every picture is alike") {
     const TemporaryFolder folder;
     for (const std::string name : {"frame_00000.png", "frame_00001.png", "frame_00002.png"}) {

@@ -24,7 +24,10 @@ Drawing other_drawing() {
                    .colormap = render::find_colormap("plasma"),
                    .size = render::Size{70, 80},
                    .bare = true,
-                   .texts = {.parts = {.method = false}},
+                   .texts = {.parts = {.method = false},
+                             .bar = render::BarPosition::bottom,
+                             .axes_outside = true},
+                   .bar_format = {2, true},
                    .glyph = 0.5,
                    .background = {1, 2, 3}},
           .frames = 9,
@@ -69,6 +72,9 @@ TEST_SUITE("unit") {
     CHECK(copy.style == other.style);
     CHECK(copy.cut == other.cut);
     CHECK(copy.hide == other.hide);
+    CHECK(copy.look.texts.bar == other.look.texts.bar);
+    CHECK(copy.look.texts.axes_outside);
+    CHECK(copy.look.bar_format == other.look.bar_format);
     CHECK(copy.outline == other.outline);
     CHECK(copy.follow == other.follow);
     CHECK(copy.title == other.title);

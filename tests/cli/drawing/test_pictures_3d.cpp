@@ -206,6 +206,11 @@ TEST_SUITE("cli") {
     check_error("color = \"von_mises\"", "follow = @\"rin\"", {"unknown body 'rin'", "'ring'"});
     check_error("color = \"von_mises\"", "hide = @\"rin\"", {"unknown body 'rin'", "'ring'"});
     check_error("color = \"von_mises\"", "outline = @\"all\"", {"unknown outline 'all'", "deformed"});
+    check_error("color = \"von_mises\"", "axes_position = @\"outside\"",
+                {"axes_position needs dim = 3, but this scene has dim = 2"});
+    check_error("color = \"von_mises\"", "bar_position = @\"top\"", {"unknown position 'top'", "bottom"});
+    check_error("color = \"von_mises\"", "bar_format = @\"%d\"",
+                {"bar_format = \"%d\" must be auto, %.Nf"});
     check_error("color = \"von_mises\"", "cut = \"x >@\"", {"'x >'"});
     check_error("color = \"von_mises\"", "cut = @3", {"cut must be a text in quotes"});
     const TemporaryFolder folder;

@@ -303,6 +303,8 @@ def check_sweep(browser, taut, folder):
     head("gap_value, m").click()
     assert column() == ascending[::-1]
     browser.select("Of", "gap_value")
+    signs = [one.text for one in browser.all(".legend .sign")]  # of methods; the reference has a line only
+    assert len(set(signs) - {""}) == 3, signs
     points = browser.script("return [...document.querySelectorAll('.plot canvas')].map((one) =>"
                             " Chart.getChart(one).data.datasets.flatMap((line) => line.data).filter((point) => point.row).length)")
     assert points == [4, 6], points  # error over cost: og has another material law and no reference; response: all

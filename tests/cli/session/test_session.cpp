@@ -154,6 +154,7 @@ TEST_SUITE("cli") {
              {"range 2 1",
               "error: range is '2 1'; it must be LOW HIGH with LOW < HIGH, such as 0 2e6, or 'auto'"},
              {"view 1 0 0 1", "error: view is '1 0 0 1'; it must be X_MIN X_MAX Y_MIN Y_MAX in metres"},
+             {"bar_format 3", "error: bar_format is '3'; it must be auto, %.Nf"},
              {"glyph -1", "error: glyph is '-1'; it must be"}}) {
       CAPTURE(wrong);
       const std::string out = session(folder, wrong + "\n").out;
@@ -187,6 +188,21 @@ TEST_SUITE("cli") {
     REQUIRE(measure["value"].is_number());
     CHECK(contains(out, "\ntouch_time=" + taut::cli::exact(measure["value"].get<double>()) + "\n"));
     CHECK(contains(session(folder, "measures foo\n").out, "error: unknown measure 'foo'"));
+  }
+
+  TEST_CASE("plot of a session draws probes over the time so far, and needs a step and known names") {
+    const TemporaryFolder folder;
+    const std::string file = folder.str("gap.svg");
+    const std::string out = session(folder, "plot " + file + "\nrun until 0.001\nplot " + file +
+                                                " gap\nplot " + file + " foo\nplot gap.txt\nplot\n")
+                                .out;
+    CAPTURE(out);
+    CHECK(out.starts_with("error: there is nothing to plot at t = 0"));
+    CHECK(contains(out, "\nfile=" + file + "\nok\n"));
+    CHECK(contains(text_of(file), "<svg"));
+    CHECK(text_of(folder / "gap.dat").starts_with("# enog\n# t, s; gap, m\n0 "));
+    CHECK(contains(out, "error: unknown probe 'foo'"));
+    CHECK(contains(out, "error: usage: plot FILE.png [PROBE ...]"));
   }
 
   TEST_CASE("a session confirms each setting, and reports that a requested time is past") {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 
 #include <doctest/doctest.h>
 
@@ -54,6 +55,30 @@ TEST_SUITE("unit") {
     CHECK(make_layout(200, 150, view).font == 0);
     CHECK(make_layout(200, 150, view, true, room_of_bar, {.font = 11}).font == 11);
     CHECK(make_layout(640, 360, view, true, room_of_bar, {.font = all.font}).plot.width == all.plot.width);
+  }
+
+  TEST_CASE("a colour bar left of the plot or below it, and axes below, leave room to each other") {
+    const View view{0, 1, 0, 1};
+    const PageLayout all = make_layout(640, 360, view);
+    const auto with = [&](const PageTexts& texts) {
+      return make_layout(640, 360, view, true, room_of_bar, texts);
+    };
+    const PageLayout left = with({.bar = BarPosition::left});
+    CHECK(left.key.x == all.plot.x);
+    CHECK(left.key.x + left.key.width < left.plot.x);
+    CHECK(std::abs(left.plot.width - all.plot.width) <= 1);  // rounding
+    CHECK(left.left == all.left);
+    const PageLayout below = with({.bar = BarPosition::bottom});
+    CHECK(below.plot.width > all.plot.width + 5 * all.font);
+    CHECK(below.plot.y + below.plot.height + 2 * all.font < below.key.y);  // for the scale bar
+    CHECK(below.key.y + below.key.height == 360);
+    CHECK(below.key.width == below.plot.width);
+    const PageLayout axes = with({.axes_outside = true});
+    CHECK(axes.plot.height < all.plot.height - 2 * all.font);
+    CHECK(with({.parts = {.axes = false}, .axes_outside = true}).plot.height == all.plot.height);
+    const PageLayout both = with({.bar = BarPosition::bottom, .axes_outside = true});
+    CHECK(both.plot.height == below.plot.height);
+    CHECK(both.key.x + both.key.width < both.plot.x + both.plot.width - 5 * all.font);
   }
 
   TEST_CASE("plot and colour bar lie in the picture, side by side, at any size") {

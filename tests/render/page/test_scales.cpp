@@ -77,6 +77,33 @@ TEST_SUITE("image") {
     }
   }
 
+  TEST_CASE("a bar below the plot runs from the lowest colour at the left to the highest at the right") {
+    Particles particles;
+    for (const auto& [x, value] : {std::pair(0.2, -5.0), {0.8, 5.0}}) particles.add(x, 0.5, 0.01, value);
+    Look with = look(640, 360, unit_view);
+    with.texts.bar = BarPosition::bottom;
+    const PageLayout layout = make_layout(640, 360, unit_view, true, room_of_bar, with.texts);
+    const Image image = Renderer(with).draw(particles.frame());
+    const int row = layout.key.y, end = layout.key.x + layout.key.width;  // above the points of the arrows
+    int lowest = 0, highest = 0;
+    for (int column = 0; column < 640; ++column) {
+      if (image.at(column, row) == with.colormap->at(0) && lowest == 0) lowest = column;
+      if (image.at(column, row) == with.colormap->at(1)) highest = column;
+    }
+    CHECK(lowest > 0);
+    CHECK(highest - lowest > (end - layout.key.x) / 2);
+    CHECK(painted_from(image, static_cast<int>(640 - 0.7 * layout.font), 360) == 0);
+    // arrows at both ends, because both values exceed the range
+    const auto beyond = [&](int from, int to) {
+      int painted = 0;
+      for (int column = from; column < to; ++column)
+        painted += image.at(column, layout.key.y + 5) != Rgb{255, 255, 255};
+      return painted;
+    };
+    CHECK(beyond(lowest - 10, lowest - 2) > 0);
+    CHECK(beyond(highest + 3, highest + 10) > 0);
+  }
+
   TEST_CASE("a panel has room for wide numbers") {
     PanelOptions options;
     options.columns = {{"a", ""}}, options.rows = {"t = 1 s"};
