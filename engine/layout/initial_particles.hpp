@@ -21,7 +21,8 @@ struct InitialParticles {
   std::vector<unsigned char> guided;  // bit k: fixed along axis k; empty = none
   // index of the image under a symmetry rotation of the body, or of the particle itself
   std::vector<int> turned;
-  std::vector<int> first;  // [body] first particle; then the number of particles
+  std::vector<int> first;     // [body] first particle; then the number of particles
+  std::vector<bool> relaxed;  // [body] moved off the lattice to follow the faces; empty = none
 
   int size() const { return static_cast<int>(x.size()); }
   std::vector<unsigned char> driven() const {
@@ -41,5 +42,9 @@ inline constexpr double greatest_particle_number = 20e6;
 /// keep half cells. Then jitters, reflects, rotates and displaces. Throws SceneError for no particles, too many
 /// particles and overlapping bodies.
 InitialParticles make_initial_particles(const Scene& scene);
+
+/// Fills the union of shapes minus cut-outs with a lattice that begins half a pitch from the anchor of the first shape.
+/// `body` is not placed (unplaced_body).
+std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp);
 
 }  // namespace taut
