@@ -10,6 +10,7 @@
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
 #include "engine/scene/shapes/box.hpp"
+#include "engine/scene/shapes/given_particles.hpp"
 
 namespace taut::cli {
 namespace {
@@ -70,6 +71,19 @@ void read_lattice(TomlCursor& cursor, int dim, Body& body) {
         value, "lattice",
         "lattice = \"hexagonal\" cannot be used with on_boundary = true, which needs a square lattice; "
         "remove one of them");
+}
+
+void read_body_layout(TomlCursor& cursor, Body& body) {
+  body.relaxed = cursor.choice("layout") == "relaxed";
+  const auto refuse = [&](const std::string& reason) {
+    cursor.fail(cursor.need("layout"), "layout", "layout = \"relaxed\" " + reason);
+  };
+  if (!body.relaxed) return;
+  if (body.lattice == Lattice::hexagonal)
+    refuse("starts from a square lattice; remove lattice = \"hexagonal\"");
+  if (body.on_boundary) refuse("cannot be used with on_boundary = true; remove one of them");
+  if (body.shapes.front().as<GivenParticles>())
+    refuse("cannot be used with the shape 'particles', whose particles are given; remove it");
 }
 
 /// An empty component leaves its axis free.
@@ -178,10 +192,13 @@ void read_mirror(TomlCursor& cursor, int dim, Body& body) {
   std::for_each(value.items.begin(), value.items.end(), add);
 }
 
-/// On a hexagonal lattice, round shapes are cut from the lattice.
+/// On a hexagonal lattice and with a relaxed layout, round shapes are cut from the lattice.
 Layers layers_of(TomlCursor& cursor, bool keeps_neighbors) {
-  const TomlValue* lattice = cursor.find("lattice");
-  if (lattice && lattice->text == name(Lattice::hexagonal)) return Layers::of_lattice;
+  const auto is = [&](std::string_view key, std::string_view text) {
+    const TomlValue* value = cursor.find(key);
+    return value && value->text == text;
+  };
+  if (is("lattice", name(Lattice::hexagonal)) || is("layout", "relaxed")) return Layers::of_lattice;
   return keeps_neighbors ? Layers::for_initial_neighbours : Layers::for_searched_neighbours;
 }
 
@@ -202,6 +219,7 @@ Body read_body(TomlCursor& cursor, const SceneFile& file, bool keeps_neighbors) 
   if (cursor.find("without")) body.without = read_shapes(cursor, "without", setting);
   read_on_boundary(cursor, body);
   read_lattice(cursor, scene.dim, body);
+  read_body_layout(cursor, body);
   body.rotation = read_rotation(cursor, scene.dim, body.shapes.front()->middle());
   read_velocity(cursor, scene.dim, body);
   read_clamped(cursor, scene.dim, body);

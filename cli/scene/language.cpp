@@ -105,6 +105,10 @@ constexpr KeyInfo body_keys[] = {
     {"lattice", types::word("square", "hexagonal"), "square",
      "lattice that shapes are cut from. hexagonal (2D only): rows along the longer side of the first shape, "
      "with particles 1.075 dp apart. Each particle has the area dp² on both lattices"},
+    {"layout", types::word("regular", "relaxed"), "regular",
+     "relaxed: particles cut from the lattice are moved to follow the faces of the body, half a spacing inside, "
+     "and have the volumes of their Voronoi cells. Parts of the lattice that fit the faces stay. "
+     "regular: particles stay on the lattice, or on the layers of a round shape"},
     {"rotate", rotation, "none",
      "rotation of the layout. Expressions of the place, such as `held`, use the rotated positions. "
      "A single number is allowed in 2D only"},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <span>
 
@@ -13,6 +14,7 @@
 #include "engine/error.hpp"
 #include "engine/layout/element_nodes.hpp"
 #include "engine/layout/overlap.hpp"
+#include "engine/layout/relaxation.hpp"
 #include "engine/scene/shapes/box.hpp"
 
 namespace taut {
@@ -95,7 +97,8 @@ LatticeRows rows_of(const Body& body, int dim, double dp) {
   return rows;
 }
 
-/// Fills the union of shapes minus cut-outs with a lattice that begins half a pitch from the anchor of the first shape.
+}  // namespace
+
 std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   const LatticeRows rows = rows_of(body, dim, dp);
   std::vector<InitialSite> sites;
@@ -117,6 +120,8 @@ std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   check_cuts(body, cut);
   return sites;
 }
+
+namespace {
 
 /// Particles from face to face; V0 is the part of the cell inside.
 std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
@@ -147,7 +152,7 @@ std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
 }
 
 std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
-  if (body.shapes.size() != 1 || !body.without.empty()) return {};
+  if (body.shapes.size() != 1 || !body.without.empty() || body.relaxed) return {};
   if (body.on_boundary) return sites_on_boundary(*body.shapes.front().as<Box>(), dim, dp);
   return body.shapes.front()->sites(dim, dp);
 }
@@ -174,6 +179,7 @@ std::vector<InitialSite> body_sites(const Body& as_given, const Scene& scene) {
   const Body body = unplaced_body(as_given, dim);
   std::vector<InitialSite> sites = own_sites(body, dim, scene.spacing);
   if (sites.empty()) sites = lattice_sites(body, dim, scene.spacing);
+  if (body.relaxed) relax(sites, body, lattice_bounds_of(body), dim, scene.spacing);
   for (InitialSite& site : sites) site.middle = placed(as_given, site.x, dim);
   jitter_sites(sites, scene.jitter, body.shapes.front(), dim, scene.spacing);
   for (InitialSite& site : sites) site.x = placed(as_given, site.x, dim);
@@ -322,6 +328,9 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
     layout.v.push_back(v);
   }
   layout.first.push_back(layout.size());
+  const bool on_lattice =
+      std::ranges::adjacent_find(sites, std::ranges::not_equal_to(), &InitialSite::V0) == sites.end();
+  layout.relaxed.push_back(body.relaxed && !on_lattice);
   if (body.on_boundary) weigh_box(layout, body, first, scene.dim, scene.spacing);
 }
 

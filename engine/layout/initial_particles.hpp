@@ -22,8 +22,9 @@ struct InitialParticles {
   std::vector<unsigned char> guided;  // bit k: fixed along axis k; empty = none
   // index of the image under a symmetry rotation of the body, or of the particle itself
   std::vector<int> turned;
-  std::vector<int> first;  // [body] first particle; then the number of particles
-  ElementMesh mesh;        // of Scene::element_order > 0: the particles are the nodes
+  std::vector<int> first;     // [body] first particle; then the number of particles
+  std::vector<bool> relaxed;  // [body] moved off the lattice to follow the faces; empty = none
+  ElementMesh mesh;           // of Scene::element_order > 0: the particles are the nodes
 
   int size() const { return static_cast<int>(x.size()); }
   std::vector<unsigned char> driven() const {
@@ -43,5 +44,9 @@ inline constexpr double greatest_particle_number = 20e6;
 /// keep half cells. Then jitters, reflects, rotates and displaces. Finite elements: see make_element_nodes. Throws
 /// SceneError for no particles, too many particles and overlapping bodies.
 InitialParticles make_initial_particles(const Scene& scene);
+
+/// Fills the union of shapes minus cut-outs with a lattice that begins half a pitch from the anchor of the first shape.
+/// `body` is not placed (unplaced_body).
+std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp);
 
 }  // namespace taut

@@ -9,6 +9,7 @@
 
 #include "engine/core/index.hpp"
 #include "engine/core/parallel.hpp"
+#include "engine/layout/point_grid.hpp"
 #include "engine/scene/shapes/box.hpp"
 
 namespace taut {
@@ -48,7 +49,8 @@ struct Cells {
 };
 
 FacePatches own_patches(const Body& body, double dp) {
-  return body.shapes.size() == 1 && body.without.empty() ? body.shapes.front()->patches(dp) : FacePatches{};
+  return body.shapes.size() == 1 && body.without.empty() && !body.relaxed ? body.shapes.front()->patches(dp)
+                                                                          : FacePatches{};
 }
 
 /// Faces of a body before its reflection and rotation.
@@ -195,10 +197,30 @@ class BodyMesh {
     }
   }
 
+  struct Filled {
+    std::vector<Cell> cells;
+    std::vector<int> particles;  // one in or near each cell
+  };
+  Filled filled_cells() const {
+    Filled all;
+    std::vector<Point> places;  // in spacings
+    for (int i = first_; i < initial_.first[as_index(index_) + 1]; ++i) {
+      Point x = unplaced_point(given_, initial_.x[as_index(i)], dim);
+      if (!given_.relaxed) all.cells.push_back(cells_.of(x)), all.particles.push_back(i);
+      for (double& component : x) component /= dp_;
+      places.push_back(x);
+    }
+    if (!given_.relaxed) return all;
+    constexpr long farthest = 4;
+    const PointGrid grid(std::move(places), dim);
+    for (const InitialSite& site : lattice_sites(laid_, dim, dp_)) {
+      const int i = grid.nearest({site.x[0] / dp_, site.x[1] / dp_, site.x[2] / dp_}, farthest).index;
+      if (i >= 0) all.cells.push_back(cells_.of(site.x)), all.particles.push_back(first_ + i);
+    }
+    return all;
+  }
   void find_facets() {
-    std::vector<Cell> filled;  // [particle]
-    for (int i = first_; i < initial_.first[as_index(index_) + 1]; ++i)
-      filled.push_back(cells_.of(unplaced_point(given_, initial_.x[as_index(i)], dim)));
+    const auto [filled, particles] = filled_cells();
     std::vector<Cell> sorted = filled;
     std::ranges::sort(sorted);
     for (std::size_t i = 0; i < filled.size(); ++i) {
@@ -207,9 +229,8 @@ class BodyMesh {
           Cell beyond = filled[i];
           beyond[axis] += 2 * side - 1;
           if (!std::ranges::binary_search(sorted, beyond))
-            facets_.push_back({.node = corners_of(filled[i], axis, side),
-                               .body = index_,
-                               .particle = first_ + static_cast<int>(i)});
+            facets_.push_back(
+                {.node = corners_of(filled[i], axis, side), .body = index_, .particle = particles[i]});
         }
       }
     }

@@ -100,6 +100,7 @@ struct Body {
   std::vector<Shape> shapes;   // the first one anchors the lattice
   std::vector<Shape> without;  // cut out
   Lattice lattice = Lattice::square;
+  bool relaxed = false;      // particles of the lattice move to follow the faces
   bool on_boundary = false;  // one box with particles on its faces
   int material = 0;
   std::vector<Part> parts;             // the last that contains a particle counts

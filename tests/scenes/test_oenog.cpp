@@ -15,6 +15,7 @@
 #include "engine/diagnostics/measures.hpp"
 #include "engine/judge/verdict.hpp"
 #include "engine/methods/catalogue.hpp"
+#include "engine/scene/shapes/round_shapes.hpp"
 #include "engine/simulation.hpp"
 #include "tests/support/relative.hpp"
 
@@ -96,6 +97,21 @@ TEST_SUITE("convergence") {
     CHECK(middle < fine);
     CHECK(fine < 0);
     CHECK(order(-coarse, -fine, 2) > 1.5);
+  }
+
+  TEST_CASE("ringing ring: a relaxed layout has less than a third of the error of the cut lattice") {
+    const auto error = [](const std::string& method, bool relaxed) {
+      SceneFile file = scene("ringing-ring", 0.00125, {}, method);
+      file.scene.until = 0.0125;
+      Body& ring = file.scene.bodies.at(0);
+      ring.relaxed = relaxed;
+      ring.shapes = {Ring{{0, 0, 0}, 0.03, 0.04, RoundLayout::lattice}};
+      return Whole(std::move(file)).measured("period") / 10.40371e-3 - 1;
+    };
+    CHECK(std::abs(error("oenog", true)) < 0.015);
+    CHECK(error("oenog", false) > 0.045);
+    CHECK(std::abs(error("tl", true)) < 0.04);
+    CHECK(error("tl", false) > 0.12);
   }
 
   TEST_CASE(

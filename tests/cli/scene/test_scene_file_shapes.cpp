@@ -141,6 +141,22 @@ TEST_SUITE("cli") {
                 {"unknown layout 'spaced'", "lattice"});
   }
 
+  TEST_CASE(
+      "shapes: a relaxed layout has the volume of its shape, and is refused where there is no cut lattice") {
+    const std::string disc = R"({ type = "disc", centre = [0, 0], radius = 2 })";
+    const InitialParticles relaxed = laid(scene_text(disc, "layout = \"relaxed\""));
+    CHECK(relaxed.x != laid(scene_text(disc, "layout = \"regular\"")).x);
+    CHECK(volume(relaxed) == relative(4 * std::numbers::pi, 1e-12));
+    const std::string ball = R"({ type = "ball", centre = [0, 0, 0], radius = 0.3 })";
+    CHECK(volume(laid(scene_text(ball, "layout = \"relaxed\"", 3))) ==
+          relative(0.036 * std::numbers::pi, 1e-12));
+    check_error("name = \"block\"", "name = \"block\"\nlayout = @\"aligned\"", {"regular", "relaxed"});
+    check_error("name = \"block\"", "name = \"block\"\non_boundary = true\nlayout = @\"relaxed\"",
+                {"on_boundary"});
+    check_error("name = \"block\"", "name = \"block\"\nlattice = \"hexagonal\"\nlayout = @\"relaxed\"",
+                {"square lattice", "hexagonal"});
+  }
+
   TEST_CASE("shapes: invalid polygons are refused at their place") {
     check_shape_error(R"({ type = "polygon", points = @[[0, 0], [1, 0], [0, 0]] })",
                       {"at least three points, but this one has 2"});

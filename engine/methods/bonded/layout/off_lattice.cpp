@@ -66,8 +66,9 @@ std::vector<bool> irregular_bodies(const InitialParticles& initial, const Constr
     const auto rigid = std::count_if(&constraints[first], &constraints[first] + (end - first), is_rigid);
     const auto free = end - first - rigid,
                equal = std::count(&regular[first], &regular[first] + (end - first), 1) - rigid;
+    const bool relaxed = initial.dim == 2 && !initial.relaxed.empty() && initial.relaxed[body];
     // in layered balls only half of the particles have equal neighbours
-    irregular.push_back((initial.dim == 3 ? 10 : 2) * equal < free);
+    irregular.push_back(relaxed || (initial.dim == 3 ? 10 : 2) * equal < free);
   }
   return irregular;
 }

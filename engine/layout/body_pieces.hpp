@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/scene/scene.hpp"
+
+namespace taut {
+
+/// Coordinates along the lattice of a body, in spacings from the anchor of its first shape.
+struct LatticeFrame {
+  const Body& body;
+  int dim;
+  double dp;  // m
+
+  Point from(const Point& x) const;  // place, m
+  Point to(const Point& place) const;
+};
+
+/// Small cubes that fill a body, and points on its faces, in the frame of its lattice.
+struct BodyPieces {
+  static int along_spacing(int dim) { return dim == 3 ? 4 : 8; }
+
+  struct Piece {
+    Point x{};  // centre of mass
+    double volume = 0;
+  };
+  std::vector<Piece> pieces;
+  std::vector<Point> face_points;
+};
+
+/// `box`: bounds in lattice coordinates, m. Cubes at faces count by samples; details smaller than a cube are lost.
+BodyPieces make_pieces(const LatticeFrame& frame, const Bounds& box);
+
+}  // namespace taut
