@@ -14,6 +14,7 @@
 #include "engine/contact/face_contacts.hpp"
 #include "engine/contact/facet_contacts.hpp"
 #include "engine/error.hpp"
+#include "engine/layout/element_nodes.hpp"
 
 namespace taut {
 namespace {
