@@ -16,14 +16,15 @@ struct Quantity {
 /// Each quantity once, in order.
 std::vector<Quantity> quantities_in(const std::string& criterion);
 
-/// Throws UsageError for an invalid expression and an unknown run.
+/// Throws UsageError for an invalid expression, an unknown run, or no quantity of a run.
 void check_criterion(const std::string& criterion, const std::vector<std::string>& runs);
 
 /// Verdicts are ranks from `stable` to `diverged`.
 bool is_met(const std::string& criterion, const std::map<std::string, double>& values);
 
 struct QuantityValue {
-  double number = 0;  // verdict: rank; failure: start in s, or infinity
+  // `verdict`: its rank; `since.FAILURE`: first time of the failure in s, infinity if never
+  double number = 0;
   std::string shown;  // with unit
 };
 /// Throws UsageError for an unknown quantity and a measure without value.

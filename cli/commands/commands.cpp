@@ -81,7 +81,7 @@ constexpr Command table[] = {
      "  taut report out/b --baseline out/a        expected pictures, these pictures, and their differences\n"
      "  taut report out/rings --embed             one file: out/rings/report.html\n"
      "  taut report out/rings --watch             follow a run that goes on\n"
-     "The page needs neither server nor network. It shows the results as they are when the command runs.\n",
+     "The page needs neither server nor network. Without --watch, it shows the results at the time of the command.\n",
      declare_report},
     {"compare", "draw runs side by side from their saved particles: one column per run, one row per time",
      "  taut compare out/og out/enog --out panel.png\n"
@@ -124,7 +124,7 @@ constexpr Command table[] = {
      "  taut claims --all --jobs 2 --json         run everything: hours\n"
      "Runs are kept in --out, and finished runs are not repeated. A claim `holds` if its criterion is true,\n"
      "holds `in part` if only the weaker criterion is true, and otherwise `does not hold`. A run agrees if it\n"
-     "finds the recorded state and if the evidence condition is true.\n",
+     "finds the recorded state and if the claim's `evidence` condition, if any, is true.\n",
      declare_claims},
     {"session", "simulate interactively: read commands from stdin, print answers; `help` lists the commands",
      "  taut session colliding-rings\n"

@@ -22,7 +22,7 @@ std::uint32_t checksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-/// Rejects large files before they are read.
+/// Whether a regular file begins with other bytes than a checkpoint; spares reading large foreign files.
 bool begins_otherwise(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;

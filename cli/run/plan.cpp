@@ -25,7 +25,7 @@ namespace {
 
 constexpr int default_history_rows = 1000;
 
-/// Called before the scene is read, which depends on the method.
+/// Called before the scene is read, because reading it needs a known method.
 void check_methods(const std::vector<Setting>& settings) {
   std::vector<std::string> names;
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);
@@ -59,8 +59,9 @@ double history_interval(const RunOptions& options, const SceneFile& file) {
   const double interval =
       options.history.value_or(file.history.value_or(file.scene.until / default_history_rows));
   if (file.scene.until / interval > most_rows)
-    throw UsageError(fmt::format("--history {} would give more than 10 million rows; use a longer interval",
-                                 brief(interval)));
+    throw UsageError(
+        fmt::format("a history interval of {} s would give more than 10 million rows; use a longer one",
+                    brief(interval)));
   return interval;
 }
 
@@ -72,7 +73,8 @@ std::optional<std::filesystem::path> run_folder_of(const SceneFile& file) {
   return folder.path();
 }
 
-/// "-v0=0.08-spacing=0.002". Without `again`, includes parameters that a copied scene.toml changes.
+/// "-v0=0.08-spacing=0.002". Unless `again` (scene.toml lies in its run folder), includes parameters whose value in a
+/// copied scene.toml differs from their `default`.
 std::string changes_text(const SceneFile& file, bool again) {
   constexpr std::size_t longest = 120;
   using enum ResolvedSetting::Source;
@@ -123,11 +125,10 @@ std::string lines_without_samples(const Scene& scene) {
   for (const SampleLine& line : scene.lines) {
     const auto late = std::ranges::count_if(line.times, [&](double t) { return t > scene.until; });
     if (late > 0)
-      text +=
-          (text.empty() ? "" : "; ") +
-          fmt::format(
-              "line '{0}' has no samples at {1} of its {2} times, which are after the end of the run, {3} s",
-              line.name, late, line.times.size(), brief(scene.until));
+      text += (text.empty() ? "" : "; ") +
+              fmt::format(
+                  "line '{0}' has no samples at its times after the end of the run, {3} s: {1} of {2} times",
+                  line.name, late, line.times.size(), brief(scene.until));
   }
   return text;
 }
@@ -195,7 +196,8 @@ void declare_setting_options(Options& command, RunOptions& o) {
   };
   declare_number(
       "spacing",
-      "particle spacing dp, m, as a number or 1/14; rounded to divide the first body; default: the scene's",
+      "particle spacing dp, m, a number or an expression such as 1/14; rounded to divide the first body; "
+      "default: the scene's",
       "DP");
   declare_number("until", "end of the run, s; default: the scene's", "T");
 }
@@ -234,7 +236,7 @@ void declare_particle_options(Options& command, RunOptions& o) {
 }
 
 void check_threads(int threads, std::string_view option) {
-  constexpr int few = 8;  // per core; more only wait
+  constexpr int few = 8;  // most threads per core, at least 16 in total; further threads would only wait
   const int most = std::max(2 * few, few * cores());
   if (threads > most)
     throw UsageError(fmt::format("{} is {}; at most {} are allowed, since this machine has {} cores", option,

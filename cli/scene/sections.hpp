@@ -57,7 +57,8 @@ void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
 void make_paths_relative(const std::filesystem::path& folder, TomlValue& scene);
-/// Searches `folder`, then scene folders; rewrites `file`. `what`: for messages.
+/// Searches `folder`, then the scene folders. Makes the key `file` of the table independent of the scene folder's
+/// location. `what`: for messages.
 std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
                                  std::string_view what);
 /// Requires the scene's bodies.
@@ -86,7 +87,7 @@ inline const std::vector<std::string> axis_names = {"x", "y", "z"};
 enum class Layers : std::uint8_t {
   for_initial_neighbours,
   for_searched_neighbours,
-  of_lattice,  // hexagonal
+  of_lattice,  // the body has a hexagonal or relaxed lattice, from which round shapes are cut
   none
 };
 struct ShapeSetting {
@@ -144,7 +145,7 @@ struct ContactChoice {
 };
 std::span<const ContactChoice> contact_choices();
 
-/// Law, in references and run.json, of methods without out-of-plane stress. Scenes cannot choose it.
+/// Name in references and run.json of the law of methods with a 2D deviator. `law` cannot select it.
 inline constexpr std::string_view in_plane_law = "2d_deviator";
 /// neo_hookean (run.json) to neo-hookean.
 std::string law_name(std::string_view material_law);

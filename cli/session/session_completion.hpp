@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Completes the last word of a partial line.
+/// Choices for the last word of a partial line, whatever is typed of it.
 Choices session_choices(const Session& session, const std::vector<std::string>& words);
 
 }  // namespace taut::cli

@@ -18,7 +18,7 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Adapts the size. Pictures of characters become bare, since they are too coarse for texts.
+  /// Fits the size of pictures to the terminal. Character output is too coarse for texts, so they are left out.
   void adapt(render::Look& look) const;
   std::string text_of(const render::Image& image) const;
 

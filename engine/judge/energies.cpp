@@ -108,7 +108,8 @@ double EnergyTest::work(const Snapshot& now, std::size_t body) const {
   return now.body_work[body];
 }
 
-/// Whether the boxes that both bodies swept since the last observation come within range, in the frame of body a.
+/// Whether the boxes swept by bodies a and b since the last observation come within `reach_` of each other, relative to
+/// the centre of a.
 bool EnergyTest::may_meet(std::size_t a, std::size_t b, const std::vector<Sums>& now, double time) const {
   const double beyond =
       reach_ + 0.5 * (time - last_time_) *
@@ -196,7 +197,7 @@ bool EnergyTest::diverges(const Snapshot& now) {
 
     constexpr double margin = 1e4, of_start = 10;
     constexpr double of_common_motion = 1e-12;  // share of the initial kinetic energy
-    constexpr double of_rest = 0.5e8;           // speeds of 1e-4 sound speeds
+    constexpr double of_rest = 0.5e8;  // times the rounding energy: kinetic energy at 1e-4 sound speeds
     const double floor =
         margin * rounding_ * group.mass + of_common_motion * group.start_kinetic - of_start * least_strain;
     const bool received = given > floor;

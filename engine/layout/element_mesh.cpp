@@ -42,8 +42,8 @@ Point direction(const Point& u, double largest) {
   return way;
 }
 
-/// Point of the unit ball inside a rounded cube; `u` from −1 to 1. The faces of the cube are half a radius from the
-/// centre.
+/// Maps the cube [−1, 1]^dim to a rounded cube at the centre of the unit ball. The faces of the rounded cube are half a
+/// radius from the centre.
 Point core_point(const Point& u) {
   constexpr double half = 0.5, rounding = 0.21;
   const double largest = std::max({std::abs(u[0]), std::abs(u[1]), std::abs(u[2])});
@@ -71,7 +71,8 @@ void for_each_side(int dim, const F& f) {
 
 /// Unit ball or disc: a core and blocks around it.
 Blocks ball_blocks(int dim, double radius, double size) {
-  constexpr double of_core = 1.15, around_core = 0.45;  // of the radius; elements are of similar size
+  // lengths to divide into elements, over the radius; the elements get similar sizes
+  constexpr double of_core = 1.15, around_core = 0.45;
   const long n = number(of_core * radius, size), layers = number(around_core * radius, size);
   Blocks blocks{{{n, n, dim == 3 ? n : 1}, [=](const Point& u) {
                    return core_point({2 * u[0] - 1, 2 * u[1] - 1, dim == 3 ? 2 * u[2] - 1 : 0.0});
@@ -89,7 +90,7 @@ Blocks ball_blocks(int dim, double radius, double size) {
   return blocks;
 }
 
-/// Ring of mean circumference, or shell of a cube made round.
+/// Ring, or shell made of the six sides of a rounded cube; the mean radius sets the number of elements around it.
 Blocks ring_blocks(int dim, double inner, double outer, double size) {
   const double middle = 0.5 * (inner + outer);
   const long layers = number(outer - inner, size);
@@ -151,7 +152,7 @@ Blocks cylinder_blocks(const Cylinder& pipe, double size) {
   return blocks;
 }
 
-/// Grid lines through the faces of all boxes along an axis, m.
+/// Coordinates of the faces of all boxes on an axis, ascending, m.
 std::vector<double> lines_along(std::size_t axis, const std::vector<Box>& boxes, double dp) {
   std::vector<double> lines;
   for (const Box& box : boxes) lines.insert(lines.end(), {box.low[axis], box.high[axis]});
@@ -226,9 +227,11 @@ Blocks blocks_of(const Body& body, int dim, double size) {
     throw SceneError(
         "body." + body.name,
         fmt::format(
-            "body '{}' has no finite-element mesh; shapes with a mesh: {}, each alone; unions and cut-outs of {}; "
+            "body '{}' has no finite-element mesh; shapes with a mesh: a single {}; or {} with unions and cut-outs; "
             "use a method with particles, such as oenog, for other shapes",
-            body.name, dim == 2 ? "disc, ellipse, ring" : "ball, ellipsoid, shell, cylinder, rotated box",
+            body.name,
+            dim == 2 ? "disc, ellipse, ring or rotated rectangle"
+                     : "ball, ellipsoid, shell, cylinder or rotated box",
             dim == 2 ? "rectangles" : "boxes"));
   return blocks;
 }
@@ -311,7 +314,8 @@ Mat<double, Dim> jacobian(const std::array<Point, power_of(n, Dim)>& X, int k,
   return G;
 }
 
-/// Shares in proportion to Gauss–Lobatto weights; their sum is the volume by Gauss points.
+/// Adds the volume share of each node (Gauss–Lobatto weights, scaled to the volume at the Gauss points) and the middle
+/// of each element.
 template <int n, int Dim>
 void add_volumes(ElementMesh& mesh) {
   using Line = LineElement<n>;

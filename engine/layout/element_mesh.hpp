@@ -25,15 +25,15 @@ struct ElementMesh {
 /// Piece of a face between neighbouring nodes: a segment in 2D, a quadrilateral in 3D.
 struct MeshFacet {
   std::array<int, 4>
-      node{};  // node on the left first if seen from outside, in 3D anticlockwise; not if `inverted`
+      node{};  // seen from outside, 2D: left node first; 3D: anticlockwise; reversed if `inverted`
   int element = 0;
   int side = 0;           // 2 axis + (1 at the upper end)
   bool inverted = false;  // the element is a mirror image of the reference element
 };
 
-/// Meshes a body: unions of boxes minus boxes by a grid through all their faces; discs, rings, balls, shells and
-/// cylinders by blocks. Elements of order 2 are twice as long, so that nodes are about dp apart. Throws SceneError for
-/// other shapes. Nodes are numbered from 0.
+/// Meshes a body. Boxes with unions and cut-outs get a grid through all faces; a single disc, ball, ellipse, ellipsoid,
+/// ring, shell or cylinder, or a rotated shape, gets mapped blocks. Elements of order 2 are twice as long, so that nodes
+/// are about dp apart. Throws SceneError for other shapes. Nodes are numbered from 0.
 ElementMesh mesh_of_body(const Body& body, int dim, int order, double dp);
 
 /// Facets that belong to one element only.

@@ -109,8 +109,10 @@ class BodyNodes {
     if (where && std::ranges::count(nodes_in(where), 1) == 0)
       throw SceneError(
           fmt::format("body.{}.{}", body_.name, key),
-          fmt::format("{}: no element of body '{}' is in this region: its value is 0 in the middle of each",
-                      what, body_.name));
+          fmt::format(
+              "{}: no element cell of body '{}' is in this region, "
+              "because the expression is 0 in the middle of each cell, or with on_boundary at each node",
+              what, body_.name));
   }
   void check_regions() const {
     const auto check = [&](const auto& regions, const std::string& key) {
@@ -174,7 +176,7 @@ class BodyNodes {
   ElementMesh mesh_;
 };
 
-/// Coordinates ξ of a point in an element by Newton's method, and the shape functions there. Empty outside.
+/// Shape functions at a point of an element, whose coordinates ξ follow by Newton's method. Empty outside.
 template <int n, int Dim>
 std::vector<PointWeight> shapes_at(const ElementMesh& mesh, int element, const Point& at) {
   using Line = LineElement<n>;
@@ -241,7 +243,8 @@ std::vector<double> load_weights(const Load& load, const Body& body, const Initi
   const ElementMesh& mesh = initial.mesh;
   std::vector<double> weight(initial.x.size());
   const int each = mesh.nodes_of_each();
-  std::vector<double> share(mesh.node.size());  // of a node's cells in the element
+  // [element][local node] loaded share of the node's cells in the element
+  std::vector<double> share(mesh.node.size());
   std::vector<std::vector<std::vector<int>>> of_load(as_index(mesh.size()));  // [element] loaded cells
   std::vector<double> cells(as_index(each));
   for (const std::vector<int>& cell : cells_of_element(mesh))

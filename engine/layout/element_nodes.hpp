@@ -7,15 +7,16 @@
 
 namespace taut {
 
-/// Nodes of finite elements as particles. A node has the summed mass of its elements' shares. A region, such as a clamp,
-/// contains a cell between neighbouring nodes if it contains the middle of the cell, and with it the nodes of the cell;
-/// with Body::on_boundary it contains nodes by their places. The material of an element is that of its middle. Where
-/// regions meet, clamps come before drives, and later drives before earlier ones. Throws SceneError for bodies without
-/// mesh, jitter, empty regions, and overlapping bodies.
+/// Nodes of finite elements as particles. The mass of a node is the sum of its shares of the adjacent elements.
+/// A region, such as a clamp, contains all nodes of each cell (part of an element between neighbouring nodes) whose
+/// middle is in it. With Body::on_boundary it contains the nodes that lie in it. The material of an element is the
+/// material at its middle. Where regions meet, clamps come before drives, and later drives before earlier ones. Throws
+/// SceneError for bodies without mesh, jitter, empty regions, and overlapping bodies.
 InitialParticles make_element_nodes(const Scene& scene);
 
-/// Weight of each node of a body in a load: the volume in m^dim of its shares of loaded cells; for tractions its share
-/// of the face in m^(dim − 1). The face is on that side of the loaded cells where most of them end.
+/// Weight of each node of a body in a load: its volume share of the loaded cells, m^dim (with Body::on_boundary: the
+/// volumes of the nodes in the region); for tractions its share of the face in m^(dim − 1). The face is the local side
+/// of elements with the most boundary facets of loaded cells.
 std::vector<double> load_weights(const Load& load, const Body& body, const InitialParticles& initial,
                                  int index);
 

@@ -50,7 +50,7 @@ struct FacePatches {
 struct InitialSite {
   Point x{};          // m
   double V0 = 0;      // m^dim
-  int turned = -1;    // next site under a symmetry rotation; -1 = none
+  int turned = -1;    // index of the site onto which a symmetry rotation maps this one; -1 = none
   double inside = 1;  // fraction of its cell that lies in the body
   std::array<bool, 3> on_face{};
   Point middle{};  // x without jitter, m; for regions

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Runs twelve situations with known answers with six methods, and writes one table of results over answers.
+# Runs twelve situations that have known answers with six methods, and writes a table of the ratios of results to
+# answers.
 #
 #     scenes/studies/known-answers.sh                      # all, into results/known-answers.md; two minutes of CPU time
 #     scenes/studies/known-answers.sh FILE SITUATION ...   # some situations, into FILE
 #
-# The scenes, with their answers as references, are in known-answers/. Runs are kept in out/known-answers; an interrupted
-# study resumes there. Uses build/taut, or the program in TAUT.
+# The scenes, with their answers as references, are in known-answers/, except the shipped scene oblique-discs. Runs are
+# kept in out/known-answers; an interrupted study resumes there. Uses build/taut, or the program in TAUT.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 taut=${TAUT:-$here/../../build/taut}
@@ -57,7 +58,9 @@ rows() {
       cell["verdict", m] = marked(said, said != "stable")
       for (k = 1; k <= measures; ++k) {
         key = measure[k]; value = f[at["measures." key ".value"]]; reference = f[at["measures." key ".reference"]]
-        if (reference == "") { print name ": " m " has no exact " key > "/dev/stderr"; failed = 1; exit 1 }
+        if (reference == "") {
+          print name ": the scene has no reference for the measure " key " with " m > "/dev/stderr"; failed = 1; exit 1
+        }
         if (!(key in exact) || f[at["material_law"]] != "2d_deviator")
           exact[key] = sprintf("%.4g", reference) (f[at["measures." key ".unit"]] == "1" ? "" : " " f[at["measures." key ".unit"]])
         shown = sprintf("%.3f", reference == 0 ? value : value / reference)
@@ -76,7 +79,8 @@ rows() {
 {
   echo "# Situations with known answers"
   echo
-  echo "Made by \`known-answers.sh\`; do not edit. Cells are results over exact results, or results where the exact one is 0."
+  echo "Made by \`known-answers.sh\`; do not edit. A cell is the result divided by the exact result, or the result itself"
+  echo "if the exact result is 0."
   echo "\`enog\` and \`gnog\` are compared with the answer of their own material law, the others with the column \"exact\"."
   echo "Bold: a verdict other than \`stable\`, a warning, or a result that is more than 5 % (0.05) off. Dash: the method"
   echo "cannot run the scene."

@@ -1,5 +1,5 @@
 #!/bin/sh
-# A sweep that finds the speed at which colliding rubber rings fracture.
+# A sweep that finds the highest speed at which colliding rubber rings remain stable.
 #
 #     scenes/studies/rings-sweep.sh [FOLDER [SPACING]]
 #
@@ -18,9 +18,9 @@ spacing=${2:-0.002}
 # 2. Run on all cores. A run that fractures or diverges is an ordinary row, so the exit code is 0.
 "$taut" sweep rings-speed-limit --spacing "$spacing" --out "$folder"
 
-# 3. Derive the answer from results.csv by column names (results.json has the same as a tree).
+# 3. Derive the answer from results.csv by column names (results.json contains the same data as a tree).
 echo
-echo "Highest speed at which the rings stay intact, by method, in c0:"
+echo "Highest speed up to which the verdict is stable, by method, in c0:"
 awk -F, '
   NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
   {

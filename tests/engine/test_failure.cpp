@@ -76,7 +76,7 @@ TEST_SUITE("failure") {
     }
   }
 
-  TEST_CASE("plate: the Laplacian without projection resists rotation") {
+  TEST_CASE("plate: the plain Laplacian of enog-nonconservative resists rotation") {
     const double quarter_period = 0.065;
     const Series published = tip_until(1.15 * quarter_period, 0.05, "enog");
     const Series plain = tip_until(1.15 * quarter_period, 0.05, "enog-nonconservative");
@@ -88,7 +88,8 @@ TEST_SUITE("failure") {
     CHECK(stiff_peak < 0.5 * peak);
   }
 
-  TEST_CASE("free body: uncorrected gradients resist a rotation, corrected ones do not") {
+  TEST_CASE(
+      "free body: uncorrected gradients and the plain Laplacian resist a rotation, other methods do not") {
     const double rate = 0.01, until = 2;
     Scene scene = free_square(10);
     scene.bodies[0].velocity = {[=](const Point& x) { return -rate * x[1]; },
@@ -162,7 +163,8 @@ TEST_SUITE("failure") {
     CHECK(greatest_distance(enog, tip_until(0.0032, 0.001, "enog-nonconservative")) > 0.01 * amplitude);
   }
 
-  TEST_CASE("rotation: enog gains energy because its shear does not rotate, og and oas do not") {
+  TEST_CASE(
+      "rotation: enog gains energy because its shear force does not rotate, while og and oas gain none") {
     const Scene scene = rotating_plate(0.2);
     const auto energy_ratio = [&](const std::string& method) {
       const auto simulation = make_simulation(scene, with_method(method));

@@ -7,7 +7,7 @@
 namespace references {
 namespace {
 
-/// Column of a table: a value that is read from the body at the time of each row, in this order.
+/// Column of a table. `value` is called once per row, in the order of the rows, since `twist` keeps its last value.
 template <int d>
 struct Column {
   std::string name;
@@ -210,7 +210,8 @@ Case oscillating_plate_3d(int p, int q, double until) {
   };
 }
 
-/// Quarter of the block [Lee2016] §8.5; its top is driven down up to x = 0.01. Elements per centimetre set the mesh.
+/// Quarter of the block [Lee2016] §8.5; its top face is driven downwards where x ≤ 0.01. Elements per centimetre set
+/// the mesh.
 Case coining(int per_centimetre, bool free_face) {
   return [=](const Settings& settings, std::ostream& table) {
     constexpr double depth = 0.005;

@@ -11,7 +11,7 @@ namespace references {
 struct Settings {
   int refine = 1;        ///< multiplies the number of elements along each axis
   double courant = 0.8;  ///< time step over the transit time of a wave between two nodes
-  double until = std::numeric_limits<double>::infinity();  ///< last row of a table over time, s
+  double until = std::numeric_limits<double>::infinity();  ///< time of the last row, s
 };
 
 /// Writes a table: a head with the names of the columns, then rows.

@@ -28,14 +28,14 @@ struct Material {
     return {law, density, youngs_modulus / (3 * (1 - 2 * poisson_ratio)),
             youngs_modulus / (2 * (1 + poisson_ratio))};
   }
-  /// Speed of pressure waves without strain, m/s; not less than that of the law in 2D.
+  /// Speed of pressure waves in the unstrained 3D material, m/s; an upper bound for both laws in 2D.
   double wave_speed() const { return std::sqrt((bulk + 4 * shear / 3) / density); }
   /// Speed of sound that the papers scale with, m/s.
   double c0() const { return std::sqrt(bulk / density); }
 
   /// Power m of J in the isochoric term J^(-m) tr C.
   double power() const { return law == Law::neo_hookean ? 2. / 3 : 1; }
-  /// 1 if the stretch 1 across the plane counts in tr C.
+  /// Share of the out-of-plane stretch in tr C: 1 in plane strain, else 0.
   template <int d>
   double across() const {
     return d == 2 && law == Law::neo_hookean ? 1 : 0;

@@ -170,7 +170,8 @@ int Solid<d>::node_at(const Vector<d>& x) const {
     for (int a = 0; a < d; ++a) distance = std::max(distance, std::abs(mesh_.nodes[node][a] - x[a]));
     if (distance < 1e-9) return static_cast<int>(node);
   }
-  throw std::invalid_argument("no node is at the place of a column; the mesh must have one there");
+  throw std::invalid_argument(
+      "the mesh has no node at the point of a table column; change the mesh or the point");
 }
 
 template <int d>

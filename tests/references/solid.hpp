@@ -34,7 +34,7 @@ class Solid {
  private:
   static constexpr int points = points_per_element<d>;
   using Values = std::array<Lanes, points>;
-  /// Elements that are advanced together; the last batch repeats an element with the weight 0.
+  /// Elements that are advanced together; copies of an element, with weight 0, fill the last batch.
   struct Batch {
     std::array<std::array<int, lanes>, points> nodes;
     std::array<std::array<Values, d>, d> inverse;  ///< ∂ξ_a/∂X_b at Gauss points: [a][b]

@@ -16,7 +16,8 @@ struct BondSums {
   Pack stiffest{};         // maximum s + 1/(4s²)
 };
 
-/// Sums over the bonds of a group, with damping (THEORY.md). `places`: x and x + 3 τ v.
+/// Sums over the bonds of a group, with damping (THEORY.md). `places`: x, then x + 3 τ v, whose product with x adds the
+/// damping 3 τ q̇ to s.
 template <bool WithEnergy, int Dim, class Storage>
 [[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBondsView<Dim, Storage>& bonds,
                                                       const ColumnsView<2 * Dim>& places, int group,

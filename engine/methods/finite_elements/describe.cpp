@@ -9,11 +9,14 @@ namespace {
 
 constexpr TermInfo mass_info{
     "mass", "m_a = Σ_elements ρ0 V ω_a/Σ ω, ω: Gauss–Lobatto weight times det ∂X/∂ξ",
-    "lumped in proportion, as in HRZ lumping", "layout/element_mesh.cpp:add_volumes",
+    "lumped and scaled to the mass of the element, as in HRZ lumping", "layout/element_mesh.cpp:add_volumes",
     "element mesh: the volume of each shape is exact or converges, and all masses are positive"};
 constexpr TermInfo step_info{
-    "time step", "Δt = 2 cfl/max √(λ c²), λ: greatest eigenvalue of the Laplacian of an element",
-    "ours; c² from the strained law", "methods/finite_elements/solver.cpp:step_size",
+    "time step",
+    "Δt = 2 cfl/√(max λ c² + ω²), ω: frequency of the contact spring while contact acts, "
+    "λ: greatest eigenvalue of the Laplacian of an element",
+    "ours; c²: bound of the squared wave speed in the strained element",
+    "methods/finite_elements/solver.cpp:step_size",
     "finite elements: the default step is stable and at least a third of the critical one"};
 constexpr TermInfo time_info{"time", "position Verlet, one step", "[Zhang2020] Eq. 10, 11",
                              "methods/finite_elements/solver.cpp:step",

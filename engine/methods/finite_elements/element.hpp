@@ -50,8 +50,8 @@ T root_of(const T& a, std::integral_constant<int, 3>) {
 }
 
 /// Deformation gradients of four elements at their Gauss points: F from the displacements of the nodes, and F̄ with the
-/// volume ratio J̄, the projection of det F on the modes. F̄ = (J̄/J)^(1/d) F, d = Dim, as in [Hughes1980] and
-/// [Simo1985] for large strains.
+/// volume ratio J̄, which is det F projected on the constant (fe2: linear) functions of the element.
+/// F̄ = (J̄/J)^(1/d) F, d = Dim, as in [Hughes1980] and [Simo1985] for large strains.
 template <int n, int Dim>
 struct ElementStrain {
   static constexpr int N = power_of(n, Dim), modes = volume_modes(n - 1, Dim);
@@ -77,7 +77,7 @@ struct ElementStrain {
       J[q] = determinant(F[q]);
       for (int m = 0; m < modes; ++m) sum[m] += points[q].weight * points[q].mode[m] * (J[q] - 1);
     }
-    for (int q = 0; q < N; ++q) mean[q] = 1 + projected(sum, points[q]);  // exact at rest
+    for (int q = 0; q < N; ++q) mean[q] = 1 + projected(sum, points[q]);  // exactly 1 at rest
   }
 
   static Pack projected(const Pack (&sum)[modes], const Point& point) {
@@ -133,7 +133,7 @@ template <int n, int Dim, class Laws>
 }
 inline constexpr TermInfo element_strain_info{
     "deformation gradient",
-    "F̄ = (J̄/J)^(1/d) (1 + Σ_a u_a ∂N_a/∂X), J̄: mean of J in the element; fe2: its linear part",
+    "F̄ = (J̄/J)^(1/d) (1 + Σ_a u_a ∂N_a/∂X), J̄: mean of J in the element; fe2: linear fit of J",
     "[Simo1985]; here d = 2 in 2D", "methods/finite_elements/element.hpp:ElementStrain",
     "finite elements: linear displacements give uniform strain, rigid motions none"};
 inline constexpr TermInfo element_force_info{

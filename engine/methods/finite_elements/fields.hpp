@@ -11,10 +11,10 @@ template <int Dim, int modes>
 struct ElementPoint {
   Mat<Pack, Dim> to_local;                 // ∂ξ/∂X, 1/m
   alignas(sizeof(Pack)) Pack weight;       // m^Dim
-  alignas(sizeof(Pack)) Pack mode[modes];  // orthonormal functions of the volume ratio, m^(−Dim/2)
+  alignas(sizeof(Pack)) Pack mode[modes];  // orthonormal functions that span the volume ratio, m^(−Dim/2)
 };
 
-/// Number of functions of the volume ratio in an element: constant or linear.
+/// Number of functions that span the volume ratio of an element: 1 (constant) or dim + 1 (linear).
 constexpr int volume_modes(int order, int dim) { return order == 1 ? 1 : dim + 1; }
 
 template <int Dim>
@@ -25,11 +25,12 @@ struct FiniteElementFields {
   int groups;  // of four elements
   V* x;
   const V *v, *X;
-  V* u;                          // displacement x − X, m
-  const int* node;               // [group][local node][lane]
-  const int* material;           // [element]
-  const void* points;            // ElementPoint [group][Gauss point]
-  const Vec<Pack, 1>* rate;      // [group] λ/ρ0, λ: of OneElement, m/kg in 3D
+  V* u;                 // displacement x − X, m
+  const int* node;      // [group][local node][lane]
+  const int* material;  // [element]
+  const void* points;   // ElementPoint [group][Gauss point]
+  // [group] λ/ρ0, m/kg in 3D; λ: greatest eigenvalue of the Laplacian of the element
+  const Vec<Pack, 1>* rate;
   double* force;                 // [group][local node][component][lane], N
   const int *begin, *slot;       // slot[begin[i]] …: indices in `force` of node i
   const Vec<Pack, 1>* mobility;  // [group of nodes] 1/kg, 0 where clamped

@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Data that both orders share. `cfl` is relative to the greatest step of linear elements.
+/// Data that both orders share. `cfl`: time step over 2/ω, the stability limit of the stiffest element alone.
 constexpr Formulation finite_elements_of(Formulation m) {
   m.deviator = Deviator::plane_strain;
   m.contact = ContactLaw::surface;

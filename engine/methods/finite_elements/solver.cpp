@@ -140,7 +140,7 @@ FiniteElements<Dim>::FiniteElements(Common<Dim>& common, const SolverInput& inpu
   update_rate();
 }
 
-/// Elements in groups of four; the last element fills the last group.
+/// Stores the elements in groups of four; copies of the last element fill the last group.
 template <int Dim>
 template <int n>
 void FiniteElements<Dim>::set_up(const SolverInput& input) {
@@ -180,7 +180,7 @@ void FiniteElements<Dim>::set_up(const SolverInput& input) {
   }
 }
 
-/// Greatest squared frequency of two equal nodes of faces on their contact spring.
+/// Sets the greatest squared frequency of two equal face nodes joined by a contact spring, 1/s².
 template <int Dim>
 void FiniteElements<Dim>::set_contact_rate(const SolverInput& input) {
   const Constants& c = common_.constants;
@@ -224,7 +224,7 @@ void FiniteElements<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Calls take(element, first Gauss point's F̄, weights) for some groups of elements at the current positions.
+/// Calls take(element, F_at) for some groups of elements; F_at(q) is F̄ at Gauss point q at the current positions.
 template <int Dim>
 template <class Take>
 void FiniteElements<Dim>::with_strains(const std::vector<int>& groups, const Take& take) const {

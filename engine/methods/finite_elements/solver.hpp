@@ -42,7 +42,7 @@ class FiniteElements final : public Scheme<Dim> {
   Materials materials_;
   std::vector<V> X_, u_;
   std::vector<int> node_, material_;
-  // Vec aligns packs in every build
+  // std::vector<Pack> would misalign packs without AVX; Vec aligns them
   std::vector<Vec<Pack, 1>> points_;  // ElementPoint
   std::vector<Vec<Pack, 1>> rates_;   // [group]
   std::vector<double> force_;

@@ -53,7 +53,8 @@ class UlSplit final : public Scheme<Dim> {
   std::vector<double> rho_, drho_;
   std::vector<V> a_shear_, da_shear_;
   std::vector<S> s_, ds_;
-  std::vector<V> x_recovered_;  // positions at the last stress recovery, m
+  // positions when the stress was last updated from displacements (recover_stress), m
+  std::vector<V> x_recovered_;
   std::vector<FlowRow<Dim>> flow_, flow_new_;
   std::vector<TensorRow<Dim>> stress_, repulsion_, recovery_;
   std::vector<GradientRow<Dim>> velocity_gradient_;

@@ -90,8 +90,7 @@ TEST_SUITE("cli") {
     const Outcome late = run(line + "[0.5]\n");
     CHECK(late.code == 0);
     CHECK(contains(
-        late.err,
-        "line 'cut' has no samples at 1 of its 1 times, which are after the end of the run, 0.0001 s"));
+        late.err, "line 'cut' has no samples at its times after the end of the run, 0.0001 s: 1 of 1 times"));
     CHECK_FALSE(contains(run(line + "[1e-4]\n").err, "no sample"));
     const Outcome nowhere = call({"run", write_tiny_scene(folder), "--out", ""});
     CHECK(nowhere.code == 2);

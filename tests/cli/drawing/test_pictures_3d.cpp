@@ -109,7 +109,7 @@ TEST_SUITE("cli") {
   TEST_CASE("pictures that do not fit into memory are refused with their size and a remedy") {
     const TemporaryFolder folder;
     REQUIRE(run(folder, "a", {"--save-particles", "--no-render"}).code == 0);
-    // kB: too little for OpenGL
+    // ulimit in kB; `check_memory` needs about 660 000 kB for this picture
     const std::string command = "ulimit -c 0; ulimit -v 600000; timeout 60 " TAUT_BINARY_DIR "/taut render " +
                                 folder.str("a") + " --size 8000x8000 --threads 1 --quiet 2>" +
                                 folder.str("said");
@@ -121,7 +121,8 @@ TEST_SUITE("cli") {
   }
 #endif
 
-  TEST_CASE("an orbiting camera starts and ends in its own place, and sees all particles in between") {
+  TEST_CASE(
+      "an orbiting camera starts at --camera, turns by a full circle over the number of frames, and keeps its scale") {
     const TemporaryFolder folder;
     REQUIRE(run(folder, "a", {"--save-particles", "--frames", "3"}).code == 0);
     const auto frame = [&](int number) {
@@ -209,8 +210,7 @@ TEST_SUITE("cli") {
     check_error("color = \"von_mises\"", "axes_position = @\"outside\"",
                 {"axes_position needs dim = 3, but this scene has dim = 2"});
     check_error("color = \"von_mises\"", "bar_position = @\"top\"", {"unknown position 'top'", "bottom"});
-    check_error("color = \"von_mises\"", "bar_format = @\"%d\"",
-                {"bar_format = \"%d\" must be auto, %.Nf"});
+    check_error("color = \"von_mises\"", "bar_format = @\"%d\"", {"bar_format = \"%d\" must be auto, %.Nf"});
     check_error("color = \"von_mises\"", "cut = \"x >@\"", {"'x >'"});
     check_error("color = \"von_mises\"", "cut = @3", {"cut must be a text in quotes"});
     const TemporaryFolder folder;

@@ -99,7 +99,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "the exit code of a sweep is that of its gravest error: a crash, a file not written, a wrong scene") {
+      "a sweep exits with the code of its gravest error: a crash before an unwritable file before a wrong scene") {
     const TemporaryFolder folder;
     std::string text = text_of(write_tiny_scene(folder));
     const std::string parameters = "[parameters]\n";
@@ -109,7 +109,8 @@ TEST_SUITE("cli") {
     fs::create_directories(folder / "out");
     std::ofstream(folder / "out/sweep.lock") << "";
     fs::create_directory(folder / "out/limit=2");
-    fs::create_symlink("nowhere", folder / "out/limit=2/run.lock");  // no lock follows a link
+    // a lock file cannot be opened through a symlink, so this run cannot write
+    fs::create_symlink("nowhere", folder / "out/limit=2/run.lock");
     const auto sweep = [&](const std::string& limits, const Texts& more = {}) {
       Texts words{"sweep", folder.str("nan.toml"), "--grid", "limit=" + limits,
                   "--out", folder.str("out"),      "--quiet"};
@@ -224,7 +225,7 @@ TEST_SUITE("cli") {
     CHECK(ends(folder / "out").at("speed=7") == before.at("speed=7"));
   }
 
-  TEST_CASE("a cut run.json in a folder with foreign files is refused") {
+  TEST_CASE("a folder with a cut run.json is used again only if run.json and all other files are from taut") {
     const TemporaryFolder folder;
     fs::create_directories(folder / "out");
     std::ofstream(folder / "out/run.json") << "";

@@ -7,7 +7,8 @@ namespace of_this_file {
 using namespace taut;
 
 TEST_SUITE("unit") {
-  TEST_CASE("least squares: the Gram matrix gives the solution of the full matrix, or no solution") {
+  TEST_CASE(
+      "least squares: solved_by_gram gives the solution of least_squares, or is empty if A is nearly singular") {
     Eigen::MatrixXd A(6, 3);
     A << 1, 0, 0, 1, 1, 0, 1, 0, 1, 1, -1, 0.5, 1, 0.3, -1, 1, 2, 2;
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(6, -1, 3);

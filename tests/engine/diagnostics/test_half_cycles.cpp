@@ -17,7 +17,7 @@ TEST_SUITE("unit") {
     const double T = 0.254;
     for (const double sign : {1.0, -1.0}) {
       const auto wave = [=](double t) { return sign * 0.1 * std::sin(2 * pi * t / T); };
-      // linear interpolation of a sine has an error ~ (2π h/T)²/T h
+      // linear interpolation shifts the zeros of a sine by at most ~ (2π h/T)² h
       expect(value("period", sampled(unequal_times(0.5, 1e-4), wave)), T, 1e-6);
       CHECK_FALSE(value("period", sampled(unequal_times(0.99 * T, 1e-4), wave)));
     }
@@ -35,7 +35,8 @@ TEST_SUITE("unit") {
     expect(value("period", {0, 1, 2, 4, 5}, {0, 3, -1, -1, 3}), 4.25);
   }
 
-  TEST_CASE("period: a step exactly at zero counts as one crossing, and a touch of zero as none") {
+  TEST_CASE(
+      "period: a sample that is exactly 0 at a change of sign counts as one crossing, and a touch of 0 as none") {
     expect(value("period", {0, 1, 2, 3, 4, 5}, {0, 1, 0, -1, 0, 1}), 4);
     expect(value("period", {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 0, 1, -1, 0, -1, 1}), 6.5);
     expect(value("period", {0, 1, 2, 3, 4, 5, 6}, {-1e-18, 1, -1e-17, 1, 0, -1, 1}), 5.5);
@@ -72,7 +73,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(value("peak_time", sampled({0, 0.1, 0.25, 0.4, 0.58, 0.9}, throw_up)));
   }
 
-  TEST_CASE("decay: the loss per period follows from peaks on the side of the first one") {
+  TEST_CASE("decay: the loss per period follows from the peaks with the sign of the first peak") {
     for (const double loss : {0.2, 0.0, -0.1}) {
       for (const double sign : {1.0, -1.0}) {
         const auto wave = [=](double t) { return sign * std::pow(1 - loss, t) * std::sin(2 * pi * t); };
@@ -99,7 +100,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "period: a one-sided oscillation has a period about its mean, and about 0 a reason in place of a period") {
+      "period: a one-sided oscillation has a period about its mean, and about the level 0 none, with a reason") {
     const double T = 0.254, loss = 0.4;
     const auto swing = [=](double t) {
       return -0.03 * (1 - std::exp(-loss * t / T) * std::cos(2 * pi * t / T)) + 2e-4 * std::sin(40 * t / T);
@@ -121,7 +122,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("period: a series without a whole cycle about the mean has a reason in place of a period") {
+  TEST_CASE("period: without a whole cycle about the mean there is no period, and `why` gives the reason") {
     Scene scene = scene_of("period");
     scene.measures[0].about_mean = true;
     const auto swing = [](double t) { return 1 - std::cos(2 * pi * t); };
@@ -173,8 +174,7 @@ TEST_SUITE("unit") {
     CHECK(result(scene, series).why.find("the series stays on one side of 0") == 0);
   }
 
-  TEST_CASE(
-      "mean, integral: both are integrals over the time within their bounds, or are absent with a reason") {
+  TEST_CASE("mean, integral: both use the series from `from` to `until`, or are absent with a reason") {
     Scene scene = scene_of("mean");
     const Series series{{0, 0.1, 0.5, 0.9, 1.2}, {{1, 1.1, 1.5, 1.9, 2.2}}};
     expect(result(scene, series).value, 1.5);
@@ -203,7 +203,7 @@ TEST_SUITE("unit") {
     expect(result(scene, series).value, -0.1 / 0.4);
   }
 
-  TEST_CASE("why: a series that is no longer finite has a reason") {
+  TEST_CASE("why: the reason names the probe and the time at which its series stops being finite") {
     const Series broken{{0, 1, 2, 3}, {{0, 1, std::nan(""), 1}}};
     CHECK(result(scene_of("period"), broken).why == "y is not finite at 2 s");
   }

@@ -133,7 +133,7 @@ TEST_SUITE("unit") {
     const Polygon triangle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
     const Scene scene = scene_of(2, 1, {triangle});
     CHECK_THROWS_WITH_AS(make_initial_particles(scene),
-                         doctest::Contains("shapes with a mesh: disc, ellipse, ring"), SceneError);
+                         doctest::Contains("shapes with a mesh: a single disc, ellipse, ring"), SceneError);
     Scene both = scene_of(3, 2, {Disc{{}, 1}, Box{{0, 0, 0}, {2, 1, 1}}});
     CHECK_THROWS_WITH_AS(make_initial_particles(both), doctest::Contains("unions and cut-outs of boxes"),
                          SceneError);

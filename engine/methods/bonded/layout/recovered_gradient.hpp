@@ -13,15 +13,17 @@ struct RecoveredView {
   const unsigned char* between;  // null: none
 };
 
-/// Gradients for snapshots, ∇f at i = Σ_j (f_j − f_i) ⊗ g_ij, exact for quadratic fields up to the surface
-/// (THEORY.md, Recovered gradient).
+/// Gradients for snapshots, ∇f at i = Σ_j (f_j − f_i) ⊗ g_ij, exact for quadratic fields, also at the surface;
+/// in thin bodies for linear fields only (THEORY.md, Recovered gradient).
 struct RecoveredGradient {
-  std::vector<int> begin;  // [n + 1]; without entries the own gradient is used
+  // [n + 1]; particles without entries keep the gradient of the method (F of BondedFields)
+  std::vector<int> begin;
   std::vector<int> j;
-  std::vector<int> row;                // [n] first index in `g`, shared by equal neighbourhoods
-  std::vector<double> g;               // 1/m, dim numbers per entry
-  std::vector<float> halved;           // replaces g if requested
-  std::vector<unsigned char> between;  // [n] 1: the own gradient averages two sides; may be empty
+  std::vector<int> row;       // [n] first index in `g`, shared by equal neighbourhoods
+  std::vector<double> g;      // 1/m, dim numbers per entry
+  std::vector<float> halved;  // replaces g if requested
+  // [n] 1: the method's gradient averages over two materials or motions; 3D only, may be empty
+  std::vector<unsigned char> between;
   int dim = 0;
 
   bool empty() const { return begin.empty(); }
@@ -38,7 +40,8 @@ struct RecoveredGradient {
 };
 
 /// Particle id[k] is stored at k; the result uses stored indices. `drive`: as in `initial`, but −1 after the end of the
-/// drive. `reach`: of the own gradient, m. `halved`: for layouts without equal neighbourhoods.
+/// drive. `reach`: support of the method's gradient, m. `halved`: stores g in single precision, for layouts without
+/// equal neighbourhoods.
 RecoveredGradient recovered_gradient(const InitialParticles& initial, const Constraints& constraints,
                                      const std::vector<int>& drive, const std::vector<int>& id,
                                      double spacing, double reach, int threads = 1, bool halved = false);

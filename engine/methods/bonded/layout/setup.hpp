@@ -8,6 +8,7 @@
 
 namespace taut {
 
+/// G: modulus_of_bond.
 struct BondConstants {
   int j;          // id of the particle at the other end; −1 − p: the bond ends at clamp place p
   double k;       // G (V0_i w_ij + V0_j w_ji)/r0² in N/m; bit-identical for both ends
@@ -16,7 +17,7 @@ struct BondConstants {
   Point area;     // a_ij from i to j, up to the factor that B removes (THEORY.md)
 };
 
-/// Bond, or face term, whose energy is subtracted (THEORY.md, Cancellation).
+/// Bond, or face term, whose energy is subtracted (THEORY.md, Cancellation). G: modulus_of_bond.
 struct CancelledTerm {
   Point X;          // initial vector to the neighbour, or t of a face term, m; only the direction counts
   double strength;  // G V0_i w_ij in J
