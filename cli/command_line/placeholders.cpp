@@ -69,6 +69,12 @@ Words measure_names(const SceneFile* scene) {
 
 Words settable_names(const SceneFile* scene) { return scene ? names_to_set(*scene) : Words(); }
 
+Words beside_names(const SceneFile*) {
+  Words names;
+  for (const std::string_view key : keys_beside) names.push_back(std::string(key) + "=");
+  return names;
+}
+
 struct Placeholder {
   std::string_view name;
   Words (*words)(const SceneFile*);
@@ -92,6 +98,7 @@ constexpr Placeholder table[] = {
     {"PARAMETER", settable_names, ""},
     {"NAME=VALUE", settable_names, ""},
     {"NAME=VALUES", settable_names, ""},
+    {"KEY=VALUE;...", beside_names, ""},
     {"DIR", nullptr, "*/"},
     {"FILE", nullptr, "*"},
     {"A", nullptr, "*.png"},  // folders are offered with every pattern

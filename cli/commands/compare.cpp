@@ -120,10 +120,6 @@ bool is_bounded(const Drawing& drawing, bool has_chosen_view) {
   return !has_chosen_view && !drawing.look.view && !drawing.look.camera && !drawing.followed;
 }
 
-constexpr std::array<std::string_view, 14> keys_beside{"color",   "range",  "colormap", "view",      "camera",
-                                                       "up",      "fov",    "style",    "cut",       "hide",
-                                                       "outline", "follow", "glyph",    "bar_format"};
-
 struct Change {
   const DrawingKey* key;
   std::string value;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <map>
@@ -59,6 +60,11 @@ struct DrawingKey {
 };
 
 std::span<const DrawingKey> drawing_keys();
+
+/// Keys that pictures of one panel may have in several versions, for `compare --beside`.
+inline constexpr std::array<std::string_view, 14> keys_beside{
+    "color", "range", "colormap", "view",    "camera", "up",    "fov",
+    "style", "cut",   "hide",     "outline", "follow", "glyph", "bar_format"};
 const DrawingKey& drawing_key(std::string_view name);
 
 /// Throws UsageError for a wrong value, without changing `drawing`.

@@ -15,7 +15,7 @@ T colour_term(const T& W, const T& V_j) {
 inline constexpr TermInfo surface_info{
     "surface", "C = Σ W V_j < 0.9, and particles within 1.2 dp of them", "[Khayyer2024] Eq. 52",
     "terms/tensile_instability_control.hpp:colour_term",
-    "colour function: the value is 1 inside a lattice, below 0.9 on its face and above 0.9 one row deeper"};
+    "colour function: the value is 1 inside a lattice and below 0.9 only on its face"};
 
 /// Force per volume on an inner particle, N/m³. [Khayyer2024] Eq. 50, 51
 template <int Dim>

@@ -40,7 +40,7 @@ TEST_SUITE("cli") {
     CHECK(told({"--text", "none"}).empty());
     CHECK(contains(told({"--size", "400x300", "--title", title}), "has no room for " + title + ";"));
     const Outcome drawn =
-        call({"render", folder.str("out"), "--quiet", "--size", "640x360", "--title", title});
+        call({"render", folder.str("out"), "--quiet", "--size", "400x300", "--title", title});
     CHECK(drawn.code == 0);
     CHECK(contains(drawn.err, "has no room for " + title + ";"));
     CHECK(call({"render", folder.str("out"), "--quiet", "--title", "Short"}).err.empty());

@@ -72,8 +72,7 @@ void check_opposite(const Term& term) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE(
-      "gradient correction: gradients of linear fields are exact at a surface, and wrong without correction") {
+  TEST_CASE("gradient correction: it makes gradients of linear fields exact at a surface") {
     const std::vector<Neighbor> all = neighbors();
     Mat2 raw{};
     for (const Neighbor& j : all) {
@@ -223,8 +222,7 @@ TEST_SUITE("term") {
     CHECK(magnitude(controlled) < 1e-13 * magnitude(force));
   }
 
-  TEST_CASE(
-      "colour function: the value is 1 inside a lattice, below 0.9 on its face and above 0.9 one row deeper") {
+  TEST_CASE("colour function: the value is 1 inside a lattice and below 0.9 only on its face") {
     using K = Kernel<KernelName::wendland_c2>;
     const double length = 1.2;
     const auto colour = [&](int rows_above) {
