@@ -135,7 +135,7 @@ TEST_SUITE("unit") {
     CHECK_THROWS_WITH_AS(make_initial_particles(scene),
                          doctest::Contains("shapes with a mesh: a single disc, ellipse, ring"), SceneError);
     Scene both = scene_of(3, 2, {Disc{{}, 1}, Box{{0, 0, 0}, {2, 1, 1}}});
-    CHECK_THROWS_WITH_AS(make_initial_particles(both), doctest::Contains("unions and cut-outs of boxes"),
+    CHECK_THROWS_WITH_AS(make_initial_particles(both), doctest::Contains("or boxes with unions and cut-outs"),
                          SceneError);
     Scene shaken = scene_of(2, 1, {Disc{{}, 1}});
     shaken.jitter.share = 0.1;
