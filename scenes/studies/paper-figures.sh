@@ -26,6 +26,13 @@
 #     lee-25      twisting column with 4, 5, 6 and 7 particles across, pf-jst
 #     lee-28      twisting column, ν = 0.499, pf-jst, pfj-jst, and oenog
 #
+# or PAPER.fig-N, such as Zhang2020.fig-7, for the histories of all claims about this figure (`taut claims PAPER`
+# lists them):
+#
+#     scenes/studies/paper-figures.sh PAPER.fig-N [FOLDER [COLUMNS]]
+#
+# COLUMNS are columns of history.csv, such as tip or total_energy, joined by commas (default: all probes).
+#
 # FOLDER receives the runs and the panel FIGURE.png (default: out/FIGURE); SPACING is the particle spacing in m
 # (default: as published). A run of a zhang figure takes seconds, the finest of khayyer-10 a minute. Uses build/taut,
 # or the program in TAUT.
@@ -52,8 +59,20 @@ panel() {
   "$taut" compare $runs --times "$1" --color $field ${2:+--size "$2"} --out "$folder/$figure.png"
 }
 
+# claims PAPER.fig-N: runs the claims whose keys begin with fig-N, other digits excluded, and plots their histories
+claims() {
+  keys=$("$taut" claims "${figure%%.*}" --json | grep -oE "\"${figure%%.*}\.${figure#*.}([^0-9\"][^\"]*)?\"" | tr -d '"' | sort -u)
+  [ -n "$keys" ] || { echo "$0: no claim is about '$figure'; see: taut claims ${figure%%.*}" >&2; exit 2; }
+  # shellcheck disable=SC2086  # a list of names
+  "$taut" claims --run $keys --out "$folder" || [ $? -eq 1 ]   # 1: a claim differs from its recorded state
+  # shellcheck disable=SC2046
+  "$taut" plot $(find "$folder" -name run.json -exec dirname {} \; | sort) ${spacing:+--columns "$spacing"} \
+    --title "$figure" --out "$folder/$figure.png"
+}
+
 field=von_mises
 case $figure in
+  *.fig-*) claims ;;
   zhang-3)
     every=0.01 until=0.67
     for method in og oas enog; do run $method oscillating-plate $method; done

@@ -81,6 +81,14 @@ TEST_SUITE("cli") {
     CHECK(study(folder, "paper-figures.sh khayyer-12 corner 0.2").code == 0);
     CHECK(contains(lines_of(folder / "corner/tic/history.csv").front(), ",corner_x,corner_y,"));
     CHECK(study(folder, "paper-figures.sh zhang-99 none").code == 2);
+    const Outcome cable = study(folder, "paper-figures.sh Lee2016.fig-3 cable end_velocity");
+    CAPTURE(cable.err);
+    CHECK(cable.code == 0);
+    CHECK(contains(cable.out, "all 1 agree"));
+    CHECK(fs::exists(folder / "cable/Lee2016.fig-3.png"));
+    const Outcome none = study(folder, "paper-figures.sh Lee2016.fig-99 none");
+    CHECK(none.code == 2);
+    CHECK(contains(none.err, "no claim is about 'Lee2016.fig-99'"));
   }
 
   TEST_CASE("one command makes the tables of a study from its stored results") {
