@@ -68,8 +68,8 @@ const std::map<std::string, double> least_angular_change = {
     {"tl-small-strain", 0.002},
 };
 
-/// ccb does not damp tension, pf does not damp zigzags; tl-small-strain has the error of the step. The faces of fe2
-/// have kinks, and contact gains energy where the closest face changes.
+/// ccb does not damp tension, pf does not damp zigzags; tl-small-strain has the error of the step. The contact of fe2
+/// gains energy in single steps, also with small steps.
 double greatest_energy_gain(std::string_view method) {
   if (method == "fe2") return 0.07;
   if (method == "ccb") return 0.2;
