@@ -8,7 +8,7 @@ namespace taut {
 constexpr Formulation finite_elements_of(Formulation m) {
   m.deviator = Deviator::plane_strain;
   m.contact = ContactLaw::surface;
-  // stiffer contact overlaps less; that of fe2 gains energy in hard impacts: 6 % with 1, 10 to 13 % with 2
+  // a stiffer contact overlaps less, but with fe2 it gains more energy in hard impacts (METHODS.md)
   m.contact_stiffness = m.element_order == 1 ? 4 : 1;
   m.several_materials = true;
   m.cfl = 0.8;
