@@ -118,7 +118,8 @@ void FaceContacts::act_on_nodes(const Particles<2>& s, double dt, WallContacts<2
     return [&](int n, const ClosestPoint& closest, const auto& touch) {
       if (touch.depth <= 0 || touch.depth >= reach * dp_) return;
       faces_.push(
-          closest, touch, stiffness(n, closest.segment), [&](int node, const V& f) { own_force_[node] += f; },
+          closest, touch, stiffness(n, closest.segment), reach * dp_,
+          [&](int node, const V& f) { own_force_[node] += f; },
           [&](int node, const V& f) { reaction[node] += f; });
     };
   };
@@ -153,7 +154,8 @@ double FaceContacts::energy(const Particles<2>& s, const WallContacts<2>& walls)
   for (const NearFaces* near : {&candidates_.other_faces, &candidates_.own_faces}) {
     for_each_touch(*near, [&](int n, const ClosestPoint& closest, const auto& touch) {
       if (touch.depth < reach * dp_)
-        sum += surface_energy(touch.depth, closest.area(), stiffness(n, closest.segment));
+        sum += touch.share *
+               near_energy(touch.depth, closest.area(), stiffness(n, closest.segment), reach * dp_);
     });
   }
   for_each_wall(walls, [&](int, int, double depth, double area, double k) {
@@ -169,8 +171,8 @@ auto FaceContacts::between(const Particles<2>&, int a, int b) const -> V {
     const int own = faces_.outline().body[n], other = faces_.body_of_segment(closest.segment);
     V f{};
     faces_.push(
-        closest, touch, stiffness(n, closest.segment), [&](int, const V& on_own) { f += on_own; },
-        [](int, const V&) {});
+        closest, touch, stiffness(n, closest.segment), reach * dp_,
+        [&](int, const V& on_own) { f += on_own; }, [](int, const V&) {});
     if (own == a && other == b) sum += f;
     if (own == b && other == a) sum -= f;
   });

@@ -168,11 +168,15 @@ class MovingFaces {
     if (closest.rank < best.rank) best = closest;
   }
 
+  /// `share`: factor of the energy, below 1 beside a blunt end; there `slope` is its derivative by `cosine`, the cosine
+  /// between the offset and the mean normal of both segments at the end.
   struct Touch {
     double depth;  // behind the segment, m; negative in front
     V out;
+    double share = 1, cosine = 0, slope = 0;
   };
-  /// At blunt ends the mean normal of both segments separates inside and outside.
+  /// At blunt ends the mean normal separates inside and outside. A node that passes from one to the other beside the end
+  /// keeps its distance, so the energy fades there: at a jump of the depth, bodies with creases would gain energy.
   Touch touch(const ClosestPoint& closest) const {
     if (is_beyond(closest)) {
       const FacingHalf& half = closest.halves[closest.halves[0].side == Outline::none ? 1 : 0];
@@ -181,22 +185,26 @@ class MovingFaces {
     const bool second = closest.xi >= 1;
     if ((closest.xi > 0 && closest.xi < 1) || sharp_[closest.segment][second])
       return {-dot(closest.offset, closest.normal), closest.normal};
-    const int next = outline_.beside[outline_.segments[closest.segment].node[second]][second];
-    const V normal = next == Outline::none ? closest.normal : closest.normal + normal_of(next);
-    const double distance = std::sqrt(closest.distance2);
-    constexpr double across = 0.25;  // cosine
-    if (dot(closest.offset, normal) >= -across * distance * std::sqrt(dot(normal, normal)))
-      return {-distance, closest.normal};
-    return {distance, (-1 / distance) * closest.offset};
+    const V normal = normal_at_end(closest.segment, second);
+    const double distance = std::sqrt(closest.distance2),
+                 cosine = dot(closest.offset, normal) / (distance * std::sqrt(dot(normal, normal)));
+    constexpr double across = 0.25;
+    const double u = std::min((-cosine - across) / across, 1.0);
+    if (!(u > 0)) return {-distance, closest.normal};
+    return {distance, (-1 / distance) * closest.offset, smooth_step(u), cosine, -6 / across * u * (1 - u)};
   }
 
   /// Calls own(n, f) with the forces on the nodes of the node's face, and other(n, f) with those on the segment's face,
-  /// in N per metre depth. `k`: contact stiffness, Pa/m.
+  /// in N per metre depth. `k`: contact stiffness, Pa/m; `reach`: greatest depth, m.
   template <class Own, class Other>
-  void push(const ClosestPoint& closest, const Touch& touch, double k, const Own& own,
+  void push(const ClosestPoint& closest, const Touch& touch, double k, double reach, const Own& own,
             const Other& other) const {
     const std::array<int, 2>& end = outline_.segments[closest.segment].node;
-    const double size = surface_force(touch.depth, closest.area(), k);
+    const double size = touch.share * near_force(touch.depth, closest.area(), k, reach);
+    if (touch.slope != 0) {
+      const double energy = near_energy(touch.depth, closest.area(), k, reach);
+      push_aside(closest, touch.cosine, energy * touch.slope, own, other);
+    }
     if (!is_beyond(closest)) {
       own(closest.node, size * touch.out);
       other(end[0], (-(1 - closest.xi) * size) * touch.out);
@@ -204,7 +212,7 @@ class MovingFaces {
     }
     for (const FacingHalf& h : closest.halves) {
       if (!(h.share > 0)) continue;
-      const double per_length = surface_energy(touch.depth, closest.weight, k) * h.half;
+      const double per_length = touch.share * near_energy(touch.depth, closest.weight, k, reach) * h.half;
       if (is_beyond(closest)) push_at_end(closest, h, touch.depth, size, own, other);
       for (const int e : {0, 1})
         if (h.rise[e] != 0)
@@ -250,7 +258,7 @@ class MovingFaces {
       h.at[e] = -dot(t, place_[node] - place_[ends[e]]) / along;
       const bool ahead = (along > 0) == (e == 0);
       const double u = std::clamp(ahead ? 1 - 2 * h.at[e] : 2 * h.at[e], 0.0, 1.0);
-      h.over[e] = u * u * (3 - 2 * u);  // flat at 0 and 1, so that equal faces do not slide
+      h.over[e] = smooth_step(u);  // flat at 0 and 1, so that equal faces do not slide
       h.rise[e] = (ahead ? -12 : 12) * u * (1 - u);
     }
     if (xi >= 0 && xi <= 1) return h;
@@ -259,6 +267,12 @@ class MovingFaces {
     const double to_next = dot(normal, normal_of(h.next));
     h.past = 1 - facing_share(to_next), h.past_slope = -facing_slope(to_next);
     return h;
+  }
+
+  /// n + n' of the segments that meet at an end of segment k.
+  V normal_at_end(int k, bool second) const {
+    const int next = outline_.beside[outline_.segments[k].node[second]][second];
+    return next == Outline::none ? normal_of(k) : normal_of(k) + normal_of(next);
   }
 
   double depth_at(const ClosestPoint& closest, const FacingHalf& h, int e) const {
@@ -295,6 +309,23 @@ class MovingFaces {
     other(ends[e], -by * t);
     other(ends[1], -turning * closest.normal);
     other(ends[0], turning * closest.normal);
+  }
+
+  /// Applies the derivative of the energy by the cosine c of the offset o from an end and m = n + n':
+  ///   δc = (m/|m| − c o/|o|)·δo/|o| + (o/|o| − c m/|m|)·δm/|m|
+  template <class Own, class Other>
+  void push_aside(const ClosestPoint& closest, double cosine, double slope, const Own& own,
+                  const Other& other) const {
+    const bool second = closest.xi >= 1;
+    const int end = outline_.segments[closest.segment].node[second], next = outline_.beside[end][second];
+    const V m = normal_at_end(closest.segment, second);
+    const double length = std::sqrt(dot(m, m)), distance = std::sqrt(closest.distance2);
+    const V to_node = (1 / distance) * closest.offset, along = (1 / length) * m;
+    const V f = (slope / distance) * (along - cosine * to_node);
+    own(closest.node, -1.0 * f), other(end, f);
+    const V turning = (1 / length) * (to_node - cosine * along);
+    turn(closest.segment, turning, slope, other);
+    if (next != Outline::none) turn(next, turning, slope, other);
   }
 
   /// Applies the derivative of the energy by the cosine of two normals: δn = −t n·δt/|t|².

@@ -34,6 +34,29 @@ inline double surface_energy(double depth, double area, double k) {
 inline double surface_force(double depth, double area, double k) {
   return depth > 0 ? 0.5 * k * area * depth : 0;
 }
+
+/// 3u² − 2u³ from 0 to 1.
+inline double smooth_step(double u) { return u * u * (3 - 2 * u); }
+
+/// c, the share of a face at height p: 0 from `reach` (in m) on, 1 up to 1 − `fade` of it.
+inline double near_share(double p, double reach, double fade = 0.3) {
+  return smooth_step(std::clamp((1 - std::abs(p) / reach) / fade, 0.0, 1.0));
+}
+inline double near_slope(double p, double reach, double fade = 0.3) {  // 1/m
+  const double t = std::clamp((1 - std::abs(p) / reach) / fade, 0.0, 1.0);
+  return (p < 0 ? 1 : -1) * 6 / (fade * reach) * t * (1 - t);
+}
+
+/// Energy in J that fades near `reach`, so that nodes from beyond enter without a jump.
+inline constexpr double fade_2d = 0.1;
+inline double near_energy(double depth, double area, double k, double reach) {
+  return near_share(depth, reach, fade_2d) * surface_energy(depth, area, k);
+}
+inline double near_force(double depth, double area, double k, double reach) {  // its slope, N
+  return near_share(depth, reach, fade_2d) * surface_force(depth, area, k) +
+         near_slope(depth, reach, fade_2d) * surface_energy(depth, area, k);
+}
+
 inline constexpr ContactLawRow surface_contact{
     .law = ContactLaw::surface,
     .help = "spring between overlapping faces; own law of taut",
@@ -90,20 +113,10 @@ inline double hard_force(double depth, double area, double k, double dp) {
 inline double projected_share(double cosine) { return -cosine * facing_share(cosine); }
 inline double projected_slope(double cosine) { return -facing_share(cosine) - cosine * facing_slope(cosine); }
 
-/// c, the share of a facet at height p: 1 up to 0.7 `reach`, 0 from `reach` (in m) on.
-inline double near_share(double p, double reach) {
-  const double t = std::clamp((1 - std::abs(p) / reach) / 0.3, 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-inline double near_slope(double p, double reach) {  // 1/m
-  const double t = std::clamp((1 - std::abs(p) / reach) / 0.3, 0.0, 1.0);
-  return (p < 0 ? 1 : -1) * 6 / (0.3 * reach) * t * (1 - t);
-}
-
 /// Factor of the energy, 1 from a cover Σ_g W of 0.85 on.
 inline double covered_share(double cover) {
   const double t = std::clamp((cover - 0.15) / 0.7, 0.0, 1.0);
-  return t * t * (3 - 2 * t);
+  return smooth_step(t);
 }
 inline double covered_slope(double cover) {
   const double t = std::clamp((cover - 0.15) / 0.7, 0.0, 1.0);
