@@ -18,7 +18,6 @@
 namespace taut::cli {
 namespace {
 
-constexpr std::size_t most_series = 24;
 // limits of axes: gnuplot computes beyond both ends
 constexpr double least = 1e-290, greatest = 1e290;
 // pixels: plot, row of the strip, title, axis, note
@@ -233,11 +232,11 @@ std::string chart_data(const Chart& chart) {
 }
 
 std::string chart_script(const Chart& chart, const PlotFiles& files) {
-  if (chart.series.size() > most_series)
+  if (chart.series.size() > most_marked_lines())
     throw UsageError(
         fmt::format("the chart would have {} lines, such as '{}'; at most {} are allowed; "
                     "choose some with --methods, or draw a map",
-                    chart.series.size(), chart.series.front().name, most_series));
+                    chart.series.size(), chart.series.front().name, most_marked_lines()));
   const Layout layout = layout_of(chart);
   std::vector<std::string> plots{guide(chart, layout, 1), guide(chart, layout, 2)};
   for (std::size_t k = 0; k < chart.series.size(); ++k)

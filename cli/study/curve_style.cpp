@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include <fmt/core.h>
@@ -19,6 +20,7 @@ constexpr std::array colors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                "#56B4E9", "#E69F00", "#6A3D9A", "#444444"};
 // disc, square, triangle, diamond, inverted triangle, pentagon
 constexpr std::array markers = {7, 5, 9, 13, 11, 15};  // filled; one less: open
+constexpr std::size_t same_marker = std::lcm(colors.size(), markers.size());
 constexpr std::array dashes = {1, 2, 4, 3, 5};
 
 // viridis without colours that are hardly visible on white
@@ -47,6 +49,8 @@ std::size_t number_of(const std::string& method) {
 
 }  // namespace
 
+std::size_t most_marked_lines() { return colors.size() * markers.size(); }
+
 std::string CurveStyle::line() const { return fmt::format("linecolor '{}' dashtype {}", color, dash); }
 
 std::string CurveStyle::marker() const { return fmt::format("pointtype {} linecolor '{}'", filled, color); }
@@ -70,7 +74,7 @@ std::vector<CurveStyle> curve_styles(const std::vector<std::string>& names) {
         ++dash;
       style.dash = dashes[dash % dashes.size()];
       taken.insert(style.dash);
-      style.filled = markers[(k + use) % markers.size()];
+      style.filled = markers[(k + k / same_marker + use) % markers.size()];
       style.open = style.filled - 1;
     }
   }

@@ -16,6 +16,8 @@ struct CurveStyle {
 };
 
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& methods);
+/// Pairs of a colour and a marker.
+std::size_t most_marked_lines();
 /// Styles without markers. Lines that would look alike get colours from dark to light.
 std::vector<CurveStyle> line_styles(const std::vector<std::string>& methods);
 /// For lines that stand for no method.

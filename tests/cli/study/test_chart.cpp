@@ -204,11 +204,11 @@ TEST_SUITE("cli") {
   TEST_CASE("a chart with more lines than can be distinguished is refused") {
     const TemporaryFolder folder;
     std::string rows;
-    for (int k = 0; k < 25; ++k)
+    for (int k = 0; k < 49; ++k)
       rows += "finished,m" + std::to_string(k) + ",m" + std::to_string(k) + ",0.4,10,stable,,0.3,2,4,\n";
     const Outcome outcome = call({"chart", write_results(folder / "a", rows), "--out", folder.str("a.png")});
     CHECK(outcome.code == 2);
-    CHECK(contains(outcome.err, "the chart would have 25 lines"));
+    CHECK(contains(outcome.err, "the chart would have 49 lines"));
   }
 
   TEST_CASE("a chart draws error over cost, and unstable runs have open markers with a cross") {
