@@ -67,6 +67,13 @@ Words measure_names(const SceneFile* scene) {
   return names;
 }
 
+Words line_names(const SceneFile* scene) {
+  Words names;
+  if (!scene) return names;
+  for (const SampleLine& line : scene->scene.lines) names.push_back(line.name);
+  return names;
+}
+
 Words settable_names(const SceneFile* scene) { return scene ? names_to_set(*scene) : Words(); }
 
 Words beside_names(const SceneFile*) {
@@ -95,6 +102,7 @@ constexpr Placeholder table[] = {
     {"COLOR", color_names, ""},
     {"COLUMN", column_names, ""},
     {"MEASURE", measure_names, ""},
+    {"LINE", line_names, ""},
     {"PARAMETER", settable_names, ""},
     {"NAME=VALUE", settable_names, ""},
     {"NAME=VALUES", settable_names, ""},

@@ -66,10 +66,11 @@ constexpr Command table[] = {
      "The command reads the results of sweeps, by default all below out/. It runs nothing.\n"
      "If no run is accurate enough, it prints the most accurate one and ends with exit code 1.\n",
      declare_choose},
-    {"plot", "draw histories of runs over time, or measures of a sweep over a parameter",
+    {"plot", "draw histories of runs over time, fields along lines, or measures of a sweep over a parameter",
      "  taut plot out/plate-enog --out tip.png    one panel per probe\n"
      "  taut plot out/tl out/oenog --columns tip,total_energy --out runs.svg\n"
      "  taut plot out/disc --columns force --x gap --out force-displacement.png\n"
+     "  taut plot out/tl out/oenog --lines stress --times 0.002,0.004 --out profiles.png\n"
      "  taut plot out/sweep --x thickness --y deflection --by method --log xy --out deflection.pdf\n"
      "  taut plot out/tl --columns top+bottom --width 85mm --out figure.png\n"
      "The gnuplot script and its data, such as tip.gp and tip.dat, are written beside the picture.\n",

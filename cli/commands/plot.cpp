@@ -12,9 +12,11 @@
 #include "cli/run/history.hpp"
 #include "cli/run/schedule.hpp"
 #include "cli/scene/scene_file.hpp"
+#include "cli/study/line_plot.hpp"
 #include "cli/study/study.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
@@ -23,7 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct PlotArguments : PlotLookOptions {
-  std::vector<std::string> paths, columns, y, by;
+  std::vector<std::string> paths, columns, lines, y, by;
+  std::vector<double> times;  // s
   std::optional<std::string> x;
   std::string out;
 };
@@ -103,14 +106,19 @@ std::vector<std::string> default_columns(const Scene& scene) {
   return names.empty() ? std::vector<std::string>{"total_energy"} : names;
 }
 
-void refuse_two_units(const std::string& column, const StoredRun& run, const Scene& scene,
+using UnitOf = std::string (*)(const std::string& name, const Scene& scene);
+
+/// Accepts columns that `scene` lacks, which are reported later.
+void refuse_two_units(const std::string& column, UnitOf unit_of, const StoredRun& run, const Scene& scene,
                       const StoredRun& first, const Scene& of_first) {
-  const std::string unit = history_unit(column, scene), before = history_unit(column, of_first);
-  const std::vector<std::string> there = history_columns(scene);  // missing columns are reported later
-  if (unit == before || std::ranges::find(there, column) == there.end()) return;
+  const std::string unit = unit_of(column, scene), before = unit_of(column, of_first);
+  const std::vector<std::string> there = history_columns(scene);
+  const bool is_missing = unit_of == history_unit && std::ranges::find(there, column) == there.end();
+  if (unit == before || is_missing) return;
   const auto named = [](const std::string& of) { return of.empty() ? "without a unit" : "in " + of; };
-  throw UsageError(fmt::format("column '{}' is {} in '{}' and {} in '{}'; plot these runs separately", column,
-                               named(before), first.folder(), named(unit), run.folder()));
+  throw UsageError(fmt::format("{} '{}' is {} in '{}' and {} in '{}'; plot these runs separately",
+                               unit_of == history_unit ? "column" : "line", column, named(before),
+                               first.folder(), named(unit), run.folder()));
 }
 
 void add_titles(StoredResults& results, const std::vector<SceneFile>& scenes) {
@@ -128,7 +136,7 @@ struct JoinedColumns {
   std::vector<std::string> names;
   std::vector<std::vector<std::size_t>> panels;
 
-  explicit JoinedColumns(const std::vector<std::string>& typed) {
+  JoinedColumns(const char* option, const std::vector<std::string>& typed) {
     for (const std::string& panel : typed) {
       panels.emplace_back();
       std::istringstream words(panel);
@@ -136,24 +144,20 @@ struct JoinedColumns {
         panels.back().push_back(names.size());
         names.push_back(name);
       }
-      if (panels.back().empty()) throw UsageError("--columns has an empty name");
+      if (panels.back().empty()) throw UsageError(fmt::format("{} has an empty name", option));
     }
   }
 
-  void refuse_two_units(const Scene& scene) const {
+  void refuse_two_units(const Scene& scene, UnitOf unit_of) const {
     for (const auto& panel : panels)
       for (const std::size_t column : panel)
         if (const std::string& first = names[panel.front()];
-            history_unit(names[column], scene) != history_unit(first, scene))
+            unit_of(names[column], scene) != unit_of(first, scene))
           throw UsageError(fmt::format(
               "'{0}' and '{1}' have different units ('{2}', '{3}'); draw each in its own panel: {0},{1}",
-              first, names[column], history_unit(first, scene), history_unit(names[column], scene)));
+              first, names[column], unit_of(first, scene), unit_of(names[column], scene)));
   }
 };
-
-bool equal(const ReferenceCurve& a, const ReferenceCurve& b) {
-  return a.column == b.column && a.name == b.name && a.t == b.t && a.values == b.values;
-}
 
 std::vector<ReferenceCurve> references_of(const HistoryPlot& plot, const StoredResults& results,
                                           const std::vector<SceneFile>& scenes) {
@@ -169,15 +173,22 @@ std::vector<ReferenceCurve> references_of(const HistoryPlot& plot, const StoredR
       curve.values.resize(curve.t.size());
       const bool drawn =
           std::ranges::find(plot.columns, curve.column, &HistoryColumn::name) != plot.columns.end();
-      const auto is_equal = [&](const ReferenceCurve& one) { return equal(one, curve); };
-      if (drawn && !curve.t.empty() && std::ranges::none_of(all, is_equal)) all.push_back(std::move(curve));
+      if (drawn && !curve.t.empty() && std::ranges::find(all, curve) == all.end())
+        all.push_back(std::move(curve));
     }
   }
   return all;
 }
 
-int plot_histories(const PlotArguments& options, StoredResults results, const PlotFiles& files,
-                   const PlotLook& look, Streams streams) {
+HistoryColumn axis_of(const PlotArguments& options, const Scene& scene) {
+  const std::string x = options.x.value_or("s");
+  const std::vector<std::string> axes = line_axes(scene.dim);
+  if (std::ranges::find(axes, x) == axes.end()) throw UsageError(unknown_name("axis of lines", x, axes));
+  return {x, x == "s" ? "distance from the first point" : x, {}, "m"};
+}
+
+int plot_curves(const PlotArguments& options, StoredResults results, const PlotFiles& files,
+                const PlotLook& look, Streams streams) {
   std::erase_if(results.runs, [](const StoredRun& run) {
     return fs::path(run.file).filename() == "results.csv" && !run.has_result();
   });
@@ -185,22 +196,29 @@ int plot_histories(const PlotArguments& options, StoredResults results, const Pl
   for (const StoredRun& run : results.runs) scenes.push_back(scene_of(run));
   add_titles(results, scenes);
   const Scene& first = scenes.front().scene;
-  const std::string x = options.x.value_or("t");
-  const JoinedColumns joined(options.columns.empty() ? default_columns(first) : options.columns);
+  const bool along_lines = !options.lines.empty();
+  const UnitOf unit_of = along_lines ? line_unit : history_unit;
+  const JoinedColumns joined =
+      along_lines
+          ? JoinedColumns("--lines", options.lines)
+          : JoinedColumns("--columns", options.columns.empty() ? default_columns(first) : options.columns);
   std::vector<std::string> names = joined.names;
-  names.push_back(x);
+  if (!along_lines) names.push_back(options.x.value_or("t"));
   for (std::size_t k = 1; k < scenes.size(); ++k)
     for (const std::string& name : names)
-      refuse_two_units(name, results.runs[k], scenes[k].scene, results.runs.front(), first);
+      refuse_two_units(name, unit_of, results.runs[k], scenes[k].scene, results.runs.front(), first);
   const auto with_unit = [&](const std::string& name) {
-    return HistoryColumn{name, name, {}, history_unit(name, first)};
+    return HistoryColumn{name, name, {}, unit_of(name, first)};
   };
   std::vector<HistoryColumn> columns;
   for (const std::string& name : joined.names) columns.push_back(with_unit(name));
-  HistoryPlot plot = make_history_plot(results, columns, with_unit(x));
-  joined.refuse_two_units(first);
+  HistoryPlot plot =
+      along_lines
+          ? make_line_plot(results, scenes, {columns, options.times, axis_of(options, first)}, streams.err)
+          : make_history_plot(results, columns, with_unit(names.back()));
+  joined.refuse_two_units(first, unit_of);
   plot.panels = joined.panels;
-  if (x == "t") plot.references = references_of(plot, results, scenes);
+  if (!along_lines && plot.x.name == "t") plot.references = references_of(plot, results, scenes);
   return draw_history(plot, files, streams, look);
 }
 
@@ -225,10 +243,14 @@ int plot(const PlotArguments& options, Streams streams) {
   const PlotLook look = plot_look(options, files);
   if (options.y.empty() && !options.by.empty())
     throw UsageError("--by needs --y, the measures or columns of results.csv to draw over --x");
-  if (!options.y.empty() && !options.columns.empty())
-    throw UsageError("--columns draws histories, --y draws measures over a parameter; give only one of them");
+  if (!options.times.empty() && options.lines.empty())
+    throw UsageError("--times needs --lines, the lines of lines.csv to draw");
+  if (!options.y.empty() + !options.columns.empty() + !options.lines.empty() > 1)
+    throw UsageError(
+        "--columns draws histories, --lines draws profiles, --y draws measures over a parameter; "
+        "give only one of them");
   StoredResults results = read_all(sorted_paths(options.paths), streams.err);
-  if (options.y.empty()) return plot_histories(options, std::move(results), files, look, streams);
+  if (options.y.empty()) return plot_curves(options, std::move(results), files, look, streams);
   add_units(results);
   return draw_response(make_response_plot(results, {options.x.value_or(""), options.y, options.by}), files,
                        streams, look);
@@ -248,13 +270,20 @@ std::function<int(Streams)> declare_plot(Options& command) {
            "a+b: both in one panel; default: all probes, else total_energy")
       .comma_separated();
   command
+      .add("--lines", "LINE,...", options->lines,
+           "lines of lines.csv to draw instead of histories, one panel each; a+b: both in one panel")
+      .comma_separated();
+  command.add("--times", "T,...", options->times, "with --lines: sampled times to draw, s; default: all")
+      .comma_separated();
+  command
       .add("--y", "MEASURE,...", options->y,
            "measures, such as deflection or deflection.error, or columns of results.csv, one panel each; "
            "a+b: both in one panel")
       .comma_separated();
   command.add("--x", "COLUMN", options->x,
               "x axis: a column of history.csv, default: t; with --y: a parameter or column of results.csv, "
-              "default: the only swept parameter");
+              "default: the only swept parameter; with --lines: x, y, z or s, "
+              "the distance from the first point, default: s");
   command
       .add("--by", "PARAMETER,...", options->by,
            "with --y: draw one line for each value, such as method; default: all settings that differ")

@@ -44,29 +44,36 @@ std::vector<std::vector<double>> rows_of(const CsvTable& table, const std::vecto
   return rows;
 }
 
-void tell_apart(HistoryPlot& plot, const std::vector<StoredRun>& runs) {
-  std::map<std::string, int> uses;
-  for (const HistoryPlot::Curve& curve : plot.curves) ++uses[curve.name];
-  for (std::size_t k = 0; k < runs.size(); ++k)
-    if (uses[plot.curves[k].name] > 1)
-      plot.curves[k].name +=
-          ", " + std::filesystem::absolute(runs[k].folder() + "/").parent_path().filename().string();
-}
-
 /// Sorts by a single swept number; the shell sorts `DIR/*` by folder name.
-void put_in_order(HistoryPlot& plot) {
-  const auto number = [](const HistoryPlot::Curve& curve) {
-    return parsed<double>(curve.name.substr(curve.name.rfind('=') + 1));
+void put_in_order(std::vector<NamedRun>& runs) {
+  const auto number = [](const NamedRun& run) {
+    return parsed<double>(run.name.substr(run.name.rfind('=') + 1));
   };
-  const auto begins_alike = [&](const HistoryPlot::Curve& curve) {
-    const auto of_name = [](const HistoryPlot::Curve& c) { return c.name.substr(0, c.name.rfind('=')); };
-    return of_name(curve) == of_name(plot.curves.front()) && number(curve);
+  const auto begins_alike = [&](const NamedRun& run) {
+    const auto of_name = [](const NamedRun& one) { return one.name.substr(0, one.name.rfind('=')); };
+    return of_name(run) == of_name(runs.front()) && number(run);
   };
-  if (!std::ranges::all_of(plot.curves, begins_alike)) return;
-  std::ranges::stable_sort(plot.curves, {}, [&](const HistoryPlot::Curve& curve) { return *number(curve); });
+  if (!std::ranges::all_of(runs, begins_alike)) return;
+  std::ranges::stable_sort(runs, {}, [&](const NamedRun& run) { return *number(run); });
 }
 
 }  // namespace
+
+std::vector<NamedRun> named_runs(const std::vector<StoredRun>& runs) {
+  const std::vector<std::string> distinguishing = distinguishing_columns(runs, "");
+  std::vector<NamedRun> named;
+  std::map<std::string, int> uses;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    named.push_back({series_name(runs[k], distinguishing), k});
+    ++uses[named.back().name];
+  }
+  for (NamedRun& run : named)
+    if (uses[run.name] > 1)
+      run.name +=
+          ", " + std::filesystem::absolute(runs[run.index].folder() + "/").parent_path().filename().string();
+  put_in_order(named);
+  return named;
+}
 
 HistoryPlot make_history_plot(const StoredResults& results, const std::vector<HistoryColumn>& columns,
                               const HistoryColumn& x) {
@@ -79,19 +86,17 @@ HistoryPlot make_history_plot(const StoredResults& results, const std::vector<Hi
                    .references = {}};
   std::vector<HistoryColumn> all{x};
   all.insert(all.end(), columns.begin(), columns.end());
-  const std::vector<std::string> distinguishing = distinguishing_columns(results.runs, "");
-  for (const StoredRun& run : results.runs) {
+  for (const auto& [name, index] : named_runs(results.runs)) {
+    const StoredRun& run = results.runs[index];
     const auto file = std::filesystem::path(run.folder()) / "history.csv";
     const CsvTable history = read_csv(file);
     if (history.rows.empty()) throw UsageError(fmt::format("'{}' has no rows yet", file.string()));
     try {
-      plot.curves.push_back({series_name(run, distinguishing), run.method(), rows_of(history, all)});
+      plot.curves.push_back({name, run.method(), rows_of(history, all)});
     } catch (const UsageError& error) {
       throw UsageError(fmt::format("{}: {}", file.string(), error.what()));
     }
   }
-  tell_apart(plot, results.runs);
-  put_in_order(plot);
   return plot;
 }
 
@@ -119,7 +124,7 @@ std::string history_data(const HistoryPlot& plot) {
     text += "\n\n";
   }
   for (const ReferenceCurve& curve : plot.references) {
-    text += plot_comment(fmt::format("reference of {}: {}", curve.column, curve.name));
+    text += plot_comment(fmt::format("reference of {}: {}{}", curve.column, curve.name, curve.time));
     for (std::size_t k = 0; k < curve.t.size(); ++k) text += numbers({curve.t[k], curve.values[k]});
     text += "\n\n";
   }

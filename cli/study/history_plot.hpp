@@ -28,8 +28,16 @@ struct HistoryPlot {
   std::vector<HistoryColumn> columns;
   std::vector<Curve> curves;
   std::vector<std::vector<std::size_t>> panels{};  // columns of each; empty: one panel per column
-  std::vector<ReferenceCurve> references{};        // only over time
+  std::vector<ReferenceCurve> references{};        // over time, or along lines
+  const char* kind = "history";                    // for the report
 };
+
+struct NamedRun {
+  std::string name;
+  std::size_t index;  // in the results
+};
+/// Different names for a legend, in its order.
+std::vector<NamedRun> named_runs(const std::vector<StoredRun>& runs);
 
 /// Throws UsageError for unknown columns, and for unreadable or empty histories.
 HistoryPlot make_history_plot(const StoredResults& results, const std::vector<HistoryColumn>& columns,

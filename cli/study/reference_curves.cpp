@@ -1,8 +1,13 @@
 #include "cli/study/reference_curves.hpp"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
+#include <fmt/core.h>
+
+#include "cli/text/format.hpp"
+#include "engine/diagnostics/lines.hpp"
 #include "engine/diagnostics/measure_kinds.hpp"
 
 namespace taut::cli {
@@ -31,6 +36,34 @@ std::vector<ReferenceCurve> reference_curves(const Scene& scene, const std::stri
       for (const double t : times) values.push_back(solution->second[k](Point{}, t));
       add(measure, measure.probes[k], {times.begin(), times.end()}, std::move(values));
     }
+  }
+  return curves;
+}
+
+std::vector<ReferenceCurve> line_references(const Scene& scene, const std::string& law,
+                                            const SampleLine& line, double t) {
+  std::vector<ReferenceCurve> curves;
+  const auto found = scene.references.find(law);
+  if (found == scene.references.end()) return curves;
+  const Reference& reference = found->second;
+  for (const Measure& measure : scene.measures) {
+    if (measure.line != line.name) continue;
+    ReferenceCurve curve{
+        line.name, reference.name_for(measure.name), {}, {}, fmt::format(", t = {} s", brief(t))};
+    if (const auto table = reference.table.find(measure.name); table != reference.table.end()) {
+      curve.t = table->second.t, curve.values = table->second.value.front();
+    } else if (const auto solution = reference.solution.find(measure.name);
+               solution != reference.solution.end()) {
+      SampleLine fine = line;
+      fine.points = std::max(line.points, solution_samples);
+      for (int k = 0; k < fine.points; ++k) {
+        curve.t.push_back(length_of(line) * k / (fine.points - 1));
+        curve.values.push_back(solution->second.front()(line_point(fine, k), t));
+      }
+    } else {
+      continue;
+    }
+    curves.push_back(std::move(curve));
   }
   return curves;
 }

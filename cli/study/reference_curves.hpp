@@ -11,13 +11,20 @@ namespace taut::cli {
 /// SI units.
 struct ReferenceCurve {
   std::string column;
-  std::string name;  // "finite elements"
-  std::vector<double> t, values;
+  std::string name;               // "finite elements"
+  std::vector<double> t, values;  // along a line: distance from its first point
+  std::string time = {};          // along a line: ", t = 0.09 s"
+
+  bool operator==(const ReferenceCurve&) const = default;
 };
 
 /// For probes compared with a table, or an exact solution evaluated at `times`. Empty without a reference for the law.
 std::vector<ReferenceCurve> reference_curves(const Scene& scene, const std::string& law,
                                              std::span<const double> times);
 inline constexpr int solution_samples = 400;
+
+/// Along `line` at the time `t`.
+std::vector<ReferenceCurve> line_references(const Scene& scene, const std::string& law,
+                                            const SampleLine& line, double t);
 
 }  // namespace taut::cli

@@ -184,7 +184,7 @@ int draw_history(const HistoryPlot& plot, const PlotFiles& files, Streams stream
                 << most_distinct_lines << " can be told apart; their numbers are in "
                 << files.data().filename().string() << '\n';
   const int code = draw_plot(files, history_script(plot, files, look), history_data(plot));
-  print_files("history", files, "", streams);
+  print_files(plot.kind, files, "", streams);
   return code;
 }
 

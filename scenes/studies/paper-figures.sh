@@ -26,12 +26,13 @@
 #     lee-25      twisting column with 4, 5, 6 and 7 particles across, pf-jst
 #     lee-28      twisting column, ν = 0.499, pf-jst, pfj-jst, and oenog
 #
-# or PAPER.fig-N, such as Zhang2020.fig-7, for the histories of all claims about this figure (`taut claims PAPER`
-# lists them):
+# or PAPER.fig-N, such as Zhang2020.fig-7, for the curves of all claims about this figure (`taut claims PAPER` lists
+# them): histories in FIGURE.png, and for each line that the scenes sample, a field along it in FIGURE-LINE.png.
 #
-#     scenes/studies/paper-figures.sh PAPER.fig-N [FOLDER [COLUMNS]]
+#     scenes/studies/paper-figures.sh PAPER.fig-N [FOLDER [COLUMNS [TIMES]]]
 #
-# COLUMNS are columns of history.csv, such as tip or total_energy, joined by commas (default: all probes).
+# COLUMNS are columns of history.csv, such as tip or total_energy, joined by commas (default: all probes); TIMES are
+# sampled times of the lines in s, joined by commas (default: all).
 #
 # FOLDER receives the runs and the panel FIGURE.png (default: out/FIGURE); SPACING is the particle spacing in m
 # (default: as published). A run of a zhang figure takes seconds, the finest of khayyer-10 a minute. Uses build/taut,
@@ -41,6 +42,7 @@ taut=${TAUT:-$(dirname "$0")/../../build/taut}
 figure=${1:?which figure? the head of this script lists them}
 folder=${2:-out/$figure}
 spacing=${3:-}
+times=${4:-}
 runs=''
 
 # run NAME SCENE METHOD [options of taut run]: runs into FOLDER/NAME, a column of the panel
@@ -59,7 +61,7 @@ panel() {
   "$taut" compare $runs --times "$1" --color $field ${2:+--size "$2"} --out "$folder/$figure.png"
 }
 
-# claims PAPER.fig-N: runs the claims whose keys begin with fig-N, other digits excluded, and plots their histories
+# claims PAPER.fig-N: runs the claims whose keys begin with fig-N, other digits excluded, and plots their curves
 claims() {
   keys=$("$taut" claims "${figure%%.*}" --json | grep -oE "\"${figure%%.*}\.${figure#*.}([^0-9\"][^\"]*)?\"" | tr -d '"' | sort -u)
   [ -n "$keys" ] || { echo "$0: no claim is about '$figure'; see: taut claims ${figure%%.*}" >&2; exit 2; }
@@ -68,6 +70,11 @@ claims() {
   # shellcheck disable=SC2046
   "$taut" plot $(find "$folder" -name run.json -exec dirname {} \; | sort) ${spacing:+--columns "$spacing"} \
     --title "$figure" --out "$folder/$figure.png"
+  for line in $(find "$folder" -name lines.csv -exec tail -qn +2 {} + | cut -d, -f1 | sort -u); do
+    # shellcheck disable=SC2046
+    "$taut" plot $(find "$folder" -name lines.csv -exec grep -l "^$line," {} + | xargs -n1 dirname | sort) \
+      --lines "$line" ${times:+--times "$times"} --title "$figure" --out "$folder/$figure-$line.png"
+  done
 }
 
 field=von_mises

@@ -149,6 +149,8 @@ command_numbers() {
   rings other --method tl
   taut plot run other --out plot.svg
   taut plot run --columns total_energy+kinetic_energy,gap --x t --width 85mm --out plot.png
+  taut run rotating-plate --spacing 0.1 --until 0.09 --no-render --quiet --threads 2 --out plate
+  taut plot plate --lines pressure_across+von_mises_across --times 0.09 --out lines.svg
   taut check run --verdict diverged --measure 'conservation.energy<1'
   taut check run --baseline run --tolerance '1%' --json --junit run.xml
   expect 1 taut check run --measure 'conservation.energy<0'

@@ -49,6 +49,8 @@ TEST_SUITE("cli") {
     const std::string scene = write_tiny_scene(folder);
     fs::create_directories(folder / "run");
     fs::copy_file(scene, folder / "run/scene.toml");
+    fs::create_directories(folder / "cable");
+    fs::copy_file(fs::path(TAUT_SOURCE_DIR) / "scenes/heterogeneous-cable.toml", folder / "cable/scene.toml");
     const std::map<Words, Words> cases{
         {{"comp"}, {"compare", "completion"}},
         {{"--v"}, {"--version"}},
@@ -84,6 +86,7 @@ TEST_SUITE("cli") {
         {{"describe", "suite-"}, {"suite-file"}},
         {{"list", "e"}, {"equations"}},
         {{"plot", folder.str("run"), "--columns", "t,g"}, {"t,gap"}},
+        {{"plot", folder.str("cable"), "--lines", ""}, {"stress"}},
         {{"check", folder.str("run"), "--measure", ""}, {"touch_time"}},
         {{"completion", ""}, {"bash", "zsh"}},
         {{"nothing", ""}, {}},
@@ -105,7 +108,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("every command, option and argument is known to completion") {
     const Words names = words_for({""});
-    const taut::cli::SceneFile scene = taut::cli::read_scene(taut::cli::find_scene("colliding-rings"));
+    const taut::cli::SceneFile scene = taut::cli::read_scene(taut::cli::find_scene("rotating-plate"));
     const std::set<std::string> numbers{"N",      "T",      "DT",        "DP",
                                         "X",      "TIMES",  "T,...",     "WIDTHxHEIGHT",
                                         "LENGTH", "POINTS", "LABEL,...", "ENTRY,..."};

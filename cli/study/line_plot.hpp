@@ -1,0 +1,30 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "cli/scene/scene_file.hpp"
+#include "cli/study/history_plot.hpp"
+#include "engine/scene/scene.hpp"
+
+namespace taut::cli {
+
+struct LineRequest {
+  std::vector<HistoryColumn> lines;
+  std::vector<double> times;  // s; empty: all
+  HistoryColumn x;            // "s", the distance from the first point, or a coordinate: "x"
+};
+
+/// Unit of the field of a line. Throws UsageError for an unknown line.
+std::string line_unit(const std::string& line, const Scene& scene);
+/// "s" and the coordinates.
+std::vector<std::string> line_axes(int dim);
+
+/// A curve for each run and time, from lines.csv, and the references of the scene; lines are the columns of the plot.
+/// `scenes` belong to `results.runs`. Names missing samples on `err`. Throws UsageError for unreadable files, and if
+/// nothing remains.
+HistoryPlot make_line_plot(const StoredResults& results, const std::vector<SceneFile>& scenes,
+                           const LineRequest& request, std::ostream& err);
+
+}  // namespace taut::cli
