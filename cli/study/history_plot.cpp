@@ -170,7 +170,7 @@ struct HistoryLegend {
     CurveStyle style = styles[run];
     std::string name = names[run];
     if (panel.size() > 1) {
-      const std::string& column = plot.columns[panel[place]].name;
+      const std::string& column = plot.columns[panel[place]].label;
       const bool single = plot.curves.size() == 1;
       name = single ? column : fmt::format("{}, {}", name, column);
       style = single ? numbered_style(place) : style;

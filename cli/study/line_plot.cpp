@@ -123,6 +123,7 @@ HistoryPlot make_line_plot(const StoredResults& results, const std::vector<Scene
     std::map<double, HistoryPlot::Curve> curves;
     for (std::size_t column = 0; column < request.lines.size(); ++column) {
       const SampleLine& line = line_of(request.lines[column].name, scene);
+      std::set<double> drawn;
       for (const double wanted : request.times.empty() ? line.times : request.times) {
         const auto* sample = sample_at(profiles[line.name], wanted);
         if (sample == nullptr) {
@@ -130,6 +131,7 @@ HistoryPlot make_line_plot(const StoredResults& results, const std::vector<Scene
           continue;
         }
         const auto& [time, profile] = *sample;
+        if (!drawn.insert(time).second) continue;
         HistoryPlot::Curve& curve = curves[time];
         curve.name = name, curve.method = run.method();
         for (const auto& [x, value] : profile) {

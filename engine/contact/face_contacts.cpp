@@ -154,8 +154,7 @@ double FaceContacts::energy(const Particles<2>& s, const WallContacts<2>& walls)
   for (const NearFaces* near : {&candidates_.other_faces, &candidates_.own_faces}) {
     for_each_touch(*near, [&](int n, const ClosestPoint& closest, const auto& touch) {
       if (touch.depth < reach * dp_)
-        sum += touch.share *
-               near_energy(touch.depth, closest.area(), stiffness(n, closest.segment), reach * dp_);
+        sum += faces_.energy(closest, touch, stiffness(n, closest.segment), reach * dp_);
     });
   }
   for_each_wall(walls, [&](int, int, double depth, double area, double k) {
@@ -188,9 +187,9 @@ auto FaceContacts::of_wall(const Particles<2>&, int a, int wall, const WallConta
 }
 
 double FaceContacts::gap(const Particles<2>& s, int a, int b) {
-  if (candidates_.other_faces.node.empty()) return reach * dp_;
+  double least = dp_;
+  if (candidates_.other_faces.node.empty()) return least;
   place_watched(s);
-  double least = reach * dp_;
   for_each_touch(candidates_.other_faces, [&](int n, const ClosestPoint& closest, const auto& touch) {
     if (touch.depth >= reach * dp_) return;
     const int own = faces_.outline().body[n], other = faces_.body_of_segment(closest.segment);

@@ -16,7 +16,7 @@ namespace taut {
 
 /// Contact between overlapping faces in 2D (terms/surface_contact.hpp). Each node is pushed towards its closest point
 /// of the other face, weighted by the length of the node's sides over that face. Conserves linear and angular momentum,
-/// and energy except where facing_share changes at a corner that turns.
+/// and energy except where the closest face changes.
 class FaceContacts final : public ContactMechanism<2> {
  public:
   using V = Vec<double, 2>;
@@ -33,7 +33,7 @@ class FaceContacts final : public ContactMechanism<2> {
   V between(const Particles<2>& s, int a, int b) const override;
   V of_wall(const Particles<2>& s, int a, int wall, const WallContacts<2>& walls) const override;
 
-  /// Least distance in m between nodes and faces of two bodies, negative if they overlap, at most `reach`.
+  /// Least distance in m between nodes and faces of two bodies, negative if they overlap, at most a spacing.
   double gap(const Particles<2>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<2>& walls) override {
@@ -48,8 +48,8 @@ class FaceContacts final : public ContactMechanism<2> {
 
  private:
   // in spacings
-  static constexpr double reach = 1;   // greatest depth
-  static constexpr double tie = 1e-6;  // round-off of equal distances
+  static constexpr double reach = 1.2;  // greatest depth; from 1 on the contact fades
+  static constexpr double tie = 1e-6;   // round-off of equal distances
 
   void refuse_thin(const Scene& scene) const;
   void place_watched(const Particles<2>& s);

@@ -188,12 +188,16 @@ class MovingFaces {
     const V normal = normal_at_end(closest.segment, second);
     const double distance = std::sqrt(closest.distance2),
                  cosine = dot(closest.offset, normal) / (distance * std::sqrt(dot(normal, normal)));
-    constexpr double across = 0.25;
-    const double u = std::min((-cosine - across) / across, 1.0);
+    constexpr double beside = -0.1, behind = -0.6;  // cosines
+    const double u = std::min((cosine - beside) / (behind - beside), 1.0);
     if (!(u > 0)) return {-distance, closest.normal};
-    return {distance, (-1 / distance) * closest.offset, smooth_step(u), cosine, -6 / across * u * (1 - u)};
+    return {distance, (-1 / distance) * closest.offset, smooth_step(u), cosine,
+            6 / (behind - beside) * u * (1 - u)};
   }
 
+  double energy(const ClosestPoint& closest, const Touch& touch, double k, double reach) const {  // J
+    return touch.share * near_energy(touch.depth, closest.area(), k, reach);
+  }
   /// Calls own(n, f) with the forces on the nodes of the node's face, and other(n, f) with those on the segment's face,
   /// in N per metre depth. `k`: contact stiffness, Pa/m; `reach`: greatest depth, m.
   template <class Own, class Other>
@@ -201,10 +205,9 @@ class MovingFaces {
             const Other& other) const {
     const std::array<int, 2>& end = outline_.segments[closest.segment].node;
     const double size = touch.share * near_force(touch.depth, closest.area(), k, reach);
-    if (touch.slope != 0) {
-      const double energy = near_energy(touch.depth, closest.area(), k, reach);
-      push_aside(closest, touch.cosine, energy * touch.slope, own, other);
-    }
+    if (touch.slope != 0)
+      push_aside(closest, touch.cosine, touch.slope * near_energy(touch.depth, closest.area(), k, reach), own,
+                 other);
     if (!is_beyond(closest)) {
       own(closest.node, size * touch.out);
       other(end[0], (-(1 - closest.xi) * size) * touch.out);
@@ -257,7 +260,7 @@ class MovingFaces {
       if (!sharp_[k][e]) continue;
       h.at[e] = -dot(t, place_[node] - place_[ends[e]]) / along;
       const bool ahead = (along > 0) == (e == 0);
-      const double u = std::clamp(ahead ? 1 - 2 * h.at[e] : 2 * h.at[e], 0.0, 1.0);
+      const double u = std::min(((-0.1) - cosine) / 0.5, 1.0);
       h.over[e] = smooth_step(u);  // flat at 0 and 1, so that equal faces do not slide
       h.rise[e] = (ahead ? -12 : 12) * u * (1 - u);
     }

@@ -71,7 +71,7 @@ const std::map<std::string, double> least_angular_change = {
 /// ccb does not damp tension, pf does not damp zigzags; tl-small-strain has the error of the step, and so has the
 /// contact of fe2.
 double greatest_energy_gain(std::string_view method) {
-  if (method == "fe2") return 0.05;
+  if (method == "fe2") return 0.02;
   if (method == "ccb") return 0.2;
   if (method == "pf") return 5;
   return method == "tl-small-strain" ? 0.003 : 0;
