@@ -71,9 +71,9 @@ void FaceCandidates::search_own(const Particles<2>& s, const MovingFaces& faces)
     return !cannot_face(faces, n, k);
   };
   const double beyond =
-      find_(faces, all_nodes_, all_segments_, (reach_ + skin) * dp_, horizon * dp_, wanted, own_faces);
+      find_(faces, all_nodes_, all_segments_, (own_reach_ + skin) * dp_, horizon * dp_, wanted, own_faces);
   faces.follow(s, main_places_);
-  own_bound_.restart(beyond - (reach_ + turn_slack) * dp_, main_places_);
+  own_bound_.restart(beyond - (own_reach_ + turn_slack) * dp_, main_places_);
 }
 
 void FaceCandidates::watch(const MovingFaces& faces) {

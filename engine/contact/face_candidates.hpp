@@ -19,9 +19,10 @@ class FaceCandidates {
  public:
   using V = Vec<double, 2>;
 
-  FaceCandidates(const SolverInput& input, const MovingFaces& faces, double reach)
+  FaceCandidates(const SolverInput& input, const MovingFaces& faces, double reach, double own_reach)
       : dp_(input.constants.dp),
         reach_(reach),
+        own_reach_(own_reach),
         meets_itself_(input.keeps_neighbors),
         meets_others_(input.scene.bodies.size() > 1 || !input.scene.walls.empty()),
         all_nodes_(faces.size()),
@@ -62,8 +63,8 @@ class FaceCandidates {
   bool cannot_face(const MovingFaces& faces, int node, int segment) const;
   void watch(const MovingFaces& faces);
 
-  double dp_;     // m
-  double reach_;  // range of contact, in spacings
+  double dp_;                 // m
+  double reach_, own_reach_;  // range of contact with others and with the own body, in spacings
   bool meets_itself_, meets_others_;
   std::vector<int> all_nodes_, all_segments_;
   FaceSearch find_;

@@ -31,8 +31,9 @@ double modulus(const Outline& outline, int node, const SolverInput& input) {
 FaceContacts::FaceContacts(const SolverInput& input)
     : dp_(input.constants.dp),
       stiffness_(input.constants.contact_stiffness),
+      has_mesh_(!input.initial.mesh.node.empty()),
       faces_(make_outline(input.scene, input.initial)),
-      candidates_(input, faces_, reach) {
+      candidates_(input, faces_, reach, has_mesh_ ? own_reach : reach) {
   if (input.scene.bodies.size() > 1 || !input.scene.walls.empty()) refuse_thin(input.scene);
   const Outline& outline = faces_.outline();
   for (int n = 0; n < outline.size(); ++n) M_.push_back(modulus(outline, n, input));
@@ -76,13 +77,14 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
     const auto nearest = std::ranges::min_element(distance2) - distance2.begin();
     // a segment with a sharp end may be touched from beyond this end
     const auto is_sharp = [&](int l) { return faces_.has_sharp_end(l); };
-    if (distance2[nearest] >= power<2>(reach * dp_) && std::ranges::none_of(segments, is_sharp)) continue;
+    if (distance2[nearest] >= power<2>(greatest_depth(near)) && std::ranges::none_of(segments, is_sharp))
+      continue;
     faces_.measure(n, segments[nearest], closest);
     for (std::ptrdiff_t l = 0; l < std::ssize(segments); ++l)
       if (l != nearest && (distance2[l] < closest.rank * closest.rank || is_sharp(segments[l])))
         faces_.measure(n, segments[l], closest);
     if (closest.segment == Outline::none) continue;
-    const auto touch = faces_.touch(closest);
+    const auto touch = faces_.touch(closest, fades(near));
     for (const int l : segments) {
       if (touch.depth <= 0 || !faces_.beside(l, closest.segment)) continue;
       ClosestPoint other;
@@ -95,7 +97,7 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
     }
     for (ClosestPoint* half : {&closest, &twin}) {
       half->weight = 0.5;
-      f(n, *half, faces_.touch(*half));
+      f(n, *half, faces_.touch(*half, fades(near)));
     }
   }
 }
@@ -114,17 +116,17 @@ void FaceContacts::for_each_wall(const WallContacts<2>& walls, const F& f) const
 
 void FaceContacts::act_on_nodes(const Particles<2>& s, double dt, WallContacts<2>& walls) {
   for (const int n : candidates_.watched_nodes) own_force_[n] = reaction_[n] = V{};
-  const auto push_back_to = [&](std::vector<V>& reaction) {
-    return [&](int n, const ClosestPoint& closest, const auto& touch) {
-      if (touch.depth <= 0 || touch.depth >= reach * dp_) return;
+  const auto push = [&](const NearFaces& near, std::vector<V>& reaction) {
+    for_each_touch(near, [&](int n, const ClosestPoint& closest, const auto& touch) {
+      if (touch.depth <= 0 || touch.depth >= greatest_depth(near)) return;
       faces_.push(
-          closest, touch, stiffness(n, closest.segment), reach * dp_,
+          closest, touch, stiffness(n, closest.segment), faded(near),
           [&](int node, const V& f) { own_force_[node] += f; },
           [&](int node, const V& f) { reaction[node] += f; });
-    };
+    });
   };
-  for_each_touch(candidates_.other_faces, push_back_to(reaction_));
-  for_each_touch(candidates_.own_faces, push_back_to(own_force_));
+  push(candidates_.other_faces, reaction_);
+  push(candidates_.own_faces, own_force_);
   for_each_wall(walls, [&](int n, int wall, double depth, double area, double k) {
     // 2: one pass over the node, one over its image
     const auto give = [&](int node, const V& f) {
@@ -153,8 +155,8 @@ double FaceContacts::energy(const Particles<2>& s, const WallContacts<2>& walls)
   double sum = 0;
   for (const NearFaces* near : {&candidates_.other_faces, &candidates_.own_faces}) {
     for_each_touch(*near, [&](int n, const ClosestPoint& closest, const auto& touch) {
-      if (touch.depth < reach * dp_)
-        sum += faces_.energy(closest, touch, stiffness(n, closest.segment), reach * dp_);
+      if (touch.depth < greatest_depth(*near))
+        sum += faces_.energy(closest, touch, stiffness(n, closest.segment), faded(*near));
     });
   }
   for_each_wall(walls, [&](int, int, double depth, double area, double k) {
@@ -170,7 +172,7 @@ auto FaceContacts::between(const Particles<2>&, int a, int b) const -> V {
     const int own = faces_.outline().body[n], other = faces_.body_of_segment(closest.segment);
     V f{};
     faces_.push(
-        closest, touch, stiffness(n, closest.segment), reach * dp_,
+        closest, touch, stiffness(n, closest.segment), faded(candidates_.other_faces),
         [&](int, const V& on_own) { f += on_own; }, [](int, const V&) {});
     if (own == a && other == b) sum += f;
     if (own == b && other == a) sum -= f;
@@ -187,9 +189,9 @@ auto FaceContacts::of_wall(const Particles<2>&, int a, int wall, const WallConta
 }
 
 double FaceContacts::gap(const Particles<2>& s, int a, int b) {
-  double least = dp_;
-  if (candidates_.other_faces.node.empty()) return least;
+  if (candidates_.other_faces.node.empty()) return reach * dp_;
   place_watched(s);
+  double least = reach * dp_;
   for_each_touch(candidates_.other_faces, [&](int n, const ClosestPoint& closest, const auto& touch) {
     if (touch.depth >= reach * dp_) return;
     const int own = faces_.outline().body[n], other = faces_.body_of_segment(closest.segment);

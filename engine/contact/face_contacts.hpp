@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -33,7 +34,7 @@ class FaceContacts final : public ContactMechanism<2> {
   V between(const Particles<2>& s, int a, int b) const override;
   V of_wall(const Particles<2>& s, int a, int wall, const WallContacts<2>& walls) const override;
 
-  /// Least distance in m between nodes and faces of two bodies, negative if they overlap, at most a spacing.
+  /// Least distance in m between nodes and faces of two bodies, negative if they overlap, at most `reach`.
   double gap(const Particles<2>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<2>& walls) override {
@@ -48,8 +49,9 @@ class FaceContacts final : public ContactMechanism<2> {
 
  private:
   // in spacings
-  static constexpr double reach = 1.2;  // greatest depth; from 1 on the contact fades
-  static constexpr double tie = 1e-6;   // round-off of equal distances
+  static constexpr double reach = 1;        // greatest depth
+  static constexpr double own_reach = 1.2;  // of finite elements in their own body, fading from `reach` on
+  static constexpr double tie = 1e-6;       // round-off of equal distances
 
   void refuse_thin(const Scene& scene) const;
   void place_watched(const Particles<2>& s);
@@ -57,6 +59,12 @@ class FaceContacts final : public ContactMechanism<2> {
   void for_each_touch(const NearFaces& near, const F& f) const;
   template <class F>
   void for_each_wall(const WallContacts<2>& walls, const F& f) const;
+  bool fades(const NearFaces& near) const { return has_mesh_ && &near == &candidates_.own_faces; }
+  double greatest_depth(const NearFaces& near) const { return (fades(near) ? own_reach : reach) * dp_; }  // m
+  /// Depth at which the contact has faded, m.
+  double faded(const NearFaces& near) const {
+    return fades(near) ? own_reach * dp_ : std::numeric_limits<double>::infinity();
+  }
   void act_on_nodes(const Particles<2>& s, double dt, WallContacts<2>& walls);
   double stiffness(int node, int segment) const {  // Pa/m
     const std::array<int, 2>& end = faces_.segment(segment).node;
@@ -64,6 +72,7 @@ class FaceContacts final : public ContactMechanism<2> {
   }
 
   double dp_, stiffness_;
+  bool has_mesh_;
   MovingFaces faces_;
   std::vector<double> M_;  // [node] K + 4G/3, Pa
   FaceCandidates candidates_;

@@ -168,16 +168,16 @@ class MovingFaces {
     if (closest.rank < best.rank) best = closest;
   }
 
-  /// `share`: factor of the energy, below 1 beside a blunt end; there `slope` is its derivative by `cosine`, the cosine
-  /// between the offset and the mean normal of both segments at the end.
+  /// `share`: factor of the energy; `slope`: its derivative by `cosine`, the cosine between the offset and the mean
+  /// normal of both segments at a blunt end.
   struct Touch {
     double depth;  // behind the segment, m; negative in front
     V out;
     double share = 1, cosine = 0, slope = 0;
   };
-  /// At blunt ends the mean normal separates inside and outside. A node that passes from one to the other beside the end
-  /// keeps its distance, so the energy fades there: at a jump of the depth, bodies with creases would gain energy.
-  Touch touch(const ClosestPoint& closest) const {
+  /// At blunt ends the mean normal separates inside and outside. A node that passes between them keeps its distance, so
+  /// its depth jumps. With `fades` the energy has no jump: the flanks of a crease would otherwise gain energy.
+  Touch touch(const ClosestPoint& closest, bool fades = false) const {
     if (is_beyond(closest)) {
       const FacingHalf& half = closest.halves[closest.halves[0].side == Outline::none ? 1 : 0];
       return {depth_at(closest, half, closest.xi > 1), closest.normal};
@@ -188,7 +188,10 @@ class MovingFaces {
     const V normal = normal_at_end(closest.segment, second);
     const double distance = std::sqrt(closest.distance2),
                  cosine = dot(closest.offset, normal) / (distance * std::sqrt(dot(normal, normal)));
-    constexpr double beside = -0.1, behind = -0.6;  // cosines
+    constexpr double across = -0.25, beside = -0.1, behind = -0.6;
+    if (!fades)
+      return cosine < across ? Touch{distance, (-1 / distance) * closest.offset}
+                             : Touch{-distance, closest.normal};
     const double u = std::min((cosine - beside) / (behind - beside), 1.0);
     if (!(u > 0)) return {-distance, closest.normal};
     return {distance, (-1 / distance) * closest.offset, smooth_step(u), cosine,
@@ -199,7 +202,7 @@ class MovingFaces {
     return touch.share * near_energy(touch.depth, closest.area(), k, reach);
   }
   /// Calls own(n, f) with the forces on the nodes of the node's face, and other(n, f) with those on the segment's face,
-  /// in N per metre depth. `k`: contact stiffness, Pa/m; `reach`: greatest depth, m.
+  /// in N per metre depth. `k`: contact stiffness, Pa/m; `reach`: depth at which it has faded, m.
   template <class Own, class Other>
   void push(const ClosestPoint& closest, const Touch& touch, double k, double reach, const Own& own,
             const Other& other) const {
@@ -260,7 +263,7 @@ class MovingFaces {
       if (!sharp_[k][e]) continue;
       h.at[e] = -dot(t, place_[node] - place_[ends[e]]) / along;
       const bool ahead = (along > 0) == (e == 0);
-      const double u = std::min(((-0.1) - cosine) / 0.5, 1.0);
+      const double u = std::clamp(ahead ? 1 - 2 * h.at[e] : 2 * h.at[e], 0.0, 1.0);
       h.over[e] = smooth_step(u);  // flat at 0 and 1, so that equal faces do not slide
       h.rise[e] = (ahead ? -12 : 12) * u * (1 - u);
     }

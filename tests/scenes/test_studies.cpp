@@ -190,7 +190,7 @@ TEST_SUITE("cli") {
       CHECK(contains(page, "\n| --- |"));
       ++tables;
     }
-    CHECK(tables == 14);
+    CHECK(tables == 15);
   }
 
   TEST_CASE("the study of a snapshot test makes a baseline, then passes, then finds a change") {

@@ -180,7 +180,7 @@ TEST_SUITE("cli") {
     CHECK(std::isnan(blocks[0].rows[12][1]));
     CHECK(blocks[0].rows[12][2] == Approx(2));
     CHECK(blocks[2].rows == std::vector<std::vector<double>>{{0, 3}, {0.008, 4}});
-    CHECK(contains(text_of(folder / "p.gp"), "title 'across'"));
+    CHECK(contains(text_of(folder / "p.gp"), "title 'across at "));
     REQUIRE(plot_lines(folder, {folder.str("a"), "--lines", "across", "--x", "y"}).code == 0);
     blocks = blocks_of(folder / "p.dat");
     CHECK(blocks[1].rows[0][0] == Approx(0.001));
