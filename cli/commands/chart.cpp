@@ -39,10 +39,11 @@ std::function<int(Streams)> declare_chart(Options& command) {
   auto options = std::make_shared<ChartArguments>();
   options->declare(command, "chart.png|chart.svg|chart.pdf", /*needed=*/false);
   declare_measure(command, options->request.measure);
-  command.add("--cost", join(cost_names(), "|"), options->cost,
-              "x axis: cpu or wall, the time to solve in s, or steps, particles × time steps; "
-              "seconds is the earlier name of wall; "
-              "default: cpu");
+  command.add(
+      "--cost", join(cost_names(), "|"), options->cost,
+      "x axis. cpu: CPU time to solve, s; wall: elapsed time to solve, s; steps: particles × time steps; "
+      "seconds: earlier name of wall; "
+      "default: cpu");
   command.add("--methods", "METHOD,...", options->request.methods, "methods to draw; default: all")
       .comma_separated();
   command.add("--against", "METHOD", options->request.against,

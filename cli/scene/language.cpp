@@ -54,7 +54,7 @@ constexpr KeyInfo top_keys[] = {
      "contact law between bodies: `taut list contacts`"},
     {"stepping", types::word("dual", "single"), "dual",
      "dual: recomputes the geometry of pairs at advection steps only; single: at every step. "
-     "Only the methods of [Zhang2024] use it"},
+     "Only the methods of [Zhang2024] and [Zhang2024b] use it"},
     {"cfl", types::number("", at_least(1e-6)), "the method's", "factor of the time step (CFL number)"},
     {"gravity", types::vector("[x, y] of t", "m/s²"), "none", "gravitational acceleration"},
     {"damping", types::number("1/s", at_least(0)), "0",
@@ -123,7 +123,8 @@ constexpr KeyInfo body_keys[] = {
      "axis, \"x\", \"y\" or \"z\", along which the layout is reflected; two bodies can then be exact mirror images"},
     {"parts", types::table("parts", "[{ material, where }]").list(), "none", "regions of another material"},
     {"driven", types::table("driven", "[{ where, velocity, until }]").list(), "none",
-     "regions with a prescribed motion along all axes; overrides `held` along single axes"},
+     "regions with a prescribed motion along all axes. The motion replaces a `held` array of single components; "
+     "the regions must not overlap fully held particles"},
     {"loaded", types::table("loaded", "[{ where, force, ramp }]").list(), "none",
      "loads on regions. A load moves with its particles and keeps its direction, so a compressed body may tip over"},
 };
@@ -259,8 +260,8 @@ constexpr KeyInfo chart_keys[] = {
     {"measure", types::text("MEASURE").or_list(1), "shared by most runs",
      "measure whose error is drawn into chart-MEASURE.png; without this key the picture is chart.png"},
     {"cost", types::word("cpu", "wall", "steps", "seconds"), "cpu",
-     "x axis: cpu or wall, the time to solve in s, or steps, particles × time steps; "
-     "`seconds` is the earlier name of wall"},
+     "x axis. cpu: CPU time to solve, s; wall: elapsed time to solve, s; steps: particles × time steps; "
+     "seconds: earlier name of wall"},
     {"methods", method_name.or_list(1), "all", "methods to draw"},
     {"against", method_name, "the references", "method whose finest run replaces the references"},
 };

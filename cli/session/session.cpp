@@ -96,10 +96,11 @@ void Session::set(const Setting& setting) {
   options.settings.push_back(setting);
   SceneFile file = scene_to_run(options);
   if (const std::string reason = reason_against(setting.name, file_); !reason.empty())
-    throw UsageError(fmt::format(
-        "'{}' cannot change during a session: {}; only cfl and other constants of the method can. "
-        "Start another session with --set {}",
-        setting.name, reason, text_of(setting)));
+    throw UsageError(
+        fmt::format("'{}' cannot change during a session: {}; only cfl can, "
+                    "and constants of the method that are not fixed at the start. "
+                    "Start another session with --set {}",
+                    setting.name, reason, text_of(setting)));
   std::unique_ptr<Simulation> simulation = start_heedful(file);
   simulation->load(simulation_->save());
   simulation_ = std::move(simulation);

@@ -12,8 +12,8 @@
 namespace taut::cli {
 
 struct HistoryColumn {
-  std::string name, label;  // drawn as "LABEL, mm" if `unit` is given
-  FilePlace place = {};     // in a study
+  std::string name, label;  // with `unit`, the axis reads LABEL and that unit with a fitting prefix
+  FilePlace place = {};     // where the study file names the column, for messages
   std::string unit = {};    // SI
 };
 
@@ -45,7 +45,7 @@ HistoryPlot make_history_plot(const StoredResults& results, const std::vector<Hi
 
 /// Curves, then references; SI units.
 std::string history_data(const HistoryPlot& plot);
-/// A line per run in each panel, references in black.
+/// Each panel has a line per run and column, and references in black.
 std::string history_script(const HistoryPlot& plot, const PlotFiles& files, const PlotLook& look = {});
 
 }  // namespace taut::cli

@@ -110,13 +110,13 @@ std::string in_columns(std::vector<std::vector<std::string>> rows, int indent,
                        std::optional<std::size_t> columns) {
   for (auto& row : rows)  // cells may come from foreign files
     for (std::string& cell : row) cell = printable(cell);
-  std::vector<std::size_t> padded, full;  // without and with the last cell
+  std::vector<std::size_t> padded, full;  // widths of columns; `padded` omits the last cell of each row
   for (const auto& row : rows) {
     padded.resize(std::max(padded.size(), row.size()));
     full.resize(padded.size());
     for (std::size_t c = 0; c < row.size(); ++c) {
       full[c] = std::max(full[c], width(row[c]));
-      if (c + 1 < row.size()) padded[c] = full[c];
+      if (c + 1 < row.size()) padded[c] = std::max(padded[c], width(row[c]));
     }
   }
   std::string text;

@@ -13,7 +13,8 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
 /// " (did you mean 'a' or 'b'?)", or "".
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
-/// did_you_mean(), and the names if there are at most eight. Of more names, the five nearest if none is near.
+/// With at most eight names: did_you_mean() and all names. With more: did_you_mean(), or the five names with the
+/// fewest edits if it is empty.
 std::string known_names(std::string_view given, const std::vector<std::string>& names);
 
 /// "unknown method 'enogg' (did you mean 'enog'?)".

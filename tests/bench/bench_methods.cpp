@@ -1,7 +1,7 @@
 // Speed of every method, in 2D on the colliding rings, in 3D on the oscillating plate with three layers:
 //   enog/2d/threads:1         particle-steps/s, and seconds per directed pair and step, including rebuilds
 //   enog/2d/to_transcription  speed-up over the paper's transcription (tests/engine/methods/naive_*.hpp) on one
-//                             thread, best of alternating runs
+//                             thread, best of alternating runs; finite elements have no transcription
 // The transcription of oenog uses explicit forces, not dual numbers.
 
 #include <algorithm>
@@ -107,7 +107,7 @@ Step steps_of(Run made) {
   return [run] { run->step(); };
 }
 
-/// Function that makes one step of the transcription; keeps a reference to `scene`.
+/// Function that makes one step of the transcription, empty for finite elements; keeps a reference to `scene`.
 template <int Dim>
 Step transcription(const Scene& scene, const Settings& settings) {
   const MethodInfo& method = *find_method(settings.method);
@@ -115,8 +115,7 @@ Step transcription(const Scene& scene, const Settings& settings) {
     case Family::ul_split:
       return steps_of(naive_split<Dim>(scene, settings));
     case Family::ul_cauchy:
-      if constexpr (Dim == 2) return steps_of(naive_current(scene, settings));
-      break;
+      return steps_of(naive_current<Dim>(scene, settings));
     case Family::tl_displacement:
       return steps_of(naive_total_lagrangian<Dim>(scene, settings));
     case Family::tl_mixed:
@@ -127,6 +126,8 @@ Step transcription(const Scene& scene, const Settings& settings) {
       const double damping = constant_of(settings, Dim, "damping");
       return [run, damping, cfl = method.cfl] { run->step(cfl, damping); };
     }
+    case Family::finite_elements:
+      break;
   }
   return {};
 }
@@ -174,7 +175,7 @@ void register_methods() {
           ->Arg(2)
           ->UseRealTime()
           ->Unit(benchmark::kMillisecond);
-      if (dim == 2 || subject.method != "tl-small-strain")
+      if (method.formulation.family != Family::finite_elements)
         benchmark::RegisterBenchmark((name + "/to_transcription").c_str(), compare_with_transcription,
                                      subject)
             ->Iterations(dim == 2 ? 5 : 3)

@@ -10,9 +10,9 @@
 namespace taut::tl_displacement {
 namespace {
 
-constexpr TermInfo time_info{"time", "position Verlet, one step", "[Zhang2020] Eq. 10, 11",
-                             "methods/tl_displacement/solver.cpp:step",
-                             "total Lagrangian: a colliding ring and disc follow the transcription"};
+constexpr TermInfo time_info{
+    "time", "position Verlet, one step", "[Zhang2020] Eq. 10, 11", "methods/tl_displacement/solver.cpp:step",
+    "total Lagrangian: a colliding ring and disc move as in the direct transcription of the paper"};
 
 }  // namespace
 
@@ -30,8 +30,9 @@ std::vector<TermInfo> terms(const TlDisplacementFormulation& m) {
 std::vector<ConstantRow<TlDisplacementConstants>> constants(const TlDisplacementFormulation& m, int dim) {
   using C = TlDisplacementConstants;
   const bool corrected = m.gradient == GradientCorrection::corrected;
-  std::vector<ConstantRow<C>> c{
-      {&C::h, smoothing_length(m, dim, corrected ? 0.8 : 0.36)}};  // 0.36: the nearest along axes
+  // least h/dp; with 0.36 the support 3 h = 1.08 dp just includes the nearest neighbours along the axes
+  const double least_h = corrected ? 0.8 : 0.36;
+  std::vector<ConstantRow<C>> c{{&C::h, smoothing_length(m, dim, least_h)}};
   if (!corrected)
     c.push_back({&C::normalised,
                  {"normalised", 1.0, 0.0, 1.0, "1: divides gradients by the sum of the kernel; 0: does not",

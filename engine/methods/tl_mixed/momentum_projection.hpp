@@ -42,8 +42,9 @@ inline Pack volumes_of_four(const double* V, int i, int last) {
   return four;
 }
 
-/// Makes force and torque on a body of one density 0 by the least change of `a`, weighted by volume, [Lee2016] Eq.
-/// 45–48. `a` is padded by a pack; `share` scales the change. The result depends neither on the number of threads nor
+/// Changes the accelerations `a` of a body as little as possible (squares weighted by volume) so that total force and
+/// torque vanish, [Lee2016] Eq. 45–48. The body must have uniform density. `a` is padded by a pack; `share` scales the
+/// change. The result depends neither on the number of threads nor
 /// on the place in storage.
 template <int Dim>
 void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, const double* V, int first,
@@ -86,8 +87,9 @@ inline void subtract_mean(const ColumnsView<1>& f, const double* V, int first, i
 }
 
 inline constexpr TermInfo projection_info{
-    "projection", "nearest forces and D(v) with Σ V a = 0, Σ V Z × a = 0", "[Lee2016] Eq. 45–51",
-    "methods/tl_mixed/momentum_projection.hpp:project_on_momenta",
+    "projection",
+    "a = internal acceleration + D(v) is replaced by the nearest a with Σ V a = 0, Σ V Z × a = 0",
+    "[Lee2016] Eq. 45–51", "methods/tl_mixed/momentum_projection.hpp:project_on_momenta",
     "projection: the result is the nearest field without force and torque"};
 
 }  // namespace taut

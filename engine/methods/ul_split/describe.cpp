@@ -30,12 +30,14 @@ std::vector<ConstantRow<UlSplitConstants>> constants(const UlSplitFormulation& m
   std::vector<ConstantRow<UlSplitConstants>> c{
       {&C::h, {"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing", true, true}},
       {&C::beta_least,
-       {"beta_least", m.beta_least, 0.0, 1.0, "least β of the dissipation in P*: 1 linear, 0 limited"}},
+       {"beta_least", m.beta_least, 0.0, 1.0,
+        "lower bound of β, the factor of the dissipation in P*: 1 without limiter, 0 with the full limiter"}},
       {&C::riemann_limiter,
        {"riemann_limiter", 3.0, 0.0, 1000.0, "β = min(max(limiter · closing speed/c0, beta_least), 1)"}},
       {&C::pressure_diffusion,
        {"pressure_diffusion", 0.0, 0.0, 1.0,
-        "share of (p_i − p_j)/(2 ρ0 c0) in U*: 1 as in the Riemann solver of the paper, 0 without"}},
+        "share of (p_i − p_j)/(2 ρ0 c0) in U*: 1 as in a linearised Riemann solver, "
+        "0 leaves it out, as the authors' program does"}},
       {&C::cfl_advection,
        {"cfl_advection", m.cfl_advection, 1e-3, 1.0, "distance over h between rebuilds (Eq. 21)"}},
       {&C::cubic_spline,
@@ -46,7 +48,9 @@ std::vector<ConstantRow<UlSplitConstants>> constants(const UlSplitFormulation& m
                  {"zeta", 0.7 * dim + 2.1, 0.0, 100.0,
                   "ζ of the Laplacian: 0.7 d + 2.1 calibrated, d + 2 consistent"}});
   if (has_penalty(m))
-    c.push_back({&C::xi, {"xi", 4.0, 0.0, 20.0, "factor ξ of the penalty on unexplained velocities"}});
+    c.push_back({&C::xi,
+                 {"xi", 4.0, 0.0, 20.0,
+                  "factor ξ of the penalty on velocity differences that the velocity gradients miss"}});
   if (m.artificial_stress) {
     c.push_back({&C::epsilon, {"epsilon", m.epsilon, 0.0, 10.0, "ε of the artificial stress"}});
     c.push_back({&C::exponent, {"exponent", m.exponent, 0.0, 20.0, "n of the artificial stress"}});

@@ -10,7 +10,7 @@
 namespace taut {
 namespace {
 
-/// Symmetric in y to the last bit: angles go from −π to π.
+/// Points k and n − k have the angles ±φ, so their offsets in y from the centre are opposite to the last bit.
 Point on_circle(const Point& centre, double r, long k, long n) {
   const double angle =
       2 * std::numbers::pi * static_cast<double>(2 * k <= n ? k : k - n) / static_cast<double>(n);

@@ -41,7 +41,7 @@ TEST_SUITE("cli") {
     CHECK(result["over_default"].get<double>() == Approx(found / result["default_step"].get<double>()));
     CHECK(result["limits"].size() == 2);
 
-    // the verdict also checks contact energy
+    // the verdict allows twice the received energy, the search 100 times
     const double cfl = 0.4 * result["over_default"].get<double>();
     const auto run = [&](double share) {
       return call(tiny_run(

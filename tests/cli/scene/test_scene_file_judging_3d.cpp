@@ -67,7 +67,7 @@ TEST_SUITE("cli") {
             "unknown key 'component'");
   }
 
-  TEST_CASE("scene in 2D: the measure turn is about z and its axis cannot be chosen") {
+  TEST_CASE("scene in 2D: the probe turn is about z and its axis cannot be chosen") {
     const std::string turn = "of = \"turn\"\nbody = \"block\"\nat = [2, 0.5]";
     const std::string old_probe = "of = \"displacement\"\nbody = \"block\"\nat = [2, 0.5]\ncomponent = \"y\"";
     CHECK(read_text(replaced(small_scene, old_probe, turn)).scene.probes[0].turns_about == Point{0, 0, 1});

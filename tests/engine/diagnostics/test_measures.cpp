@@ -53,7 +53,8 @@ TEST_SUITE("unit") {
     expect(result(scene, Series{{0, 1}, {{0, 0}}}).value, std::sqrt(1 / 3.0));
   }
 
-  TEST_CASE("rmse: the measure is absent if the run ends before the table and `until`, or without a table") {
+  TEST_CASE(
+      "rmse: the measure needs a table that begins before the run ends, and a run up to `until` or the last row") {
     Scene scene = scene_of("rmse");
     const Series series{{0, 0.5, 0.95}, {{1, 1, 1}}};
     CHECK_FALSE(result(scene, series).value);
@@ -76,7 +77,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(result(scene, series).value);
   }
 
-  TEST_CASE("rmse: an exact solution is compared including kinks between steps") {
+  TEST_CASE("rmse: an exact solution is compared between the steps too, also if it is curved or jumps") {
     Scene scene = scene_of("rmse");
     // √(∫ t⁴ dt) over 0 … 1
     scene.references["neo_hookean"] = {
@@ -195,7 +196,8 @@ TEST_SUITE("unit") {
     expect(result(scene, series).reference, 1.5 * pi, 1e-9);
   }
 
-  TEST_CASE("minimum and maximum: both are taken over the steps and absent before the end") {
+  TEST_CASE(
+      "minimum and maximum: both are taken over the steps, and absent if the series ends at its extreme") {
     expect(value("minimum", {0, 1, 2, 3}, {5, 2, 3, 7}), 2);
     expect(value("maximum", {0, 1, 2, 3}, {5, 2, 9, 7}), 9);
     CHECK_FALSE(value("minimum", {0, 1, 2}, {5, 4, 2}));
@@ -203,7 +205,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(value("minimum", {0, 1, 2}, {5, 5, 5}));
   }
 
-  TEST_CASE("maximum: the maximum of the mirror asymmetry exists before the end of the run") {
+  TEST_CASE("maximum: for a mirror asymmetry the maximum exists even if the series ends at it") {
     Scene scene = scene_of("maximum");
     scene.probes[0].kind = Probe::Kind::mirror_asymmetry;
     expect(result(scene, Series{{0, 1, 2}, {{0, 1e-9, 3e-9}}}).value, 3e-9);
@@ -227,7 +229,8 @@ TEST_SUITE("unit") {
     expect(result(last, leaving).value, 1);
   }
 
-  TEST_CASE("final_ratio: the last value over the scale counts once bodies have touched and separated") {
+  TEST_CASE(
+      "final_ratio: the last value is divided by the scale, with `free` only after bodies have touched and separated") {
     Scene scene = scene_of("final_ratio");
     scene.measures[0].scale = -4;
     const std::vector<double> t = {0, 1, 2}, speed = {4, 1, -3};
@@ -258,7 +261,7 @@ TEST_SUITE("unit") {
     };
     Scene scene = scene_of("at_rest");
     scene.until = damped(8).time.back();
-    expect(result(scene, damped(8)).value, -3, 5e-4);  // moves by 4e-4 in the last tenth
+    expect(result(scene, damped(8)).value, -3, 5e-4);  // moves by 4e-4 of its value in the last tenth
     CHECK_FALSE(result(scene, damped(6)).value);
     CHECK_FALSE(result(scene, Series{{0, 0.5, 0.9}, {{0, 1, 1}}}).value);
     expect(result(scene, Series{{0, 0.5, scene.until}, {{0, 1, 1}}}).value, 1);
@@ -292,7 +295,7 @@ TEST_SUITE("unit") {
     CHECK(none.reference_name.empty());
   }
 
-  TEST_CASE("measure: every kind is absent before the first step") {
+  TEST_CASE("measure: every kind that uses probes is absent before the first step") {
     for (const MeasureKind& kind : measure_kinds()) {
       if (!kind.keys.front().starts_with("probe")) continue;
       CAPTURE(kind.name);
@@ -353,7 +356,7 @@ TEST_SUITE("unit") {
       for (std::vector<double>& column : *columns)
         for (double& y : column) y *= 1e-3;
     const auto [error_mm, angle_same] = both();
-    CHECK(error_mm == Approx(1e-3 * error).epsilon(1e-9));  // the scale stays in m
+    CHECK(error_mm == Approx(1e-3 * error).epsilon(1e-9));  // the scale is not rescaled
     CHECK(angle_same == Approx(angle).epsilon(1e-9));
   }
 

@@ -98,7 +98,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("aligned layers: solid shapes and shapes with another layout have no aligned layers") {
+  TEST_CASE("aligned layers: shapes in 3D with the layout lattice or spaced give no sites and no patches") {
     Ring cut = shell();
     cut.layout = RoundLayout::lattice;
     CHECK(cut.sites(3, dp).empty());
@@ -137,7 +137,7 @@ TEST_SUITE("unit") {
     for (const SurfaceMesh::Facet& facet : mesh.facets) {
       const double r = distance_between(initial.x[facet.particle], {0.03, 0.001, 0}, 3);
       CHECK((std::abs(r - 0.013) < 1e-12 || std::abs(r - 0.019) < 1e-12));
-      // a chord's middle lies inside the outer face and outside the inner one
+      // a chord's middle lies in the body at the outer face, and in the cavity at the inner face
       const double l = std::sqrt(facet.area), bulge = l * l / (r < 0.016 ? -4 * 0.012 : 4 * 0.02);
       CHECK(facet.bulge == Approx(bulge).epsilon(0.25));
     }

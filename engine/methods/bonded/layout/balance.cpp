@@ -25,7 +25,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Vector vector(const Point& p) { return {p[0], p[1]}; }
 
-/// N = A Ω Aᵀ, not stored: it couples particles up to four bonds apart.
+/// Multiplies by N = A Ω Aᵀ without storing N, whose rows couple particles up to two bonds apart.
 class NormalMatrix {
  public:
   NormalMatrix(const Rows& A, const Eigen::VectorXd& omega, int threads)
@@ -62,7 +62,8 @@ class NormalMatrix {
 };
 
 /// Solves A Ω Aᵀ α = r by preconditioned conjugate gradients. Rows may contradict each other by round-off: r then
-/// grows after some steps. Returns the best α.
+/// grows after some steps. Returns the α of the least residual once r exceeds 1000 times that residual, else the
+/// last α.
 Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen::VectorXd r, int threads) {
   constexpr Eigen::Index largest_factor = 12000;
   NormalMatrix N(A, omega, threads);
@@ -102,7 +103,7 @@ Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen:
 
 constexpr int far = 12;  // bonds
 constexpr int strains = 3;
-double stretch(int strain, const Vector& e) {  // e·H e for unit ε_xx, ε_yy, ε_xy
+double stretch(int strain, const Vector& e) {  // e·H e for unit ε_xx, ε_yy, γ_xy
   return strain == 0 ? e[0] * e[0] : strain == 1 ? e[1] * e[1] : e[0] * e[1];
 }
 
@@ -125,7 +126,7 @@ class Sector {
     find_inside();
   }
 
-  /// Changes a_ij to (1 + ξ) α X + η α X⊥, with ξ and η equal at both ends.
+  /// Changes a_ij to (1 + ξ) a_ij + η a_ij⊥; ⊥ turns by 90°. Both directions of a bond have the same ξ and η.
   void balance_areas() {
     find_faces();
     std::vector<int> owner(2 * classes_, first_);
@@ -333,8 +334,8 @@ class Sector {
     }
     return steps;
   }
-  /// Changes x as little as possible, in Σ (Δx)²/ω, to satisfy the rows, unless the residual grows. `owner`: a
-  /// particle of each unknown.
+  /// Changes x as little as possible, in Σ (Δx)²/ω, to satisfy the rows, unless the residual grows. `owner`: for
+  /// each unknown, one particle at which a bond with this unknown begins.
   template <class AddRows>
   void least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, const std::vector<int>& owner,
                     const AddRows& add_rows) const {
