@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <Eigen/Dense>
+#include <fmt/core.h>
 
 #include "engine/core/parallel.hpp"
+#include "engine/error.hpp"
 #include "engine/layout/surface_mesh.hpp"
 #include "engine/methods/finite_elements/describe.hpp"
 #include "engine/solver/particle_simulation.hpp"
@@ -17,6 +20,8 @@ namespace taut {
 namespace {
 
 constexpr int steps_per_rate = 10;  // between evaluations of the greatest frequency
+/// Ratio of squared frequencies beyond which the run has diverged: its steps would be a hundred times as short.
+constexpr double greatest_rate_ratio = 1e4;
 
 /// Geometry of one element.
 template <int n, int Dim>
@@ -209,6 +214,28 @@ double FiniteElements<Dim>::step_size() const {
 template <int Dim>
 void FiniteElements<Dim>::update_rate() {
   rate_ = kernels_.rate(f_, common_.threads_now());
+  if (first_rate_ == 0) first_rate_ = rate_;
+  if (!(rate_ <= greatest_rate_ratio * first_rate_)) throw_crushed();
+}
+
+/// Throws NumericalError with the first node of the most crushed element.
+template <int Dim>
+void FiniteElements<Dim>::throw_crushed() const {
+  const int N = mesh_.nodes_of_each();
+  std::vector<int> groups(f_.groups);
+  std::iota(groups.begin(), groups.end(), 0);
+  int worst = 0;
+  double least = std::numeric_limits<double>::infinity();
+  with_strains(groups, [&](int element, const auto& F_at) {
+    for (int q = 0; q < N; ++q)
+      if (const double J = determinant(F_at(q)); !(J >= least)) worst = element, least = J;
+  });
+  const int node = p_.id[mesh_.node[N * worst]];
+  throw NumericalError(
+      common_.run.steps, common_.run.time, node, "deformation",
+      fmt::format("an element at particle {} is crushed or turned inside out: it vibrates more than {:g} "
+                  "times as fast as at the start, or its deformation is not a number",
+                  node, std::sqrt(greatest_rate_ratio)));
 }
 
 template <int Dim>

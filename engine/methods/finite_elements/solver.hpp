@@ -33,6 +33,7 @@ class FiniteElements final : public Scheme<Dim> {
   void with_strains(const std::vector<int>& groups, const Take& take) const;
   std::vector<int> element_groups(std::span<const int> of_nodes) const;
   void set_contact_rate(const SolverInput& input);
+  [[noreturn]] void throw_crushed() const;
   void update_rate();
 
   const Kernels& kernels_;
@@ -49,7 +50,7 @@ class FiniteElements final : public Scheme<Dim> {
   std::vector<int> begin_, slot_;
   std::vector<Vec<Pack, 1>> mobility_;
   FiniteElementFields<Dim> f_;
-  double rate_ = 0, contact_rate_ = 0;  // greatest squared frequencies, 1/s²
+  double rate_ = 0, first_rate_ = 0, contact_rate_ = 0;  // greatest squared frequencies, 1/s²
 };
 
 }  // namespace taut
