@@ -231,11 +231,11 @@ void FiniteElements<Dim>::throw_crushed() const {
       if (const double J = determinant(F_at(q)); !(J >= least)) worst = element, least = J;
   });
   const int node = p_.id[mesh_.node[N * worst]];
-  throw NumericalError(
-      common_.run.steps, common_.run.time, node, "deformation",
-      fmt::format("an element at particle {} is crushed or turned inside out: it vibrates more than {:g} "
-                  "times as fast as at the start, or its deformation is not a number",
-                  node, std::sqrt(greatest_rate_ratio)));
+  throw NumericalError(common_.run.steps, common_.run.time, node, "deformation",
+                       fmt::format("an element at particle {} is crushed or turned inside out: "
+                                   "it vibrates more than {:g} times as fast as at the start, "
+                                   "or its deformation is not a number",
+                                   node, std::sqrt(greatest_rate_ratio)));
 }
 
 template <int Dim>
