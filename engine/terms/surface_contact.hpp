@@ -47,8 +47,8 @@ inline double near_slope(double p, double reach, double fade = 0.3) {  // 1/m
   return (p < 0 ? 1 : -1) * 6 / (fade * reach) * t * (1 - t);
 }
 
+inline constexpr double fade_2d = 1.0 / 6;  // from one spacing to 1.2
 /// Energy in J that fades near `reach`, so that nodes from beyond enter without a jump.
-inline constexpr double fade_2d = 1.0 / 6;
 inline double near_energy(double depth, double area, double k, double reach) {
   return near_share(depth, reach, fade_2d) * surface_energy(depth, area, k);
 }

@@ -46,6 +46,7 @@ row() {
   echo "Made by \`lee-adjoint.sh\`; do not edit. \`method.adjoint\` is 1 for the adjoint L\\*[L[U]], the default, and 0 for the"
   echo "printed L[L[U]]. Alternating: greatest part of the pressure that alternates between particles; zigzag: greatest"
   echo "\`hourglass_error\`. Percentages are differences from the references, positive if the value is greater."
+  echo "The reference of \`twist_250ms\` is negative: there, positive means too small a twist."
   echo
   echo "| scene, method, settings | adjoint | verdict | alternating, % | zigzag | measures |"
   echo "|---|---|---|---|---|---|"
