@@ -192,7 +192,6 @@ void read_mirror(TomlCursor& cursor, int dim, Body& body) {
   std::for_each(value.items.begin(), value.items.end(), add);
 }
 
-/// On a hexagonal lattice and with a relaxed layout, round shapes are cut from the lattice.
 Layers layers_of(TomlCursor& cursor, bool keeps_neighbors) {
   const auto is = [&](std::string_view key, std::string_view text) {
     const TomlValue* value = cursor.find(key);

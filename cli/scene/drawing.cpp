@@ -24,7 +24,7 @@ TomlValue toml_of(const DrawingKey& key, const DrawingValue& value) {
   return key.numbers.count == 1 ? array.items.front() : array;
 }
 
-/// Text for words, "auto" and free texts.
+/// Text for words, "auto" and free texts, else numbers.
 DrawingValue given(TomlCursor& render, const DrawingKey& key) {
   if (key.takes_words() || key.is_free_text) return render.text(key.name);
   const TomlValue& value = render.need(key.name);
@@ -74,7 +74,7 @@ std::optional<Mismatch> misfit(const Drawing& drawing) {
     return Mismatch{{"width", "dpi"},
                     fmt::format("width, dpi and size give {}x{} pixels; each must be from {} to {}", width,
                                 height, render::least_size, render::greatest_size)};
-  constexpr double least_em = 10;  // in font sizes
+  constexpr double least_em = 10;  // smallest side, in font sizes
   if (const double font = look.texts.font;
       !look.bare && font > 0 && std::min(width, height) < least_em * font)
     return Mismatch{{"font_size", "width"},
@@ -131,7 +131,7 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   return std::nullopt;
 }
 
-/// Smallest significant difference, in the field's unit.
+/// Smallest significant difference in the field's unit; 0: any.
 double round_off(const Field& field, const Scene& scene) {
   constexpr double strain = 1e-9, in_single_precision = 1e-6;  // relative
   double stiffest = 0;                                         // Pa
@@ -212,7 +212,7 @@ void apply_scene(Drawing& drawing, const SceneFile& file) {
 
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
   TomlCursor render = root.section("render", "[render]", keys_of("render"));
-  // Keys with words come first, also in errors and if they are missing.
+  // Keys with words come first: their errors are reported first, and their defaults are added first.
   for (const bool words : {true, false})
     for (const DrawingKey& key : drawing_keys())
       if (key.takes_words() == words) read_key(render, key, drawing);

@@ -14,7 +14,6 @@ namespace taut::cli {
 
 using Names = std::map<std::string, double>;
 
-/// The message contains the known names.
 class ExpressionError : public std::runtime_error {
  public:
   ExpressionError(const std::string& what, std::size_t where) : std::runtime_error(what), offset(where) {}
@@ -31,7 +30,7 @@ Expression compile(const std::string& text, const Names& names);
 std::function<double(double)> compile_of_time(const std::string& text, const Names& names);
 Solution compile_in_time(const std::string& text, const Names& names);
 
-/// Function of t and of variables with the names `values`. Names that are not identifiers are left out.
+/// Function of variables with the names `values` and of t. Skips names that are not identifiers, and `pi` and `t`.
 std::function<double(const std::vector<double>&, double)> compile_of_values(
     const std::string& text, Names names, const std::vector<std::string>& values);
 

@@ -19,7 +19,7 @@ struct NumberRange {
 constexpr NumberRange above(double low) { return {.low = low, .open_low = true}; }
 constexpr NumberRange at_least(double low) { return {.low = low}; }
 
-/// Source of LANGUAGE.md and the JSON Schema.
+/// For readers, LANGUAGE.md and the JSON Schema.
 struct KeyType {
   enum class Kind : std::uint8_t {
     number,  // or expression
@@ -39,15 +39,15 @@ struct KeyType {
   NumberRange bounds = {};
   std::array<std::string_view, 8> words = {};
   std::vector<std::string> (*names)() = nullptr;
-  std::string_view section = {};  // of a table, or of a number that may be one
+  std::string_view section = {};  // keys of a table, also for a number that may be a table
   std::string_view pattern = {};
   std::size_t longest = any_size;
-  std::size_t size = 0;         // 0: one per axis
-  std::string_view other = {};  // "auto", or "=EXPRESSION" for texts
+  std::size_t size = 0;         // components; 0: one per axis
+  std::string_view other = {};  // further value, such as "auto" or "=EXPRESSION"
   Form form = Form::one;
-  std::size_t depth = 1;                   // nesting
-  std::size_t least = 0, most = any_size;  // innermost array
-  std::string_view by = {};                // "MEASURE": a value per measure
+  std::size_t depth = 1;                   // of nested arrays
+  std::size_t least = 0, most = any_size;  // items of the innermost array
+  std::string_view by = {};                // "MEASURE": one value per measure
   std::string_view name_pattern = {};
 
   constexpr KeyType or_other(std::string_view word) const {
@@ -79,7 +79,7 @@ struct KeyType {
 
 std::string type_text(const KeyType& type);
 std::vector<std::string> words_of(const KeyType& type);
-/// "must be greater than 0", or "".
+/// "must be greater than 0", or "" if allowed.
 std::string against_bounds(const KeyType& type, double value);
 
 namespace types {
@@ -131,17 +131,17 @@ constexpr KeyType table(std::string_view section, std::string_view shown) {
 struct KeyInfo {
   std::string_view name;  // or `any_name`
   KeyType type;
-  std::string_view by_default;  // empty: required; "or X": alternative
+  std::string_view by_default;  // empty: required; "or X": required without X
   std::string_view help;
 };
 
-/// nullopt for "the method's".
+/// nullopt for words such as "the method's".
 std::optional<double> default_number(const KeyInfo& key);
 
 inline constexpr std::string_view any_name = "NAME";
 inline constexpr KeyInfo named_by_user[] = {{any_name, {}, "", ""}};
 
-/// For `taut describe` and the reader.
+/// Part of a scene, sweep, claim or suite file.
 struct Section {
   std::string_view name;
   std::string_view header;  // "[[body]]"

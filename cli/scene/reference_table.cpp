@@ -30,7 +30,7 @@ struct Rows {
   std::size_t next = 0;
   int line = 0;
 
-  /// Nullopt at the end. Skips comments and a byte order mark.
+  /// Nullopt at the end. Skips empty lines, comments and a byte order mark.
   std::optional<std::vector<std::string>> read() {
     if (constexpr std::string_view mark = "\xEF\xBB\xBF"; next == 0 && text.starts_with(mark))
       next = mark.size();
@@ -74,7 +74,7 @@ std::filesystem::path find_file(const std::filesystem::path& folder, const std::
   return (folder / file).lexically_normal();
 }
 
-/// Makes runs independent of the scene folder's location.
+/// Relative to its scene folder, which may move.
 std::string path_without_scene_folder(const std::filesystem::path& file) {
   std::error_code error;
   for (const std::filesystem::path& scenes : scene_folders()) {

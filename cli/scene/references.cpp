@@ -37,8 +37,8 @@ bool alike(double a, double b) {
 }
 
 struct Validity {
-  bool values = false;     // of values and tables: parameters equal `when`, the others their defaults
-  bool solutions = false;  // of solutions: parameters equal `when`, the others have any value
+  bool values = false;     // of values and tables: parameters equal `when`, or else their default
+  bool solutions = false;  // of solutions: parameters equal `when`; the others have any value
 };
 
 Validity validity(TomlCursor& reference, const std::vector<Parameter>& parameters) {
@@ -120,7 +120,7 @@ std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure)
   return names;
 }
 
-/// The line must have one time, and the table must cover it.
+/// The line must have one time, and the table must cover the line.
 void check_covers(TomlCursor& entry, const ReferenceTable& table, const SampleLine& line) {
   const TomlValue& file = entry.need("file");
   if (line.times.size() > 1)
@@ -160,7 +160,7 @@ std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const S
   return tables;
 }
 
-/// One expression, or one per probe or field.
+/// Each measure has one expression, or one per probe or field.
 std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& reference, const Scene& scene) {
   std::map<std::string, std::vector<Solution>> solutions;
   TomlValue* table = reference.find("solutions");

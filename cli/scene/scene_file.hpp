@@ -34,7 +34,7 @@ struct Setting {
 Setting parse_setting(const std::string& assignment);
 std::string text_of(const Setting& setting);
 
-/// A setting of every scene.
+/// A setting that every scene has.
 struct SettingInfo {
   std::string_view name;
   std::string_view column;       // in results.csv
@@ -46,11 +46,11 @@ std::span<const SettingInfo> setting_infos();
 inline constexpr std::string_view constant_prefix = "method.";
 
 struct ResolvedSetting {
-  /// The first source that has the value.
+  /// The last source that changed the value.
   enum class Source { by_default, scene, setting };
   std::string name;
   std::string value,
-      default_value;  // exact; a key without default has the scene's value as default
+      default_value;  // all digits; without a default, the scene's value
   Source source = Source::by_default;
 };
 
@@ -76,11 +76,11 @@ struct SceneFile {
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
 /// Names for --set and --grid.
 std::vector<std::string> names_to_set(const SceneFile& scene);
-/// Values of a setting; empty if it takes numbers.
+/// Allowed words of a setting; empty if it takes numbers.
 std::vector<std::string> allowed_words(std::string_view name);
 /// Sets the members that depend on the scene, such as the cut. Throws UsageError if `drawing` does not fit the scene.
 void apply_scene(Drawing& drawing, const SceneFile& scene);
-/// Adds file, line and column to an engine error.
+/// Adds file, line and column to an error without a place.
 SceneError locate(const SceneFile& scene, const SceneError& error);
 /// TOML with all defaults, current history and drawing; gives the same scene when read from `folder`.
 std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder);

@@ -32,7 +32,7 @@ struct Changes {
 Changes by_target(const std::vector<Setting>& settings);
 /// Throws UsageError for unknown names.
 void check_names(const Changes& changes, const SceneFile& file);
-/// `in_scene`: value without settings; `usual`: default.
+/// Adds to `file.resolved`. `in_scene`: value without settings; `usual`: default.
 void resolve(SceneFile& file, std::string name, const std::string& value, const std::string& in_scene,
              const std::string& usual);
 void resolve(SceneFile& file, std::string name, double value, double in_scene, double usual);
@@ -41,12 +41,13 @@ double changed_number(std::string_view name, const std::string& text, const Name
 /// Throws UsageError unless finite and within the key's bounds.
 double changed_number(const KeyInfo& key, const std::string& text, const Names& names);
 
-/// Without `dp`, only parameters independent of dp.
+/// Without `dp`, reads only parameters independent of dp.
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file);
-/// Includes `dp`.
+/// `dp` and parameters that depend on it.
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
-/// Defines `touching`, m. Call again after read_bodies, which can change the published contact law.
+/// Defines `touching`, the gap of touching faces, m. Call again after read_bodies, which can change the published
+/// contact law.
 void name_touching(TomlCursor& root, const SceneFile& file);
 void read_gravity_and_damping(TomlCursor& root, Scene& scene);
 void read_materials(TomlCursor& root, Scene& scene);
@@ -67,7 +68,7 @@ void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
 DrawingValues read_drawing_values(TomlCursor& render);
 TomlValue drawing_table(const Drawing& drawing);
 
-/// `lead` must increase; # begins comments. Throws SceneError with the place.
+/// Values of `lead` must increase; # begins comments. Throws SceneError with the place.
 ReferenceTable read_table(const std::filesystem::path& path, const std::string& lead,
                           const std::vector<std::string>& columns);
 struct ColumnTable {
@@ -78,7 +79,7 @@ struct ColumnTable {
 };
 ColumnTable read_columns(const std::filesystem::path& path, const std::vector<std::string>& needed,
                          const std::vector<std::string>& optional);
-/// Throws SceneError for a missing, unreadable or larger file.
+/// Throws SceneError for a missing, unreadable or too large file.
 std::string file_text(const std::filesystem::path& path, std::size_t most_bytes = 4 << 20);
 
 inline const std::vector<std::string> axis_names = {"x", "y", "z"};
@@ -87,7 +88,7 @@ inline const std::vector<std::string> axis_names = {"x", "y", "z"};
 enum class Layers : std::uint8_t {
   for_initial_neighbours,
   for_searched_neighbours,
-  of_lattice,  // the body has a hexagonal or relaxed lattice, from which round shapes are cut
+  of_lattice,  // cut from the lattice: the body is hexagonal or relaxed
   none
 };
 struct ShapeSetting {
@@ -96,7 +97,7 @@ struct ShapeSetting {
   std::filesystem::path folder;
   Layers layers{};
   bool alone = false;  // only shape of its body
-  int level = 0;       // enclosing shapes
+  int level = 0;       // number of enclosing shapes
 };
 struct ShapeKind {
   std::string_view name;
@@ -117,7 +118,7 @@ void check_name_length(const TomlCursor& table, FilePlace place, std::string_vie
                        const std::string& name);
 /// Throws SceneError for invalid and reserved names.
 void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind);
-/// Letters, digits, '_' and '-'; not in `taken`.
+/// Reads `name`: letters, digits, '_' and '-'; not in `taken`.
 std::string label(TomlCursor& entry, const std::vector<std::string>& taken);
 void add_names(Names& names, const Material& material);
 
@@ -145,7 +146,7 @@ struct ContactChoice {
 };
 std::span<const ContactChoice> contact_choices();
 
-/// Name in references and run.json of the law of methods with a 2D deviator. `law` cannot select it.
+/// Law of methods with a 2D deviator, in references and run.json. The key `law` cannot select it.
 inline constexpr std::string_view in_plane_law = "2d_deviator";
 /// neo_hookean (run.json) to neo-hookean.
 std::string law_name(std::string_view material_law);

@@ -78,7 +78,7 @@ auto with_place(TomlCursor& shape, const Read& read) {
 
 struct GivenSites {
   std::vector<Point> places;    // m
-  std::vector<double> volumes;  // m², m³
+  std::vector<double> volumes;  // m², in 3D m³
   bool has_volumes = true;      // false: dp^dim
 };
 
@@ -126,7 +126,8 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
   return given;
 }
 
-/// Throws for particles too far apart: the search for faces covers their bounding box, and cell numbers are limited.
+/// Throws for volumes far from dp^dim, and for particles too far apart: the search for faces covers their bounding
+/// box, and cell numbers are limited.
 void refuse_far(const GivenSites& given, const std::filesystem::path& file, const ShapeSetting& setting) {
   constexpr double most_sides = 1e6, farthest = 1e9, max_volume_ratio = 1e6;  // in dp; in dp^dim
   const double cell = std::pow(setting.dp, setting.dim);
@@ -179,7 +180,7 @@ void refuse_twins(const std::vector<Point>& places, const std::filesystem::path&
                       places[order[k]][0], places[order[k]][1], places[order[k]][2]));
 }
 
-/// Median distance of about 1000 particles from their nearest particle, m.
+/// Median distance of at most 1000 particles from their nearest particle, m.
 double usual_distance(std::vector<Point> places) {
   constexpr std::size_t asked = 1000;
   std::size_t longest = 0;  // axis of largest extent

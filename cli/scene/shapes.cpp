@@ -19,7 +19,7 @@ Shape read_box(TomlCursor& shape, const ShapeSetting& setting) {
   return read_low_and_high(shape, setting.dim);
 }
 
-/// Default: `otherwise`. A body with a hexagonal lattice allows only "lattice".
+/// Default: `otherwise`. Hexagonal and relaxed bodies allow only "lattice".
 RoundLayout read_layout(TomlCursor& shape, std::vector<RoundLayout> allowed, RoundLayout otherwise,
                         Layers layers) {
   if (layers == Layers::of_lattice) allowed = {RoundLayout::lattice}, otherwise = RoundLayout::lattice;

@@ -42,7 +42,7 @@ std::vector<fs::path> folders_of_user() {
   return folders;
 }
 
-/// A build links `scenes` beside the program. Without /proc, its location is unknown.
+/// A build links `scenes` beside the program. Without /proc, the program's location is unknown.
 std::vector<fs::path> places_of_shipped() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -93,7 +93,7 @@ std::vector<std::string> scene_names() {
 }
 
 fs::path find_scene(const std::string& scene) {
-  // scenes precede run folders
+  // order: file, name of a scene, folder
   std::error_code error;
   const bool exists = fs::exists(scene, error);
   if (exists && !fs::is_directory(scene, error)) return scene;

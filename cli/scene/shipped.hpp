@@ -8,11 +8,11 @@
 namespace taut::cli {
 
 /// In search order: TAUT_SCENES (separated by ':'), then `scenes` beside the program or share/taut/scenes. Throws
-/// UsageError for a missing folder.
+/// UsageError for a missing folder in TAUT_SCENES.
 std::vector<std::filesystem::path> scene_folders();
 /// Sorted, then "gallery/NAME". Throws UsageError without scene folders.
 std::vector<std::string> scene_names();
-/// Path or name. Throws UsageError.
+/// `scene`: path or name. Throws UsageError.
 std::filesystem::path find_scene(const std::string& scene);
 
 /// Sorted.

@@ -56,9 +56,9 @@ class TomlCursor {
   std::vector<double> numbers(std::string_view key, std::size_t size);
   Point point(std::string_view key, int dim);
 
-  /// Finite number or expression.
+  /// Finite value, also of an expression.
   double value_of(const TomlValue& value, std::string_view key);
-  /// Function of position; empty for 0. Throws SceneError for non-finite values.
+  /// Function of position; empty for the number 0. Calls throw SceneError for non-finite values.
   Expression function_of(const TomlValue& value, std::string_view key);
   /// Function of time, s.
   std::function<double(double)> function_of_time(const TomlValue& value, std::string_view key);
@@ -81,13 +81,13 @@ class TomlCursor {
                                  std::string_view given, const std::vector<std::string>& known) const;
   void mark_names_used(const std::string& text);
   void refuse_unknown_keys() const;
-  /// Also throws for a key that was never read.
+  /// Throws for unknown keys and for keys that were never read.
   void finish() const;
 
  private:
   [[noreturn]] void fail_expression(const TomlValue& value, std::string_view key,
                                     const ExpressionError& error) const;
-  /// Checks for finite values; `show` prints arguments.
+  /// Function that throws for non-finite values; `show` prints its arguments.
   template <class... Arguments, class Compile, class Show>
   std::function<double(Arguments...)> function(const TomlValue& value, std::string_view key,
                                                const Compile& compile, const Show& show);

@@ -14,7 +14,7 @@ struct FilePlace {
 
 struct TomlEntry;
 
-/// Tables keep their order.
+/// Tables keep the order of their keys.
 struct TomlValue {
   enum class Kind { table, array, text, number, boolean, date };
   Kind kind = Kind::table;
