@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Frames to compare with, and look.json, which older versions lack.
+/// Frames to compare with, and look.json, which old baselines lack.
 class Baseline {
  public:
   explicit Baseline(std::filesystem::path path) : path_(std::move(path)) {}
@@ -20,8 +20,8 @@ class Baseline {
   /// Throws UsageError if the path is no folder, or inside the run folder; with `update` also if it contains other
   /// files.
   void check(const std::filesystem::path& run, bool update) const;
-  /// Copies frames and look.json into a new folder, which then replaces the old one. Returns the number of frames. If
-  /// it throws OutputError, the old folder stays.
+  /// Copies frames and look.json into a new folder, which then replaces the old one. Returns the number of frames. After
+  /// an OutputError the old folder is unchanged.
   std::size_t replace_by(const RunFolder& run) const;
 
  private:

@@ -31,7 +31,7 @@ bool begins_otherwise(const std::filesystem::path& path) {
   return file.read(beginning.data(), static_cast<std::streamsize>(beginning.size())) && beginning != kind;
 }
 
-/// The file and the state made of it must fit into memory.
+/// Half of the memory: the file and the state made of it must both fit.
 std::uint64_t most_bytes() {
   return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
          static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) / 2;

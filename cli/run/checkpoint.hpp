@@ -15,7 +15,7 @@ namespace taut::cli {
 struct Checkpoint {
   std::string method;
   std::string scene;
-  std::vector<std::string> fields;  // none: not saved
+  std::vector<std::string> fields;  // of saved particles; empty: not saved
   ParticleForm particle_form;
   std::optional<double> requested_spacing;  // m
   double every = 0;                         // simulated s; 0: only when interrupted

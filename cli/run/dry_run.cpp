@@ -39,7 +39,7 @@ Trial make_steps(Simulation& simulation) {
   return {(simulation.time() - start) / steps, watch.seconds() / steps};
 }
 
-/// Greatest memory so far, bytes.
+/// Peak memory so far, bytes.
 double memory_in_use() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);

@@ -19,18 +19,18 @@ class RunFolder {
   /// `named`: named by the user, may be a link.
   explicit RunFolder(std::filesystem::path path, bool named = true) : path_(std::move(path)), named_(named) {}
 
-  /// Throws UsageError for a link, a file, and a folder that contains files but no run.
+  /// Throws UsageError for a file, for links except a `named` one, and for a folder that contains files but no run.
   void check() const;
   /// Contains an unreadable run.json.
   bool is_damaged() const;
   /// Writes run.json first, which marks a run. Throws OutputError.
   void claim(std::string_view record) const;
-  /// Throws OutputError.
+  /// Removes frames, particles, history and lines. Throws OutputError.
   void clear() const;
   /// Throw UsageError if one of the first `number` files is missing.
   void check_frames(int number) const;
   void check_particle_files(int number, ParticleFormat format) const;
-  /// Keep the first `number` files. Throw OutputError.
+  /// Remove all but the first `number` files. Throw OutputError.
   void keep_frames(int number) const;
   void keep_particle_files(int number, ParticleFormat format) const;
   /// Removes complete and temporary checkpoints. Throws OutputError.

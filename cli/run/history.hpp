@@ -14,7 +14,7 @@
 namespace taut::cli {
 
 std::vector<std::string> history_columns(const Scene& scene);
-/// Empty for a plain number.
+/// Empty for a plain number or an expression.
 std::string history_unit(const std::string& column, const Scene& scene);
 
 struct SavedLength {
@@ -30,7 +30,7 @@ struct SavedLength {
   }
 };
 
-/// history.csv: a row per history time, SI units. Each row is written at once.
+/// history.csv: a row per history time and at the end, SI units. Each row is written at once.
 class History {
  public:
   History(const std::filesystem::path& path, const Scene& scene,
@@ -54,7 +54,7 @@ class History {
   AppendFile file_;
   SavedLength saved_;
   int dim_;
-  bool works_, damps_;  // has the column `work`; `damped`
+  bool works_, damps_;  // has the column `work`, `damped`
   long last_step_ = -1;
 };
 

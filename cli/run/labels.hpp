@@ -10,12 +10,12 @@ namespace taut::cli {
 
 struct RunLabels {
   std::string title, note;               // common to all runs
-  std::vector<render::Heading> columns;  // differences
+  std::vector<render::Heading> columns;  // differences of each run
 };
 
 RunLabels label_runs(const std::vector<SavedRun>& runs);
 
-/// "t = 1.5 ms": in one unit, with the fewest exact decimals.
+/// "t = 1.5 ms": in one unit, with the fewest exact decimals, at most four.
 std::vector<std::string> time_labels(const std::vector<double>& times, double until);
 
 }  // namespace taut::cli

@@ -39,7 +39,7 @@ class RunOutput {
   /// False: takes the first step at or after each time.
   virtual bool needs_exact_time() const { return true; }
   virtual bool needs_final_state() const { return false; }
-  /// Called after the first step at or after `next`. Updates the result, too.
+  /// Called at the start, when `next` is reached, and at the end if `needs_final_state`. Updates the result, too.
   virtual void write_due() = 0;
   virtual void wait() {}
   virtual void put_on_disk() {}
@@ -52,7 +52,7 @@ class RunOutput {
   /// Call `wait` before saving; loading changes no file.
   virtual void save(Saver& saver) = 0;
   virtual void load(Loader& loader) = 0;
-  /// Called after `load` if `until` is later.
+  /// Called after `load` if `until` is later than in the checkpoint.
   virtual void run_on() {}
   /// Removes output newer than the loaded state.
   virtual void discard_newer() {}

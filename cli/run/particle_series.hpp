@@ -15,7 +15,7 @@ class ParticleSeries {
                  Seconds& seconds);
 
   void add(const Snapshot& snapshot);
-  /// Throws OutputError, as `add` does.
+  /// Writes particles.pvd for .vtp files. Throws OutputError, as `add` does.
   void save_index();
   int written() const { return static_cast<int>(times_.size()); }
   void put_on_disk();

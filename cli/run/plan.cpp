@@ -25,7 +25,7 @@ namespace {
 
 constexpr int default_history_rows = 1000;
 
-/// Called before the scene is read, because reading it needs a known method.
+/// Called before the scene is read, so that an unknown method is reported first.
 void check_methods(const std::vector<Setting>& settings) {
   std::vector<std::string> names;
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);

@@ -17,13 +17,13 @@ class Options;
 /// Omitted values come from the scene.
 struct RunOptions {
   std::string scene;
-  std::vector<Setting> settings;  // --set has priority
+  std::vector<Setting> settings;  // also of --spacing and --until
   std::optional<std::string> out;
   bool out_named = true;  // by the user
   std::optional<double> every, history;
   std::optional<int> frames;
   DrawingOptions drawing;
-  std::optional<KeptLook> look;  // of a baseline
+  std::optional<KeptLook> look;  // range and view of a baseline
   bool keeps_look = false;
   int threads = 0;                         // 0: all cores, fewer in small scenes
   std::optional<double> checkpoint_every;  // s
@@ -39,7 +39,7 @@ void declare_output_options(Options& command, RunOptions& options);
 
 void declare_particle_options(Options& command, RunOptions& options);
 
-/// Throws UsageError far above the number of cores.
+/// Throws UsageError for far more threads than cores.
 void check_threads(int threads, std::string_view option = "--threads");
 /// Throws UsageError and SceneError.
 SceneFile scene_to_run(const RunOptions& options);

@@ -21,7 +21,7 @@ std::string with_unit(std::optional<double> value, const std::string& unit) {
   return brief(*value) + (unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
-/// In percent, or in the unit for zero or table references.
+/// In percent of a reference number other than 0, else in the unit.
 std::string error(const MeasureResult& m) {
   const bool relative = m.error && m.reference && *m.reference != 0;
   return relative ? percent(*m.error) : with_unit(m.error, m.unit);

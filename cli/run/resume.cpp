@@ -77,7 +77,7 @@ RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoin
   return options;
 }
 
-/// Returns "" without conflict.
+/// Option that would change the run, or "".
 std::string first_conflict(const RunOptions& given, const RunOptions& stored, const RunPlan& plan) {
   std::error_code error;
   if (given.out && !fs::equivalent(*given.out, plan.folder.path(), error)) return "--out " + *given.out;

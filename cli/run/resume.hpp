@@ -9,9 +9,9 @@ namespace taut::cli {
 /// Throws UsageError if the run cannot continue.
 void check_resumable(const std::filesystem::path& folder, const RunOptions& given);
 
-/// Continues the run from its checkpoint, else from the start. `given` must agree with the folder, except
-/// --threads, --keep-checkpoint and a later --until. Without a checkpoint file, `given` selects frames, particles
-/// and checkpoints. Throws UsageError.
+/// Plan that continues the run from its checkpoint, else from the start. `given` must agree with the folder, except
+/// --threads, --keep-checkpoint, a later --until and a first --checkpoint-every. Without a checkpoint file, `given`
+/// selects frames, particles and checkpoints. Throws UsageError.
 RunPlan resume_plan(const std::filesystem::path& folder, const RunOptions& given);
 
 }  // namespace taut::cli

@@ -24,7 +24,7 @@
 namespace taut::cli {
 namespace {
 
-constexpr double record_interval = 5.0;  // s
+constexpr double record_interval = 5.0;  // s, for run.json
 
 class Run {
  public:
@@ -111,7 +111,7 @@ RunResult Run::execute() {
   return std::move(result_);
 }
 
-/// Restart files first: the run may be killed.
+/// Writes restart files first, because the run may be killed.
 void Run::begin() {
   write_atomically(plan_.folder.scene(), plan_.scene_text(), Durability::on_disk);
   plan_.checkpoint_every ? write_checkpoint("") : plan_.folder.clear_checkpoint();
@@ -120,7 +120,7 @@ void Run::begin() {
   plan_next_checkpoint();
 }
 
-/// Removes newer output.
+/// Loads `state` and removes newer output.
 void Run::resume_from(const std::string& state) {
   const double setup = record_.seconds.setup;
   open_files(AppendFile::Start::as_it_is);
@@ -157,7 +157,7 @@ void Run::open_files(AppendFile::Start start) {
   for (const auto& output : outputs_) output->open(start);
 }
 
-/// Puts the files on disk to which a checkpoint refers.
+/// First puts the files on disk to which the state refers.
 std::string Run::state() {
   put_on_disk();
   const Timed timed(record_.seconds.write);
@@ -272,7 +272,7 @@ void Run::advance(double target) {
   }
 }
 
-/// Stores the state before an output time.
+/// Advances; stores the state before an interpolated output.
 void Run::step_to(double target) {
   const auto advance = [&](double short_of) {
     const Timed timed(record_.seconds.solve);

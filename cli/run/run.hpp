@@ -23,11 +23,11 @@ struct RunPlan {
   bool keeps_look = false;
   std::vector<const Field*> particle_fields;  // none: not saved
   ParticleForm particle_form;
-  std::vector<double> frame_times, history_times;  // s, sorted; frames also save particles
+  std::vector<double> frame_times, history_times;  // s, sorted; particles are saved with the frames
   RunFolder folder{"."};
   std::optional<double> checkpoint_every;  // simulated s; none: only when interrupted
   bool keep_checkpoint = false;            // for a later `until`
-  std::optional<std::string> state;        // a checkpoint; none: t = 0
+  std::optional<std::string> state;        // of a checkpoint; none: starts at t = 0
   bool runs_on = false;                    // `state` has an earlier `until`
 
   std::string scene_text() const { return resolved_text(file, folder.path()); }
