@@ -15,7 +15,7 @@ struct Compared {
   std::optional<double> warn{};  // ΔE*ab; see warns()
 };
 
-/// Greatest difference first; writes difference pictures into `folder`. Throws UsageError for folders
+/// Greatest excess over the limit first; writes difference pictures into `folder`. Throws UsageError for folders
 /// without pictures, OutputError.
 Json difference_data(const Compared& compared, const std::filesystem::path& folder, const Links& links);
 

@@ -127,7 +127,7 @@ void add_sweep(PageData& data, const ReportRequest& request, const Links& links)
     data.runs.push_back(has_run_folder(run) ? run_data(run.folder(), links, most_rows_in_sweep) : Json());
 }
 
-/// Null without data, or if embedded.
+/// Script names; null without data or if embedded.
 Json scripts_of(const std::vector<Json>& runs, std::string (*name)(std::size_t), const Links& links) {
   Json scripts = Json::array();
   for (std::size_t k = 0; k < runs.size(); ++k)

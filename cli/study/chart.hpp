@@ -11,7 +11,7 @@ namespace taut::cli {
 
 enum class Cost {
   cpu,             // CPU seconds of the solver, hardly changed by other processes
-  wall,            // s
+  wall,            // elapsed time, s
   particle_steps,  // equal on all machines
 };
 inline bool is_time(Cost cost) { return cost != Cost::particle_steps; }
@@ -22,7 +22,7 @@ std::string label(Cost cost);
 
 struct ChartRequest {
   std::string measure;                 // empty: default
-  Cost cost = Cost::cpu;               // `wall` if a run has no CPU seconds
+  Cost cost = Cost::cpu;               // becomes `wall` if a run has no CPU seconds
   std::vector<std::string> methods{};  // empty: all
   std::string against{};               // method whose finest run replaces the references
   bool stable_only = false;
@@ -69,7 +69,7 @@ struct Chart {
 /// Costs are doubtful from this `other_load` on.
 inline constexpr double busy_load = 0.5;
 
-/// "no reference", "no value" or the verdict; empty if there is an error.
+/// "no reference", "no value" or the verdict; empty if the point has an error.
 std::string without_error(const ChartPoint& point);
 
 /// "1.2 %" or "3 mm".
@@ -78,9 +78,9 @@ std::string shown_error(const Chart& chart, double error);
 /// Least-squares slope of log error over log spacing of stable runs; nullopt for fewer than two spacings.
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 
-/// The default measure has errors in most runs; at a tie, the scene's first counts. Times (`*_time`) and errors with a
-/// unit come last. Of runs with the same spacing the cheapest counts. Reference runs have no point. Throws UsageError
-/// for a measure without errors.
+/// The default measure has the largest number of errors; at a tie, the scene's first counts. Times (`*_time`) and errors
+/// with a unit come last. Of runs with the same spacing the cheapest counts. Reference runs have no point. Throws
+/// UsageError for a measure without errors.
 Chart make_chart(const StoredResults& results, const ChartRequest& request);
 
 }  // namespace taut::cli

@@ -20,7 +20,7 @@ namespace {
 
 // limits of axes: gnuplot computes beyond both ends
 constexpr double least = 1e-290, greatest = 1e290;
-// pixels: plot, row of the strip, title, axis, note
+// heights in pixels: plot, row of the strip, title, axis, note
 constexpr double field = 520, row = 17, above = 52, below = 69, note = 21;
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> errors_in_words{

@@ -11,7 +11,7 @@ namespace taut::cli {
 /// Errors relative to references or runs.
 struct ChartErrors {
   std::string measure;
-  std::vector<const StoredRun*> against{};  // one per swept scene
+  std::vector<const StoredRun*> against{};  // one per swept scene; empty: references
   std::vector<std::string> swept{};         // names in which the scenes differ
 
   /// The reference for the scene of `run`, or nullptr.

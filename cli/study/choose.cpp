@@ -75,7 +75,7 @@ std::string nothing_stable(std::optional<double> seconds) {
   return fmt::format("There is no stable run with a measured error{}.\n", seconds ? " in this time" : "");
 }
 
-/// Least error within the time limit.
+/// Smallest error of a stable run within the time limit.
 std::string nearest_run(const Chart& chart, const ChoiceLimits& limits) {
   const ChartSeries* series = nullptr;
   const ChartPoint* nearest = nullptr;

@@ -22,7 +22,7 @@ struct Offer {
   int finer = 0;     // runs
 };
 
-/// Sorted by cost.
+/// The cheapest of each series, sorted by cost.
 std::vector<Offer> suitable_offers(const Chart& chart, const ChoiceLimits& limits);
 /// Runs with a smaller error than all cheaper runs, sorted by cost.
 std::vector<Offer> pareto_front(const Chart& chart, std::optional<double> seconds);

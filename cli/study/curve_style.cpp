@@ -15,7 +15,7 @@
 namespace taut::cli {
 namespace {
 
-// Okabe and Ito's colours for colour-blind readers, with darker yellow and black.
+// Okabe and Ito's colours for colour-blind readers, with violet and grey instead of yellow and black
 constexpr std::array colors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                "#56B4E9", "#E69F00", "#6A3D9A", "#444444"};
 // disc, square, triangle, diamond, inverted triangle, pentagon

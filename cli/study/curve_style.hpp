@@ -9,14 +9,14 @@ namespace taut::cli {
 struct CurveStyle {
   std::string color;         // "#0072B2"
   int dash = 1;              // 1: solid
-  int filled = 7, open = 6;  // point types
+  int filled = 7, open = 6;  // gnuplot's point types
 
   std::string line() const;
   std::string marker() const;
 };
 
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& methods);
-/// Pairs of a colour and a marker.
+/// Number of pairs of a colour and a marker.
 std::size_t most_marked_lines();
 /// Styles without markers. Lines that would look alike get colours from dark to light.
 std::vector<CurveStyle> line_styles(const std::vector<std::string>& methods);

@@ -28,8 +28,8 @@ bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x
 /// Octal escape that splits a single-quoted string in two: gnuplot 5.4 reads '' as a quote only after a letter.
 std::string plot_byte(char c) { return fmt::format("'.\"\\{:03o}\".'", static_cast<unsigned char>(c)); }
 
-/// Relative path as a string. gnuplot would interpret a leading '|', '<' or '-', hence "./". Control characters and
-/// letters without a font become octal.
+/// Relative path as a string. gnuplot would interpret a leading '|', '<' or '-', hence "./". Quotes, control
+/// characters and letters without a font become octal.
 std::string plot_path(const std::string& name) {
   const bool drawable = with_letters_of_fonts(name) == name;
   std::string result;
@@ -103,7 +103,7 @@ double right_margin(const std::vector<std::string>& names) {
 std::string plot_head(const PlotFiles& files, int width, int height, double scale) {
   const std::string format = files.picture.extension().string();
   const double w = width * scale, h = height * scale;
-  // sizes: SVG in pixels, PNG in points at 96 dpi, PDF in inches; lines in PDF are thinner
+  // pictures: PDF in inches, else pixels; fonts: SVG in pixels, else points
   const std::string lines = fmt::format(" linewidth {0:.4g} pointscale {0:.4g}", scale);
   std::string terminal;
   if (format == ".svg")
@@ -138,7 +138,7 @@ std::string titled(std::string_view title, double room) {
 }
 
 int font_that_fits(std::string_view text, double room, int size) {
-  constexpr double width = 0.56;  // at 96 dpi
+  constexpr double width = 0.56;  // of a letter, in em
   const auto letters = static_cast<double>(std::ranges::count_if(text, begins_letter));
   const double fits = room / (std::max(letters, 1.0) * width * 96 / 72);
   return static_cast<int>(std::clamp(std::floor(fits), smallest_font, static_cast<double>(size)));

@@ -36,7 +36,7 @@ struct NamedRun {
   std::string name;
   std::size_t index;  // in the results
 };
-/// Different names for a legend, in its order.
+/// Runs with distinct names, in the order of the legend.
 std::vector<NamedRun> named_runs(const std::vector<StoredRun>& runs);
 
 /// Throws UsageError for unknown columns, and for unreadable or empty histories.

@@ -55,7 +55,7 @@ void each_cell(const StabilityMap& map, const Use& use) {
       if (map.cells[r][v]) use(r, v, *map.cells[r][v]);
 }
 
-/// gnuplot does not number empty blocks.
+/// Kinds that occur, because gnuplot does not number empty blocks.
 std::vector<std::size_t> kinds_in(const StabilityMap& map, const std::vector<Kind>& all) {
   std::vector<bool> there(all.size());
   each_cell(map, [&](std::size_t, std::size_t, const MapCell& cell) { there[kind_of(cell, all)] = true; });
@@ -70,7 +70,7 @@ std::string shown(const MapCell& cell, const TimeUnit& unit) {
   return cell.verdict.empty() ? cell.status : "";
 }
 
-/// Pixels.
+/// Layout in pixels.
 struct Page {
   double left = 0, right = 0;
   double cell = 0;

@@ -41,7 +41,7 @@ struct PanelPlot {
   std::vector<Panel> panels;
   std::vector<Entry> legend;
   std::string note{};
-  bool is_tall = false;      // one high panel
+  bool is_tall = false;      // a single panel is high
   bool has_markers = false;  // kept away from the frame
 };
 

@@ -234,7 +234,7 @@ AxisScale scale_of(const std::string& name, const std::string& unit, double grea
                      : axis_scale(name, unit, greatest, is_log);
 }
 
-/// Returns styles by method if the lines differ in it, else by number.
+/// Returns styles by line name: those of the methods if `named_by_method`, else numbered.
 std::map<std::string, CurveStyle> styles_of(const ResponsePlot& plot, bool named_by_method) {
   std::vector<std::string> names, methods;
   for (const ResponsePlot::Panel& panel : plot.panels)

@@ -29,7 +29,7 @@ struct StabilityMap {
   std::string label;                                       // with unit
   std::optional<ResultColumn> measure;                     // colours the cells
   std::vector<std::string> values;                         // numbers ascend
-  std::vector<std::string> rows;                           // methods
+  std::vector<std::string> rows;                           // names of series
   std::vector<std::vector<std::optional<MapCell>>> cells;  // by row and value
 };
 

@@ -296,7 +296,7 @@ ResultColumn part_of_measure(const StoredResults& results, const std::string& na
   const std::string prefix = fmt::format("measures.{}.", measure);
   ResultColumn found{.name = name, .column = prefix + part, .unit = unit_in(results.runs, prefix + "unit")};
   if (part == "value") found.measure = measure;
-  // an error is a share of the reference, unless this is 0
+  // an error is a share of the reference, unless the reference is 0
   const auto has_reference = [&](const StoredRun& run) {
     return run.record.measure(measure).reference.value_or(0) != 0;
   };

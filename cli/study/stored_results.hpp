@@ -30,13 +30,13 @@ struct StoredRun {
   /// Finished or diverged.
   bool has_result() const { return status == "finished" || status == "failed"; }
   std::string method() const;  // known before a result if swept
-  std::string folder() const;  // beside results.csv
+  std::string folder() const;  // of the run
   std::string verdict() const { return record.verdict ? std::string(name(*record.verdict)) : ""; }
   bool is_stable() const { return has_result() && record.verdict == Verdict::stable; }
   /// The value, if finite.
   std::optional<double> value_of(std::string_view measure) const;
 
-  mutable std::vector<std::uint32_t> by_column = {};  // made by `text`, for up to 10 000 columns
+  mutable std::vector<std::uint32_t> by_column = {};  // order of `cells` by column, made by `text`
 };
 
 /// Runs of one or several sweeps.

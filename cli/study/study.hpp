@@ -58,7 +58,7 @@ void check_pictures(const StudyPictures& pictures, const std::filesystem::path& 
 /// Returns the exit code. Throws UsageError and OutputError.
 int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& folder, Streams streams);
 
-/// Warns of omitted runs. Throws UsageError.
+/// Prints warnings. Throws UsageError.
 Chart read_chart(const std::vector<std::string>& results, const ChartRequest& request, std::ostream& err);
 /// Draw a picture; print its files and tables. Return the exit code. Throw UsageError and OutputError.
 int draw_chart(const std::vector<std::string>& results, const ChartRequest& request, const PlotFiles& files,

@@ -26,7 +26,7 @@ class Clock {
     this.tell();
   }
 
-  /** The frame nearest to `time`. */
+  /** Stops at the frame nearest to `time`. */
   go_near(time) {
     let index = 0;
     while (index < this.last && Math.abs(this.times[index + 1] - time) <= Math.abs(this.times[index] - time))
@@ -34,7 +34,7 @@ class Clock {
     this.stop_at(index);
   }
 
-  /** The first frame at or after `time`. */
+  /** Stops at the first frame at or after `time`. */
   go_to(time) {
     const index = this.times.findIndex((t) => t >= time * (1 - 1e-9));
     this.stop_at(index < 0 ? this.last : index);
@@ -65,7 +65,7 @@ class Clock {
   }
 }
 
-/** Clock of all runs: times of their frames (without a time: its index) or, if no run has frames, of their histories. */
+/** Clock with the times of all frames (the index of a frame without a time) or, without frames, of all histories. */
 function clock_of(runs) {
   const of_run = (run) =>
       run.frames.length ? run.frames.map((frame, k) => frame.t ?? k) : column_of(run, 't')?.values ?? [];

@@ -62,7 +62,7 @@ class PictureComparison {
     this.report = report;
     this.index = 0;
     this.way = 'side by side';
-    this.share = 50;  // of the width that shows the expected picture, %
+    this.share = 50;  // part of the width that shows the expected picture, %
     this.box = element('div');
     this.buttons = report.pictures.map(
         (picture, k) => element(

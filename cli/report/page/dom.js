@@ -42,7 +42,7 @@ function with_unit(value, unit) {
   return brief(value) + (unit && unit !== '1' && typeof value === 'number' ? ' ' + unit : '');
 }
 
-/** An error as in the report of a run: in % of the reference, or with its unit if the reference is 0. */
+/** An error in % of the reference, or with its unit if the reference is 0. */
 function shown_error(measure) {
   if (typeof measure.error !== 'number') return '–';
   return measure.reference === 0 ? with_unit(measure.error, measure.unit) : brief(100 * measure.error) + ' %';
@@ -64,7 +64,6 @@ function badge(verdict, text) {
       (sign ? sign + ' ' : '') + (text || verdict || 'no verdict'));
 }
 
-/** For pictures: alike or different. */
 function alike_badge(alike) {
   return badge(alike ? 'stable' : 'fractured', alike ? '= alike' : '≠ different');
 }

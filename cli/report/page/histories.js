@@ -33,7 +33,7 @@ function history_lines(runs, x, y) {
   return lines;
 }
 
-/** Probes: the columns between the momenta and `pieces`. Without probes, the total energy. */
+/** The first six probes: columns between the momenta and `pieces`. Without probes, the total energy. */
 function default_columns(names) {
   const first = names.findLastIndex((name) => /^(angular_)?momentum/.test(name)) + 1,
         last = names.indexOf('pieces');
@@ -121,7 +121,7 @@ function histories(runs, clock) {
               'div', {class: 'choice', role: 'group', 'aria-label': 'Columns to plot'},
               names.filter((name) => name !== 't').map(check))),
       history_legend(shown), box,
-      thinned > 1 ? element('p', {class: 'soft'}, `Every ${thinned}th row of history.csv is plotted.`) :
+      thinned > 1 ? element('p', {class: 'soft'}, `One row in ${thinned} of history.csv is plotted.`) :
                     null);
   part.later = () => {
     draw();

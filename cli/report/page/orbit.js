@@ -108,7 +108,7 @@ class OrbitView {
     return this.decoded.get(index);
   }
 
-  /** The last saved time at or before `time`. */
+  /** Shows the last saved time at or before `time`. */
   show(time) {
     let index = 0;
     while (index + 1 < this.data.times.length && this.data.times[index + 1] <= time * (1 + 1e-9)) ++index;
@@ -261,7 +261,7 @@ function orbit_section(run, index, clock) {
                 }),
             element('label', {class: 'cut'}, at), view.readout),
         ...[color_key(data.key), run.frames.length ? null : controls([run], clock),
-            data.every > 1 ? element('p', {class: 'soft'}, `Every ${data.every}th saved time is shown.`) :
+            data.every > 1 ? element('p', {class: 'soft'}, `One saved time in ${data.every} is shown.`) :
                              null]
             .filter(Boolean));
     view.draw();

@@ -6,7 +6,7 @@ function player(run, clock) {
   const name = name_of_run(run);
   const image = element('img', {width: 1280, height: 720, decoding: 'async'});
   const caption = element('output', {});
-  const fetched = new Map();  // the browser keeps what an Image object holds
+  const fetched = new Map();  // Image objects keep their pictures in memory
   const fetch_frame = (k) => {
     if (k < 0 || k >= run.frames.length || fetched.has(k)) return;
     const ahead = new Image();
@@ -28,7 +28,7 @@ function player(run, clock) {
     if (clock.playing || k > 0)
       for (let ahead = 1; ahead <= preload_ahead; ++ahead) fetch_frame(k + ahead);
   });
-  image.addEventListener('load', () => {  // without a jump of the page when the first frame arrives
+  image.addEventListener('load', () => {  // keeps the shape of the place for the next frame
     image.width = image.naturalWidth;
     image.height = image.naturalHeight;
   });

@@ -25,7 +25,7 @@ Chart.Interaction.modes.nearest_of_each = (chart, event) => {
 };
 
 class Plot {
-  /** `lines`: {label, points: [{x, y, …}], color, …}; `options`: x, y: axis titles; sorted: points ascend in x. */
+  /** `lines`: {label, points: [{x, y, …}], color, …}; `options`: x, y: axis titles; sorted: points ascend in x; … */
   constructor(lines, options) {
     this.options = options;
     this.canvas = element('canvas', {role: 'img', tabindex: 0, 'aria-label': this.description(lines)});
@@ -212,7 +212,7 @@ function log_tick(value) {
   return [1, 2, 5].some((n) => Math.abs(lead - n) < 1e-6) ? digits(value, 3) : null;
 }
 
-/** The value of the last sample at or before x: rows of a history show single steps. */
+/** Value of the last sample at or before x, not interpolated: a row of a history is a single step. */
 function value_near(points, x) {
   let low = 0, high = points.length;
   while (low < high) {

@@ -1,4 +1,4 @@
-// A suite of snapshots: an index of its entries, and the pictures of the chosen one.
+// A suite of snapshots: an index of its entries, and the pictures of the chosen entry.
 
 function result_of_entry(entry) {
   if (entry.problem) return badge('diverged', '✕ no result');
@@ -29,7 +29,6 @@ function thumbnail(entry) {
   return worst ? element('img', {src: worst.got, alt: '', loading: 'lazy', width: 96, height: 54}) : null;
 }
 
-/** Shows the entry in `place`. */
 function show_entry(entry, place) {
   place.stop?.();
   place.stop = null;

@@ -164,8 +164,7 @@ function stability_map(sweep) {
   return part;
 }
 
-// markers of gnuplot, as in the pictures of `taut chart`, with their signs in the legend; a pentagon is a rounded
-// square here
+// markers of `taut chart` by gnuplot's number, with signs for the legend; a rounded square replaces the pentagon
 const markers = {
   7: ['circle', '●'],
   5: ['rect', '■'],

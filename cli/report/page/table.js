@@ -1,6 +1,6 @@
 // A table that can be sorted and filtered.
 
-/** "error<0.01", "verdict=stable", "method!=og" or a text that any cell contains. */
+/** Words that must all match: "error<0.01", "method!=og" or a text in any cell. */
 function filter_of(words, columns) {
   const tests = words.trim().split(/\s+/).filter(Boolean).map((word) => {
     const [, name, sign, value] = word.match(/^(.+?)(<=|>=|!=|<|>|=)(.*)$/) || [];
