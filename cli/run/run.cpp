@@ -90,7 +90,7 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Inte
 
 RunResult Run::execute() {
   if (!plan_.state) plan_.folder.claim(record_text());
-  if (plan_.state) resume_from(*plan_.state);  // changes nothing if it throws
+  if (plan_.state) resume_from(*plan_.state);  // a UsageError leaves all files unchanged
   try {
     if (!plan_.state) begin();
     simulate();

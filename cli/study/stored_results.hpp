@@ -70,7 +70,7 @@ std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs);
 /// Value, set or default; "" if unknown.
 std::string value_of(const StoredRun& run, const std::string& name);
 struct ResultColumn {
-  std::string name;       // "deflection", "deflection.error", "v0"
+  std::string name;       // "deflection", "deflection (error)", "v0"
   std::string column;     // empty: a setting, see value_of()
   std::string unit{};     // SI, or "%"
   std::string measure{};  // empty: another quantity
