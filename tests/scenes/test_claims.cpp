@@ -25,6 +25,7 @@ TEST_SUITE("failure") {
   // the other papers' claims take minutes; see test_statements.cpp
   TEST_CASE("the quick claims of Lee2016 have their recorded state") { check_quick_claims("Lee2016"); }
   TEST_CASE("the quick claims of Zhang2020 have their recorded state") { check_quick_claims("Zhang2020"); }
+  TEST_CASE("the quick claims of Wu2023 have their recorded state") { check_quick_claims("Wu2023"); }
 
   TEST_CASE("the table of the claims agrees with the claim files") {
     const std::string page =
