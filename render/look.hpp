@@ -37,7 +37,7 @@ struct Look {
   double middle = 0;                   // centre of a diverging map
   std::string unit{};                  // of values; determines the width of the bar's numbers
   std::optional<Size> size = Size{};   // least_size to greatest_size
-  bool bare = false;
+  bool bare = false;                   // no texts
   PageTexts texts{};
   NumberFormat bar_format{};
   double glyph = 1;        // drawn / true diameter

@@ -26,7 +26,7 @@ std::vector<Vector> normals_of(std::span<const Vector> points, std::span<const s
 
 std::vector<float> smooth_light(std::span<const Vector> points, std::span<const std::uint32_t> triangles) {
   const std::vector<Vector> normals = normals_of(points, triangles);
-  // Corners at a point: corner[first[point]] up to, without, corner[first[point + 1]].
+  // corners at a point: `corner[k]` for first[point] ≤ k < first[point + 1]
   std::vector<std::size_t> first(points.size() + 2, 0), corner(triangles.size());
   for (const std::uint32_t point : triangles) ++first[point + 2];
   for (std::size_t k = 2; k < first.size(); ++k) first[k] += first[k - 1];
