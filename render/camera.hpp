@@ -13,7 +13,7 @@ struct Camera {
   Vector from = {1, -2, 1};  // towards the camera, any length
   Vector up = {0, 0, 1};     // replaced by y or x if parallel to `from`
   double field_of_view = 0;  // vertical, degrees; 0: parallel projection
-  double front = 0;          // in perspective, height of the front plane, where lengths are true, m
+  double front = 0;  // in perspective, place of the front plane along `from`, m; lengths in it are true
   bool operator==(const Camera&) const = default;
 };
 
@@ -25,7 +25,7 @@ struct CameraAxes {
 };
 
 CameraAxes axes_of(const Camera& camera);
-/// Rotates by degrees: to the right around `up`, then upwards.
+/// Rotates the camera by angles in degrees: to the right around `up`, then upwards.
 Camera orbited(const Camera& camera, double right, double upwards);
 AxesMarker marker_of(const Camera& camera);
 
@@ -42,13 +42,13 @@ class Projection {
     double scale;  // projected / true length; not positive behind the camera
   };
   Projected operator()(const Vector& x) const;
-  /// Short vector at the projected point `from`.
+  /// Projects a short vector that begins at the projected point `from`.
   Vector project_vector(const Vector& way, const Projected& from) const;
 
  private:
   CameraAxes axes_;
   double middle_x_, middle_y_;  // of the view, m
-  double front_, distance_;     // height of the front plane; its distance from the camera, m; 0: parallel
+  double front_, distance_;     // Camera::front; distance of this plane from the camera, m; 0: parallel
 };
 
 }  // namespace taut::render

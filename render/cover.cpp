@@ -7,7 +7,7 @@ namespace taut::render {
 namespace {
 
 constexpr int samples = 2;  // per direction
-constexpr int side = 8;
+constexpr int side = 8;     // of a tile, samples
 constexpr float nothing = -1e30f;
 constexpr float rounding_margin = 0.1f;  // samples; OpenGL rounds differently
 

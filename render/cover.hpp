@@ -7,7 +7,7 @@
 
 namespace taut::render {
 
-/// Whether balls hide other balls, at the 2 × 2 samples per pixel of SolidPainter.
+/// Finds balls hidden by other balls, at the 2 × 2 samples per pixel of SolidPainter.
 class Cover {
  public:
   Cover(int width, int height);

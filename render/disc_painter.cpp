@@ -35,7 +35,7 @@ Colors blended(const Colors& over, const Colors& under, const Ints& alpha) {
   return reinterpret_cast<Colors>(even | (odd & 0xff00));
 }
 
-/// In samples.
+/// One row of a disc; lengths in samples.
 struct DiscRow {
   float dy2;  // squared distance
   float reach;
@@ -50,7 +50,7 @@ void paint(const DiscRow& row, float x, float* depth, std::uint32_t* color) {
   for (int k = 0; k < lanes; ++k) r[k] = std::sqrt(r2[k]);
   const Floats coverage = row.reach - r;
   const auto rim = coverage < 1;
-  // A disc that covers a sample partly never hides one that covers it fully.
+  // A disc that covers a sample partly never hides a disc that covers it fully.
   const Floats d = r * row.depth + (rim ? Floats{} + 0.5f : Floats{});
   const auto nearest = loaded<Floats>(depth);
   const auto under = loaded<Colors>(color);
@@ -101,7 +101,7 @@ DiscPainter::DiscPainter(const Rect& plot, Rgb background, bool transparent)
       bands_(parts(plot.height, band_height)),
       tiles_(parts(plot.width, tile_width)),
       stride_(static_cast<std::size_t>(tiles_) * tile_width * samples),
-      color_(stride_ * band_height * samples + lanes),  // last vector
+      color_(stride_ * band_height * samples + lanes),  // room for the last vector
       depth_(color_.size()),
       touched_(static_cast<std::size_t>(tiles_)),
       was_drawn_(touched_.size() * static_cast<std::size_t>(bands_)) {}
@@ -114,7 +114,7 @@ DiscPainter::Bands DiscPainter::bands_of(const Dot& disc) const {
 }
 
 void DiscPainter::sort_into_bands(std::span<const Dot> discs) {
-  // `end_` first contains each band's start, one place later; filling moves it to the end
+  // `end_` first contains each band's start, one place later; filling turns starts into ends
   end_.assign(static_cast<std::size_t>(bands_) + 2, 0);
   for (const Dot& disc : discs)
     for (auto [band, last] = bands_of(disc); band <= last; ++band) ++end_[static_cast<std::size_t>(band) + 2];

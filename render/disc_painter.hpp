@@ -18,7 +18,7 @@ struct Dot {
 /// radii of the disc.
 class DiscPainter {
  public:
-  /// At first the plot must be filled with `background`, or transparent. Nothing else may draw into it.
+  /// Before the first `draw`, the plot must be filled with `background`, or transparent. Nothing else may draw into it.
   explicit DiscPainter(const Rect& plot, Rgb background = white, bool transparent = false);
 
   /// Replaces the previous discs.
@@ -42,7 +42,7 @@ class DiscPainter {
   std::size_t stride_;              // between rows
   std::vector<std::uint32_t> end_;  // 0, then each band's end in `sorted_`
   std::vector<std::uint32_t> sorted_;
-  std::vector<std::uint32_t> color_;  // of a band; bytes B, G, R, 255
+  std::vector<std::uint32_t> color_;  // samples of a band; bytes B, G, R, 255
   // depth of the disc shown: below 0.5 where it covers the sample fully, 0.5 to 1 on its rim; 1 without a disc
   std::vector<float> depth_;
   std::vector<std::uint8_t> touched_;  // tiles of the band

@@ -33,17 +33,17 @@ struct Look {
   std::optional<View> view;
   std::optional<Camera> camera{};      // 3D
   std::optional<Range> range;          // values outside are clamped
-  const Colormap* colormap = nullptr;  // nullptr: open
+  const Colormap* colormap = nullptr;  // nullptr: to be set
   double middle = 0;                   // centre of a diverging map
-  std::string unit{};                  // determines the width of numbers
+  std::string unit{};                  // of values; determines the width of the bar's numbers
   std::optional<Size> size = Size{};   // least_size to greatest_size
-  bool bare = false;
+  bool bare = false;                   // no texts
   PageTexts texts{};
   NumberFormat bar_format{};
   double glyph = 1;        // drawn / true diameter
   Rgb background = white;  // texts contrast with it
   bool transparent = false;
-  /// If not empty, values count from 0, a legend replaces the bar, and range and colour map may be open.
+  /// If not empty, values are indices of categories, a legend replaces the bar, and range and colour map may be unset.
   std::vector<std::string> categories{};
 };
 

@@ -28,9 +28,9 @@ constexpr double footer = 2.3;
 constexpr double least_bar = 13;
 constexpr double note_size = 0.94;
 constexpr double corner_gap = 0.4;
-constexpr double frame_gray = 0.85;
+constexpr double frame_gray = 0.85;  // gray level, see Canvas
 
-// default, pixels
+// Defaults in pixels.
 constexpr double own_font = 16;
 constexpr double most_grid_width = 1440, most_grid_height = 1080, most_cell = 540;
 
@@ -104,12 +104,12 @@ Grid empty_grid(const PanelOptions& options, double em) {
   return grid;
 }
 
-/// em; 0 if another block's key is for both: in consecutive blocks of equal colours, the last one has the key, or, on
-/// the left, the first one.
+/// Width in em; 0 if another block has the key. Among consecutive blocks of equal colours, the last has it, or, if keys
+/// are on the left, the first.
 double key_width(const std::vector<PanelBlock>& blocks, std::size_t k, const Grid& grid) {
   const PanelBlock& block = blocks[k];
   const bool left = block.look.texts.bar == BarPosition::left;
-  const std::size_t next = left ? k - 1 : k + 1;  // wraps around for the first one
+  const std::size_t next = left ? k - 1 : k + 1;  // the first block's k − 1 wraps around
   if (next < blocks.size() && same_colors(block, blocks[next])) return 0;
   return Coloring(block.look).key().width(grid.grid_height(), grid.em, block.unit);
 }
@@ -137,7 +137,7 @@ double font_or(const PanelOptions& options, double by_default) {
   return options.look.texts.font > 0 ? options.look.texts.font : by_default;
 }
 
-/// Keeps the aspect ratio. The key's width depends on the height, a little.
+/// Keeps the view's aspect ratio. Two passes, since the key's width depends slightly on the height.
 Grid grid_of_width(const PanelOptions& options) {
   Grid grid = empty_grid(options, font_or(options, own_font));
   const View view = options.look.view.value();
@@ -289,7 +289,7 @@ void Panel::Parts::draw_row_labels() {
   }
 }
 
-/// One for consecutive blocks with equal colours.
+/// Draws one key for consecutive blocks with equal colours.
 void Panel::Parts::draw_keys() {
   const PageTexts& texts = options.look.texts;
   const int gap_of_key = pixels(margin * grid.em);
@@ -315,7 +315,7 @@ void Panel::Parts::draw_keys() {
   }
 }
 
-/// Scale bar and axes of the first block, and of others that differ in scale or camera.
+/// Among consecutive blocks of equal scale and camera, the first gets the scale bar and the last the axes.
 void Panel::Parts::draw_scales() {
   const TextParts& shown = options.look.texts.parts;
   for (int k = 0; k < grid.blocks; ++k) {

@@ -18,23 +18,23 @@ struct Heading {
 
 /// Pictures with equal colours and scales.
 struct PanelBlock {
-  Look look;  // without a size, the panel is legible at 1:1
+  Look look;  // without a size, the panel takes one that is legible at 1:1
   std::string field, unit;
 };
 
 struct PanelOptions : PanelBlock {
   std::vector<PanelBlock>
-      beside{};  // the same columns with other looks; size, texts and background do not count
+      beside{};  // the same columns with other looks, whose size, texts and background are ignored
   std::string title, note;
   std::vector<Heading> columns;   // of each block
   std::vector<std::string> rows;  // labels, such as "t = 3 ms"
-  int width = 0;                  // pixels; 0: legible at 1:1
+  int width = 0;                  // of a panel without a size, pixels; 0: legible at 1:1
 };
 
 class Panel {
  public:
-  /// All looks must have a view, and a range or categories. Throws UsageError if its size is out of bounds, or too small
-  /// for so many pictures. Consecutive blocks with equal colours share a bar.
+  /// All looks must have a view, and a range or categories. Throws UsageError if the panel would be too large, or too
+  /// small for its pictures. Consecutive blocks with equal colours share a bar.
   explicit Panel(const PanelOptions& options);
   ~Panel();
 

@@ -117,7 +117,7 @@ struct Renderer::Parts {
   std::optional<Projection> projection;
   std::optional<DiscPainter> disc_painter;
   std::optional<GlContext> context;
-  std::optional<SolidPainter> solid_painter;  // 2D cells too
+  std::optional<SolidPainter> solid_painter;  // also for cells and surfaces in 2D
   std::optional<Annotation> annotation;
   std::optional<Canvas> canvas;
   Rgb background;
@@ -213,7 +213,7 @@ void Renderer::Parts::draw_lines(const FrameView& frame) {
   canvas->end();
 }
 
-/// Keeps the previous page if both have only discs.
+/// Keeps the page of the previous frame if both frames have only discs.
 void Renderer::Parts::draw_discs(const FrameView& frame) {
   const bool page_stands =
       disc_painter && !has_lines(frame) && (!annotation || annotation->is_current_for(frame));

@@ -14,7 +14,7 @@ struct OffScale;
 
 class Renderer {
  public:
-  /// The look must have no open members. `until` (last time, s) sets the unit of all times; 0: each has its own.
+  /// The look must be complete, see Look. `until` (last time, s) sets the unit of all times; 0: each has its own.
   /// Throws UsageError for values out of bounds, OutputError without the font.
   explicit Renderer(const Look& look, double until = 0);
   ~Renderer();

@@ -7,7 +7,7 @@
 namespace taut::render {
 namespace {
 
-constexpr double alike = 0.8;  // least cosine between averaged normals, 37°
+constexpr double alike = 0.8;  // least cosine between a normal and those averaged with it, 37°
 
 Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
@@ -26,7 +26,7 @@ std::vector<Vector> normals_of(std::span<const Vector> points, std::span<const s
 
 std::vector<float> smooth_light(std::span<const Vector> points, std::span<const std::uint32_t> triangles) {
   const std::vector<Vector> normals = normals_of(points, triangles);
-  // `corner` from first[point] to first[point + 1]
+  // corners at a point: `corner[k]` for first[point] ≤ k < first[point + 1]
   std::vector<std::size_t> first(points.size() + 2, 0), corner(triangles.size());
   for (const std::uint32_t point : triangles) ++first[point + 2];
   for (std::size_t k = 2; k < first.size(); ++k) first[k] += first[k - 1];
@@ -43,7 +43,7 @@ std::vector<float> smooth_light(std::span<const Vector> points, std::span<const 
       if (!(dot(own, other) > alike * length * std::sqrt(dot(other, other)))) continue;
       for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += other[axis];
     }
-    // towards the camera, also behind a crack
+    // turned towards the camera, also for inner sides seen through a crack
     const double scale = (own[2] < 0 ? -1 : 1) / std::sqrt(dot(mean, mean));
     light[k] = light_on(static_cast<float>(scale * mean[0]), static_cast<float>(scale * mean[1]),
                         static_cast<float>(scale * mean[2]));

@@ -20,7 +20,7 @@ Vector sum(const Vector& a, const Vector& b, double times = 1) {
 }
 
 // Without overlap, bending would open gaps of second order in the spacing.
-constexpr double overlap = 1.02, least_overlap = 0.7;
+constexpr double overlap = 1.02, least_overlap = 0.7;  // factor; pixels
 
 Vector widened(const Vector& half) {
   const double length = std::sqrt(dot(half, half));
@@ -90,7 +90,7 @@ void Solids::drop_hidden() {
   });
 }
 
-/// Nearest slices first. Exact order would only find more hidden balls.
+/// Sorts balls into slices, the nearest first. Exact order would only find more hidden balls.
 void Solids::sort_roughly() {
   constexpr std::size_t slices = 4096;
   const auto [far, near] = std::ranges::minmax(balls_, {}, &Ball::z);
@@ -191,7 +191,7 @@ void Solids::place_walls(const FrameView& frame, const Projection& projection, s
     for (const auto& [from, to] : grid_on(wall, seen, cell)) add_line(from, to, projection, color);
 }
 
-/// Short pieces of constant width, in front of the camera.
+/// Adds a line in short pieces of constant width, without those behind the camera.
 void Solids::add_line(const Vector& from, const Vector& to, const Projection& projection,
                       std::uint32_t color) {
   constexpr int pieces = 16;

@@ -28,7 +28,7 @@ class Solids {
   /// triangle gives its place. In 3D, light varies smoothly except at edges. No `projection` in 2D.
   void place_surface(const FrameView& frame, const Projection* projection, std::span<const float> places,
                      std::span<const std::uint32_t> colors, bool uniform);
-  /// In 2D.
+  /// Places 2D cells.
   void place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors);
 
   /// Particles in the picture, including hidden ones.
@@ -54,8 +54,8 @@ class Solids {
   Cover cover_;
 };
 
-/// Pixels. Gaps narrower than a pixel cause moiré: small particles grow by less than 0.7 pixel, and below a diameter
-/// of 2 pixels fill a square.
+/// Radius in pixels with which a disc or ball is drawn. Gaps narrower than a pixel cause moiré: small radii grow by less
+/// than 0.7 pixel, and discs below a diameter of 2 pixels fill a square.
 double drawn_radius(double radius);
 
 }  // namespace taut::render

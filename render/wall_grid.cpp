@@ -41,7 +41,7 @@ std::vector<std::pair<Vector, Vector>> grid_on(const WallFace& wall, std::span<c
   }
   const auto [a0, a1] = ends(std::move(on_a));
   const auto [b0, b1] = ends(std::move(on_b));
-  constexpr double many = 1e9;  // cells; beyond, p + 1 is lost to rounding
+  constexpr double many = 1e9;  // cells; far beyond, p + 1 would round to p
   for (const double end : {a0, a1, b0, b1})
     if (!(std::abs(end) < many)) return {};
   const auto at = [&](double p, double q) {

@@ -22,7 +22,7 @@ constexpr int samples = 2;
 // 16 Mi samples of 8 bytes; a picture of 1920 × 1080 has one band
 constexpr int samples_per_band = 1 << 24;
 
-// x to the right, y downwards, z towards the camera. Surfaces facing away keep the share `ambient`.
+// x to the right, y downwards, z towards the camera. Surfaces that face away from the light keep the share `ambient`.
 constexpr std::array<float, 3> to_light = {-0.32f, -0.44f, 0.839f};
 constexpr float ambient = 0.72f;
 #define TAUT_LIGHT                                                  \
@@ -39,7 +39,7 @@ layout(location = 1) in vec4 color;
 uniform vec3 band;
 uniform vec2 depth;
 flat out vec4 ball_color;
-flat out vec2 ball_depth;            // of the centre, and by how much its front is nearer
+flat out vec2 ball_depth;            // of the centre; the radius in the same unit
 out vec2 from_centre;                // in radii
 void main() {
   // one triangle about the circle: less to set up than two
@@ -95,7 +95,7 @@ void main() {
 
 constexpr const char* surface_fragment_shader = R"(#version 330 core
 in vec2 surface_shade;
-uniform sampler2D palette;  // the last colour is that of no number
+uniform sampler2D palette;  // the last colour is for NaN
 out vec4 color;
 void main() {
   int last = textureSize(palette, 0).x - 2;
@@ -114,7 +114,7 @@ uniform sampler2D colors, depths;
 uniform ivec2 corner;    // of the picture's part, pixels
 uniform ivec2 top_edge;  // last column and row of samples
 uniform float range;     // of depths, pixels
-uniform float reach;     // of the light about a pixel, pixels
+uniform float reach;     // radius of the shading, pixels
 uniform vec3 background;
 uniform float opacity;   // of the background
 out vec4 color;
@@ -129,7 +129,7 @@ void main() {
   vec4 mean = texture(colors, 2.0 * place / vec2(textureSize(colors, 0)));
   vec3 blank = (1.0 - mean.a) * background;
   ivec2 sample = 2 * ivec2(place);
-  // the nearest of the four: a rim belongs to what stands in front
+  // the nearest of the four samples: a rim belongs to the object in front
   float z = range * min(min(texelFetch(depths, sample, 0).r, texelFetch(depths, sample + ivec2(1, 0), 0).r),
                         min(texelFetch(depths, sample + ivec2(0, 1), 0).r,
                             texelFetch(depths, sample + ivec2(1, 1), 0).r));
@@ -167,7 +167,7 @@ GLuint make_texture(GLint format, GLenum kind, GLenum type, GLint filter, int wi
   return texture;
 }
 
-/// Declares `floats` numbers, then `shades` numbers or, if 0, a colour.
+/// Declares `floats` numbers, then `shades` numbers or, if `shades` is 0, a colour.
 void declare_attributes(int floats, int shades, std::size_t stride) {
   const auto place = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
   const auto bytes = static_cast<GLsizei>(stride);

@@ -60,7 +60,7 @@ class SolidPainter {
 
   int image_width_, image_height_;
   Rect plot_;
-  std::array<float, 3> background_;  // 0: transparent
+  std::array<float, 3> background_;  // all 0 if transparent
   float opacity_;
   int reach_;        // radius of the shading, pixels
   int band_height_;  // limits buffers of large pictures

@@ -11,11 +11,11 @@ inline constexpr double just_noticeable = 2.3;
 
 /// The share measures widespread changes, the densest window local ones, such as one moved particle.
 struct ImageDifference {
-  double share = 0;     // of pixels that differ
-  double greatest = 0;  // ΔE*ab
-  double densest = 0;   // share in the worst window of 16 × 16 pixels
-  int column = 0, row = 0;
-  int width = 0, height = 0;
+  double share = 0;           // of pixels that differ
+  double greatest = 0;        // ΔE*ab
+  double densest = 0;         // share in the worst window of 16 × 16 pixels
+  int column = 0, row = 0;    // top left of this window
+  int width = 0, height = 0;  // of this window, pixels
 };
 
 /// Rounding may move edges across pixel centres, but rarely at many adjacent pixels.
@@ -33,7 +33,8 @@ double excess(const ImageDifference& difference, const DifferenceLimit& limit = 
 
 bool alike(const ImageDifference& difference, const DifferenceLimit& limit = {});
 
-/// Shows `a` in pale gray and differences from orange to dark red. Throws UsageError for different sizes.
+/// Shows `a` in pale gray, differences from orange to dark red, and a blue frame around the worst window. Throws
+/// UsageError for different sizes.
 Image difference_picture(const Image& a, const Image& b, double tolerance = just_noticeable);
 
 }  // namespace taut::render

@@ -24,14 +24,14 @@
 namespace taut::render {
 namespace {
 
-// Against forged headers; panels can be twice the largest drawn side.
+// Against forged headers. A side of a panel can exceed `greatest_size` of a drawn picture.
 constexpr png_uint_32 greatest_side = 16384;
 constexpr png_alloc_size_t max_chunk_bytes = 8 << 20;
 constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
 // The simplified API of libpng would convert to sRGB.
 
-/// Outlives the frames that longjmp skips.
+/// Message of libpng. Outlives the stack frames that longjmp skips.
 struct Complaint {
   char message[128] = {0};
 };
@@ -100,7 +100,7 @@ std::uint8_t divided(std::uint8_t channel, std::uint8_t opacity) {
 
 int channels(const Image& image) { return image.transparent ? 4 : 3; }
 
-/// Filter type none suits flat colours.
+/// Uses filter type none, which suits flat colours.
 void put_row(const Image& image, int row, std::uint8_t* to) {
   *to++ = PNG_FILTER_VALUE_NONE;
   const std::uint8_t* from = &image.pixels[image.offset(0, row)];
@@ -114,8 +114,8 @@ void put_row(const Image& image, int row, std::uint8_t* to) {
     to[0] = from[2], to[1] = from[1], to[2] = from[0];
 }
 
-/// ISA-L at level 0: in 2.30, output of levels 1 and 2 may depend on memory addresses. Allocate it on the heap: the
-/// stack is too small.
+/// ISA-L at level 0: in 2.30, output of levels 1 and 2 may depend on memory addresses. A Deflater is too large for the
+/// stack.
 struct Deflater {
   isal_zstream stream;
   isal_hufftables code;
@@ -214,14 +214,14 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
   std::filesystem::path part = path;
   part += ".part" + std::to_string(getpid());
 
-  // a stranger may have made a link of this name
+  // another user may have made a link of this name
   ::unlink(part.c_str());
   const int descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   std::FILE* const file = descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
   if (!file) fail_to_write(path, std::strerror(errno));
   const bool all = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   int reason = all ? 0 : errno;
-  // a full disk may be reported now
+  // fclose may be the first to report a full disk
   if (std::fclose(file) != 0 && all) reason = errno;
 
   std::error_code error;
@@ -235,7 +235,7 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
 }
 
 Image read_png(const std::filesystem::path& path, Alpha alpha) {
-  // never waits for a stranger's pipe; /dev/stdin is the user's
+  // O_NONBLOCK: never waits for another user's pipe; /dev/stdin is the user's own
   const bool of_system = path.string().starts_with("/dev/");
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | (of_system ? 0 : O_NONBLOCK));
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(

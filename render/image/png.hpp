@@ -18,7 +18,8 @@ void write_png(const Image& image, const std::filesystem::path& path);
 
 enum class Alpha : std::uint8_t { dropped, kept };
 
-/// Reads at most 8192 × 8192 pixels, and 16384 per side. Throws UsageError if missing, damaged or no PNG.
+/// Reads at most 8192 × 8192 pixels, and 16384 per side. Throws UsageError if the file is missing, damaged, too large
+/// or not a PNG file.
 Image read_png(const std::filesystem::path& path, Alpha alpha = Alpha::dropped);
 
 }  // namespace taut::render

@@ -12,7 +12,7 @@ constexpr double title_size = 1.3;
 constexpr double baseline_of_header = 1.8;
 constexpr double end_of_header = 2.4;
 
-constexpr double most_of_note = 0.5;
+constexpr double most_of_note = 0.5;  // of the room for title and note
 
 constexpr double most_room_of_legend = 14;
 
@@ -44,7 +44,7 @@ Annotation::Annotation(Image& image, const PageLayout& layout, ColorKey key, dou
       key_(std::move(key)) {}
 
 void Annotation::draw(const FrameView& frame, const OffScale& off_scale) {
-  canvas_.begin();  // after OpenGL
+  canvas_.begin();  // OpenGL may have drawn
   draw_header(frame);
   if (parts_.bar) {
     key_.draw(canvas_, layout_.key, layout_.font, frame.field, frame.unit);

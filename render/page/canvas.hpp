@@ -15,7 +15,7 @@ namespace taut::render {
 // Gray levels, 0 (full contrast) to 1 (background). Black on white has too much contrast.
 inline constexpr double ink = 0.13;
 inline constexpr double faint = 0.42;
-inline constexpr double cap_height = 0.73;  // of digits
+inline constexpr double cap_height = 0.73;  // of digits, per font size
 
 /// Line width in whole pixels.
 double line_width(double em);
@@ -28,7 +28,7 @@ class Canvas {
   /// The image must outlive the canvas and keep its pixels in place.
   explicit Canvas(Image& image, Rgb background = white);
 
-  /// Call if others have drawn on the image.
+  /// Call before drawing, because others may have drawn on the image.
   void begin();
   void end();
 
@@ -45,7 +45,7 @@ class Canvas {
   double width_of(const std::string& text);
   /// Shortens and records a text that is wider than `room`.
   std::string fitted(std::string text, double room);
-  /// Records a text without room.
+  /// Records a text that is not drawn because it lacks room.
   void omit(const std::string& text) { cut_.insert(text); }
   /// Texts that are not drawn in full.
   const std::set<std::string>& cut() const { return cut_; }

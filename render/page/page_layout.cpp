@@ -16,7 +16,7 @@ constexpr double margin = 1.1;
 constexpr double header = 3.0;
 constexpr double footer = 2.3;
 constexpr double key_gap = 1.1;
-constexpr double most_of_width = 0.36;
+constexpr double most_of_width = 0.36;  // share of the picture
 
 int pixels(double length) { return static_cast<int>(std::lround(length)); }
 

@@ -22,7 +22,7 @@ struct PageLayout {
   Rect key;
   double left = 0, right = 0;  // ends of the texts, pixels
   double pixels_per_metre = 1;
-  double x_origin = 0, y_origin = 0;  // pixels
+  double x_origin = 0, y_origin = 0;  // of the scene, from the plot's top left, pixels
 
   double column(double x) const { return x_origin + x * pixels_per_metre; }
   double row(double y) const { return y_origin - y * pixels_per_metre; }  // downwards
@@ -42,7 +42,7 @@ enum class BarPosition : std::uint8_t { right, left, bottom };
 
 /// Minimum width of the colour key beside the plot, and height of the one below it, em.
 inline constexpr double room_of_bar = 5.75, room_of_bar_below = 4.2;
-/// Height and width of the axes beside the plot, em.
+/// Height and width of axes below the plot, em.
 inline constexpr double room_of_axes = 5.2;
 
 struct PageTexts {

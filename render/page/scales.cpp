@@ -12,7 +12,7 @@ constexpr double small_size = 0.94;
 constexpr double tick_length = 0.3;
 constexpr double tick_gap = 0.25;
 constexpr double tick_spacing = 3.8, tick_spacing_across = 5;  // minima
-constexpr double longest_bar = 36, inset_across = 1;           // for numbers at its ends
+constexpr double longest_bar = 36, inset_across = 1;           // inset: for numbers at the bar's ends
 constexpr double baseline_of_label = 3.65;                     // across
 constexpr double label_gap = 0.75;
 constexpr double most_beyond = 0.3;
@@ -149,7 +149,7 @@ void ColorBar::draw_off_scale(Canvas& canvas, const Rect& room_of_all, double em
   const Rect bar = bar_in(room_of_all, em);
   const double gap = std::max(2.0, std::round(arrow_gap * em));
   const double room = std::ceil(arrow_height * em + gap) + 1;
-  /// The end at `edge`; `way` leads outwards.
+  // Draws the end at `edge`; `way` is the outward direction, ±1.
   const auto draw_end = [&](double edge, double way, bool arrow, Rgb color) {
     const double begin = way < 0 ? edge - room : edge;
     canvas.gray(1);

@@ -18,7 +18,7 @@ void draw_segments(Canvas& canvas, const PageLayout& layout, std::span<const dou
   for (std::size_t k = 0; k + 3 < segments.size(); k += 4) {
     const double x0 = plot.x + layout.column(segments[k]), y0 = plot.y + layout.row(segments[k + 1]);
     const double x1 = plot.x + layout.column(segments[k + 2]), y1 = plot.y + layout.row(segments[k + 3]);
-    constexpr double farthest = 1e6;  // pixels; false for NaN
+    constexpr double farthest = 1e6;  // pixels
     if (!(std::max({std::abs(x0), std::abs(y0), std::abs(x1), std::abs(y1)}) < farthest)) continue;
     cairo_move_to(cairo, x0, y0);
     cairo_line_to(cairo, x1, y1);

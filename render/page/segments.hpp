@@ -10,7 +10,7 @@ namespace taut::render {
 
 enum class Stroke : std::uint8_t { thin, bold };
 
-/// 2D, four coordinates each, m. Thin lines are faint.
+/// Draws 2D segments of four coordinates each, in m. Thin lines are faint.
 void draw_segments(Canvas& canvas, const PageLayout& layout, std::span<const double> segments, Stroke stroke,
                    double em);
 

@@ -35,7 +35,7 @@ std::string power_of_ten(int exponent) {
   return text;
 }
 
-/// Least 1, 2 or 5 times a power of ten from `length` > 0.
+/// Least 1, 2 or 5 times a power of ten that is not below `length` > 0.
 double nice_step(double length) {
   const double power = std::pow(10.0, decade(length));
   for (const double digit : {1.0, 2.0, 5.0}) {

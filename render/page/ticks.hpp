@@ -13,8 +13,8 @@ struct Scale {
   std::string unit;
 };
 
-/// Scales by an SI prefix, to at most three digits before the point. Other units, such as 1/s, get a power of ten below
-/// 0.01 and from 1e4 on.
+/// Chooses an SI prefix with which `greatest` has at most three digits before the point. Units that take no prefix,
+/// such as 1/s, get a power of ten below 0.01 and from 1e4 on.
 Scale scale_for(double greatest, std::string_view unit);
 
 struct Tick {
@@ -43,7 +43,7 @@ double nice_length(double length);
 /// Formats with a typographic minus; never "−0".
 std::string format_fixed(double value, int decimals);
 
-/// Formats as "5.004 ms". With the last time `until` (in s), all times have the same unit.
+/// Formats `t` (in s) as "t = 5.004 ms". With the last time `until` (in s), all times have the same unit.
 std::string format_time(double t, double until = 0);
 
 }  // namespace taut::render

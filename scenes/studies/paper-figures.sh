@@ -8,13 +8,13 @@
 #     zhang-3     oscillating plate, og, oas, enog; von Mises stress
 #     zhang-12    rings at 0.06 c0, og, oas, enog
 #     zhang-14    rings at 0.08 c0, oas, enog
-#     zhang-18    ball and plate at 0.02 c0, og, oas, enog      the paper names no times: those here are ours
-#     zhang-19    at 0.06 c0, oas, enog
-#     zhang-20    at 0.12 c0, enog
+#     zhang-18    ball and plate at 0.02 c0, og, oas, enog; the paper states no times: the times here are ours
+#     zhang-19    ball and plate at 0.06 c0, oas, enog
+#     zhang-20    ball and plate at 0.12 c0, enog
 #     khayyer-9   rotating plate, artificial stress of two strengths (ours) and tensile control; pressure
-#     khayyer-10  artificial stress and tensile control at three spacings; SPACING is the coarsest
-#     khayyer-12  path of the corner: a history, no panel
-#     khayyer-13  tensile control without and with artificial stress at the surface
+#     khayyer-10  rotating plate, artificial stress and tensile control at three spacings; SPACING is the coarsest
+#     khayyer-12  rotating plate, path of the corner: a history, no panel
+#     khayyer-13  rotating plate, tensile control without and with artificial stress at the surface
 #     lee-4       cable in 3D, pf, and pf-jst with harmonic dissipation 0, 1/32 and 1/8; pressure
 #     lee-9       tensile cube, pf-jst with and without the exact boundary projection
 #     lee-11      tensile cube, tl, pf and the three JST methods
@@ -61,7 +61,7 @@ panel() {
   "$taut" compare $runs --times "$1" --color $field ${2:+--size "$2"} --out "$folder/$figure.png"
 }
 
-# claims PAPER.fig-N: runs the claims whose keys begin with fig-N, other digits excluded, and plots their curves
+# claims: runs the claims whose keys are fig-N, alone or followed by a letter or "-", and plots their curves
 claims() {
   keys=$("$taut" claims "${figure%%.*}" --json | grep -oE "\"${figure%%.*}\.${figure#*.}([^0-9\"][^\"]*)?\"" | tr -d '"' | sort -u)
   [ -n "$keys" ] || { echo "$0: no claim is about '$figure'; see: taut claims ${figure%%.*}" >&2; exit 2; }

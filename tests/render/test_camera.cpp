@@ -35,7 +35,7 @@ TEST_SUITE("unit") {
     check_near(axes_of({.from = {0, 3, 0}, .up = {0, -1, 0}}).up, {1, 0, 0});
   }
 
-  TEST_CASE("an orbiting camera keeps its distance and its up vector, and orbits back to its start") {
+  TEST_CASE("an orbiting camera rotates around its up vector, then upwards, at constant distance") {
     const Camera camera{.from = {0, -2, 0}};
     check_near(orbited(camera, 90, 0).from, {2, 0, 0});
     check_near(orbited(camera, 0, 30).from, {0, -std::sqrt(3.0), 1});
@@ -56,7 +56,7 @@ TEST_SUITE("unit") {
     CHECK(perspective({0, -2, 0}).scale < 0);
   }
 
-  TEST_CASE("a short vector is projected like the difference of its ends") {
+  TEST_CASE("the projection of a short vector is the difference of its projected ends") {
     const View view{-1, 2, -0.5, 1.5};
     for (const double angle : {0.0, 40.0}) {
       const Projection projection({.from = {1, -2, 1}, .field_of_view = angle, .front = 1}, view);

@@ -158,7 +158,7 @@ TEST_SUITE("image") {
     CHECK(left_of_legend(image) == left_of_legend(drawn(2, "and 13 more")));
   }
 
-  TEST_CASE("a method's name follows even the longest title") {
+  TEST_CASE("a method's name follows even a title too long for the picture") {
     const std::string title(200, 'T');
     for (const auto& [width, height] : {std::pair(320, 180), {1280, 720}}) {
       Particles none;

@@ -49,8 +49,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("colours between the stops match the published table") {
-    // viridis has 256 colours; interpolated stops stay within 3 levels
+  TEST_CASE("colours of viridis between the stops match the published table") {
+    // 256 colours; interpolated stops stay within 3 levels
     struct Entry {
       int index;
       Rgb color;
@@ -64,7 +64,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("a sequential map grows lighter from end to end") {
+  TEST_CASE("each sequential map except the rainbow grows lighter from end to end") {
     for (const Colormap& map : colormaps()) {
       if (map.diverging || map.key == "rainbow") continue;
       CAPTURE(std::string(map.key));

@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Bounding box of a colour left of `beyond`.
+/// Bounding box of a colour, left of column `beyond`.
 struct Found {
   int left = 1 << 20, right = -1, top = 1 << 20, bottom = -1;
 };
@@ -94,7 +94,7 @@ TEST_SUITE("image") {
     CHECK_FALSE(same(all, middle.finish()));
   }
 
-  TEST_CASE("a panel without a size takes one from its view, and one too small is refused") {
+  TEST_CASE("a panel without a size takes its proportions from the view, and a size too small is refused") {
     PanelOptions options = two_by_two();
     options.look.size.reset();
     options.look.view = {0, 4, 0, 1};
@@ -111,7 +111,7 @@ TEST_SUITE("image") {
     CHECK_THROWS_AS(Panel{options}, UsageError);
   }
 
-  TEST_CASE("a panel with more pixels than the limit is refused before memory is allocated") {
+  TEST_CASE("a panel with more pixels than the limit is refused") {
     PanelOptions options = two_by_two();
     options.look.size.reset();
     options.rows.assign(20000, "t");
@@ -120,7 +120,8 @@ TEST_SUITE("image") {
     CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("at most 67 million are allowed"), UsageError);
   }
 
-  TEST_CASE("a panel has exactly the given width, and keeps the view's proportions") {
+  TEST_CASE(
+      "a panel has exactly the given width and a height that suits the view, or is refused as too narrow") {
     PanelOptions options = two_by_two();
     options.look.size.reset();
     options.look.texts.font = 20;
@@ -171,7 +172,7 @@ TEST_SUITE("image") {
     CHECK(drawn(options).width == 1200);
   }
 
-  TEST_CASE("a bare panel contains only its pictures, on any background") {
+  TEST_CASE("a bare panel on black contains only its pictures and their frames") {
     PanelOptions options = two_by_two();
     options.look.bare = true, options.look.background = {0, 0, 0};
     Panel panel(options);

@@ -126,7 +126,8 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("each part of the texts can be left out, and nothing else changes in its place") {
+  TEST_CASE(
+      "title, method and time leave their place blank if left out, and a font without room is refused") {
     Particles particles;
     particles.add(0.2, 0.4, 0.6, 0.5);
     FrameView frame = particles.frame();
@@ -162,7 +163,7 @@ TEST_SUITE("image") {
                          UsageError);
   }
 
-  TEST_CASE("a glyph with its own size is a disc, or a ball, of that diameter") {
+  TEST_CASE("the glyph size scales discs and balls, and is refused out of bounds") {
     for (const bool solid : {false, true}) {
       CAPTURE(solid);
       Look with = look(400, 400, unit_view);
@@ -286,7 +287,7 @@ TEST_SUITE("image") {
     CHECK(color_at(image, unit_view, 0, 0) == Rgb{255, 0, 255});
   }
 
-  TEST_CASE("particles without a finite position or size are left out") {
+  TEST_CASE("particles without a finite position or a finite positive size are left out") {
     Particles particles;
     particles.add(NAN, 0, 0.4, 0.5);
     particles.add(0, INFINITY, 0.4, 0.5);
@@ -344,20 +345,20 @@ TEST_SUITE("image") {
     CHECK(text_of(folder / "a.png") == text_of(folder / "b.png"));
   }
 
-  TEST_CASE("a disc in a large picture has its place and size to a pixel") {
+  TEST_CASE("a disc in a large picture has its place and size to two pixels") {
     const Image image = drawn(one_disc(0, 0, 1.9, 0.5), look(5000, 2400, unit_view));
     const PageLayout layout = make_layout(5000, 2400, unit_view);
     const Rgb color = find_colormap("viridis")->table()[128];
     for (int y = -9; y <= 9; ++y) CHECK(color_at(image, unit_view, 0, 0.1 * y) == color);
     const double edge = std::sqrt(0.95 * 0.95 - 0.6 * 0.6);
     for (const double y : {-0.6, 0.6}) {
-      const double pixel = 2 / layout.pixels_per_metre;
-      CHECK(color_at(image, unit_view, edge - pixel, y) == color);
-      CHECK(color_at(image, unit_view, edge + pixel, y) == white);
+      const double two_pixels = 2 / layout.pixels_per_metre;
+      CHECK(color_at(image, unit_view, edge - two_pixels, y) == color);
+      CHECK(color_at(image, unit_view, edge + two_pixels, y) == white);
     }
   }
 
-  TEST_CASE("the colour bar goes from low at the bottom to high at the top, and its texts are visible") {
+  TEST_CASE("the colour bar goes from low at the bottom to high at the top, and every text is visible") {
     Particles particles = one_disc(0, 0, 0.1, 0);
     const Look with = look(640, 360, unit_view);
     Renderer renderer(with);
@@ -417,7 +418,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("a constant field has the middle colour") {
+  TEST_CASE("a value in a range without extent has the middle colour") {
     Look with = look(100, 100, unit_view);
     with.range = {3, 3};
     CHECK(color_at(drawn(one_disc(0, 0, 0.4, 3), with), unit_view, 0, 0) ==
@@ -426,7 +427,7 @@ TEST_SUITE("image") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("options out of bounds are refused") {
+  TEST_CASE("options out of bounds and a missing colour map are refused") {
     const auto refused = [](auto&& change) {
       Look with = look(100, 100, unit_view);
       change(with);
@@ -441,7 +442,7 @@ TEST_SUITE("unit") {
     refused([](Look& with) { with.colormap = nullptr; });
   }
 
-  TEST_CASE("a look with an unset key throws a logic error") {
+  TEST_CASE("a look without a size, view or range throws a logic error") {
     const auto refused = [](auto&& change) {
       Look with = look(100, 100, unit_view);
       change(with);

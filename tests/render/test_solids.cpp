@@ -57,7 +57,7 @@ Bodies lattice(int n) {
   return bodies;
 }
 
-/// Greatest channel deviation from `base` at the same brightness.
+/// Greatest channel deviation from `base` at the same brightness; 255 if lighter than `base`.
 double hue_difference(Rgb color, Rgb base) {
   const double light = static_cast<double>(color[0] + color[1] + color[2]) / (base[0] + base[1] + base[2]);
   double difference = light > 1.01 ? 255 : 0;
@@ -150,7 +150,7 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("a box of cells is a closed surface") {
-    // outside of 12³, sheared
+    // outer layer of 12³ sheared cells
     Bodies box;
     const int n = 12;
     const double dp = 0.08;
@@ -178,7 +178,7 @@ TEST_SUITE("image") {
     CHECK(beyond == 0);
   }
 
-  TEST_CASE("cells in 2D have the colours of the map") {
+  TEST_CASE("a cell in 2D is a parallelogram in the colour of its value") {
     Particles one;
     one.add(0, 0, 0.5, 0.25);
     FrameView frame = one.frame();

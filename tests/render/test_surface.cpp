@@ -74,8 +74,8 @@ int difference(Rgb a, Rgb b) {
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("a stretched and bent surface has no gap") {
-    // a uniform stretch, then a bend; both preserve |X| < 0.7
+  TEST_CASE("a stretched surface and a bent surface have no gap") {
+    // both maps keep |X|, |Y| < 0.7 inside the picture
     const auto stretched = [](double X, double Y) { return std::array{1.2 * X, 0.7 * Y}; };
     const auto bent = [](double X, double Y) { return std::array{X, 0.8 * Y + 0.2 * X * X}; };
     const auto gaps = [](const auto& map) {
@@ -107,7 +107,7 @@ TEST_SUITE("image") {
                                            table[static_cast<std::size_t>(std::lround(255 * value))]));
     }
     CHECK(worst <= 6);  // two colour steps
-    // far from the map's middle
+    // the mean of the end colours is far from the map's middle
     Rgb mean{};
     for (std::size_t k = 0; k < 3; ++k)
       mean[k] = static_cast<std::uint8_t>((table[0][k] + table[255][k]) / 2);
@@ -179,7 +179,7 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("the light of a surface varies smoothly on round faces and changes at edges") {
-    // two at a slight angle, a third at right angles; y downwards
+    // two triangles at a slight angle, a third at right angles; y downwards
     const std::vector<Vector> points{{0, 0, 0}, {0, -1, 0}, {1, 0, 0.1}, {1, -1, 0.2}, {1, 0, -1}};
     const std::vector<std::uint32_t> triangles{0, 2, 1, 1, 2, 3, 2, 4, 3};
     const std::vector<float> light = smooth_light(points, triangles);

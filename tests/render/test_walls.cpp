@@ -135,9 +135,9 @@ TEST_SUITE("image") {
 
   TEST_CASE(
       "a wall in 3D is a grid on its face that hides objects behind it and is hidden by objects before it") {
-    const auto center = [](double y) { return WallFace{{0, y, 0}, {0, -1, 0}}; };
+    const auto wall_at = [](double y) { return WallFace{{0, y, 0}, {0, -1, 0}}; };
     for (const Rgb background : {white, Rgb{0, 0, 0}}) {
-      Scene behind(3, center(0.5)), before(3, center(-0.5)), none(3, center(0));
+      Scene behind(3, wall_at(0.5)), before(3, wall_at(-0.5)), none(3, wall_at(0));
       none.walls.clear();
       const Image far = drawn(behind, bare(3, background)), near = drawn(before, bare(3, background)),
                   without = drawn(none, bare(3, background));
@@ -154,7 +154,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("a wall seen from its edge is a line, and a wall through the camera is drawn") {
+  TEST_CASE("a wall seen from its edge is a line, and a wall in perspective is drawn") {
     const Image edge = drawn(Scene(3, {{0, 0, -0.5}, {0, 0, 1}}), bare(3));
     CHECK(painted(edge, {0, 140, 200, 20}) > 20);
     CHECK(painted(edge, {0, 160, 200, 40}) == 0);

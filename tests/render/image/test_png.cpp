@@ -80,7 +80,7 @@ TEST_SUITE("unit") {
     CHECK(files_in(folder.path()) == 1);
   }
 
-  TEST_CASE("any picture is read back as it was written, over block boundaries and long rows") {
+  TEST_CASE("noise, long rows and pictures of several blocks are read back as they were written") {
     const TemporaryFolder folder;
     const auto comes_back = [&](const Image& image) {
       write_png(image, folder / "a.png");
@@ -215,7 +215,7 @@ TEST_SUITE("unit") {
                          UsageError);
   }
 
-  TEST_CASE("a picture with more pixels than the limit is refused before memory is allocated") {
+  TEST_CASE("a picture with more pixels than the limit is refused before its rows are read") {
     const TemporaryFolder folder;
     write_png(gradient(4, 4), folder / "a.png");
     std::string bytes = text_of(folder / "a.png");

@@ -38,7 +38,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("particles take the place of texts that are left out, and a chosen font is used at any size") {
+  TEST_CASE(
+      "the plot takes the place of texts that are left out, and a chosen font is used in small pictures") {
     const View view{0, 1, 0, 1};
     const PageLayout all = make_layout(640, 360, view);
     const auto with = [&](const TextParts& parts) {
@@ -57,7 +58,7 @@ TEST_SUITE("unit") {
     CHECK(make_layout(640, 360, view, true, room_of_bar, {.font = all.font}).plot.width == all.plot.width);
   }
 
-  TEST_CASE("a colour bar left of the plot or below it, and axes below, leave room to each other") {
+  TEST_CASE("the plot, a colour bar left of it or below it, and axes below it leave room for each other") {
     const View view{0, 1, 0, 1};
     const PageLayout all = make_layout(640, 360, view);
     const auto with = [&](const PageTexts& texts) {

@@ -59,7 +59,7 @@ TEST_SUITE("image") {
     CHECK(painted == 0);
   }
 
-  TEST_CASE("numbers of any width and the label fit into the picture beside each other") {
+  TEST_CASE("wide numbers and the label of a bar leave the right margin of the picture white") {
     Particles none;
     const auto right_of = [&](const Range& range, std::string_view unit, int width, int height) {
       Look with = look(width, height, unit_view);
@@ -77,7 +77,8 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("a bar below the plot runs from the lowest colour at the left to the highest at the right") {
+  TEST_CASE(
+      "a bar below the plot runs from low at the left to high at the right, with arrows at exceeded ends") {
     Particles particles;
     for (const auto& [x, value] : {std::pair(0.2, -5.0), {0.8, 5.0}}) particles.add(x, 0.5, 0.01, value);
     Look with = look(640, 360, unit_view);

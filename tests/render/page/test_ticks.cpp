@@ -65,12 +65,12 @@ TEST_SUITE("unit") {
     CHECK(labels(nice_ticks(1.15e6, 1.4e6, "Pa", 5, NumberFormat{0, true})) == "1.2×10⁶ 1.3×10⁶ 1.4×10⁶ Pa");
   }
 
-  TEST_CASE("a range without extent has no ticks") {
+  TEST_CASE("a range without extent or with an infinite end has no ticks") {
     CHECK(nice_ticks(1, 1, "Pa", 5).at.empty());
     CHECK(nice_ticks(0, 1.0 / 0.0, "Pa", 5).at.empty());
   }
 
-  TEST_CASE("a value gets the SI prefix of its unit, and a compound unit a power of ten") {
+  TEST_CASE("a unit gets an SI prefix or, if it takes none, a power of ten for very small or large values") {
     CHECK(scale_for(2e6, "Pa").unit == "MPa");
     CHECK(scale_for(1000, "m").unit == "km");
     CHECK(scale_for(999.99, "m").unit == "m");
@@ -79,7 +79,7 @@ TEST_SUITE("unit") {
     CHECK(scale_for(3e5, "s").unit == "s");
     CHECK(scale_for(1e-30, "m").unit == "fm");
     CHECK(scale_for(0, "m").unit == "m");
-    // a prefix would apply to the square, or only to the first unit
+    // a prefix would be squared, and kg already has one
     CHECK(scale_for(1e-6, "m²").unit == "10⁻⁶ m²");
     CHECK(scale_for(12000, "kg/m³").unit == "10³ kg/m³");
     CHECK(scale_for(0.5, "rad").unit == "rad");
