@@ -18,7 +18,7 @@ namespace {
 constexpr int steps = 150;
 constexpr double round_off = 1e-13;  // of the scale, over all steps
 
-/// A block, rotating about an axis that is no principal axis, is hit off-centre by a ball.
+/// A block that rotates about x is hit off-centre by a ball.
 Scene solid_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;

@@ -159,7 +159,7 @@ TEST_SUITE("unit") {
     CHECK(fitted_spacing(body_of(Box{{0, 0, 0}, {1, 1, 0}}), 2, 40) == 1);
   }
 
-  TEST_CASE("layout: bodies may touch, but not overlap") {
+  TEST_CASE("layout: bodies whose particles start less than half a spacing apart are refused") {
     Scene scene = one_body(2, 1, {Box{{0, 0, 0}, {3, 2, 0}}});
     scene.bodies.push_back(scene.bodies[0]);
     scene.bodies[1].name = "other";

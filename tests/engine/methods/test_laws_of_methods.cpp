@@ -154,8 +154,7 @@ TEST_SUITE("term") {
     });
   }
 
-  TEST_CASE(
-      "oenog: the continuation of any law equals ClosedNeoHookean for the neo-Hookean law, also below J = 1/2") {
+  TEST_CASE("oenog: the general continuation below J = 1/2 equals ClosedNeoHookean for the neo-Hookean law") {
     const NeoHookean other{4.6, 1};
     const ClosedNeoHookean<double> own{4.6, 1};
     for (const double pressed : {0.9, 0.45, 0.2, -0.15}) {

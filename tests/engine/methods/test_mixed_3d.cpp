@@ -131,7 +131,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("JST: in 3D every wave decays at the default h, and the default step is stable") {
+  TEST_CASE("JST: in 3D every zigzag decays at the default h, and the default step is stable") {
     const Cube cube(7, pf_jst.h_over_dp_3d);
     const int i = cube.middle();
     double slowest = 1e9, shortest = 1e9, steepest = 0;

@@ -43,7 +43,6 @@ inline Scene bending_cantilever(int across) {
   return scene;
 }
 
-/// Relative error of the undamped period.
 inline double error_of_period(const Scene& scene, double reference) {
   const auto simulation = make_simulation(scene, with_damping(0));
   simulation->advance_to(1.15 * reference);
