@@ -264,7 +264,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("contact of faces: forces are the slope of the energy, and their sum and moment vanish") {
+  TEST_CASE("contact of faces: forces are −∂E/∂x, and their sum and moment vanish") {
     Pressed<2> discs = two_discs(0.3 * dp);
     check_slopes(discs, 1e-5);
     for (const double past : {0.3, 0.8, 1.4}) {

@@ -163,7 +163,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("contact of faces: in 3D forces are the slope of the energy, and their sum and moment vanish") {
+  TEST_CASE("contact of faces: in 3D forces are −∂E/∂x, and their sum and moment vanish") {
     const Box low{{-0.004, 0, 0}, {0, 0.006, 0.006}};
     Scene on_edge = scene_of({low, Box{{0, 0.003, 0.0017}, {0.004, 0.007, 0.0057}}});
     on_edge.bodies[1].rotation = Rotation{{0, 0, 1}, {0, 0.003, 0}, -25};

@@ -81,7 +81,7 @@ MomentumChange change(const Balance& before, const Balance& after) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("Lennard-Jones contact: the force is the slope of the energy and vanishes beyond one spacing") {
+  TEST_CASE("Lennard-Jones contact: the force is −∂E/∂r and vanishes beyond one spacing") {
     CHECK(lennard_jones_force(dp, dp, 1e7, 2) == 0);
     CHECK(lennard_jones_force(1.1 * dp, dp, 1e7, 2) == 0);
     CHECK(lennard_jones_energy(1.1 * dp, dp, 1e7, 2) == 0);

@@ -245,7 +245,7 @@ TEST_SUITE("unit") {
         CHECK(verdict(kept, cracked) == (opened > 1.5 ? Verdict::fractured : Verdict::stable));
       }
     }
-    // a ragged crack also pairs non-collinear bonds
+    // at a ragged crack, initially collinear bonds may no longer be collinear
     const Scene flat = one_body(2);
     for (const bool ragged : {false, true}) {
       Snapshot now = lattice(2, 16, 6);
@@ -296,7 +296,7 @@ TEST_SUITE("unit") {
     CHECK(judge.beyond_law().share == 0);
     draw_out(2.6, 2);
     draw_out(1, 3);
-    // 7 × 6 bonds along x, of all with 8 × 5 across and 2 × 7 × 5 diagonal bonds
+    // 7 × 6 bonds along x; further 8 × 5 across and 2 × 7 × 5 diagonal bonds
     CHECK(judge.beyond_law().share == relative(42.0 / 152, 1e-12));
     CHECK(judge.beyond_law().since == 2);
     settings.method = "tl";

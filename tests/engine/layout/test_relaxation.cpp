@@ -208,8 +208,7 @@ TEST_SUITE("unit") {
                              {Disc{{0, -0.1, 0}, 0.3}})) == relative(1.6 + 0.155 * std::numbers::pi, 2e-4));
   }
 
-  TEST_CASE(
-      "relaxation: a lattice that fits its body is unchanged, and with a cut-out it is unchanged away from it") {
+  TEST_CASE("relaxation: a lattice that fits its body is unchanged, also far from a cut-out") {
     Scene scene = relaxed_body({Box{{0, 0, 0}, {1, 0.5, 0}}, Box{{1, 0, 0}, {1.5, 1, 0}}});
     const auto layout_if = [&](bool relaxed) {
       scene.bodies[0].relaxed = relaxed;

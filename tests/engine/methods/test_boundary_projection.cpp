@@ -205,7 +205,7 @@ TEST_SUITE("term") {
 
 TEST_SUITE("analytic") {
   TEST_CASE(
-      "boundary projection: after a step the interpolated velocities fulfil clamps, rollers and drives") {
+      "boundary projection: after five steps interpolated velocities fulfil clamps, rollers and drives") {
     struct Row {
       int dim;
       double h, without;  // a shorter kernel weighs neighbours less

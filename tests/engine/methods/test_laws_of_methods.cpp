@@ -166,7 +166,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("laws: forces of tl and oenog are the slopes of their energies under every law") {
+  TEST_CASE("laws: forces of tl and oenog are minus the slopes of their energies under every law") {
     for (const Law law : choices) {
       for (const std::string method : {"tl", "oenog"}) {
         CAPTURE(law_row(law).choice);

@@ -156,7 +156,7 @@ TEST_SUITE("unit") {
     const auto sum = sums(shares_of(FaceRule::by_column, scene, load), make_initial_particles(scene));
     const double torque = 2 * std::numbers::pi * 0.04 * 0.04;
     CHECK(std::abs(sum[0]) < 1e-9 * torque);
-    // second order: chords for the circle, two layers for the face
+    // second order: chords replace the circle, and the force acts in layers below the face
     CHECK(sum[2] == relative(torque, 1e-3));
   }
 
@@ -171,7 +171,7 @@ TEST_SUITE("unit") {
         const auto sum = sums(shares, initial);
         CHECK(sum[0] == relative(0.5 * t * A));
         CHECK(sum[1] == relative(t * A));
-        // scaled columns at the ends differ in depth
+        // the scaled columns at the ends distribute their force differently over the depth
         CHECK(sum[2] == relative(t * A * (0.5 * A - 0.5 * rows * scene.spacing),
                                  rule == FaceRule::uniform ? 1e-9 : 2e-5));
         for (const auto& [i, f] : shares)

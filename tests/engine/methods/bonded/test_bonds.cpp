@@ -417,7 +417,7 @@ TEST_SUITE("term") {
     CHECK(zigzag_stiffness(gradient(0.62, 0, 0, 1)) < 0);
   }
 
-  TEST_CASE("penalty contact: the force is the slope of the energy and vanishes beyond one spacing") {
+  TEST_CASE("penalty contact: the force is −∂E/∂r and vanishes beyond one spacing") {
     CHECK(penalty_force(0.001, 0.001, 1e7, 2) == 0);
     CHECK(penalty_force(0.0011, 0.001, 1e7, 2) == 0);
     constexpr double step = 1e-8;
