@@ -45,7 +45,7 @@ double change(const Point& before, const Point& after) {
   return std::hypot(after[0] - before[0], after[1] - before[1], after[2] - before[2]);
 }
 
-double along_x(const Snapshot& now) {
+double momentum_along_x(const Snapshot& now) {
   double sum = 0;
   for (std::size_t i = 0; i < now.size(); ++i)
     if (now.body[i] == 0) sum += now.m[i] * now.v[3 * i];
@@ -73,7 +73,7 @@ TEST_SUITE("conservation") {
       }
       make_steps(*simulation, steps);
       const Balance after = balance(simulation->snapshot(), scene);
-      CHECK(std::abs(along_x(simulation->snapshot()) / along_x(start) - 1) > 0.1);
+      CHECK(std::abs(momentum_along_x(simulation->snapshot()) / momentum_along_x(start) - 1) > 0.1);
       const double push = change(before.linear_momentum, after.linear_momentum) / before.momentum_scale;
       if (claims(method, "linear momentum"))
         CHECK(push < round_off);

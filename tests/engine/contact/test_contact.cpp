@@ -52,7 +52,7 @@ double linear_change(const Balance& before, const Balance& after) {
          before.momentum_scale;
 }
 
-double kept_speed(const Snapshot& start, const Snapshot& end) {
+double momentum_ratio(const Snapshot& start, const Snapshot& end) {
   double before = 0, after = 0;
   for (std::size_t i = 0; i < start.size(); ++i) {
     if (start.body[i] != 0) continue;
@@ -144,7 +144,7 @@ TEST_SUITE("conservation") {
         if (method.conserves.find("angular momentum") != std::string_view::npos)
           CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) <
                 round_off * before.angular_scale);
-        CHECK(kept_speed(start, simulation->snapshot()) < 0.7);
+        CHECK(momentum_ratio(start, simulation->snapshot()) < 0.7);
         // ccb does not damp tension, and pf does not damp zigzags
         const double gain = method.name == "ccb" ? 1.08 : method.name == "pf" ? 3 : 1.003;
         CHECK(after.kinetic + after.strain < gain * before.kinetic);
@@ -168,7 +168,7 @@ TEST_SUITE("conservation") {
       simulation->advance_to(100 * dp / ring_rubber().sound_speed());
       const auto& gap = simulation->series().value[0];
       CHECK(*std::ranges::min_element(gap) > -0.05 * dp);
-      CHECK(kept_speed(start, simulation->snapshot()) < -0.5);
+      CHECK(momentum_ratio(start, simulation->snapshot()) < -0.5);
     }
   }
 }

@@ -22,8 +22,8 @@ namespace {
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 /// Weights V W of the corrected kernel at particle i, [Lee2016] Eq. 23.
-std::vector<std::pair<int, double>> seen_at(int i, const std::vector<Point>& X, const std::vector<double>& V,
-                                            double h, int dim) {
+std::vector<std::pair<int, double>> corrected_weights(int i, const std::vector<Point>& X,
+                                                      const std::vector<double>& V, double h, int dim) {
   std::vector<std::pair<int, double>> W;
   Eigen::MatrixXd M = Eigen::MatrixXd::Zero(1 + dim, 1 + dim);
   const auto basis = [&](int a) {
@@ -64,7 +64,7 @@ struct Made {
     }
     for (int i = 0; i < static_cast<int>(X.size()); ++i)
       if (axes[i] != 0)
-        points.push_back({seen_at(i, X, V, h_over_dp(dim), dim),
+        points.push_back({corrected_weights(i, X, V, h_over_dp(dim), dim),
                           axes[i],
                           {any(random), any(random), dim == 3 ? any(random) : 0}});
   }
@@ -132,7 +132,7 @@ double greatest_miss(const Scene& scene, const Snapshot& now, double h) {
   for (int i = 0; i < static_cast<int>(X.size()); ++i) {
     const bool driven = body.drives[0].where(X[i]) != 0, clamped = body.clamped(X[i]) != 0;
     Point sum{};
-    for (const auto& [a, W] : seen_at(i, X, V, h * scene.spacing, scene.dim))
+    for (const auto& [a, W] : corrected_weights(i, X, V, h * scene.spacing, scene.dim))
       for (std::size_t k = 0; k < 3; ++k) sum[k] += W * now.velocity(a)[k];
     const Point given{driven ? body.drives[0].velocity[0](now.time) : 0, 0, 0};
     for (std::size_t k = 0; k < 3; ++k)
