@@ -53,7 +53,7 @@ Scene ring_alone() {
   return scene;
 }
 
-/// On a lattice with oblong cells and random bonds, then with an off-lattice bond in addition.
+/// Checks a lattice with oblong cells and random bonds, then the same with an off-lattice bond.
 template <int Dim, class Kept>
 void check_cancelled(double precision) {
   using Cancelled = CancelledBonds<Dim, Kept>;
