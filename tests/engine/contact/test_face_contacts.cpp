@@ -73,7 +73,7 @@ void check_energy_stays(const Scene& scene) {
   CHECK(met);
 }
 
-/// Perturbs the bodies and checks that forces are −∂E/∂x up to `within` times the largest, and balanced.
+/// Checks that perturbed bodies have balanced forces −∂E/∂x, up to `within` times the largest force.
 void check_slopes(Pressed<2>& bodies, double within) {
   for (int i = 0; i < bodies.s.size(); ++i)
     bodies.s.x[i] += 0.03 * dp *

@@ -91,7 +91,7 @@ TEST_SUITE("analytic") {
       REQUIRE(limits.size() == 1);  // the sufficient limit of [Zhang2020] is for 2D
       CHECK(critical(cube, with_h(h, 0)) == Approx(limits[0].step).epsilon(0.05));
     }
-    // for dp = 1: the corrected V W' is 1/2; the steepest wave, (1, 1, 1) π/2, has |κ| = √3
+    // the corrected V W' is 1/2 for dp = 1; the steepest wave (1, 1, 1) π/2 has |κ| = √3
     Settings six = with_method("tl");
     six.constants["h"] = 0.6;
     const Material& m = cube.materials[0];

@@ -160,7 +160,7 @@ TEST_SUITE("unit") {
     for (const int cells : {1, 2, 3, 4, 7}) {
       CAPTURE(cells);
       const double side[3] = {1.0 * cells, 3, 2}, volume = side[0] * 6;
-      // no guides, rollers at x = 0, or in addition guides along y and z at the opposite face
+      // no guides, rollers at x = 0, or also guides along y and z at the opposite face
       for (const int planes : {0, 1, 2}) {
         CAPTURE(planes);
         Scene scene = one_body(3, 1, {Box{{0, 0, 0}, {side[0], side[1], side[2]}}});

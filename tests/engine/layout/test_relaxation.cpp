@@ -128,7 +128,7 @@ std::vector<Point> points_on_sphere(double radius) {
   return points;
 }
 
-/// Ball in its torsional mode of order 2, u = j2(kr)/r² z (−y, x, 0) with kR = 2.50113, and the period of the mode.
+/// Ball in its torsional mode of order 2, u = j2(kr)/r² z (−y, x, 0) with kR = 2.50113.
 struct TwistingBall {
   Scene scene = relaxed_body({Disc{{0, 0, 0}, 5 * dp}}, {}, 3);
   double period = 0;

@@ -19,7 +19,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Methods of [Khayyer2024].
+/// [Khayyer2024]
 const char* const ladder[] = {"ulsph-av-as-uncorrected",
                               "ulsph-av-as",
                               "d-ulsph-av-as",
@@ -27,7 +27,7 @@ const char* const ladder[] = {"ulsph-av-as-uncorrected",
                               "d-ulsph-r-as",
                               "ulsph-r-tic",
                               "d-ulsph-r-tic"};
-/// Methods of [TranDuc2023] §2.2.
+/// [TranDuc2023] §2.2
 const char* const current_configuration[] = {"ccb", "ccbwat"};
 
 Scene two_materials() {

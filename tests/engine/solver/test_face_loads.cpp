@@ -171,7 +171,7 @@ TEST_SUITE("unit") {
         const auto sum = sums(shares, initial);
         CHECK(sum[0] == relative(0.5 * t * A));
         CHECK(sum[1] == relative(t * A));
-        // the scaled columns at the ends distribute their force differently over the depth
+        // the scaled columns at the ends spread their force over another depth
         CHECK(sum[2] == relative(t * A * (0.5 * A - 0.5 * rows * scene.spacing),
                                  rule == FaceRule::uniform ? 1e-9 : 2e-5));
         for (const auto& [i, f] : shares)

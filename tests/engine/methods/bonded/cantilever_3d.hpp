@@ -15,7 +15,6 @@ inline Settings with_damping(double damping) {
   return settings;
 }
 
-/// A cantilever, `across` particles thick.
 inline Scene square_cantilever(int across) {
   const double L = 0.2, H = 0.02;
   Scene scene;
