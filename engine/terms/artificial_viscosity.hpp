@@ -15,6 +15,6 @@ T artificial_viscosity(const T& approach, const T& r2, const T& c_mean, const T&
 inline constexpr TermInfo artificial_viscosity_info{
     "artificial viscosity", "dv/dt = Σ m_j Π ∇W, Π = α h c̄/ρ̄ u·r/(r² + 0.01 h²) for approaching pairs",
     "[Khayyer2024] Eq. 15, 16", "terms/artificial_viscosity.hpp:artificial_viscosity",
-    "artificial viscosity: approaching pairs are slowed by Eq. 16, separating ones are not"};
+    "artificial viscosity: [Khayyer2024] Eq. 16 slows approaching pairs, but no separating pairs"};
 
 }  // namespace taut

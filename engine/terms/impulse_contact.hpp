@@ -18,7 +18,7 @@ inline constexpr ContactLawRow impulse_contact{
     .help = "impulses that stop the approach of two particles, [Khayyer2024] Eq. 53, 54",
     .term = {"contact", "Δ(m_i v_i) = m_i m_j/(m_i + m_j) · closing speed, between bodies, r < dp",
              "[Khayyer2024] Eq. 53, 54", "terms/impulse_contact.hpp:stopping_impulse",
-             "impulse contact: the impulse stops the approach of a pair and changes nothing else"},
+             "impulse contact: the impulse stops an approaching pair and is 0 for a separating pair"},
     .between = ContactBetween::particles,
     .impulse = stopping_impulse,
 };

@@ -35,7 +35,7 @@ inline constexpr ContactLawRow lennard_jones_contact{
     .help = "spring that hardens as particles approach, [Zhang2020] Eq. 12",
     .term = {"contact", "f = s/2 K1 K2/(K1 + K2) dp^d (l⁶ − l⁴)/r, l = dp/r ≥ 1, between bodies",
              "[Zhang2020] Eq. 12", "terms/lennard_jones_contact.hpp:lennard_jones_force",
-             "Lennard-Jones contact: the force is the slope of the energy and vanishes beyond one spacing"},
+             "Lennard-Jones contact: the force is −∂E/∂r and vanishes beyond one spacing"},
     .between = ContactBetween::particles,
     .force = lennard_jones_force,
     .energy = lennard_jones_energy,

@@ -30,7 +30,7 @@ inline constexpr ContactLawRow penalty_contact{
     .help = "spring with a stiffness from the bulk modulus, [TranDuc2023] Eq. 2.13 to 2.15",
     .term = {"contact", "f = s K1 K2/(K1 + K2) dp^(d−2) (dp − r) between bodies", "[TranDuc2023] Eq. 2.13",
              "terms/penalty_contact.hpp:penalty_force",
-             "penalty contact: the force is the slope of the energy and vanishes beyond one spacing"},
+             "penalty contact: the force is −∂E/∂r and vanishes beyond one spacing"},
     .between = ContactBetween::particles,
     .force = penalty_force,
     .energy = penalty_energy,

@@ -31,9 +31,9 @@ template <class T>
 T compression_term(const T& V_j, const T& dW, const T& closing_speed) {
   return -V_j * dW * closing_speed;
 }
-inline constexpr TermInfo compression_info{"continuity", "dρ/dt = ρ_i Σ V_j v_ij·∇W", "[Zhang2024] Eq. 11",
-                                           "terms/riemann.hpp:compression_term",
-                                           "riemann: approaching pairs grow denser, whatever their order"};
+inline constexpr TermInfo compression_info{
+    "continuity", "dρ/dt = ρ_i Σ V_j v_ij·∇W", "[Zhang2024] Eq. 11", "terms/riemann.hpp:compression_term",
+    "riemann: approaching pairs grow denser, and rotating pairs do not"};
 
 /// Term of the pressures in U* of Eq. 11, 1/s. Departure: share = 0 by default, as in the authors' program, since it
 /// softens bending.

@@ -22,7 +22,7 @@ Eigen::Matrix3d rotation_by_singular_values(const Eigen::Matrix3d& A);
 Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& A);
 
 Eigen::VectorXd solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
-/// x of A x = b, empty if a pivot is below `threshold` of the greatest.
+/// x of A x = b, empty if a pivot is below `threshold` times the greatest pivot.
 Eigen::VectorXd solution_if_any(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double threshold);
 
 }  // namespace taut::test

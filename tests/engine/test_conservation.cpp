@@ -43,7 +43,6 @@ double slowed(const Snapshot& start, const Snapshot& end) {
   return 1 - after / before;
 }
 
-/// The tic methods conserve neither momentum.
 bool keeps_linear_momentum(const MethodInfo& method) { return !method.name.ends_with("tic"); }
 
 /// With tensile instability control the thin ring bursts after some 90 steps.
@@ -68,8 +67,8 @@ const std::map<std::string, double> least_angular_change = {
     {"tl-small-strain", 0.002},
 };
 
-/// ccb does not damp tension, pf does not damp zigzags; tl-small-strain has the error of the step, and so has the
-/// contact of fe2.
+/// ccb does not damp tension, pf does not damp zigzags; tl-small-strain and the contact of fe2 have errors of the
+/// step.
 double greatest_energy_gain(std::string_view method) {
   if (method == "fe2") return 0.02;
   if (method == "ccb") return 0.2;

@@ -18,7 +18,7 @@ namespace {
 constexpr int steps = 150;
 constexpr double round_off = 1e-13;  // of the scale, over all steps
 
-/// A block, rotating about an axis that is no principal axis, is hit off-centre by a ball.
+/// A block that rotates about x is hit off-centre by a ball.
 Scene solid_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -45,7 +45,7 @@ double change(const Point& before, const Point& after) {
   return std::hypot(after[0] - before[0], after[1] - before[1], after[2] - before[2]);
 }
 
-double along_x(const Snapshot& now) {
+double momentum_along_x(const Snapshot& now) {
   double sum = 0;
   for (std::size_t i = 0; i < now.size(); ++i)
     if (now.body[i] == 0) sum += now.m[i] * now.v[3 * i];
@@ -73,7 +73,7 @@ TEST_SUITE("conservation") {
       }
       make_steps(*simulation, steps);
       const Balance after = balance(simulation->snapshot(), scene);
-      CHECK(std::abs(along_x(simulation->snapshot()) / along_x(start) - 1) > 0.1);
+      CHECK(std::abs(momentum_along_x(simulation->snapshot()) / momentum_along_x(start) - 1) > 0.1);
       const double push = change(before.linear_momentum, after.linear_momentum) / before.momentum_scale;
       if (claims(method, "linear momentum"))
         CHECK(push < round_off);

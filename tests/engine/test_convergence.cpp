@@ -23,7 +23,7 @@ double rate(const std::array<double, 3>& result) {
 }  // namespace
 
 TEST_SUITE("convergence") {
-  TEST_CASE("plate: small oscillations of enog have the period of thin-plate theory with ten rows") {
+  TEST_CASE("plate: small oscillations of enog with ten rows have a period from 0.25 to 0.27 s") {
     Scene scene = oscillating_plate(0.001);
     Measure period;
     period.name = "period";

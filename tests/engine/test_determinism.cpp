@@ -107,7 +107,7 @@ TEST_SUITE("determinism") {
     }
   }
 
-  TEST_CASE("threads: the default number gives each thread work") {
+  TEST_CASE("threads: by default a small scene runs on one thread") {
     Settings settings = with_method("tl");
     settings.threads = 0;
     const auto simulation = make_simulation(small_collision(), settings);

@@ -116,7 +116,7 @@ TEST_SUITE("unit") {
         if (constant.name == "riemann_limiter") settings.constants["beta_least"] = 0;
         settings.constants[std::string(constant.name)] = constant.value;
         const Snapshot same = state_after(steps, scene, settings);
-        // only greater values: with smaller values artificial stress is missing at the surface and the body tears
+        // with smaller values the body tears, because artificial stress is missing at the surface
         const double low = constant.name == "surface_colour" ? constant.high : constant.low;
         const double middle = 0.5 * (constant.value + low);
         settings.constants[std::string(constant.name)] = middle == constant.value ? constant.high : middle;

@@ -59,7 +59,7 @@ Scene free_square(int across) {
 }  // namespace
 
 TEST_SUITE("failure") {
-  TEST_CASE("rings: og tears both rings in the collision") {
+  TEST_CASE("rings: og tears the rings into more than four pieces") {
     const Judge judge = judged(colliding_rings(), "og", 0.0045);
     CHECK(judge.verdict() == Verdict::fractured);
     CHECK(judge.since().contains(Verdict::fractured));

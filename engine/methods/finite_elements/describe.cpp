@@ -10,7 +10,7 @@ namespace {
 constexpr TermInfo mass_info{
     "mass", "m_a = Σ_elements ρ0 V ω_a/Σ ω, ω: Gauss–Lobatto weight times det ∂X/∂ξ",
     "lumped and scaled to the mass of the element, as in HRZ lumping", "layout/element_mesh.cpp:add_volumes",
-    "element mesh: the volume of each shape is exact or converges, and all masses are positive"};
+    "element mesh: the volume of each shape is exact or converges, and nodal volumes are positive"};
 constexpr TermInfo step_info{
     "time step",
     "Δt = 2 cfl/√(max λ c² + ω²), ω: frequency of the contact spring while contact acts, "

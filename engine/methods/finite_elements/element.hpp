@@ -139,6 +139,6 @@ inline constexpr TermInfo element_strain_info{
 inline constexpr TermInfo element_force_info{
     "internal force", "f_a = −∂E/∂x_a, E = Σ_q w ψ(F̄)", "[Simo1985]",
     "methods/finite_elements/element.hpp:element_force",
-    "finite elements: forces are the derivative of the strain energy"};
+    "finite elements: forces are minus the derivative of the strain energy"};
 
 }  // namespace taut

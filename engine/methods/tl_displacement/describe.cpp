@@ -10,9 +10,9 @@
 namespace taut::tl_displacement {
 namespace {
 
-constexpr TermInfo time_info{
-    "time", "position Verlet, one step", "[Zhang2020] Eq. 10, 11", "methods/tl_displacement/solver.cpp:step",
-    "total Lagrangian: a colliding ring and disc move as in the direct transcription of the paper"};
+constexpr TermInfo time_info{"time", "position Verlet, one step", "[Zhang2020] Eq. 10, 11",
+                             "methods/tl_displacement/solver.cpp:step",
+                             "total Lagrangian: a colliding ring and disc follow the transcription"};
 
 }  // namespace
 

@@ -44,6 +44,6 @@ inline constexpr TermInfo boundary_projection_info{
     "boundary",
     "nearest velocities with v(X_B) = v_B and unchanged Σ m v, Σ m Z × v; with boundary_projection = 1",
     "[Lee2016] Appendix B", "methods/tl_mixed/boundary_projection.hpp:BoundaryProjection",
-    "boundary projection: boundary points get prescribed velocities, both momenta are conserved"};
+    "boundary projection: boundary points get prescribed velocities, and momenta are conserved"};
 
 }  // namespace taut

@@ -67,7 +67,7 @@ std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
 inline constexpr TermInfo corrected_laplacian_info{
     "dissipation", "D(U) = c_p dp (ε₂ L[U] − ε₄ dp² L*[L[U]]), L corrected", "[Lee2016] Eq. 36, 37, A.1–A.5",
     "methods/tl_mixed/corrected_laplacian.hpp:corrected_laplacian",
-    "corrected Laplacian: linear fields give 0 and the squared distance 2 d, also at surfaces"};
+    "corrected Laplacian: linear fields give 0 and in 2D the squared distance 4, also at surfaces"};
 
 /// Weights V_j w_ji/V_i of the adjoint L* (THEORY.md).
 template <int Dim>

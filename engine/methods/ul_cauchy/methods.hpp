@@ -90,7 +90,7 @@ inline constexpr Citation tranduc2023_citations[] = {
     {"artificial viscosity", "[TranDuc2023] §2.2", ""},
     {"artificial stress", "[TranDuc2023] §2.2", ""},
     {"time", "none stated: as in [Khayyer2024]",
-     "naive: updated-Lagrangian methods follow the transcription for a plate hit by a disc"},
+     "naive: ccb and ccbwat follow the transcription for a plate of two materials hit by a disc"},
 };
 
 /// Common settings of the methods of [TranDuc2023] §2.2, kernel of §2.1. The "artificial stresses" of the paper include

@@ -32,7 +32,6 @@ double modulus() { return ring_rubber().bulk_modulus() + 4.0 / 3 * ring_rubber()
 
 Scene scene_of(const std::vector<Shape>& shapes) { return scene_of_shapes(shapes, 2, dp); }
 
-/// Two discs that overlap by `depth`.
 Pressed<2> two_discs(double depth) {
   const double r = 0.006, angle = 0.7, apart = 2 * r - depth;
   return Pressed<2>(
@@ -74,7 +73,7 @@ void check_energy_stays(const Scene& scene) {
   CHECK(met);
 }
 
-/// Compares forces with the energy's slope; `within` is relative to the largest force.
+/// Checks that perturbed bodies have balanced forces −∂E/∂x, up to `within` times the largest force.
 void check_slopes(Pressed<2>& bodies, double within) {
   for (int i = 0; i < bodies.s.size(); ++i)
     bodies.s.x[i] += 0.03 * dp *
@@ -111,7 +110,7 @@ void check_slopes(Pressed<2>& bodies, double within) {
 }  // namespace
 
 TEST_SUITE("conservation") {
-  TEST_CASE("surface contact: a disc pressed onto a narrow block stays mirror-symmetric, as the block does") {
+  TEST_CASE("surface contact: a disc and a narrow block that it hits stay mirror-symmetric") {
     for (const double half_width : {0.003, 0.004}) {
       CAPTURE(half_width);
       Scene scene =
@@ -245,7 +244,7 @@ TEST_SUITE("analytic") {
     CHECK(block.energy() == Approx(0.25 * k * depth * depth * length).epsilon(1e-9));
   }
 
-  TEST_CASE("contact of faces: discs a micrometre apart exert no force, and no force is attractive") {
+  TEST_CASE("contact of faces: discs at least 1 μm apart exert no force, and no force is attractive") {
     for (const double depth : {-0.3e-3, -1e-6, 1e-6, 0.1e-3, 0.3e-3}) {
       CAPTURE(depth);
       Pressed<2> discs = two_discs(depth);
@@ -265,7 +264,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("contact of faces: forces are the slope of the energy, and their sum and moment vanish") {
+  TEST_CASE("contact of faces: forces are −∂E/∂x, and their sum and moment vanish") {
     Pressed<2> discs = two_discs(0.3 * dp);
     check_slopes(discs, 1e-5);
     for (const double past : {0.3, 0.8, 1.4}) {
@@ -367,7 +366,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("contact: a folding strip touches itself under every law and does not pass through") {
+  TEST_CASE("contact: closing arms do not pass through each other under any law") {
     Scene scene = closing_arms(2, dp, 0.008, arm, 0.15);
     for (const char* method : {"oenog", "tl", "pf-jst"}) {
       for (const ContactLaw law : find_method(method)->contact_laws) {
@@ -394,7 +393,7 @@ TEST_SUITE("failure") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("contact of faces: a body that is pressed or bent, but not folded, has no self-contact") {
+  TEST_CASE("contact of faces: a pressed or bent body has no self-contact, a rolled-up body has") {
     constexpr double inside = 0.008;
     CHECK(touching_after<2>([](const V& x) { return V{x[0], 0.5 * x[1]}; }, dp, inside) == 0);
     CHECK(touching_after<2>([](const V& x) { return bent(x, 0.012); }, dp, inside) == 0);

@@ -33,7 +33,6 @@ double modulus() { return ring_rubber().bulk_modulus() + 4.0 / 3 * ring_rubber()
 
 Scene scene_of(const std::vector<Shape>& shapes) { return scene_of_shapes(shapes, 3, dp); }
 
-/// Two balls that overlap by `depth`.
 Pressed<3> two_balls(double depth, double r = 0.006) {
   const double apart = 2 * r - depth;
   return Pressed<3>(scene_of(
@@ -125,9 +124,9 @@ TEST_SUITE("analytic") {
                               Box{{0.1 * dp, 3 * dp, 0}, {6.1 * dp, 9 * dp, 6 * dp}}});
       scene.bodies[0].shapes.push_back(Box{{-4 * dp, 0, -4 * dp}, {0, 12 * dp, step * dp}});
       Pressed<3> blocks(scene);
-      const double k = modulus() / (2 * dp), of_a_tenth = 0.25 * k * 0.01 * dp * dp * 36 * dp * dp;
+      const double k = modulus() / (2 * dp), energy_at_tenth = 0.25 * k * 0.01 * dp * dp * 36 * dp * dp;
       CHECK(length(blocks.force_on(1)) < 1e-6 * k * 0.1 * dp * 36 * dp * dp);
-      CHECK(std::abs(blocks.energy()) < 1e-6 * of_a_tenth);
+      CHECK(std::abs(blocks.energy()) < 1e-6 * energy_at_tenth);
     }
   }
 
@@ -151,7 +150,7 @@ TEST_SUITE("analytic") {
       CAPTURE(depth);
       Pressed<3> balls = two_balls(depth);
       const V force = balls.force_on(1);
-      // the error is of third order in spacing over radius
+      // the error of the gap is of third order in spacing over radius
       CHECK(std::abs(balls.gap() + depth) < 0.02 * dp);
       const double away = force[0] * direction[0] + force[1] * direction[1] + force[2] * direction[2];
       if (depth < 0)
@@ -164,7 +163,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("contact of faces: in 3D forces are the slope of the energy, and their sum and moment vanish") {
+  TEST_CASE("contact of faces: in 3D forces are −∂E/∂x, and their sum and moment vanish") {
     const Box low{{-0.004, 0, 0}, {0, 0.006, 0.006}};
     Scene on_edge = scene_of({low, Box{{0, 0.003, 0.0017}, {0.004, 0.007, 0.0057}}});
     on_edge.bodies[1].rotation = Rotation{{0, 0, 1}, {0, 0.003, 0}, -25};
@@ -182,7 +181,7 @@ TEST_SUITE("conservation") {
     };
     Case cases[] = {{"balls", two_balls(0.4 * dp, 0.004), 0},
                     {"rims", Pressed<3>(rims), 0.3},
-                    {"almost let through", Pressed<3>(rims), 0.85},
+                    {"rims, deep", Pressed<3>(rims), 0.85},
                     {"on edge", Pressed<3>(on_edge), 0.6},
                     {"two materials", Pressed<3>(hard_in_part), 0.3}};
     for (auto& [name, bodies, depth] : cases) {
@@ -310,7 +309,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("contact: in 3D closing arms touch under every law and do not pass through each other") {
+  TEST_CASE("contact: in 3D closing arms do not pass through each other under any law") {
     Scene scene = closing_arms(3, dp, 0.006, arm, 0.1);
     for (const char* method : {"oenog", "tl", "pf-jst"}) {
       for (const ContactLaw law : find_method(method)->contact_laws) {
@@ -384,7 +383,7 @@ TEST_SUITE("failure") {
 }
 
 TEST_SUITE("restart") {
-  TEST_CASE("contact of faces: in 3D a resumed run gives the same bytes on any number of threads") {
+  TEST_CASE("contact of faces: in 3D a run resumed on more threads gives the same bytes") {
     Scene scene = small_solid_collision();
     scene.contact = ContactLaw::surface;
     scene.bodies[1].shapes[0].shift(0, 5 * dp);
@@ -405,7 +404,7 @@ TEST_SUITE("restart") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("contact of faces: in 3D a body that is pressed or bent, but not folded, has no self-contact") {
+  TEST_CASE("contact of faces: in 3D a pressed or bent body has no self-contact, a rolled-up body has") {
     CHECK(touching_after<3>([](const V& x) { return V{x[0], 0.6 * x[1], x[2]}; }, dp, 0) == 0);
     CHECK(touching_after<3>([](const V& x) { return bent(x, 0.012); }, dp, 0) == 0);
     CHECK(touching_after<3>([](const V& x) { return bent(x, -0.003); }, dp, 0) > 0);

@@ -66,10 +66,10 @@ Scene disc_in_corner() {
 }
 
 /// Relative changes of momenta without wall impulses.
-struct Kept {
+struct MomentumChange {
   double linear, angular;
 };
-Kept change(const Balance& before, const Balance& after) {
+MomentumChange change(const Balance& before, const Balance& after) {
   const auto linear = [&](std::size_t k) {
     return after.linear_momentum[k] - after.of_walls.linear[k] - before.linear_momentum[k];
   };
@@ -81,7 +81,7 @@ Kept change(const Balance& before, const Balance& after) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("Lennard-Jones contact: the force is the slope of the energy and vanishes beyond one spacing") {
+  TEST_CASE("Lennard-Jones contact: the force is −∂E/∂r and vanishes beyond one spacing") {
     CHECK(lennard_jones_force(dp, dp, 1e7, 2) == 0);
     CHECK(lennard_jones_force(1.1 * dp, dp, 1e7, 2) == 0);
     CHECK(lennard_jones_energy(1.1 * dp, dp, 1e7, 2) == 0);
@@ -155,9 +155,10 @@ TEST_SUITE("conservation") {
         simulation->advance_to(10 * 0.008 / scene.materials[0].sound_speed());
         const Balance after = balance(simulation->snapshot(), scene);
         CHECK(after.of_walls.linear[1] > -1.1 * before.linear_momentum[1]);
-        const Kept kept = change(before, after);
-        if (method.conserves.starts_with("linear momentum")) CHECK(kept.linear < 1e-12);
-        if (method.conserves.find("angular momentum") != std::string_view::npos) CHECK(kept.angular < 1e-12);
+        const MomentumChange changed = change(before, after);
+        if (method.conserves.starts_with("linear momentum")) CHECK(changed.linear < 1e-12);
+        if (method.conserves.find("angular momentum") != std::string_view::npos)
+          CHECK(changed.angular < 1e-12);
         const double energy = (after.kinetic + after.strain) / before.kinetic;
         CHECK(energy < (method.name == "pf" ? 1.3 : 1.02));  // zigzags of pf are undamped
         if (method.conserves.find("energy") != std::string_view::npos && law != ContactLaw::impulse)

@@ -157,7 +157,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("tensor: a tensor copied to all lanes sums to four times itself") {
+  TEST_CASE("tensor: a sum over lanes adds the lanes of each component") {
     const Vec<double, 3> v = {1.5, -2, 0.25};
     for (int k = 0; k < 3; ++k) CHECK(sum(spread(v))[k] == 4 * v[k]);
     const Vec<Pack, 3> lane_by_lane{Pack{1, 2, 3, 4}, Pack{10, 20, 30, 40}, Pack{100, 200, 300, 400}};
@@ -222,7 +222,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("parallel: items made on several threads are taken once, in order, with few in memory") {
+  TEST_CASE("parallel: items made on several threads are taken once, in order, with at most 4096 in memory") {
     for (const int threads : {1, 3})
       for (const int n : {0, 1, 4096, 10000}) {
         CAPTURE(threads);

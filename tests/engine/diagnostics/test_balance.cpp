@@ -80,7 +80,7 @@ TEST_SUITE("unit") {
     CHECK(balance(now, scene).strain == Approx(1));
   }
 
-  TEST_CASE("balance: rigid rotation has angular momentum I ω and no linear momentum about the centre") {
+  TEST_CASE("balance: rigid rotation about the centre has angular momentum I ω and no linear momentum") {
     const Scene scene = made_scene(2, 1, {unit_bulk()});
     Snapshot now = made_snapshot(2, {{1, 0, 0}, {-1, 0, 0}, {0, 2, 0}, {0, -2, 0}});
     const double omega = 3;

@@ -117,8 +117,7 @@ TEST_SUITE("unit") {
     CHECK(cells.at(apart).particle.size() == outside + 2 * (n - 2) * (n - 2));
   }
 
-  TEST_CASE(
-      "cells: cells of a ring have sides along and across its layers, and are as wide as the layers are apart") {
+  TEST_CASE("cells: cells of a ring lie along its layers and are as thick as the layers are apart") {
     Lattice ring;
     const double dr = 0.1;
     const int layers = 3, count = 58;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr CriticalStepSearch quick{.steps = 100, .tolerance = 2e-3};
 
-/// `pull`: relative speed of the sides in sound speeds.
+/// `pull`: speed of the left and of the right side, in sound speeds.
 Scene square(double pull = 0) {
   const double half = 0.5;
   Scene scene;
@@ -54,7 +54,8 @@ double critical(const Scene& scene, const Settings& settings) {
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("critical step: four neighbours give the sharp limit, which exceeds the sufficient limit") {
+  TEST_CASE(
+      "critical step: with four neighbours the search finds the sharp limit, above the sufficient limit") {
     for (const double normalised : {0.0, 1.0}) {
       CAPTURE(normalised);
       const Scene scene = square();
@@ -68,7 +69,8 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("critical step: more neighbours give the sharp limit of the lattice with uncorrected gradients") {
+  TEST_CASE(
+      "critical step: with more neighbours and uncorrected gradients the search finds the sharp limit") {
     for (const double h : {0.7, 1.0, 1.3}) {
       CAPTURE(h);
       const Settings settings = with_h(h, 0);
@@ -86,10 +88,10 @@ TEST_SUITE("analytic") {
     for (const double h : {0.45, 1.0}) {
       CAPTURE(h);
       const auto limits = step_limits(cube, with_h(h, 0));
-      REQUIRE(limits.size() == 1);  // [Zhang2020] has four neighbours
+      REQUIRE(limits.size() == 1);  // the sufficient limit of [Zhang2020] is for 2D
       CHECK(critical(cube, with_h(h, 0)) == Approx(limits[0].step).epsilon(0.05));
     }
-    // the corrected V W' is 1/2; the steepest wave (1, 1, 1) π/2 has |κ| = √3
+    // the corrected V W' is 1/2 for dp = 1; the steepest wave (1, 1, 1) π/2 has |κ| = √3
     Settings six = with_method("tl");
     six.constants["h"] = 0.6;
     const Material& m = cube.materials[0];
@@ -102,14 +104,14 @@ TEST_SUITE("convergence") {
   TEST_CASE(
       "critical step: the step is smallest for medium h, normalising raises it for short and lowers it for long h") {
     const auto step = [](double h, double normalised) { return critical(square(), with_h(h, normalised)); };
-    const double as_it_comes[] = {step(0.55, 0), step(0.75, 0), step(1.3, 0)};
+    const double uncorrected[] = {step(0.55, 0), step(0.75, 0), step(1.3, 0)};
     const double normalised[] = {step(0.55, 1), step(0.75, 1), step(1.3, 1)};
-    for (const auto& s : {as_it_comes, normalised}) {  // [Zhang2020] Fig. 16
+    for (const auto& s : {uncorrected, normalised}) {  // [Zhang2020] Fig. 16
       CHECK(s[1] < 0.95 * s[0]);
       CHECK(s[1] < 0.95 * s[2]);
     }
-    CHECK(normalised[0] > 1.1 * as_it_comes[0]);
-    CHECK(normalised[2] < 0.9 * as_it_comes[2]);
+    CHECK(normalised[0] > 1.1 * uncorrected[0]);
+    CHECK(normalised[2] < 0.9 * uncorrected[2]);
   }
 }
 
@@ -155,7 +157,7 @@ TEST_SUITE("unit") {
     CHECK(!all.unstable);
   }
 
-  TEST_CASE("critical step: only methods of one leap-frog step have a limit to compare with") {
+  TEST_CASE("critical step: only tl, icb and tl-small-strain have limits to compare with") {
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
       const std::size_t limits = step_limits(square(), with_method(std::string(method.name))).size();

@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A square displaced by (0.1 y, 0), its third corner also by `extra`.
+/// Five particles displaced by (0.1 y, 0), the third also by `extra`.
 Snapshot sheared(Point extra = {}) {
   Snapshot now = made_snapshot(2, {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 2}});
   for (std::size_t i = 0; i < now.size(); ++i) now.x[2 * i] += 0.1 * now.x0[2 * i + 1];
@@ -37,7 +37,7 @@ std::vector<Solution> shear() {
   return {[](const Point& x, double t) { return t * x[1]; }, [](const Point&, double) { return 0.0; }};
 }
 
-/// Adds a small rigid motion.
+/// Adds a linearised rigid motion.
 void move(Snapshot& now) {
   for (std::size_t i = 0; i < now.size(); ++i) {
     now.x[2 * i] += 0.3 - 0.5 * now.x0[2 * i + 1];

@@ -48,7 +48,7 @@ void move(Snapshot& now, const auto& motion) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("fields: every row has a unique key, a name, a unit and a help text") {
+  TEST_CASE("fields: every row has a unique key, a name, a help text and, unless dimensionless, a unit") {
     std::set<std::string_view> keys;
     for (const Field& field : fields()) {
       CAPTURE(field.key);
@@ -126,7 +126,7 @@ TEST_SUITE("unit") {
     CHECK(value("principal_3", now) == Approx(-6));
   }
 
-  TEST_CASE("fields: fields of 3D only are absent in 2D") {
+  TEST_CASE("fields: some fields exist in 3D only") {
     CHECK(fields(2).size() + 8 == fields(3).size());
     for (const char* key :
          {"velocity_z", "displacement_z", "stress_xz", "stress_yz", "stress_zz", "strain_zz"}) {
@@ -193,7 +193,7 @@ TEST_SUITE("unit") {
     CHECK(value("zigzag", now, 0) == 0);
   }
 
-  TEST_CASE("fields: a rotating body has no strain, whatever its neighbour does") {
+  TEST_CASE("fields: a rotated body beside another body has no strain") {
     Snapshot now = block(3);
     const std::size_t n = now.size();
     Snapshot other = block(3);
@@ -224,7 +224,7 @@ TEST_SUITE("unit") {
     CHECK(value("equivalent_strain", now) == 0);
   }
 
-  TEST_CASE("fields: fields that are never negative are not drawn as signed") {
+  TEST_CASE("fields: fields with negative values are signed, and norms and density are not") {
     Snapshot now = made_snapshot(2, {{0, 0, 0}});
     now.x = {-1, -1};
     now.v = {-1, -1};

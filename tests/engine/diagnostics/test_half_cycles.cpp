@@ -84,7 +84,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("decay: a steady lopsided wave has no decay") {
+  TEST_CASE("decay: the decay of a steady lopsided wave is 0") {
     const auto lopsided = [](double t) {
       return std::sin(2 * pi * t) * (std::sin(2 * pi * t) > 0 ? 1 : 0.3);
     };

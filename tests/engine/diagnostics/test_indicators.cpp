@@ -74,7 +74,7 @@ double pressure_share(const Sample& body, const ScalarField& p) {
   return share(body, now, pressure);
 }
 
-/// (−1)^(lattice index along the selected axes).
+/// (−1)^(sum of the lattice indices along the selected axes).
 double sign(const Point& X, double dp, int along_x, int along_y) {
   const long place =
       along_x * std::lround(std::floor(X[0] / dp)) + along_y * std::lround(std::floor(X[1] / dp));
@@ -144,13 +144,12 @@ TEST_SUITE("unit") {
       double checkerboard = 0, squares = 0;
       for (int e = found[0]; e < found[1]; ++e) {
         const auto entry = static_cast<std::size_t>(e);
-        // the neighbours' signs alternate
         const double w = part.weights(static_cast<int>(found - part.begin.begin()))[e - found[0]];
         checkerboard += (part.j[entry] - middle) % 2 == 0 ? w : -w;
         squares += w * w;
       }
       CHECK(checkerboard == Approx(1).epsilon(1e-12));
-      // by hand: √(11/8)/2 and √(207/170) 85/128
+      // κ by hand: √(11/8)/2 and √(207/170) 85/128
       CHECK(std::sqrt(squares) == Approx(dim == 2 ? 0.5863019699779287 : 0.7327733).epsilon(1e-6));
     }
   }

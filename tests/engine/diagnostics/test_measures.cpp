@@ -330,7 +330,7 @@ TEST_SUITE("unit") {
     CHECK(ratio("decay") == Approx(1));
   }
 
-  TEST_CASE("measure: other units rescale the path error") {
+  TEST_CASE("measure: other units rescale the path error and leave the turn unchanged") {
     Scene scene = scene_of("path_error");
     scene.measures[0].probes = {"y", "gap"};
     scene.measures[0].scale = 2;

@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Decaying lines at 150, 357 and 446 Hz on a slope.
+/// Lines at 150, 357 and 446 Hz on a slope, with the decay rate `damping`.
 struct Ringing {
   std::vector<double> t, y;
 
@@ -118,7 +118,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("spectrum: many samples without a line take no long search") {
+  TEST_CASE("spectrum: many samples of a curve with two jumps have no line") {
     std::vector<double> t, y;
     for (int k = 0; k <= 300000; ++k)
       t.push_back(k / 3e5), y.push_back((t.back() > 0.3) + 0.7 * (t.back() > 0.7));

@@ -227,7 +227,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "penetration in 3D: a body penetrates another from a depth of 0.41 spacings behind four particles") {
+      "penetration in 3D: behind four particles penetration begins at a depth from 0.3 to 0.5 spacings") {
     const Snapshot start = two_cubes();
     const auto inside = [&](double right, double up, double turn = 0) {
       Snapshot now = start;

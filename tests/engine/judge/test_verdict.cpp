@@ -14,7 +14,7 @@ using namespace taut;
 using namespace taut::test;
 
 TEST_SUITE("unit") {
-  TEST_CASE("verdict: names convert both ways and are ordered from best to worst") {
+  TEST_CASE("verdict: names convert both ways, and verdicts are ordered from best to worst") {
     CHECK(name(Verdict::stable) == "stable");
     CHECK(name(Verdict::diverged) == "diverged");
     for (const Verdict each :
@@ -54,7 +54,7 @@ TEST_SUITE("unit") {
           }) == Verdict::stable);
   }
 
-  TEST_CASE("judge: a zigzag in one patch is found in a body of any size, also beside other bodies") {
+  TEST_CASE("judge: a zigzag in one patch of a large body is found, also beside another body") {
     const Scene scene = made_scene(2, dp, {unit_bulk(), unit_bulk()});
     constexpr std::size_t of_first = 60 * 30;
     for (const bool bystander : {false, true})
@@ -143,7 +143,7 @@ TEST_SUITE("unit") {
     CHECK(judge.since() == std::map<Verdict, double>{{Verdict::fractured, 2.0}});
   }
 
-  TEST_CASE("judge: a bond is unbroken up to 2 dp for any smaller support") {
+  TEST_CASE("judge: a bond is unbroken up to 2 dp even if the support is shorter") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 2, 1);
     Judge judge(scene, now, 1.2 * dp, searched);
@@ -173,7 +173,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("judge: the ends of a broken bond may be eight bonds apart, not nine") {
     const Scene scene = one_body(2);
-    for (const int bonds : {8, 9}) {  // in a straight closed chain, besides the breaking bond
+    for (const int bonds : {8, 9}) {  // of a straightened ring, without the breaking bond
       const int n = bonds + 1;
       const double turn = 2 * 3.14159265358979 / n, radius = 0.5 * dp / std::sin(0.5 * turn);
       std::vector<Point> places;
@@ -245,7 +245,7 @@ TEST_SUITE("unit") {
         CHECK(verdict(kept, cracked) == (opened > 1.5 ? Verdict::fractured : Verdict::stable));
       }
     }
-    // a ragged crack also pairs non-collinear bonds
+    // at a ragged crack, initially collinear bonds may no longer be collinear
     const Scene flat = one_body(2);
     for (const bool ragged : {false, true}) {
       Snapshot now = lattice(2, 16, 6);
@@ -296,7 +296,7 @@ TEST_SUITE("unit") {
     CHECK(judge.beyond_law().share == 0);
     draw_out(2.6, 2);
     draw_out(1, 3);
-    // 42 bonds of 7 × 6 along x, 8 × 5 across and 2 × 7 × 5 diagonals
+    // 7 × 6 bonds along x; further 8 × 5 across and 2 × 7 × 5 diagonal bonds
     CHECK(judge.beyond_law().share == relative(42.0 / 152, 1e-12));
     CHECK(judge.beyond_law().since == 2);
     settings.method = "tl";

@@ -32,7 +32,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "judge: kinetic energy above twice the initial energy is divergence, whatever the strain energy") {
+      "judge: kinetic energy above twice the initial or a lasting loss of strain energy is divergence") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 6, 1);
     now.strain_energy.assign(now.size(), 0);
@@ -74,7 +74,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("judge: the greatest work of drives so far counts as energy given") {
+  TEST_CASE("judge: the greatest external work so far counts as received energy") {
     const Scene scene = one_loaded_body();
     Snapshot now = lattice(2, 6, 1);
     Judge judge(scene, now, support, searched);
@@ -90,7 +90,7 @@ TEST_SUITE("unit") {
     CHECK(judge.since() == std::map<Verdict, double>{{Verdict::diverged, 3.0}});
   }
 
-  TEST_CASE("judge: divergence does not depend on a common motion unless a body is constrained") {
+  TEST_CASE("judge: divergence does not depend on a common motion unless the body may meet a wall") {
     Scene scene = one_body(2);
     const auto verdict = [&](double common) {
       Snapshot now = lattice(2, 6, 1);

@@ -75,7 +75,7 @@ TEST_SUITE("unit") {
     });
   }
 
-  TEST_CASE("kernel: w'' is the derivative of w'") {
+  TEST_CASE("kernel: w'' of Wendland C2 is the derivative of w'") {
     using K = Kernel<KernelName::wendland_c2>;
     const double step = 1e-5;
     for (double q = 0.01; q < K::support + 0.5; q += 0.07) {

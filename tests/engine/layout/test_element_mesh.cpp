@@ -82,7 +82,7 @@ std::vector<Case> cases() {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("element mesh: the volume of each shape is exact or converges, and all masses are positive") {
+  TEST_CASE("element mesh: the volume of each shape is exact or converges, and nodal volumes are positive") {
     for (const Case& one : cases())
       for (const int order : {1, 2}) {
         CAPTURE(one.volume);
@@ -129,7 +129,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "element mesh: a shape without mesh and jitter are refused, and the message names shapes with a mesh") {
+      "element mesh: jitter and shapes without a mesh are refused, and the message names shapes with a mesh") {
     const Polygon triangle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
     const Scene scene = scene_of(2, 1, {triangle});
     CHECK_THROWS_WITH_AS(make_initial_particles(scene),
@@ -168,7 +168,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("element mesh: shape functions at a point reproduce it") {
+  TEST_CASE("element mesh: shape functions reproduce the point at which they are evaluated") {
     for (const Case& one : cases())
       for (const int order : {1, 2}) {
         const InitialParticles nodes = make_initial_particles(scene_of(one.dim, order, {one.shape}));

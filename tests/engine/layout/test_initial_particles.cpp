@@ -143,7 +143,7 @@ TEST_SUITE("unit") {
     CHECK(make_initial_particles(one_body(2, 1, {right, left})).size() == 5 * 2);
   }
 
-  TEST_CASE("layout: boxes, balls and hollow balls in 3D have the particles of their volume") {
+  TEST_CASE("layout: the particles of boxes, balls and hollow balls in 3D have the volume of the shape") {
     CHECK(make_initial_particles(one_body(3, 0.5, {Box{{0, 0, 0}, {1, 2, 3}}})).size() == 2 * 4 * 6);
     const double ball = 4.0 / 3 * std::numbers::pi;
     CHECK(volume(make_initial_particles(one_body(3, 0.05, {Disc{{0, 0, 0}, 1}}))) == relative(ball, 0.01));
@@ -159,7 +159,7 @@ TEST_SUITE("unit") {
     CHECK(fitted_spacing(body_of(Box{{0, 0, 0}, {1, 1, 0}}), 2, 40) == 1);
   }
 
-  TEST_CASE("layout: bodies may touch, but not overlap") {
+  TEST_CASE("layout: bodies whose particles start less than half a spacing apart are refused") {
     Scene scene = one_body(2, 1, {Box{{0, 0, 0}, {3, 2, 0}}});
     scene.bodies.push_back(scene.bodies[0]);
     scene.bodies[1].name = "other";

@@ -86,7 +86,7 @@ TEST_SUITE("unit") {
     CHECK(holds(error_of(scene), "contains no particle: the rest of its shapes after 'without'"));
   }
 
-  TEST_CASE("layout: a disc with a hole is a lattice and is reflected with its hole") {
+  TEST_CASE("layout: a disc with a notch is reflected with its notch") {
     Scene scene = one_body(2, 0.5, {Disc{{3, 0, 0}, 2, RoundLayout::spaced}});
     scene.bodies[0].without = {Box{{4, -1, 0}, {9, 1, 0}}};
     scene.bodies[0].mirror[0] = true;
@@ -116,7 +116,7 @@ TEST_SUITE("unit") {
     CHECK(rotated({{0, 1, 0}, {0, 0, 0}, -450}, {1, 2, 3}) == Point{-3, 2, 1});
   }
 
-  TEST_CASE("layout: two bodies rotated against each other are mirror images to the last bit") {
+  TEST_CASE("layout: two bodies rotated in opposite directions are mirror images to the last bit") {
     for (const int dim : {2, 3}) {
       Scene scene = one_body(dim, 0.1, {Box{{-2.3, 0.1, 0.3}, {-1, 0.7, 0.6}}});
       scene.bodies[0].rotation = Rotation{{0, 0, 1}, {-2.3, 0.4, 0.1}, 25};
@@ -160,7 +160,7 @@ TEST_SUITE("unit") {
     for (const int cells : {1, 2, 3, 4, 7}) {
       CAPTURE(cells);
       const double side[3] = {1.0 * cells, 3, 2}, volume = side[0] * 6;
-      // rollers at no face, at x = 0, or also at the opposite faces of the other axes
+      // no guides, rollers at x = 0, or also guides along y and z at the opposite face
       for (const int planes : {0, 1, 2}) {
         CAPTURE(planes);
         Scene scene = one_body(3, 1, {Box{{0, 0, 0}, {side[0], side[1], side[2]}}});

@@ -38,7 +38,8 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("material point: weights sum to one without first moment, also on a face and for a subset") {
+  TEST_CASE(
+      "material point: weights sum to one and have no first moment, and only given particles have weights") {
     const std::vector<Point> x = lattice();
     for (const Point& at : {Point{0.03, -0.07, 0}, Point{2.5 * dp, 0.04, 0}}) {
       double one = 0, along = 0, across = 0;
@@ -76,7 +77,7 @@ TEST_SUITE("analytic") {
     CHECK(inside[0].particle == 22);
     CHECK(inside[0].weight == Approx(0.3).epsilon(1e-12));
     CHECK(inside[1].weight == Approx(0.7).epsilon(1e-12));
-    // beyond the face or off a lattice all neighbours count
+    // beyond the face all neighbours count
     CHECK(point({2.5 * dp, 0, 0}).size() == material_point(x, 0, 25, {2.5 * dp, 0, 0}, 2.6 * dp, 2).size());
   }
 }

@@ -70,7 +70,7 @@ void check_faces(const Scene& scene, double length) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("outline: a node at a slot is an in-plane mean of particles on its own side") {
+  TEST_CASE("outline: a node at a slot is a mean of particles on its own side") {
     const Scene scene = of({Box{{0, 0, 0}, {6 * dp, 6 * dp, 0}}, Box{{7 * dp, 0, 0}, {13 * dp, 6 * dp, 0}}});
     const InitialParticles initial = make_initial_particles(scene);
     const Outline outline = make_outline(scene, initial);
@@ -97,7 +97,7 @@ TEST_SUITE("unit") {
     check_faces(of({Box{{0, 0, 0}, {0.02, 0.006, 0}}, Box{{0.012, 0, 0}, {0.03, 0.006, 0}}}), 0.072);
   }
 
-  TEST_CASE("outline: each particle of the outermost layer has one node at its angle") {
+  TEST_CASE("outline: each node of a ring is half a spacing from a particle") {
     const Scene scene = of({Ring{{0, 0, 0}, 0.03, 0.04}});
     const InitialParticles initial = make_initial_particles(scene);
     const Outline outline = make_outline(scene, initial);

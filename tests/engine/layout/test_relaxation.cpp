@@ -128,7 +128,7 @@ std::vector<Point> points_on_sphere(double radius) {
   return points;
 }
 
-/// Ball in its torsional mode of order 2, u = j2(kr)/r² z (−y, x, 0) with kR = 2.50113, and the period of the mode.
+/// Ball in its torsional mode of order 2, u = j2(kr)/r² z (−y, x, 0) with kR = 2.50113.
 struct TwistingBall {
   Scene scene = relaxed_body({Disc{{0, 0, 0}, 5 * dp}}, {}, 3);
   double period = 0;
@@ -208,7 +208,7 @@ TEST_SUITE("unit") {
                              {Disc{{0, -0.1, 0}, 0.3}})) == relative(1.6 + 0.155 * std::numbers::pi, 2e-4));
   }
 
-  TEST_CASE("relaxation: a lattice that fits its body stays, and away from cut faces it stays too") {
+  TEST_CASE("relaxation: a lattice that fits its body is unchanged, also far from a cut-out") {
     Scene scene = relaxed_body({Box{{0, 0, 0}, {1, 0.5, 0}}, Box{{1, 0, 0}, {1.5, 1, 0}}});
     const auto layout_if = [&](bool relaxed) {
       scene.bodies[0].relaxed = relaxed;

@@ -157,7 +157,7 @@ void check_cauchy(const L& law) {
   }
 }
 
-/// Greatest relative deviation of P(Q F) from Q P, of the energy and of the normal stress.
+/// Greatest of |P(Q F) − Q P(F)|, |ψ(Q F) − ψ(F)| and |σ_zz(Q F) − σ_zz(F)|, over |P(F)|.
 template <int Dim, class L>
 double lack_of_objectivity(const L& law) {
   double lack = 0;
@@ -191,8 +191,8 @@ void check_plane(const L& law) {
 M2 rate_of_cofactor(const M2&, const M2& rate) { return cofactor(rate); }
 M3 rate_of_cofactor(const M3& F, const M3& rate) { return tensor_cross(F, rate); }
 
-/// Checks H = cof F, and that P is the slope of ψ(F, H, J) along the rates of [Lee2016] Eq. 33, so that mixed
-/// methods have an energy.
+/// Checks P(F, cof F, J) = P(F, J), and that P is the slope of ψ(F, H, J) along the rates of [Lee2016] Eq. 33, so
+/// that mixed methods have an energy.
 template <int Dim, class L>
 void check_own_cofactor(const L& law) {
   constexpr double step = 1e-6;
@@ -328,7 +328,7 @@ TEST_SUITE("term") {
     CHECK_FALSE(may_run_with<icb, Law::linear_elastic>);
   }
 
-  TEST_CASE("laws: four particles of two materials at a time give the results of single ones") {
+  TEST_CASE("laws: four packed particles of two materials give the results of single particles") {
     const auto check = []<class L>(const L& law, const L& other) {
       check_four<2>(law, other);
       check_four<3>(law, other);
@@ -361,7 +361,7 @@ TEST_SUITE("term") {
     }
     const M2 reflection{{{1, 0}, {0, -1}}};  // two rotations are equally near
     CHECK(greatest(minus(nearest_rotation(reflection), M2{{{1, 0}, {0, 1}}})) == 0);
-    // the initial torque of half turns is zero
+    // for half turns the iteration starts with zero torque
     const M3 U{{{1.4, 0.2, 0.1}, {0.2, 0.6, -0.1}, {0.1, -0.1, 0.9}}};
     for (const Vec<double, 3>& axis : {Vec<double, 3>{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.36, -0.48, 0.8}}) {
       for (const double off : {0.0, 1e-7, -1e-3}) {

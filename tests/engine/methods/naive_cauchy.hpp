@@ -11,7 +11,7 @@
 #include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
-/// Transcribes [Khayyer2024] and [TranDuc2023] §2.2 in 2D and, ours, in 3D. r_ij = r_j − r_i, u_ij = u_j − u_i, ∇ is
+/// Transcribes [Khayyer2024] and [TranDuc2023] §2.2 in 2D; the 3D form is ours. r_ij = r_j − r_i, u_ij = u_j − u_i, ∇ is
 /// ∇_i w. Choices: tests/README.md (Transcriptions).
 namespace taut::test::naive_cauchy {
 
@@ -82,7 +82,7 @@ class Run {
   Counts counts;
   double time = 0;
   double riemann_factor = 1;
-  int limiter = 0;  // 1: minmod, 2: van Leer, 3: no reconstruction
+  int limiter = 0;  // 0: none, 1: minmod, 2: van Leer, 3: no reconstruction
   double geometry = 0.5;
 
   void step() {
@@ -90,7 +90,7 @@ class Run {
     find_others();
     const std::vector<Vector> a = accelerations();
     const std::vector<double> D = density_diffusion();
-    const std::vector<double> rho = densities();  // initial volumes
+    const std::vector<double> rho = densities();  // at the start of the step
     for (std::size_t i = 0; i < particles.size(); ++i)
       if (!particles[i].clamped) particles[i].u = particles[i].u + dt * a[i];
     if (!is_.tranduc) stop_approach();

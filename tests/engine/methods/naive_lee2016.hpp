@@ -176,7 +176,7 @@ struct Run {
     return out;
   }
 
-  /// Z ↦ λ × Z.
+  /// Matrix of the map λ ↦ λ × z.
   static Eigen::Matrix<double, Dim, Dim == 2 ? 1 : 3> cross_matrix(const Vector& z) {
     Eigen::Matrix<double, Dim, Dim == 2 ? 1 : 3> columns;
     if constexpr (Dim == 2)

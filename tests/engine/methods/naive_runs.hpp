@@ -10,7 +10,7 @@
 #include "tests/engine/methods/naive_total_lagrangian.hpp"
 #include "tests/engine/methods/naive_zhang2024.hpp"
 
-/// Transcriptions are independent programs of the papers' equations. Only this file connects them with the engine.
+/// Only this file connects the transcriptions of papers with the engine.
 namespace taut::test {
 
 template <class Vector>

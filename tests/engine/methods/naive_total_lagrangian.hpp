@@ -60,7 +60,7 @@ struct Run {
   double dp, h, cfl, rho0, K, G, contact_stiffness;
   std::vector<Particle> particles;
   double time = 0;
-  long contacts = 0;  // pairs, summed over steps
+  long contacts = 0;  // ordered pairs, summed over steps
   std::vector<std::vector<std::size_t>> near = {}, touching = {};
   double alpha = 0, shear_factor = 0, damping = 0;
 
@@ -110,7 +110,7 @@ struct Run {
     return y == 0 ? 1 : std::sin(y) / y;
   }
 
-  /// False beyond the support or for another body.
+  /// False beyond the support, for another body or for i itself.
   bool gradient(const Particle& i, const Particle& j, Vector& g) const {
     if (&i == &j || i.body != j.body) return false;
     const Vector d = i.X - j.X;

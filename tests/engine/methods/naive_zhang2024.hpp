@@ -68,7 +68,7 @@ class Run {
   std::vector<Particle> particles;
   bool cubic_spline = false;  // instead of Wendland's
   double pressure_diffusion = 0;
-  int rebuilds = 0, contacts = 0;  // contacts: pairs, summed over steps
+  int rebuilds = 0, contacts = 0;  // contacts: ordered pairs, summed over steps
   double time = 0;
 
   void start() {

@@ -21,9 +21,9 @@ namespace {
 
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-/// Corrected kernel, [Lee2016] Eq. 23.
-std::vector<std::pair<int, double>> seen_at(int i, const std::vector<Point>& X, const std::vector<double>& V,
-                                            double h, int dim) {
+/// Weights V W of the corrected kernel at particle i, [Lee2016] Eq. 23.
+std::vector<std::pair<int, double>> corrected_weights(int i, const std::vector<Point>& X,
+                                                      const std::vector<double>& V, double h, int dim) {
   std::vector<std::pair<int, double>> W;
   Eigen::MatrixXd M = Eigen::MatrixXd::Zero(1 + dim, 1 + dim);
   const auto basis = [&](int a) {
@@ -45,7 +45,7 @@ std::vector<std::pair<int, double>> seen_at(int i, const std::vector<Point>& X, 
 
 double h_over_dp(int dim) { return dim == 3 ? pf.h_over_dp_3d : pf.h_over_dp; }
 
-/// Clamped at x = 0, with rollers at y = 0.
+/// Particles, clamped at x = 0, with rollers at y = 0; dp = 1.
 struct Made {
   Made(int dim, double jitter) {
     std::mt19937 random(7);
@@ -64,7 +64,7 @@ struct Made {
     }
     for (int i = 0; i < static_cast<int>(X.size()); ++i)
       if (axes[i] != 0)
-        points.push_back({seen_at(i, X, V, h_over_dp(dim), dim),
+        points.push_back({corrected_weights(i, X, V, h_over_dp(dim), dim),
                           axes[i],
                           {any(random), any(random), dim == 3 ? any(random) : 0}});
   }
@@ -132,7 +132,7 @@ double greatest_miss(const Scene& scene, const Snapshot& now, double h) {
   for (int i = 0; i < static_cast<int>(X.size()); ++i) {
     const bool driven = body.drives[0].where(X[i]) != 0, clamped = body.clamped(X[i]) != 0;
     Point sum{};
-    for (const auto& [a, W] : seen_at(i, X, V, h * scene.spacing, scene.dim))
+    for (const auto& [a, W] : corrected_weights(i, X, V, h * scene.spacing, scene.dim))
       for (std::size_t k = 0; k < 3; ++k) sum[k] += W * now.velocity(a)[k];
     const Point given{driven ? body.drives[0].velocity[0](now.time) : 0, 0, 0};
     for (std::size_t k = 0; k < 3; ++k)
@@ -145,7 +145,7 @@ double greatest_miss(const Scene& scene, const Snapshot& now, double h) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("boundary projection: boundary points get prescribed velocities, both momenta are conserved") {
+  TEST_CASE("boundary projection: boundary points get prescribed velocities, and momenta are conserved") {
     for (const int dim : {2, 3}) {
       for (const double jitter : {0.0, 0.15}) {
         CAPTURE(dim);
@@ -205,7 +205,7 @@ TEST_SUITE("term") {
 
 TEST_SUITE("analytic") {
   TEST_CASE(
-      "boundary projection: after a step the interpolated velocities fulfil clamps, rollers and drives") {
+      "boundary projection: after five steps interpolated velocities fulfil clamps, rollers and drives") {
     struct Row {
       int dim;
       double h, without;  // a shorter kernel weighs neighbours less
@@ -244,7 +244,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("determinism") {
-  TEST_CASE("boundary projection: two threads, or a checkpoint and a drive's end, give the same bytes") {
+  TEST_CASE("boundary projection: two threads and a checkpoint after a drive's end give the same bytes") {
     Scene scene = clamped_and_driven(2);
     Settings settings = projected("pfj-jst");
     settings.step = 2e-6;

@@ -52,7 +52,7 @@ double strain_energy(const Snapshot& now) {
   return std::accumulate(now.strain_energy.begin(), now.strain_energy.end(), 0.0);
 }
 
-/// Smooth displacement with strains of about 0.1, and shifts of single nodes.
+/// Place after a smooth displacement with strains up to 0.2.
 Point bent(const Point& x, int dim) {
   Point y{x[0] + 0.1 * std::sin(x[0] + 2 * x[1]), x[1] + 0.1 * std::cos(1.7 * x[0] + x[2]), x[2]};
   if (dim == 3) y[2] += 0.1 * std::sin(x[0] - x[1] + 2 * x[2]);
@@ -74,7 +74,7 @@ double period_error(const std::string& method, int across) {
 }  // namespace
 
 TEST_SUITE("convergence") {
-  TEST_CASE("finite elements: the period of a plate converges, with fe1 by second order") {
+  TEST_CASE("finite elements: the period of a plate converges, for fe1 with second order") {
     const double coarse = period_error("fe1", 2), fine = period_error("fe1", 4);
     MESSAGE("errors of fe1: " << coarse << ", " << fine << "; of fe2: " << period_error("fe2", 2) << ", "
                               << period_error("fe2", 4));
@@ -122,7 +122,7 @@ TEST_SUITE("term") {
       }
   }
 
-  TEST_CASE("finite elements: forces are the derivative of the strain energy") {
+  TEST_CASE("finite elements: forces are minus the derivative of the strain energy") {
     for (const std::string& method : both)
       for (const int dim : {2, 3})
         for (const char* law : {"neo-hookean", "st-venant-kirchhoff"}) {

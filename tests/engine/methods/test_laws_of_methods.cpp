@@ -154,8 +154,7 @@ TEST_SUITE("term") {
     });
   }
 
-  TEST_CASE(
-      "oenog: the continuation of any law equals ClosedNeoHookean for the neo-Hookean law, also below J = 1/2") {
+  TEST_CASE("oenog: the general continuation below J = 1/2 equals ClosedNeoHookean for the neo-Hookean law") {
     const NeoHookean other{4.6, 1};
     const ClosedNeoHookean<double> own{4.6, 1};
     for (const double pressed : {0.9, 0.45, 0.2, -0.15}) {
@@ -167,7 +166,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("laws: forces of tl and oenog are the slopes of their energies under every law") {
+  TEST_CASE("laws: forces of tl and oenog are minus the slopes of their energies under every law") {
     for (const Law law : choices) {
       for (const std::string method : {"tl", "oenog"}) {
         CAPTURE(law_row(law).choice);

@@ -131,7 +131,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("JST: in 3D every wave decays at the default h, and the default step is stable") {
+  TEST_CASE("JST: in 3D every zigzag decays at the default h, and the default step is stable") {
     const Cube cube(7, pf_jst.h_over_dp_3d);
     const int i = cube.middle();
     double slowest = 1e9, shortest = 1e9, steepest = 0;
@@ -284,8 +284,7 @@ TEST_SUITE("stability") {
 }
 
 TEST_SUITE("stability") {
-  TEST_CASE(
-      "mixed: a body that is softened by strain keeps the step of the body at rest, for any number of particles") {
+  TEST_CASE("mixed: a body softened by strain keeps the step at rest, also with an odd number of particles") {
     for (const double side : {4, 5}) {
       CAPTURE(side);
       Scene scene = pressed_block(1);

@@ -19,6 +19,7 @@ using namespace taut::test;
 
 namespace {
 
+/// [Khayyer2024]
 const char* const ladder[] = {"ulsph-av-as-uncorrected",
                               "ulsph-av-as",
                               "d-ulsph-av-as",
@@ -26,6 +27,7 @@ const char* const ladder[] = {"ulsph-av-as-uncorrected",
                               "d-ulsph-r-as",
                               "ulsph-r-tic",
                               "d-ulsph-r-tic"};
+/// [TranDuc2023] §2.2
 const char* const current_configuration[] = {"ccb", "ccbwat"};
 
 Scene two_materials() {
@@ -108,11 +110,11 @@ TEST_SUITE("reference") {
   TEST_CASE("naive: the ladder follows the transcription for a colliding ring and disc") {
     for (const char* method : ladder) check_method<2>(small_collision(), method, 16);
   }
-  TEST_CASE("naive: updated-Lagrangian methods follow the transcription for a plate hit by a disc") {
+  TEST_CASE("naive: ccb and ccbwat follow the transcription for a plate of two materials hit by a disc") {
     for (const char* method : current_configuration) check_method<2>(two_materials(), method, 25);
   }
   TEST_CASE("naive: in 3D updated-Lagrangian methods follow the transcription in collisions and at a clamp") {
-    Scene clamped = small_clamped_block();  // some particles are inside
+    Scene clamped = small_clamped_block();  // so thick that some particles are inside
     const double dp = clamped.spacing;
     clamped.bodies[0].shapes = {Box{{-3 * dp, -2.5 * dp, -2.5 * dp}, {6 * dp, 2.5 * dp, 2.5 * dp}}};
     clamped.bodies[1].shapes = {Disc{{0.0003, 0.0052, 0.0002}, 0.0021}};

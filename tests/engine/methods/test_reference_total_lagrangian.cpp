@@ -96,7 +96,7 @@ void check_mixed(const Scene& scene, const std::string& name, const Settings& se
 }  // namespace
 
 TEST_SUITE("reference") {
-  TEST_CASE("total Lagrangian: a colliding ring and disc move as in the direct transcription of the paper") {
+  TEST_CASE("total Lagrangian: a colliding ring and disc follow the transcription") {
     check_methods(small_collision());
   }
   TEST_CASE("total Lagrangian: a plate hit on its clamp follows the transcription") {

@@ -197,7 +197,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("term") {
-  TEST_CASE("corrected Laplacian: linear fields give 0 and the squared distance 2 d, also at surfaces") {
+  TEST_CASE("corrected Laplacian: linear fields give 0 and in 2D the squared distance 4, also at surfaces") {
     const Cloud cloud;
     const InitialPairs<2> pairs = cloud.pairs();
     const std::vector<double> w = corrected_laplacian<Wendland>(
@@ -279,7 +279,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("pf: without dissipation zigzags grow until the energy has doubled, with it they do not") {
+  TEST_CASE("pf: without dissipation the energy more than doubles, and with dissipation the energy falls") {
     const Scene scene = small_collision();
     const auto gain = [&](const std::string& method) {
       Settings settings = with_method(method);
@@ -301,7 +301,7 @@ TEST_SUITE("conservation") {
     Scene scene = rotating_plate(0.2);
     const auto turn = scene.bodies[0].velocity[0];  // symmetry alone would conserve the momenta
     scene.bodies[0].velocity[0] = [=](const Point& x) { return turn(x) + 2 * shake(x, 0.007); };
-    struct Kept {
+    struct Change {
       double linear, angular;
     };
     const auto change = [&](double projection, double adjoint, double h) {
@@ -311,19 +311,19 @@ TEST_SUITE("conservation") {
       const Balance before = balance(simulation->snapshot(), scene);
       make_steps(*simulation, 400);
       const Balance after = balance(simulation->snapshot(), scene);
-      return Kept{std::hypot(after.linear_momentum[0] - before.linear_momentum[0],
-                             after.linear_momentum[1] - before.linear_momentum[1]) /
-                      before.momentum_scale,
-                  std::abs(after.angular_momentum[2] - before.angular_momentum[2]) / before.angular_scale};
+      return Change{std::hypot(after.linear_momentum[0] - before.linear_momentum[0],
+                               after.linear_momentum[1] - before.linear_momentum[1]) /
+                        before.momentum_scale,
+                    std::abs(after.angular_momentum[2] - before.angular_momentum[2]) / before.angular_scale};
     };
     for (const double h : {pf_jst.h_over_dp, 1.05}) {
       for (const double adjoint : {0.0, 1.0}) {
-        const Kept kept = change(1, adjoint, h);
-        CHECK(kept.linear < 1e-12);
-        CHECK(kept.angular < 1e-12);
+        const Change projected = change(1, adjoint, h);
+        CHECK(projected.linear < 1e-12);
+        CHECK(projected.angular < 1e-12);
       }
     }
-    const Kept printed = change(0, 0, 1.05), with_adjoint = change(0, 1, 1.05);
+    const Change printed = change(0, 0, 1.05), with_adjoint = change(0, 1, 1.05);
     CHECK(printed.linear > 1e-5);
     CHECK(printed.angular > 1e-4);
     CHECK(with_adjoint.linear < 1e-12);  // constants have no Laplacian

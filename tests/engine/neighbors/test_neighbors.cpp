@@ -133,7 +133,7 @@ TEST_SUITE("neighbors") {
     CHECK(check_against_brute_force(x) == 50 * 49);
   }
 
-  TEST_CASE("neighbors: distant outliers neither lose pairs nor allocate the space between") {
+  TEST_CASE("neighbors: distant outliers do not remove pairs or allocate the space between") {
     const long before = peak_memory();
     for (const double far : {1e3, 1e7, 1e300}) {
       CAPTURE(far);

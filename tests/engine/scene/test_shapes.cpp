@@ -45,7 +45,6 @@ double volume(const Scene& scene) {
   return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
 }
 
-/// Checks that the volume converges to `exact`.
 void check_converges(const Shape& shape, double exact, double dp, int dim = 2) {
   double first = 0, last = 0;
   for (const double part : {1.0, 0.5, 0.25}) {
@@ -203,7 +202,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "shapes: in a hexagonal lattice each particle has the area dp² and six neighbours, and rows are complete") {
+      "shapes: in a hexagonal lattice each particle has the area dp² and six neighbours, and rows fill the height") {
     const double height = 0.01;
     Scene scene = scene_of(0.001, {Box{{0, 0, 0}, {0.1, height, 0}}});
     scene.bodies[0].lattice = Lattice::hexagonal;
@@ -255,7 +254,7 @@ TEST_SUITE("unit") {
     const std::string deep = overlap_of(scene);
     CHECK(has(deep, "bodies 'other' and 'body' overlap at (0.0"));
     CHECK(has(deep, ") m: "));
-    // particles at the centres of the other's cells
+    // particles at the corners of the other body's cells
     scene.bodies[1].shapes = {Box{{0.0055, 0.0055, 0}, {0.0105, 0.0105, 0}}};
     CHECK(has(overlap_of(scene), "overlap at (0.0065, 0.0065) m: a particle of 'body' is inside 'other'"));
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.02, 0.02, 0.02}}};
@@ -264,7 +263,7 @@ TEST_SUITE("unit") {
     CHECK(has(overlap_of(scene), "(0.0065, 0.0065, 0.0065) m"));
   }
 
-  TEST_CASE("shapes: a shape without particles is refused") {
+  TEST_CASE("shapes: empty regions and too large lattices are refused") {
     Scene scene = scene_of(0.001, {Box{{0, 0, 0}, {0.02, 0.02, 0}}});
     scene.bodies[0].clamped = [](const Point& x) { return x[0] < -1; };
     CHECK(has(overlap_of(scene), "held: no particle of body 'body' is held"));

@@ -124,7 +124,6 @@ void try_state(const std::string& state, const Scene& scene, const Settings& set
   }
 }
 
-/// TAUT_DAMAGED_WORDS overrides `few`.
 long words_to_damage(long few) {
   const char* const asked = std::getenv("TAUT_DAMAGED_WORDS");
   return asked ? std::atol(asked) : few;

@@ -145,7 +145,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("displacement: a body that starts inside another one is refused, whatever the layout") {
+  TEST_CASE("displacement: a body displaced into another is refused, whatever their undisplaced positions") {
     Scene scene = block(0.02);
     scene.bodies.push_back(scene.bodies[0]);
     Body& small = scene.bodies[1];

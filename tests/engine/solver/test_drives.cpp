@@ -126,7 +126,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("driven: the work of a piston attached to the end is the energy of the bar") {
+  TEST_CASE("driven: the work of a piston that never releases the bar is the energy of the bar") {
     Scene scene = pushed_bar();
     scene.bodies[0].drives[0].until = {};
     for (const MethodInfo& method : methods()) {
@@ -147,7 +147,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("determinism") {
-  TEST_CASE("driven: steady motion through gravity does no work in any method") {
+  TEST_CASE("driven: a body driven against gravity at constant speed receives no net work in any method") {
     Scene scene = pushed_bar();
     constexpr double speed = 0.3, g = 1000;
     scene.gravity[1] = [](double) { return -g; };

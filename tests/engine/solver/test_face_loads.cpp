@@ -28,7 +28,7 @@ namespace {
 
 constexpr double H = 0.02, E = 2e6, nu = 0.3, rho = 1000;
 
-/// Damped, under a slowly increasing traction at both ends.
+/// Damped, under a slowly increasing traction σ(y) at both ends.
 Scene pulled_block(int across, double L, const std::function<double(double)>& sigma, double omega) {
   Scene scene;
   scene.name = "block";
@@ -72,7 +72,7 @@ double error(const Snapshot& now, const std::function<double(double)>& sigma, do
   return std::sqrt(difference / size);
 }
 
-/// Traction t on the upper face and, with `both`, on the lower one.
+/// Traction t on the upper face and, with `both`, −t on the lower one.
 Scene thin_bar(int rows, const Point& t, bool both) {
   Scene scene;
   scene.name = "bar";
@@ -156,7 +156,7 @@ TEST_SUITE("unit") {
     const auto sum = sums(shares_of(FaceRule::by_column, scene, load), make_initial_particles(scene));
     const double torque = 2 * std::numbers::pi * 0.04 * 0.04;
     CHECK(std::abs(sum[0]) < 1e-9 * torque);
-    // second order: chords for the circle, two layers for the face
+    // second order: chords replace the circle, and the force acts in layers below the face
     CHECK(sum[2] == relative(torque, 1e-3));
   }
 
@@ -171,7 +171,7 @@ TEST_SUITE("unit") {
         const auto sum = sums(shares, initial);
         CHECK(sum[0] == relative(0.5 * t * A));
         CHECK(sum[1] == relative(t * A));
-        // scaled columns at the ends differ in depth
+        // the scaled columns at the ends spread their force over another depth
         CHECK(sum[2] == relative(t * A * (0.5 * A - 0.5 * rows * scene.spacing),
                                  rule == FaceRule::uniform ? 1e-9 : 2e-5));
         for (const auto& [i, f] : shares)
@@ -180,7 +180,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("face loads: the force of a column with little n · S acts on the outermost particle") {
+  TEST_CASE("face loads: without area vectors the force of a column acts on the outermost particle") {
     const Scene scene = thin_bar(12, {0, 1, 0}, false);
     const InitialParticles initial = make_initial_particles(scene);
     const Load& load = scene.bodies[0].loads[0];
@@ -200,7 +200,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("face loads: a thin bar under a uniform stress across it stays at rest") {
+  TEST_CASE("face loads: a uniform stress across a thin bar leaves no force on any particle") {
     for (int rows = 2; rows <= 10; ++rows) {
       CAPTURE(rows);
       const Scene scene = thin_bar(rows, {0, 1, 0}, true);
@@ -317,7 +317,7 @@ TEST_SUITE("unit") {
             dim, [&](const Point& X) { return top(X) + bottom(X); }, method));
         CHECK_FALSE(loaded(
             dim, [&](const Point& X) { return top(X) + end(X); }, method));
-        // a region of several layers acts as given
+        // in a region of several layers the load acts on all particles
         CHECK(loaded(
             dim, [&](const Point& X) { return X[0] > 0.027 ? 1.0 : 0.0; }, method));
       }

@@ -19,10 +19,10 @@ namespace {
 
 constexpr double dp = 0.001;
 constexpr double length = 0.012, height = 0.006;
-constexpr double period = 4 * length / 91;
+constexpr double period = 4 * length / 91;  // s; √(E/ρ) = 91 m/s
 constexpr double rounding = 1e-12;
 
-/// Stretched and slightly sheared, on rollers below and, with `at_wall`, at its left end.
+/// On rollers below and, with `at_wall`, at its left end; the initial velocities stretch and perturb it.
 Scene bar_on_rollers(bool at_wall) {
   Scene scene;
   scene.name = "bar-on-rollers";
@@ -106,17 +106,17 @@ TEST_SUITE("unit") {
       Scene laid = scene;
       laid.element_order = method.formulation.element_order;
       const InitialParticles layout = make_initial_particles(laid);
-      long held = 0;
+      long constrained = 0;
       for (std::size_t i = 0; i < now.size(); ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
           const bool still = now.initial(i)[k] == now.position(i)[k] && now.velocity(i)[k] == 0;
           const bool guided = (layout.guided[i] >> k & 1) != 0;
-          held += guided;
+          constrained += guided;
           CHECK(still == guided);
         }
       }
       // the region of one layer of particles contains two layers of nodes
-      CHECK(held == (has_elements(method) ? 2 * (7 * 7 + 13 * 7 + 7 * 7) : 6 * 6 + 12 * 6 + 6 * 6));
+      CHECK(constrained == (has_elements(method) ? 2 * (7 * 7 + 13 * 7 + 7 * 7) : 6 * 6 + 12 * 6 + 6 * 6));
     }
   }
 }

@@ -164,7 +164,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("damping: a pulled bar comes to rest at the position about which the undamped bar oscillates") {
+  TEST_CASE("damping: a pulled bar comes to rest at its static elongation") {
     Scene scene = pulled_bar(300);
     scene.bodies[0].loads[0].value[1] = nullptr;
     // lowest mode: ω = π/2 √(M/ρ)/12 mm, M = 4 G (3K + G)/(3K + 4G)
@@ -201,7 +201,7 @@ TEST_SUITE("conservation") {
         CHECK((now.damped > 0) == (damping > 0));
         CHECK(now.work > 0);
         const double lost = now.work - now.damped - energy(now);
-        // enog-nonconservative does not integrate the stress of its energy
+        // forces of enog-nonconservative do not follow from the stress that gives its energy
         const double loose = method.name == "enog-nonconservative" ? 0.5 : 0.2;
         CHECK(std::abs(lost) < (keeps(method, "energy") ? 0.002 : loose) * now.work);
       }
@@ -210,7 +210,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("loads: clamped or driven particles feel neither loads nor damping") {
+  TEST_CASE("loads: neither loads, gravity nor damping move clamped or driven particles") {
     Scene scene = pulled_bar(60);
     Drive drive;
     drive.where = [](const Point& at) { return at[0] > length - dp ? 1.0 : 0.0; };

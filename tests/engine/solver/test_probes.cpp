@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-Scene two_discs(double gap, double speed) {
+Scene two_blocks(double gap, double speed) {
   const double dp = 0.001;
   Scene scene;
   scene.spacing = dp;
@@ -55,7 +55,7 @@ Scene block(const Point& half) {
 TEST_SUITE("unit") {
   TEST_CASE("probes: points on a face and inside follow a body in free flight") {
     const double speed = 3;
-    Scene scene = two_discs(0.01, speed);
+    Scene scene = two_blocks(0.01, speed);
     const Point corner = {0.014, 0.003, 0}, inside = {0.0117, -0.0004, 0};
     scene.probes = {
         at_point(Probe::Kind::displacement, 1, corner, 0), at_point(Probe::Kind::position, 1, inside, 0),
@@ -144,9 +144,9 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("probes: the gap of two faces closes at their speed") {
+  TEST_CASE("probes: the gap of two approaching faces starts at their distance and closes") {
     const double speed = 10, start = 0.0012, dp = 0.001;
-    Scene scene = two_discs(start, speed);
+    Scene scene = two_blocks(start, speed);
     scene.probes = {make_probe("gap", Probe::Kind::gap, {0, 1})};
     const auto simulation = make_simulation(scene, with_method("enog"));
     make_steps(*simulation, 200);
@@ -159,7 +159,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("probes: the gap of distant bodies is the support minus one spacing") {
-    Scene scene = two_discs(0.01, 0);
+    Scene scene = two_blocks(0.01, 0);
     scene.probes = {make_probe("gap", Probe::Kind::gap, {0, 1})};
     const auto simulation = make_simulation(scene, with_method("enog"));
     CHECK(simulation->series().value[0][0] == relative(simulation->support() - scene.spacing));
@@ -181,7 +181,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("probes: a mass centre moves with its body") {
     const double speed = 3;
-    Scene scene = two_discs(0.01, speed);
+    Scene scene = two_blocks(0.01, speed);
     scene.probes = {at_point(Probe::Kind::mean_position, 1, {}, 0),
                     at_point(Probe::Kind::mean_position, 1, {}, 1)};
     const auto simulation = make_simulation(scene, with_method("enog"));
@@ -290,7 +290,7 @@ TEST_SUITE("unit") {
       for (std::size_t k = 0; k < clamped.size(); ++k) CHECK(driven[k] == relative(clamped[k]));
       CHECK(driven[0] > 0);
     }
-    Scene scene = two_discs(0.01, 0);
+    Scene scene = two_blocks(0.01, 0);
     scene.bodies[1].drives = {{.where = constant(1), .velocity = {}, .until = {}}};
     scene.probes = {at_point(Probe::Kind::stress, 1, {0.012, 0, 0}, 0)};
     CHECK(std::abs(make_simulation(scene, with_method("tl"))->series().value[0][0]) < 1e-6);
@@ -317,7 +317,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("probes: the gap of bodies with particles on their faces is 0 when pair forces begin") {
     for (const bool first : {true, false}) {
-      Scene scene = two_discs(0.0014, 2);
+      Scene scene = two_blocks(0.0014, 2);
       scene.contact = ContactLaw::penalty;
       scene.bodies[0].on_boundary = first, scene.bodies[1].on_boundary = true;
       scene.probes = {make_probe("gap", Probe::Kind::gap, {0, 1}),
@@ -335,7 +335,7 @@ TEST_SUITE("unit") {
       CHECK(gap[k - 1] > -0.005 * scene.spacing);  // forces are means over steps
       CHECK(gap[k + 1] < 0);
     }
-    Scene far = two_discs(0.01, 0);
+    Scene far = two_blocks(0.01, 0);
     for (Body& body : far.bodies) body.on_boundary = true;
     far.probes = {make_probe("gap", Probe::Kind::gap, {0, 1})};
     const auto simulation = make_simulation(far, with_method("enog"));

@@ -312,7 +312,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("stress: a probe equals the snapshot inside, at the surface and beside a clamp") {
+  TEST_CASE("stress: a probe equals the interpolated snapshot inside and at the surface") {
     for_each_method([](const std::string& method, int dim) {
       Scene scene = hanging(dim);
       scene.bodies[0].velocity[0] = [](const Point& x) { return -x[1] * 100; };

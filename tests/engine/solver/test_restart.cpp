@@ -36,7 +36,7 @@ void add_probes(Scene& scene) {
   if (scene.bodies[0].clamped) scene.probes.push_back(make_probe("clamp", Probe::Kind::reaction));
 }
 
-/// In the second scene one body is clamped, loaded and driven half of the time, in the third driven to the end.
+/// In the second scene one body is clamped, loaded and driven half of the time; in the third it is driven to the end.
 std::vector<Scene> watched_scenes() {
   std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
   for (Scene& scene : scenes) add_probes(scene);
@@ -133,7 +133,7 @@ TEST_SUITE("restart") {
     check_same(*stopped, *straight);
   }
 
-  TEST_CASE("a simulation that was saved and loaded gives the same bytes: every method and contact law") {
+  TEST_CASE("a saved and loaded simulation gives the same bytes with every method and contact law") {
     for (Scene scene : watched_scenes()) {
       for (const MethodInfo& method : methods()) {
         for (const ContactLaw law : method.contact_laws) {

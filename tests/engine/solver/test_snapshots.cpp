@@ -23,7 +23,7 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// Path of one particle; the velocity of a snapshot is v at the time `lag` before.
+/// Path of one particle; a snapshot has the velocity from the time `lag` earlier, in s.
 struct Path {
   std::function<Point(double)> x, v;
   double lag = 0;
@@ -199,7 +199,7 @@ TEST_SUITE("convergence") {
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "blend: state and energies are interpolated linearly, step number, body and clamping belong to the later snapshot") {
+      "blend: state and energies are interpolated linearly, and step number, body and clamping are the later ones") {
     Snapshot before;
     before.resize(2, 1);
     before.time = 1, before.step = 6;

@@ -31,7 +31,7 @@ using Mat2 = Mat<double, 2>;
 using Sym2 = Sym<double, 2>;
 
 constexpr double dW = slope_of_pair;
-constexpr double h = 1.3;  // the cloud's spacing is 1
+constexpr double h = 1.3;  // the spacing of neighbors() is 1
 const Mat2 some_L = {{{0.4, -1.2}, {0.5, 0.9}}};
 
 struct Neighbor {
@@ -129,7 +129,7 @@ TEST_SUITE("term") {
     CHECK(xsph_term(Vec2{2, 0}, 3.0, 5.0, 0.5, 0.7)[0] == Approx(-2 * 5 * 0.5 / 8 * 0.7 * 2));
   }
 
-  TEST_CASE("artificial viscosity: approaching pairs are slowed by Eq. 16, separating ones are not") {
+  TEST_CASE("artificial viscosity: [Khayyer2024] Eq. 16 slows approaching pairs, but no separating pairs") {
     const double r = 0.8, c = 3, rho = 2, alpha = 1.5, length = 0.9, closing = 0.7;
     const double expected = -alpha * length * c / rho * (closing * r) / (r * r + 0.01 * length * length);
     CHECK(artificial_viscosity(closing * r, r * r, c, rho, alpha, length) == Approx(expected));

@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A term as the momentum given to i, opposite for (j, i).
+/// A term as the force of j on i.
 struct ForceTerm {
   std::string name;
   Vec<double, 2> (*force)(const PairedParticle& i, const PairedParticle& j);
@@ -127,7 +127,7 @@ TEST_SUITE("term") {
     CHECK(magnitude(laplacian_term(g.v_ij, j.V, dW, g.inv_r, g.e)) < 1e-14 * plain);
   }
 
-  TEST_CASE("shear: on a pair along x only the velocity along x counts") {
+  TEST_CASE("shear: the terms of a pair along x have values computed by hand") {
     const Vec<double, 2> e = {1, 0}, v_ij = {3, 5};
     const Vec<double, 2> f = laplacian_term(v_ij, 0.5, -4.0, 10.0, e);
     CHECK(f[0] == Approx(2 * 0.5 * -4 * 10 * 3));
@@ -179,7 +179,7 @@ TEST_SUITE("term") {
     CHECK(riemann_pressure(4.0, 2.0, 0.0, {impedance, limiter / c0, 1}) == Approx(mean));
   }
 
-  TEST_CASE("riemann: approaching pairs grow denser, whatever their order") {
+  TEST_CASE("riemann: approaching pairs grow denser, and rotating pairs do not") {
     const Seen g(first_of_pair, second_of_pair);
     CHECK(g.closing_speed > 0);
     CHECK(compression_term(second_of_pair.V, dW, g.closing_speed) ==

@@ -180,7 +180,7 @@ TEST_SUITE("term") {
 
   TEST_CASE("stress rate: a deviator stays a deviator") {
     CHECK(trace(in_plane_rate(some_L, some_s)) == Approx(0));
-    const double divergence = some_L(0, 0) + some_L(1, 1);  // in 3D s_zz takes the rest
+    const double divergence = some_L(0, 0) + some_L(1, 1);  // s_zz takes the rest
     CHECK(trace(plane_strain_rate(some_L, some_s)) == Approx(2.0 / 3 * G * divergence));
     const Mat<double, 3> L = {{{0.4, -1.2, 0.3}, {0.5, 0.9, -0.8}, {0.2, 1.1, 0.6}}};
     const Sym<double, 3> s = {1, 0.5, -0.3, 2, 0.7, -3};

@@ -68,7 +68,7 @@ struct Results {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("units: every term's result has its stated unit") {
+  TEST_CASE("units: results of the terms have the stated units") {
     const Results si({1, 1, 1});
     CHECK(si.nested[0] * si.laplacian[0] * si.plain[0] * si.repulsion[0] != 0);
     CHECK(si.compression * si.diffusion * si.riemann * si.eos * si.L(0, 1) * si.moment(0, 0) != 0);

@@ -51,7 +51,7 @@ TEST_SUITE("term") {
     const M2& F = stretched_and_turned;
     const V2 x = F * X;
     CHECK(magnitude(hourglass_force(F, F, X, x, 3.0, 2.0)) < 1e-15);
-    // gradients that differ by ±D explain the mean distance
+    // deviations ±D of the two gradients cancel
     const M2 D{{{0.1, 0.2}, {-0.3, 0.05}}};
     CHECK(magnitude(hourglass_force(F + D, F + -1.0 * D, X, x, 2.0, 2.0)) < 1e-15);
     const V2 apart = hourglass_force(F, F, X, 1.1 * x, 3.0, 2.0),
@@ -93,7 +93,7 @@ TEST_SUITE("term") {
     CHECK(magnitude(by_pairs - by_law) < 1e-13 * magnitude(by_law));
     const V2 opposite = pair_shear_force(P, P, g, g, -1.0 * X, -1.0 * (F * X), 0.7);
     CHECK(opposite[0] == -by_pairs[0]);
-    // at rest neither part acts, also with the paper's factor
+    // at rest the two parts cancel, also with the paper's factor
     const M2 one{{{1, 0}, {0, 1}}};
     const M2 rest = isotropic_piola(one, M2{}, K, 1.07 * G, 0.0);
     CHECK(rest(0, 0) == relative(-1.07 * G, 1e-14));

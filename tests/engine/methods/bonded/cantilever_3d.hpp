@@ -15,7 +15,6 @@ inline Settings with_damping(double damping) {
   return settings;
 }
 
-/// A cantilever, `across` particles thick.
 inline Scene square_cantilever(int across) {
   const double L = 0.2, H = 0.02;
   Scene scene;
@@ -43,7 +42,6 @@ inline Scene bending_cantilever(int across) {
   return scene;
 }
 
-/// Relative error of the undamped period.
 inline double error_of_period(const Scene& scene, double reference) {
   const auto simulation = make_simulation(scene, with_damping(0));
   simulation->advance_to(1.15 * reference);

@@ -12,7 +12,7 @@
 
 namespace taut::test {
 
-/// A value and its derivatives by F.
+/// A value and its derivatives by `Components` variables.
 template <int Components>
 struct Dual {
   double value = 0;
@@ -49,8 +49,8 @@ Dual<Components> operator/(double a, const Dual<Components>& b) {
   return Dual<Components>(a) / b;
 }
 
-/// Transcription of oenog; shares only make_bonds and make_interfaces with the solver. One body in 2D; several of
-/// one material in 3D, with penalty contact and end-corrected masses.
+/// Transcription of oenog; shares only the initial particles, bonds and interfaces with the solver. One body in 2D;
+/// in 3D also several of one material, with penalty contact.
 template <int Dim>
 class NaiveOenogIn {
  public:
@@ -78,9 +78,9 @@ class NaiveOenogIn {
   bool clamped(int i) const { return initial_.clamped[i]; }
   const Bonds& bonds() const { return bonds_; }
   const Interfaces& interfaces() const { return interfaces_; }
-  double contacts = 0;  // pairs, summed over steps
+  double contacts = 0;  // ordered pairs, summed over steps
 
-  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))]. Interfaces use the harmonic mean of G; λ° is limited to ½ … 2.
+  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))]. Bonds use the harmonic mean of G; λ° must be in ½ … 2.
   double energy(const Places& at) const {
     double E = 0;
     for (int i = 0; i < size(); ++i) {
@@ -121,7 +121,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// Explicit derivatives for the benchmark; not at material interfaces.
+  /// −∂E/∂x for the benchmark, with explicit derivatives except at material interfaces.
   Places force_by_hand(const Places& at) const {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
@@ -223,7 +223,7 @@ class NaiveOenogIn {
   const Material& material(int i) const { return scene_.materials[initial_.material[i]]; }
   double K(int i) const { return material(i).bulk_modulus(); }
   double G(int i) const { return material(i).shear_modulus(); }
-  /// Replaces G in bonds: smaller if λ is negative.
+  /// Replaces G in bonds: smaller if Lamé's λ is negative.
   double of_bonds(int i) const {
     const double lambda = K(i) - 2.0 / 3 * G(i);
     return lambda < 0 ? G(i) + (Dim == 2 ? 1 : 1.5) * lambda : G(i);
@@ -370,7 +370,7 @@ class NaiveOenogIn {
     return P;
   }
 
-  /// Adds the forces of i's bonds; T is the derivative of the subtracted energy by F.
+  /// Adds the forces of i's bonds; T is the derivative by F of the energy without φ(λ).
   void pull(const Places& at, int i, const Square& T, Places& f) const {
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
       const auto d = way(at, i, b);

@@ -49,7 +49,7 @@ Gradient gradient(double xx, double xy, double yx, double yy) { return {{{xx, xy
 
 ClosedNeoHookean<double> closed_law() { return {4.6, 1}; }  // over G: ν = 0.4
 
-/// Greatest change of the force on particles deeper than `rows` with a homogeneous strain, over G dp. Volumes
+/// Greatest derivative by a homogeneous strain of the force on particles deeper than `rows`, over G dp. Volumes
 /// near a face give forces in three rows, or nine with bonds of two spacings.
 double unbalanced(const Scene& scene, const InitialParticles& initial, const std::vector<double>& depth,
                   double rows) {
@@ -148,7 +148,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "bonds: moments are isotropic on a lattice and nearly so on a ring, and every bond has a weight above 0.5") {
+      "bonds: moments are isotropic on a lattice except at corners, nearly so on a ring, and weights exceed 0.5") {
     const Scene lattice = alone(Box{{0, 0, 0}, {0.016, 0.012, 0}}, 0.001);
     const Scene ring = alone(Ring{{}, 0.03, 0.04, RoundLayout::aligned}, 0.001);
     for (const auto& [scene, allowed, corners] : {std::tuple{lattice, 1e-9, 4}, {ring, 0.01, 0}}) {
@@ -229,7 +229,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("bonds: particles beside a clamp have at most eight bonds, all of positive weight") {
+  TEST_CASE("bonds: free particles of a clamped plate have at most eight bonds, all of positive weight") {
     const Scene scene = oscillating_plate(0.01, 8);
     const InitialParticles initial = make_initial_particles(scene);
     const Bonds bonds = bonds_of(scene, initial);
@@ -285,7 +285,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("bonds: volume is shifted towards faces with a first moment of dp²/24") {
-    // the midpoint rule lacks dp²/24 of the slope at each face
+    // the midpoint rule misses dp²/24 times the slope at each face
     Scene scene = small_clamped_plate();
     scene.bodies.pop_back();
     scene.bodies[0].clamped = {};
@@ -386,7 +386,7 @@ TEST_SUITE("term") {
             Approx(cancelled_slope_rate<Dim>(s)).epsilon(1e-7));
   }
 
-  TEST_CASE("bond: four particles at once give the results of single ones, also below J = 1/2") {
+  TEST_CASE("bond: four packed particles give the results of single particles, also below J = 1/2") {
     const auto one = closed_law();
     const ClosedNeoHookean<Pack> four{filled<Pack>(one.K), filled<Pack>(one.G)};
     const std::array<Gradient, 4> alone{gradient(1.3, 0.2, -0.4, 0.9), gradient(0.5, 0, 0, 1),
@@ -417,7 +417,7 @@ TEST_SUITE("term") {
     CHECK(zigzag_stiffness(gradient(0.62, 0, 0, 1)) < 0);
   }
 
-  TEST_CASE("penalty contact: the force is the slope of the energy and vanishes beyond one spacing") {
+  TEST_CASE("penalty contact: the force is −∂E/∂r and vanishes beyond one spacing") {
     CHECK(penalty_force(0.001, 0.001, 1e7, 2) == 0);
     CHECK(penalty_force(0.0011, 0.001, 1e7, 2) == 0);
     constexpr double step = 1e-8;
@@ -449,7 +449,7 @@ TEST_SUITE("conservation") {
     CHECK(least_kinetic < 0.3 * start);
   }
 
-  TEST_CASE("oenog conserves the angular momentum of a fast rotating plate, which stays whole") {
+  TEST_CASE("oenog conserves the angular momentum and the energy of a fast rotating plate") {
     const Scene scene = rotating_plate(0.3);
     Settings undamped = with_method("oenog");
     undamped.constants["damping"] = 0;

@@ -22,7 +22,6 @@ namespace {
 
 constexpr double dp = 0.02, omega = 1, length = 0.7, half = 0.05;
 
-/// A rotating bar, clamped where x² + y² < clamped_to².
 Scene bar(int dim, double clamped_to) {
   Scene scene;
   scene.dim = dim;
@@ -82,7 +81,7 @@ double resistance(double spacing, bool both, const char* method, std::optional<d
 
 TEST_SUITE("analytic") {
   TEST_CASE(
-      "driven: a region driven to the end is a moving clamp, and a region released later acts 0.4 dp deeper") {
+      "driven: a region driven for the whole run is a moving clamp, a region released later acts 0.4 dp deeper") {
     for (const double spacing : {0.002, 0.001}) {
       CAPTURE(spacing);
       const double length = 0.032, later = 1;

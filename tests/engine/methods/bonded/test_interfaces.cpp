@@ -20,9 +20,9 @@ using namespace taut::test;
 namespace {
 
 constexpr double nu_stiff = 0.4, soft = 1e6;
-constexpr double L = 0.05, H = 0.01;  // length of each half and thickness of the bar
+constexpr double L = 0.05, H = 0.01;  // length of each half, and thickness of the vibrating bar
 
-/// Poisson's ratio with which both halves contract equally.
+/// Poisson's ratio of the soft half with which both halves contract equally.
 double matched(double ratio) { return (std::sqrt(1 + 4 * nu_stiff * (1 + nu_stiff) / ratio) - 1) / 2; }
 double plane_modulus(double E, double nu) { return E / (1 - nu * nu); }
 
@@ -55,7 +55,8 @@ double force_left(const Scene& scene, double traction) {
   return greatest / (traction * scene.spacing);
 }
 
-/// Rod waves with transverse inertia ([Love] §278): (M − ρ ω² (ν r)²) u″ + ρ ω² u = 0, r² = H²/12, plane strain.
+/// Lowest longitudinal frequency of the free bar in Hz, with transverse inertia ([Love] §278), in plane strain:
+/// (M − ρ ω² (ν r)²) u″ + ρ ω² u = 0, r² = H²/12.
 double lowest_frequency(double ratio) {
   struct Wave {
     double k, Z;  // 1/m; traction over velocity
@@ -78,7 +79,7 @@ double lowest_frequency(double ratio) {
   return above / (2 * std::numbers::pi);
 }
 
-/// Frequency of the bar's length in Hz, over five periods; each half starts as a cosine.
+/// Frequency of the bar's length in Hz, over five periods.
 double measured_frequency(double ratio, double spacing) {
   Scene scene = bar(ratio, matched(ratio), 0, spacing, H / 2);
   const double expected = lowest_frequency(ratio), omega = 2 * std::numbers::pi * expected;
@@ -94,7 +95,7 @@ double measured_frequency(double ratio, double spacing) {
   while (crossings.size() < 11) {
     simulation->advance_to(simulation->time() + 0.002 / expected);
     const Snapshot now = simulation->snapshot();
-    double ends = 0;  // ∫ u sign(x)
+    double ends = 0;  // Σ u sign(x) near the ends
     for (std::size_t i = 0; i < now.size(); ++i)
       ends += (now.x[2 * i] - now.x0[2 * i]) * (now.x0[2 * i] < -0.8 * L  ? -1
                                                 : now.x0[2 * i] > 0.8 * L ? 1

@@ -69,7 +69,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("layout stiffness: two masses on a preloaded spring give k (1/m + 1/M), and no masses give 0") {
+  TEST_CASE(
+      "layout stiffness: two masses on a preloaded spring give k (1/m + 1/M), and two clamped masses 0") {
     const double k = 3, m = 0.5, M = 2, small = 1e-3;
     const auto forces = [&](const Field& u, Field& out) {
       for (const Vec<double, 2>& one : u) CHECK(dot(one, one) <= 1.001 * small * small);

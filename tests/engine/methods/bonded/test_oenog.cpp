@@ -32,7 +32,6 @@ namespace {
 
 constexpr double damping = 0.01;
 
-/// The right half is softer and lighter.
 Scene clamped_plate_of_two_materials() {
   Scene scene = small_clamped_plate();
   scene.bodies.pop_back();
@@ -54,8 +53,7 @@ Scene ring_alone() {
   return scene;
 }
 
-/// Checks a lattice with oblong cells and random bonds, then the same with one off-lattice bond. Without strain the
-/// cancelled stress is zero.
+/// Checks a lattice with oblong cells and random bonds, then the same with an off-lattice bond.
 template <int Dim, class Kept>
 void check_cancelled(double precision) {
   using Cancelled = CancelledBonds<Dim, Kept>;
@@ -216,7 +214,7 @@ TEST_SUITE("term") {
               .face_terms.empty());  // more than eight neighbours
   }
 
-  TEST_CASE("bond: the cancelled stress of four packed particles equals that of single particles") {
+  TEST_CASE("bond: four packed particles have the cancelled stress of single particles") {
     check_cancelled<2, AlignedPack>(1e-12);
     check_cancelled<3, AlignedPack>(1e-12);
     check_cancelled<3, HalfPack>(1e-6);
@@ -370,7 +368,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("oenog: a rotated wedge has no stress, even at its tip, whose bonds are nearly collinear") {
+  TEST_CASE("oenog: a rotated wedge has no pressure, even at its tip, whose bonds are nearly collinear") {
     Scene scene = ring_alone();
     const Chain wedge{{0, 0, 0}, {0.02, -0.0035, 0}, {0.02, 0.0035, 0}};
     scene.bodies[0].shapes = {Polygon({wedge})};
@@ -387,7 +385,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE(
-      "oenog: the strain energy equals the material law up to stretch 2.4 (3D: 1.95), and exceeds it at 2.8") {
+      "oenog: the strain energy equals the material law up to stretch 2.4 (3D: 1.95), and exceeds it beyond") {
     const Material rubber = ring_rubber();
     for (const int dim : {2, 3}) {
       for (const double stretch : {1.5, 1.95, 2.4, 2.8}) {

@@ -93,7 +93,7 @@ Square random_rotation(std::mt19937& random) {
       .toRotationMatrix();
 }
 
-/// Greatest force on selected particles, over G ε dp, for random homogeneous strains of size ε.
+/// Greatest force on selected particles, over G ε dp², for random homogeneous strains of size ε.
 template <class Counts>
 double unbalanced(const Scene& scene, const Counts& counts) {
   const double G = scene.materials[0].shear_modulus();
@@ -214,8 +214,7 @@ TEST_SUITE("unit") {
       CHECK(sum(start.m) == relative(density * sum(initial.V0), 1e-13));
       for (int i = 0; i < initial.size(); ++i) CHECK(start.m[i] == relative(density * bonds.mass[i], 1e-14));
     }
-    // a face's first moment is dp²/15 in volumes, dp²/24 in masses; with particles on faces volumes have dp²/25
-    // less
+    // a face's first moment is dp²/15 in volumes and dp²/24 in masses, with particles on faces −dp²/25 and 0
     for (const bool on_faces : {false, true}) {
       CAPTURE(on_faces);
       const int n = on_faces ? 8 : 9;

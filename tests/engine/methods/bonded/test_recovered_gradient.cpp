@@ -56,7 +56,7 @@ RecoveredGradient recovered(const Scene& scene, const InitialParticles& initial,
                             /*threads*/ 1, halved);
 }
 
-/// Greatest relative error over all monomials of `degree`, in units of dp.
+/// Greatest error of the gradient over all monomials of `degree`, with lengths in dp.
 template <class Rows, class Gradient>
 double error(const Rows& rows, const Gradient& g, const InitialParticles& initial, int i, double dp,
              int degree) {
@@ -80,7 +80,7 @@ double error(const Rows& rows, const Gradient& g, const InitialParticles& initia
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "recovered gradient: rows are exact for quadratic fields, and particles without a row have an exact gradient") {
+      "recovered gradient: rows are exact for quadratic fields, and bonds nearly so for particles without a row") {
     for (const Scene& scene : {block(10), block_of_two(), small_collision(), small_clamped_plate()}) {
       CAPTURE(scene.name);
       const InitialParticles initial = make_initial_particles(scene);
