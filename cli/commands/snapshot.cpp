@@ -44,7 +44,7 @@ void declare_options(Options& command, SnapshotArguments& o) {
       .required();
   command.add("--baseline", "DIR", o.baseline,
               "folder of the frames to compare with, or of all baselines of a suite; "
-              "default for a suite: `baselines` in its file");
+              "default for a suite: `baselines` of its file, else its name without .toml");
   command.add_flag("--update", o.update, "replace the baseline by the frames of this run; check them first");
   command
       .add("--only", "ENTRY,...", o.only,
@@ -120,7 +120,7 @@ int snapshot_of_scene(SnapshotArguments options, Streams streams) {
     throw UsageError("there is no baseline in '" + *options.baseline +
                      "'; create it from this run with --update");
   const FolderLock lock(plan.folder.path(), FolderLock::Of::run, "taut snapshot", streams.err);
-  plan.folder.check();  // may have changed
+  plan.folder.check();  // the folder may have changed before it was locked
   const Interrupts interrupts;
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const RunResult run = run_scene(plan, interrupts, progress, setup.seconds());
@@ -194,7 +194,7 @@ int list_suite(const SuiteFile& suite, const SnapshotArguments& o, const std::ve
   return exit_fine;
 }
 
-/// Code of the runs, else of failed comparisons, else of differences.
+/// The code of the runs; if it is 0, the code of a diverged run, of a failed comparison, or of a difference.
 int exit_code_of(const std::vector<EntryOutcome>& outcomes, int of_runs) {
   if (of_runs != exit_fine) return of_runs;
   const auto any = [&](const auto& is) { return std::ranges::any_of(outcomes, is); };

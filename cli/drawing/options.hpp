@@ -15,7 +15,7 @@ class Options;
 /// Omitted values come from the scene.
 struct DrawingOptions {
   std::map<std::string, std::optional<std::string>, std::less<>> typed;
-  DrawingValues values;  // of another file; `typed` has priority
+  DrawingValues values;  // of a suite file; `typed` has priority
 
   bool any() const;
 };

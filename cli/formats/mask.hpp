@@ -26,7 +26,8 @@ enum class MaskOf : std::uint8_t { darkness, alpha };
 /// Throws UsageError if the file is unreadable or too large.
 Mask read_mask(const std::filesystem::path& png, MaskOf of);
 
-/// Painted area of an SVG file (librsvg), at most `rows` pixels high. Throws UsageError if it is unreadable or empty.
+/// Painted area of an SVG file (rsvg-convert), about `rows` pixels high, at most greatest_mask_side. Throws UsageError if
+/// the file is unreadable or paints nothing.
 Mask paint_svg(const std::filesystem::path& svg, int rows);
 
 Mask cropped(const Mask& mask);

@@ -67,7 +67,7 @@ bool is_zero_in_2d(const ParticleArray& array, std::size_t component) {
 }
 
 struct Property {
-  std::string_view array, name;  // in OVITO's manual
+  std::string_view array, name;  // `name`: in OVITO's manual
   double scale = 1;
 };
 constexpr std::array properties{Property{"velocity", "velo"}, Property{"displacement_vector", "disp"},

@@ -11,7 +11,7 @@
 namespace taut::cli {
 
 /// Compressed VTK PolyData (.vtp): time, positions (z = 0 in 2D), vertices, particle_arrays(). Tensors: xx, yy, zz,
-/// xy, yz, xz. Real numbers are Float64, or Float32.
+/// xy, yz, xz. Real numbers are Float64, or Float32 in single precision.
 std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                                bool single_precision = false);
 

@@ -141,8 +141,8 @@ Json schema_of(const KeyInfo& key, int dim) {
   return schema;
 }
 
-/// Sets of keys, such as {bodies} and {body, wall}, of which a table has one. Keys of a set share a default text,
-/// which names the others.
+/// Sets of keys, such as {bodies} and {body, wall}: a table has the keys of exactly one set. Keys of a set share a
+/// default text, which names the keys of the other sets.
 std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo> keys) {
   const std::string named = std::string(first.by_default) + " ";
   const auto is_named = [&](const KeyInfo& key) {

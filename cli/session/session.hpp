@@ -52,7 +52,7 @@ class Session {
   void orbit(double right, double upwards);
   /// Drawing with open members set for the shown state.
   Drawing drawing() const;
-  /// Draws as `taut run` would.
+  /// Writes the shown state to a PNG file.
   void frame(const std::filesystem::path& file) const;
   /// `drawing` must have no open members.
   render::Image picture(const Drawing& drawing) const;
@@ -69,7 +69,7 @@ class Session {
   Drawing drawing_;
   std::optional<render::View> window_;  // after pan or zoom in 3D
   std::unique_ptr<Simulation> simulation_;
-  std::optional<Snapshot> between_;  // within the last step
+  std::optional<Snapshot> between_;  // state within the last step
 };
 
 }  // namespace taut::cli

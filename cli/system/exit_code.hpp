@@ -8,8 +8,8 @@ namespace taut::cli {
 
 /// Scripts rely on these numbers.
 enum ExitCode : int {
-  exit_fine = 0,         // whatever the verdict
-  exit_different = 1,    // `diff`, `snapshot`, `check`
+  exit_fine = 0,         // any verdict except `diverged`
+  exit_different = 1,    // `diff`, `snapshot`, `check`, `claims`
   exit_not_granted = 1,  // `choose`
   exit_wrong_input = 2,  // command line or scene
   exit_diverged = 3,     // or the verdict is at least as bad as --fail-on
@@ -17,7 +17,7 @@ enum ExitCode : int {
   exit_bug = 70,  // EX_SOFTWARE of sysexits.h
 };
 
-/// As shells report a signal.
+/// Exit code by which shells report a signal.
 constexpr int exit_by_signal(int signal) { return 128 + signal; }
 
 struct Failure {

@@ -14,7 +14,8 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// The first signal, even an earlier one, ends the program: for long work that checks no flag and writes no files.
+  /// While an object exists, the first signal, even an earlier one, ends the program: for long work that checks no flag
+  /// and writes no files.
   class ExitOnSignal {
    public:
     ExitOnSignal();
@@ -23,7 +24,7 @@ class Interrupts {
     ExitOnSignal& operator=(const ExitOnSignal&) = delete;
   };
 
-  /// Like `must_end`, keeps its value until the next object is constructed: no signal is missed.
+  /// `interrupted` and `must_end` keep their values until the next Interrupts is constructed: no signal is missed.
   static bool interrupted() { return flag() != 0; }
   /// SIGTERM or SIGHUP: the program must end, not only the command.
   static bool must_end();

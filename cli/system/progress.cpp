@@ -35,7 +35,6 @@ std::string time_left(double share, double before, double elapsed) {
 }
 
 std::string long_time_left(double done, double left, double elapsed) {
-  // the first run of a sweep may take longer than others
   if (!(done > 0) || elapsed < sure_after) return "";
   const double seconds = elapsed * left / done;
   if (seconds < long_work) return "";
