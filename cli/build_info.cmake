@@ -1,4 +1,4 @@
-# cmake -D TEMPLATE=… -D OUTPUT=… -D SOURCE=… -D …=… -P build_info.cmake: writes OUTPUT from TEMPLATE if its text
+# cmake -D TEMPLATE=… -D OUTPUT=… -D SOURCE=… -D …=… -P build_info.cmake: writes OUTPUT from TEMPLATE if the text
 # changes, so a new commit recompiles only OUTPUT. Without SOURCE/.git, the commit is unknown: an unpacked archive can be
 # inside another repository.
 set(TAUT_COMMIT unknown)

@@ -13,7 +13,7 @@ namespace taut::cli {
 
 struct PlannedClaim {
   const Claim* claim;
-  SweepPlan plan;  // in the order of the claim's runs
+  SweepPlan plan;  // its runs are in the order of the claim's runs
 };
 
 /// Checks the settings of all runs. Equal runs share a folder below `folder`. The claims must outlive the

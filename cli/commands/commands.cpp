@@ -113,7 +113,7 @@ constexpr Command table[] = {
      "  taut critical-step rotating-plate --spacing 0.1 --json\n"
      "Each trial restarts the scene with a fixed time step and adds small random velocities that excite\n"
      "unstable modes. A trial is unstable if its energy exceeds 100 times the energy that the scene\n"
-     "received, or if a value is not finite.\n",
+     "received, or if the simulation fails, for instance because a value is not finite.\n",
      declare_critical_step},
     {"claims",
      "list statements of the papers and whether they hold here; run them; exit code 1 if a run differs",

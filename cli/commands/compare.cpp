@@ -48,7 +48,7 @@ struct Column {
 /// One column per run, all with the same drawing.
 struct Block {
   Drawing drawing;
-  bool bounded = false;  // to the view of the scenes
+  bool bounded = false;  // the view stays within the view of the scenes
   std::vector<Column> columns{};
 };
 

@@ -17,7 +17,7 @@
 namespace taut::cli {
 namespace {
 
-/// Rows have equal keys, the name first.
+/// `rows` returns an array of objects with equal keys, of which `name` is the first.
 struct Listing {
   std::string_view kind;
   Json (*rows)();

@@ -170,7 +170,7 @@ void check_options(const Options& command, bool suite) {
   for (const Option& option : command.all()) {
     if (option.is_positional() || option.values().empty() || in(of_both, option)) continue;
     if (!suite && in(of_suites, option))
-      throw UsageError(option.name() + " is for suites, and this is a scene");
+      throw UsageError(option.name() + " is for suites, and this is a scene; leave it out");
     if (suite && !in(of_suites, option))
       throw UsageError(option.name() +
                        " is for scenes; "

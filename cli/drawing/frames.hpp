@@ -122,7 +122,7 @@ class Frames {
   std::atomic<int> written_ = 0;
   std::atomic<double> drawing_time_ = 0, writing_time_ = 0;  // s, not yet in `seconds_`
   std::vector<std::optional<render::Renderer>> renderers_;
-  OrderedWork work_;  // last: its threads use the others
+  OrderedWork work_;  // last, since its threads use the other members
 };
 
 }  // namespace taut::cli

@@ -48,7 +48,7 @@ struct DrawingKey {
   bool allows_auto = false;            // in scene files
   bool counts_frames = false;
   Words words = {};
-  bool is_free_text = false;  // takes any text, which `set` checks
+  bool is_free_text = false;  // takes any text; `set` or `apply_scene` checks it
   std::string_view pattern = {};
   Numbers numbers = {};
   /// Returns an error message, or "". `apply_scene` later compares the value with the scene.

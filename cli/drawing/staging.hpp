@@ -24,7 +24,7 @@ struct StagedParticles {
   std::vector<double> x{}, diameter{}, value{}, cell{};
   std::vector<std::uint32_t> triangle{};
   std::vector<double> outline{}, undeformed{};  // 2D segments, m
-  Point origin{};                               // of the picture, in the scene, m
+  Point origin{};                               // the picture's origin in scene coordinates, m
   std::vector<WallFace> walls{};
 
   FrameView view() const;

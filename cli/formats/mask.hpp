@@ -21,7 +21,7 @@ struct Mask {
 
 inline constexpr int greatest_mask_side = 4096;  // pixels
 
-/// Darkness on a white background, or opacity.
+/// Quantity that counts as solid: darkness on a white background, or opacity.
 enum class MaskOf : std::uint8_t { darkness, alpha };
 /// Throws UsageError if the file is unreadable or too large.
 Mask read_mask(const std::filesystem::path& png, MaskOf of);

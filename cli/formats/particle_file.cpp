@@ -198,7 +198,7 @@ std::vector<double> ParticleFile::read_as(const Array& array) const {
   std::ifstream file(path_, std::ios::binary | std::ios::ate);
   const auto length =
       static_cast<std::uint64_t>(std::max<std::streamoff>(file ? std::streamoff(file.tellg()) : 0, 0));
-  // zlib compresses at most 1000-fold; damaged sizes must not allocate memory
+  // zlib compresses at most about 1000-fold; damaged sizes must not allocate memory
   constexpr std::uint64_t most_packed = 1024;
   if (array.offset >= length || array.components > 9 ||
       array.components * size_ * sizeof(Number) > most_packed * (length - array.offset))

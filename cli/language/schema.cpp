@@ -229,7 +229,7 @@ Json section_schema(std::string_view name) {
   return kinds.empty() ? table_schema(keys_of(name), 0) : Json{{"oneOf", array_of(std::move(kinds))}};
 }
 
-/// Includes values allowed in 2D or 3D.
+/// Allows values that are valid in 2D or in 3D.
 Json constant_schema(const MethodConstant& constant, const std::vector<MethodConstant>& in_3d) {
   if (!constant.choices.empty())
     return {{"description", constant.help},

@@ -27,7 +27,7 @@ class Session {
 
   /// Stops at an interrupt, like `run_until`. Both throw NumericalError if the simulation diverges.
   void step(long count, const Interrupts& interrupts);
-  /// Runs past `t`, then shows `t` exactly.
+  /// Runs to the first step at or after `t`; `shown` is then the state at `t`.
   void run_until(double t, const Interrupts& interrupts, Progress& progress);
 
   /// Material law, which selects references.

@@ -18,11 +18,11 @@ std::optional<Number> parsed(std::string_view text) {
   return error == std::errc() && end == last ? std::optional(value) : std::nullopt;
 }
 
-/// Shortest exact text.
+/// Shortest text that reads back exactly.
 std::string exact(double value);
-/// At most four digits.
+/// At most four significant digits.
 std::string brief(double value);
-/// At most six digits.
+/// At most six significant digits.
 std::string six_digits(double value);
 /// "4.1 M".
 std::string with_prefix(double value);

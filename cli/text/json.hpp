@@ -13,7 +13,7 @@
 
 namespace taut::cli {
 
-/// Objects keep their order.
+/// JSON value. Objects keep the order of their keys.
 class Json {
  public:
   using Member = std::pair<std::string, Json>;
