@@ -185,7 +185,7 @@ void Options::set_flags(const std::vector<std::string>& words) const {
   }
 }
 
-/// Throws UsageError for unknown options, with the nearest names, and for superfluous arguments.
+/// Throws UsageError for unknown options and superfluous arguments.
 void Options::refuse_unknown() const {
   std::vector<std::string> rest = app_->remaining();
   std::erase(rest, "--");

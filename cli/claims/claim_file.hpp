@@ -23,7 +23,7 @@ struct Claim {
   std::string place, text;        // "Fig. 3(a)", the statement
   std::string published, looser;  // may be empty; `looser`: how the criterion is weaker than the text
   std::string scene;              // path
-  bool quick = true;              // takes seconds; repeated by the tests
+  bool quick = true;              // repeated by the tests
   std::vector<ClaimRun> runs;
   std::string criterion;       // see criterion.hpp
   std::string part, evidence;  // weaker criterion; condition that confirms the reason; may be empty
@@ -35,7 +35,7 @@ struct Claim {
   std::string name() const { return paper + "." + key; }
 };
 
-/// A claim file, such as those in scenes/papers/.
+/// Content of a claim file.
 struct Paper {
   std::filesystem::path file;
   std::string key, title;

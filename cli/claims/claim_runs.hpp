@@ -13,7 +13,7 @@ namespace taut::cli {
 
 struct PlannedClaim {
   const Claim* claim;
-  SweepPlan plan;  // its runs are in the order of the claim's runs
+  SweepPlan plan;  // in the order of the claim's runs
 };
 
 /// Checks the settings of all runs. Equal runs share a folder below `folder`. The claims must outlive the
@@ -28,7 +28,7 @@ struct ClaimOutcome {
   const Claim* claim;
   std::vector<std::pair<std::string, std::string>> values{};  // "og.verdict", "fractured"
   std::optional<ClaimState> state{};                          // none: a problem
-  bool evidence = true;                                       // evidence of the reason is true or not needed
+  bool evidence = true;                                       // true or not needed
   std::string problem{};                                      // broken run or quantity without value
 
   bool agrees() const { return state == claim->state && evidence; }

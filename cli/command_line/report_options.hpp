@@ -21,7 +21,6 @@ struct ReportOptions {
   void publish(const TestReport& report, std::ostream& err) const;
 };
 
-/// Contains the keys `taut`, `answer` and `format`.
 Json json_answer(std::string_view command);
 
 }  // namespace taut::cli

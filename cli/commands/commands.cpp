@@ -54,7 +54,8 @@ constexpr Command table[] = {
      "The gnuplot script plate.gp and its data plate.dat are written beside the picture.\n"
      "To change the picture, edit the script and run `gnuplot plate.gp`.\n",
      declare_chart},
-    {"map", "draw verdicts or a measure from the results of sweeps: one parameter (x axis) by method (y axis)",
+    {"map",
+     "draw verdicts or a measure from the results of sweeps: one parameter (x axis) by method (y axis)",
      "  taut sweep colliding-rings --grid v0=0.02:0.16:0.02 --grid method=og,oas,enog --out out/speeds\n"
      "  taut map out/speeds/results.csv --out speeds.png\n",
      declare_map},

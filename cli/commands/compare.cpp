@@ -45,10 +45,10 @@ struct Column {
   std::vector<PanelCell> cells;
 };
 
-/// One column per run, all with the same drawing.
+/// Columns with the same drawing, one per run.
 struct Block {
   Drawing drawing;
-  bool bounded = false;  // the view stays within the view of the scenes
+  bool bounded = false;  // limited to the view of the scenes
   std::vector<Column> columns{};
 };
 
@@ -87,7 +87,7 @@ std::optional<render::View> common_view(const std::vector<SavedRun>& runs) {
   return view;
 }
 
-/// `all` without its parts outside `window`: particles that fly away do not widen the view.
+/// Part of `all` in `window`, without particles that fly away.
 render::View within(const render::View& all, const std::optional<render::View>& window) {
   if (!window) return all;
   return {std::max(all.x_min, window->x_min), std::min(all.x_max, window->x_max),
@@ -130,7 +130,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// Parses "color=pressure; range=0:1e6". Moves `color` to the front because it resets range and map.
+/// Parses "color=pressure; range=0:1e6"; `color` comes first because it resets range and map.
 std::vector<Change> changes_in(const std::string& beside) {
   std::vector<Change> changes;
   std::istringstream parts(beside);

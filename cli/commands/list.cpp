@@ -17,7 +17,7 @@
 namespace taut::cli {
 namespace {
 
-/// `rows` returns an array of objects with equal keys, of which `name` is the first.
+/// `rows` returns objects with equal keys, the name first.
 struct Listing {
   std::string_view kind;
   Json (*rows)();

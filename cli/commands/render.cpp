@@ -33,7 +33,6 @@ struct RenderArguments : DrawingOptions {
 
 bool is_lock(const fs::path& file) { return file.filename() == run_lock_name; }
 
-/// Refuses folders with files other than frames.
 void check_for_frames(const fs::path& folder) {
   if (!fs::exists(folder)) return;
   if (!fs::is_directory(folder)) throw UsageError("'" + folder.string() + "' is not a folder");

@@ -64,7 +64,6 @@ struct LockedPlan {
   RunPlan plan;
 };
 
-/// Throws UsageError if a run of more than a minute would be lost.
 void refuse_to_lose(const RunFolder& folder) {
   constexpr double minute = 60;  // s
   const auto record = read_record(folder.record());

@@ -21,8 +21,8 @@ class SequenceBounds {
   void add_positions(std::span<const double> x, int dim, double diameter);
   void add(const FrameView& particles);
 
-  /// Leaves out at each end at most 1 % of the values whose magnitude exceeds `round_off`, unless they would widen the
-  /// range by less than a quarter. Never empty; symmetric about `middle`, if given.
+  /// Leaves out at each end at most 1 % of the values beyond ±`round_off`, unless they would widen the range by less
+  /// than a quarter. Never empty; symmetric about `middle`.
   render::Range range(std::optional<double> middle, double round_off = 0) const;
   /// Includes a margin of 5 % of the longer side.
   render::View view() const;
@@ -31,7 +31,7 @@ class SequenceBounds {
   /// Contains all particles from every direction.
   struct Orbit {
     render::View view;      // centred at the origin
-    render::Vector middle;  // of the particles, m
+    render::Vector middle;  // m
   };
   Orbit orbit() const;
   /// `Camera::front`: greatest coordinate of the particles towards the camera, m.

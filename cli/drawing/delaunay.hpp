@@ -8,7 +8,7 @@ namespace taut::cli {
 
 /// Triangles (in 3D tetrahedra), dim + 1 point numbers each; empty for at most `dim` points. `x`: `dim` coordinates per
 /// point, in spacings. Points are moved by up to 1e-4 spacings, which makes the triangles of a lattice unique. Throws
-/// std::runtime_error if Qhull fails.
+/// std::runtime_error.
 std::vector<std::uint32_t> delaunay(int dim, std::span<const double> x);
 
 }  // namespace taut::cli

@@ -23,7 +23,7 @@ enum class Style : std::uint8_t { discs, spheres, cells, surface };
 enum class Outlines : std::uint8_t { none, deformed, undeformed, both };
 
 struct ColorFormula {
-  /// Names of the current and the initial coordinates.
+  /// Current and initial coordinates.
   static constexpr std::array<const char*, 6> places{"x", "y", "z", "X", "Y", "Z"};
   using Function = std::function<double(const std::vector<double>&, double t)>;
 
@@ -41,8 +41,8 @@ struct Drawing {
   render::Look look{};
   int frames = 60;               // evenly spaced after t = 0
   std::optional<Style> style{};  // default: discs, in 3D spheres
-  std::string cut{};             // expression; particles are hidden where it is not 0 at the start
-  std::string hide{};            // names of bodies, separated by commas
+  std::string cut{};             // hides particles where it is not 0 at the start
+  std::string hide{};            // bodies, separated by commas
   Outlines outline = Outlines::none;
   std::string follow{};  // body that stays centred
 
@@ -64,9 +64,9 @@ struct Drawing {
   ColorFormula of_formula{};
 };
 
-/// `print_width` in pixels; nullopt if empty.
+/// `print_width` in pixels.
 std::optional<double> pixels_on_paper(const Drawing& drawing);
-/// Applies `print_width`, `font_points` and `dpi`. An open size stays open.
+/// Applies print width and font size. An open size stays open.
 Drawing sized(Drawing drawing);
 
 struct ColorMeaning {

@@ -12,8 +12,8 @@ namespace taut::cli {
 /// File look.json of a baseline. Later frames keep its colour range and view even if the motion changes.
 struct KeptLook {
   std::string color;                   // key, or "=EXPRESSION"
-  std::optional<render::Range> range;  // none: colours of bodies or materials
-  std::optional<render::View> view;    // none: the camera orbits
+  std::optional<render::Range> range;  // none: bodies or materials
+  std::optional<render::View> view;    // none: orbit
   double front = 0;                    // 3D: `Camera::front`, m
 };
 

@@ -48,10 +48,10 @@ struct DrawingKey {
   bool allows_auto = false;            // in scene files
   bool counts_frames = false;
   Words words = {};
-  bool is_free_text = false;  // takes any text; `set` or `apply_scene` checks it
+  bool is_free_text = false;  // checked by `set` or `apply_scene`
   std::string_view pattern = {};
   Numbers numbers = {};
-  /// Returns an error message, or "". `apply_scene` later compares the value with the scene.
+  /// Returns an error message, or "". `apply_scene` compares the value with the scene.
   std::string (*set)(Drawing&, const DrawingValue&);
   DrawingValue (*get)(const Drawing&);
 
@@ -61,7 +61,7 @@ struct DrawingKey {
 
 std::span<const DrawingKey> drawing_keys();
 
-/// Keys in which the pictures of one panel may differ, for `compare --beside`.
+/// Keys in which pictures of a panel may differ (`compare --beside`).
 inline constexpr std::array<std::string_view, 14> keys_beside{
     "color", "range", "colormap", "view",    "camera", "up",    "fov",
     "style", "cut",   "hide",     "outline", "follow", "glyph", "bar_format"};

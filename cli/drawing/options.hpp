@@ -22,7 +22,6 @@ struct DrawingOptions {
 
 void declare_drawing_options(Options& command, DrawingOptions& options);
 
-/// Throws UsageError for a wrong value.
 Drawing with_options(Drawing drawing, const DrawingOptions& options);
 
 }  // namespace taut::cli

@@ -17,7 +17,7 @@
 
 namespace taut::cli {
 
-/// Particles of one picture. The result of `view` refers to them.
+/// Particles of one picture; `view` refers to them.
 struct StagedParticles {
   int dim = 2;
   double time = 0;  // s

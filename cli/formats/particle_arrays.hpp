@@ -22,7 +22,7 @@ struct ParticleArray {
   std::size_t width() const { return components.empty() ? 1 : components.size(); }
 };
 
-/// Names of the components, in VTK's order.
+/// Names, in VTK's order.
 std::span<const std::string_view> tensor_components();
 
 /// Fields as given, without body and material; then diameter, velocity, body, material, held, id, mass, volume, initial

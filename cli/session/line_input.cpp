@@ -29,7 +29,7 @@ char* next_found(const char*, int state) {
   return next < found.size() ? ::strdup(found[next++].c_str()) : nullptr;
 }
 
-/// Returns nullptr if no word matches; libedit then completes file names, unless `rl_attempted_completion_over` is 1.
+/// Returns nullptr without matches: libedit then completes file names, unless `rl_attempted_completion_over`.
 char** complete_last_word(const char* last, int start, int) {
   std::istringstream before(std::string(rl_line_buffer, static_cast<std::size_t>(start)));
   std::vector<std::string> words;
@@ -44,7 +44,7 @@ char** complete_last_word(const char* last, int start, int) {
   return found.empty() ? nullptr : rl_completion_matches(last, next_found);
 }
 
-/// Follows the XDG base directory specification. Empty without a home folder.
+/// Path of the XDG base directory specification, or empty.
 fs::path history_file() {
   const char* const state = std::getenv("XDG_STATE_HOME");
   const char* const home = std::getenv("HOME");

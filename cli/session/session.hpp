@@ -27,7 +27,7 @@ class Session {
 
   /// Stops at an interrupt, like `run_until`. Both throw NumericalError if the simulation diverges.
   void step(long count, const Interrupts& interrupts);
-  /// Runs to the first step at or after `t`; `shown` is then the state at `t`.
+  /// Runs to the first step at or after `t`, then shows `t`.
   void run_until(double t, const Interrupts& interrupts, Progress& progress);
 
   /// Material law, which selects references.
@@ -36,7 +36,7 @@ class Session {
 
   const Snapshot& shown() const { return between_ ? *between_ : simulation_->snapshot(); }
 
-  /// Starts again at t = 0, keeping settings and drawing.
+  /// Returns to t = 0, keeping settings and drawing.
   void reset();
 
   /// Changes cfl, or constants that do not affect the initial configuration.

@@ -207,7 +207,7 @@ void measures(Session& session, const Words& words, const Dialogue& to) {
   }
 }
 
-/// `names` are probes. Throws UsageError before the first step.
+/// `names` are probes.
 HistoryPlot history_of(const Session& session, const Words& names) {
   const Scene& scene = session.file().scene;
   const Series& series = session.simulation().series();
@@ -235,7 +235,6 @@ HistoryPlot history_of(const Session& session, const Words& names) {
   return plot;
 }
 
-/// Draws probes from the start to now, with the reference curves of the scene.
 void plot(Session& session, const Words& words, const Dialogue& to) {
   if (words.empty()) wrong_words("plot");
   const PlotFiles files = plot_files(words[0]);

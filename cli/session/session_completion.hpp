@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// All choices in place of the last word of a partial line; typed letters of this word do not limit them.
+/// Choices for the last word of a partial line, whether or not they match its letters.
 Choices session_choices(const Session& session, const std::vector<std::string>& words);
 
 }  // namespace taut::cli

@@ -26,7 +26,7 @@ std::string canonical_value(const std::string& text);
 
 /// The last axis varies fastest. Throws UsageError for repeated axes and too many runs.
 std::vector<GridRow> all_combinations(const std::vector<Axis>& axes);
-/// Throws UsageError for too many and for repeated runs.
+/// Throws UsageError for too many or repeated runs.
 void check_rows(const std::vector<GridRow>& rows);
 
 /// "v0=0.06_method=og"; a hash is added if characters were replaced or cut.

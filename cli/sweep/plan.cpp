@@ -70,13 +70,13 @@ const Setting* invalid_setting(const SweepRequest& request, const GridRow& row) 
   throw SceneError(request.file.string(), place.line, place.column, setting ? setting->name : "", message);
 }
 
-/// Estimate of particles × steps, in arbitrary units.
+/// Particles × steps, in arbitrary units.
 double work_of(const SceneFile& file) {
   const Scene& scene = file.scene;
   return scene.until / (file.settings.cfl * std::pow(scene.spacing, scene.dim + 1));
 }
 
-/// Throws UsageError for names that are both fixed and swept.
+/// Throws UsageError for names both fixed and swept.
 void check_base(const SweepRequest& request) {
   std::set<std::string> fixed;
   for (const std::vector<Setting>* settings : {&request.base.settings, &request.set})

@@ -13,10 +13,10 @@ namespace taut::cli {
 
 enum class SweepRunState {
   to_do,
-  outdated,     // finished with other settings or another version
+  outdated,     // other settings or version
   interrupted,  // or killed
   damaged,      // unreadable run.json
-  broken,       // crashed, killed or ended with an error
+  broken,       // crash, kill or error
   done,         // finished or diverged
 };
 std::string_view name(SweepRunState);

@@ -13,7 +13,7 @@
 namespace taut::cli {
 namespace {
 
-/// Record of the first run, with the cost of the run with the median CPU time.
+/// First run, with the cost of the median run.
 RunRecord median(const SweepRun& run) {
   RunRecord record = *run.record;
   if (run.repetitions.empty()) return record;
@@ -49,7 +49,7 @@ void flatten(const Json& value, const std::string& path, Cells& cells) {
     flatten(inner, path.empty() ? key : fmt::format("{}.{}", path, key), cells);
 }
 
-/// Places a column that earlier rows lack after the previous column of its row.
+/// A column that earlier rows lack follows its predecessor.
 std::vector<std::string> columns_of(const std::vector<Cells>& rows) {
   std::vector<std::string> columns;
   for (const Cells& row : rows) {
@@ -68,7 +68,7 @@ std::string cell_of(const Json& value) {
   return value.is_float() ? exact(value.number()) : csv_cell(value.dump());
 }
 
-/// Measures of the first run with a result: all runs have the same scene.
+/// Measures of one run, since all have the same scene.
 std::vector<MeasureResult> measures_of(const SweepPlan& plan) {
   const auto run = std::ranges::find_if(plan.runs, [](const SweepRun& r) { return r.record.has_value(); });
   return run == plan.runs.end() ? std::vector<MeasureResult>() : run->record->measures;

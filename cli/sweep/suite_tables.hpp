@@ -18,7 +18,7 @@ std::string table_of_outcomes(const std::vector<EntryOutcome>& outcomes, std::op
 
 /// `outcome`: nullptr if the entry was not run.
 Json entry_json(const PlannedEntry& planned, const EntryOutcome* outcome);
-/// A case per compared frame, and per entry that is a control, was updated or has no result.
+/// A case per frame, control, updated entry and entry without result.
 TestReport suite_report(const SuiteFile& suite, const std::vector<EntryOutcome>& outcomes);
 SuiteRecord record_of(const SuiteFile& suite, const SuiteOptions& options,
                       const std::vector<EntryOutcome>& outcomes);

@@ -9,8 +9,7 @@
 
 namespace taut::cli {
 
-/// `from_crashes` survives a crash of the program. `on_disk` also survives a power cut but is slow: for files that cannot
-/// be made again or mark others as complete.
+/// `on_disk` survives power cuts but is slow: for files that cannot be made again or mark others as complete.
 enum class Durability { from_crashes, on_disk };
 
 /// Writes a temporary file and renames it: other processes never see a part. Before it throws OutputError,
@@ -37,13 +36,12 @@ void put_on_disk(const std::filesystem::path& path);
 /// Returns the new folders, innermost first. Throws OutputError.
 std::vector<std::filesystem::path> make_folders(const std::filesystem::path& folder);
 
-/// Creates the folder of `file`. Throws OutputError, also for a missing top-level folder, which is most likely a typing
-/// error.
+/// Creates the folder of `file`. Throws OutputError, also for a missing top-level folder (most likely a typing error).
 void make_folder_of(const std::filesystem::path& file);
 
 constexpr std::uint64_t most_bytes_of_text = 64 << 20;
-/// Returns nullopt for unreadable files, folders, devices and pipes. Throws UsageError for a file of more than
-/// `most_bytes`, OutputError for system errors.
+/// Returns nullopt for unreadable files, folders, devices and pipes. Throws UsageError above `most_bytes`,
+/// OutputError for system errors.
 std::optional<std::string> read_whole(const std::filesystem::path& path,
                                       std::uint64_t most_bytes = most_bytes_of_text);
 
@@ -61,7 +59,7 @@ class AppendFile {
   std::int64_t length() const { return length_; }
   /// Throws UsageError if the file is shorter.
   void check_holds(std::int64_t length) const;
-  /// Keeps `length` bytes. Throws UsageError if the file is shorter.
+  /// Keeps `length` bytes. Throws like `check_holds`.
   void cut(std::int64_t length);
   void put_on_disk() const;
 

@@ -17,7 +17,7 @@ enum ExitCode : int {
   exit_bug = 70,  // EX_SOFTWARE of sysexits.h
 };
 
-/// Exit code by which shells report a signal.
+/// As shells report a signal.
 constexpr int exit_by_signal(int signal) { return 128 + signal; }
 
 struct Failure {

@@ -14,13 +14,12 @@ namespace taut::cli {
 struct ProcessResult {
   bool found = true;
   bool stopped = false;  // by an interrupt
-  bool late = false;     // stopped by the limit
+  bool late = false;     // stopped by `limit`
   int code = 0;          // or 128 + signal
   std::string errors;    // end of stderr
 };
 
-/// Runs a program from the absolute folders of PATH without a shell; stdin is empty, stdout is discarded.
-/// An interrupt or `limit` stops the program.
+/// Runs a program from the absolute folders of PATH without a shell. stdin is empty, stdout is discarded.
 ProcessResult run_process(std::vector<std::string> arguments, const std::filesystem::path& folder,
                           const Interrupts& interrupts,
                           std::optional<std::chrono::seconds> limit = std::nullopt);

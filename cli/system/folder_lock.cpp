@@ -50,7 +50,7 @@ bool knows_no_locks(int error) {
   return std::ranges::find(all, error) != all.end();
 }
 
-/// Content of a lock file, one line per member.
+/// Lock file, one line per member.
 struct Holder {
   std::string command, process, host, since;
 
@@ -172,7 +172,7 @@ void FolderLock::write_holder(std::string_view command) const {
   const std::string text = fmt::format("{}\n{}\n{}\n{}\n", command, ::getpid(), host_name(), since.data());
   const bool told = ::ftruncate(descriptor_, 0) == 0 &&
                     (of_ == Of::part_of_sweep || ::pwrite(descriptor_, text.data(), text.size(), 0) > 0);
-  static_cast<void>(told);  // on a full disk, the lock works without this text
+  static_cast<void>(told);  // the lock works without text
 }
 
 }  // namespace taut::cli

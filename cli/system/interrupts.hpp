@@ -14,8 +14,7 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// While an object exists, the first signal, even an earlier one, ends the program: for long work that checks no flag
-  /// and writes no files.
+  /// The first signal, even an earlier one, ends the program: for long work that checks no flag and writes no files.
   class ExitOnSignal {
    public:
     ExitOnSignal();

@@ -51,12 +51,11 @@ std::string time_left(double share, double before, double elapsed);
 /// second.
 std::string long_time_left(double done, double left, double elapsed);
 
-/// "rings, 4398 particles [####......] 40 %  0:12 left  2.1 M particle-steps/s". Shortens `what` and omits
-/// `detail` to fit `width`.
+/// "rings, 4398 particles [####......] 40 %  0:12 left  2.1 M particle-steps/s". Shortened to fit `width`.
 std::string bar_line(const std::string& what, double share, const std::string& left,
                      const std::string& detail, std::size_t width);
 
-/// Bar if `err` is stderr on a terminal, else lines; nothing if `quiet`.
+/// Bar if `err` is stderr on a terminal.
 Progress::Style progress_style(const std::ostream& err, bool quiet);
 
 }  // namespace taut::cli

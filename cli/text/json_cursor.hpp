@@ -33,7 +33,7 @@ class JsonCursor {
 
   void check_object() const;
   std::optional<double> number() const;
-  /// NaN for null. A whole T gives 0 for null and beyond ±1e9, or ±1e18 if T has more than 4 bytes.
+  /// Null gives NaN, in a whole T 0. A whole T is also 0 beyond ±1e9 (64-bit: ±1e18).
   template <class T>
   T number_as() const {
     const double value = number().value_or(NAN);
