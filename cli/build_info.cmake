@@ -1,5 +1,6 @@
-# cmake -D TEMPLATE=… -D OUTPUT=… -D SOURCE=… -D …=… -P build_info.cmake: writes OUTPUT from TEMPLATE if it changes, so
-# a new commit recompiles only this file. SOURCE/.git must exist: an unpacked archive can be inside another repository.
+# cmake -D TEMPLATE=… -D OUTPUT=… -D SOURCE=… -D …=… -P build_info.cmake: writes OUTPUT from TEMPLATE if the text
+# changes, so a new commit recompiles only OUTPUT. Without SOURCE/.git, the commit is unknown: an unpacked archive can be
+# inside another repository.
 set(TAUT_COMMIT unknown)
 if(EXISTS ${SOURCE}/.git)
   execute_process(COMMAND git --no-optional-locks -C ${SOURCE} describe --always --dirty --abbrev=12 --match=

@@ -38,7 +38,7 @@ one of its own, draws the particles off\nscreen, and reports how accurate, fast 
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # from the program itself
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # reads the libraries from the program
 set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, librsvg2-bin")  # charts; outlines from SVG files
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS ffmpeg)         # movie

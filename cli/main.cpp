@@ -7,7 +7,7 @@
 
 namespace {
 
-/// Keeps opened files from getting the number of a closed standard stream, whose use remains an error.
+/// Opens /dev/null for closed standard streams: no file gets their numbers, and their use remains an error.
 void occupy_closed_streams() {
   for (const int stream : {0, 1, 2})
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);

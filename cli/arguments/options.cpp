@@ -149,7 +149,7 @@ bool Options::read(const std::vector<std::string>& words) try {
 } catch (const CLI::CallForHelp&) {
   return false;
 } catch (const CLI::ParseError& e) {
-  refuse_unknown();  // precedes "SCENE is required"
+  refuse_unknown();  // rather than report a missing argument
   throw UsageError(fmt::format("{}; see `{} --help`", what_is_wrong(*app_, e), app_->get_name()));
 }
 
@@ -170,7 +170,7 @@ std::vector<std::string> Options::joined(const std::vector<std::string>& words) 
   return all;
 }
 
-/// Throws UsageError for a flag followed by a word that is no argument.
+/// Gives flags without a word their first word. Throws UsageError for an unknown word.
 void Options::set_flags(const std::vector<std::string>& words) const {
   for (const FlagWithWords& flag : flags_) {
     if (app_->get_option(flag.name)->count() == 0) continue;
@@ -185,7 +185,7 @@ void Options::set_flags(const std::vector<std::string>& words) const {
   }
 }
 
-/// CLI11's message has no nearest names.
+/// Throws UsageError for unknown options and superfluous arguments.
 void Options::refuse_unknown() const {
   std::vector<std::string> rest = app_->remaining();
   std::erase(rest, "--");

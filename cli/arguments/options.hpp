@@ -35,7 +35,7 @@ class Option {
   bool is_positional() const;
   bool takes_value() const;
   bool may_be_repeated() const;
-  /// "true" for a flag.
+  /// Values as typed; "true" for a flag.
   std::vector<std::string> values() const;
 
  private:

@@ -35,7 +35,7 @@ struct Claim {
   std::string name() const { return paper + "." + key; }
 };
 
-/// A file of scenes/papers/.
+/// Content of a claim file.
 struct Paper {
   std::filesystem::path file;
   std::string key, title;

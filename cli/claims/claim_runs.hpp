@@ -28,7 +28,7 @@ struct ClaimOutcome {
   const Claim* claim;
   std::vector<std::pair<std::string, std::string>> values{};  // "og.verdict", "fractured"
   std::optional<ClaimState> state{};                          // none: a problem
-  bool evidence = true;                                       // evidence of the reason is true or not needed
+  bool evidence = true;                                       // true or not needed
   std::string problem{};                                      // broken run or quantity without value
 
   bool agrees() const { return state == claim->state && evidence; }

@@ -12,10 +12,8 @@ namespace taut::cli {
 
 /// `columns`: width of the text, in characters; none: unlimited.
 std::string list_of_claims(const std::vector<const Claim*>& claims, std::optional<std::size_t> columns);
-/// Includes the commands that repeat the runs.
 std::string claim_text(const Claim& claim, std::size_t columns);
 std::string table_of_outcomes(const std::vector<ClaimOutcome>& outcomes, std::optional<std::size_t> columns);
-/// Page with counts, the reasons of claims that do not hold, and all claims.
 std::string claims_markdown(const std::vector<Paper>& papers);
 
 /// `outcome` may be nullptr.

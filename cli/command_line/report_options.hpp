@@ -17,11 +17,10 @@ struct ReportOptions {
 
   void declare_json(Options& command);
   void declare_junit(Options& command);
-  /// Writes the JUnit file, if requested, and GitHub annotations to `err`. Throws OutputError.
+  /// Writes the JUnit file, if requested, and within GitHub Actions annotations to `err`. Throws OutputError.
   void publish(const TestReport& report, std::ostream& err) const;
 };
 
-/// Contains the keys `taut`, `answer` and `format`.
 Json json_answer(std::string_view command);
 
 }  // namespace taut::cli

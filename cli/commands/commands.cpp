@@ -54,7 +54,8 @@ constexpr Command table[] = {
      "The gnuplot script plate.gp and its data plate.dat are written beside the picture.\n"
      "To change the picture, edit the script and run `gnuplot plate.gp`.\n",
      declare_chart},
-    {"map", "draw the verdicts from the results of sweeps: one parameter (x axis) by method (y axis)",
+    {"map",
+     "draw verdicts or a measure from the results of sweeps: one parameter (x axis) by method (y axis)",
      "  taut sweep colliding-rings --grid v0=0.02:0.16:0.02 --grid method=og,oas,enog --out out/speeds\n"
      "  taut map out/speeds/results.csv --out speeds.png\n",
      declare_map},
@@ -75,7 +76,7 @@ constexpr Command table[] = {
      "  taut plot out/tl --columns top+bottom --width 85mm --out figure.png\n"
      "The gnuplot script and its data, such as tip.gp and tip.dat, are written beside the picture.\n",
      declare_plot},
-    {"report", "write a web page of runs, of a sweep, or of differing pictures, to open in a browser",
+    {"report", "write a web page of runs, a sweep, a suite or differing pictures, to open in a browser",
      "  taut report out/rings                     frames, histories, measures: out/rings/report/index.html\n"
      "  taut report out/og out/enog --out out/two runs side by side\n"
      "  taut report out/speeds                    table, map and charts of a sweep or study\n"
@@ -97,7 +98,7 @@ constexpr Command table[] = {
      "  taut diff a/frames/frame_00060.png b/frames/frame_00060.png\n"
      "  taut diff a.png b.png --max-difference 2 --out diff.png\n",
      declare_diff},
-    {"snapshot", "run a scene and compare its frames with a baseline; exit code 1 if they differ",
+    {"snapshot", "run a scene or a suite and compare its frames with baselines; exit code 1 if they differ",
      "  taut snapshot my.toml --baseline baselines/my --frames 4 --size 320x180 --update     create it\n"
      "  taut snapshot my.toml --baseline baselines/my --frames 4 --size 320x180              compare\n",
      declare_snapshot},
@@ -113,7 +114,7 @@ constexpr Command table[] = {
      "  taut critical-step rotating-plate --spacing 0.1 --json\n"
      "Each trial restarts the scene with a fixed time step and adds small random velocities that excite\n"
      "unstable modes. A trial is unstable if its energy exceeds 100 times the energy that the scene\n"
-     "received, or if a value is not finite.\n",
+     "received, or if the simulation fails, for instance because a value is not finite.\n",
      declare_critical_step},
     {"claims",
      "list statements of the papers and whether they hold here; run them; exit code 1 if a run differs",

@@ -45,10 +45,10 @@ struct Column {
   std::vector<PanelCell> cells;
 };
 
-/// A column per run, drawn alike.
+/// Columns with the same drawing, one per run.
 struct Block {
   Drawing drawing;
-  bool bounded = false;  // to the view of the scenes
+  bool bounded = false;  // limited to the view of the scenes
   std::vector<Column> columns{};
 };
 
@@ -87,7 +87,7 @@ std::optional<render::View> common_view(const std::vector<SavedRun>& runs) {
   return view;
 }
 
-/// Ignores particles that fly away.
+/// Part of `all` in `window`, without particles that fly away.
 render::View within(const render::View& all, const std::optional<render::View>& window) {
   if (!window) return all;
   return {std::max(all.x_min, window->x_min), std::min(all.x_max, window->x_max),
@@ -130,7 +130,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// "color=pressure; range=0:1e6", `color` first because it resets range and map.
+/// Parses "color=pressure; range=0:1e6"; `color` comes first because it resets range and map.
 std::vector<Change> changes_in(const std::string& beside) {
   std::vector<Change> changes;
   std::istringstream parts(beside);

@@ -123,8 +123,8 @@ std::function<int(Streams)> declare_critical_step(Options& command) {
   declare_setting_options(command, *options);
   command
       .add("--steps", "N", options->steps,
-           "length of a trial, in default time steps; "
-           "at most the whole scene, and at least 300 steps of the trial; default: " +
+           "length of a trial, in default time steps; at most the length of the scene; "
+           "a trial always makes at least 300 steps of its own; default: " +
                std::to_string(options->steps))
       .check(positive_whole_number);
   command

@@ -104,7 +104,7 @@ Rows body_rows(const Scene& scene) {
   return rows;
 }
 
-/// At t = until, m/s².
+/// Gravity at t = until, m/s².
 std::string gravity_text(const Scene& scene) {
   std::string text;
   for (std::size_t k = 0; k < static_cast<std::size_t>(scene.dim); ++k)

@@ -17,7 +17,7 @@
 namespace taut::cli {
 namespace {
 
-/// Rows have equal keys, the name first.
+/// `rows` returns objects with equal keys, the name first.
 struct Listing {
   std::string_view kind;
   Json (*rows)();
@@ -66,7 +66,7 @@ Json equation_rows() {
 
 constexpr Listing listings[] = {
     {"scenes", scene_rows, "shipped scenes"},
-    {"methods", of_language<method_rows>, "SPH formulations"},
+    {"methods", of_language<method_rows>, "SPH formulations, and finite elements"},
     {"equations", equation_rows, "equations of all methods, with function and test"},
     {"laws", of_language<law_rows>, "laws of elasticity"},
     {"contacts", of_language<contact_rows>, "contact laws"},

@@ -222,7 +222,7 @@ int plot_curves(const PlotArguments& options, StoredResults results, const PlotF
   return draw_history(plot, files, streams, look);
 }
 
-/// Adds units and titles of the scene files. Ignores runs without a scene file.
+/// Adds units and title of the first run's scene file, if it exists.
 void add_units(StoredResults& results) {
   std::vector<SceneFile> scenes;
   try {

@@ -33,7 +33,6 @@ struct RenderArguments : DrawingOptions {
 
 bool is_lock(const fs::path& file) { return file.filename() == run_lock_name; }
 
-/// Refuses folders with files other than frames.
 void check_for_frames(const fs::path& folder) {
   if (!fs::exists(folder)) return;
   if (!fs::is_directory(folder)) throw UsageError("'" + folder.string() + "' is not a folder");
@@ -67,7 +66,7 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
   return run.folder.frames();
 }
 
-/// The run folder; with --out, the run folder that contains it, or else the --out folder itself.
+/// The run folder; with --out, the run folder that contains the --out folder, or else the --out folder itself.
 fs::path folder_to_lock(const RenderArguments& options) {
   if (!options.out) return options.run;
   check_for_frames(*options.out);

@@ -50,7 +50,7 @@ void declare_options(Options& command, RunArguments& o) {
   command.add_flag("--force", o.force, "replace an older run that took more than a minute");
   command.add_flag(
       "--dry-run", o.dry_run,
-      "print size, time step, number of steps and estimated time, and draw the first picture; run nothing");
+      "print size, time step, number of steps, estimated time and memory, and draw the first picture; write no run");
   command.add("--threads", "N", o.threads, "number of threads; default: all cores, fewer for small scenes")
       .check(positive_whole_number);
   command.add_flag("--no-render", o.no_render, "draw no frames");
@@ -64,7 +64,6 @@ struct LockedPlan {
   RunPlan plan;
 };
 
-/// Throws UsageError if a run of more than a minute would be lost.
 void refuse_to_lose(const RunFolder& folder) {
   constexpr double minute = 60;  // s
   const auto record = read_record(folder.record());

@@ -44,7 +44,7 @@ void declare_options(Options& command, SnapshotArguments& o) {
       .required();
   command.add("--baseline", "DIR", o.baseline,
               "folder of the frames to compare with, or of all baselines of a suite; "
-              "default for a suite: `baselines` in its file");
+              "default for a suite: `baselines` of its file, else its name without .toml");
   command.add_flag("--update", o.update, "replace the baseline by the frames of this run; check them first");
   command
       .add("--only", "ENTRY,...", o.only,
@@ -120,7 +120,7 @@ int snapshot_of_scene(SnapshotArguments options, Streams streams) {
     throw UsageError("there is no baseline in '" + *options.baseline +
                      "'; create it from this run with --update");
   const FolderLock lock(plan.folder.path(), FolderLock::Of::run, "taut snapshot", streams.err);
-  plan.folder.check();  // may have changed
+  plan.folder.check();  // the folder may have changed
   const Interrupts interrupts;
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const RunResult run = run_scene(plan, interrupts, progress, setup.seconds());
@@ -159,7 +159,6 @@ std::optional<fs::path> suite_of(const std::string& what) {
   return std::ranges::find(scenes, what) == scenes.end() ? suite : std::nullopt;
 }
 
-/// Throws UsageError for an option that does not apply.
 void check_options(const Options& command, bool suite) {
   static const std::vector<std::string> of_suites = {"--only", "--list", "--jobs"},
                                         of_both = {"--baseline", "--update", "--out",   "--threads",
@@ -170,7 +169,7 @@ void check_options(const Options& command, bool suite) {
   for (const Option& option : command.all()) {
     if (option.is_positional() || option.values().empty() || in(of_both, option)) continue;
     if (!suite && in(of_suites, option))
-      throw UsageError(option.name() + " is for suites, and this is a scene");
+      throw UsageError(option.name() + " is for suites, and this is a scene; leave it out");
     if (suite && !in(of_suites, option))
       throw UsageError(option.name() +
                        " is for scenes; "
@@ -194,7 +193,7 @@ int list_suite(const SuiteFile& suite, const SnapshotArguments& o, const std::ve
   return exit_fine;
 }
 
-/// Code of the runs, else of failed comparisons, else of differences.
+/// Code of the runs, else of a divergence, a failed comparison or a difference.
 int exit_code_of(const std::vector<EntryOutcome>& outcomes, int of_runs) {
   if (of_runs != exit_fine) return of_runs;
   const auto any = [&](const auto& is) { return std::ranges::any_of(outcomes, is); };

@@ -64,7 +64,6 @@ int emit(const SweepOptions& o, const Options& command, const SweepPlan& plan, s
   return exit_fine;
 }
 
-/// Cost measurements use at most one job per physical core.
 int number_of_jobs(const SweepPlan& plan, const SweepOptions& o) {
   const bool costs = !plan.runs.empty() && !plan.runs.front().repetitions.empty();
   const int most = std::max(1, (costs ? physical_cores() : cores()) / o.run.threads);

@@ -11,7 +11,7 @@ constexpr double outside = 0.01;       // share of values clipped at each end
 constexpr double not_far = 0.25;       // share of the range; clipped values that widen it less are included
 constexpr std::size_t most = 1 << 22;  // values in the sample
 
-/// Excludes values that overflow when squared.
+/// False for NaN and magnitudes whose products could overflow.
 bool counts(double value) {
   constexpr double greatest = 1e100;
   return std::abs(value) < greatest;

@@ -21,20 +21,20 @@ class SequenceBounds {
   void add_positions(std::span<const double> x, int dim, double diameter);
   void add(const FrameView& particles);
 
-  /// Leaves out at each end at most 1 % of the values beyond `round_off`, unless they would widen the range by less
+  /// Leaves out at each end at most 1 % of the values beyond ±`round_off`, unless they would widen the range by less
   /// than a quarter. Never empty; symmetric about `middle`.
   render::Range range(std::optional<double> middle, double round_off = 0) const;
   /// Includes a margin of 5 % of the longer side.
   render::View view() const;
-  /// View centred at the origin (the followed body's centre of mass), 1.5 times as large.
+  /// View centred at the origin (the followed body's centre of mass), 1.5 times as large as needed.
   render::View view_about_origin() const;
-  /// Shows everything from all directions.
+  /// Contains all particles from every direction.
   struct Orbit {
-    render::View view;  // centred at the origin
-    render::Vector middle;
+    render::View view;      // centred at the origin
+    render::Vector middle;  // m
   };
   Orbit orbit() const;
-  /// Nearest particle along the camera's direction, m.
+  /// `Camera::front`: greatest coordinate of the particles towards the camera, m.
   double front() const;
 
  private:
@@ -42,7 +42,7 @@ class SequenceBounds {
     double low = 1e300, high = -1e300;
     void add(double value, double margin = 0);
   };
-  Interval values_, x_, y_, z_;  // along the camera's axes
+  Interval values_, x_, y_, z_;  // positions: along the camera's axes
   std::vector<double> sample_;   // every `stride_`-th value
   std::size_t stride_ = 1, seen_ = 0;
   std::optional<render::CameraAxes> axes_;

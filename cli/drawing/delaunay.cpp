@@ -15,7 +15,7 @@ extern "C" {
 namespace taut::cli {
 namespace {
 
-/// Irregular, within ±1.
+/// Irregular number from -1 to 1.
 double scatter(std::size_t point, std::size_t axis) {
   constexpr std::array<double, 3> irrational{0.618033988749895, 0.414213562373095, 0.732050807568877};
   const double n = static_cast<double>(point + 1);

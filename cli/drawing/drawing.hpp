@@ -23,14 +23,14 @@ enum class Style : std::uint8_t { discs, spheres, cells, surface };
 enum class Outlines : std::uint8_t { none, deformed, undeformed, both };
 
 struct ColorFormula {
-  /// Current and initial.
+  /// Current and initial coordinates.
   static constexpr std::array<const char*, 6> places{"x", "y", "z", "X", "Y", "Z"};
   using Function = std::function<double(const std::vector<double>&, double t)>;
 
   std::vector<const Field*> fields;
   Function function;  // of fields, `places` and time
 
-  /// x, x0: `dim` coordinates each, m.
+  /// x, x0: `dim` coordinates per particle, m.
   std::vector<double> values(std::span<const std::vector<double>> of_fields, int dim,
                              std::span<const double> x, std::span<const double> x0, double time) const;
 };
@@ -42,7 +42,7 @@ struct Drawing {
   int frames = 60;               // evenly spaced after t = 0
   std::optional<Style> style{};  // default: discs, in 3D spheres
   std::string cut{};             // hides particles where it is not 0 at the start
-  std::string hide{};            // separated by commas
+  std::string hide{};            // bodies, separated by commas
   Outlines outline = Outlines::none;
   std::string follow{};  // body that stays centred
 
@@ -66,12 +66,12 @@ struct Drawing {
 
 /// `print_width` in pixels.
 std::optional<double> pixels_on_paper(const Drawing& drawing);
-/// An open size stays open.
+/// Applies print width and font size. An open size stays open.
 Drawing sized(Drawing drawing);
 
 struct ColorMeaning {
   std::string_view name, unit;
-  std::optional<double> middle;  // of a signed field
+  std::optional<double> middle;  // of a symmetric colour range
 };
 ColorMeaning meaning(const Drawing& drawing);
 /// In the field's unit.

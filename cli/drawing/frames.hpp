@@ -32,7 +32,7 @@ struct Captions {
 };
 
 Drawing fitted(const Drawing& drawing, const Snapshot& snapshot);
-/// Requires `fitted`.
+/// Requires a drawing from `fitted`.
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot);
 
 /// "taut: …" with end of line; empty if all texts fit.
@@ -51,7 +51,7 @@ class Frames {
   void add(const Snapshot& snapshot);
   /// Requires all particles of the run.
   void add(const FrameView& particles);
-  /// Ascending; default: 0, 1, …
+  /// File numbers, ascending; default: 0, 1, …
   void number_files(std::vector<int> numbers) { file_numbers_ = std::move(numbers); }
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
   /// Waits for pending frames. Errors of drawing threads are rethrown here and by `add`.
@@ -59,7 +59,7 @@ class Frames {
 
   int kept() const { return static_cast<int>(kept_.size()); }
   int written() const { return written_; }
-  /// Complete after the first frame.
+  /// Fitted once the first frame is drawn.
   const Drawing& drawing() const { return drawing_; }
 
   /// Texts that lack room in the pictures. Call after `finish`.
@@ -83,7 +83,7 @@ class Frames {
   }
 
  private:
-  /// In single precision, particles far from the origin would coincide.
+  /// Doubles: in single precision, particles far from the origin would coincide.
   struct Kept {
     double time;   // s
     Point origin;  // m
@@ -122,7 +122,7 @@ class Frames {
   std::atomic<int> written_ = 0;
   std::atomic<double> drawing_time_ = 0, writing_time_ = 0;  // s, not yet in `seconds_`
   std::vector<std::optional<render::Renderer>> renderers_;
-  OrderedWork work_;  // last: its threads use the others
+  OrderedWork work_;  // last: its threads use the other members
 };
 
 }  // namespace taut::cli

@@ -21,7 +21,7 @@ Json array_of(const std::vector<double>& numbers) {
   return all;
 }
 
-/// None for null.
+/// Empty for null.
 std::vector<double> numbers_of(const JsonCursor& value, std::size_t count) {
   std::vector<double> numbers;
   for (const JsonCursor& item : value.items())

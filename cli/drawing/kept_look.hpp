@@ -14,7 +14,7 @@ struct KeptLook {
   std::string color;                   // key, or "=EXPRESSION"
   std::optional<render::Range> range;  // none: bodies or materials
   std::optional<render::View> view;    // none: orbit
-  double front = 0;                    // 3D: nearest particle along the camera's direction, m
+  double front = 0;                    // 3D: `Camera::front`, m
 };
 
 KeptLook look_of(const Drawing& drawn);

@@ -35,23 +35,23 @@ struct DrawingKey {
   struct Numbers {
     std::size_t count = 1;
     bool whole = false;
-    char between = ':';             // of typed numbers
+    char between = ':';             // separates typed numbers
     std::string_view in_file = {};  // in messages: "[low, high]"
     std::string typed = {};
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   };
 
   std::string_view name;         // "font_size"
-  std::string_view placeholder;  // ends in "|auto" if the key allows it
+  std::string_view placeholder;  // ends in "|auto" if "auto" can be typed
   std::string_view help;
   std::string_view session_help = {};  // empty: no session command
   bool allows_auto = false;            // in scene files
   bool counts_frames = false;
   Words words = {};
-  bool is_free_text = false;  // typed "none" means empty
+  bool is_free_text = false;  // checked by `set` or `apply_scene`
   std::string_view pattern = {};
   Numbers numbers = {};
-  /// Returns an error message, or "". `apply_scene` checks the scene.
+  /// Returns an error message, or "". `apply_scene` compares the value with the scene.
   std::string (*set)(Drawing&, const DrawingValue&);
   DrawingValue (*get)(const Drawing&);
 
@@ -61,7 +61,7 @@ struct DrawingKey {
 
 std::span<const DrawingKey> drawing_keys();
 
-/// Keys that pictures of one panel may have in several versions, for `compare --beside`.
+/// Keys in which pictures of a panel may differ (`compare --beside`).
 inline constexpr std::array<std::string_view, 14> keys_beside{
     "color", "range", "colormap", "view",    "camera", "up",    "fov",
     "style", "cut",   "hide",     "outline", "follow", "glyph", "bar_format"};

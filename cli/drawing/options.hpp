@@ -15,14 +15,13 @@ class Options;
 /// Omitted values come from the scene.
 struct DrawingOptions {
   std::map<std::string, std::optional<std::string>, std::less<>> typed;
-  DrawingValues values;  // of another file; `typed` has priority
+  DrawingValues values;  // of a suite file; `typed` has priority
 
   bool any() const;
 };
 
 void declare_drawing_options(Options& command, DrawingOptions& options);
 
-/// Throws UsageError for a wrong value.
 Drawing with_options(Drawing drawing, const DrawingOptions& options);
 
 }  // namespace taut::cli

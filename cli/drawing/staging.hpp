@@ -17,14 +17,14 @@
 
 namespace taut::cli {
 
-/// Particles of one picture, to which `view` refers.
+/// Particles of one picture; `view` refers to them.
 struct StagedParticles {
   int dim = 2;
   double time = 0;  // s
   std::vector<double> x{}, diameter{}, value{}, cell{};
   std::vector<std::uint32_t> triangle{};
   std::vector<double> outline{}, undeformed{};  // 2D segments, m
-  Point origin{};                               // in the scene, m
+  Point origin{};                               // the picture's origin in scene coordinates, m
   std::vector<WallFace> walls{};
 
   FrameView view() const;

@@ -146,7 +146,7 @@ bool Surface::fits(const Scene& scene, int body, const Simplex& simplex) const {
   return !on_faces || holds(of, middle, scene.dim, 0);
 }
 
-/// Drops boundary simplices without size, whose outside depends on round-off. Returns whether any existed.
+/// Drops boundary simplices without size, whose outward side depends on round-off. Returns whether any existed.
 bool Surface::drop_flat() {
   const double least = 1e-3 * std::pow(dp_, static_cast<double>(dim_));
   std::vector<bool> drop(simplices_.size());
@@ -189,7 +189,7 @@ std::vector<double> Surface::points_at(std::span<const double> x) const {
   return all;
 }
 
-/// False also for NaN.
+/// Whether no edge is torn; false for NaN.
 bool Surface::is_whole(const Simplex& simplex, std::span<const double> x) const {
   for (std::size_t a = 0; a <= dim_; ++a)
     for (std::size_t b = 0; b < a; ++b)
@@ -242,7 +242,7 @@ SurfaceShape Surface::at(std::span<const double> x, std::span<const double> valu
       sum += weight * of, low = std::min(low, of), high = std::max(high, of);
     }
     const auto& nearest = nodes_.shares[static_cast<std::size_t>(nodes_.begin[n])];
-    // no interpolation beyond the values around
+    // no value beyond those around
     shape.value.push_back(uniform           ? value[static_cast<std::size_t>(nearest.particle)]
                           : std::isnan(sum) ? sum
                                             : std::clamp(sum, low, high));

@@ -13,15 +13,15 @@ namespace taut::cli {
 
 /// Points are particles, then nodes.
 struct SurfaceShape {
-  std::vector<double> x{}, value{};       // dim coordinates each, m
+  std::vector<double> x{}, value{};       // x: dim coordinates per point, m
   std::vector<std::uint32_t> triangle{};  // 3 points each; 3D: anticlockwise from outside
   std::vector<double> outline{};          // 2D: four coordinates per segment, m
-  std::vector<std::uint32_t> loose{};     // points without triangles
+  std::vector<std::uint32_t> loose{};     // particles without a whole simplex
 };
 
 /// Delaunay triangles (in 3D tetrahedra) of the initial positions of particles and of nodes on contact faces. Nodes
-/// move with the particles around them. Edges are at most two spacings long; triangles are dropped beyond a stretch of
-/// three, where neighbours leave the usual kernel (2.6 spacings).
+/// move with the particles around them. Initial edges are at most two spacings long. A triangle is dropped if an edge
+/// becomes more than three times as long: such neighbours have left the usual kernel (2.6 spacings).
 class Surface {
  public:
   /// Particle k is `shown[k]` of the scene, ascending. `is_cut` hides nodes.

@@ -21,12 +21,13 @@ struct Mask {
 
 inline constexpr int greatest_mask_side = 4096;  // pixels
 
-/// Darkness on a white background, or opacity.
+/// Solid is darkness on a white background, or opacity.
 enum class MaskOf : std::uint8_t { darkness, alpha };
 /// Throws UsageError if the file is unreadable or too large.
 Mask read_mask(const std::filesystem::path& png, MaskOf of);
 
-/// Painted area of an SVG file (librsvg), at most `rows` pixels high. Throws UsageError if it is unreadable or empty.
+/// Painted area of an SVG file (rsvg-convert), about `rows` pixels high. Throws UsageError if the file is
+/// unreadable or paints nothing.
 Mask paint_svg(const std::filesystem::path& svg, int rows);
 
 Mask cropped(const Mask& mask);

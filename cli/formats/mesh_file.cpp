@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::uint64_t most_bytes = 256 << 20;
 
-/// "stl" or "obj".
 std::string format_of_mesh(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });

@@ -6,7 +6,8 @@
 
 namespace taut::cli {
 
-/// Reads a closed STL or OBJ mesh in file units. Merges equal points, drops triangles without area. Throws UsageError.
+/// Reads a closed STL or OBJ mesh in file units. Merges equal points, drops triangles with two equal corners.
+/// Throws UsageError.
 Triangles read_mesh(const std::filesystem::path& file);
 
 }  // namespace taut::cli

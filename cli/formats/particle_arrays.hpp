@@ -22,12 +22,12 @@ struct ParticleArray {
   std::size_t width() const { return components.empty() ? 1 : components.size(); }
 };
 
-/// VTK's order.
+/// Names, in VTK's order.
 std::span<const std::string_view> tensor_components();
 
-/// Fields as given, then diameter, velocity, body, material, held, id, mass, volume, initial position, displacement.
-/// Stress tensor (Cauchy, positive in tension) and strain tensor (logarithmic, ½ ln F Fᵀ) follow if `fields` contain
-/// a component. Vectors have three components also in 2D.
+/// Fields as given, without body and material; then diameter, velocity, body, material, held, id, mass, volume, initial
+/// position, displacement. Stress tensor (Cauchy, positive in tension) and strain tensor (logarithmic, ½ ln F Fᵀ) follow
+/// if `fields` contain a component. Vectors have three components also in 2D.
 std::vector<ParticleArray> particle_arrays(const Snapshot& now, std::span<const Field* const> fields);
 
 /// Positions, three components each, m.

@@ -27,7 +27,6 @@ struct Column {
   double at(std::size_t i) const { return scale * array->values[array->width() * i + component]; }
 };
 
-/// Appends the shortest text that reads back exactly.
 template <class Number>
 void append_number(std::string& text, Number number) {
   std::array<char, 32> digits;
@@ -59,7 +58,6 @@ std::set<std::string> component_names(const std::vector<ParticleArray>& arrays) 
   return names;
 }
 
-/// Whether a component is 0 in 2D: z of a vector, xz or yz of a tensor.
 bool is_zero_in_2d(const ParticleArray& array, std::size_t component) {
   if (array.components.empty()) return false;
   const std::string_view axes = array.components[component];
@@ -67,7 +65,7 @@ bool is_zero_in_2d(const ParticleArray& array, std::size_t component) {
 }
 
 struct Property {
-  std::string_view array, name;  // in OVITO's manual
+  std::string_view array, name;  // `name`: in OVITO's manual
   double scale = 1;
 };
 constexpr std::array properties{Property{"velocity", "velo"}, Property{"displacement_vector", "disp"},

@@ -72,7 +72,7 @@ void add(Writer& file, const ParticleArray& array, bool single_precision) {
 }
 
 void write_point_data(Writer& file, const std::vector<ParticleArray>& arrays, bool single_precision) {
-  // ParaView first shows these
+  // arrays that ParaView shows first
   const bool has_field = arrays.front().name != diameter_name;
   const bool has_tensor = std::ranges::count(arrays, stress_name, &ParticleArray::name) > 0;
   file.line("<PointData" + (has_field ? attribute("Scalars", arrays.front().name) : "") +
@@ -82,7 +82,7 @@ void write_point_data(Writer& file, const std::vector<ParticleArray>& arrays, bo
   file.line("</PointData>");
 }
 
-/// ParaView can select and cut only cells.
+/// One cell per particle: ParaView can select and cut only cells.
 void write_vertices(Writer& file, std::size_t count) {
   std::vector<std::int32_t> number(count);
   std::iota(number.begin(), number.end(), 0);
@@ -113,7 +113,7 @@ std::vector<std::string_view> tags_of(std::string_view xml) {
   return tags;
 }
 
-/// "" beyond 64 KiB.
+/// Returns "" if longer than 64 KiB.
 std::string header_of(std::ifstream& file) {
   std::string text(1 << 16, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -198,7 +198,7 @@ std::vector<double> ParticleFile::read_as(const Array& array) const {
   std::ifstream file(path_, std::ios::binary | std::ios::ate);
   const auto length =
       static_cast<std::uint64_t>(std::max<std::streamoff>(file ? std::streamoff(file.tellg()) : 0, 0));
-  // zlib compresses at most 1000-fold; damaged sizes must not allocate memory
+  // zlib compresses about 1000-fold at most; damaged sizes must not allocate memory
   constexpr std::uint64_t most_packed = 1024;
   if (array.offset >= length || array.components > 9 ||
       array.components * size_ * sizeof(Number) > most_packed * (length - array.offset))

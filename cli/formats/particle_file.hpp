@@ -10,8 +10,8 @@
 
 namespace taut::cli {
 
-/// Compressed VTK PolyData (.vtp): time, positions (z = 0 in 2D), vertices, particle_arrays(). Tensors: xx, yy, zz,
-/// xy, yz, xz. Real numbers are Float64, or Float32.
+/// Compressed VTK PolyData (.vtp): time, positions (z = 0 in 2D), vertices, particle_arrays(). Real numbers are
+/// Float64, or Float32.
 std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                                bool single_precision = false);
 

@@ -32,7 +32,7 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
-/// Filters of a few kilobytes can take hours.
+/// Time limit: filters of a few kilobytes can take hours.
 constexpr std::chrono::seconds longest{10};
 
 Mask paint(const std::filesystem::path& svg, int rows) {

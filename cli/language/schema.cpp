@@ -141,8 +141,8 @@ Json schema_of(const KeyInfo& key, int dim) {
   return schema;
 }
 
-/// Sets of keys, such as {bodies} and {body, wall}, of which a table has one. Keys of a set share a default text,
-/// which names the others.
+/// Sets of keys, such as {bodies} and {body, wall}, of which a table has exactly one. Keys of a set share a default
+/// text, which names the keys of the other sets.
 std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo> keys) {
   const std::string named = std::string(first.by_default) + " ";
   const auto is_named = [&](const KeyInfo& key) {
@@ -229,7 +229,7 @@ Json section_schema(std::string_view name) {
   return kinds.empty() ? table_schema(keys_of(name), 0) : Json{{"oneOf", array_of(std::move(kinds))}};
 }
 
-/// Includes values allowed in 2D or 3D.
+/// Allows values valid in 2D or 3D.
 Json constant_schema(const MethodConstant& constant, const std::vector<MethodConstant>& in_3d) {
   if (!constant.choices.empty())
     return {{"description", constant.help},

@@ -22,14 +22,14 @@ constexpr int lines_kept = 1000;
 LineInput::Complete complete_words;
 std::vector<std::string> found;
 
-/// Freed by libedit; nullptr at the end.
+/// libedit frees the result. Returns nullptr at the end.
 char* next_found(const char*, int state) {
   static std::size_t next = 0;
   if (state == 0) next = 0;
   return next < found.size() ? ::strdup(found[next++].c_str()) : nullptr;
 }
 
-/// Returns nullptr to complete file names, or nothing if `rl_attempted_completion_over`.
+/// Returns nullptr without matches: libedit then completes file names, unless `rl_attempted_completion_over`.
 char** complete_last_word(const char* last, int start, int) {
   std::istringstream before(std::string(rl_line_buffer, static_cast<std::size_t>(start)));
   std::vector<std::string> words;
@@ -44,7 +44,7 @@ char** complete_last_word(const char* last, int start, int) {
   return found.empty() ? nullptr : rl_completion_matches(last, next_found);
 }
 
-/// XDG base directory specification; may be empty.
+/// Path of the XDG base directory specification, or empty.
 fs::path history_file() {
   const char* const state = std::getenv("XDG_STATE_HOME");
   const char* const home = std::getenv("HOME");
@@ -59,7 +59,7 @@ LineInput::LineInput(Complete complete) : typed_(::isatty(STDIN_FILENO) && ::isa
   if (!typed_) return;
   complete_words = std::move(complete);
   rl_readline_name = "taut";
-  rl_catch_signals = 1;  // restores the terminal first
+  rl_catch_signals = 1;  // libedit restores the terminal first
   rl_basic_word_break_characters = " \t";
   rl_attempted_completion_function = complete_last_word;
   using_history();

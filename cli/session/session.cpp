@@ -20,7 +20,7 @@
 namespace taut::cli {
 namespace {
 
-std::unique_ptr<Simulation> start_heedful(const SceneFile& file) {
+std::unique_ptr<Simulation> start_interruptible(const SceneFile& file) {
   std::unique_ptr<Simulation> simulation = start(file);
   simulation->set_stop_flag(Interrupts::flag());
   return simulation;
@@ -45,7 +45,7 @@ Session::Session(const RunOptions& options)
     : options_(options),
       file_(scene_to_run(options)),
       drawing_(with_options(file_.drawing, options.drawing)),
-      simulation_(start_heedful(file_)) {
+      simulation_(start_interruptible(file_)) {
   apply_scene(drawing_, file_);
 }
 
@@ -79,7 +79,7 @@ void Session::run_until(double t, const Interrupts& interrupts, Progress& progre
 }
 
 void Session::reset() {
-  simulation_ = start_heedful(file_);
+  simulation_ = start_interruptible(file_);
   between_.reset();
 }
 
@@ -101,7 +101,7 @@ void Session::set(const Setting& setting) {
                     "and constants of the method that are not fixed at the start. "
                     "Start another session with --set {}",
                     setting.name, reason, text_of(setting)));
-  std::unique_ptr<Simulation> simulation = start_heedful(file);
+  std::unique_ptr<Simulation> simulation = start_interruptible(file);
   simulation->load(simulation_->save());
   simulation_ = std::move(simulation);
   options_ = std::move(options);
@@ -178,7 +178,7 @@ void Session::load(const std::filesystem::path& path) {
   if (without_drawing(checkpoint.scene) != without_drawing(resolved_text(file_, file_.path.parent_path())))
     throw UsageError(
         fmt::format("'{}' is from another scene, or has other parameters or constants", path.string()));
-  std::unique_ptr<Simulation> simulation = start_heedful(file_);
+  std::unique_ptr<Simulation> simulation = start_interruptible(file_);
   try {
     simulation->load(checkpoint.state);
   } catch (const UsageError& e) {

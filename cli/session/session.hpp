@@ -27,7 +27,7 @@ class Session {
 
   /// Stops at an interrupt, like `run_until`. Both throw NumericalError if the simulation diverges.
   void step(long count, const Interrupts& interrupts);
-  /// Runs past `t`, then shows `t` exactly.
+  /// Runs to the first step at or after `t`, then shows `t`.
   void run_until(double t, const Interrupts& interrupts, Progress& progress);
 
   /// Material law, which selects references.
@@ -36,7 +36,7 @@ class Session {
 
   const Snapshot& shown() const { return between_ ? *between_ : simulation_->snapshot(); }
 
-  /// Starts again at t = 0, keeping settings and drawing.
+  /// Returns to t = 0, keeping settings and drawing.
   void reset();
 
   /// Changes cfl, or constants that do not affect the initial configuration.
@@ -52,7 +52,7 @@ class Session {
   void orbit(double right, double upwards);
   /// Drawing with open members set for the shown state.
   Drawing drawing() const;
-  /// Draws as `taut run` would.
+  /// Writes the shown state to a PNG file.
   void frame(const std::filesystem::path& file) const;
   /// `drawing` must have no open members.
   render::Image picture(const Drawing& drawing) const;
@@ -69,7 +69,7 @@ class Session {
   Drawing drawing_;
   std::optional<render::View> window_;  // after pan or zoom in 3D
   std::unique_ptr<Simulation> simulation_;
-  std::optional<Snapshot> between_;  // within the last step
+  std::optional<Snapshot> between_;  // state within the last step
 };
 
 }  // namespace taut::cli

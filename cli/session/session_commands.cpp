@@ -91,7 +91,7 @@ std::string text_of(const DrawingKey& key, const Drawing& drawing) {
   return join(words, " ");
 }
 
-/// Such as "--range is '2:1'; …".
+/// Turns "--range is '2:1'; …" into "range is '2 1'; …".
 std::string in_session_words(std::string message, const DrawingKey& key) {
   const std::string option = key.option();
   if (!message.starts_with(option)) return message;
@@ -207,7 +207,7 @@ void measures(Session& session, const Words& words, const Dialogue& to) {
   }
 }
 
-/// Names probes. Throws UsageError before the first step.
+/// `names` are probes.
 HistoryPlot history_of(const Session& session, const Words& names) {
   const Scene& scene = session.file().scene;
   const Series& series = session.simulation().series();
@@ -235,7 +235,6 @@ HistoryPlot history_of(const Session& session, const Words& names) {
   return plot;
 }
 
-/// Probes from the start to now, with the reference curves of the scene.
 void plot(Session& session, const Words& words, const Dialogue& to) {
   if (words.empty()) wrong_words("plot");
   const PlotFiles files = plot_files(words[0]);

@@ -31,7 +31,7 @@ std::vector<Words> ways_to_use(std::string_view arguments) {
   return ways;
 }
 
-/// Word or ""; "..." repeats the word before it.
+/// Word or ""; a final "..." repeats the word before it.
 std::string at(const Words& way, std::size_t place) {
   if (way.size() > 1 && way.back() == "...") place = std::min(place, way.size() - 2);
   return place < way.size() ? way[place] : "";

@@ -18,7 +18,7 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Fits the size of pictures to the terminal. Character output is too coarse for texts, so they are left out.
+  /// Fits the size of pictures to the terminal. Leaves out texts in character output, which is too coarse.
   void adapt(render::Look& look) const;
   std::string text_of(const render::Image& image) const;
 

@@ -14,7 +14,6 @@ struct EmitForm {
 };
 
 std::vector<std::string> emit_names();
-/// Throws UsageError with the nearest names.
 const EmitForm& find_emit_form(const std::string& name);
 
 /// `sweep`: words of the command, which without --index also collects results. `threads`: of each run.

@@ -17,16 +17,16 @@ struct Axis {
 };
 
 /// Parses "v1,v2,..." or "lo:hi:step", which includes both ends. Commas in brackets belong to expressions. Numbers
-/// become canonical. Throws UsageError for a step that does not divide the range, and repeated values.
+/// become canonical. Throws UsageError for a step that does not divide the range, and for repeated values.
 std::vector<std::string> parse_values(const std::string& text);
-/// "name=values". Throws UsageError.
+/// Parses "name=values". Throws UsageError.
 Axis parse_axis(const std::string& text);
 /// Shortest form of a number; trims other texts.
 std::string canonical_value(const std::string& text);
 
-/// The last axis varies fastest. Throws UsageError for repeated axes.
+/// The last axis varies fastest. Throws UsageError for repeated axes and too many runs.
 std::vector<GridRow> all_combinations(const std::vector<Axis>& axes);
-/// Throws UsageError for too many and for repeated runs.
+/// Throws UsageError for too many or repeated runs.
 void check_rows(const std::vector<GridRow>& rows);
 
 /// "v0=0.06_method=og"; a hash is added if characters were replaced or cut.

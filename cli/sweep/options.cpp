@@ -23,12 +23,12 @@ std::string path_of_program() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) return program.string();
-  // the path at the start
+  // path at the start of the program
   return fs::absolute(reinterpret_cast<const char*>(::getauxval(AT_EXECFN))).string();
 }
 
 bool draws(const SweepOptions& o) {
-  // with saved particles, --frames and --every are for these
+  // with saved particles, --frames and --every set their times
   const bool times_of_frames = o.run.save_particles.empty() && (o.run.frames || o.run.every);
   return o.render || times_of_frames || o.run.drawing.any();
 }

@@ -70,13 +70,13 @@ const Setting* invalid_setting(const SweepRequest& request, const GridRow& row) 
   throw SceneError(request.file.string(), place.line, place.column, setting ? setting->name : "", message);
 }
 
-/// Particles × steps, scaled.
+/// Particles × steps, in arbitrary units.
 double work_of(const SceneFile& file) {
   const Scene& scene = file.scene;
   return scene.until / (file.settings.cfl * std::pow(scene.spacing, scene.dim + 1));
 }
 
-/// Throws for names both fixed and swept.
+/// Throws UsageError for names both fixed and swept.
 void check_base(const SweepRequest& request) {
   std::set<std::string> fixed;
   for (const std::vector<Setting>* settings : {&request.base.settings, &request.set})
@@ -156,7 +156,7 @@ std::string_view name(SweepRunState state) {
     case SweepRunState::to_do:
       return "to do";
     case SweepRunState::outdated:
-      return "to do: finished with other settings";
+      return "to do: finished with other settings or another version of taut";
     case SweepRunState::interrupted:
       return "to do: interrupted";
     case SweepRunState::damaged:
@@ -204,7 +204,7 @@ void SweepRun::read_folder() {
   const bool same = found->version == build_info.version &&
                     are_of_one_run(read_whole(files.scene()).value_or(""), scene, last_frame >= 0);
   const bool failed = found->status == Status::failed;
-  // other failed runs could not write output
+  // another failure, such as a full disk, gives no result
   const bool ended = found->status == Status::finished || (failed && found->verdict == Verdict::diverged);
   std::error_code error;
   const bool drawn = last_frame < 0 || fs::exists(files.frame(failed ? 0 : last_frame), error);

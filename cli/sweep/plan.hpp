@@ -13,19 +13,19 @@ namespace taut::cli {
 
 enum class SweepRunState {
   to_do,
-  outdated,     // settings or version
+  outdated,     // other settings or version
   interrupted,  // or killed
   damaged,      // unreadable run.json
-  broken,       // crash or full disk
+  broken,       // crash, kill or error
   done,         // finished or diverged
 };
 std::string_view name(SweepRunState);
 
-/// CPU cost of equal runs.
+/// CPU time of equal runs.
 struct RepeatedCost {
   int runs = 0;
   const RunRecord* median;  // by CPU time
-  double spread = 0;        // range over median
+  double spread = 0;        // (maximum − minimum)/median
 };
 
 struct SweepRun {

@@ -13,7 +13,7 @@
 namespace taut::cli {
 namespace {
 
-/// Takes the median cost of the repetitions.
+/// First run, with the cost of the median run.
 RunRecord median(const SweepRun& run) {
   RunRecord record = *run.record;
   if (run.repetitions.empty()) return record;
@@ -49,7 +49,7 @@ void flatten(const Json& value, const std::string& path, Cells& cells) {
     flatten(inner, path.empty() ? key : fmt::format("{}.{}", path, key), cells);
 }
 
-/// A new column follows its predecessor.
+/// A column that earlier rows lack follows its predecessor.
 std::vector<std::string> columns_of(const std::vector<Cells>& rows) {
   std::vector<std::string> columns;
   for (const Cells& row : rows) {

@@ -10,7 +10,7 @@
 namespace taut::cli {
 
 /// results.json; see cli/COMMANDS.md. A run without a result has no keys after "folder"; an interrupted run
-/// has the values so far. Keys that vary between repetitions come last.
+/// has the values so far.
 std::string results_json(const SweepPlan& plan);
 /// `index` selects a run.
 Json results_tree(const SweepPlan& plan, std::optional<int> index = {});
@@ -21,7 +21,6 @@ std::string results_csv(const SweepPlan& plan);
 /// Writes both files atomically. Throws OutputError.
 void write_results(const SweepPlan& plan);
 
-/// Failed if the verdict is `fail_on` or worse; an error if the run has no result.
 TestCase test_case(const SweepRun& run, const std::optional<Verdict>& fail_on);
 
 /// "fractured since 0.0031 s", "interrupted", ...

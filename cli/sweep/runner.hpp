@@ -18,7 +18,7 @@ struct SweepEnd {
 
 struct SweepEvents {
   std::function<void(const SweepRun&)> ended;
-  std::function<void()> waiting;  // ten times a second
+  std::function<void()> waiting;  // at least ten times a second
 };
 
 /// Does `jobs` runs at a time, each in its own process. The longest start first, so that no core idles at the end.

@@ -14,7 +14,7 @@ struct SuiteRecord {
     std::filesystem::path baseline;
     std::string differs_from;
     std::optional<double> warn, fail;  // ΔE*ab
-    std::string problem;               // why there are no frames, or empty
+    std::string problem;               // why there is no result, or empty
   };
   std::string title, file;
   std::vector<Entry> entries;

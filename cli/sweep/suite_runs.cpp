@@ -75,7 +75,7 @@ void refuse_missing(const std::vector<PlannedEntry>& entries) {
                    "'; create it with --update --only " + join(names, ","));
 }
 
-/// Returns "" for a finished run, else the reason why it has no result.
+/// Reason why the run has no result, or "".
 std::string problem_of(const SweepRun& run) {
   if (run.state != SweepRunState::done) return run.problem.empty() ? "the run is not finished" : run.problem;
   return run.record->status == RunRecord::Status::failed ? run.record->reason : "";

@@ -19,11 +19,11 @@ struct SweepFile {
   StudyPictures pictures;
 };
 
-/// NAME = VALUE. Throws SceneError.
+/// Reads lines NAME = VALUE. Throws SceneError.
 std::vector<Setting> read_settings(TomlCursor& table);
 /// `own` has priority.
 std::vector<Setting> merged(const std::vector<Setting>& common, const std::vector<Setting>& own);
-/// Path relative to the folder of `file`, or a shipped scene. Throws SceneError.
+/// Path of the scene: relative to the folder of `file`, or shipped. Throws SceneError.
 std::string find_scene_of(TomlCursor& table, const std::filesystem::path& file);
 
 /// Throws SceneError unless the file is TOML.

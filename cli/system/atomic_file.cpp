@@ -114,7 +114,7 @@ int open_new(const std::string& path) {
   return -1;
 }
 
-/// The temporary folder is on the file system of `folder`. The destructor removes it.
+/// Temporary folder on the file system of `folder`. Constructor and destructor remove it.
 class Beside {
  public:
   Beside(const fs::path& folder, const char* what)
@@ -247,7 +247,7 @@ AppendFile::AppendFile(fs::path path, Start start) : path_(std::move(path)) {
   if (descriptor_ < 0) fail(path_, errno);
   struct stat found {};
   const bool known = ::fstat(descriptor_, &found) == 0, regular = known && S_ISREG(found.st_mode);
-  // opening a pipe would wait, and a second name of the file would change too
+  // no pipes; a second name of the file would change too
   const bool allowed = regular ? found.st_nlink == 1 : known && S_ISCHR(found.st_mode);
   if (allowed && (!regular || start == Start::as_it_is || ::ftruncate(descriptor_, 0) == 0)) {
     length_ = std::max<std::int64_t>(0, ::lseek(descriptor_, 0, SEEK_END));

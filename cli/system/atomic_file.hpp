@@ -36,12 +36,12 @@ void put_on_disk(const std::filesystem::path& path);
 /// Returns the new folders, innermost first. Throws OutputError.
 std::vector<std::filesystem::path> make_folders(const std::filesystem::path& folder);
 
-/// Creates the folder of `file`. Throws OutputError, also for a missing top-level folder, most likely a typing error.
+/// Creates the folder of `file`. Throws OutputError, also for a missing top-level folder (most likely a typing error).
 void make_folder_of(const std::filesystem::path& file);
 
-/// Returns nullopt for unreadable files, folders, devices and pipes. Throws UsageError for larger files, OutputError
-/// for system errors.
 constexpr std::uint64_t most_bytes_of_text = 64 << 20;
+/// Returns nullopt for unreadable files, folders, devices and pipes. Throws UsageError above `most_bytes`,
+/// OutputError for system errors.
 std::optional<std::string> read_whole(const std::filesystem::path& path,
                                       std::uint64_t most_bytes = most_bytes_of_text);
 
@@ -59,7 +59,7 @@ class AppendFile {
   std::int64_t length() const { return length_; }
   /// Throws UsageError if the file is shorter.
   void check_holds(std::int64_t length) const;
-  /// Keeps `length` bytes. Throws UsageError if the file is shorter.
+  /// Keeps `length` bytes. Throws like `check_holds`.
   void cut(std::int64_t length);
   void put_on_disk() const;
 
@@ -69,8 +69,8 @@ class AppendFile {
   std::int64_t length_ = 0;
 };
 
-/// Creates a folder of copies, or replaces all its contents. Others see the old or the new folder, also after a power
-/// cut or OutputError.
+/// Creates a folder of copies, or replaces all its contents. Other processes see the old or the new folder, also after a
+/// power cut or OutputError; briefly none if the file system cannot exchange folders.
 void write_whole_folder(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 }  // namespace taut::cli

@@ -12,7 +12,7 @@ struct Library {
 /// From cli/build_info.cmake.
 struct BuildInfo {
   std::string_view version;   // "0.2.0"
-  std::string_view commit;    // 12 digits, and "-dirty" after local changes
+  std::string_view commit;    // 12 digits, and "-dirty" after local changes; or "unknown"
   std::string_view compiler;  // "GNU 12.2.0"
   std::span<const Library> libraries;
 };

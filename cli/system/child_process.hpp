@@ -7,7 +7,7 @@
 namespace taut::cli {
 
 /// Runs a function in a forked process, so that a crash ends only this process. Requires a single thread at the fork.
-/// The child dies with its parent. It ignores Ctrl-C and SIGHUP, which the parent passes on by `ask_to_stop`.
+/// The child dies with its parent. It ignores Ctrl-C and SIGHUP; only `ask_to_stop` interrupts it.
 class ChildProcess {
  public:
   /// `work` returns the exit code; its output is kept. Throws UsageError if no process can be started.

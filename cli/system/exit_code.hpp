@@ -8,8 +8,8 @@ namespace taut::cli {
 
 /// Scripts rely on these numbers.
 enum ExitCode : int {
-  exit_fine = 0,         // whatever the verdict
-  exit_different = 1,    // `diff`, `snapshot`, `check`
+  exit_fine = 0,         // any verdict except `diverged`
+  exit_different = 1,    // `diff`, `snapshot`, `check`, `claims`
   exit_not_granted = 1,  // `choose`
   exit_wrong_input = 2,  // command line or scene
   exit_diverged = 3,     // or the verdict is at least as bad as --fail-on

@@ -83,7 +83,7 @@ int spawn(const std::vector<std::string>& arguments, const fs::path& folder, int
   return error;
 }
 
-/// Reads stderr until the program ends. An interrupt or `limit` stops it.
+/// Reads stderr until the program ends. Stops the program after an interrupt or `limit`.
 void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResult& result,
             std::optional<std::chrono::seconds> limit) {
   using Clock = std::chrono::steady_clock;
@@ -108,7 +108,7 @@ void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResu
   }
 }
 
-/// A new folder: no foreign link can redirect the program there. Requires the FileLock of `file`.
+/// A new folder, in which no foreign link can redirect the program. Requires the FileLock of `file`.
 class Workplace {
  public:
   explicit Workplace(const fs::path& file)

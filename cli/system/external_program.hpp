@@ -13,14 +13,13 @@ namespace taut::cli {
 
 struct ProcessResult {
   bool found = true;
-  bool stopped = false;
-  bool late = false;
-  int code = 0;        // or 128 + signal
-  std::string errors;  // end of stderr
+  bool stopped = false;  // by an interrupt
+  bool late = false;     // stopped by `limit`
+  int code = 0;          // or 128 + signal
+  std::string errors;    // end of stderr
 };
 
-/// Runs a program from the absolute folders of PATH without a shell; stdin and stdout are empty. An interrupt
-/// or `limit` stops it.
+/// Runs a program from the absolute folders of PATH without a shell. stdin is empty, stdout is discarded.
 ProcessResult run_process(std::vector<std::string> arguments, const std::filesystem::path& folder,
                           const Interrupts& interrupts,
                           std::optional<std::chrono::seconds> limit = std::nullopt);
@@ -35,7 +34,7 @@ struct Maker {
 using MakerArguments = std::function<std::vector<std::string>(const std::filesystem::path& unfinished)>;
 
 /// Runs `maker` in `folder` and renames the complete file. Returns exit_fine or the code of an interrupt.
-/// Throws OutputError if the program is missing or fails; no file remains.
+/// Throws OutputError if the program is missing or fails; no unfinished file remains.
 int make_file(const Maker& maker, const MakerArguments& arguments, const std::filesystem::path& folder,
               const std::filesystem::path& file);
 

@@ -50,11 +50,11 @@ bool knows_no_locks(int error) {
   return std::ranges::find(all, error) != all.end();
 }
 
-/// One line per member.
+/// Lock file, one line per member.
 struct Holder {
   std::string command, process, host, since;
 
-  /// If so, only a dying child still holds the lock.
+  /// True if only a dying child process can still hold the lock.
   bool has_ended() const {
     pid_t id = 0;
     std::from_chars(process.data(), process.data() + process.size(), id);
@@ -172,7 +172,7 @@ void FolderLock::write_holder(std::string_view command) const {
   const std::string text = fmt::format("{}\n{}\n{}\n{}\n", command, ::getpid(), host_name(), since.data());
   const bool told = ::ftruncate(descriptor_, 0) == 0 &&
                     (of_ == Of::part_of_sweep || ::pwrite(descriptor_, text.data(), text.size(), 0) > 0);
-  static_cast<void>(told);  // works without text on a full disk
+  static_cast<void>(told);  // the lock works without text
 }
 
 }  // namespace taut::cli

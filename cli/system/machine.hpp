@@ -13,12 +13,11 @@ std::string machine_name();
 /// Number of cores that this process may use, without hyperthreads.
 int physical_cores();
 
-/// Load since construction.
 class MachineLoad {
  public:
   MachineLoad();
-  /// Mean number of cores that other processes and the hypervisor (steal) used, from /proc/stat. Nullopt
-  /// below 0.2 s: kernel ticks of 10 ms are too coarse.
+  /// Mean number of cores that other processes and the hypervisor (steal) have used since construction, from
+  /// /proc/stat. Nullopt below 0.2 s: kernel ticks of 10 ms are too coarse.
   std::optional<double> of_others() const;
 
  private:

@@ -16,7 +16,7 @@ namespace {
 constexpr double bar_interval = 0.1;     // s
 constexpr double sure_after = 1.0;       // s before estimates
 constexpr double long_work = 12 * 3600;  // s
-constexpr double line_interval = 10.0;   // s, except at quarters
+constexpr double line_interval = 10.0;   // s between lines, except at quarters of the work
 
 /// Some terminals wrap in the last column.
 std::size_t line_width() { return terminal_columns(STDERR_FILENO).value_or(80) - 1; }
@@ -35,7 +35,6 @@ std::string time_left(double share, double before, double elapsed) {
 }
 
 std::string long_time_left(double done, double left, double elapsed) {
-  // the first run of a sweep may take longer than others
   if (!(done > 0) || elapsed < sure_after) return "";
   const double seconds = elapsed * left / done;
   if (seconds < long_work) return "";

@@ -44,14 +44,14 @@ class Progress {
   double done_before_ = 0;  // share
 };
 
-/// "0:12 left", if the share done rose from `before` in `elapsed` s. Empty if too little is done.
+/// "0:12 left", if the share done rose from `before` to `share` in `elapsed` s. Empty if too little is done.
 std::string time_left(double share, double before, double elapsed);
 
 /// "17 hours" for the share `left`, if the share `done` took `elapsed` s. Empty below half a day, and in the first
 /// second.
 std::string long_time_left(double done, double left, double elapsed);
 
-/// "rings, 4398 particles [####......] 40 %  0:12 left  2.1 M particle-steps/s". Omits parts to fit.
+/// "rings, 4398 particles [####......] 40 %  0:12 left  2.1 M particle-steps/s". Shortened to fit `width`.
 std::string bar_line(const std::string& what, double share, const std::string& left,
                      const std::string& detail, std::size_t width);
 

@@ -18,7 +18,7 @@ std::string_view instruction_set() {
   return has_x86_64_v4() ? "x86-64-v4" : has_x86_64_v3() ? "x86-64-v3" : "baseline";
 }
 
-/// Words of the command; in a run of a sweep, those of `taut sweep`.
+/// In a run of a sweep, the words of `taut sweep`.
 Json command_line() {
   const std::string text = read_whole("/proc/self/cmdline").value_or("");
   Json words = Json::array();

@@ -34,7 +34,6 @@ consteval int format_of(std::string_view file) {
   throw "no such kind of file";
 }
 
-/// First line: name, version and commit.
 std::string version_text();
 
 std::string host_name();

@@ -10,7 +10,6 @@ std::string not_negative_number(const std::string& text);
 std::string positive_whole_number(const std::string& text);
 std::string whole_number(const std::string& text);
 std::string png_name(const std::string& text);
-/// Checks for the form NAME=VALUE.
 std::string assignment(const std::string& text);
 
 }  // namespace taut::cli

@@ -18,11 +18,11 @@ std::optional<Number> parsed(std::string_view text) {
   return error == std::errc() && end == last ? std::optional(value) : std::nullopt;
 }
 
-/// Shortest exact text.
+/// Shortest text that reads back exactly.
 std::string exact(double value);
-/// At most four digits.
+/// At most four significant digits.
 std::string brief(double value);
-/// At most six digits.
+/// At most six significant digits.
 std::string six_digits(double value);
 /// "4.1 M".
 std::string with_prefix(double value);
@@ -37,7 +37,8 @@ std::string join_with_or(std::vector<std::string> words);
 /// FNV-1a, the same on every machine.
 std::uint64_t hash_of(std::string_view text);
 
-/// Table with two blanks between columns. Wraps the widest column if wider than `columns`. Escapes control characters.
+/// Table with two blanks between columns. Wraps the widest column if the table is wider than `columns`.
+/// Escapes control characters.
 std::string in_columns(std::vector<std::vector<std::string>> rows, int indent = 2,
                        std::optional<std::size_t> columns = {});
 /// Lines of at most `columns` characters, each after `indent` blanks; no newline at the end.

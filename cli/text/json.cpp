@@ -30,7 +30,6 @@ struct ToLibrary {
   Library operator()(const auto& plain) const { return plain; }
 };
 
-/// Returns null if `value` is not a number.
 Json number_of(const Library& value) {
   switch (value.type()) {
     case Library::value_t::number_integer:

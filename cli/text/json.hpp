@@ -13,7 +13,7 @@
 
 namespace taut::cli {
 
-/// Objects keep their order.
+/// Objects keep the order of their keys.
 class Json {
  public:
   using Member = std::pair<std::string, Json>;
@@ -63,7 +63,7 @@ class Json {
   void append(std::string key, Json value);
   /// A null value becomes an array.
   void add(Json item);
-  /// Copy with the members of `other` that it lacks.
+  /// Copy with the members of `other` whose keys this object lacks.
   Json with(const Json& other) const;
 
   /// One line, or with `indent` a line per value. Replaces invalid UTF-8.

@@ -24,7 +24,7 @@ class JsonCursor {
   bool is_missing() const;
   /// Null for a missing key.
   JsonCursor at(const std::string& key) const;
-  /// None for null.
+  /// Empty for null.
   std::vector<std::pair<std::string, JsonCursor>> members() const;
   std::vector<JsonCursor> items() const;
   /// "" for null.
@@ -33,7 +33,7 @@ class JsonCursor {
 
   void check_object() const;
   std::optional<double> number() const;
-  /// NaN or 0 for null; 0 for a number that a whole T cannot hold.
+  /// Null gives NaN, in a whole T 0. A whole T is also 0 beyond ±1e9 (64-bit: ±1e18).
   template <class T>
   T number_as() const {
     const double value = number().value_or(NAN);

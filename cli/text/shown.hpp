@@ -6,7 +6,7 @@
 
 namespace taut::cli {
 
-/// Makes one line: cuts a text longer than `most` bytes and appends "…". Control characters become "\x1b".
+/// Makes one line: cuts a text longer than `most` bytes and appends "…". Escapes control characters, as in "\x1b".
 std::string shown(std::string_view text, std::size_t most = 200);
 
 /// Escapes control characters (except line breaks), C1 controls and bidirectional marks.

@@ -23,7 +23,7 @@ struct TestReport {
 /// One test suite. Replaces bytes and letters that XML cannot contain.
 std::string junit_xml(const TestReport& report);
 
-/// Workflow commands of GitHub Actions: at most ten, its limit per step.
+/// Annotations of GitHub Actions: at most ten, the limit per step.
 std::string github_annotations(const TestReport& report);
 
 }  // namespace taut::cli
