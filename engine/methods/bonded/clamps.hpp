@@ -74,10 +74,10 @@ class Clamps {
 
  private:
   struct Driven {
-    int place, rigid_particle;  // stored indices
+    int place, rigid_particle;  // column of the place; stored index
     V from_rigid_particle;      // m
   };
-  int first_ = 0;                    // first column
+  int first_ = 0;                    // index of the first place
   std::vector<int> rigid_particle_;  // [place] stored index
   std::vector<Driven> driven_;
 };

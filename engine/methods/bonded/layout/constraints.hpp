@@ -8,9 +8,9 @@ namespace taut {
 
 enum class Constraint : unsigned char {
   free,     // includes particles driven for part of the run, or driven in a body with `on_boundary`
-  pinned,   // does not move; bonded like a free particle
-  clamped,  // does not move
-  driven    // to the end of the run
+  pinned,   // clamped or driven; bonded like a free particle
+  clamped,  // and not pinned
+  driven    // to the end of the run, and not pinned
 };
 using Constraints = std::vector<Constraint>;  // by id
 
