@@ -145,7 +145,7 @@ auto FacetContacts::measured(int r) -> Touch {
   return touch;
 }
 
-/// Derivatives by the position, normal and area of a facet. Sums the energies of this facet and of all facets to whose
+/// Derivatives, by the position, normal and area of a facet, of the energies of this facet and of all facets to whose
 /// mean depth it contributes.
 MovingFacets::Slope FacetContacts::slope_of(int r) const {
   const Touch& own = touches_[r];

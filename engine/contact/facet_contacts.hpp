@@ -97,9 +97,9 @@ class FacetContacts final : public ContactMechanism<3> {
   FacetCandidates candidates_;
 
   std::vector<Row> rows_;
-  std::vector<int> begin_, other_;
-  std::vector<Touch> touches_;  // [row]
-  std::vector<int> near_;       // rows of `other_` that are in range, stored from the same index on
+  std::vector<int> begin_, other_;           // [row] first pair; [pair] row of the other facet
+  std::vector<Touch> touches_;               // [row]
+  std::vector<int> near_;                    // rows in range of row r, from begin_[r] on
   std::vector<MovingFacets::Slope> slopes_;  // [row]
   std::vector<int> watched_;                 // ascending
   std::vector<int> nodes_;                   // nodes of the facets in `watched_`

@@ -24,7 +24,7 @@ struct InitialParticles {
   std::vector<int> turned;
   std::vector<int> first;     // [body] first particle; then the number of particles
   std::vector<bool> relaxed;  // [body] moved off the lattice to follow the faces; empty = none
-  ElementMesh mesh;           // of Scene::element_order > 0: the particles are the nodes
+  ElementMesh mesh;           // if Scene::element_order > 0: the particles are its nodes
 
   int size() const { return static_cast<int>(x.size()); }
   std::vector<unsigned char> driven() const {

@@ -73,7 +73,7 @@ class Faces {
     return filled && empty;
   }
   /// First point of a face on the line through x and `outside`: outwards if x is solid, otherwise inwards. Returns x if
-  /// there is no such point.
+  /// there is no such point within 1.5 spacings.
   Point on_the_line(const Point& x, const Point& outside) const {
     const double length = distance_between(outside, x, dim);
     if (!(length > 0)) return x;

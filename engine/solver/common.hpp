@@ -81,7 +81,7 @@ class Common {
     run.time += dt;
     ++run.steps;
   }
-  /// Takes the greatest v² of a step, m²/s². Throws NumericalError if it is out of bounds.
+  /// Takes the greatest v² of a step, m²/s². Throws NumericalError if a particle has diverged.
   void set_greatest_speed(double v2) {
     vmax = std::sqrt(v2);
     refuse_divergence();
