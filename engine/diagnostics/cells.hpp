@@ -23,7 +23,7 @@ class Cells {
   /// `x0`: n × dim, m; `diameter` in m.
   Cells(int dim, std::span<const double> x0, std::span<const double> diameter, std::span<const int> body);
 
-  /// Takes axes and ends from a body's cells of all particles; cell k belongs to particle shown[k] of `all`.
+  /// Copies axes and ends of the cells `shown` of `all`.
   void take_ends(const Cells& all, std::span<const std::size_t> shown);
 
   /// Shapes at positions `x`, n × dim, m; in 3D without covered cells.

@@ -27,8 +27,8 @@ struct HalfCycle {
   double peak_at;
 };
 
-/// Complete half cycles, from a start at the level or the first crossing. Excursions below 1/20 of the previous peak
-/// are noise.
+/// Complete half cycles, from the start if it is at the level, else from the first crossing. Excursions below 1/20 of
+/// the previous peak are noise.
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level = 0);
 
 /// Mean over whole periods, between two crossings of this mean in the same direction; none without a whole period.

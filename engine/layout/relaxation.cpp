@@ -145,7 +145,7 @@ class Relaxation {
     for (std::size_t c = 0; c < members.size(); ++c)
       for (const int i : even_row(candidates, members[c], std::round(volume[c]))) x_.push_back(candidates[i]);
   }
-  /// As many candidates as wanted, or a few more, as far apart as possible; fewer if they would be closer than 0.7.
+  /// As many candidates as wanted, or a few more, as far apart as possible, but at least 0.7.
   static std::vector<int> even_row(const PointGrid& candidates, const std::vector<int>& members,
                                    double wanted) {
     double low = 0.7, high = 1.4;

@@ -40,7 +40,7 @@ class Common {
   External<Dim> external;
   ProbeRecorder<Dim> probes;
   TeamSize team;
-  bool stepping = false;  // set-up uses all threads
+  bool stepping = false;  // false during set-up, which uses all threads
   RunState run;
   double vmax = 0;  // greatest speed, m/s
 

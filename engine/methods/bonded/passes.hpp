@@ -24,7 +24,7 @@ struct StrainOfFour {
   Vec<Pack, Dim> force;  // of the bonds, N
   Pack energy;           // of the bonds, J, if requested
   Pack stiffest;         // maximum stiffness, relative to rest
-  Pack root;             // J^(−1/3) for the default law
+  Pack root;             // c^(−1/3) of the default law (THEORY.md)
 };
 
 /// Advances x and `places` by `dt`, half a step.

@@ -9,8 +9,8 @@ namespace taut {
 enum class Constraint : unsigned char {
   free,     // includes particles driven for part of the run, or driven in a body with `on_boundary`
   pinned,   // clamped or driven; bonded like a free particle
-  clamped,  // and not pinned
-  driven    // to the end of the run, and not pinned
+  clamped,  // does not move
+  driven    // to the end of the run
 };
 using Constraints = std::vector<Constraint>;  // by id
 
