@@ -47,7 +47,7 @@ class FacetContacts final : public ContactMechanism<3> {
   // in spacings
   static constexpr double before = 1, behind = 1.5;
   static constexpr double radius = 1.5;  // lateral range
-  static constexpr double apart = 2.13;  // √(behind² + radius²)
+  static constexpr double apart = 2.13;  // above √(behind² + radius²)
   double reach_at(double p) const { return (p < 0 ? behind : before) * dp_; }
 
   struct Row {

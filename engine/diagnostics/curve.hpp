@@ -22,9 +22,9 @@ double value_at(const Curve& curve, double time);
 double crossing_time(const Curve& curve, std::size_t k, double level);
 
 struct HalfCycle {
-  double begin, end;
-  double peak;  // greatest deviation from the level: vertex of a parabola through three samples
-  double peak_at;
+  double begin, end;  // s
+  double peak;        // greatest deviation from the level: vertex of a parabola through three samples
+  double peak_at;     // s
 };
 
 /// Complete half cycles, from the start if it is at the level, else from the first crossing. Excursions below 1/20 of
