@@ -123,7 +123,7 @@ class Faces {
     return std::nullopt;
   }
 
-  /// Signed distance to a face in m, negative inside. It is 0 on faces and on seams of shapes.
+  /// Signed distance to a face in m, negative inside. It is 0 on faces and on seams between shapes.
   double height(const Point& x) const {
     if (on_face(x)) return 0;
     double low = -2 * farthest * dp_, high = 2 * farthest * dp_;

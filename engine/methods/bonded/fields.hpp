@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Volumes and constants of the default law of four particles.
+/// Volumes of four particles and their constants of the default law.
 struct alignas(sizeof(Pack)) GroupLaw {
   Pack V;  // in m^Dim; 0 in padding and for particles whose neighbours determine no F
   ClosedNeoHookean<Pack> law;

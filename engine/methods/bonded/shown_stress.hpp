@@ -14,7 +14,7 @@ template <class T, int Dim>
 struct alignas(alignment_of<T>) ShownStress {
   T J, p;         // volume ratio; pressure, positive in compression, Pa
   Sym<T, Dim> s;  // deviator, Pa
-  T s_zz;         // out of plane, in 2D, Pa
+  T s_zz;         // deviator out of plane, in 2D, Pa
 };
 
 /// Stress of the default law. In the deviator, J is limited to at least 0.05.
