@@ -36,7 +36,7 @@ class Contact {
   /// Greatest ratio of contact stiffness to material stiffness, at least 1.
   double stiffening() const { return mechanism_->stiffening(); }
 
-  /// Force on particle i as last evaluated, in N. Requires `acting`.
+  /// Force on particle i as last evaluated. Requires `acting`.
   const V& force(int i) const { return force_[i]; }
 
   /// Impulse laws: calls `change(i, impulse)` for touching particles. Impulses follow from the state before the first
@@ -52,8 +52,8 @@ class Contact {
     for (const int i : mechanism_->touching()) change(i, impulse_[i]);
   }
 
-  /// Impulse on `body` in the last step by body `other`, or by `wall` if `wall` is not negative, in N s. Recorded only
-  /// if a probe measures it.
+  /// Impulse on `body` in the last step by body `other`, or by `wall` if `wall` is not negative. Recorded only if a
+  /// probe measures it.
   V impulse(int body, int other, int wall) const;
 
   const Impulse& of_walls() const { return walls_.recorded_impulse(); }

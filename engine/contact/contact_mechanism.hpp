@@ -24,7 +24,7 @@ class ContactMechanism {
  public:
   using V = Vec<double, Dim>;
 
-  static constexpr double reach = 2;  // range of gap probes, in spacings
+  static constexpr double reach = 2;  // range of gap probes between particles, in spacings
 
   virtual ~ContactMechanism() = default;
 
@@ -49,8 +49,9 @@ class ContactMechanism {
 
   virtual bool has_impulses() const { return false; }
   /// See Contact::stop_approach. `inverse_mass`: [particle] 1/kg.
-  virtual void stop_approach(const Particles<Dim>& /*particles*/, double /*dt*/, WallContacts<Dim>& /*walls*/,
-                             const std::vector<double>& /*inverse_mass*/, std::vector<V>& /*impulse*/) {}
+  virtual void stop_approach(const Particles<Dim>& /*particles*/, double /*gone*/,
+                             WallContacts<Dim>& /*walls*/, const std::vector<double>& /*inverse_mass*/,
+                             std::vector<V>& /*impulse*/) {}
   virtual V impulse(int /*a*/, int /*b*/, int /*wall*/) const { return {}; }
 
   virtual Neighbors neighbors(int particles) const {

@@ -29,7 +29,7 @@ bool FaceCandidates::search(const Particles<2>& s, MovingFaces& faces, const Wal
 }
 
 void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<2>& walls) {
-  constexpr double margin = horizon + 2;  // 2: the ends of a segment are no farther apart
+  constexpr double margin = horizon + 2;  // 2: greatest length of a segment
   const std::vector<char> near = near_other_bodies<2>(faces.places(), faces.outline().body, margin * dp_);
   std::vector<int> nodes, segments;
   std::ranges::copy_if(all_nodes_, std::back_inserter(nodes), [&](int n) { return near[n]; });

@@ -63,8 +63,9 @@ void FaceContacts::place_watched(const Particles<2>& s) {
   for (const int k : candidates_.watched_segments) faces_.set_normal(k);
 }
 
-/// Calls f(node, closest point, touch) for nodes that face a segment within `reach`, and for some nodes farther away.
-/// If a node inside a corner is equally near to both sides, each side counts half, which preserves symmetry.
+/// Calls f(node, closest point, touch) for nodes that face a segment within `greatest_depth`, and for some nodes
+/// farther away. If a node inside a corner is equally near to both sides, each side counts half, which preserves
+/// symmetry.
 template <class F>
 void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
   std::vector<double> distance2;  // [segment] m²

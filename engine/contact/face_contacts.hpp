@@ -34,7 +34,7 @@ class FaceContacts final : public ContactMechanism<2> {
   V between(const Particles<2>& s, int a, int b) const override;
   V of_wall(const Particles<2>& s, int a, int wall, const WallContacts<2>& walls) const override;
 
-  /// Least distance in m between nodes and faces of two bodies, negative if they overlap, at most `reach`.
+  /// Least distance in m between nodes and faces of two bodies, negative if they overlap, at most one spacing.
   double gap(const Particles<2>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<2>& walls) override {

@@ -26,8 +26,8 @@ class FaceSearch {
  public:
   using V = Vec<double, 2>;
 
-  /// Lists the segments nearer than `listed` (in m) for which wanted(node, segment) is true. Returns the distance in m
-  /// of the nearest wanted segment that is not listed, at most `horizon`.
+  /// Lists the segments that may be nearer than `listed` (in m) and for which wanted(node, segment) is true. Returns a
+  /// lower bound, in m, of the distance of the other wanted segments, at most `horizon`.
   template <class Wanted>
   double operator()(const MovingFaces& faces, const std::vector<int>& nodes, const std::vector<int>& segments,
                     double listed, double horizon, const Wanted& wanted, NearFaces& out) {

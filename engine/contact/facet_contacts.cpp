@@ -101,7 +101,7 @@ void FacetContacts::for_each_pair(int row, const int* first, int count, const F&
 }
 
 /// Calls f(facet, wall, depth, projected share, k) for each facet behind a wall. The depth below the mirror image is
-/// twice the depth in the wall. Walls do not harden, since nothing penetrates them.
+/// twice the depth in the wall. Contact with walls does not harden.
 template <class F>
 void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) const {
   for (const auto& [facet, wall] : candidates_.near_wall) {
@@ -145,7 +145,7 @@ auto FacetContacts::measured(int r) -> Touch {
   return touch;
 }
 
-/// Derivatives by the position, normal and area of a facet. Sums the energies of this facet and of all facets to whose
+/// Derivatives, by the position, normal and area of a facet, of the energies of this facet and of all facets to whose
 /// mean depth it contributes.
 MovingFacets::Slope FacetContacts::slope_of(int r) const {
   const Touch& own = touches_[r];

@@ -47,7 +47,7 @@ class FacetContacts final : public ContactMechanism<3> {
   // in spacings
   static constexpr double before = 1, behind = 1.5;
   static constexpr double radius = 1.5;  // lateral range
-  static constexpr double apart = 2.13;  // √(behind² + radius²)
+  static constexpr double apart = 2.13;  // above √(behind² + radius²)
   double reach_at(double p) const { return (p < 0 ? behind : before) * dp_; }
 
   struct Row {
@@ -97,9 +97,9 @@ class FacetContacts final : public ContactMechanism<3> {
   FacetCandidates candidates_;
 
   std::vector<Row> rows_;
-  std::vector<int> begin_, other_;
-  std::vector<Touch> touches_;  // [row]
-  std::vector<int> near_;       // rows of `other_` that are in range, stored from the same index on
+  std::vector<int> begin_, other_;           // [row] first pair; [pair] row of the other facet
+  std::vector<Touch> touches_;               // [row]
+  std::vector<int> near_;                    // rows in range of row r, from begin_[r] on
   std::vector<MovingFacets::Slope> slopes_;  // [row]
   std::vector<int> watched_;                 // ascending
   std::vector<int> nodes_;                   // nodes of the facets in `watched_`

@@ -26,7 +26,7 @@ class MotionBound {
     from_ = std::move(x);
   }
 
-  /// Call before points move by at most `way` (in m). If the result is false, call `still_holds`.
+  /// Call before points move by at most `way` (in m). If the result is false, search or call `still_holds`.
   bool holds(double way) {
     gone_ += way;
     return 2 * gone_ <= free_;

@@ -141,9 +141,9 @@ class MovingFaces {
   }
 
   /// Replaces `best` by the closest point of segment k if the node faces the segment and the rank of this point is
-  /// lower. The rank is the distance plus, where the sides of the node face the segment obliquely, up to half its
-  /// length: a corner is pushed back by the face in front of it, not by the face beside it. Beyond a sharp end a node
-  /// acts with the length of its side over the segment and the depth of the side at that end.
+  /// lower. The rank is the distance plus, where the sides of the node face the segment obliquely, up to half the
+  /// segment's length: a corner is pushed back by the face in front of it, not by the face beside it. Beyond a sharp
+  /// end a node acts with the length of its side over the segment and the depth of the side at that end.
   void measure(int node, int k, ClosestPoint& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -175,8 +175,9 @@ class MovingFaces {
     V out;
     double share = 1, cosine = 0, slope = 0;
   };
-  /// At blunt ends the mean normal separates inside and outside. A node that passes between them keeps its distance, so
-  /// its depth jumps. With `fades` the energy has no jump: the flanks of a crease would otherwise gain energy.
+  /// At blunt ends the mean normal separates inside and outside. A node that crosses this boundary keeps its distance,
+  /// and its depth changes sign. With `fades` the energy has no jump: the flanks of a crease would otherwise gain
+  /// energy.
   Touch touch(const ClosestPoint& closest, bool fades = false) const {
     if (is_beyond(closest)) {
       const FacingHalf& half = closest.halves[closest.halves[0].side == Outline::none ? 1 : 0];
@@ -202,7 +203,7 @@ class MovingFaces {
     return touch.share * near_energy(touch.depth, closest.area(), k, reach);
   }
   /// Calls own(n, f) with the forces on the nodes of the node's face, and other(n, f) with those on the segment's face,
-  /// in N per metre depth. `k`: contact stiffness, Pa/m; `reach`: depth at which it has faded, m.
+  /// in N per metre depth. `k`: contact stiffness, Pa/m; `reach`: depth at which contact has faded, m.
   template <class Own, class Other>
   void push(const ClosestPoint& closest, const Touch& touch, double k, double reach, const Own& own,
             const Other& other) const {
@@ -317,7 +318,7 @@ class MovingFaces {
     other(ends[0], turning * closest.normal);
   }
 
-  /// Applies the derivative of the energy by the cosine c of the offset o from an end and m = n + n':
+  /// Applies the derivative of the energy by the cosine c between o, the offset from an end, and m = n + n':
   ///   δc = (m/|m| − c o/|o|)·δo/|o| + (o/|o| − c m/|m|)·δm/|m|
   template <class Own, class Other>
   void push_aside(const ClosestPoint& closest, double cosine, double slope, const Own& own,

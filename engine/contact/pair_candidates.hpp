@@ -91,7 +91,7 @@ class PairCandidates {
   BodyPairs<Dim> others_;
   OwnPairs<Dim> own_;
   std::vector<std::pair<int, int>> near_walls_;
-  double travelled_ = 0;  // path since the last search of other bodies, m
+  double travelled_ = 0;  // path of the fastest particle since the last search of other bodies, m
 };
 
 }  // namespace taut

@@ -55,9 +55,9 @@ class PointSearch {
   int size() const { return static_cast<int>(X_.size()); }
   const std::vector<int>& bodies() const { return body_; }
 
-  /// Calls found(a, b) once for each pair nearer than `listed` and initially farther apart than `far`. Returns the
-  /// distance of the nearest pair beyond `listed`, at most `horizon`. `x`: current positions, in the order of `add`.
-  /// Lengths are in m.
+  /// Calls found(a, b) once for each pair of a body nearer than `listed`, initially farther apart than `far`. Returns
+  /// the distance of the nearest pair beyond `listed`, at most `horizon`. `x`: current positions, in the order of
+  /// `add`. Lengths are in m.
   template <class Found>
   double find(const std::vector<V>& x, double listed, double horizon, double far, const Found& found) {
     if (x.empty()) return horizon;

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double reach = 2.1;  // in dp
 
-/// Least |(I − P) e_i|² of a particle with weights; 0.53 at lattice surfaces, 0 at corners.
+/// Least |(I − P) e_i|² of a particle with weights; 0.53 at faces of a square lattice, 0 at its corners.
 constexpr double least_left = 0.3;
 
 /// κ (THEORY.md, Alternating part).

@@ -17,12 +17,13 @@ struct CellShapes {
 };
 
 /// The part of a body that each particle represents, initially a box. Moves with the best affine map of the initial
-/// neighbours within 1.6 spacings.
+/// neighbours within 1.6 spacings (3D, without an open side: 1.35).
 class Cells {
  public:
   /// `x0`: n × dim, m; `diameter` in m.
   Cells(int dim, std::span<const double> x0, std::span<const double> diameter, std::span<const int> body);
 
+  /// Copies axes and ends of the cells `shown` of `all`.
   void take_ends(const Cells& all, std::span<const std::size_t> shown);
 
   /// Shapes at positions `x`, n × dim, m; in 3D without covered cells.
@@ -37,7 +38,7 @@ class Cells {
     std::array<Side, 3> sides;
     std::array<double, 9> inverse{};  // of Σ X_ij ⊗ X_ij, 1/m²
     double spacing = 0;               // m
-    bool inside = false;
+    bool inside = false;              // has a neighbour on each side
   };
 
   Point initial(std::size_t i, std::size_t j) const;  // m

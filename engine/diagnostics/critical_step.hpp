@@ -18,7 +18,7 @@ struct CriticalStep {
   std::optional<double> stable;    // s; none: unstable down to 1/16 default step
   std::optional<double> unstable;  // s; none: stable up to 256 default steps
   double default_step = 0;         // of the method, s
-  double covered = 0;              // duration of the shortest trial, s
+  double covered = 0;              // least duration of a trial, s
   int trials = 0;
   bool interrupted = false;  // before reaching `tolerance`
 };

@@ -22,13 +22,13 @@ double value_at(const Curve& curve, double time);
 double crossing_time(const Curve& curve, std::size_t k, double level);
 
 struct HalfCycle {
-  double begin, end;
-  double peak;  // greatest deviation from the level: vertex of a parabola through three samples
-  double peak_at;
+  double begin, end;  // s
+  double peak;        // greatest deviation from the level: vertex of a parabola through three samples
+  double peak_at;     // s
 };
 
-/// Complete half cycles, from a start at the level or the first crossing. Excursions below 1/20 of the previous peak
-/// are noise.
+/// Complete half cycles, from the start if it is at the level, else from the first crossing. Excursions below 1/20 of
+/// the previous peak are noise.
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level = 0);
 
 /// Mean over whole periods, between two crossings of this mean in the same direction; none without a whole period.

@@ -39,7 +39,7 @@ struct HistoryKernels {
   /// adds at most `spacing`² to part.x.
   void (*alternating_sums)(const AlternatingView& part, const SnapshotView& now, double spacing, double* out,
                            double* squared);
-  /// Writes 10 numbers: kinetic energy, strain and contact energy, scales of linear and angular momentum, linear
+  /// Writes 10 numbers: kinetic energy, strain plus contact energy, scales of linear and angular momentum, linear
   /// momentum (3), angular momentum (3).
   void (*balance)(const SnapshotView& now, const StrainDivisors* materials, double contact_energy,
                   double* out);

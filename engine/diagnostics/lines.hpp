@@ -26,7 +26,8 @@ double length_of(const SampleLine& line);  // m
 
 class LineRecorder {
  public:
-  /// `support`: radius of interaction, m. Throws SceneError if a line leaves its body.
+  /// `support`: radius of interaction, m. Throws SceneError for an unknown field, or if a line that moves with its body
+  /// leaves the body.
   LineRecorder(const Scene& scene, const Snapshot& start, double support);
 
   /// Next time to sample, s; may be infinite.

@@ -15,7 +15,7 @@ namespace {
 using Source = MeasureSource;
 using Value = std::optional<double>;
 
-/// Interval that run and reference cover; none before the end of the run.
+/// Interval that both run and reference cover; none if the run ends before it.
 std::optional<std::pair<double, double>> common_time(const Source& source) {
   if (source.reference.empty()) return std::nullopt;
   const double begin = std::max(source.curve.front().t.front(), source.reference.begin());
@@ -97,7 +97,7 @@ Measured rmse(const Source& source) {
   return difference / std::abs(source.measure->scale);
 }
 
-/// Compares at the rows of a table, since paths are curved, or at the steps.
+/// Compares at the times of a reference table, since paths are curved between them, or at the steps for a solution.
 Measured path_error(const Source& source) {
   const auto time = common_time(source);
   if (!time) return without_common_time(source);

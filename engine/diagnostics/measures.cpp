@@ -101,7 +101,7 @@ std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std
     const bool seen =
         std::ranges::none_of(source.curve, no_sample) && !(source.free && no_sample(*source.free));
     const Measured found = !seen             ? Measured("the series is not finite at its start")
-                           : each.scale == 0 ? Measured("its scale is 0")
+                           : each.scale == 0 ? Measured("`scale` is 0 with these parameters")
                                              : kind.value(source);
     result.value = found.value;
     result.why = found.why;

@@ -58,7 +58,7 @@ void take_plane_motion_off(std::vector<Site>& sites) {
 
 Eigen::Vector3d vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
-/// Solves Σ m (r² I − r rᵀ) ω = Σ m r × difference, r from the mass centre.
+/// Does the same in 3D; solves Σ m (r² I − r rᵀ) ω = Σ m r × difference, r from the mass centre.
 void take_space_motion_off(std::vector<Site>& sites) {
   double mass = 0;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(), mean = centre, moment = centre;
@@ -74,7 +74,7 @@ void take_space_motion_off(std::vector<Site>& sites) {
     moment += site.mass * r.cross(vector(site.difference));
     inertia += site.mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
   }
-  // a straight body has no rotation about itself
+  // the rotation of a straight row of particles about its own axis is undetermined
   const Eigen::Vector3d omega = least_squares(inertia, moment).x;
   for (Site& site : sites) {
     const Eigen::Vector3d motion = mean + omega.cross(vector(site.X) - centre);
@@ -152,7 +152,7 @@ std::optional<FieldError> error_at_end(const Source& source) {
 }
 
 Measured without_end(const Source& source) {
-  if (!source.now) return none("it is measured at the end of a run only");
+  if (!source.now) return none("this measure exists only at the end of a run");
   if (source.now->time < source.until) return too_short(source.until, source.now->time);
   return none(no_reference);
 }

@@ -16,7 +16,7 @@ struct FieldError {
 };
 
 /// Error of the components of one vector at unclamped particles. Subtracts the best small rigid motion t + ω × X if
-/// rigid motion is free. None if `exact` is 0. Throws SceneError for an unknown field.
+/// Measure::rigid_motion_free. None if `exact` is 0. Throws SceneError for an unknown field.
 std::optional<FieldError> field_error(const Measure& measure, const Snapshot& now,
                                       const std::vector<Solution>& exact);
 

@@ -21,8 +21,8 @@ struct BodyPieces {
   static int along_spacing(int dim) { return dim == 3 ? 4 : 8; }
 
   struct Piece {
-    Point x{};  // centre of mass
-    double volume = 0;
+    Point x{};          // centre of mass
+    double volume = 0;  // spacings^dim
   };
   std::vector<Piece> pieces;
   std::vector<Point> face_points;

@@ -90,7 +90,7 @@ Blocks ball_blocks(int dim, double radius, double size) {
   return blocks;
 }
 
-/// Ring, or shell made of the six sides of a rounded cube; the mean radius sets the number of elements around it.
+/// Ring, or shell made of one block for each side of a cube; the mean radius sets the number of elements around it.
 Blocks ring_blocks(int dim, double inner, double outer, double size) {
   const double middle = 0.5 * (inner + outer);
   const long layers = number(outer - inner, size);

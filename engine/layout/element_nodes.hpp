@@ -11,7 +11,7 @@ namespace taut {
 /// A region, such as a clamp, contains all nodes of each cell (part of an element between neighbouring nodes) whose
 /// middle is in it. With Body::on_boundary it contains the nodes that lie in it. The material of an element is the
 /// material at its middle. Where regions meet, clamps come before drives, and later drives before earlier ones. Throws
-/// SceneError for bodies without mesh, jitter, empty regions, and overlapping bodies.
+/// SceneError for bodies without mesh, jitter, empty regions, elements both clamped and driven, and overlapping bodies.
 InitialParticles make_element_nodes(const Scene& scene);
 
 /// Weight of each node of a body in a load: its volume share of the loaded cells, m^dim (with Body::on_boundary: the

@@ -28,7 +28,7 @@ class NodeWeights {
   NodeWeights(const InitialParticles& initial, int body, double dp);
 
   /// Shares of a node at x, from the smallest reach around x with low Σ weight². Empty if too few particles are near,
-  /// or all of them lie in a plane.
+  /// or all of them lie in a plane (2D: on a line).
   std::vector<PointWeight> shares_of(const Point& x) const;
 
  private:

@@ -278,7 +278,8 @@ void check_sites(const Body& body, const std::vector<InitialSite>& sites) {
                      fmt::format("body '{}' contains no particle: {}", body.name,
                                  body.without.empty()
                                      ? "its shapes are smaller than the spacing; choose a smaller spacing"
-                                     : "the rest of its shapes after 'without' is smaller than the spacing"));
+                                     : "the rest of its shapes after 'without' is smaller than the spacing; "
+                                       "choose a smaller spacing or smaller cut-outs"));
   refuse_idle_hold(body, sites);
   refuse_empty(body.parts, sites, body, "parts");
   refuse_empty(body.drives, sites, body, "driven");

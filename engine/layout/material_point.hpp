@@ -17,7 +17,7 @@ constexpr double reach_of_points(double support, double dp) { return std::max(su
 
 /// Weights by moving least squares, exact for linear fields:
 ///   w_k = W_k (1, d_k)·A⁻¹·(1, 0),  A = Σ W_k (1, d_k) ⊗ (1, d_k),  d_k = X_k − X.
-/// Uses particles begin … end − 1 within `reach`, m. Empty if too few or collinear.
+/// Uses particles begin … end − 1 within `reach`, m. Empty if too few or collinear (3D: coplanar).
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, int dim);
 

@@ -73,7 +73,7 @@ class Faces {
     return filled && empty;
   }
   /// First point of a face on the line through x and `outside`: outwards if x is solid, otherwise inwards. Returns x if
-  /// there is no such point.
+  /// there is no such point within 1.5 spacings.
   Point on_the_line(const Point& x, const Point& outside) const {
     const double length = distance_between(outside, x, dim);
     if (!(length > 0)) return x;
@@ -123,7 +123,7 @@ class Faces {
     return std::nullopt;
   }
 
-  /// Signed distance to a face in m, negative inside. It is 0 on faces and on seams of shapes.
+  /// Signed distance to a face in m, negative inside. It is 0 on faces and on seams between shapes.
   double height(const Point& x) const {
     if (on_face(x)) return 0;
     double low = -2 * farthest * dp_, high = 2 * farthest * dp_;

@@ -40,7 +40,7 @@ class Common {
   External<Dim> external;
   ProbeRecorder<Dim> probes;
   TeamSize team;
-  bool stepping = false;  // set-up uses all threads
+  bool stepping = false;  // false during set-up, which uses all threads
   RunState run;
   double vmax = 0;  // greatest speed, m/s
 
@@ -81,7 +81,7 @@ class Common {
     run.time += dt;
     ++run.steps;
   }
-  /// Takes the greatest v² of a step, m²/s². Throws NumericalError if it is out of bounds.
+  /// Takes the greatest v² of a step, m²/s². Throws NumericalError if a particle has diverged.
   void set_greatest_speed(double v2) {
     vmax = std::sqrt(v2);
     refuse_divergence();

@@ -47,7 +47,7 @@ int position(const std::vector<int>& layer, int i) {
 }
 
 /// Outward unit normal of the layer at particle i: the direction in which the layer is thin. Returns 0 if the layer is
-/// not thin.
+/// not thin or has no outer side.
 template <int Dim>
 Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int> near,
                     const std::vector<int>& layer, double spacing) {

@@ -9,7 +9,7 @@
 namespace taut {
 
 /// Outermost layer of particles, half a spacing inside a loaded face. `traction` and `area` refer to the face. The
-/// area assumes a layer of one spacing.
+/// area assumes a layer one spacing thick.
 struct FaceLayer {
   std::vector<int> id;          // ascending
   std::vector<Point> normal;    // outward unit vectors
@@ -26,7 +26,8 @@ FaceLayer face_layer(const Load& load, const InitialParticles& initial, std::vec
 using FaceShare = std::pair<int, Point>;
 
 /// Distribution of a traction over the particles near a face (THEORY.md). `uniform` keeps uniform stress in
-/// equilibrium, also at corners; `by_column` gives the exact force and moment of a linear traction on a plane face.
+/// equilibrium, also at corners; `by_column` gives the exact force of a linear traction and, on plane faces, the moment
+/// of a normal one.
 enum class FaceRule : std::uint8_t { uniform, by_column };
 /// Force on each particle, N. `surface`: area vectors S_j by id, m^(dim − 1); `reach`: range of the gradient, m.
 std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const InitialParticles& initial,

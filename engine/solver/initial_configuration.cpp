@@ -69,7 +69,8 @@ void InitialConfiguration<Dim>::check_pairs(const Scene& scene, const Formulatio
   }
 }
 
-/// Outward area vectors S_i = −Σ_j (V_i B_i + V_j B_j) k_ij by id, m^(Dim − 1); 0 inside a lattice.
+/// Outward area vectors S_i = −Σ_j (V_i B_i + V_j B_j) k_ij by id, m^(Dim − 1); 0 inside a lattice. Without
+/// `corrected_forces`, S_i = −2 Σ_j c_i c_j k_ij with the share c of each cell inside the body.
 template <int Dim>
 std::vector<Point> InitialConfiguration<Dim>::surface(bool corrected_forces) const {
   const auto& [begin, j, k, B] = pairs;

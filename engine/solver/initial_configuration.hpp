@@ -16,9 +16,9 @@ class InitialConfiguration {
  public:
   using V = Vec<double, Dim>;
 
-  /// Moves particles to their start and lets loads act on faces. Throws SceneError if a body is too thin. `normalised`:
-  /// see TlDisplacementConstants. `corrected_forces`: if true, forces as in internal_force_info, otherwise as in
-  /// pair_shear_force.
+  /// Moves particles to their start. With corrected gradients, lets loads act on faces. Throws SceneError if a body is
+  /// too thin. `normalised`: see TlDisplacementConstants. `corrected_forces`: if true, forces as in
+  /// internal_force_info, otherwise as in pair_shear_force.
   InitialConfiguration(Common<Dim>& common, const SolverInput& input,
                        GradientCorrection gradient = GradientCorrection::corrected, double normalised = 0,
                        bool corrected_forces = true);

@@ -20,7 +20,7 @@ class Loads {
  public:
   using V = Vec<double, Dim>;
 
-  /// Throws SceneError if a region is clamped or driven to the end.
+  /// Throws SceneError if all particles of a load are clamped or driven to the end.
   Loads(const Scene& scene, const InitialParticles& initial);
 
   void act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,

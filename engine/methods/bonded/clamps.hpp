@@ -38,7 +38,7 @@ class Clamps {
 
   bool has_driven() const { return !driven_.empty(); }
 
-  /// Moves places on driven regions. `ahead` in s.
+  /// Moves places on driven regions. `ahead`: 3 τ, s.
   void follow(const Particles<Dim>& s, double ahead, const ColumnsView<2 * Dim>& places) const {
     for (const auto& [place, rigid_particle, from_rigid_particle] : driven_)
       for (int k = 0; k < Dim; ++k) {
@@ -74,10 +74,10 @@ class Clamps {
 
  private:
   struct Driven {
-    int place, rigid_particle;  // stored indices
+    int place, rigid_particle;  // column of the place; stored index
     V from_rigid_particle;      // m
   };
-  int first_ = 0;                    // first column
+  int first_ = 0;                    // index of the first place
   std::vector<int> rigid_particle_;  // [place] stored index
   std::vector<Driven> driven_;
 };

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Volumes and constants of the default law of four particles.
+/// Volumes of four particles and their constants of the default law.
 struct alignas(sizeof(Pack)) GroupLaw {
   Pack V;  // in m^Dim; 0 in padding and for particles whose neighbours determine no F
   ClosedNeoHookean<Pack> law;
@@ -35,7 +35,7 @@ struct BondedFields {
   const V* v;
   ColumnsView<2 * Dim> places;  // x, x + 3 τ v of particles, then of clamp places
   ColumnsView<Dim * Dim> Q;     // T B, row by row; T: generalised stress (THEORY.md, Energy)
-  const double* mobility;       // 1/kg; 0 if constrained
+  const double* mobility;       // 1/kg; 0 if clamped
   Vec<Pack, Dim>* bond_force;   // [group] in N
   double lead;                  // 3 τ in s; τ: damping time of the bonds (THEORY.md)
   double least_r2;              // minimum of r² in m², (dp/100)²

@@ -32,7 +32,7 @@ struct LawOfOne {
   }
 };
 
-/// Sites of Interfaces, which THEORY.md (Interfaces) explains, in storage order.
+/// Particles beside another material (THEORY.md, Interfaces), in storage order.
 template <int Dim>
 class InterfaceSites {
  public:
@@ -43,11 +43,11 @@ class InterfaceSites {
   /// `ids` is in storage order.
   InterfaceSites(const BondedSetup& setup, const std::vector<int>& ids);
 
-  /// Replaces Q at the sites and adds the forces of their kinks, N.
+  /// Replaces Q at the sites and adds the forces of their kinks and bonds across, N.
   template <class Column, class Law>
   void pass(const Column& x, const Law& law, int threads, Columns<Dim * Dim>& Q,
             std::vector<Vec<Pack, Dim>>& bond_force);
-  /// Energy of particle i minus its energy without a kink, J.
+  /// Energy of particle i minus its energy without the interface terms, J.
   template <class Column, class Law>
   double energy_of_kink(int i, const Column& x, const Law& law) const;
 

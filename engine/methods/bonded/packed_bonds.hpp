@@ -54,7 +54,7 @@ struct BondToClamp {
 };
 
 /// Bonds of groups of four particles: first bonds with an a_ij, then the others, each part in storage order. Storage is
-/// AlignedPack, or HalfPack if no two groups share constants.
+/// AlignedPack, or HalfPack off-lattice in 3D, where groups share no constants.
 template <int Dim, class Storage>
 struct PackedBondsView {
   struct GroupRows {  // first indices, numbers of bonds

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Number of groups whose laws a pass evaluates in one loop without loops over bonds, so that their long dependency
+/// Number of groups in a block. The cube roots of a block are computed in one loop, so that their long dependency
 /// chains overlap.
 inline constexpr int groups_of_block = 8;
 template <int Dim>
@@ -24,7 +24,7 @@ struct StrainOfFour {
   Vec<Pack, Dim> force;  // of the bonds, N
   Pack energy;           // of the bonds, J, if requested
   Pack stiffest;         // maximum stiffness, relative to rest
-  Pack root;             // J^(−1/3) for the default law
+  Pack root;             // c^(−1/3) of the default law (THEORY.md)
 };
 
 /// Advances x and `places` by `dt`, half a step.
@@ -170,7 +170,7 @@ void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threa
   });
 }
 
-/// Sets F and returns energies, J.
+/// Fills `now` and returns energies, J.
 template <const BondedFormulation& M, int Dim>
 Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>& now) {
   return f.with_bonds([&](const auto& bonds) {

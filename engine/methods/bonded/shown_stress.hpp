@@ -14,7 +14,7 @@ template <class T, int Dim>
 struct alignas(alignment_of<T>) ShownStress {
   T J, p;         // volume ratio; pressure, positive in compression, Pa
   Sym<T, Dim> s;  // deviator, Pa
-  T s_zz;         // out of plane, in 2D, Pa
+  T s_zz;         // deviator out of plane, in 2D, Pa
 };
 
 /// Stress of the default law. In the deviator, J is limited to at least 0.05.
@@ -66,8 +66,8 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const Alig
   return F;
 }
 
-/// Scales the recovered F to the volume ratio `J` of the particle's own F, except where its own F averages both sides
-/// of an interface or slot.
+/// Scales the recovered F to the volume ratio `J` of the particle's own F, except where the own F averages over two
+/// materials or motions.
 template <int Dim>
 void keep_volume(const RecoveredView& recovered, int size, int first, Mat<Pack, Dim>& F, const Pack& J) {
   const Pack least = filled<Pack>(0.05);  // for crushed or inverted particles

@@ -22,7 +22,7 @@ class Moments {
     for (int m = 0; m < count; ++m) target_[m] = isotropic(powers_[m]);
   }
 
-  /// Satisfies the targets by the least change of w. Returns false if no w ≥ 0 satisfies them.
+  /// Satisfies the targets by the least change of w. Returns false if no such w ≥ 0 is found; w is then a fit.
   bool make_right(const std::vector<Eigen::Vector<double, Dim>>& X, std::vector<double>& w) const {
     std::vector<Vector> M(X.size());
     for (std::size_t b = 0; b < X.size(); ++b) M[b] = of(X[b].normalized());

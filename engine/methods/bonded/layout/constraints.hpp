@@ -8,7 +8,7 @@ namespace taut {
 
 enum class Constraint : unsigned char {
   free,     // includes particles driven for part of the run, or driven in a body with `on_boundary`
-  pinned,   // does not move; bonded like a free particle
+  pinned,   // clamped or driven; bonded like a free particle
   clamped,  // does not move
   driven    // to the end of the run
 };

@@ -98,7 +98,7 @@ class InterfaceMaker {
   /// Gradient at i within its material; empty where bonds hardly determine it, because the energy would have no
   /// minimum.
   std::vector<SideGradient> own_gradient(int i) const {
-    constexpr double least = 0.5;  // det A over isotropic A; flat sides have 0.84
+    constexpr double least = 0.5;  // det A over isotropic A; flat sides of lattices have 0.86 or more
     Square A = Square::Zero();
     std::vector<SideGradient> entries;
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {

@@ -10,7 +10,7 @@ namespace taut {
 inline constexpr double greatest_across = 8;  // maximum of own G over G_ij
 
 /// Sites are particles beside another material (THEORY.md, Interfaces). There are no sites at corners, between three
-/// materials, in a side of one layer, at clamps, or if only densities differ.
+/// materials, where one side is a single layer, at clamps, or if only densities differ.
 struct Interfaces {
   struct Site {
     int id;

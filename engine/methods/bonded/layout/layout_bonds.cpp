@@ -155,7 +155,7 @@ class LayoutBonds {
       const int* back = std::find(last - (out_.begin[j + 1] - out_.begin[j]), last, i);
       const double of_other = initial_.V0[j] / initial_.V0[i] * out_.rows[back - out_.j.data()].weight;
       const bool enough = is_rigid(constraints_[j])
-                              ? out_.rows[b].weight >= std::min(least, 0.0)  // other bonds carry it
+                              ? out_.rows[b].weight >= std::min(least, 0.0)  // other bonds carry the load
                               : out_.rows[b].weight + of_other >= least;
       if (!enough) return true;
     }
@@ -169,7 +169,7 @@ class LayoutBonds {
   NeighborLists near_;
   std::vector<bool> irregular_;      // [body]
   std::vector<double> least_reach_;  // [body] in h
-  std::vector<double> selected_;     // [pair of near_]
+  std::vector<double> selected_;     // [pair of near_] weight, or not_selected
   std::vector<double> unbalanced_;
   bool changed_by_balance_ = false;
   Bonds out_;

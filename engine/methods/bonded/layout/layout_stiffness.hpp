@@ -83,7 +83,7 @@ double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   }
 }
 
-/// ω² of the highest mode, 1/s², with stiffness from differences of forces. `mobility`: 1/kg, 0 if constrained.
+/// ω² of the highest mode, 1/s², with stiffness from differences of forces. `mobility`: 1/kg, 0 if immovable.
 /// forces(u, out) writes forces in N at displacements |u| ≤ `small` (in m).
 template <int Dim, class Forces>
 double highest_frequency_squared(const std::vector<double>& mobility, double small, int threads,

@@ -16,7 +16,7 @@ struct RecoveredView {
 /// Gradients for snapshots, ∇f at i = Σ_j (f_j − f_i) ⊗ g_ij, exact for quadratic fields, also at the surface;
 /// in thin bodies for linear fields only (THEORY.md, Recovered gradient).
 struct RecoveredGradient {
-  // [n + 1]; particles without entries keep the gradient of the method (F of BondedFields)
+  // [n + 1]; particles without entries keep the gradient of the method
   std::vector<int> begin;
   std::vector<int> j;
   std::vector<int> row;       // [n] first index in `g`, shared by equal neighbourhoods

@@ -47,7 +47,7 @@ struct BondedSetup {
 
 BondedSetup make_bonded_setup(const SolverInput& input, double damping);
 
-/// Marks all rigid particles as clamped, so that loads skip them.
+/// Marks the rigid particles, and no pins, as clamped, so that loads on faces skip them.
 InitialParticles with_rigid_clamped(const InitialParticles& initial, const Bonds& bonds);
 
 }  // namespace taut
