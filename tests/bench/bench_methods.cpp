@@ -35,7 +35,7 @@ struct Motion {
   int slices;
   int transcribed;  // steps per timing
 };
-// ends before the rings fracture; a slice has about 24 steps and one to three rebuilds
+// `rings` ends before the rings fracture; a slice has about 24 steps and one to three rebuilds
 constexpr Motion rings{"colliding-rings", 7e-4, 1e-4, 7, 10};
 constexpr Motion plate{"oscillating-plate-3d", 0, 3e-5, 20, 1};
 const Motion& motion_of(int dim) { return dim == 2 ? rings : plate; }

@@ -143,7 +143,7 @@ TEST_SUITE("cli") {
     CHECK(offered_by_bash(folder, "taut run discs.toml --set contact=i") == Words{"impulse"});
     CHECK(offered_by_bash(folder, "taut run discs.toml --method=oe") == Words{"oenog"});
     CHECK(offered_by_bash(folder, "taut run discs.toml --fr") == Words{"--frames"});
-    // unquoted by bash
+    // names that bash would have to quote are not offered
     for (const char* name : {"dip`touch x`", "dip $(touch x)", "dip;x", "dip\nx"})
       std::ofstream(folder / (std::string(name) + ".toml"));
     ::setenv("TAUT_SCENES", folder.path().c_str(), 1);

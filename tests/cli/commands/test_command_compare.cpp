@@ -142,7 +142,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists("/no-such-folder"));
   }
 
-  TEST_CASE("a panel shows every run at every time and reports pictures that it cannot show") {
+  TEST_CASE("a panel shows every run at every time, and is refused if no run has a picture") {
     const TemporaryFolder folder;
     make_run(folder, "slow");
     make_run(folder, "fast", {"--set", "speed=3"});
@@ -205,7 +205,7 @@ TEST_SUITE("cli") {
     CHECK(time_labels({0, 1.0 / 3}, 1) == std::vector<std::string>{"t = 0.0000 s", "t = 0.3333 s"});
   }
 
-  TEST_CASE("a panel has one range: the scene's, the automatic one of all its pictures, or a given one") {
+  TEST_CASE("the automatic range of a panel spans all its pictures") {
     const TemporaryFolder folder;
     make_run(folder, "slow");
     make_run(folder, "fast", {"--set", "speed=3"});

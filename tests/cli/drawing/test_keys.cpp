@@ -234,7 +234,7 @@ TEST_SUITE("unit") {
     };
     std::vector<double> values;
     for (int k = 0; k <= 1000; ++k) values.push_back(k);
-    CHECK(range_of(values) == render::Range{0, 1000});  // quantile 990
+    CHECK(range_of(values) == render::Range{0, 1000});  // the 99 % quantile is 990
     CHECK(range_of(values, 0.0) == render::Range{-1000, 1000});
     CHECK(range_of(values, 1.0) == render::Range{-998, 1000});
     values.push_back(1e9);

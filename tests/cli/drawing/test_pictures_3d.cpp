@@ -105,7 +105,7 @@ TEST_SUITE("cli") {
     }
   }
 
-#ifndef __SANITIZE_ADDRESS__  // reserves the whole address space
+#ifndef __SANITIZE_ADDRESS__  // the sanitizer reserves the whole address space
   TEST_CASE("pictures that do not fit into memory are refused with their size and a remedy") {
     const TemporaryFolder folder;
     REQUIRE(run(folder, "a", {"--save-particles", "--no-render"}).code == 0);

@@ -331,7 +331,7 @@ TEST_SUITE("unit") {
         CHECK(std::abs(exact({L, 0, 0}, t) - u) < 1e-4 * std::abs(U) * L / (4 * c));
       }
     }
-    // the deviator lacks 1/2 of the trace, so M = 4KG/(K + G)
+    // the 2D deviator subtracts 1/2 of the trace, so M = 4KG/(K + G)
     const Scene scene = shipped("elastic-cable").scene;
     const double K = scene.materials.at(0).bulk_modulus(), G = scene.materials[0].shear_modulus();
     const double c = std::sqrt(4 * K * G / (K + G) / 8000);

@@ -105,7 +105,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "next"));
   }
 
-  TEST_CASE("preview shows the picture in colours, and reports a missing terminal") {
+  TEST_CASE("preview shows the picture in colours") {
     const TemporaryFolder folder;
     TerminalProgram program(tiny_session(folder), folder.str("state"));
     program.wait_for_prompt();
@@ -118,7 +118,7 @@ TEST_SUITE("cli") {
     CHECK(program.exit_code() == 0);
   }
 
-  TEST_CASE("completion in a session offers the words of its help") {
+  TEST_CASE("completion in a session offers the commands, and the words that can follow them") {
     const TemporaryFolder folder;
     taut::cli::RunOptions options;
     options.scene = write_tiny_scene(folder);

@@ -40,7 +40,7 @@ class Disk {
 
   /// By name of a renamed file: whether all files, and whether the file itself, were on disk at each renaming.
   std::map<std::string, std::vector<bool>> all_before, itself_before;
-  std::set<std::string> lacking;
+  std::set<std::string> lacking;  // not on disk at the end
 
  private:
   void take(const std::string& call, const std::string& path, const std::string& other) {

@@ -14,7 +14,7 @@ using namespace taut::cli;
 using namespace taut::test;
 
 TEST_SUITE("cli") {
-  TEST_CASE("each kind of error has an exit code of its own") {
+  TEST_CASE("errors have their exit codes, and messages without terminal controls") {
     const auto code_of = [](const std::function<int()>& action) {
       std::ostringstream err;
       return guarded(action, err);
