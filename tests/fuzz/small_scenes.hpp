@@ -7,7 +7,7 @@
 
 namespace taut::fuzz {
 
-/// False for scenes with 2000 lattice places or more, which are valid but slow.
+/// Larger scenes are valid, but too slow to fuzz.
 bool is_small(const Scene& scene);
 
 struct SmallScene {

@@ -30,9 +30,9 @@ namespace {
 struct Run {
   std::map<std::string, MeasureResult> measure;
   Verdict verdict = Verdict::stable;
-  double zigzag = 0, noise = 0;  // of positions, of the pressure
+  double zigzag = 0, noise = 0;  // alternating share of positions, of the pressure
   Conservation kept;
-  double gain = 0;    // greatest energy / energy supplied − 1; at least 0
+  double gain = 0;    // greatest energy gained / energy supplied
   double volume = 1;  // over the initial volume, farthest from 1
 
   double value(const std::string& name) const {
@@ -43,7 +43,7 @@ struct Run {
   double off(const std::string& name) const { return value(name) - *measure.at(name).reference; }
 };
 
-/// RMS of the alternating part of the pressure over RMS of the pressure, for particles that start at x ≥ `beyond`.
+/// RMS of the alternating part over RMS of the pressure, of particles that start at x ≥ `beyond`.
 class PressureNoise {
  public:
   PressureNoise(const Snapshot& start, double spacing, double beyond)

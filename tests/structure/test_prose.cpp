@@ -36,7 +36,7 @@ Texts test_names(const std::string& text) {
   return names;
 }
 
-/// True if the text opens with what, of or who; a prefix such as "judge: " is skipped.
+/// A prefix such as "judge: " is skipped.
 bool lacks_subject(const std::string& text) {
   static const std::regex opening(R"(([a-z0-9 -]+: )?(What|Of|Who|Whose|Whom|what|of|who|whose|whom)\b.*)");
   return std::regex_match(text, opening);

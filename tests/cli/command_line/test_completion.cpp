@@ -73,7 +73,7 @@ TEST_SUITE("cli") {
         {{"run", scene, "--fail-on", ""}, {"hourglass", "penetrated", "fractured", "diverged"}},
         {{"run", scene, "--range", ""}, {"auto"}},
         {{"run", scene, "--until", ""}, {}},
-        {{"run", scene, "--until", "1", "--unt"}, {}},  // not repeatable
+        {{"run", scene, "--until", "1", "--unt"}, {}},  // --until is not repeatable
         {{"run", scene, "--set", "pull=1", "--se"}, {"--set"}},
         {{"sweep", "rings-speed-l"}, {"rings-speed-limit"}},
         {{"sweep", scene, "--grid", "method=og,oe"}, {"method=og,oenog"}},

@@ -71,7 +71,7 @@ TEST_SUITE("cli") {
     CHECK(drawn({"--beside", "color = pressure; range = 0:1"}) ==
           drawn({"--beside", "range=0:1; color=pressure"}));
     CHECK_FALSE(drawn({"--beside", "color=pressure; range=0:1"}) == two);
-    CHECK(drawn({"--beside", "view=0:0.01:0:0.01"}).width < two.width);  // one colour bar
+    CHECK(drawn({"--beside", "view=0:0.01:0:0.01"}).width < two.width);  // both views share a colour bar
     CHECK(drawn({"--beside", "color=pressure", "--beside", "color=speed"}).width > two.width);
     const auto refused = [&](const std::string& text) {
       const Outcome outcome = compare(folder, {"a"}, {"--beside", text});

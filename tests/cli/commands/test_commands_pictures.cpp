@@ -149,7 +149,7 @@ TEST_SUITE("cli") {
     CHECK(snapshot(faster).code == 0);
     CHECK(text_of(folder / "out/frames/frame_00000.png") == text_of(folder / "base/frame_00000.png"));
     CHECK(snapshot({"--set", "speed=2.4"}).code == 1);
-    // older baselines: even the first frame differs, since the texts at the colour bar move
+    // without look.json, as in older baselines, even the first frame differs: the texts at the colour bar move
     fs::remove(folder / "base/look.json");
     CHECK(snapshot(faster).code == 1);
     CHECK(text_of(folder / "out/frames/frame_00000.png") != text_of(folder / "base/frame_00000.png"));

@@ -167,7 +167,7 @@ TEST_SUITE("image") {
     CHECK(difference.share < 0.001);
   }
 
-  TEST_CASE("values that differ little span all colours with an automatic range") {
+  TEST_CASE("values that differ little have many colours with an automatic range") {
     const TemporaryFolder folder;
     Sequence sequence;
     sequence.look.range.reset();

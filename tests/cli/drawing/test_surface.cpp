@@ -47,7 +47,7 @@ struct Covered {
     }
     return all;
   }
-  /// Maps the initial positions.
+  /// `map` times the initial positions.
   Numbers mapped(const Map& map) const {
     const auto d = static_cast<std::size_t>(scene.dim);
     Numbers x;
@@ -62,7 +62,7 @@ struct Covered {
   SurfaceShape at(const Numbers& x) const { return surface.at(x, Numbers(shown.size(), 1), false); }
 };
 
-/// Area in 2D, enclosed volume in 3D, m^dim; triangles in 2D may have any orientation.
+/// Area in 2D, enclosed volume in 3D, m^dim.
 double measure(const SurfaceShape& shape, int dim) {
   double sum = 0;
   const auto point = [&](std::size_t k, std::size_t axis) {
@@ -151,7 +151,7 @@ TEST_SUITE("unit") {
     const Covered ring(scene_of({Ring{{0, 0, 0}, 0.1, 0.2}}));
     const double area = std::numbers::pi * (0.04 - 0.01);
     const SurfaceShape shape = ring.at(ring.mapped({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));
-    CHECK(measure(shape, 2) == Approx(area).epsilon(2e-3));  // chords
+    CHECK(measure(shape, 2) == Approx(area).epsilon(2e-3));  // chords replace the arcs
     CHECK(length(shape.outline) == Approx(2 * std::numbers::pi * 0.3).epsilon(2e-3));
 
     // slot of one spacing
@@ -221,7 +221,7 @@ TEST_SUITE("unit") {
     const Covered half(scene_of({Box{{0, 0, 0}, {0.06, 0.06, 0.04}}}, 3),
                        [](const Point& x) { return static_cast<double>(x[1] < 0.029); });
     const SurfaceShape shape = half.at(half.mapped({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));
-    // the first remaining layer of particles is at y = 0.035, the rim at 0.03
+    // remaining layer at y = 0.035, rim at 0.03
     CHECK(measure(shape, 3) > 0.06 * 0.04 * 0.025);
     CHECK(measure(shape, 3) < 0.06 * 0.04 * 0.03);
   }

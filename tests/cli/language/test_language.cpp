@@ -26,7 +26,7 @@ std::string whole_file(std::span<const Section> sections, std::string_view witho
   return text;
 }
 
-/// Replaces `key` after the first `header`.
+/// Replaces `key` by `lines` in the first section with this `header`.
 std::string with_key(std::string text, std::string_view header, std::string_view key,
                      std::string_view lines) {
   const std::size_t begin = text.find(header) + header.size() + 1;
@@ -69,7 +69,7 @@ TEST_SUITE("cli") {
     for (const ShapeKind& kind : shape_kinds()) {
       CAPTURE(kind.name);
       REQUIRE_FALSE(example_of(kind.name).empty());
-      if (kind.name == "svg" || kind.name == "mask" || kind.name == "mesh") continue;  // need files
+      if (kind.name == "svg" || kind.name == "mask" || kind.name == "mesh") continue;  // these need files
       CHECK_NOTHROW(read_text(scene_of_shape(kind)));
     }
   }

@@ -16,7 +16,7 @@ bool jsonschema_is_there() {
   return std::system("/usr/bin/python3 -c 'import tomllib, jsonschema' 2>/dev/null") == 0;
 }
 
-/// "valid" or the refused keys.
+/// For each file "valid" or the keys that the schema refuses.
 Texts verdicts(const std::string& kind, const std::vector<fs::path>& files) {
   const TemporaryFolder folder;
   std::ofstream(folder / "schema.json") << call({"describe", kind, "--schema"}).out;

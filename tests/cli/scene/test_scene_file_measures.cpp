@@ -165,7 +165,7 @@ TEST_SUITE("cli") {
       CHECK_THROWS_WITH_AS(read_text(text), doctest::Contains(message), SceneError);
     };
     refused(with("\"2*tp\""), "unknown name 'tp'");
-    // constants of the bodies of the named probes, else of all bodies; unknown if their materials differ
+    // material constants of the probes' bodies; unknown if they differ
     CHECK(read_text(with("\"0*t + K/G\"")).scene.probes.at(1).value({0, 0}, 0) == Approx(14.0 / 3));
     const std::string soft =
         "[material.soft]\ndensity = 1000\nyoungs_modulus = 1e6\npoisson_ratio = 0.3\n"
