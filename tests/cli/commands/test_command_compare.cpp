@@ -166,7 +166,7 @@ TEST_SUITE("cli") {
     CHECK(compare(folder, {"short"}, late).code == 2);
   }
 
-  TEST_CASE("a picture at another time than its row is labelled with its time") {
+  TEST_CASE("a picture in a panel is labelled with its time if its row has another time") {
     const TemporaryFolder folder;
     make_run(folder, "out", {"--frames", "2"});
     const SavedRun run = open_saved_run(folder / "out");
@@ -199,7 +199,7 @@ TEST_SUITE("cli") {
     CHECK(contains(end.remark, "diverged at t = "));
   }
 
-  TEST_CASE("times of rows have only the decimals that they need") {
+  TEST_CASE("times in a panel have only the decimals that they need") {
     CHECK(time_labels({0.003, 0.006}, 0.012) == std::vector<std::string>{"t = 3 ms", "t = 6 ms"});
     CHECK(time_labels({0.003, 0.00625}, 0.012) == std::vector<std::string>{"t = 3.00 ms", "t = 6.25 ms"});
     CHECK(time_labels({0, 1.0 / 3}, 1) == std::vector<std::string>{"t = 0.0000 s", "t = 0.3333 s"});
@@ -219,7 +219,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(panel({"slow", "fast"}, "auto") == panel({"slow", "fast"}, "0:4"));
   }
 
-  TEST_CASE("columns are named by the settings that differ between the runs") {
+  TEST_CASE("columns of a panel are named by the settings that differ between the runs") {
     const TemporaryFolder folder;
     make_run(folder, "a");
     make_run(folder, "b");

@@ -46,7 +46,7 @@ TEST_SUITE("cli") {
     CHECK(call({"render", folder.str("out"), "--quiet", "--title", "Short"}).err.empty());
   }
 
-  TEST_CASE("two folders are alike if they have the same names and every picture is alike") {
+  TEST_CASE("two folders are alike if their pictures have the same names and are alike") {
     const TemporaryFolder folder;
     for (const std::string name : {"frame_00000.png", "frame_00001.png", "frame_00002.png"}) {
       write_picture(folder / ("a/" + name), 10);

@@ -155,7 +155,7 @@ TEST_SUITE("cli") {
     CHECK(call({"describe", "enog", "--json"}).code == 2);
   }
 
-  TEST_CASE("list names the words of the language") {
+  TEST_CASE("list prints shapes, probes, measures, laws, contact laws, keys and fields") {
     for (const char* kind : {"shapes", "probes", "measures", "laws", "contacts", "keys", "fields"}) {
       CAPTURE(kind);
       CHECK(nlohmann::ordered_json::parse(call({"list", kind, "--json"}).out).size() > 3);

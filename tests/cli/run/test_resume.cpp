@@ -306,7 +306,7 @@ normal = [0, 1]
     CHECK(refused < 24);
   }
 
-  TEST_CASE("a resumable run can be drawn with other options only elsewhere, and resumes") {
+  TEST_CASE("a run with a checkpoint can be drawn with other options only in another folder, and resumes") {
     const TemporaryFolder folder;
     const Arguments all = long_run + Arguments{"--save-particles"};
     REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);

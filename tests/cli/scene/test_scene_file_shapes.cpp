@@ -188,7 +188,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("scene: `touching` in 3D is 0.1 dp for listed particles and 0 for a body with faces") {
     write_file("given.csv", "x,y,z\n0,0,0\n0.05,0,0\n");
-    const std::string_view asks = R"([[probe]]
+    const std::string_view probe_and_measure = R"([[probe]]
 name = "tip"
 of = "displacement"
 body = "body"
@@ -202,7 +202,8 @@ threshold = "touching"
 unit = "s"
 )";
     const auto touching = [&](const std::string& shape) {
-      const SceneFile file = read_text(scene_text(shape, std::string(asks), 3), {{"method", "oenog"}});
+      const SceneFile file =
+          read_text(scene_text(shape, std::string(probe_and_measure), 3), {{"method", "oenog"}});
       return file.scene.measures.at(0).threshold;
     };
     CHECK(touching(R"({ type = "particles", file = "given.csv" })") == relative(0.1 * 0.05));
