@@ -35,7 +35,7 @@ struct Motion {
   int slices;
   int transcribed;  // steps per timing
 };
-// ends before the rings fracture; a slice has about 24 steps and one to three rebuilds
+// `rings` ends before the rings fracture; a slice has about 24 steps and one to three rebuilds
 constexpr Motion rings{"colliding-rings", 7e-4, 1e-4, 7, 10};
 constexpr Motion plate{"oscillating-plate-3d", 0, 3e-5, 20, 1};
 const Motion& motion_of(int dim) { return dim == 2 ? rings : plate; }
@@ -82,19 +82,19 @@ class MeasuredPart {
 benchmark::Counter rate(double amount) { return {amount, benchmark::Counter::kIsRate}; }
 
 void run_method(benchmark::State& state, const Subject& subject) {
-  MeasuredPart stretch(subject, static_cast<int>(state.range(0)));
+  MeasuredPart part(subject, static_cast<int>(state.range(0)));
   long steps = 0, pair_steps = 0;
   for (auto _ : state) {
-    if (stretch.over()) {
+    if (part.over()) {
       state.PauseTiming();
-      stretch.go_back();
+      part.go_back();
       state.ResumeTiming();
     }
-    const long made = stretch.advance();
+    const long made = part.advance();
     steps += made;
-    pair_steps += made * stretch.pairs();
+    pair_steps += made * part.pairs();
   }
-  state.counters["particle_steps/s"] = rate(stretch.particles() * static_cast<double>(steps));
+  state.counters["particle_steps/s"] = rate(part.particles() * static_cast<double>(steps));
   state.counters["s/pair"] = benchmark::Counter(static_cast<double>(pair_steps),
                                                 benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
@@ -143,7 +143,7 @@ void compare_with_transcription(benchmark::State& state, const Subject& subject)
   const SceneFile file = scene_of(subject);
   const Step step = subject.dim == 2 ? transcription<2>(file.scene, file.settings)
                                      : transcription<3>(file.scene, file.settings);
-  MeasuredPart stretch(subject, 1);
+  MeasuredPart part(subject, 1);
   double engine = std::numeric_limits<double>::max(), paper = engine;  // s per step
   for (auto _ : state) {
     const int steps = motion_of(subject.dim).transcribed;
@@ -151,14 +151,14 @@ void compare_with_transcription(benchmark::State& state, const Subject& subject)
                               for (int k = 0; k < steps; ++k) step();
                             }) / steps);
     state.PauseTiming();
-    for (stretch.go_back(); !stretch.over();) {
+    for (part.go_back(); !part.over();) {
       long made = 0;
-      const double took = seconds([&] { made = stretch.advance(); });
+      const double took = seconds([&] { made = part.advance(); });
       engine = std::min(engine, took / static_cast<double>(made));
     }
     state.ResumeTiming();
   }
-  state.counters["particle_steps/s"] = stretch.particles() / engine;
+  state.counters["particle_steps/s"] = part.particles() / engine;
   state.counters["to_transcription"] = paper / engine;
 }
 

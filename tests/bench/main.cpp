@@ -1,4 +1,4 @@
-//   taut_bench --benchmark_filter=enog/2d --benchmark_repetitions=5
+// Example: taut_bench --benchmark_filter=enog/2d --benchmark_repetitions=5
 
 #include <cstdlib>
 

@@ -134,7 +134,8 @@ same_run() {
   differs=$(diff <(record "$1") <(record "$2") 2>&1) || lost "run.json: $(head -n 3 <<<"$differs" | tr '\n' ' ')"
 }
 
-# part_of_run FOLDER GOOD...: all files of a stopped run are complete, and equal the files of one undisturbed run GOOD
+# part_of_run FOLDER GOOD...: all files of a stopped run are complete; frames, particles, scene and rows are those of an
+# undisturbed run GOOD
 part_of_run() {
   local folder=$1 file
   for file in "$folder"/frames/*.png; do [[ ! -e $file ]] || as_in_one "$frames_are" "$file" "${@:2}"; done
@@ -160,7 +161,7 @@ as_in_one() {
   torn "$2 is incomplete or differs"
 }
 
-# same_rows FILE GOOD: rows are complete and equal the first rows of GOOD; the last row can differ, since it is the stop
+# same_rows FILE GOOD: FILE ends with a whole row, and its rows but the last, which is at the stop, are the first of GOOD
 same_rows() {
   local rows
   [[ -e $2 && -z $(tail -c 1 "$1") ]] || return 1
@@ -168,7 +169,7 @@ same_rows() {
   cmp -s <(head -n "$rows" "$1") <(head -n "$rows" "$2")
 }
 
-# all objects and arrays are closed; without a parser, since taut ends the file with "}" on its own line
+# whole_json FILE: the file is complete: it begins and ends with "{" and "}" on their own lines
 whole_json() { [[ $(tail -n 1 "$1") == "}" && $(head -n 1 "$1") == "{" ]] || torn "$1 is incomplete"; }
 
 # old_or_new PATH OLD NEW: a file, or a whole folder, equals OLD or NEW; "": it does not exist
@@ -204,5 +205,5 @@ stopped_by() {
   is_one_of "$code" "$codes" || wrong "exit code $code after ${1:+SIG${1// / SIG}}: $(complaint)"
 }
 
-# sums FOLDER: prints checksums of all files except the lock, which is created before the signal handlers
+# sums FOLDER: prints checksums of all files except the lock, which is created before the signal handlers are set
 sums() { find "$1" -type f ! -name run.lock -exec md5sum {} + | sort; }

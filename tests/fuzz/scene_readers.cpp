@@ -22,7 +22,7 @@ using namespace cli;
 
 namespace {
 
-void write_neighbours() {
+void write_referenced_files() {
   write("table.csv", "t,tip,x\n0,0,0\n0.5,0.1,0.5\n1,0,1\n");
   write("particles.csv", "x,y,z,volume\n0,0,0,0.01\n0.1,0,0,0.01\n0.2,0,0.1,0.01\n");
   render::Image picture(8, 8);
@@ -36,7 +36,7 @@ void make_particles(SceneFile& file) {
   if (is_small(file.scene)) start(file);
 }
 
-/// The resolved scene must make the same run.
+/// The resolved scene must be readable and resolve to the same text.
 void check_resolved(const SceneFile& file) {
   const std::string once = resolved_text(file, folder());
   SceneFile again;
@@ -72,7 +72,7 @@ void read_toml(std::string_view bytes) {
 }
 
 void read_scene_file(std::string_view bytes) {
-  write_neighbours();
+  write_referenced_files();
   SceneFile file = read_scene(write("scene.toml", bytes));
   check_resolved(file);
   make_particles(file);

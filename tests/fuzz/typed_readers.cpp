@@ -31,7 +31,7 @@ using namespace cli;
 
 namespace {
 
-/// Keeps paths inside the folder.
+/// Replaces slashes, so that paths stay inside the folder.
 std::string without_slashes(std::string text) {
   std::ranges::replace(text, '/', '_');
   return text;
@@ -85,7 +85,7 @@ std::vector<Command> harmless_commands() {
 
 }  // namespace
 
-/// `bytes`: lines, then optionally another scene.
+/// `bytes`: lines of a session, then optionally another scene.
 void read_session_lines(std::string_view bytes) {
   const std::vector<std::string> parts = parts_of(bytes, 2);
   RunOptions options;
@@ -138,7 +138,7 @@ void read_values(std::string_view bytes) {
       const std::string name = folder_name(row);
       expect(!name.empty() && name.size() < 256 && name.find('/') == std::string::npos && name != "." &&
                  name != "..",
-             "the folder '" + name + "'");
+             "'" + name + "' is not a name of a folder");
     }
   });
   attempt([&] { parse_expectation(text, Tolerance{0.1, true}); });

@@ -210,8 +210,8 @@ Case oscillating_plate_3d(int p, int q, double until) {
   };
 }
 
-/// Quarter of the block [Lee2016] §8.5; its top face is driven downwards where x ≤ 0.01. Elements per centimetre set
-/// the mesh.
+/// Quarter of the block [Lee2016] §8.5; its top face is driven downwards where x ≤ 0.01. The face z = 5 mm slides in
+/// its plane unless `free_face`.
 Case coining(int per_centimetre, bool free_face) {
   return [=](const Settings& settings, std::ostream& table) {
     constexpr double depth = 0.005;

@@ -100,7 +100,6 @@ inline void multiply_all(const Matrix& matrix, T* values) {
   if constexpr (d == 3) multiply<d, 2>(matrix, values, values);
 }
 
-/// Multiplies by `matrix` along axis a.
 template <int d, class T>
 inline void multiply(const Matrix& matrix, int a, const T* in, T* out) {
   if (a == 0) return multiply<d, 0>(matrix, in, out);

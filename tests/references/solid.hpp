@@ -13,7 +13,7 @@ class Solid {
  public:
   using Field = std::function<Vector<d>(const Vector<d>&)>;
 
-  /// `velocity` is the initial one. Components that `fixed` marks with anything but 0 keep it for ever.
+  /// Components for which `fixed` is not 0 keep their initial `velocity`.
   Solid(Mesh<d> mesh, const Material& material, const Field& velocity, const Field& fixed);
 
   /// Keeps the nodes `contact` at x <= 0 from now on: a node that would pass the plane stops there.

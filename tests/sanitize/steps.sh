@@ -19,7 +19,7 @@ frame a.png
 END
 }
 
-# Interrupts a run once it has a checkpoint, and resumes it; a run that ends without a checkpoint is accepted.
+# Interrupts a run once it has a checkpoint, and resumes it. A run that ends before is not resumed.
 resumed() {  # SCENE METHOD SPACING UNTIL
   local code=0
   "$taut" run "$1" --method "$2" --spacing "$3" --until "$(times "$4" 3)" --checkpoint-every "$(times "$4" 0.2)" \
@@ -40,7 +40,7 @@ expect() {
   ((code == $1)) || { echo "exit code $code instead of $1: ${*:2}" >&2; return 99; }
 }
 
-rings() {  # OUT OPTION...: about 120 particles
+rings() {  # OUT OPTION...: about 400 particles
   taut run colliding-rings --spacing 0.004 --until 4e-4 --frames 3 --size 320x180 --save-particles --quiet \
     --threads 2 --out "$@"
 }

@@ -123,7 +123,7 @@ TEST_SUITE("analytic") {
         CAPTURE(at);
         const std::size_t i = std::ranges::lower_bound(stretch, at) - stretch.begin();
         REQUIRE(i < stretch.size());
-        double thin = 0.3, thick = 1.8;  // zero lateral stress
+        double thin = 0.3, thick = 1.8;  // bounds of the lateral stretch without lateral stress
         for (int k = 0; k < 50; ++k) {
           const double middle = 0.5 * (thin + thick);
           (piola(stretch[i], middle)(1, 1) > 0 ? thick : thin) = middle;

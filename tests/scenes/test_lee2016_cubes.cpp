@@ -30,10 +30,10 @@ namespace {
 struct Run {
   std::map<std::string, MeasureResult> measure;
   Verdict verdict = Verdict::stable;
-  double zigzag = 0, noise = 0;  // of positions, of the pressure
+  double zigzag = 0, noise = 0;  // alternating share of positions, of the pressure
   Conservation kept;
-  double gain = 0;    // over the energy supplied
-  double volume = 1;  // farthest from 1
+  double gain = 0;    // greatest energy gained / energy supplied
+  double volume = 1;  // over the initial volume, farthest from 1
 
   double value(const std::string& name) const {
     INFO(name);
@@ -43,7 +43,7 @@ struct Run {
   double off(const std::string& name) const { return value(name) - *measure.at(name).reference; }
 };
 
-/// Alternating part over the whole pressure, of particles that start beyond x.
+/// RMS of the alternating part over RMS of the pressure, of particles that start at x ≥ `beyond`.
 class PressureNoise {
  public:
   PressureNoise(const Snapshot& start, double spacing, double beyond)

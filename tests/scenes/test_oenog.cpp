@@ -123,7 +123,7 @@ TEST_SUITE("convergence") {
       CHECK(order(coarse.measured(line), fine.measured(line), 2) > 1);
     }
     for (const Whole* rings : {&coarse, &fine}) {
-      // for any spacing
+      // exact for any spacing
       CHECK(std::abs(rings->measured("touch_time") - 0.01 / (2 * 7.071068)) < 1e-7);
       CHECK(rings->measured("mirror_asymmetry") == 0);
     }

@@ -94,7 +94,7 @@ ShearError shear_error(const std::string& method, double spacing) {
   return {std::sqrt(difference / size), worst};
 }
 
-/// Tip (x, y) over L of theta'' = −a cos theta, theta(0) = 0, theta'(1) = 0, y downwards, by shooting.
+/// Tip (x, y)/L of a beam with theta'' = −a cos theta, theta(0) = 0, theta'(1) = 0, by shooting; y downwards.
 std::array<double, 2> elastica(double a) {
   using State = std::array<double, 4>;  // theta, theta', x, y
   const auto rate = [a](const State& s) {

@@ -13,8 +13,8 @@ struct RoomRow {
   bool all_above = false;
 };
 
-/// First table of a README.md with a column "may include", lowest room first. Only files of one row can include
-/// each other.
+/// First table of a README.md with a column "may include", lowest room first. Files of one row may include each other,
+/// rooms of one row may not.
 ///
 ///     | room | what for | may include |
 ///     |---|---|---|

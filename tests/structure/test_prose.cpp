@@ -72,7 +72,8 @@ bool is_running_text(const std::string& line) {
 }  // namespace
 
 TEST_SUITE("structure") {
-  TEST_CASE("prose: the checks find a comment without a subject, a long block and a long name") {
+  TEST_CASE(
+      "prose: the helpers find missing subjects, comment blocks, test names, broken literals and running text") {
     CHECK(lacks_subject("What holds them does no work."));
     CHECK(lacks_subject("judge: what heals has been broken"));
     CHECK_FALSE(lacks_subject("Clamped particles do no work."));
@@ -89,7 +90,8 @@ TEST_SUITE("structure") {
     CHECK_FALSE(is_running_text("| cell |"));
   }
 
-  TEST_CASE("prose: comments and test names begin with their subject, and comments have at most 15 lines") {
+  TEST_CASE(
+      "prose: comments and test names never open with what, of or who, and comments have at most 15 lines") {
     constexpr std::size_t most_lines = 15;
     for (const std::string part : {"engine", "render", "cli", "tests"})
       for (const std::string& source : sources_below(top / part)) {

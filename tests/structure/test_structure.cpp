@@ -180,7 +180,7 @@ TEST_SUITE("structure") {
     }
   }
 
-  TEST_CASE("every test that the page of promises links to exists under that name") {
+  TEST_CASE("every test that PROMISES.md links to exists under that name") {
     const fs::path page = top / "cli/PROMISES.md";
     const std::string text = text_of(page);
     static const std::regex link(R"(\[([^\]`]+)\]\(([^)]+\.cpp)\))"), broken(R"("\s*\n\s*")");

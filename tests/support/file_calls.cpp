@@ -1,5 +1,5 @@
-// LD_PRELOAD library: logs writes, renames and syncs to the file TAUT_FILE_CALLS. TAUT_NO_LOCKS makes locks fail. The
-// first lock creates the file TAUT_GATE and waits for its removal.
+// LD_PRELOAD library: logs writes, renames and syncs to the file that TAUT_FILE_CALLS names. TAUT_NO_LOCKS makes locks
+// fail. The first lock creates the file that TAUT_GATE names, and waits for its removal.
 
 #include <array>
 #include <cerrno>

@@ -6,7 +6,7 @@
 
 namespace taut::test {
 
-/// All values differ.
+/// The two particles of the pair differ in every value.
 struct PairedParticle {
   Vec<double, 2> x, v;
   double m, V, p;  // kg/m, m², Pa

@@ -30,7 +30,7 @@ inline Scene scene_of_shapes(const std::vector<Shape>& shapes, int dim, double d
   return scene;
 }
 
-/// Surface contact forces without a method.
+/// Evaluates surface contact without a method.
 template <int Dim>
 class Pressed {
  public:

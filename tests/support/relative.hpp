@@ -4,7 +4,7 @@
 
 namespace taut::test {
 
-/// Relative comparison, by default within 1.2e-5, plus `scale`; doctest's epsilon · (1 + |value|) accepts any
+/// Relative comparison, by default within 1.2e-5. doctest's own tolerance, epsilon · (1 + |value|), accepts any two
 /// small values.
 class Approx : public doctest::Approx {
  public:

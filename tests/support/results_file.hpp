@@ -6,7 +6,7 @@
 
 namespace taut::test {
 
-/// Lines of `rows`: "status,method,spacing,steps,verdict,since.fractured,error,reference,seconds".
+/// Lines of `rows`: "status,set.method,method,spacing,steps,verdict,since.fractured,error,reference,seconds,EXTRA".
 inline std::string write_results(const fs::path& folder, const std::string& rows,
                                  const std::string& scene = "rod", const std::string& extra_column = "none") {
   fs::create_directories(folder);

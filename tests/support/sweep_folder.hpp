@@ -56,6 +56,7 @@ inline std::vector<std::string> statuses(const fs::path& folder) {
   return all;
 }
 
+/// End times of finished runs, by folder.
 inline std::map<std::string, fs::file_time_type> ends(const fs::path& folder) {
   std::map<std::string, fs::file_time_type> times;
   for (const auto& entry : fs::directory_iterator(folder))

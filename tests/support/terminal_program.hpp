@@ -13,7 +13,7 @@
 
 namespace taut::test {
 
-/// A pseudo-terminal of 80 × 24 characters.
+/// Runs taut on a pseudo-terminal of 80 × 24 characters.
 class TerminalProgram {
  public:
   /// `state`: folder for history and other state.
@@ -52,7 +52,7 @@ class TerminalProgram {
     shown_.erase(0, end);
     return before;
   }
-  /// Waits also for raw mode, which follows a moment later.
+  /// Waits for the prompt and for raw mode, which is set a moment later.
   std::string wait_for_prompt() {
     const std::string shown = wait_for("> ");
     termios mode{};

@@ -45,7 +45,8 @@ const std::string less_energy = "fast.first.kinetic_energy < slow.first.kinetic_
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("claims: the run of a claim agrees if its state equals the recorded state") {
+  TEST_CASE(
+      "claims: the run of a claim agrees if its state equals the recorded state and its evidence holds") {
     const TemporaryFolder folder;
     const auto state = [&](const std::string& lines) { return run_claim(folder, two_runs + lines); };
     const Outcome holds = state("criterion = '" + more_energy + "'");
@@ -67,7 +68,7 @@ TEST_SUITE("cli") {
     CHECK(contains(without_evidence.out, "but its evidence condition is false"));
   }
 
-  TEST_CASE("claims: a run whose measure is missing disagrees, whatever the recorded state") {
+  TEST_CASE("claims: an unknown measure gives no result, which disagrees with the state 'does not hold'") {
     const TemporaryFolder folder;
     const std::string lines =
         two_runs + "criterion = 'slow.touch_tim > 0'\nreason = 'none'\nstate = 'does not hold'";
@@ -76,7 +77,8 @@ TEST_SUITE("cli") {
     CHECK(contains(wrong.out, "no result: slow: unknown measure or number of run.json 'touch_tim'"));
   }
 
-  TEST_CASE("claims: the list, a single claim and JSON contain state and commands") {
+  TEST_CASE(
+      "claims: text contains state and command, JSON name and state, Markdown the number of claims per state") {
     const TemporaryFolder folder;
     const std::string file = claim_file(folder, two_runs + "criterion = '" + more_energy + "'");
     const Outcome one = call({"claims", file});
@@ -99,7 +101,7 @@ TEST_SUITE("cli") {
     CHECK(call({"claims", "--junit", "a.xml"}).code == 2);
   }
 
-  TEST_CASE("claims: a mistake in a claim file is refused with its place") {
+  TEST_CASE("claims: a mistake in a claim file is refused with the reason") {
     const std::string fine = two_runs + "criterion = '" + more_energy + "'\n";
     CHECK(refusal(fine).empty());
     CHECK(contains(refusal(two_runs + "criterion = 'fst.verdict == stable'"),
@@ -123,7 +125,8 @@ TEST_SUITE("cli") {
     CHECK(contains(wrong.err, "speeed"));
   }
 
-  TEST_CASE("claims: the quantities of a criterion are found, each once") {
+  TEST_CASE(
+      "claims: the quantities of a criterion are found, each once, and their values and verdicts are compared") {
     const auto quantities = quantities_in("a.min.tip > -0.5*a.min.tip && sqrt(b.since.fractured) < 1.5e-3");
     REQUIRE(quantities.size() == 2);
     CHECK(quantities[0].name() == "a.min.tip");

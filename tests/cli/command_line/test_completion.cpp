@@ -73,7 +73,7 @@ TEST_SUITE("cli") {
         {{"run", scene, "--fail-on", ""}, {"hourglass", "penetrated", "fractured", "diverged"}},
         {{"run", scene, "--range", ""}, {"auto"}},
         {{"run", scene, "--until", ""}, {}},
-        {{"run", scene, "--until", "1", "--unt"}, {}},  // not repeatable
+        {{"run", scene, "--until", "1", "--unt"}, {}},  // --until is not repeatable
         {{"run", scene, "--set", "pull=1", "--se"}, {"--set"}},
         {{"sweep", "rings-speed-l"}, {"rings-speed-limit"}},
         {{"sweep", scene, "--grid", "method=og,oe"}, {"method=og,oenog"}},
@@ -143,7 +143,7 @@ TEST_SUITE("cli") {
     CHECK(offered_by_bash(folder, "taut run discs.toml --set contact=i") == Words{"impulse"});
     CHECK(offered_by_bash(folder, "taut run discs.toml --method=oe") == Words{"oenog"});
     CHECK(offered_by_bash(folder, "taut run discs.toml --fr") == Words{"--frames"});
-    // unquoted by bash
+    // names that bash would have to quote are not offered
     for (const char* name : {"dip`touch x`", "dip $(touch x)", "dip;x", "dip\nx"})
       std::ofstream(folder / (std::string(name) + ".toml"));
     ::setenv("TAUT_SCENES", folder.path().c_str(), 1);

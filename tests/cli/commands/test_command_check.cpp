@@ -23,7 +23,8 @@ std::string write_record(const TemporaryFolder& folder, const std::string& name,
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("check exits with 1 if a value has moved, and with 0 otherwise") {
+  TEST_CASE(
+      "check exits with 1 if a value, the verdict or the status is not as expected, and with 0 otherwise") {
     const TemporaryFolder folder;
     const std::string run = write_record(folder, "run", 0.255);
     const std::map<std::string, int> checks{
@@ -105,7 +106,8 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("an option with several values reports its values, and a comma-separated list is one value") {
+  TEST_CASE(
+      "an argument taken by an option with several values is explained, and a comma-separated list is one value") {
     const TemporaryFolder folder;
     const std::string run = write_record(folder, "run", 0.255);
     const Outcome taken = call({"check", "--measure", "period<1", run, "--verdict", "stable"});
@@ -116,7 +118,8 @@ TEST_SUITE("cli") {
     CHECK(call({"plot", "--columns", "step", folder.str("a"), "--out", folder.str("p.png")}).code == 0);
   }
 
-  TEST_CASE("plot draws the columns of several runs with their units, by default the probes") {
+  TEST_CASE(
+      "plot draws columns of several runs with their units, skips other files and refuses unknown columns") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "a", {"--no-render"})).code == 0);
     REQUIRE(call(tiny_run(folder, "b", {"--no-render", "--set", "speed=3"})).code == 0);

@@ -71,7 +71,7 @@ TEST_SUITE("cli") {
     CHECK(drawn({"--beside", "color = pressure; range = 0:1"}) ==
           drawn({"--beside", "range=0:1; color=pressure"}));
     CHECK_FALSE(drawn({"--beside", "color=pressure; range=0:1"}) == two);
-    CHECK(drawn({"--beside", "view=0:0.01:0:0.01"}).width < two.width);  // one colour bar
+    CHECK(drawn({"--beside", "view=0:0.01:0:0.01"}).width < two.width);  // both views share a colour bar
     CHECK(drawn({"--beside", "color=pressure", "--beside", "color=speed"}).width > two.width);
     const auto refused = [&](const std::string& text) {
       const Outcome outcome = compare(folder, {"a"}, {"--beside", text});
@@ -142,7 +142,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists("/no-such-folder"));
   }
 
-  TEST_CASE("a panel shows every run at every time and reports pictures that it cannot show") {
+  TEST_CASE("a panel shows every run at every time, and is refused if no run has a picture") {
     const TemporaryFolder folder;
     make_run(folder, "slow");
     make_run(folder, "fast", {"--set", "speed=3"});
@@ -166,7 +166,7 @@ TEST_SUITE("cli") {
     CHECK(compare(folder, {"short"}, late).code == 2);
   }
 
-  TEST_CASE("a picture at another time than its row is labelled with its time") {
+  TEST_CASE("a picture in a panel is labelled with its time if its row has another time") {
     const TemporaryFolder folder;
     make_run(folder, "out", {"--frames", "2"});
     const SavedRun run = open_saved_run(folder / "out");
@@ -199,13 +199,13 @@ TEST_SUITE("cli") {
     CHECK(contains(end.remark, "diverged at t = "));
   }
 
-  TEST_CASE("times of rows have only the decimals that they need") {
+  TEST_CASE("times in a panel have only the decimals that they need") {
     CHECK(time_labels({0.003, 0.006}, 0.012) == std::vector<std::string>{"t = 3 ms", "t = 6 ms"});
     CHECK(time_labels({0.003, 0.00625}, 0.012) == std::vector<std::string>{"t = 3.00 ms", "t = 6.25 ms"});
     CHECK(time_labels({0, 1.0 / 3}, 1) == std::vector<std::string>{"t = 0.0000 s", "t = 0.3333 s"});
   }
 
-  TEST_CASE("a panel has one range: the scene's, the automatic one of all its pictures, or a given one") {
+  TEST_CASE("the automatic range of a panel spans all its pictures") {
     const TemporaryFolder folder;
     make_run(folder, "slow");
     make_run(folder, "fast", {"--set", "speed=3"});
@@ -219,7 +219,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(panel({"slow", "fast"}, "auto") == panel({"slow", "fast"}, "0:4"));
   }
 
-  TEST_CASE("columns are named by the settings that differ between the runs") {
+  TEST_CASE("columns of a panel are named by the settings that differ between the runs") {
     const TemporaryFolder folder;
     make_run(folder, "a");
     make_run(folder, "b");

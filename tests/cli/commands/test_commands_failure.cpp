@@ -176,7 +176,7 @@ TEST_SUITE("cli") {
     CHECK(lines_of(folder / "out/history.csv").size() >= 2);
   }
 
-  TEST_CASE("a run with any verdict exits with 0 unless --fail-on names the verdict") {
+  TEST_CASE("a fractured run exits with 0, or with 3 if --fail-on is fractured") {
     const TemporaryFolder folder;
     const std::vector<std::string> torn{"--no-render", "--method", "og",     "--set",
                                         "pull=8000",   "--set",    "speed=0"};
@@ -222,7 +222,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("unwritable frames give exit code 4 before the older run is touched") {
+  TEST_CASE("unwritable frames or particles give exit code 4 before the older run is touched") {
     for (const std::string inner : {"frames", "particles"}) {
       CAPTURE(inner);
       const TemporaryFolder folder;

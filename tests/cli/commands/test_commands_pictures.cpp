@@ -46,7 +46,7 @@ TEST_SUITE("cli") {
     CHECK(call({"render", folder.str("out"), "--quiet", "--title", "Short"}).err.empty());
   }
 
-  TEST_CASE("two folders are alike if they have the same names and every picture is alike") {
+  TEST_CASE("two folders are alike if their pictures have the same names and are alike") {
     const TemporaryFolder folder;
     for (const std::string name : {"frame_00000.png", "frame_00001.png", "frame_00002.png"}) {
       write_picture(folder / ("a/" + name), 10);
@@ -149,7 +149,7 @@ TEST_SUITE("cli") {
     CHECK(snapshot(faster).code == 0);
     CHECK(text_of(folder / "out/frames/frame_00000.png") == text_of(folder / "base/frame_00000.png"));
     CHECK(snapshot({"--set", "speed=2.4"}).code == 1);
-    // older baselines: even the first frame differs, since the texts at the colour bar move
+    // without look.json, as in older baselines, even the first frame differs: the texts at the colour bar move
     fs::remove(folder / "base/look.json");
     CHECK(snapshot(faster).code == 1);
     CHECK(text_of(folder / "out/frames/frame_00000.png") != text_of(folder / "base/frame_00000.png"));

@@ -199,7 +199,7 @@ TEST_SUITE("cli") {
     CHECK(record["measures"]["touch_time"]["unit"] == "s");
     CHECK(record["measures"]["touch_time"]["reference"].is_null());
     CHECK(record["conservation"]["linear_momentum"].get<double>() < 1e-10);
-    // dp² per particle
+    // each particle has an area of dp²
     CHECK(record["mass"].get<double>() == Approx(record["particles"].get<double>() * 4e-6 * 1000));
   }
 
@@ -353,7 +353,8 @@ TEST_SUITE("cli") {
     CHECK(call(tiny_run(folder, "discs.toml")).code == 2);
   }
 
-  TEST_CASE("an automatic range spans the whole sequence, and every frame is drawn") {
+  TEST_CASE(
+      "a run with an automatic range draws every frame, and a change of field makes the range automatic") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "auto", {"--range", "auto", "--color", "speed"})).code == 0);
     REQUIRE(call(tiny_run(folder, "signed", {"--color", "pressure"})).code == 0);
@@ -404,7 +405,7 @@ TEST_SUITE("cli") {
     fs::current_path(before);
   }
 
-  TEST_CASE("an option without effect gives a warning") {
+  TEST_CASE("options without effect, a view without particles and a cfl above its limit are reported") {
     const TemporaryFolder folder;
     const Outcome drawn = call(tiny_run(folder, "out", {"--no-render", "--color", "speed", "--frames", "3"}));
     CHECK(drawn.code == 0);
@@ -444,7 +445,7 @@ TEST_SUITE("cli") {
           2);
   }
 
-  TEST_CASE("progress goes to stderr in lines, and --quiet silences it") {
+  TEST_CASE("progress goes to stderr, in lines") {
     const TemporaryFolder folder;
     std::vector<std::string> arguments = tiny_run(folder, "out", {"--no-render"});
     std::erase(arguments, "--quiet");

@@ -35,7 +35,7 @@ bool leaves_alone(const fs::path& link, const std::function<void()>& work) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("links in the place of unfinished files of other programs are not followed") {
+  TEST_CASE("links in the place of temporary files of a chart are not followed") {
     const TemporaryFolder folder;
     const std::string results = write_results(folder / "a", one_result);
     for (const char* name : {"chart.part.png", "chart.png.part", "chart.png.tmp", "chart.gp.tmp"}) {

@@ -1,6 +1,4 @@
-// After an intended change
-//   TAUT_UPDATE_GOLDEN=1 build/tests/cli_tests -tc='every field matches*'
-// rewrites the golden pictures: look at them before you commit.
+// tests/README.md, Golden pictures, describes their update.
 
 #include <cstdlib>
 #include <filesystem>

@@ -234,7 +234,7 @@ TEST_SUITE("unit") {
     };
     std::vector<double> values;
     for (int k = 0; k <= 1000; ++k) values.push_back(k);
-    CHECK(range_of(values) == render::Range{0, 1000});  // quantile 990
+    CHECK(range_of(values) == render::Range{0, 1000});  // 99 % quantile: 990
     CHECK(range_of(values, 0.0) == render::Range{-1000, 1000});
     CHECK(range_of(values, 1.0) == render::Range{-998, 1000});
     values.push_back(1e9);
@@ -251,7 +251,7 @@ TEST_SUITE("unit") {
     CHECK(range_of({0, 0}, 0.0) == render::Range{-1, 1});
     CHECK(range_of({NAN, INFINITY}) == render::Range{0, 1});
     CHECK(range_of({NAN, 2, INFINITY, 0}) == render::Range{0, 2});
-    CHECK(range_of({1e300, 2, -1e300, 0}) == render::Range{0, 2});  // too wide
+    CHECK(range_of({1e300, 2, -1e300, 0}) == render::Range{0, 2});  // values above 1e100 do not count
     CHECK(range_of({1200, 1200.000001}) == render::Range{1200, 1200.000001});
     std::vector<double> many;
     for (int k = 0; k < 9000000; ++k) many.push_back(k % 1000);

@@ -105,11 +105,11 @@ TEST_SUITE("cli") {
     }
   }
 
-#ifndef __SANITIZE_ADDRESS__  // reserves the whole address space
+#ifndef __SANITIZE_ADDRESS__  // the sanitizer reserves the whole address space
   TEST_CASE("pictures that do not fit into memory are refused with their size and a remedy") {
     const TemporaryFolder folder;
     REQUIRE(run(folder, "a", {"--save-particles", "--no-render"}).code == 0);
-    // ulimit in kB; `check_memory` needs about 660 000 kB for this picture
+    // ulimit in KiB; `check_memory` needs about 660 000 KiB for this picture
     const std::string command = "ulimit -c 0; ulimit -v 600000; timeout 60 " TAUT_BINARY_DIR "/taut render " +
                                 folder.str("a") + " --size 8000x8000 --threads 1 --quiet 2>" +
                                 folder.str("said");

@@ -71,7 +71,7 @@ TEST_SUITE("unit") {
     const Origins origins = two_pairs();
     const Staging staging(drawing, origins);
     const StagedParticles staged = staging(frame(moved, origins, {1, 2, 3, 4}));
-    CHECK(staged.x == Numbers{-7, -3.5, -6, -3.5, -3, -1.5, 1, 0.5});  // (7, 4.5)
+    CHECK(staged.x == Numbers{-7, -3.5, -6, -3.5, -3, -1.5, 1, 0.5});  // centre of mass: (7, 4.5)
     SequenceBounds bounds;
     staging.extend(bounds, staged);
     const render::View view = *fitted(drawing, bounds).look.view;

@@ -47,7 +47,7 @@ struct Covered {
     }
     return all;
   }
-  /// Maps the initial positions.
+  /// `map` times the initial positions.
   Numbers mapped(const Map& map) const {
     const auto d = static_cast<std::size_t>(scene.dim);
     Numbers x;
@@ -62,7 +62,7 @@ struct Covered {
   SurfaceShape at(const Numbers& x) const { return surface.at(x, Numbers(shown.size(), 1), false); }
 };
 
-/// m^dim; triangles in 2D may have any orientation.
+/// Area in 2D, enclosed volume in 3D, m^dim.
 double measure(const SurfaceShape& shape, int dim) {
   double sum = 0;
   const auto point = [&](std::size_t k, std::size_t axis) {
@@ -128,7 +128,7 @@ TEST_SUITE("unit") {
     CHECK(delaunay(2, Numbers{0, 0, 1, 1}).empty());
   }
 
-  TEST_CASE("a surface fills its body without gap or overlap under any linear deformation") {
+  TEST_CASE("a surface fills its body without gap or overlap under a linear deformation") {
     const Box square{{0, 0, 0}, {0.1, 0.06, 0}}, cube{{0, 0, 0}, {0.06, 0.05, 0.04}};
     struct Case {
       std::vector<Shape> shapes;
@@ -151,7 +151,7 @@ TEST_SUITE("unit") {
     const Covered ring(scene_of({Ring{{0, 0, 0}, 0.1, 0.2}}));
     const double area = std::numbers::pi * (0.04 - 0.01);
     const SurfaceShape shape = ring.at(ring.mapped({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));
-    CHECK(measure(shape, 2) == Approx(area).epsilon(2e-3));  // chords
+    CHECK(measure(shape, 2) == Approx(area).epsilon(2e-3));  // chords replace the arcs
     CHECK(length(shape.outline) == Approx(2 * std::numbers::pi * 0.3).epsilon(2e-3));
 
     // slot of one spacing
@@ -204,7 +204,7 @@ TEST_SUITE("unit") {
     CHECK(whole == Approx(0.32));
     CHECK(length(body.surface.undeformed()) == Approx(0.32));
     for (std::size_t i = 0; i < body.shown.size(); ++i)
-      if (x[2 * i] > 0.05) x[2 * i] += 0.05;  // 6 spacings
+      if (x[2 * i] > 0.05) x[2 * i] += 0.05;  // a gap of 6 spacings
     const SurfaceShape torn = body.at(x);
     CHECK(torn.loose.empty());
     CHECK(length(torn.outline) > whole + 0.03);
@@ -217,16 +217,16 @@ TEST_SUITE("unit") {
     CHECK(body.at(x).loose == std::vector<std::uint32_t>{0});
   }
 
-  TEST_CASE("a cut opens a surface") {
+  TEST_CASE("a surface ends at a cut") {
     const Covered half(scene_of({Box{{0, 0, 0}, {0.06, 0.06, 0.04}}}, 3),
                        [](const Point& x) { return static_cast<double>(x[1] < 0.029); });
     const SurfaceShape shape = half.at(half.mapped({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));
-    // the layer left at 0.035, with a rim at 0.03
+    // remaining layer at y = 0.035, rim at 0.03
     CHECK(measure(shape, 3) > 0.06 * 0.04 * 0.025);
     CHECK(measure(shape, 3) < 0.06 * 0.04 * 0.03);
   }
 
-  TEST_CASE("outlines and surfaces follow a body") {
+  TEST_CASE("outlines of the body and of its initial shape move with a followed body") {
     const Scene scene = scene_of({Box{{0, 0, 0}, {0.1, 0.06, 0}}});
     Drawing drawing;
     drawing.outline = Outlines::both;

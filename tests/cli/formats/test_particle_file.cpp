@@ -53,7 +53,7 @@ bool unpacks(std::string_view text, std::vector<double>& values) {
   return from_zlib_blocks(text, std::as_writable_bytes(std::span(values)));
 }
 
-/// In bytes.
+/// Limits the memory of the process, in bytes.
 class MemoryLimit {
  public:
   explicit MemoryLimit(std::size_t bytes) {
@@ -83,7 +83,7 @@ TEST_SUITE("unit") {
       CHECK_FALSE(unpacks(text, longer));
       if (count > 0) CHECK_FALSE(unpacks(text.substr(0, text.size() - 1), back));
       std::string forged = text;
-      forged[7] = '\x7f';  // 2^62 blocks
+      forged[7] = '\x7f';  // about 2^63 blocks
       CHECK_FALSE(unpacks(forged, back));
     }
   }
@@ -163,7 +163,7 @@ TEST_SUITE("unit") {
     CHECK_THROWS_AS(file.positions(2), UsageError);
   }
 
-  TEST_CASE("a particle file cut short anywhere is refused") {
+  TEST_CASE("a particle file cut short within the data that taut reads is refused") {
     const TemporaryFolder folder;
     const fs::path path = write_particles(folder, some_particles(2, 50), {find_field("speed")});
     const std::string whole = text_of(path);
@@ -175,7 +175,7 @@ TEST_SUITE("unit") {
       file.positions(2);
     };
     CHECK_NOTHROW(read_all());
-    // only ParaView reads the last 150 bytes or so
+    // the vertices at the end are for ParaView only
     for (std::size_t length = 0; length + 400 < end; length += 41) {
       std::ofstream(path, std::ios::binary) << whole.substr(0, length);
       CAPTURE(length);

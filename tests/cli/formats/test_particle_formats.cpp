@@ -187,7 +187,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(has("von_mises", "stress"));
   }
 
-  TEST_CASE("a file with single precision has half the real numbers' bytes and is read back to 24 bits") {
+  TEST_CASE("a file with single precision is read back with real numbers rounded to 24 bits") {
     const TemporaryFolder folder;
     const Snapshot now = deformed_lattice(3, sheared);
     const std::vector<const Field*> chosen{find_field("stress_xx"), find_field("speed")};

@@ -26,7 +26,7 @@ std::string whole_file(std::span<const Section> sections, std::string_view witho
   return text;
 }
 
-/// Replaces `key` after the first `header`.
+/// Replaces `key` by `lines` in the first section with this `header`.
 std::string with_key(std::string text, std::string_view header, std::string_view key,
                      std::string_view lines) {
   const std::size_t begin = text.find(header) + header.size() + 1;
@@ -69,7 +69,7 @@ TEST_SUITE("cli") {
     for (const ShapeKind& kind : shape_kinds()) {
       CAPTURE(kind.name);
       REQUIRE_FALSE(example_of(kind.name).empty());
-      if (kind.name == "svg" || kind.name == "mask" || kind.name == "mesh") continue;  // need files
+      if (kind.name == "svg" || kind.name == "mask" || kind.name == "mesh") continue;  // these need files
       CHECK_NOTHROW(read_text(scene_of_shape(kind)));
     }
   }
@@ -155,7 +155,7 @@ TEST_SUITE("cli") {
     CHECK(call({"describe", "enog", "--json"}).code == 2);
   }
 
-  TEST_CASE("list names the words of the language") {
+  TEST_CASE("list prints shapes, probes, measures, laws, contact laws, keys and fields") {
     for (const char* kind : {"shapes", "probes", "measures", "laws", "contacts", "keys", "fields"}) {
       CAPTURE(kind);
       CHECK(nlohmann::ordered_json::parse(call({"list", kind, "--json"}).out).size() > 3);

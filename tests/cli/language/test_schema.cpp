@@ -16,7 +16,7 @@ bool jsonschema_is_there() {
   return std::system("/usr/bin/python3 -c 'import tomllib, jsonschema' 2>/dev/null") == 0;
 }
 
-/// "valid" or the refused keys.
+/// For each file "valid" or the keys that the schema refuses.
 Texts verdicts(const std::string& kind, const std::vector<fs::path>& files) {
   const TemporaryFolder folder;
   std::ofstream(folder / "schema.json") << call({"describe", kind, "--schema"}).out;
@@ -57,7 +57,8 @@ const fs::path scenes = fs::path(TAUT_SOURCE_DIR) / "scenes";
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("schema: shipped scenes and studies are valid, as written and with every default") {
+  TEST_CASE(
+      "schema: shipped scenes, studies, claims and suites are valid, and scenes also with every default") {
     if (!jsonschema_is_there()) {
       MESSAGE("skipped: there is no jsonschema for Python (Debian's package python3-jsonschema)");
       return;
@@ -133,7 +134,7 @@ TEST_SUITE("cli") {
     CHECK(verdict(entry + "method = 'ogg'") != Texts{"valid"});
   }
 
-  TEST_CASE("schema: descriptions, defaults and bounds come from the tables of the reader") {
+  TEST_CASE("schema: the scene schema contains descriptions, defaults, bounds and required keys") {
     const auto schema = nlohmann::ordered_json::parse(call({"describe", "scene-file", "--schema"}).out);
     const auto& keys = schema["properties"];
     CHECK(keys["method"]["default"] == "oenog");

@@ -235,7 +235,7 @@ def check_zoom_and_columns(browser):
 
 
 def check_texts(browser):
-    """Titles are text; the page names the command, the measures and the scene."""
+    """A title is not run as a script; the page contains the command, the measures and the scene."""
     assert "<script>alert(1)</script>" in browser.one("h1").text
     assert not browser.script("return [...document.scripts].some((one) => one.text === 'alert(1)')")
     text = browser.script("return document.body.textContent")
@@ -409,7 +409,7 @@ def check_orbit(browser, taut, folder):
     changes("dragging")
     view.send_keys(Keys.ARROW_LEFT)
     changes("an arrow key turns")
-    assert frame_of(browser) == "frame_00000.png"  # and the frames stay
+    assert frame_of(browser) == "frame_00000.png"  # turning does not change the frame
     browser.button("+").click()
     changes("zooming")
     cut = next(one for one in browser.all("input[type=range]") if one.get_attribute("aria-label") == "Place of the cut")

@@ -25,7 +25,7 @@ nlohmann::ordered_json run_of(const fs::path& page, int run) {
   return assigned(text_of(page / ("runs/" + number + ".js")), "taut_runs[" + number + "]");
 }
 
-/// The tiny scene with another `gap`.
+/// Runs the tiny scene with a title and a reference curve of `gap`.
 std::string run_with_title(const TemporaryFolder& folder, const std::string& title) {
   write_tiny_scene(folder);
   std::string text = text_of(folder / "discs.toml");
@@ -159,7 +159,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "report: saved particles of a run in 3D stand beside the page, in the colours and the cut of the run") {
+      "report: saved particles of a run in 3D are stored beside the page, with the colours and the cut of the run") {
     const TemporaryFolder folder;
     std::ofstream(folder / "ball.toml") << R"(
 title = "A ball"
@@ -198,7 +198,7 @@ frames = 2
     CHECK(data["low"][0].get<double>() == relative(0.002));
     CHECK(data["high"][0].get<double>() == relative(0.007, 1e-6));
     REQUIRE(data["data"].size() == 3);
-    // 8 particles × (3 × 2 + 3) bytes
+    // base64 of 8 particles × (3 × 2 + 3) bytes
     for (const auto& each : data["data"]) CHECK(each.get<std::string>().size() == 96);
     const std::string first = data["data"][0], last = data["data"][2], color = first.substr(64, 4);
     for (std::size_t k = 64; k < 96; k += 4) CHECK(first.substr(k, 4) == color);

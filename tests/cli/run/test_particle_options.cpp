@@ -42,7 +42,7 @@ TEST_SUITE("cli") {
     CHECK(fs::exists(folder / "first/particles/particles.pvd"));
   }
 
-  TEST_CASE("render, compare and movie refuse particles in a format that taut does not read") {
+  TEST_CASE("render and compare refuse particles in a format that taut does not read") {
     const TemporaryFolder folder;
     for (const std::string format : {"xyz", "csv"}) {
       REQUIRE(run_with(folder, "out", {"--save-particles", format}).code == 0);

@@ -99,7 +99,7 @@ TEST_SUITE("cli") {
     CHECK(files_in(folder / "pictures") == 6);
   }
 
-  TEST_CASE("render keeps the numbers of frames beside a missing particle file and reports it") {
+  TEST_CASE("render reports a missing particle file, and the other frames keep their numbers") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out", {"--save-particles"})).code == 0);
     fs::remove(folder / "out/particles/particles_00002.vtp");

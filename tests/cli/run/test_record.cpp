@@ -8,7 +8,6 @@ using namespace taut::cli;
 
 namespace {
 
-/// Every optional key is present.
 RunRecord full_record() {
   RunRecord record;
   record.scene = "rod", record.method = "oenog", record.material_law = "3d_deviator";

@@ -42,7 +42,7 @@ std::set<std::string> files_below(const fs::path& folder) {
   return names;
 }
 
-/// Compares all files except for wall-clock times.
+/// Compares all files except for times, threads and provenance in run.json.
 void check_same_run(const fs::path& a, const fs::path& b) {
   REQUIRE(files_below(a) == files_below(b));
   for (const std::string& name : files_below(a)) {
@@ -59,7 +59,7 @@ void check_same_run(const fs::path& a, const fs::path& b) {
   }
 }
 
-/// Kills the program once `history` exceeds `bytes`; returns false if the program ended before.
+/// Kills the program once `history` has `bytes`; returns false if the program ended before.
 bool run_and_kill(const Arguments& arguments, const fs::path& history, std::uintmax_t bytes) {
   ChildProgram child(arguments);
   ChildProgram::wait([&] {
@@ -306,7 +306,7 @@ normal = [0, 1]
     CHECK(refused < 24);
   }
 
-  TEST_CASE("a resumable run can be drawn with other options only elsewhere, and resumes") {
+  TEST_CASE("a run with a checkpoint can be drawn with other options only in another folder, and resumes") {
     const TemporaryFolder folder;
     const Arguments all = long_run + Arguments{"--save-particles"};
     REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);

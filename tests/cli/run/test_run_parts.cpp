@@ -37,7 +37,8 @@ struct StandingSimulation : Simulation {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("output times include both ends and survive rounding") {
+  TEST_CASE(
+      "output times start at 0, include an end that is a multiple of the interval, and survive rounding") {
     CHECK(times_in_parts(0.75, 3) == std::vector<double>{0, 0.25, 0.5, 0.75});
     CHECK(times_every(0.3, 0.1) == std::vector<double>{0, 0.1, 0.2, 0.3});  // although 0.3 / 0.1 < 3
     CHECK(times_every(0.35, 0.1).back() == Approx(0.3));
@@ -61,7 +62,7 @@ TEST_SUITE("unit") {
     CHECK(pace.slice() * seconds_per_time == Approx(0.2));
   }
 
-  TEST_CASE("the range of a sequence skips NaN and is symmetric for signed fields") {
+  TEST_CASE("the range of a sequence skips values that are not finite and is symmetric for signed fields") {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
     SequenceBounds bounds;

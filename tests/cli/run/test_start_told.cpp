@@ -14,7 +14,7 @@ using namespace taut::cli;
 using namespace taut::test;
 
 TEST_SUITE("cli") {
-  TEST_CASE("two bodies that start less than a spacing apart under sph give a warning") {
+  TEST_CASE("two bodies whose faces start less than a spacing apart give a warning with contact sph") {
     const TemporaryFolder folder;
     const auto told = [&](const std::string& above, const std::string& low) {
       std::ofstream file(folder / "scene.toml");
@@ -72,8 +72,7 @@ TEST_SUITE("cli") {
     CHECK(contains(warning("{ type = \"box\", low = [0, 0, 0], high = [1, 1, 0.2] }", 3), "100 %"));
   }
 
-  TEST_CASE(
-      "a run warns about a body that starts above its sound speed relative to bodies or walls in its way") {
+  TEST_CASE("a run warns about a body that starts above its sound speed relative to a wall in its way") {
     const TemporaryFolder folder;
     const auto warns = [&](const std::string& modulus, const std::string& more) {
       std::ofstream(folder / "scene.toml")
@@ -89,7 +88,7 @@ TEST_SUITE("cli") {
       return outcome.err.find("body 'a' starts at ") != std::string::npos;
     };
     const std::string wall = "[[wall]]\nname = \"w\"\nat = [9, 0]\nnormal = [-1, 0]\n";
-    CHECK(warns("10", wall));  // Young's modulus in Pa instead of MPa: c0 is 0.13 m/s
+    CHECK(warns("10", wall));  // 10 MPa given as 10 Pa: c0 is 0.13 m/s
     CHECK_FALSE(warns("1e7", wall));
     CHECK_FALSE(warns("10", ""));
   }

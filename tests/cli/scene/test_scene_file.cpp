@@ -234,7 +234,7 @@ TEST_SUITE("unit") {
     CHECK(scene.bodies[0].clamped({-1e-9, 0, 0}) != 0);
     CHECK(scene.bodies[0].clamped({0, 0, 0}) == 0);
     CHECK(particles(scene) == 1612);
-    // Eq. 28–29: tip at vf c0, middle computed separately
+    // Eq. 28–29: the tip moves with vf c0; the value in the middle is computed separately
     const auto& velocity = scene.bodies[0].velocity[1];
     const double c0 = scene.materials[0].sound_speed();
     CHECK(velocity({0.2, 0, 0}) == Approx(0.05 * c0).epsilon(1e-14));
@@ -331,7 +331,7 @@ TEST_SUITE("unit") {
         CHECK(std::abs(exact({L, 0, 0}, t) - u) < 1e-4 * std::abs(U) * L / (4 * c));
       }
     }
-    // the deviator lacks 1/2 of the trace, so M = 4KG/(K + G)
+    // the 2D deviator subtracts 1/2 of the trace, so M = 4KG/(K + G)
     const Scene scene = shipped("elastic-cable").scene;
     const double K = scene.materials.at(0).bulk_modulus(), G = scene.materials[0].shear_modulus();
     const double c = std::sqrt(4 * K * G / (K + G) / 8000);

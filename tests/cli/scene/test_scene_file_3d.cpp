@@ -94,7 +94,8 @@ TEST_SUITE("cli") {
                       {"low must be an array of 3 numbers", "not an array of 2"});
   }
 
-  TEST_CASE("scene in 3D: boxes, balls and shells have their volumes") {
+  TEST_CASE(
+      "scene in 3D: boxes, balls, shells and cylinders have their volumes, and invalid ones are refused") {
     const auto layout = [](const std::string& shape) {
       const SceneFile file = read_text(solid_scene(shape));
       check_resolved(file);
@@ -172,7 +173,7 @@ TEST_SUITE("cli") {
     check_solid_error(solid_scene("{ type = @\"bal\" }"), {"unknown type 'bal'", "did you mean 'ball'"});
   }
 
-  TEST_CASE("scene: held is one expression for all components, or one per component") {
+  TEST_CASE("scene: held can have one expression per component") {
     const SceneFile file = read_text(solid_scene(
         brick, "velocity = [1, 2, 3]\nheld = [\"x < 0.1 || y < 0.1\", \"\", \"x < 0.1 && z < 0.1\"]"));
     check_resolved(file);
@@ -199,7 +200,7 @@ TEST_SUITE("cli") {
                 {"held must be an array of 2"});
   }
 
-  TEST_CASE("scene: a body can be cut out, rotated, given particles on its boundary, and displaced") {
+  TEST_CASE("scene: a body can have cut-outs, a rotation, particles on its boundary, and a displacement") {
     const SceneFile file =
         read_text(solid_scene(brick,
                               "without = [{ type = \"ball\", centre = [2, 1, 0.5], radius = 0.4 }, "

@@ -54,7 +54,8 @@ TEST_SUITE("cli") {
     check_error("until = 2", "until = 2\nuntil = @3", {"not valid TOML", "until"});
   }
 
-  TEST_CASE("scene: unknown, misspelt and missing keys are refused") {
+  TEST_CASE(
+      "scene: unknown, misspelt and missing keys, and a wrong spacing, jitter or coordinate, are refused") {
     check_error("spacing = 0.1", "spacing = @3", {"spacing = 3 m is more than twice the thickness", "1 m"});
     check_error("velocity = [\"v0*c0*x\", 0]", "velocity = [@\"v0*z\", 0]",
                 {"uses z, but the scene has dim = 2"});

@@ -93,7 +93,7 @@ TEST_SUITE("cli") {
     check_error("of = \"maximum\"", "of = \"period\"\nabout = \"@maen\"", {"unknown name 'maen'"});
   }
 
-  TEST_CASE("scene: probes measure stress, reactions, contact forces and expressions of other probes") {
+  TEST_CASE("scene: probes measure stress, reactions and contact forces") {
     const std::string old_probe = "[[probe]]\nname = \"tip\"\n",
                       wall = "[[wall]]\nname = \"floor\"\nat = [0, -3]\nnormal = [0, 1]\n";
     const auto with = [&](const std::string& probe) {
@@ -165,7 +165,7 @@ TEST_SUITE("cli") {
       CHECK_THROWS_WITH_AS(read_text(text), doctest::Contains(message), SceneError);
     };
     refused(with("\"2*tp\""), "unknown name 'tp'");
-    // unknown if the materials differ
+    // material constants of the probes' bodies; unknown if they differ
     CHECK(read_text(with("\"0*t + K/G\"")).scene.probes.at(1).value({0, 0}, 0) == Approx(14.0 / 3));
     const std::string soft =
         "[material.soft]\ndensity = 1000\nyoungs_modulus = 1e6\npoisson_ratio = 0.3\n"

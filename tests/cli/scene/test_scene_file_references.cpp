@@ -31,7 +31,7 @@ std::string chosen(const std::string& text, const std::string& method, const std
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("references: a table along a line needs a line with one time, and covers the whole line") {
+  TEST_CASE("references: a table along a line needs a line with one time, and must cover the whole line") {
     const auto with = [](const std::string& times, const std::string& rows) {
       std::ofstream(scratch_folder() / "line.csv") << "s,p\n" << rows;
       const std::string line =

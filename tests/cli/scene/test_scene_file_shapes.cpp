@@ -74,7 +74,8 @@ std::string error_in_file(const std::string& text, int line) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("shapes: each shape is read, filled with particles, and equal in the resolved text") {
+  TEST_CASE(
+      "shapes: ellipses, polygons, expressions and combinations are filled, and equal in the resolved text") {
     const double pi = std::numbers::pi;
     CHECK(volume(laid(
               scene_text(R"({ type = "ellipse", centre = [0, 0], semi_axes = [2, "r"], rotate = 30 })"))) ==
@@ -96,7 +97,8 @@ TEST_SUITE("cli") {
             "", 3))) == relative(4 * pi / 3 * 0.4, 0.02));
   }
 
-  TEST_CASE("shapes: combinations nest at most eight levels, and memory does not grow with each level") {
+  TEST_CASE(
+      "shapes: combinations nest at most eight levels, and their outlines do not grow with each level") {
     const std::string disc = R"({ type = "disc", centre = [0, 0], radius = 1 })";
     const auto nested = [&](int levels) {
       std::string shape = disc;
@@ -142,7 +144,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "shapes: a relaxed layout has the volume of its shape, and is refused where there is no cut lattice") {
+      "shapes: a relaxed layout has the volume of its shape, and needs a square lattice without on_boundary") {
     const std::string disc = R"({ type = "disc", centre = [0, 0], radius = 2 })";
     const InitialParticles relaxed = laid(scene_text(disc, "layout = \"relaxed\""));
     CHECK(relaxed.x != laid(scene_text(disc, "layout = \"regular\"")).x);
@@ -157,7 +159,7 @@ TEST_SUITE("cli") {
                 {"square lattice", "hexagonal"});
   }
 
-  TEST_CASE("shapes: invalid polygons are refused at their place") {
+  TEST_CASE("shapes: invalid polygons, ellipses, expressions and combinations are refused at their place") {
     check_shape_error(R"({ type = "polygon", points = @[[0, 0], [1, 0], [0, 0]] })",
                       {"at least three points, but this one has 2"});
     check_shape_error(R"({ type = "polygon", points = @[] })", {"at least three points"});
@@ -184,9 +186,9 @@ TEST_SUITE("cli") {
         {"greater than 0"});
   }
 
-  TEST_CASE("scene: listed particles in 3D touch at the distance at which penalty contact acts") {
+  TEST_CASE("scene: `touching` in 3D is 0.1 dp for listed particles and 0 for a body with faces") {
     write_file("given.csv", "x,y,z\n0,0,0\n0.05,0,0\n");
-    const std::string_view asks = R"([[probe]]
+    const std::string_view probe_and_measure = R"([[probe]]
 name = "tip"
 of = "displacement"
 body = "body"
@@ -200,7 +202,8 @@ threshold = "touching"
 unit = "s"
 )";
     const auto touching = [&](const std::string& shape) {
-      const SceneFile file = read_text(scene_text(shape, std::string(asks), 3), {{"method", "oenog"}});
+      const SceneFile file =
+          read_text(scene_text(shape, std::string(probe_and_measure), 3), {{"method", "oenog"}});
       return file.scene.measures.at(0).threshold;
     };
     CHECK(touching(R"({ type = "particles", file = "given.csv" })") == relative(0.1 * 0.05));
@@ -237,7 +240,7 @@ unit = "s"
       CHECK(error_of(far, 0).find("too far apart, or too far from the origin") != std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,6e-4\n.1,.1,6e-4\n", 0).find("about 0.0245 m apart") !=
           std::string::npos);
-    // 0.05² m² each
+    // without a column volume each particle has 0.05² m²
     for (const auto* other : {"x,y\n0,0\n.1,0\n.2,0\n0,.1\n", "x,y\n0,0\n.025,0\n.025,.025\n"})
       CHECK(error_of(other, 0).find("without a column volume") != std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,1e-300\n1,1,1\n", 0).find("does not fit a spacing") != std::string::npos);

@@ -17,7 +17,7 @@ namespace {
 
 const std::string up = "\x1b[A", backspace = "\x7f", interrupt = "\x03", end_of_input = "\x04";
 
-/// Smallest distance, by the worst channel, of `color` to colours in `shown` (ESC[38;2;R;G;Bm).
+/// Distance of `color` from the nearest colour in `shown` (ESC[38;2;R;G;Bm), in the channel that differs most.
 int nearest_color(const std::string& shown, const std::array<int, 3>& color) {
   int nearest = 255;
   for (std::size_t at = shown.find("8;2;"); at != std::string::npos; at = shown.find("8;2;", at + 1)) {
@@ -105,7 +105,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "next"));
   }
 
-  TEST_CASE("preview shows the picture in colours, and reports a missing terminal") {
+  TEST_CASE("preview shows the picture in colours") {
     const TemporaryFolder folder;
     TerminalProgram program(tiny_session(folder), folder.str("state"));
     program.wait_for_prompt();
@@ -118,7 +118,7 @@ TEST_SUITE("cli") {
     CHECK(program.exit_code() == 0);
   }
 
-  TEST_CASE("completion in a session offers the words of its help") {
+  TEST_CASE("completion in a session offers the commands, and the words that can follow them") {
     const TemporaryFolder folder;
     taut::cli::RunOptions options;
     options.scene = write_tiny_scene(folder);

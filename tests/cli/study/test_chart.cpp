@@ -247,7 +247,7 @@ TEST_SUITE("cli") {
     CHECK(contains(none.err, "none of the 1 runs is stable; leave out --stable-only"));
   }
 
-  TEST_CASE("errors or costs of 0 are drawn on the axis, also for a single run") {
+  TEST_CASE("a chart with errors or costs of 0 is drawn, also of a single run") {
     const TemporaryFolder folder;
     for (const std::string row :
          {"finished,tl,tl,0.4,10,stable,,0,2,4,\n", "finished,tl,tl,0.4,10,stable,,0.1,2,0,\n",

@@ -80,7 +80,7 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     const taut::cli::Chart chart = chart_of(folder);
     const auto all = taut::cli::pareto_front(chart, std::nullopt);
-    // tl's first run has the error of the finer run, 5 %; icb's first run dominates tl's third
+    // tl's first run counts with the error of its finer run, 5 %; icb's first run dominates tl's third
     REQUIRE(all.size() == 3);
     CHECK(all[0].series->name == "tl");
     CHECK(all[0].point->spacing == 0.4);

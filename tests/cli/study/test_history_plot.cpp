@@ -129,7 +129,7 @@ TEST_SUITE("cli") {
     CHECK(names == Texts{"tl, speed=0.5", "tl, speed=2", "tl, speed=10"});
   }
 
-  TEST_CASE("a letter missing in every font is a box of its size in PNG, and itself in SVG") {
+  TEST_CASE("a letter missing in every font is a box in PNG, and itself in SVG") {
     const std::string nowhere = "\xf4\x8f\xbf\xbd";  // private use
     CHECK(with_letters_of_fonts("été □ 2 µm") == "été □ 2 µm");
     CHECK(with_letters_of_fonts("a" + nowhere + nowhere + "b") == "a□□b");

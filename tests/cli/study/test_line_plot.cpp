@@ -97,7 +97,7 @@ std::vector<double> row_of(const std::string& line) {
   return row;
 }
 
-/// Blocks of the data file: comments, then rows of numbers.
+/// Block of the data file: comments, then rows of numbers.
 struct Block {
   Texts comments;
   std::vector<std::vector<double>> rows;

@@ -167,7 +167,7 @@ TEST_SUITE("cli") {
     CHECK(read_results({law, plain}).fixed.empty());
   }
 
-  TEST_CASE("a table larger than any of taut is refused unread") {
+  TEST_CASE("a CSV table with more bytes or columns than taut writes is refused") {
     const TemporaryFolder folder;
     write(folder / "a.csv", "");
     fs::resize_file(folder / "a.csv", std::uintmax_t{300} << 20);  // sparse

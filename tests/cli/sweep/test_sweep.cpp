@@ -9,7 +9,7 @@ using namespace taut::cli;
 using namespace taut::test;
 
 TEST_SUITE("cli") {
-  TEST_CASE("a sweep and its emitted scripts work without /proc") {
+  TEST_CASE("a sweep runs and emits scripts without /proc") {
     const TemporaryFolder folder;
     const std::string without = "unshare -rm sh -c 'mount -t tmpfs none /proc && exec \"$@\"' sh ";
     if (std::system((without + "true 2>/dev/null").c_str()) != 0) {

@@ -72,7 +72,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(contains(plain.out, "median"));
   }
 
-  TEST_CASE("a sweep that measures costs refuses several jobs per physical core") {
+  TEST_CASE("a sweep that measures costs refuses more jobs than physical cores") {
     const TemporaryFolder folder;
     const std::string jobs = std::to_string(physical_cores() + 1);
     const Texts grid{"--grid", "speed=1,2", "--until", "1e-5", "--jobs", jobs};
@@ -87,7 +87,7 @@ TEST_SUITE("cli") {
     CHECK(program(tiny_sweep(folder, "out", {"--grid", "speed=1", "--repeat", "101"})).code == 2);
   }
 
-  TEST_CASE("a chart shows CPU seconds, or wall seconds if a run has no others") {
+  TEST_CASE("a chart shows CPU seconds, or wall seconds if a run has no CPU seconds") {
     const TemporaryFolder folder;
     const std::string run = "finished,tl,rod,9,9,0.2,stable,7,3,,m,2,0.1\n";
     const Chart cpu = make_chart(read_results({costs(folder, run)}), {});

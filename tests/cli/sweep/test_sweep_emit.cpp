@@ -16,8 +16,8 @@ const std::string strange =
     "-a b {} {#} {= `touch ran`; =} $(touch ran) `touch ran` 'q' \"r\" \\ %d @x # ;[y]\n"
     "#SBATCH -z\ntouch ran";
 
-/// A substitute for GNU parallel ignores options up to -q and runs the command once per input line, replacing {} and
-/// {#}. A word with {= runs `touch ran`.
+/// Writes a substitute for GNU parallel, which ignores options up to -q and runs the command once per input line,
+/// replacing {} and {#}. A word with {= runs `touch ran`.
 void write_parallel(const TemporaryFolder& folder) {
   fs::create_directories(folder / "bin");
   std::ofstream(folder / "bin/parallel") << R"(#!/bin/sh
@@ -49,7 +49,7 @@ std::string emitted(const TemporaryFolder& folder, const std::string& kind, cons
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a Slurm array does the runs in any order, and the last call collects the results") {
+  TEST_CASE("a Slurm array does the runs in any order, and a sweep after it collects the results") {
     const TemporaryFolder folder;
     const Texts grid{"--grid", "speed=1,2",   "--grid",  "cfl=0.5,20",
                      "--grid", "pull=0*pi,1", "--until", "0.02"};

@@ -38,9 +38,9 @@ class Disk {
     }
   }
 
-  /// By name of a renamed file: whether all files, and whether the file itself, were on disk at each renaming.
+  /// For each renaming, by the new name: whether all files, and whether the renamed file, were on disk.
   std::map<std::string, std::vector<bool>> all_before, itself_before;
-  std::set<std::string> lacking;
+  std::set<std::string> lacking;  // not on disk at the end
 
  private:
   void take(const std::string& call, const std::string& path, const std::string& other) {

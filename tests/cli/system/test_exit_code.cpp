@@ -14,7 +14,7 @@ using namespace taut::cli;
 using namespace taut::test;
 
 TEST_SUITE("cli") {
-  TEST_CASE("each kind of error has an exit code of its own") {
+  TEST_CASE("errors have their exit codes, and messages without terminal controls") {
     const auto code_of = [](const std::function<int()>& action) {
       std::ostringstream err;
       return guarded(action, err);
@@ -34,7 +34,7 @@ TEST_SUITE("cli") {
     std::ostringstream err;
     guarded([]() -> int { throw std::logic_error("impossible"); }, err);
     CHECK(err.str() == "taut: impossible (this is a bug of taut)\n");
-    // without terminal controls: ESC, C1, marks of the writing direction
+    // messages escape terminal controls: ESC, C1, marks of the writing direction
     err.str("");
     guarded([]() -> int { throw UsageError("a\x1b[2J\nb\u009b \u202ec \u2066d é Δ"); }, err);
     CHECK(err.str() == "taut: a\\x1b[2J\nb\\xc2\\x9b \\xe2\\x80\\xaec \\xe2\\x81\\xa6d é Δ\n");

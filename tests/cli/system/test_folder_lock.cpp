@@ -84,7 +84,7 @@ TEST_SUITE("unit") {
     CHECK(files_in(folder / "run") == 0);
   }
 
-  TEST_CASE("only one of many processes at a time locks a folder that does not exist yet") {
+  TEST_CASE("only one of many threads at a time locks a folder that does not exist yet") {
     const TemporaryFolder folder;
     std::atomic<int> holders = 0, most = 0, turns = 0;
     const auto come = [&] {

@@ -39,7 +39,7 @@ TEST_SUITE("unit") {
 TEST_SUITE("cli") {
   TEST_CASE("Ctrl-C during the set-up of a run ends the run at once, before any file is touched") {
     const TemporaryFolder folder;
-    // with 270 000 particles bonds take seconds
+    // with 230 000 particles bonds take seconds
     TerminalProgram program(
         {"run", "colliding-balls", "--method", "oenog", "--spacing", "1.1e-3", "--out", folder.str("run")},
         folder.str("state"));

@@ -47,7 +47,7 @@ TEST_SUITE("cli") {
     CHECK(provenance["formats"]["run.json"] == json_of(folder / "threads-1/run.json")["format"]);
   }
 
-  TEST_CASE("two runs of a scene differ in run.json only in the keys that the promise excludes") {
+  TEST_CASE("runs with one and two threads differ in run.json only in the keys that PROMISES.md excludes") {
     const TemporaryFolder folder;
     for (const std::string number : {"1", "2"}) REQUIRE(program(in_threads(folder, number)).code == 0);
     const auto one = json_of(folder / "threads-1/run.json"), two = json_of(folder / "threads-2/run.json");

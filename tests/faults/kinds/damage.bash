@@ -1,4 +1,4 @@
-harm="a file of a run, sweep or session is truncated, has flipped bits or other contents: commands refuse it or continue"
+harm="a file of a run, sweep or session is truncated, changed, removed or replaced: commands refuse it or continue"
 
 # damaged files | exit codes | the command that reads them
 readers=(

@@ -1,4 +1,4 @@
-harm="the disk is full during a run, sweep, session, movie or baseline: exit code 4, nothing torn, and the work continues once there is room"
+harm="the disk is full while a command writes: exit code 4 and nothing torn; a run or sweep continues once there is room"
 
 options=(--threads 1 --quiet --save-particles --fields pressure,speed)
 works=(run run run sweep session movie chart panel baseline drawn)
@@ -16,14 +16,14 @@ prepare() {
   printf 'run until 0.01\nsave state\nrun until 0.02\nsave state\nframe now.png\n' >script
 }
 
-# fails_for_want_of_room ARGUMENT...: runs the command, which must succeed, or exit with 4 and the reason
-fails_for_want_of_room() {
+# succeeds_or_lacks_room ARGUMENT...: runs the command, which must succeed, or exit with 4 and the reason
+succeeds_or_lacks_room() {
   ends "0 4" "$@"
   [[ $code != 4 ]] || { harmed; gives_the_reason; }
 }
 gives_the_reason() { grep -qE '(No space left on device|File too large|ffmpeg failed|gnuplot failed)' "$here/complained" "$here/said" || wrong "no reason: $(complaint)"; }
 
-# small_disk KIB: mounts a disk of a random size up to KIB; without mounts, limits the file size instead
+# small_disk KIB: mounts a disk of a random size up to KIB and changes to it; without mounts, limits the file size
 small_disk() {
   pick "$1"
   room=$((4 + picked / 4 * 4))
@@ -34,7 +34,7 @@ more_room() { [[ $TAUT_FAULTS_MOUNTS == yes ]] && resize . 20000; }
 of_run() {
   choose 0.0003 0.001 0.01; local every=$chosen
   small_disk 500
-  fails_for_want_of_room run "$scene" "${options[@]}" --checkpoint-every "$every" --out out
+  succeeds_or_lacks_room run "$scene" "${options[@]}" --checkpoint-every "$every" --out out
   [[ $code == 4 ]] || return
   part_of_run out "$ground/straight"
   if [[ -e out/run.json ]]; then
@@ -53,7 +53,7 @@ of_run() {
 of_sweep() {
   small_disk 300
   local grid=(sweep "$scene" --grid speed=0.4,0.8 --grid method=enog,oenog --until 0.02 --quiet --out out) folder
-  fails_for_want_of_room "${grid[@]}"
+  succeeds_or_lacks_room "${grid[@]}"
   [[ $code == 4 ]] || return
   for folder in out/*/; do part_of_run "${folder%/}" "$ground/sweep/$(basename "$folder")"; done
   more_room || return
@@ -64,7 +64,7 @@ of_sweep() {
 of_session() {
   small_disk 120
   input=$ground/script
-  fails_for_want_of_room session "$scene" --strict --threads 1
+  succeeds_or_lacks_room session "$scene" --strict --threads 1
   input=/dev/null
   [[ $code == 4 ]] || return
   printf 'load state\n' >../load
@@ -79,7 +79,7 @@ overwrite() {
   small_disk "$(($(du -sk "$old" "$new" | awk '{ sum += $1 } END { print sum }') * 2))"
   [[ $TAUT_FAULTS_MOUNTS == yes ]] || return
   cp -a "$old" "$name" 2>/dev/null || return  # no room for the old version
-  fails_for_want_of_room "$@"
+  succeeds_or_lacks_room "$@"
   if [[ $code == 4 ]]; then old_or_new "$name" "$old" "$old"; else old_or_new "$name" "$new" "$new"; fi
   no_rests .
 }
@@ -90,11 +90,11 @@ of_baseline() {
   overwrite base "$ground/old" "$ground/new" \
     snapshot "$scene" --until 0.01 --set speed=1 --out "$here/run" --baseline base --update --quiet
 }
-of_chart() { small_disk 60; fails_for_want_of_room chart "$ground/sweep" --out chart.png; no_rests .; }
+of_chart() { small_disk 60; succeeds_or_lacks_room chart "$ground/sweep" --out chart.png; no_rests .; }
 of_drawn() {
   local file
   small_disk 60
-  fails_for_want_of_room render "$ground/straight" --quiet --out drawn
+  succeeds_or_lacks_room render "$ground/straight" --quiet --out drawn
   for file in drawn/*.png; do [[ ! -e $file ]] || old_or_new "$file" "" "$ground/straight/frames/$(basename "$file")"; done
 }
 

@@ -1,7 +1,7 @@
 harm="movie, chart, map, plot, compare, diff, render and snapshot --update are interrupted: the file is the old or the new one"
 
-# file | exit code | the command that made its old version | the command that is interrupted; the last option
-# names the file
+# file | exit code | command that made its old version | command that is interrupted; both without the name of the
+# file, which is their last word
 works=(
   "movie.mp4|0|movie $ground/run --fps 10 --out|movie $ground/other --out"
   "movie.gif|0|movie $ground/run --fps 10 --out|movie $ground/other --out"

@@ -1,4 +1,4 @@
-harm="too few open files, too little memory, processes or stack: an error with its reason, or success"
+harm="too few open files or processes, too little memory or stack: an error with a message, or success"
 
 works=(
   "run $scene --until 0.01 --quiet --save-particles --out out" "run $scene --until 0.01 --threads 8 --quiet --no-render --out out"

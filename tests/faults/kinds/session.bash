@@ -15,7 +15,7 @@ prepare() {
   how_long "${session[@]}"
 }
 
-# one_of FILE PATTERN: FILE equals a version that the undisturbed session saved
+# one_of FILE PATTERN: FILE, if it exists, equals a version that the undisturbed session saved
 one_of() {
   local good
   [[ -e $1 ]] || return 0

@@ -32,7 +32,7 @@ whole_results() {
   local row
   [[ -e out/results.csv ]] || return 0
   [[ -z $(tail -c 1 out/results.csv) ]] || torn "results.csv ends within a row"
-  # columns of a sweep without finished runs
+  # without finished runs results.csv has fewer columns
   [[ $(results out | head -n 1) == "$(results "$ground/out" | head -n 1)" ]] || return 0
   while IFS= read -r row; do
     grep -qxF -- "$row" <(results "$ground/out") || torn "results.csv: $row"
