@@ -216,7 +216,7 @@ struct Reference {
   std::string name;                       // lists all sources
   std::map<std::string, double> value{};  // by measure
   std::map<std::string, ReferenceTable> table{};
-  std::map<std::string, std::vector<Solution>> solution{};  // by measure: [probe], of the line or [field]
+  std::map<std::string, std::vector<Solution>> solution{};  // by measure; [probe], [field] or one for a line
   std::map<std::string, std::string> names{};               // by measure
 
   bool has(const std::string& measure) const {
