@@ -14,7 +14,7 @@ enum class Stepping { dual, single };
 /// Upper bound of the instruction set; all sets produce identical bytes.
 enum class InstructionSet { baseline, x86_64_v3, x86_64_v4 };
 
-/// Settings of a run; by default those of the method.
+/// Settings of a run; unset members take the method's defaults.
 struct Settings {
   std::string method{default_method};
   std::map<std::string, double> constants;  // by name

@@ -197,7 +197,7 @@ struct Measure {
   double threshold = 0;
   double scale = 1;
   std::array<double, 2> band{};  // Hz
-  double about = 0;              // level
+  double about = 0;              // level about which the series oscillates
   bool about_mean = false;       // level = mean over whole periods
   double from = 0;               // s
   std::optional<double> until;   // s; none = end
