@@ -18,7 +18,6 @@
 namespace taut {
 namespace {
 
-/// Warns of bodies whose shape the lattice does not fit.
 void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr double tolerated = 0.02;
   std::vector<double> volume(scene.bodies.size());  // [body] undeformed, m^dim
@@ -168,7 +167,7 @@ std::optional<LatticeBody> on_lattice(const Snapshot& start, std::span<const std
 
 /// Warns of thin parts: particles neither in nor beside a block of 3 × 3 (× 3) particles.
 void warn_about_thin_parts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
-  constexpr int around = 2;  // from the middle of a block; includes lattice steps on faces of round bodies
+  constexpr int around = 2;  // from the middle of a block, with lattice steps of round faces
   const auto dim = static_cast<std::size_t>(start.dim);
   std::vector<std::vector<std::size_t>> particles(scene.bodies.size());
   for (std::size_t i = 0; i < start.size(); ++i)
