@@ -62,7 +62,7 @@ void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, c
 
 void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr double of_motion = 1e-3;
-  constexpr double of_stiffness = 1e-9;  // energy of a uniform strain of about 1e-5
+  constexpr double of_stiffness = 1e-9;  // energy of a uniform strain of about 4e-5
   const double kinetic = balance(start, scene).kinetic, stored = start.contact_energy;  // J
   double stiffness = 0;                                                                 // J
   for (std::size_t i = 0; i < start.size(); ++i) {
