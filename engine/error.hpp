@@ -25,7 +25,7 @@ class SceneError : public std::runtime_error {
   std::string key;
 };
 
-/// A value is infinite or NaN, or a speed exceeds the solver's limit.
+/// A value is infinite, NaN or beyond the solver's limit, or a particle or element is crushed.
 class NumericalError : public std::runtime_error {
  public:
   NumericalError(long step, double time, long particle, std::string field, const std::string& what)

@@ -14,13 +14,14 @@ enum class Stepping { dual, single };
 /// Upper bound of the instruction set; all sets produce identical bytes.
 enum class InstructionSet { baseline, x86_64_v3, x86_64_v4 };
 
-/// Defaults select the method's published values.
+/// Settings of a run; unset members take the method's defaults.
 struct Settings {
   std::string method{default_method};
   std::map<std::string, double> constants;  // by name
   std::string law;                          // of MethodInfo::laws; empty = the first
   Stepping stepping = Stepping::dual;
-  double cfl = 0;   // time step × fastest wave speed / h (oenog: / dp); 0 = default
+  // time step × fastest wave speed / h (oenog: / dp; fe1, fe2: time step / stability limit); 0 = default
+  double cfl = 0;
   double step = 0;  // s; 0 = from cfl
   int threads = 0;  // 0 = all cores, fewer in small scenes
   InstructionSet instruction_set = InstructionSet::x86_64_v4;

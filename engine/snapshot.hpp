@@ -22,7 +22,7 @@ struct Snapshot {
   int dim = 2;
   double time = 0;  // s
   long step = 0;
-  std::vector<double> x0;   // initial, n × dim, m
+  std::vector<double> x0;   // reference position, n × dim, m
   std::vector<double> x;    // n × dim, m
   std::vector<double> v;    // n × dim, m/s
   std::vector<double> m;    // kg

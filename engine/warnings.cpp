@@ -18,7 +18,6 @@
 namespace taut {
 namespace {
 
-/// Warns of bodies whose shape the lattice does not fit.
 void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr double tolerated = 0.02;
   std::vector<double> volume(scene.bodies.size());  // [body] undeformed, m^dim
@@ -63,7 +62,7 @@ void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, c
 
 void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr double of_motion = 1e-3;
-  constexpr double of_stiffness = 1e-9;  // energy of a uniform strain of about 1e-5
+  constexpr double of_stiffness = 1e-9;  // energy of a uniform strain of about 4e-5
   const double kinetic = balance(start, scene).kinetic, stored = start.contact_energy;  // J
   double stiffness = 0;                                                                 // J
   for (std::size_t i = 0; i < start.size(); ++i) {
@@ -166,9 +165,9 @@ std::optional<LatticeBody> on_lattice(const Snapshot& start, std::span<const std
   return body;
 }
 
-/// Warns of thin parts: they are far from any block of 3 × 3 (× 3) particles.
+/// Warns of thin parts: particles neither in nor beside a block of 3 × 3 (× 3) particles.
 void warn_about_thin_parts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
-  constexpr int steps_of_lattice = 2;  // of round bodies
+  constexpr int around = 2;  // from the middle of a block, with lattice steps of round faces
   const auto dim = static_cast<std::size_t>(start.dim);
   std::vector<std::vector<std::size_t>> particles(scene.bodies.size());
   for (std::size_t i = 0; i < start.size(); ++i)
@@ -178,7 +177,7 @@ void warn_about_thin_parts(std::vector<std::string>& warnings, const Scene& scen
     std::optional<LatticeBody> body = on_lattice(start, particles[b], scene.spacing);
     if (!body) continue;
     for (std::size_t k = 0; k < dim; ++k) body->cells = along_axis(body->cells, k, 1, true);
-    for (std::size_t k = 0; k < dim; ++k) body->cells = along_axis(body->cells, k, steps_of_lattice, false);
+    for (std::size_t k = 0; k < dim; ++k) body->cells = along_axis(body->cells, k, around, false);
     const auto is_thin = [&](const std::array<int, 3>& place) {
       return !body->cells.filled[body->cells.at(place)];
     };

@@ -45,7 +45,7 @@ class Team {
   std::uint64_t jobs_ = 0;
   Work work_ = nullptr;  // null between jobs
   const void* of_ = nullptr;
-  /// [chunk] last job whose chunk was taken. A late helper finds all chunks taken.
+  /// [chunk] number of the last job that took it. A late helper finds all chunks taken.
   std::unique_ptr<std::atomic<std::uint64_t>[]> taken_;
   alignas(64) std::atomic<std::uint64_t> job_{0};
   alignas(64) std::atomic<int> left_{0};  // unfinished chunks

@@ -38,7 +38,7 @@ class TeamSize {
   static constexpr int most_steps = 16;         // per block, includes some rebuilds
   static constexpr int least_steps = 4;         // per long block
   static constexpr double long_enough = 0.1;    // s
-  static constexpr int often = 100;             // blocks of the team between two on one thread
+  static constexpr int often = 100;             // blocks of the team between two blocks on one thread
   static constexpr double worth = 50;           // a failed trial may cost 1/worth of the time
   static constexpr double most_patience = 1e3;  // blocks
 

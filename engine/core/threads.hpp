@@ -2,7 +2,7 @@
 
 namespace taut {
 
-/// Plain data: passes for special instruction sets contain no code of core/team.hpp.
+/// Plain data, so that passes for special instruction sets contain no code of core/team.hpp.
 struct Threads {
   using Run = void (*)(int threads, int chunks, void (*work)(const void* of, int chunk) noexcept,
                        const void* of);

@@ -10,7 +10,8 @@ namespace taut {
 /// Widest angle between neighbouring directions, rad; a full turn for fewer than two.
 double widest_gap(std::span<double> directions);
 
-/// Finds particles inside another body, or inside a part of their own that was initially far (THEORY.md, Penetration).
+/// Finds particles inside another body, or inside a part of their own body that was initially far (THEORY.md,
+/// Penetration).
 class Penetration {
  public:
   Penetration(const Snapshot& start, double spacing, int threads = 1);

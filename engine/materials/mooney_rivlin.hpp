@@ -54,7 +54,6 @@ struct MooneyRivlin {
     const double zz = (by.F + by.H * contraction(F, F)) / j + by.j + K * (J - 1);
     return {push_forward(piola(F, J), F, j), beside_plane<Dim>(zz)};
   }
-  /// From the acoustic tensor (THEORY.md).
   template <class T, int Dim>
   T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
     const PrincipalStretches<T> l = principal_stretches(F);

@@ -50,7 +50,6 @@ struct NeoHookean {
     const double j = determinant(F), root = inverse_cube_root(j), shear = G * root * root / j;
     return {push_forward(piola(F, J), F, j), beside_plane<Dim>(K * (J - 1) + shear * (1 - square(F) / 3))};
   }
-  /// From the acoustic tensor (THEORY.md).
   template <class T, int Dim>
   T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
     const PrincipalStretches<T> l = principal_stretches(F);

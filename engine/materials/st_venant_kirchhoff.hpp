@@ -22,7 +22,6 @@ struct StVenantKirchhoff {
     return {push_forward(piola(F, J), F, J),
             beside_plane<Dim>((K - 2.0 / 3 * G) * trace(green_strain(F)) / J)};
   }
-  /// From the acoustic tensor (THEORY.md).
   template <class T, int Dim>
   T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
     const PrincipalStretches<T> l = principal_stretches(F);

@@ -36,7 +36,7 @@ struct MethodInfo {
   std::string_view summary;
   std::string_view material_law;  // of the reference solution
   std::vector<LawChoice> laws;    // the published one first
-  Law law;                        // none: the stress is integrated
+  Law law;                        // none: a stress rate or shear acceleration is integrated
   std::string_view conserves;
   std::vector<TermInfo> terms;
   std::vector<MethodConstant> constants;  // in 2D

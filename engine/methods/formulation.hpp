@@ -12,10 +12,10 @@
 namespace taut {
 
 enum class Family : std::uint8_t {
-  ul_split,         // separate pressure and shear, [Zhang2024] §5
+  ul_split,         // separate pressure and shear, [Zhang2024] §3
   ul_cauchy,        // divergence of the Cauchy stress, [Khayyer2024] Eq. 9
   bonded,           // energy of bonds, terms/bond.hpp
-  tl_displacement,  // F from positions, [Lee2016] Eq. 29c
+  tl_displacement,  // F from positions, [Lee2016] Eq. 34
   tl_mixed,         // F is an unknown, [Lee2016] §3.3.2
   finite_elements,  // particles are nodes
 };

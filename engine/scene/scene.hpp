@@ -197,7 +197,7 @@ struct Measure {
   double threshold = 0;
   double scale = 1;
   std::array<double, 2> band{};  // Hz
-  double about = 0;              // level
+  double about = 0;              // level about which the series oscillates
   bool about_mean = false;       // level = mean over whole periods
   double from = 0;               // s
   std::optional<double> until;   // s; none = end
@@ -216,7 +216,7 @@ struct Reference {
   std::string name;                       // lists all sources
   std::map<std::string, double> value{};  // by measure
   std::map<std::string, ReferenceTable> table{};
-  std::map<std::string, std::vector<Solution>> solution{};  // by measure: [probe], of the line or [field]
+  std::map<std::string, std::vector<Solution>> solution{};  // by measure; [probe], [field] or one for a line
   std::map<std::string, std::string> names{};               // by measure
 
   bool has(const std::string& measure) const {

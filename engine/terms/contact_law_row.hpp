@@ -8,7 +8,7 @@
 namespace taut {
 
 enum class ContactBetween {
-  particles,      // pairs of two bodies or a fold, less than a spacing apart; for all methods
+  particles,      // pairs of two bodies or a fold, less than a spacing apart; not for finite elements
   faces,          // for methods with initial neighbours
   all_neighbors,  // in the method's own sums; for methods that search neighbours
 };

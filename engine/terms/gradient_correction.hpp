@@ -6,7 +6,7 @@
 /// L_i·∇_i W replaces ∇_i W, so that gradients of linear fields are exact.
 namespace taut {
 
-/// Adds one neighbour to M = −Σ V_j r_ij ⊗ ∇_i W. [Zhang2024] Eq. 27 with the sign of Eq. 14
+/// Adds one neighbour to M = −Σ V_j r_ij ⊗ ∇_i W. [Zhang2024] Eq. 27. Departure: the paper prints no minus.
 template <class T, int Dim>
 void add_gradient_moment(Sym<T, Dim>& M, const T& V_j, const T& dW, const T& r, const Vec<T, Dim>& e_ij) {
   add_outer(M, T(-V_j * dW * r), e_ij);

@@ -44,8 +44,8 @@ T limited_closing_speed(const T& closing_speed, const Sym<T, Dim>& D_i, const Sy
   return closing_speed + 0.5 * (part(D_i) + part(D_j));
 }
 
-/// p**, Pa, [Khayyer2024] Eq. 40, 41; `impedance` is c ρ √ρ. Departure: the force is −p** V_j ∇_i W, as Eq. 39
-/// implies, without the unstable factor 2 of Eq. 43.
+/// p**, Pa, [Khayyer2024] Eq. 40, 41; `impedance` is c ρ √ρ. Departure: the force per volume is −p** V_j ∇_i W,
+/// as Eq. 39 implies, without the unstable factor 2 of Eq. 43.
 template <class T>
 T riemann_dissipation(const T& closing_speed, const T& impedance_i, const T& impedance_j, const T& root_rho_i,
                       const T& root_rho_j) {

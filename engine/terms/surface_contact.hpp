@@ -38,7 +38,7 @@ inline double surface_force(double depth, double area, double k) {
 /// 3u² − 2u³ from 0 to 1.
 inline double smooth_step(double u) { return u * u * (3 - 2 * u); }
 
-/// c, the share of a face at height p: 0 from `reach` (in m) on, 1 up to 1 − `fade` of it.
+/// c, the share of a face at height p: 1 up to |p| = (1 − `fade`) `reach`, 0 from `reach` (in m) on.
 inline double near_share(double p, double reach, double fade = 0.3) {
   return smooth_step(std::clamp((1 - std::abs(p) / reach) / fade, 0.0, 1.0));
 }

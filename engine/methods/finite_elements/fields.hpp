@@ -29,7 +29,7 @@ struct FiniteElementFields {
   const int* node;      // [group][local node][lane]
   const int* material;  // [element]
   const void* points;   // ElementPoint [group][Gauss point]
-  // [group] λ/ρ0, m/kg in 3D; λ: greatest eigenvalue of the Laplacian of the element
+  // [group] λ/ρ0, m/kg; λ: greatest eigenvalue of the Laplacian of the element
   const Vec<Pack, 1>* rate;
   double* force;                 // [group][local node][component][lane], N
   const int *begin, *slot;       // slot[begin[i]] …: indices in `force` of node i

@@ -39,7 +39,6 @@ const auto* points_of(const FiniteElementFields<Dim>& f, int group) {
   return static_cast<const Point*>(f.points) + static_cast<std::ptrdiff_t>(group) * nodes_of_element<M, Dim>;
 }
 
-/// Element forces, from the displacements.
 template <const FiniteElementFormulation& M, int Dim>
 void element_pass(const FiniteElementFields<Dim>& f, const Threads& threads) {
   constexpr int N = nodes_of_element<M, Dim>;

@@ -23,7 +23,6 @@ constexpr int steps_per_rate = 10;  // between evaluations of the greatest frequ
 /// Ratio of squared frequencies beyond which the run has diverged: its steps would be a hundred times as short.
 constexpr double greatest_rate_ratio = 1e4;
 
-/// Geometry of one element.
 template <int n, int Dim>
 struct OneElement {
   static constexpr int N = power_of(n, Dim), modes = volume_modes(n - 1, Dim);
@@ -79,7 +78,6 @@ struct OneElement {
     }
   }
 
-  /// By the power method.
   void set_rate(Eigen::Matrix<double, N, N>& laplacian, const double* volume) {
     constexpr int rounds = 40;
     Eigen::Vector<double, N> x;

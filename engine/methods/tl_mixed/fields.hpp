@@ -43,7 +43,7 @@ struct TlMixedFields {
   const int* material;
   const Sites<Dim>* sites;
   LawsInUse laws;
-  double wave_speed;                              // c_p, m/s
+  double wave_speed;                              // c_p of the unstrained body, m/s
   PairLanesView<Dim> pairs;                       // k_ij
   PairLanesView<Dim, Dim + 2> dissipating_pairs;  // k_ij, dp² × weights of L and of its adjoint L*
   Strains<Dim> now, start, rate;                  // at the stage; at the start of the step; rates, 1/s

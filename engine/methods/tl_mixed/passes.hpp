@@ -175,7 +175,7 @@ template <int Dim>
   each_of(f, group, [&](int i) { kick.impulse[i] += (0.5 * kick.dt * f.m[i]) * lane_of(a, i % lanes); });
 }
 
-/// Returns dv/dt with contact and loads, m/s²; 0 for constrained particles.
+/// Returns dv/dt with contact and loads, m/s²; 0 for clamped particles.
 template <int Dim>
 [[gnu::always_inline]] inline Vec<Pack, Dim> acceleration(const TlMixedFields<Dim>& f, const Kick<Dim>& kick,
                                                           const StageActions<Dim>& actions, int group) {
@@ -248,7 +248,7 @@ double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageAc
   });
 }
 
-/// Advances F, J and H by `dt` times the velocities in `flow`.
+/// Advances F, J and H by `dt` with the velocities in `flow`.
 template <const TlMixedFormulation& M, int Dim>
 void follow(const TlMixedFields<Dim>& f, double dt, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;

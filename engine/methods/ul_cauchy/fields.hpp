@@ -189,7 +189,7 @@ struct UlCauchyFields {
   const double *m, *mobile;
   const int *id, *body, *material;
   const Elasticity* materials;
-  double *rho, *drho;           // kg/m³ and its rate
+  double *rho, *drho;           // kg/m³; its rate by density diffusion
   Sym<double, Dim>* s;          // deviatoric stress, Pa
   MotionRow<Dim>* motion;       // at the start of the step
   MotionRow<Dim>* moved;        // with the new velocity

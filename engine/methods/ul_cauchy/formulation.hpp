@@ -55,7 +55,7 @@ struct UlCauchyConstants : Constants {
 constexpr bool carries_stress(const UlCauchyFormulation&) { return true; }
 
 constexpr bool consistent(const UlCauchyFormulation& m) {
-  // second-order terms need corrected gradients
+  // terms that need corrected gradients
   const bool second_order = m.density_diffusion || m.viscosity == Viscosity::riemann || m.tensile_control;
   return m.artificial_stress == (m.epsilon > 0) && (m.corrected || !second_order) &&
          (!m.tensile_control || m.artificial_stress) &&           // TIC keeps artificial stress at surfaces

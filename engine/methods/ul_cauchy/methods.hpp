@@ -19,7 +19,7 @@ constexpr UlCauchyFormulation ladder(Formulation step, UlCauchySwitches switches
   step.contact = ContactLaw::impulse;
   step.several_materials = true;
   step.h_over_dp = 1.2;
-  step.cfl = 0.5;
+  step.cfl = 0.5;  // [Khayyer2024] §2.3 has 1
   return {step, switches};
 }
 

@@ -201,8 +201,8 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Computes û, [Khayyer2024] Eq. 14, and sets `transported` to the state `ahead` (in s). Returns the maximum squared
-/// velocity relative to the body's rigid motion, m²/s².
+/// Computes û, [Khayyer2024] Eq. 14, and stores û, ρ and the positions after `ahead` (in s) in `transported`. Returns
+/// the maximum squared velocity relative to the body's rigid motion, m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
                       double ahead, const Threads& threads) {

@@ -98,7 +98,7 @@ UlCauchy<Dim>::UlCauchy(Common<Dim>& common, const SolverInput& input, const Ker
   rebuild();
 }
 
-/// Throws SceneError for probes of contact forces: with `sph` these forces are part of the sums over neighbours.
+/// Throws SceneError for force probes between bodies: with `sph` these forces are part of the sums over neighbours.
 template <int Dim>
 void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
   for (const Probe& probe : scene.probes)

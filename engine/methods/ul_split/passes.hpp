@@ -304,7 +304,7 @@ void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, cons
   });
 }
 
-/// Advances positions, densities and shear by `dt`, the first half step, Eq. 23.
+/// Advances positions and densities by `dt`, the first half step, Eq. 23. Departure: shear, too; see Eq. 24.
 template <const UlSplitFormulation& M, int Dim>
 void half_drift(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double dt, const Threads& threads) {
   parallel_pass(s.size, threads, [&](int i) {

@@ -17,7 +17,6 @@ struct Box final : ShapeBase {
   bool holds(const Point& x, int dim, double tolerance) const override;
   void shift(std::size_t axis, double by) override { low[axis] += by, high[axis] += by; }
   double measure(int dim) const override;
-  /// The shortest side, m.
   double extent_to_divide(int dim) const override;
   std::vector<Chain> outline(int dim, double dp) const override;
   bool operator==(const Box&) const = default;
