@@ -13,7 +13,7 @@ class Links {
   bool embeds() const { return embed_; }
   /// Relative and percent-encoded, such as "../out/x".
   std::string to(const std::filesystem::path& file) const;
-  /// Throws UsageError for an unreadable PNG file.
+  /// Throws UsageError for a picture that cannot be embedded.
   std::string to_picture(const std::filesystem::path& file) const;
 
  private:

@@ -20,8 +20,8 @@ class Baseline {
   /// Throws UsageError if the path is no folder, or inside the run folder; with `update` also if it contains other
   /// files.
   void check(const std::filesystem::path& run, bool update) const;
-  /// Copies frames and look.json into a new folder, which then replaces the old one. Returns the number of frames. After
-  /// an OutputError the old folder is unchanged.
+  /// Replaces the folder by copies of frames and look.json; returns the number of frames. After an OutputError the
+  /// folder is the old or the new one.
   std::size_t replace_by(const RunFolder& run) const;
 
  private:

@@ -21,7 +21,7 @@ class RunFolder {
 
   /// Throws UsageError for a file, for links except a `named` one, and for a folder that contains files but no run.
   void check() const;
-  /// Contains an unreadable run.json.
+  /// Whether this is a run with an unreadable run.json.
   bool is_damaged() const;
   /// Writes run.json first, which marks a run. Throws OutputError.
   void claim(std::string_view record) const;

@@ -39,7 +39,7 @@ class RunOutput {
   /// False: takes the first step at or after each time.
   virtual bool needs_exact_time() const { return true; }
   virtual bool needs_final_state() const { return false; }
-  /// Called at the start, when `next` is reached, and at the end if `needs_final_state`. Updates the result, too.
+  /// Called at t = 0, when `next` is reached, and at the end if `needs_final_state`.
   virtual void write_due() = 0;
   virtual void wait() {}
   virtual void put_on_disk() {}

@@ -12,7 +12,7 @@ struct PanelCell {
   std::string remark;  // in the corner, or centred without particles
 };
 
-/// Particles saved nearest to `time` [s]; none after the run. The remark shows the saved time if it differs,
+/// Particles saved nearest to `time` [s]; none long after the last ones. The remark shows the saved time if it differs,
 /// or the end of the run.
 PanelCell cell_at(const SavedRun& run, double time, double until, const Drawing& drawing,
                   const Origins& origins);

@@ -73,7 +73,7 @@ std::optional<std::filesystem::path> run_folder_of(const SceneFile& file) {
   return folder.path();
 }
 
-/// "-v0=0.08-spacing=0.002". Unless `again` (scene.toml lies in its run folder), includes parameters whose value in a
+/// "-spacing=0.002-v0=0.08". Unless `again` (scene.toml lies in its run folder), includes parameters whose value in a
 /// copied scene.toml differs from their `default`.
 std::string changes_text(const SceneFile& file, bool again) {
   constexpr std::size_t longest = 120;

@@ -17,7 +17,7 @@ class Options;
 /// Omitted values come from the scene.
 struct RunOptions {
   std::string scene;
-  std::vector<Setting> settings;  // also of --spacing and --until
+  std::vector<Setting> settings;  // also of --method, --spacing and --until
   std::optional<std::string> out;
   bool out_named = true;  // by the user
   std::optional<double> every, history;

@@ -29,7 +29,7 @@ struct RunRecord {
   std::string version{build_info.version};  // of taut
   std::string scene, method, material_law;
   std::string remark;                  // about the scene
-  std::optional<std::string> contact;  // if there are several bodies or walls
+  std::optional<std::string> contact;  // if there are several bodies, or a wall
   std::string stepping;                // "dual" or "single"
   double cfl = 0;                      // factor of the time step
   std::vector<std::pair<std::string, double>> parameters;
@@ -97,7 +97,7 @@ std::span<const RecordField> record_fields();
 Json to_json(const RunRecord& record);
 /// Keys of results.json.
 Json to_results(const RunRecord& record);
-/// Missing keys give empty members. Throws UsageError, with file and key, for an invalid record.
+/// Missing keys give empty members or defaults. Throws UsageError, with file and key, for an invalid record.
 RunRecord record_from(const JsonCursor& json);
 
 /// With all keys of run.json.
@@ -110,7 +110,7 @@ double seconds_taken(const StoredRecord& record);
 
 /// Returns nullopt without a file. Throws like record_from.
 std::optional<StoredRecord> checked_record(const std::filesystem::path& file);
-/// Returns nullopt for invalid records.
+/// Returns nullopt for a missing or invalid file.
 std::optional<StoredRecord> read_record(const std::filesystem::path& file);
 StoredRecord parse_record(const std::string& text, const std::string& file);
 

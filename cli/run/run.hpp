@@ -18,7 +18,7 @@ namespace taut::cli {
 
 struct RunPlan {
   SceneFile file;
-  std::optional<double> requested_spacing;  // m, scene or command line
+  std::optional<double> requested_spacing;  // m, from scene or command line
   std::optional<Drawing> drawing;           // none: no frames
   bool keeps_look = false;
   std::vector<const Field*> particle_fields;  // none: not saved
@@ -33,7 +33,7 @@ struct RunPlan {
   std::string scene_text() const { return resolved_text(file, folder.path()); }
 };
 
-/// Errors contain their place in the scene file.
+/// SceneErrors contain their place in the scene file.
 std::unique_ptr<Simulation> start(const SceneFile& file);
 
 struct RunResult {
@@ -44,7 +44,7 @@ struct RunResult {
 };
 
 /// Throws OutputError. Errors of make_simulation come before any file changes. `setup_seconds`: s spent reading the
-/// scene. `before_it_begins` is called after all checks.
+/// scene. `before_it_begins` is called after the set-up.
 RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
                     double setup_seconds, const std::function<void()>& before_it_begins = {});
 

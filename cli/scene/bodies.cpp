@@ -239,7 +239,7 @@ Wall read_wall(TomlCursor& cursor, const Scene& scene) {
   const double length = std::hypot(wall.normal[0], wall.normal[1], wall.normal[2]);
   if (!(length > 0))
     cursor.fail(cursor.need("normal"), "normal",
-                "the normal has no length; it must point from the wall to the bodies, e.g. [0, 1]");
+                "the normal has no length; it must point from the wall to the bodies, e.g. [0, 1] in 2D");
   for (double& component : wall.normal) component /= length;
   cursor.finish();
   return wall;

@@ -212,7 +212,6 @@ void apply_scene(Drawing& drawing, const SceneFile& file) {
 
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
   TomlCursor render = root.section("render", "[render]", keys_of("render"));
-  // Keys with words come first: their errors are reported first, and their defaults are added first.
   for (const bool words : {true, false})
     for (const DrawingKey& key : drawing_keys())
       if (key.takes_words() == words) read_key(render, key, drawing);

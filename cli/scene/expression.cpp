@@ -33,7 +33,7 @@ struct Formula {
   }
 };
 
-// beyond these limits, muParser throws objects other than std::exception
+// limits of muParser
 constexpr std::size_t longest_text = 20000, longest_name = 100;
 
 std::string in_quotes(const std::string& text) { return fmt::format("'{}'", shown(text)); }
@@ -87,7 +87,7 @@ struct Unit {
   std::string_view name;
   double factor;
 };
-/// Factors to SI.
+/// Factors to SI units and degrees.
 constexpr Unit units[] = {
     {"m", 1},       {"km", 1e3},       {"cm", 1e-2},    {"mm", 1e-3}, {"um", 1e-6},
     {"µm", 1e-6},   {"nm", 1e-9},      {"s", 1},        {"ms", 1e-3}, {"us", 1e-6},

@@ -19,7 +19,7 @@ struct NumberRange {
 constexpr NumberRange above(double low) { return {.low = low, .open_low = true}; }
 constexpr NumberRange at_least(double low) { return {.low = low}; }
 
-/// For readers, LANGUAGE.md and the JSON Schema.
+/// Type of a key, also for LANGUAGE.md and the JSON Schema.
 struct KeyType {
   enum class Kind : std::uint8_t {
     number,  // or expression

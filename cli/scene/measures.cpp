@@ -186,7 +186,8 @@ const KeyInfo& measure_key(std::string_view name) {
   const auto* key = std::ranges::find(objects, name, &MeasureKey::name);
   if (key != objects.end()) return *key;
   key = std::ranges::find(numbers, name, &MeasureKey::name);
-  if (key == numbers.end()) throw std::logic_error(fmt::format("no measure takes the key '{}'", name));
+  if (key == numbers.end())
+    throw std::logic_error(fmt::format("the key '{}' of measures has no reader", name));
   return *key;
 }
 

@@ -126,11 +126,11 @@ int wall_index(TomlCursor& cursor, const Scene& scene) {
   return static_cast<int>(wall);
 }
 
-/// Takes bodies from the first probe in `value`, and material constants if all bodies of its probes have one material.
+/// Takes bodies from the first probe in `value`. Defines material constants only if they are unique.
 void read_probes_in(TomlCursor& cursor, const Scene& scene, Probe& probe) {
   const TomlValue& value = cursor.need("value");
   const std::set<std::string> used = names_in(value.kind == TomlValue::Kind::text ? value.text : "0");
-  probe.of_forces = !used.contains("t");  // a step mean if all probes are; exact if linear
+  probe.of_forces = !used.contains("t");  // step mean if all probes are; exact if linear
   std::set<int> materials;
   const auto add_material = [&](int body) {
     materials.insert(scene.bodies[static_cast<std::size_t>(body)].material);

@@ -63,7 +63,7 @@ std::size_t column_of(const Rows& rows, const std::vector<std::string>& head, co
                         join(head)));
 }
 
-/// Also searches the scene folders, to which paths in a run's scene.toml are relative.
+/// Also searches the scene folders, to which paths in a run's scene.toml may be relative.
 std::filesystem::path find_file(const std::filesystem::path& folder, const std::string& file) {
   std::error_code error;
   if (std::filesystem::is_regular_file(folder / file, error))
@@ -74,7 +74,7 @@ std::filesystem::path find_file(const std::filesystem::path& folder, const std::
   return (folder / file).lexically_normal();
 }
 
-/// Relative to its scene folder, which may move.
+/// Relative to its scene folder, which may move, else absolute.
 std::string path_without_scene_folder(const std::filesystem::path& file) {
   std::error_code error;
   for (const std::filesystem::path& scenes : scene_folders()) {
@@ -119,7 +119,7 @@ std::string file_text(const std::filesystem::path& path, std::size_t most_bytes)
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) fail("no such file");
-  if (std::filesystem::is_directory(status)) fail("this is a folder, not a scene file");
+  if (std::filesystem::is_directory(status)) fail("this is a folder, not a file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) fail("the file cannot be read; check its permissions");
   const std::uintmax_t size = std::filesystem::file_size(path, error);  // fails for a pipe
@@ -128,8 +128,7 @@ std::string file_text(const std::filesystem::path& path, std::size_t most_bytes)
   if (stream.bad()) fail("the file cannot be read");
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > most_bytes)
-    fail(fmt::format("the file is larger than {} MiB, the limit for scene files and tables",
-                     most_bytes >> 20));
+    fail(fmt::format("the file is larger than {} MiB, which is the limit", most_bytes >> 20));
   return text;
 }
 

@@ -37,8 +37,8 @@ bool alike(double a, double b) {
 }
 
 struct Validity {
-  bool values = false;     // of values and tables: parameters equal `when`, or else their default
-  bool solutions = false;  // of solutions: parameters equal `when`; the others have any value
+  bool values = false;     // of values and tables: each parameter has the value of `when`, else its default
+  bool solutions = false;  // of solutions: each parameter in `when` has that value
 };
 
 Validity validity(TomlCursor& reference, const std::vector<Parameter>& parameters) {
@@ -173,8 +173,11 @@ std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& referenc
     const bool several = entry.value.kind == TomlValue::Kind::array;
     if (number != (several ? entry.value.items.size() : 1))
       cursor.fail(entry.value, entry.key,
-                  fmt::format("the measure '{}' has {} {}; write an array with one expression for each",
-                              entry.key, number, measure.fields.empty() ? "probes" : "fields"));
+                  number == 1
+                      ? fmt::format("the measure '{}' takes one expression, not {}", entry.key,
+                                    entry.value.items.size())
+                      : fmt::format("the measure '{}' has {} {}; write an array with one expression for each",
+                                    entry.key, number, measure.fields.empty() ? "probes" : "fields"));
     const std::span<const TomlValue> items =
         several ? std::span<const TomlValue>(entry.value.items) : std::span(&entry.value, 1);
     for (const TomlValue& item : items) solutions[entry.key].push_back(cursor.solution(item, entry.key));
@@ -208,7 +211,7 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
 struct Part {
   std::string law;
   bool of_method;
-  int specificity;  // 2: for the values of all parameters, 1: for those in `when`, 0: for any
+  int specificity;  // 2: for given values of all parameters, 1: of those in `when`, 0: for any
   const TomlValue* from;
   Reference what;
 };

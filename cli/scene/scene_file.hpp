@@ -25,8 +25,8 @@ struct Parameter {
   double default_value = 0;         // value without --set
 };
 
-/// `--set name=value`. Names are parameters, "method.CONSTANT" or from setting_infos(); values are numbers,
-/// words, or expressions of earlier parameters.
+/// `--set name=value`. Names are parameters, "method.CONSTANT" or from setting_infos(); values are numbers, words or
+/// expressions.
 struct Setting {
   std::string name, value;
   FilePlace place = {};
@@ -49,8 +49,8 @@ struct ResolvedSetting {
   /// The last source that changed the value.
   enum class Source { by_default, scene, setting };
   std::string name;
-  std::string value,
-      default_value;  // all digits; without a default, the scene's value
+  std::string value;
+  std::string default_value;  // the scene's value if the setting has no default
   Source source = Source::by_default;
 };
 
@@ -72,7 +72,7 @@ struct SceneFile {
   const ResolvedSetting* find_resolved(std::string_view name) const;
 };
 
-/// The last setting of a name counts. Throws SceneError with file, line and column, UsageError for settings.
+/// The last setting of a name counts. Throws SceneError for the file, UsageError for settings.
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
 /// Names for --set and --grid.
 std::vector<std::string> names_to_set(const SceneFile& scene);

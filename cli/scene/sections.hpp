@@ -46,8 +46,8 @@ void read_parameters(TomlCursor& root, const Changes& changes, std::optional<dou
 /// `dp` and parameters that depend on it.
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
-/// Defines `touching`, the gap of touching faces, m. Call again after read_bodies, which can change the published
-/// contact law.
+/// Defines `touching`: gap in m below which faces count as touching. Call again after read_bodies, since the published
+/// contact law depends on the bodies.
 void name_touching(TomlCursor& root, const SceneFile& file);
 void read_gravity_and_damping(TomlCursor& root, Scene& scene);
 void read_materials(TomlCursor& root, Scene& scene);
@@ -58,8 +58,8 @@ void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
 void make_paths_relative(const std::filesystem::path& folder, TomlValue& scene);
-/// Searches `folder`, then the scene folders. Makes the key `file` of the table independent of the scene folder's
-/// location. `what`: for messages.
+/// Searches `folder`, then the scene folders. Makes the key `file` relative to a scene folder, else absolute. `what`:
+/// for messages.
 std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
                                  std::string_view what);
 /// Requires the scene's bodies.
@@ -68,7 +68,7 @@ void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
 DrawingValues read_drawing_values(TomlCursor& render);
 TomlValue drawing_table(const Drawing& drawing);
 
-/// Values of `lead` must increase; # begins comments. Throws SceneError with the place.
+/// Values of `lead` must increase; lines that begin with # are comments. Throws SceneError with the place.
 ReferenceTable read_table(const std::filesystem::path& path, const std::string& lead,
                           const std::vector<std::string>& columns);
 struct ColumnTable {

@@ -126,8 +126,8 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
   return given;
 }
 
-/// Throws for volumes far from dp^dim, and for particles too far apart: the search for faces covers their bounding
-/// box, and cell numbers are limited.
+/// Throws for volumes far from dp^dim, and for particles too far apart or from the origin, since cell numbers are
+/// limited.
 void refuse_far(const GivenSites& given, const std::filesystem::path& file, const ShapeSetting& setting) {
   constexpr double most_sides = 1e6, farthest = 1e9, max_volume_ratio = 1e6;  // in dp; in dp^dim
   const double cell = std::pow(setting.dp, setting.dim);
@@ -140,10 +140,9 @@ void refuse_far(const GivenSites& given, const std::filesystem::path& file, cons
         (setting.dim == 2 && room > greatest_particle_number))
       throw SceneError(
           file.string(), 0, 0, "",
-          fmt::format(
-              "the particles are too far apart, or too far from the origin, for a spacing of {:g} m: "
-              "{} goes from {:g} m to {:g} m. The box around them may have room for at most {:g} particles",
-              setting.dp, axis_names[k], low[k], high[k], greatest_particle_number));
+          fmt::format("the particles are too far apart, or too far from the origin, for a spacing of {:g} m: "
+                      "{} goes from {:g} m to {:g} m; check the units",
+                      setting.dp, axis_names[k], low[k], high[k]));
   }
   for (const double volume : given.volumes)
     if (volume > max_volume_ratio * cell || volume * max_volume_ratio < cell)

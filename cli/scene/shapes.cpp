@@ -30,7 +30,7 @@ RoundLayout read_layout(TomlCursor& shape, std::vector<RoundLayout> allowed, Rou
   return allowed[static_cast<std::size_t>(std::ranges::find(names, chosen) - names.begin())];
 }
 
-/// Throws SceneError if the hole is too small for aligned layers.
+/// Throws SceneError for aligned layers around too small a hole.
 RoundLayout read_layout_of_hollow(TomlCursor& shape, const std::vector<RoundLayout>& allowed,
                                   RoundLayout otherwise, bool can_be_aligned, Layers layers) {
   const RoundLayout layout = read_layout(shape, allowed, otherwise, layers);

@@ -24,7 +24,7 @@ FilePlace place_of(const toml::source_position& position) {
   return {static_cast<int>(position.line), static_cast<int>(position.column)};
 }
 
-/// toml++ limits nested brackets, but not the parts of a key.
+/// toml++ limits nested brackets, but not dotted keys.
 constexpr int most_parts = 16, most_levels = 300;
 
 /// End of the quoted text. A text without triple quotes ends at the latest with its line.

@@ -69,10 +69,10 @@ struct Chart {
 /// Costs are doubtful from this `other_load` on.
 inline constexpr double busy_load = 0.5;
 
-/// "no reference", "no value" or the verdict; empty if the point has an error.
+/// Reason for a missing error, such as "no reference"; empty if the point has an error.
 std::string without_error(const ChartPoint& point);
 
-/// "1.2 %" or "3 mm".
+/// "1.2 %" or "0.003 m".
 std::string shown_error(const Chart& chart, double error);
 
 /// Least-squares slope of log error over log spacing of stable runs; nullopt for fewer than two spacings.

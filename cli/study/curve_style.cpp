@@ -39,7 +39,7 @@ std::string ramp_color(double t) {
   return color;
 }
 
-/// Index in the catalogue; any number if unknown.
+/// Index in the catalogue; beyond its end if unknown.
 std::size_t number_of(const std::string& method) {
   const auto all = methods();
   const auto found = std::ranges::find(all, method, &MethodInfo::name);

@@ -5,7 +5,7 @@
 
 namespace taut::cli {
 
-/// A method has one style in all pictures. Its further lines differ in dashes.
+/// The first line of a method has one style in all pictures. Further lines differ in dashes and markers.
 struct CurveStyle {
   std::string color;         // "#0072B2"
   int dash = 1;              // 1: solid
@@ -18,7 +18,7 @@ struct CurveStyle {
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& methods);
 /// Number of pairs of a colour and a marker.
 std::size_t most_marked_lines();
-/// Styles without markers. Lines that would look alike get colours from dark to light.
+/// For lines without markers. If some would look alike, all get colours from dark to light.
 std::vector<CurveStyle> line_styles(const std::vector<std::string>& methods);
 /// For lines that stand for no method.
 CurveStyle numbered_style(std::size_t k);

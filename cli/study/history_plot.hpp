@@ -12,7 +12,7 @@
 namespace taut::cli {
 
 struct HistoryColumn {
-  std::string name, label;  // with `unit`, the axis reads LABEL and that unit with a fitting prefix
+  std::string name, label;  // an axis adds `unit` with a fitting prefix to the label
   FilePlace place = {};     // where the study file names the column, for messages
   std::string unit = {};    // SI
 };

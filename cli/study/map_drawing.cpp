@@ -19,7 +19,7 @@ struct Kind {
   std::string name, color;
 };
 
-/// Colours darken with severity: in grey prints, lightness differs by at least 0.1.
+/// Colours darken with severity, also in grey prints.
 std::vector<Kind> kinds() {
   constexpr std::array colors = {"#d6ecf7", "#f3cc63", "#b49bd8", "#d9712f", "#8c2236"};
   const std::vector<std::string> names = names_of_verdicts();

@@ -83,7 +83,7 @@ std::string only_parameter(const StoredResults& results) {
 
 using Runs = std::vector<const StoredRun*>;
 
-/// Returns a line per reference, or, if its values differ at the same x, one per line of runs.
+/// Returns a line per reference, or, if values of one differ at the same x, one per line of runs.
 std::vector<Line> references_of(const Runs& runs, const ResultColumn& x, const ResultColumn& y,
                                 const LineNames& name_of) {
   std::map<std::string, std::map<double, double>> shared, own;

@@ -47,7 +47,7 @@ std::string swept_parameter(const std::vector<StoredRun>& runs, const std::strin
   }
   if (swept.size() == 1) return swept.front();
   if (swept.empty() && all.size() == 1) return all.front();
-  if (swept.empty()) throw UsageError("only the method was swept: there is no parameter to map");
+  if (swept.empty()) throw UsageError("only the method was swept; sweep a parameter, too");
   throw UsageError(fmt::format("several parameters were swept ({}); name one with {}", join(swept), option));
 }
 

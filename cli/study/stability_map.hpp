@@ -33,7 +33,7 @@ struct StabilityMap {
   std::vector<std::vector<std::optional<MapCell>>> cells;  // by row and value
 };
 
-/// `wanted`, or the only swept parameter. Throws UsageError, naming `option`, for an unknown or missing choice.
+/// `wanted`, or the only swept parameter. Throws UsageError for an unknown or missing choice.
 std::string swept_parameter(const std::vector<StoredRun>& runs, const std::string& wanted,
                             std::string_view option);
 

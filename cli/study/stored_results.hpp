@@ -27,7 +27,6 @@ struct StoredRun {
 
   /// Cell of a column, or "". Prefer the members of `record`.
   std::string text(std::string_view column) const;
-  /// Finished or diverged.
   bool has_result() const { return status == "finished" || status == "failed"; }
   std::string method() const;  // known before a result if swept
   std::string folder() const;  // of the run
@@ -41,7 +40,7 @@ struct StoredRun {
 
 /// Runs of one or several sweeps.
 struct StoredResults {
-  std::string title;  // of the first sweep, else of the scene
+  std::string title;  // of the first sweep, else the scene's name
   std::string scene;
   std::map<std::string, std::string> units;  // of swept parameters
   StoredSettings fixed;                      // common settings
@@ -71,7 +70,7 @@ std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs);
 std::string value_of(const StoredRun& run, const std::string& name);
 struct ResultColumn {
   std::string name;       // "deflection", "deflection (error)", "v0"
-  std::string column;     // empty: a setting, see value_of()
+  std::string column;     // empty: no measure, see value_of()
   std::string unit{};     // SI, or "%"
   std::string measure{};  // empty: another quantity
   bool is_share = false;

@@ -55,7 +55,6 @@ function run_details(run) {
       command.length ?
           command_block('Command of this run', ['taut', ...command.slice(1)], provenance.working_folder) :
           null,
-      // closed on pages of several runs, which mostly have the same settings
       element(
           'details', {open: !run.many}, element('summary', {}, 'Parameters and settings'),
           element(

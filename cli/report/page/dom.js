@@ -1,4 +1,4 @@
-// Elements, numbers and addresses. Texts of results enter the page only through `textContent`: they are never HTML.
+// Elements, numbers and addresses. Texts of results enter the page only as text or attributes, never as HTML.
 
 /** element("a", {href: "x", class: "y", onclick: f}, "text", child, …); null children are left out. */
 function element(tag, attributes = {}, ...children) {

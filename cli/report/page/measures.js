@@ -68,7 +68,7 @@ function measures_section(run) {
               element('tbody', {}, measures.map(row)))));
 }
 
-/** A row for each measure, a column for each run; the smallest error of a row is bold. */
+/** A row for each measure, a column for each run. */
 function measures_of_runs(runs) {
   const names = [...new Set(runs.flatMap((run) => Object.keys(run.record.measures || {})))];
   const row = (label, cells) => element('tr', {}, element('th', {scope: 'row'}, label), cells);

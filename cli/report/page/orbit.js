@@ -182,7 +182,7 @@ class OrbitView {
     }, {passive: false});
   }
 
-  /** The arrows turn the particles while the view has the focus; elsewhere they step through the frames. */
+  /** The arrows turn the particles while the view has the focus. */
   take_keys() {
     const actions = {
       ArrowLeft: () => this.turn(-0.1, 0),

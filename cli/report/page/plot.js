@@ -133,7 +133,7 @@ class Plot {
     this.paint();
   }
 
-  /** Values at time `x`, in the text below the plot and as a line in the picture. */
+  /** Shows the values at time `x` below the plot, and a line at `x`. */
   set_cursor(x) {
     this.cursor_at = x;
     this.readout.textContent = `at ${this.options.x_name} = ${brief(x)}${unit_text(this.options.x_unit)}: ` +
@@ -212,7 +212,7 @@ function log_tick(value) {
   return [1, 2, 5].some((n) => Math.abs(lead - n) < 1e-6) ? digits(value, 3) : null;
 }
 
-/** Value of the last sample at or before x, not interpolated: a row of a history is a single step. */
+/** Value of the last sample at or before x, else of the first; not interpolated. */
 function value_near(points, x) {
   let low = 0, high = points.length;
   while (low < high) {

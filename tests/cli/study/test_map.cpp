@@ -128,7 +128,7 @@ TEST_SUITE("cli") {
     const std::map<Texts, std::string> wrong{
         {{file, "--parameter", "sped", "--out", out}, "did you mean 'speed'"},
         {{file, other, "--out", out}, "name one with --parameter"},
-        {{none, "--out", out}, "there is no parameter to map"},
+        {{none, "--out", out}, "only the method was swept"},
         {{file, "--out", folder.str("map.jpg")}, "must end in .png, .svg or .pdf"},
     };
     for (const auto& [arguments, message] : wrong) {
