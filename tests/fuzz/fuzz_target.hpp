@@ -31,7 +31,7 @@ void expect(bool holds, const std::string& what);
 /// Calls `reading` and ignores taut's own errors.
 void attempt(const std::function<void()>& reading);
 
-/// Splits at lines "%%%%" into `count` parts, possibly empty.
+/// Splits at "%%%%\n" into `count` parts, possibly empty.
 std::vector<std::string> parts_of(std::string_view bytes, std::size_t count);
 std::vector<std::string> lines_of(std::string_view bytes);
 

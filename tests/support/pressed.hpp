@@ -30,7 +30,7 @@ inline Scene scene_of_shapes(const std::vector<Shape>& shapes, int dim, double d
   return scene;
 }
 
-/// Evaluates surface contact without a method.
+/// Evaluates surface contact without a solver.
 template <int Dim>
 class Pressed {
  public:
