@@ -54,7 +54,7 @@ struct Material {
   }
 };
 
-/// Deformation gradient F, its cofactors and its determinant J; T is a number or `Lanes`.
+/// Deformation gradient F, its cofactors, its determinant J and tr C; T is a number or `Lanes`.
 template <int d, class T>
 struct Strain {
   std::array<std::array<T, d>, d> f, cofactor;

@@ -20,7 +20,7 @@ using namespace taut::cli;
 
 namespace {
 
-/// A published statement. Rings are coarser than in the paper where this does not change the verdict.
+/// A published statement. Scenes are coarser than in the paper where this does not change the verdict.
 struct Statement {
   const char* figure;
   const char* scene;
