@@ -69,7 +69,7 @@ TEST_SUITE("cli") {
     for (const ShapeKind& kind : shape_kinds()) {
       CAPTURE(kind.name);
       REQUIRE_FALSE(example_of(kind.name).empty());
-      if (kind.name == "svg" || kind.name == "mask" || kind.name == "mesh") continue;  // these need files
+      if (kind.name == "svg" || kind.name == "mask" || kind.name == "mesh") continue;
       CHECK_NOTHROW(read_text(scene_of_shape(kind)));
     }
   }
