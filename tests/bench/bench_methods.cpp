@@ -33,9 +33,9 @@ struct Motion {
   const char* scene;
   double from, slice;
   int slices;
-  int transcribed;  // steps per timing
+  int transcribed;  // steps of the transcription per timing
 };
-// `rings` ends before the rings fracture; a slice has about 24 steps and one to three rebuilds
+// `rings` ends before the rings fracture
 constexpr Motion rings{"colliding-rings", 7e-4, 1e-4, 7, 10};
 constexpr Motion plate{"oscillating-plate-3d", 0, 3e-5, 20, 1};
 const Motion& motion_of(int dim) { return dim == 2 ? rings : plate; }

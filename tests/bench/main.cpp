@@ -1,5 +1,3 @@
-// Example: taut_bench --benchmark_filter=enog/2d --benchmark_repetitions=5
-
 #include <cstdlib>
 
 #include <benchmark/benchmark.h>

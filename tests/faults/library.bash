@@ -161,7 +161,7 @@ as_in_one() {
   torn "$2 is incomplete or differs"
 }
 
-# same_rows FILE GOOD: FILE ends with a whole row, and its rows but the last, which is at the stop, are the first of GOOD
+# same_rows FILE GOOD: FILE ends with a whole row; all but the last row, written at the stop, are the first rows of GOOD
 same_rows() {
   local rows
   [[ -e $2 && -z $(tail -c 1 "$1") ]] || return 1

@@ -31,15 +31,14 @@ void expect(bool holds, const std::string& what);
 /// Calls `reading` and ignores taut's own errors.
 void attempt(const std::function<void()>& reading);
 
-/// Splits at lines "%%%%" into `count` parts, possibly empty.
+/// Splits at "%%%%\n" into `count` parts, possibly empty.
 std::vector<std::string> parts_of(std::string_view bytes, std::size_t count);
 std::vector<std::string> lines_of(std::string_view bytes);
 
 std::filesystem::path folder();
 std::filesystem::path write(const std::string& name, std::string_view bytes);
 
-/// Applies changes (place: 4 bytes, operation: 1, value: 8) to a valid text or state, so that small inputs reach deep
-/// into files.
+/// Applies changes (place: 4 bytes, operation: 1, value: 8) to a valid state, so that small inputs reach deep into it.
 std::string changed(std::string bytes, std::string_view changes);
 
 }  // namespace taut::fuzz

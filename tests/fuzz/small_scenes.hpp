@@ -79,7 +79,7 @@ frames = 2
 size = [64, 64]
 )";
 
-/// Scenes for each family but finite elements, with the methods of the largest states; some are in 3D.
+/// Scenes for each family except finite elements; some are in 3D.
 inline constexpr std::array small_scenes = {
     SmallScene{"enog", two_discs},          SmallScene{"oenog", two_discs},
     SmallScene{"d-ulsph-r-tic", two_discs}, SmallScene{"tl", two_discs},

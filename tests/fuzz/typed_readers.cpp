@@ -147,7 +147,7 @@ void read_values(std::string_view bytes) {
   attempt([&] { find_cost(text); });
   attempt([&] { parse_verdict(text); });
   const std::string once = canonical_value(text);
-  expect(canonical_value(once) == once, "'" + once + "' has a shorter form");
+  expect(canonical_value(once) == once, "'" + once + "' is not canonical");
   const std::size_t between = text.find(' ');
   if (between == std::string::npos) return;
   for (const DrawingKey& key : drawing_keys())

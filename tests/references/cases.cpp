@@ -96,7 +96,7 @@ Case rotating_plate(Law law) {
   };
 }
 
-/// Upper half of the left one of two rings, [Zhang2024] §6.3; the plane x = 0 stands for the right one.
+/// Upper half of the left ring of [Zhang2024] §6.3; the plane x = 0 stands for the right ring.
 Case rings(Law law) {
   return [=](const Settings& settings, std::ostream& table) {
     constexpr double inner = 0.03, outer = 0.04, centre = -0.045;
@@ -210,7 +210,7 @@ Case oscillating_plate_3d(int p, int q, double until) {
   };
 }
 
-/// Quarter of the block [Lee2016] §8.5; its top face is driven downwards where x ≤ 0.01. The face z = 5 mm slides in
+/// Quarter of the block [Lee2016] §8.5; its top face is driven downwards where x ≤ 10 mm. The face z = 5 mm slides in
 /// its plane unless `free_face`.
 Case coining(int per_centimetre, bool free_face) {
   return [=](const Settings& settings, std::ostream& table) {

@@ -19,8 +19,8 @@ struct Mesh {
   std::vector<std::array<int, points_per_element<d>>> elements;
 };
 
-/// Bounds of `count` equal elements from `low` to `high`. The first and the last element are halved towards the end
-/// `at_low` and `at_high` times.
+/// Bounds of `count` equal elements from `low` to `high`. The first element is halved `at_low` times towards `low`, the
+/// last element `at_high` times towards `high`.
 inline std::vector<double> axis(double low, double high, int count, int at_low = 0, int at_high = 0) {
   std::vector<double> bounds = {low};
   const double size = (high - low) / count;
@@ -76,7 +76,7 @@ Mesh<d> grid(
   return mesh;
 }
 
-/// Multiplies by `matrix` along one axis of an element's values.
+/// Multiplies an element's values by `matrix` along one axis.
 template <int d, int along, class T>
 inline void multiply(const Matrix& matrix, const T* in, T* out) {
   constexpr int stride = along == 0 ? 1 : along == 1 ? n : n * n;

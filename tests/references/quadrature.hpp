@@ -4,7 +4,7 @@
 
 namespace references {
 
-/// Order of the elements, and points per axis of an element, nodes as well as quadrature points.
+/// Order of the elements, and number of nodes and of quadrature points of an element along each axis.
 constexpr int order = 4, n = order + 1;
 
 using Row = std::array<double, n>;

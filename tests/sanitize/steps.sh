@@ -1,4 +1,4 @@
-# Shell functions for `run`. For each test, `run` sources this file in a new empty folder and calls one function. The
+# Shell functions for `run`. For each task, `run` sources this file in a new empty folder and calls one function. The
 # functions `command_…` at the end run every command of the program.
 
 short_run() {  # SCENE METHOD SPACING UNTIL
@@ -40,7 +40,7 @@ expect() {
   ((code == $1)) || { echo "exit code $code instead of $1: ${*:2}" >&2; return 99; }
 }
 
-rings() {  # OUT OPTION...: about 400 particles
+rings() {  # OUT OPTION...
   taut run colliding-rings --spacing 0.004 --until 4e-4 --frames 3 --size 320x180 --save-particles --quiet \
     --threads 2 --out "$@"
 }

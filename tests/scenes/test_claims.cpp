@@ -32,7 +32,8 @@ TEST_SUITE("failure") {
         text_of(std::filesystem::path(TAUT_SOURCE_DIR) / "scenes/studies/results/claims.md");
     const Outcome tables = call({"claims", "--markdown"});
     CHECK(tables.code == 0);
-    CHECK_MESSAGE(page.ends_with("\n\n" + tables.out), "scenes/studies/update-claims.sh writes it");
+    CHECK_MESSAGE(page.ends_with("\n\n" + tables.out),
+                  "scenes/studies/results/claims.md is out of date; run scenes/studies/update-claims.sh");
   }
 
   TEST_CASE("the scenes and settings of the slow claims are valid") {

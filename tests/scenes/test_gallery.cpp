@@ -46,7 +46,7 @@ std::vector<double> values_at(double until, const char* name, const char* method
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("gallery: every scene is short, has its line and picture, and runs") {
+  TEST_CASE("gallery: every scene is short, is listed with its picture, and makes steps with oenog") {
     const std::string index = text_of(gallery / "README.md");
     int scenes = 0;
     for (const auto& entry : fs::directory_iterator(gallery)) {
@@ -100,7 +100,8 @@ TEST_SUITE("analytic") {
     CHECK(std::abs(*measured[0].value / period - 1) < 0.01);
   }
 
-  TEST_CASE("gallery: the force of a pulled bar follows its law, also with a negative Poisson's ratio") {
+  TEST_CASE(
+      "gallery: the force of a pulled bar follows the neo-Hookean law, also with a negative Poisson's ratio") {
     for (const double poisson_ratio : {0.4, -0.4}) {
       CAPTURE(poisson_ratio);
       SceneFile file = read(gallery / "pulled-bar.toml");

@@ -171,7 +171,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("colliding rings: the contact of oenog never pulls") {
-    // a push never increases the left ring's speed
+    // a push never increases the left ring's velocity
     for (const double spacing : {0.002, 0.001}) {
       const Whole rings(scene("colliding-rings", spacing));
       const std::vector<double>& speed = rings.probe("speed");
@@ -206,13 +206,15 @@ TEST_SUITE("failure") {
     CHECK(rebound("enog") < 0.3);
   }
 
-  TEST_CASE("colliding rings: at 0.16 c0 and 0.8 mm the sides of the crease do not penetrate each other") {
+  TEST_CASE(
+      "colliding rings: with oenog at 0.16 c0 and 0.8 mm the sides of the crease do not penetrate each other") {
     SceneFile file = scene("colliding-rings", 0.0008, {{"v0", "0.16"}});
     file.scene.until = 0.005;  // the crease is sharpest at 4 ms
     CHECK(name(judged(file).verdict()) == "stable");
   }
 
-  TEST_CASE("colliding rings: at 0.16 c0 the mixed methods survive the crease with a short kernel") {
+  TEST_CASE(
+      "colliding rings: at 0.16 c0 pf-jst and pfj-jst survive the crease with a short kernel or dissipation") {
     const auto fastest = [](const char* method, const char* h, const char* eps) {
       SceneFile file = scene("colliding-rings", 0.00125,
                              {{"v0", "0.16"}, {"method.h", h}, {"method.eps_v2", eps}}, method);

@@ -20,7 +20,7 @@ using namespace taut::cli;
 
 namespace {
 
-/// A published statement. Rings are coarser than in the paper where this does not change the verdict.
+/// A published statement. Scenes are coarser than in the paper where this does not change the verdict.
 struct Statement {
   const char* figure;
   const char* scene;
@@ -119,7 +119,8 @@ const std::vector<Statement> statements = {
      0.15,
      hourglass},
 
-    // at a spacing of 40 mm the hourglass error reaches only 0.96 of the threshold
+    // the figure shows the tensile cube; at a spacing of 40 mm the hourglass error of tl reaches only 0.96 of the
+    // threshold
     {"Lee2016 Fig. 11(a)", "rotating-plate", "tl", {{"spacing", "0.0333333333"}}, 0.1, hourglass},
     {"Lee2016 Fig. 11(b)", "rotating-plate", "pf-jst", {}, 0.2, stable},
     {"Lee2016 Fig. 11(c)", "rotating-plate", "pfj-jst", {}, 0.2, stable},

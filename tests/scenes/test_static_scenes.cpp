@@ -155,7 +155,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("truss: icb comes to rest at its exact extension, also in compression") {
+  TEST_CASE("truss: the extension of icb converges to the exact one with the spacing, also in compression") {
     for (const char* force : {"7000", "-3000"}) {
       const Rest coarse = run(scene("truss", "icb", 0.01, {{"force", force}}));
       const Rest fine = run(scene("truss", "icb", 0.005, {{"force", force}}));
@@ -189,7 +189,8 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("sheared annulus: the shear stress of tl and oenog is correct up to the faces") {
+  TEST_CASE(
+      "sheared annulus: the shear stress of tl and oenog is correct farther than a spacing from the inner face") {
     for (const char* method : {"tl", "oenog"}) {
       CAPTURE(std::string(method));
       const ShearError fine = shear_error(method, 1e-5);
@@ -247,7 +248,7 @@ TEST_SUITE("failure") {
     CHECK(sudden("icb") == Verdict::stable);
   }
 
-  TEST_CASE("truss: ccb breaks in tension, ccbwat above 3000 N, and both carry compression") {
+  TEST_CASE("truss: ccb breaks at a tension of 3000 N, ccbwat at 7000 N, and both carry compression") {
     const auto verdict = [](const char* method, const char* force) {
       return run(scene("truss", method, 0.005, {{"force", force}})).verdict;
     };

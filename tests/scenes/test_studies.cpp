@@ -128,7 +128,8 @@ TEST_SUITE("cli") {
     CHECK(tables_of("small-history") == history);
   }
 
-  TEST_CASE("the study of limitations reproduces its stored page") {
+  TEST_CASE(
+      "the study of limitations reproduces its stored results of the truss, and has stored all runs in METHODS.md") {
     const TemporaryFolder folder;
     const Outcome outcome = study(folder, "limitations.sh made.md truss");
     CAPTURE(outcome.err);
@@ -145,7 +146,7 @@ TEST_SUITE("cli") {
       CHECK_MESSAGE(contains(stored, "**" + found->str() + "**"), found->str());
   }
 
-  TEST_CASE("the study of known answers reproduces its stored rows") {
+  TEST_CASE("the study of known answers reproduces the stored rows of two situations") {
     const TemporaryFolder folder;
     const Outcome outcome = study(folder, "known-answers.sh made.md block-on-wall disc-on-wall");
     CAPTURE(outcome.err);
@@ -168,7 +169,7 @@ TEST_SUITE("cli") {
       const Scene scene = read_scene(entry.path()).scene;
       CHECK_FALSE(scene.measures.empty());
       for (const std::string law : {"neo_hookean", "2d_deviator"}) {
-        if (name == "shrink-fit" && law == "2d_deviator") continue;  // its methods refuse the start
+        if (name == "shrink-fit" && law == "2d_deviator") continue;  // methods of this law refuse the start
         CAPTURE(law);
         for (const Measure& measure : scene.measures) CHECK(scene.references.at(law).has(measure.name));
       }

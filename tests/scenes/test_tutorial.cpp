@@ -77,7 +77,7 @@ TEST_SUITE("cli") {
       CHECK(fs::exists(folder / picture));
   }
 
-  TEST_CASE("every command of the front page runs with coarse particles") {
+  TEST_CASE("every indented taut command of the front page runs with coarse particles") {
     const TemporaryFolder folder;
     int commands = 0;
     Reader(fs::path(TAUT_SOURCE_DIR) / "README.md").follow(folder, [&](const PageCommand& command) {

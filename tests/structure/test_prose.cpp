@@ -64,7 +64,7 @@ bool is_generated(const std::string& document) {
   return document == "scenes/LANGUAGE.md" || document.starts_with("scenes/studies/results/");
 }
 
-/// True for lines without table row, code or link.
+/// False for rows of tables, indented code and lines with a link.
 bool is_running_text(const std::string& line) {
   return !line.starts_with('|') && !line.starts_with("    ") && line.find("](") == std::string::npos;
 }
@@ -91,7 +91,7 @@ TEST_SUITE("structure") {
   }
 
   TEST_CASE(
-      "prose: comments and test names never open with what, of or who, and comments have at most 15 lines") {
+      "prose: comment blocks and test names never open with what, of or who, and blocks have at most 15 lines") {
     constexpr std::size_t most_lines = 15;
     for (const std::string part : {"engine", "render", "cli", "tests"})
       for (const std::string& source : sources_below(top / part)) {
@@ -110,14 +110,15 @@ TEST_SUITE("structure") {
       }
   }
 
-  TEST_CASE("prose: string literals continue on the next line only after a line, a sentence or a clause") {
+  TEST_CASE(
+      "prose: string literals continue on the next line only after a line break, a sentence or a clause") {
     for (const std::string part : {"engine", "render", "cli", "tests"})
       for (const std::string& source : sources_below(top / part))
         for (const int line : broken_phrases(text_of(top / part / source)))
           FAIL_CHECK((part + "/" + source + ":" + std::to_string(line)));
   }
 
-  TEST_CASE("prose: lines of documents have at most 120 columns outside tables") {
+  TEST_CASE("prose: lines of documents have at most 120 columns outside tables, code and links") {
     constexpr std::size_t most_columns = 120;
     for (const std::string& document : files_below(top, {".md"})) {
       if (is_generated(document)) continue;

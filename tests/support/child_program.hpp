@@ -73,7 +73,7 @@ class ChildProgram {
       if (condition()) return;
       std::this_thread::sleep_for(1ms);
     }
-    FAIL("the program does not answer");
+    FAIL("waited 60 s in vain for the program");
   }
 
  private:

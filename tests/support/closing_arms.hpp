@@ -22,7 +22,7 @@ inline Scene closing_arms(int dim, double dp, double gap, double height, double 
   return scene;
 }
 
-/// Greatest distance in x by which a particle of the left arm has passed one of the right arm (upper halves), m.
+/// Greatest x_i − x_j, m, of opposite particles i of the left and j of the right arm (upper halves).
 inline double penetration(const Snapshot& now, int dim, double dp, double height) {
   const auto n = static_cast<std::size_t>(dim);
   double most = -1;

@@ -6,7 +6,7 @@
 
 namespace taut::test {
 
-/// Particles of 1 kg and 1 kg/m³ in body 0, at rest and unstressed.
+/// Particles of mass 1 and density 1 in body 0, at rest and unstressed.
 inline Snapshot made_snapshot(int dim, const std::vector<Point>& places) {
   Snapshot now;
   now.dim = dim;

@@ -29,7 +29,7 @@ inline Series sampled(const std::vector<double>& times, const std::function<doub
   return series;
 }
 
-/// One measure of probe "y"; probe "gap" exists too.
+/// Scene with one measure, of probe "y", and a second probe "gap".
 inline Scene scene_of(const std::string& kind) {
   Scene scene;
   scene.until = 1;

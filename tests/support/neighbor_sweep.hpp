@@ -7,7 +7,7 @@
 
 namespace taut::test {
 
-/// For each place, sorted indices of the other places nearer than `reach`; sweeps along x.
+/// For each place, sorted indices of the other places nearer than `reach`.
 template <class Place>
 std::vector<std::vector<std::size_t>> neighbors_within(double reach, const std::vector<Place>& places) {
   std::vector<std::size_t> order(places.size());

@@ -30,7 +30,7 @@ inline Scene scene_of_shapes(const std::vector<Shape>& shapes, int dim, double d
   return scene;
 }
 
-/// Evaluates surface contact without a method.
+/// Evaluates surface contact without a solver.
 template <int Dim>
 class Pressed {
  public:
@@ -109,7 +109,7 @@ class Pressed {
   std::vector<V> force_;
 };
 
-/// Bends the face x = 0 onto a circle of radius |r|, with the column (x > 0) inside it if r > 0.
+/// Bends the face x = 0 onto a circle of radius |r|, with the column (x > 0) inside the circle if r > 0.
 template <int Dim>
 Vec<double, Dim> bent(Vec<double, Dim> x, double r) {
   const double angle = x[1] / r, away = r - x[0];

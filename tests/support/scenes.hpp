@@ -97,7 +97,7 @@ inline double shake(const Point& x, double wavelength) {
   return std::sin(k * (x[0] + 0.37 * x[1])) * std::cos(k * (0.61 * x[0] - x[1]) + 0.4);
 }
 
-/// Perturbed bodies that touch after about ten steps and rebuild neighbours every few steps.
+/// Perturbed bodies that soon touch.
 inline Scene small_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -199,7 +199,7 @@ inline Scene small_clamped_block() {
   return scene;
 }
 
-/// `share`: greatest offset, in spacings.
+/// `share`: greatest offset along each axis, in spacings.
 inline Scene jittered(Scene scene, double share) {
   scene.jitter = {share, 5};
   return scene;

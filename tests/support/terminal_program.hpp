@@ -78,7 +78,7 @@ class TerminalProgram {
     all.push_back(nullptr);
     return all;
   }
-  /// False at the end, or after a long silence.
+  /// False at the end of the output, or after a long silence.
   bool read() {
     constexpr int patience = 20'000;  // ms
     pollfd ready{terminal_, POLLIN, 0};

@@ -45,8 +45,7 @@ const std::string less_energy = "fast.first.kinetic_energy < slow.first.kinetic_
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE(
-      "claims: the run of a claim agrees if its state equals the recorded state and its evidence holds") {
+  TEST_CASE("claims: a claim agrees if its runs give the recorded state and its evidence holds") {
     const TemporaryFolder folder;
     const auto state = [&](const std::string& lines) { return run_claim(folder, two_runs + lines); };
     const Outcome holds = state("criterion = '" + more_energy + "'");

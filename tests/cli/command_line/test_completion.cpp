@@ -109,9 +109,9 @@ TEST_SUITE("cli") {
   TEST_CASE("every command, option and argument is known to completion") {
     const Words names = words_for({""});
     const taut::cli::SceneFile scene = taut::cli::read_scene(taut::cli::find_scene("rotating-plate"));
-    const std::set<std::string> numbers{"N",      "T",      "DT",        "DP",
-                                        "X",      "TIMES",  "T,...",     "WIDTHxHEIGHT",
-                                        "LENGTH", "POINTS", "LABEL,...", "ENTRY,..."};
+    const std::set<std::string> free_values{"N",      "T",      "DT",        "DP",
+                                            "X",      "TIMES",  "T,...",     "WIDTHxHEIGHT",
+                                            "LENGTH", "POINTS", "LABEL,...", "ENTRY,..."};
     for (const taut::cli::Command& command : taut::cli::commands()) {
       const std::string name(command.name);
       CHECK(std::ranges::count(names, name) == 1);
@@ -124,7 +124,7 @@ TEST_SUITE("cli") {
         CAPTURE(name);
         CAPTURE(placeholder);
         const taut::cli::Choices found = taut::cli::choices(placeholder, "", &scene);
-        CHECK((placeholder.empty() || numbers.contains(placeholder)) ==
+        CHECK((placeholder.empty() || free_values.contains(placeholder)) ==
               (found.words.empty() && found.files.empty()));
       }
     }

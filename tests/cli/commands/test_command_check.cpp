@@ -63,7 +63,7 @@ TEST_SUITE("cli") {
     CHECK(call({"check", stopped, "--measure", "period=0.255±1%"}).code == 1);
   }
 
-  TEST_CASE("check against a baseline compares all its measures and its verdict") {
+  TEST_CASE("check against a baseline compares its verdict and all its measures with a value") {
     const TemporaryFolder folder;
     const std::string good = write_record(folder, "good", 0.255), near = write_record(folder, "near", 0.2555),
                       torn = write_record(folder, "torn", 0.255, "finished", "fractured");
@@ -107,7 +107,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "an argument taken by an option with several values is explained, and a comma-separated list is one value") {
+      "an option with several values takes all words up to the next option, and --columns takes one word") {
     const TemporaryFolder folder;
     const std::string run = write_record(folder, "run", 0.255);
     const Outcome taken = call({"check", "--measure", "period<1", run, "--verdict", "stable"});

@@ -133,7 +133,7 @@ TEST_SUITE("cli") {
     CHECK(std::filesystem::exists(folder / "differences/d.png"));
   }
 
-  TEST_CASE("a panel below a missing folder of the root directory is an error, and makes no folder") {
+  TEST_CASE("a panel in a missing folder of the root directory gives exit code 4, and makes no folder") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out", {"--save-particles"})).code == 0);
     const Outcome panel = call({"compare", folder.str("out"), "--out", "/no-such-folder/deep/panel.png"});

@@ -50,7 +50,7 @@ TEST_SUITE("cli") {
     CHECK(contains(call({"describe", "--", "--help"}).err, "unknown name '--help'"));
   }
 
-  TEST_CASE("invalid values are refused with exit code 2 before a folder is touched") {
+  TEST_CASE("invalid arguments are refused with exit code 2 before a folder is touched") {
     const TemporaryFolder folder;
     const std::vector<std::vector<std::string>> cases{
         {"--until", "-1"},

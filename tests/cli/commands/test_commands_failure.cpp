@@ -137,7 +137,7 @@ TEST_SUITE("cli") {
     CHECK(contains(call({"run", folder.str("file.toml")}).err, "file.toml:1:"));
   }
 
-  TEST_CASE("a second interrupt ends the program and leaves complete files") {
+  TEST_CASE("a second interrupt ends the program and leaves a complete run.json") {
     const TemporaryFolder folder;
     ChildProgram child(tiny_run(folder, "out", {"--until", "1000", "--frames", "1"}));
     ChildProgram::wait_for(folder / "out/frames/frame_00000.png");
@@ -242,7 +242,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("only one process can use a run folder at a time, and other processes report it") {
+  TEST_CASE("only one process can write into a run folder at a time, and other processes report it") {
     const TemporaryFolder folder;
     const std::vector<std::string> endless{
         "--until", "1000",  "--save-particles", "--checkpoint-every", "1000", "--frames",

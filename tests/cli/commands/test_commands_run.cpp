@@ -41,8 +41,7 @@ std::string errors_of(const std::string& text, const TemporaryFolder& folder) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE(
-      "a body whose particles' mass differs from its shape's gives a warning, and an exact one does not") {
+  TEST_CASE("a body gives a warning only if the mass of its particles differs from the mass of its shape") {
     const TemporaryFolder folder;
     const auto told = [&](const std::string& shape) {
       return errors_of("spacing = 0.1\n[[body]]\nname = \"b\"\nmaterial = \"rubber\"\n" + shape, folder);
@@ -56,7 +55,7 @@ TEST_SUITE("cli") {
         told(of_lattice + "without = [{ type = \"disc\", centre = [0, 0], radius = 0.1 }]\n"), "weigh"));
   }
 
-  TEST_CASE("a wall that starts inside a body gives a warning, and a touching one does not") {
+  TEST_CASE("a wall that starts inside a body gives a warning, and a wall that touches the body does not") {
     const TemporaryFolder folder;
     const auto told = [&](const std::string& floor, const std::string& velocity) {
       return errors_of(

@@ -20,7 +20,7 @@ void leave_run(const TemporaryFolder& folder, const std::string& run = "run") {
   REQUIRE(call(tiny_run(folder, run, {"--until", "1e-5", "--frames", "1", "--save-particles"})).code == 0);
 }
 
-/// True if the program preserves a file behind `link`.
+/// True if `work` preserves a file behind `link`.
 bool leaves_alone(const fs::path& link, const std::function<void()>& work) {
   const fs::path victim = link.parent_path() / "victim";
   std::ofstream(victim) << "mine";
@@ -194,7 +194,8 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("programs in the folder of a picture are not run, whatever PATH contains") {
+  TEST_CASE(
+      "programs in the folder of a picture are not run, even if PATH contains empty or relative folders") {
     const TemporaryFolder folder;
     const std::string results = write_results(folder / "a", one_result);
     std::ofstream(folder / "gnuplot") << "#!/bin/sh\n: > stolen\n";

@@ -1,4 +1,4 @@
-// tests/README.md, Golden pictures, describes their update.
+// tests/README.md describes how to update the golden pictures.
 
 #include <cstdlib>
 #include <filesystem>

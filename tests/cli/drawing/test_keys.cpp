@@ -84,7 +84,7 @@ TEST_SUITE("unit") {
     CHECK(copy.frames == other.frames);
   }
 
-  TEST_CASE("keys of drawing: an optional key can be set back to automatic") {
+  TEST_CASE("keys of drawing: keys can be set back to automatic or to none") {
     Drawing drawing = other_drawing();
     for (const DrawingKey& key : drawing_keys())
       if (key.allows_auto) CHECK(key.set(drawing, std::string(automatic)).empty());

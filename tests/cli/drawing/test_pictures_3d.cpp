@@ -195,7 +195,7 @@ TEST_SUITE("cli") {
     CHECK(contains(answers, "camera=1 -2 1\n"));
   }
 
-  TEST_CASE("pictures: a key that does not fit the scene is refused with its place") {
+  TEST_CASE("pictures: a key that is invalid or does not fit the scene is refused with its place") {
     check_error("color = \"von_mises\"", "camera = @[1, 1, 1]", {"need dim = 3", "has dim = 2", "`view`"});
     check_error("color = \"von_mises\"", "fov = @30", {"need dim = 3"});
     check_error("color = \"von_mises\"", "fov = @130",

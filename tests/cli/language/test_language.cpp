@@ -18,7 +18,7 @@ namespace {
 
 bool has_header(const Section& section) { return section.header.empty() || section.header.starts_with('['); }
 
-/// All sections with a header except `without`.
+/// Examples of all sections with a header except `without`.
 std::string whole_file(std::span<const Section> sections, std::string_view without = "") {
   std::string text;
   for (const Section& section : sections)
@@ -64,12 +64,12 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("language: the example of every shape can be read") {
+  TEST_CASE("language: the example of every shape that needs no file can be read") {
     std::ofstream(scratch_folder() / "places.csv") << "x,y\n0,0\n0.002,0\n0,0.002\n";
     for (const ShapeKind& kind : shape_kinds()) {
       CAPTURE(kind.name);
       REQUIRE_FALSE(example_of(kind.name).empty());
-      if (kind.name == "svg" || kind.name == "mask" || kind.name == "mesh") continue;  // these need files
+      if (kind.name == "svg" || kind.name == "mask" || kind.name == "mesh") continue;
       CHECK_NOTHROW(read_text(scene_of_shape(kind)));
     }
   }
@@ -134,7 +134,7 @@ TEST_SUITE("cli") {
     const std::filesystem::path page = std::filesystem::path(TAUT_SOURCE_DIR) / "scenes/LANGUAGE.md";
     if (std::getenv("TAUT_UPDATE_GOLDEN")) std::ofstream(page, std::ios::binary) << language_page();
     CHECK_MESSAGE(taut::test::text_of(page) == language_page(),
-                  "TAUT_UPDATE_GOLDEN=1 cli_tests -tc='language*' rewrites it");
+                  "it is out of date; TAUT_UPDATE_GOLDEN=1 cli_tests -tc='language*' rewrites it");
   }
 
   TEST_CASE("describe explains files, sections and their entries, as text and as JSON") {

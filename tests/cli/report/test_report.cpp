@@ -77,7 +77,7 @@ TEST_SUITE("cli") {
     CHECK(data["references"][0]["values"].back().get<double>() == relative(-0.006));
   }
 
-  TEST_CASE("report: no text of a scene can end a script or an attribute of the page") {
+  TEST_CASE("report: a title cannot end a script of the page, and an embedded page refers to no other file") {
     const TemporaryFolder folder;
     const std::string title = "</script><script>alert(1)</script><!-- & \u2028";
     const std::string run = run_with_title(folder, title);
@@ -115,7 +115,7 @@ TEST_SUITE("cli") {
     CHECK(call({"report", run, "--out", folder.str("plain/page")}).code == 4);
   }
 
-  TEST_CASE("report: paths that are no results are refused with the reason") {
+  TEST_CASE("report: invalid paths and options are refused with the reason") {
     const TemporaryFolder folder;
     const std::string run = run_with_title(folder, "Two discs");
     REQUIRE(call(tiny_sweep(folder, "sweep", {"--grid", "speed=1,2"})).code == 0);
@@ -135,8 +135,7 @@ TEST_SUITE("cli") {
     refused({"report", run}, "run.json");
   }
 
-  TEST_CASE(
-      "report: the page of a sweep has a row for each run and loads the data of a run when it is opened") {
+  TEST_CASE("report: the page of a sweep has a row and a script with data for each run") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_sweep(folder, "sweep", {"--grid", "speed=1,2", "--grid", "method=enog,og"})).code == 0);
     const Outcome outcome = call({"report", folder.str("sweep"), "--json"});

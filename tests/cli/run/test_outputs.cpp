@@ -41,7 +41,7 @@ TEST_SUITE("cli") {
     CHECK(read_with_python(folder, "sweep") == Texts{"results.csv 4"});
   }
 
-  TEST_CASE("the verdict does not depend on the rows of history.csv, which can repeat indicators") {
+  TEST_CASE("the verdict does not depend on the number of rows of history.csv, which can repeat indicators") {
     const TemporaryFolder folder;
     const auto record = [&](const std::string& name, const std::string& history) {
       REQUIRE(call(tiny_run(folder, name,

@@ -74,7 +74,7 @@ TEST_SUITE("cli") {
     check({"--particle-precision", "single"}, "--save-particles");
   }
 
-  TEST_CASE("particles of single precision take about half the bytes and can be drawn") {
+  TEST_CASE("particles of single precision take less than two thirds of the bytes and can be drawn") {
     const TemporaryFolder folder;
     REQUIRE(run_with(folder, "double", {"--save-particles", "--particle-precision", "double"}).code == 0);
     REQUIRE(run_with(folder, "single", {"--save-particles", "--particle-precision", "single"}).code == 0);

@@ -107,7 +107,7 @@ void check_refused(const TemporaryFolder& folder, const std::string& reason, con
 }  // namespace
 
 TEST_SUITE("restart") {
-  TEST_CASE("runs killed at any moment resume to the same bytes with methods of four families") {
+  TEST_CASE("runs killed at random moments resume to the same bytes with methods of four families") {
     std::mt19937 random(1);
     int kills = 0;
     for (const char* method : {"enog", "og", "oenog", "d-ulsph-r-tic", "tl"}) {

@@ -76,7 +76,7 @@ TEST_SUITE("unit") {
     CHECK(SequenceBounds().range({}).low < SequenceBounds().range({}).high);
   }
 
-  TEST_CASE("the range of a sequence ignores round-off among the values that it may clip") {
+  TEST_CASE("values below the round-off do not make the range of a sequence clip greater values") {
     SequenceBounds bounds;
     bounds.add_values(std::vector<double>(2000, 1e-8));
     bounds.add_values(std::vector<double>{1, 4, 10});

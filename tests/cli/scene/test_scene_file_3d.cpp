@@ -53,7 +53,7 @@ double volume(const InitialParticles& layout) {
   return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
 }
 
-/// The resolved text gives the same scene and text.
+/// The resolved text gives the same particles and text.
 void check_resolved(const SceneFile& file) {
   const std::string text = resolved_text(file, scratch_folder());
   const SceneFile again = read_text(text);

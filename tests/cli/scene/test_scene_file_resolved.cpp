@@ -45,7 +45,7 @@ bool equal_as(const Shape& a, const Shape& b) {
   return ((a.as<Kinds>() && b.as<Kinds>() && *a.as<Kinds>() == *b.as<Kinds>()) || ...);
 }
 
-/// Other shapes are compared by their particles.
+/// True if the shape is compared by its members; other shapes are compared by their particles.
 bool is_simple(const Shape& shape) { return equal_as<Box, Disc, Ring, Cylinder>(shape, shape); }
 
 void check_same(const Body& a, const Body& b) {

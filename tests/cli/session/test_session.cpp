@@ -123,7 +123,7 @@ TEST_SUITE("cli") {
     CHECK(contains(session(folder, "set method.zeta=-1e9").out, "error: "));
   }
 
-  TEST_CASE("a wrong line gives an error and does not end the session") {
+  TEST_CASE("a wrong line gives an error, and ends the session only with --strict") {
     const TemporaryFolder folder;
     for (const char* wrong : {"stepp",       "step 0",      "step 1.5",     "step a",
                               "run 3",       "run until x", "color",        "color foo",
@@ -148,7 +148,7 @@ TEST_SUITE("cli") {
     CHECK(contains(session(folder, "range 0 1MPa").out, "error: '1MPa' is not a number"));
   }
 
-  TEST_CASE("errors of a session have its own syntax, without colons and dashes") {
+  TEST_CASE("errors of a session describe values in the syntax of sessions, not of options") {
     const TemporaryFolder folder;
     for (const auto& [wrong, message] : std::map<std::string, std::string>{
              {"range 2 1",

@@ -152,7 +152,8 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "one/a.png") == text_of(folder / "two/a.png"));
   }
 
-  TEST_CASE("on the oscillating plate oenog converges with order 1.6, and tl with a lower order") {
+  TEST_CASE(
+      "on the oscillating plate oenog converges with order 1.6, and tl at the same h with a lower order") {
     const TemporaryFolder folder;
     const auto series = [&](const std::string& method, const std::string& h) {
       const Outcome outcome = program({"sweep", "oscillating-plate", "--grid", "method=" + method, "--grid",

@@ -121,7 +121,7 @@ TEST_SUITE("cli") {
     CHECK(contains(none.err, "has the values of the scene, v0 = 0.1"));
   }
 
-  TEST_CASE("choose refuses an invalid error, files without results, and results of another scene") {
+  TEST_CASE("choose refuses an invalid error, unknown scenes and measures, and results of another scene") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", runs, "colliding-rings");
     const std::map<Texts, std::string> wrong{

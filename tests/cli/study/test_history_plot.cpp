@@ -146,14 +146,14 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("an axis has room for its numbers, however small they are") {
+  TEST_CASE("an axis has room for its numbers, also for very small ones") {
     const double usual = left_of(script_of(falling(speeds_of("tl", 2))));
     CHECK(usual == Approx(109));
     CHECK(left_of(script_of(falling(speeds_of("tl", 2), -1.25e-12))) > usual + 5);  // "-1.2e-12"
     CHECK(left_of(script_of(falling(speeds_of("tl", 2), -1.25e-120))) > usual + 15);
   }
 
-  TEST_CASE("a history in SVG has all names, in letters as large as in PNG") {
+  TEST_CASE("a history in SVG has all names, in letters of 11 to 15 points") {
     const TemporaryFolder folder;
     const HistoryPlot plot = falling(speeds_of("oenog", 20));
     const PlotFiles files{folder / "p.svg"};

@@ -119,7 +119,7 @@ TEST_SUITE("cli") {
     CHECK(colors.size() == 6);  // one is for runs without verdict
   }
 
-  TEST_CASE("a map without a swept parameter is refused with the reason") {
+  TEST_CASE("a map of an unknown, ambiguous or missing parameter, or in an unknown format, is refused") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", speeds, "rod", "speed");
     const std::string other = write_results(folder / "b", speeds, "rod", "cfl");

@@ -143,7 +143,7 @@ TEST_SUITE("cli") {
                          doctest::Contains("no value at the y axis is positive"), UsageError);
   }
 
-  TEST_CASE("with --width, texts of a plot are 7 points high in every format") {
+  TEST_CASE("with --width, texts of a plot are 7 points high in PNG and PDF") {
     PlotLookOptions typed;
     typed.width = "85mm";
     const PlotLook png = plot_look(typed, {"p.png"}), pdf = plot_look(typed, {"p.pdf"});

@@ -103,7 +103,8 @@ TEST_SUITE("cli") {
     CHECK(results(folder / "1") == results(folder / "4"));
   }
 
-  TEST_CASE("a finished run is kept unless its settings have changed or --force is given") {
+  TEST_CASE(
+      "a finished run is kept unless its settings have changed, a frame is missing or --force is given") {
     const TemporaryFolder folder;
     const auto sweep = [&](Texts more) {
       more.insert(more.begin(), {"--grid", "speed=1,2"});

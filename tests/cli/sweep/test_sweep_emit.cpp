@@ -92,7 +92,7 @@ TEST_SUITE("cli") {
     CHECK(json_of(folder / "out/results.json")["runs"][1]["threads"] == 2);
   }
 
-  TEST_CASE("emitted scripts start only their runs, whatever characters names contain") {
+  TEST_CASE("emitted scripts start only their runs, also if names contain special characters") {
     const TemporaryFolder folder;
     write_parallel(folder);
     const fs::path here = folder / strange, sweep = here / strange;

@@ -34,7 +34,8 @@ std::vector<pid_t> children(const ChildProgram& sweep) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a sweep that is killed and restarted ends like an undisturbed one, and no run is done twice") {
+  TEST_CASE(
+      "a sweep that is killed and restarted ends like an undisturbed one, and repeats no finished run") {
     const TemporaryFolder folder;
     const Texts grid{"--grid", "speed=1:2:0.2", "--until", "0.2", "--jobs", "2"};
     {

@@ -19,7 +19,7 @@ TEST_SUITE("unit") {
     CHECK(in_columns(rows, 2, 200) == in_columns(rows));
   }
 
-  TEST_CASE("words are wrapped between blanks, and a long word is not broken") {
+  TEST_CASE("text is wrapped at blanks, and a long word is not broken") {
     CHECK(wrapped("one two three", 2, 9) == "  one two\n  three");
     CHECK(wrapped("incompressibility", 0, 5) == "incompressibility");
     CHECK(wrapped("", 2, 9) == "  ");
@@ -29,7 +29,7 @@ TEST_SUITE("unit") {
     CHECK(markdown_table({{"a", "b"}, {"x|y", "1\n2"}}) == "| a | b |\n| --- | --- |\n| x\\|y | 1 2 |\n");
   }
 
-  TEST_CASE("numbers are shown with six digits") {
+  TEST_CASE("numbers are shown with at most six significant digits") {
     CHECK(six_digits(-0.00917469025591435) == "-0.00917469");
     CHECK(six_digits(2) == "2");
   }

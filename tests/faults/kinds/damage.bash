@@ -52,7 +52,7 @@ prepare() {
   done
 }
 
-# sets $reader and $promised to a random command and its exit codes, and $file to a random file that it reads
+# sets $reader and $promised to a random command and its exit codes, and $file to a random file that the command reads
 choose_file() {
   local files
   pick ${#readers[@]}
@@ -78,7 +78,7 @@ flip_bits() {
 }
 zeroes() { byte_at_random; pick 64; overwrite "$at" "$(printf '\\x00%.0s' $(seq $((picked + 1))))"; }
 twice() { cat "$file" >>"$file.2" && cat "$file" >>"$file.2" && mv "$file.2" "$file"; }
-digits() {  # replaces a number, mostly by an extreme one
+digits() {  # replaces a number by an extreme or invalid one
   choose 0 -1 9999999999 1e308 -1e-320 nan inf 4294967296 '"' '{' '' null; local value=$chosen
   pick "$(grep -cE '[0-9]' "$file")"
   sed -i -E "$((picked + 1))s/[0-9][0-9.e+-]*/$value/" "$file"

@@ -30,7 +30,7 @@ trial() {
   frames_are="cmp -s"
   [[ $range != auto ]] || frames_are=whole_png
   undisturbed "${methods[(number - 1) % ${#methods[@]}]}" "$range"
-  choose 0.0003 0.001 0.005 0.03; every=$chosen  # simulated time between checkpoints, s; each waits for the disk
+  choose 0.0003 0.001 0.005 0.03; every=$chosen  # simulated time between checkpoints, s
   choose 1 2; threads=$chosen
   pick 3; ((picked)) || older_run
   local again=(run "$scene" --method "${methods[(number - 1) % ${#methods[@]}]}" --range "$range" --threads "$threads"

@@ -1,4 +1,4 @@
-harm="standard output is full, closed or unread: exit code 4, no crash, and complete files"
+harm="standard output is full or closed: exit code 4; unread: no crash; in all cases complete files"
 
 works=(
   "list scenes" "list methods --json" "describe enog" "describe scene-file" "describe $scene" "completion bash" "--help"

@@ -1,4 +1,4 @@
-harm="the n-th write, rename, open, fsync ... fails or kills the program: exit code 2 or 4, nothing torn (needs strace)"
+harm="the n-th write, rename, open, fsync ... fails: exit code 0, 2 or 4; or kills the program: nothing torn (needs strace)"
 
 options=(--threads 1 --quiet --save-particles --fields speed)
 calls=(read pread64 write openat rename renameat2 fsync ftruncate mkdir unlink close lseek newfstatat getdents64 mmap fcntl)
