@@ -8,7 +8,7 @@ namespace taut::render {
 
 using Vector = std::array<double, 3>;
 
-/// Viewpoint in 3D. View coordinates are in the picture plane, relative to the scene's origin.
+/// Viewpoint in 3D. A View then lies in the picture plane, relative to the scene's origin.
 struct Camera {
   Vector from = {1, -2, 1};  // towards the camera, any length
   Vector up = {0, 0, 1};     // replaced by y or x if parallel to `from`

@@ -23,7 +23,7 @@ class Coloring {
   bool has_categories() const { return !range_; }
   /// The last colour is for NaN.
   std::vector<std::uint32_t> palette() const;
-  /// Whether the value is NaN, or out of range by over half a colour step.
+  /// Whether the value is NaN, or out of range by over half a colour step; never for categories.
   OffScale off_scale(double value) const;
   const ColorKey& key() const { return key_; }
 

@@ -24,7 +24,7 @@ class Cover {
 
   int width_, height_;  // samples
   int tile_columns_, tile_rows_;
-  std::vector<float> depth_;  // covered up to this z, pixels
+  std::vector<float> depth_;  // z in pixels; all below is hidden
   std::vector<float> tile_;   // least depth in each tile
 };
 

@@ -15,7 +15,7 @@ struct Dot {
 };
 
 /// Antialiased discs, the same pixels on every machine. A sample shows the disc with the nearest centre, measured in
-/// radii of the disc.
+/// radii of the disc; discs that cover the sample partly count as farther.
 class DiscPainter {
  public:
   /// Before the first `draw`, the plot must be filled with `background`, or transparent. Nothing else may draw into it.

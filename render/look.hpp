@@ -10,7 +10,7 @@
 
 namespace taut::render {
 
-/// Pixels.
+/// Sides of a picture, pixels.
 inline constexpr int least_size = 64;
 inline constexpr int greatest_size = 8192;
 
@@ -28,16 +28,16 @@ struct Size {
   bool operator==(const Size&) const = default;
 };
 
-/// Members without a value must be set before drawing.
+/// `view`, `size`, `range` and `colormap` must be set before drawing.
 struct Look {
   std::optional<View> view;
-  std::optional<Camera> camera{};      // 3D
-  std::optional<Range> range;          // values outside are clamped
-  const Colormap* colormap = nullptr;  // nullptr: to be set
-  double middle = 0;                   // centre of a diverging map
-  std::string unit{};                  // of values; determines the width of the bar's numbers
-  std::optional<Size> size = Size{};   // least_size to greatest_size
-  bool bare = false;                   // no texts
+  std::optional<Camera> camera{};  // 3D
+  std::optional<Range> range;      // values outside are clamped
+  const Colormap* colormap = nullptr;
+  double middle = 0;                  // value at the middle of a diverging map
+  std::string unit{};                 // of values; determines the width of the bar's numbers
+  std::optional<Size> size = Size{};  // least_size to greatest_size
+  bool bare = false;                  // no texts
   PageTexts texts{};
   NumberFormat bar_format{};
   double glyph = 1;        // drawn / true diameter

@@ -81,7 +81,7 @@ bool same_colors(const PanelBlock& a, const PanelBlock& b) {
          a.look.bar_format == b.look.bar_format;
 }
 
-/// Margins of a grid without cells; no texts if bare.
+/// Margins of a grid whose cells have no size yet; without room for texts if bare.
 Grid empty_grid(const PanelOptions& options, double em) {
   Grid grid;
   grid.em = em;

@@ -33,8 +33,8 @@ struct PanelOptions : PanelBlock {
 
 class Panel {
  public:
-  /// All looks must have a view, and a range or categories. Throws UsageError if the panel would be too large, or too
-  /// small for its pictures. Consecutive blocks with equal colours share a bar.
+  /// The looks must be complete except for the size. Throws UsageError if the panel would be too large, or too small for
+  /// its pictures. Consecutive blocks with equal colours share a bar or legend.
   explicit Panel(const PanelOptions& options);
   ~Panel();
 

@@ -24,8 +24,8 @@ class Renderer {
   /// Moves camera and view; `view` must have the size of the look's view.
   void look_from(const Camera& camera, const View& view);
 
-  /// The image is valid until the next call. Equal frames give equal bytes. Particles with a position or size that is
-  /// not finite are omitted.
+  /// The image is valid until the next call. Equal frames give equal bytes. Particles without a finite
+  /// position or a positive size are omitted.
   const Image& draw(const FrameView& frame);
   const OffScale& off_scale() const;
   /// Texts of drawn pictures that lack room.

@@ -42,7 +42,7 @@ Vector at(std::span<const double> of, std::size_t i) { return {of[3 * i], of[3 *
 
 double drawn_radius(double radius) {
   constexpr double full = 2.0;    // pixels; larger radii are kept
-  constexpr double filled = 1.0;  // pixels; smaller discs fill a square
+  constexpr double filled = 1.0;  // pixels; discs with smaller radii fill a square
   constexpr double rim = 0.25;    // half width, pixels
   const double small = std::clamp((full - radius) / (full - filled), 0.0, 1.0);
   return std::lerp(radius, std::numbers::sqrt2 * radius + rim, small);

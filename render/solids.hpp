@@ -24,8 +24,8 @@ class Solids {
                    std::span<const std::uint32_t> colors);
   /// Adds grid lines; particles in front hide them.
   void place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color);
-  /// Loose particles become balls. `places`: places of points among the colours; if `uniform`, the first point of a
-  /// triangle gives its place. In 3D, light varies smoothly except at edges. No `projection` in 2D.
+  /// Loose particles become balls. `places`: places of points among the colours; if `uniform`, a triangle has the place
+  /// of its first point. In 3D, light varies smoothly except at edges. No `projection` in 2D.
   void place_surface(const FrameView& frame, const Projection* projection, std::span<const float> places,
                      std::span<const std::uint32_t> colors, bool uniform);
   /// Places 2D cells.

@@ -6,7 +6,7 @@
 namespace taut::render {
 namespace {
 
-/// Axes in the plane, the first close to a coordinate axis.
+/// Axes in the plane; the first is a projected coordinate axis.
 std::pair<Vector, Vector> axes_on(const Vector& normal) {
   const auto least = std::ranges::min_element(normal, {}, [](double n) { return std::abs(n); });
   Vector axis{};

@@ -25,7 +25,7 @@ GlContext::GlContext(int width, int height)
   // threads share the environment
   static std::mutex one_at_a_time;
   const std::scoped_lock lock(one_at_a_time);
-  // see gl_context_egl.cpp
+  // a cache would write to the home folder
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_BGRA,

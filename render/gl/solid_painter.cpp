@@ -107,8 +107,8 @@ void main() {
 constexpr const char* resolve_vertex_shader = R"(#version 330 core
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); })";
 
-// Compares opposite points. Their mean depth equals the pixel's on a plane and is nearer in a hollow; half their
-// difference is the slope. Much farther points belong to other objects.
+// Compares opposite points. Their mean depth equals the pixel's on a plane and is nearer in a hollow; the slope is half
+// their difference per distance. Points of very different depths belong to other objects.
 constexpr const char* resolve_fragment_shader = "#version 330 core\n" TAUT_LIGHT R"(
 uniform sampler2D colors, depths;
 uniform ivec2 corner;    // of the picture's part, pixels
@@ -145,7 +145,7 @@ void main() {
     float b = (z - depth_at(place - far * way)) / far;
     float weight_a = clamp(2.0 - abs(a), 0.0, 1.0), weight_b = clamp(2.0 - abs(b), 0.0, 1.0);
     slope += 0.25 * (weight_a * a - weight_b * b) / max(weight_a + weight_b, 0.1) * way;
-    // distant occluders shade a pixel less than near ones
+    // occluders far in front of a pixel shade it less
     float shadow_a = clamp(a, -1.0, mix(0.5, 1.0, weight_a));
     float shadow_b = clamp(b, -1.0, mix(0.5, 1.0, weight_b));
     hollow += 0.125 * max(shadow_a + shadow_b, 0.0);

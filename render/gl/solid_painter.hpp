@@ -9,22 +9,21 @@
 namespace taut::render {
 
 struct Ball {
-  float x, y;  // from the plot's top left, y downwards
-  float z;     // towards the camera
+  float x, y;  // pixels from the plot's top left, y downwards
+  float z;     // pixels towards the camera
   float radius;
   std::uint32_t color;  // bytes R, G, B, 255
 };
 
 struct Corner {
-  float x, y, z;
+  float x, y, z;  // as in Ball
   std::uint32_t color;
 };
 
-/// In the coordinates of a Ball.
 struct SurfaceCorner {
-  float x, y, z;
-  float place;  // among the colours, 0 to 1; below −1000: NaN
-  float light;  // colour factor
+  float x, y, z;  // as in Ball
+  float place;    // among the colours, clamped to 0 to 1; below −1000: NaN
+  float light;    // colour factor
 };
 
 struct SolidParts {

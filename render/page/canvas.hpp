@@ -33,12 +33,12 @@ class Canvas {
   void end();
 
   cairo_t* cairo() { return cairo_.get(); }
-  /// 0 (white on dark, black on light) to 1 (background); opacities in transparent pictures.
+  /// 0 (white on dark, black on light) to 1 (background); in transparent pictures, 1 − opacity.
   void gray(double level);
   void color(Rgb color);
   void use(Weight weight, double size);
   void fill(double x, double y, double width, double height);
-  /// (x, y): baseline.
+  /// (x, y): left end, middle or right end of the baseline.
   void text(const std::string& text, double x, double y, Align align);
   /// (x, y): middle of the baseline.
   void turned_text(const std::string& text, double x, double y);

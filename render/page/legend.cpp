@@ -23,7 +23,7 @@ double length_of(std::string_view text) {
 
 }  // namespace
 
-/// If not all entries fit, the last line contains the number of omitted entries.
+/// Number of entries drawn. If not all fit, the last line counts the others.
 std::size_t Legend::shown(int height, double em) const {
   const auto lines =
       static_cast<std::size_t>(std::max((height - title_height * em) / (line_height * em), 1.0));
@@ -82,7 +82,7 @@ void Legend::draw_below(Canvas& canvas, const Rect& room, double em) const {
   write_line(rest(written));
 }
 
-/// Draws all entries in one line.
+/// Draws the entries that fit in one line.
 void Legend::draw_across(Canvas& canvas, const Rect& room, double em) const {
   const double middle = room.y + (title_height + 0.5 * line_height) * em, end = room.x + room.width;
   const auto width = [&](const std::string& text) { return canvas.width_of(text) + text_left * em; };

@@ -6,7 +6,7 @@
 namespace taut::render {
 namespace {
 
-// smaller pictures have no texts
+// smaller pictures have no texts unless a font is chosen
 constexpr int least_text_width = 240;
 constexpr int least_text_height = 120;
 constexpr double least_font = 9;

@@ -40,7 +40,7 @@ struct TextParts {
 /// Position of the colour bar or legend, relative to the plot.
 enum class BarPosition : std::uint8_t { right, left, bottom };
 
-/// Minimum width of the colour key beside the plot, and height of the one below it, em.
+/// Minimum width of a colour key beside the plot, and height of a key below it, em.
 inline constexpr double room_of_bar = 5.75, room_of_bar_below = 4.2;
 /// Height and width of axes below the plot, em.
 inline constexpr double room_of_axes = 5.2;

@@ -13,8 +13,8 @@ struct Scale {
   std::string unit;
 };
 
-/// Chooses an SI prefix with which `greatest` has at most three digits before the point. Units that take no prefix,
-/// such as 1/s, get a power of ten below 0.01 and from 1e4 on.
+/// Chooses an SI prefix, f to T (but no ks), with which `greatest` has at most three digits before the point.
+/// Units that take no prefix, such as 1/s, get a power of ten below 0.01 and from 1e4 on.
 Scale scale_for(double greatest, std::string_view unit);
 
 struct Tick {

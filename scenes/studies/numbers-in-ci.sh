@@ -1,5 +1,5 @@
 #!/bin/sh
-# A regression test for CI: checks period, amplitude and verdict of a scene.
+# A regression test for CI: checks period, amplitude, energy and verdict of a scene.
 #
 #     scenes/studies/numbers-in-ci.sh [OPTION OF taut run ...]
 #

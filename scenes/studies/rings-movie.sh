@@ -1,6 +1,6 @@
 #!/bin/sh
-# An image sequence and a movie of two colliding rubber rings, with a method that fractures and with one that does
-# not.
+# Image sequences of two colliding rubber rings, with a method that fractures and with one that does not, and movies of
+# the latter.
 #
 #     scenes/studies/rings-movie.sh [FOLDER [SPACING [FRAMES]]]
 #

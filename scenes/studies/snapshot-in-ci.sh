@@ -1,7 +1,7 @@
 #!/bin/sh
 # A snapshot test for CI: compares the pictures of a scene with a baseline.
 #
-#     scenes/studies/snapshot-in-ci.sh [BASELINE]
+#     scenes/studies/snapshot-in-ci.sh [BASELINE [OPTION OF taut run ...]]
 #
 # The first call creates the folder BASELINE (default: baselines/colliding-rings): inspect its pictures and commit
 # them (about 20 kB each). Later calls run the scene and compare. Exit code 0: alike; 1: different, the last lines
@@ -20,7 +20,7 @@ taut=${TAUT:-$(dirname "$0")/../../build/taut}
 baseline=${1:-baselines/colliding-rings}
 
 # A test should be fast and sensitive: few particles, a few small frames, a time of contact. Your own scene would be a
-# path, my-scene.toml. BASELINE can be followed by options of `taut run`.
+# path, my-scene.toml.
 [ $# -eq 0 ] || shift
 set -- colliding-rings --baseline "$baseline" --spacing 0.002 --until 0.006 --frames 4 --size 320x180 "$@"
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Convergence of velocity and stress of the swinging cube, [Lee2016] Fig. 6, with and without its boundary projection.
+# Convergence of velocity and stress of the swinging cube, [Lee2016] Fig. 6, with and without boundary projection.
 #
 #     scenes/studies/swinging-convergence.sh [FOLDER]     # about 5 minutes on 2 cores; can be stopped and resumed
 #

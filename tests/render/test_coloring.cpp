@@ -25,7 +25,7 @@ Image picture(const Particles& particles, const Look& with) { return Renderer(wi
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("a diverging map has its middle at its middle value, in any range that contains this value") {
+  TEST_CASE("a diverging map has its middle at its middle value if this value lies inside the range") {
     const Colormap& coolwarm = *find_colormap("coolwarm");
     struct Case {
       Range range;

@@ -13,11 +13,11 @@ using namespace taut::test;
 
 namespace {
 
-/// Bounding box of a colour, left of column `beyond`.
 struct Found {
   int left = 1 << 20, right = -1, top = 1 << 20, bottom = -1;
 };
 
+/// Bounding box of a colour, left of column `beyond`.
 Found find_color(const Image& image, Rgb color, int beyond) {
   Found found;
   for (int row = 0; row < image.height; ++row) {
@@ -70,7 +70,7 @@ TEST_SUITE("image") {
     CHECK(first.right - first.left == Approx(first.bottom - first.top).epsilon(0.05));
   }
 
-  TEST_CASE("every text of a panel is drawn, and the same panel has the same bytes") {
+  TEST_CASE("texts of a panel are drawn, and the same panel has the same bytes") {
     const auto drawn = [](const PanelOptions& options) { return Image(Panel(options).finish()); };
     const Image all = drawn(two_by_two());
     CHECK(same(all, drawn(two_by_two())));

@@ -46,7 +46,7 @@ Rect extent(const Image& image) {
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("an empty frame is white where there is no text") {
+  TEST_CASE("an empty frame in a picture too small for texts is white") {
     Renderer renderer(look(160, 100, unit_view));
     CHECK_FALSE(renderer.draw(one_disc(0, 0, 1, 0).frame()) == Image(160, 100));
     CHECK(renderer.draw(Particles().frame()) == Image(160, 100));
@@ -77,7 +77,8 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("categories have a colour each and a legend in place of the bar, wider for long names") {
+  TEST_CASE(
+      "categories have a colour each in the plot and in the legend, and a long legend fits the picture") {
     Look with = look(640, 360, unit_view);
     with.range.reset(), with.colormap = nullptr;
     with.categories = {"ring", "a plate with a very long name", "ball"};
@@ -201,7 +202,8 @@ TEST_SUITE("image") {
     CHECK(image == Image(160, 100));
   }
 
-  TEST_CASE("a renderer draws each frame as if it were the only one, whatever changes between frames") {
+  TEST_CASE(
+      "a renderer draws each frame as if it were the only one, after changes of texts, particles or cells") {
     const Particles rings = two_rings(), disc = one_disc(0.03, 0.01, 0.02, 1),
                     beyond = one_disc(0, 0, 0.02, 2);
     const std::vector<double> cell = {0.02, 0.01, -0.01, 0.02};
@@ -256,7 +258,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("axes have equal scales and the whole view is visible, whatever the shape of the picture") {
+  TEST_CASE("axes have equal scales and the whole view is visible in square, wide and high pictures") {
     const View wide = {0, 10, 0, 1};
     for (const auto& [width, height] : {std::pair{100, 100}, {200, 70}, {70, 200}}) {
       Particles corners;
@@ -287,7 +289,7 @@ TEST_SUITE("image") {
     CHECK(color_at(image, unit_view, 0, 0) == Rgb{255, 0, 255});
   }
 
-  TEST_CASE("particles without a finite position or a finite positive size are left out") {
+  TEST_CASE("particles without a finite position or a positive size are left out") {
     Particles particles;
     particles.add(NAN, 0, 0.4, 0.5);
     particles.add(0, INFINITY, 0.4, 0.5);
@@ -381,7 +383,7 @@ TEST_SUITE("image") {
     CHECK(changes([&] { frame.unit = "m"; }));
   }
 
-  TEST_CASE("texts of any length do not cover the particles or the time") {
+  TEST_CASE("long and empty texts do not cover the particles or the time") {
     const std::string longest(500, 'W');
     std::string letters;
     for (int i = 0; i < 100; ++i) letters += "ß→";

@@ -68,7 +68,7 @@ double hue_difference(Rgb color, Rgb base) {
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("a sphere is a disc of its size from any camera position, and keeps its hue") {
+  TEST_CASE("a sphere is a disc of its size from three camera positions, and keeps its hue") {
     const Rgb base = find_colormap("viridis")->table()[191];
     for (const Camera& camera : {along_y, Camera{}, Camera{.from = {0, 0, 5}}}) {
       Bodies one;
@@ -91,7 +91,8 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE("the nearer of two spheres is visible, whatever their order, and both where they intersect") {
+  TEST_CASE(
+      "the nearer of two spheres hides the other in any order, and intersecting spheres are both visible") {
     for (const bool swapped : {false, true}) {
       Bodies two;
       const auto add_near = [&] { two.add({0, -0.6, 0}, 0.8, 1); };

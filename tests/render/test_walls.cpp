@@ -165,7 +165,7 @@ TEST_SUITE("image") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("the grid on a wall lies on its face around the points, in whole cells from the wall's place") {
+  TEST_CASE("the grid on a wall lies on its face, in whole cells from the wall's place") {
     for (const Vector& normal : {Vector{0, 0, 1}, Vector{0, -1, 0}, Vector{0.6, 0, -0.8}, Vector{1, 0, 0}}) {
       const WallFace wall{{0.1, 0.2, 0.3}, normal};
       const std::vector<Vector> points{{1, 2, 3}, {1.4, 2.2, 3.3}};
@@ -185,11 +185,11 @@ TEST_SUITE("unit") {
   TEST_CASE("a lost point does not make an endless grid") {
     const WallFace wall{{0, 0, 0}, {0, 0, 1}};
     std::vector<Vector> points(100, Vector{1, 1, 1});
-    const std::size_t whole_ones = grid_on(wall, points, 0.1).size();
+    const std::size_t without_lost = grid_on(wall, points, 0.1).size();
     points.push_back({1e8, 0, 1});
     const auto lines = grid_on(wall, points, 0.1);
     CHECK(lines.size() <= 204);
-    CHECK(lines.size() > whole_ones);
+    CHECK(lines.size() > without_lost);
     const auto is_under = [](const auto& line) { return line.first[0] < 1 && line.second[0] > 1; };
     CHECK(std::ranges::any_of(lines, is_under));
     CHECK(grid_on(wall, {}, 0.1).empty());
