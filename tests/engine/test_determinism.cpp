@@ -79,7 +79,7 @@ TEST_SUITE("determinism") {
   }
 
   TEST_CASE("threads: a scene expression is evaluated by one thread at a time") {
-    // like scene-file expressions, whose parser has state
+    // the parser of scene-file expressions has state
     static std::atomic<int> asking, together;
     const auto alone = [](double value) {
       if (asking.fetch_add(1) > 0) ++together;
@@ -138,7 +138,7 @@ TEST_SUITE("determinism") {
   TEST_CASE("output: 1, 10 and 100 outputs give the same bytes and the same series") {
     for_each_run([](const Scene& scene, const std::string& method) {
       const auto once = make_simulation(scene, with_method(method));
-      // round-off in k/looks does not matter between two steps
+      // `until` lies between two steps, so round-off in the last time does not matter
       const double until = 0.5 * (state_after(steps - 1, scene, with_method(method)).time +
                                   state_after(steps, scene, with_method(method)).time);
       once->advance_to(until);
@@ -163,7 +163,7 @@ TEST_SUITE("determinism") {
     });
   }
 
-  TEST_CASE("stepping: dual and single stepping give different runs") {
+  TEST_CASE("stepping: dual and single stepping differ just for the methods that have cfl_advection") {
     for_each_run([](const Scene& scene, const std::string& method) {
       const Snapshot dual = state_after(steps, scene, with_method(method, Stepping::dual));
       const Snapshot single = state_after(steps, scene, with_method(method, Stepping::single));

@@ -85,7 +85,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("impulse contact: two particles closer than one spacing stop within one step") {
+  TEST_CASE("impulse contact: two particles stop within one step if they are closer than one spacing") {
     for (const char* method : {"og", "enog", "oenog"}) {
       CAPTURE(std::string(method));
       for (const double gap : {0.99, 1.4}) {
@@ -125,7 +125,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("contact: every law slows two bodies down and conserves their momentum if the method does") {
+  TEST_CASE("contact: every law slows a body down and conserves the momenta that the method conserves") {
     Scene scene = small_collision();
     for (const MethodInfo& method : methods()) {
       for (const ContactLaw law : method.contact_laws) {
@@ -245,7 +245,7 @@ TEST_SUITE("determinism") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("contact: separate bodies that do not touch do not act on each other") {
+  TEST_CASE("contact: bodies one spacing apart do not act on each other by penalty or surface contact") {
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
       Scene scene = small_collision();

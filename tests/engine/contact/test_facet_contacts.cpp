@@ -117,7 +117,7 @@ TEST_SUITE("analytic") {
     CHECK(length(blocks.between(0, 1) + force) < 1e-9 * force[0]);
   }
 
-  TEST_CASE("contact of faces: in 3D a step beside a body exerts no force if the two do not overlap") {
+  TEST_CASE("contact of faces: in 3D a step beside a body exerts no force on it before they overlap") {
     for (const double step : {1.0, 1.3, 2.0}) {
       CAPTURE(step);
       Scene scene = scene_of({Box{{0, 0, -4 * dp}, {12 * dp, 12 * dp, 0}},
@@ -219,7 +219,8 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact of faces: in 3D an oblique impact conserves both momenta and, undamped, the energy") {
+  TEST_CASE(
+      "contact of faces: in 3D an oblique impact conserves both momenta, and undamped oenog the energy") {
     Scene scene = small_solid_collision();
     scene.contact = ContactLaw::surface;
     for (const char* method : {"oenog", "tl", "pf-jst"}) {
@@ -247,7 +248,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact of faces: in 3D corners and edges that slip past each other gain no energy") {
+  TEST_CASE("contact of faces: in 3D a corner that slips past an edge or a corner gains no energy") {
     struct Pair {
       Point middle;
       Rotation upper, lower;

@@ -371,7 +371,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("measure: an unknown probe is a scene error with its place") {
+  TEST_CASE("measure: an unknown probe is a scene error that lists the probes") {
     for (const bool free : {false, true}) {
       Scene scene = scene_of("final_ratio");
       (free ? scene.measures[0].free : scene.measures[0].probes[0]) = "gpa";

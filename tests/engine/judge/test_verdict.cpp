@@ -80,7 +80,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "judge: a soft joint of two rows between stiff halves may stretch far, and a crack in it is found") {
+      "judge: a soft joint of two columns between stiff halves may stretch far, and a crack in it is found") {
     Scene scene = one_body(2);
     scene.materials.push_back({.name = "stiff", .density = 1, .youngs_modulus = 30, .poisson_ratio = 0});
     // stretches of bonds in the joint, beside it, and in the halves
@@ -173,7 +173,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("judge: the ends of a broken bond may be eight bonds apart, not nine") {
     const Scene scene = one_body(2);
-    for (const int bonds : {8, 9}) {  // of a straightened ring, without the breaking bond
+    for (const int bonds : {8, 9}) {  // of a straightened ring, without the broken bond
       const int n = bonds + 1;
       const double turn = 2 * 3.14159265358979 / n, radius = 0.5 * dp / std::sin(0.5 * turn);
       std::vector<Point> places;

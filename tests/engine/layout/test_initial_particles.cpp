@@ -71,7 +71,8 @@ TEST_SUITE("unit") {
     CHECK(clamped(rings) == 0);
   }
 
-  TEST_CASE("layout: particles of a ring are a spacing apart and half a spacing inside its faces") {
+  TEST_CASE(
+      "layout: layers of a ring begin half a spacing inside its faces, with particles at least 0.99 dp apart") {
     const InitialParticles rings = make_initial_particles(colliding_rings());
     double least = 1, innermost = 1, outermost = 0;
     for (int i = 0; i < rings.first[1]; ++i) {
@@ -143,7 +144,8 @@ TEST_SUITE("unit") {
     CHECK(make_initial_particles(one_body(2, 1, {right, left})).size() == 5 * 2);
   }
 
-  TEST_CASE("layout: the particles of boxes, balls and hollow balls in 3D have the volume of the shape") {
+  TEST_CASE(
+      "layout: the particles of boxes, balls and hollow balls in 3D have the volume of the shape within 1 %") {
     CHECK(make_initial_particles(one_body(3, 0.5, {Box{{0, 0, 0}, {1, 2, 3}}})).size() == 2 * 4 * 6);
     const double ball = 4.0 / 3 * std::numbers::pi;
     CHECK(volume(make_initial_particles(one_body(3, 0.05, {Disc{{0, 0, 0}, 1}}))) == relative(ball, 0.01));

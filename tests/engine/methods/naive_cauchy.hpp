@@ -375,7 +375,7 @@ class Run {
     return force;
   }
 
-  /// Eq. 53, 54, new velocities.
+  /// Eq. 53, 54 with the new velocities.
   void stop_approach() {
     std::vector<Vector> change;
     for (const Particle& a : particles) {

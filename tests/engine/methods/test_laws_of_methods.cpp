@@ -58,7 +58,7 @@ Mat<double, Dim> pressed_strain(double share) {
   return F;
 }
 
-/// Block with the initial gradient F and a displacement that varies by `off` spacings; `share`: `cofactor_share`.
+/// Block with the initial gradient F plus a smooth displacement up to `off` spacings; `share`: `cofactor_share`.
 template <int Dim>
 Scene strained_block(const Mat<double, Dim>& F, double off, double share = 0.4) {
   Scene scene;

@@ -132,7 +132,7 @@ TEST_SUITE("unit") {
     check_outline(scene, 2 * pi * 0.03, of_ring, 2e-3);
   }
 
-  TEST_CASE("shapes: outlines of ellipses and polygons have their length and area") {
+  TEST_CASE("shapes: outlines of ellipses, polygons and implicit shapes have their length and area") {
     const double dp = 0.0005, a = 0.02, b = 0.01;
     // Ramanujan's perimeter of an ellipse
     const double h = 3 * (a - b) * (a - b) / ((a + b) * (a + b));

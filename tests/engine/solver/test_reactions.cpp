@@ -235,7 +235,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact_force: the impulse of a wall is the momentum change of the rebounding body") {
+  TEST_CASE("contact_force: the force of a wall integrates to the recorded impulse of the walls") {
     for (const auto& [method, law] :
          std::vector<std::pair<std::string, ContactLaw>>{{"enog", ContactLaw::published},
                                                          {"oenog", ContactLaw::surface},
@@ -267,7 +267,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact_force: bodies that interact by their stress as one body are refused") {
+  TEST_CASE("contact_force: under sph d-ulsph-av-as refuses the probe, and enog accepts it") {
     Scene scene = small_collision();
     scene.contact = ContactLaw::sph;
     scene.probes = {component(Probe::Kind::contact_force, {0, 1}, 0)};
@@ -357,7 +357,8 @@ TEST_SUITE("unit") {
     });
   }
 
-  TEST_CASE("stress: a hanging block at rest has the weight below over the area, also at its clamp") {
+  TEST_CASE(
+      "stress: in a hanging block at rest it is the weight below divided by the area, also at the clamp") {
     Scene scene = hanging(2);
     scene.materials[0].poisson_ratio = 0;  // the clamp does not hinder contraction
     scene.damping = 2e4;
