@@ -80,11 +80,11 @@ TEST_SUITE("determinism") {
 
   TEST_CASE("threads: a scene expression is evaluated by one thread at a time") {
     // the parser of scene-file expressions has state
-    static std::atomic<int> asking, together;
+    static std::atomic<int> evaluations, overlaps;
     const auto alone = [](double value) {
-      if (asking.fetch_add(1) > 0) ++together;
-      for (int k = 0; k < 2000; ++k) asking.load();  // lets another thread interfere
-      asking.fetch_sub(1);
+      if (evaluations.fetch_add(1) > 0) ++overlaps;
+      for (int k = 0; k < 2000; ++k) evaluations.load();  // lets another thread interfere
+      evaluations.fetch_sub(1);
       return value;
     };
     for (Scene scene : {small_clamped_plate(), small_clamped_block()}) {
@@ -100,9 +100,9 @@ TEST_SUITE("determinism") {
         CAPTURE(method.name);
         Settings settings = with_method(std::string(method.name));
         settings.threads = 4;
-        together = 0;
+        overlaps = 0;
         make_simulation(scene, settings);
-        CHECK(together.load() == 0);
+        CHECK(overlaps.load() == 0);
       }
     }
   }

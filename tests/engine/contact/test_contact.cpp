@@ -193,17 +193,17 @@ TEST_SUITE("unit") {
            {std::pair{"pf", 1e-9}, {"pf-jst", 1e-9}, {"pfj-jst", 0.15}, {"pfhj-jst", 0.15}}) {
         CAPTURE(dim);
         CAPTURE(method);
-        Scene met = scene;
-        met.dim = dim;
-        met.contact = ContactLaw::impulse;
-        for (Body& body : met.bodies) {
+        Scene variant = scene;
+        variant.dim = dim;
+        variant.contact = ContactLaw::impulse;
+        for (Body& body : variant.bodies) {
           const Box& box = *body.shapes[0].as<Box>();
           body.shapes[0] = Box{box.low, {box.high[0], box.high[1], dim == 3 ? 3 * dp : 0}};
         }
-        const Snapshot now = state_after(30, met, with_method(method));
+        const Snapshot now = state_after(30, variant, with_method(method));
         const auto n = static_cast<std::size_t>(dim);
         for (std::size_t k = 0; k < n; ++k)
-          for (Body& body : met.bodies)
+          for (Body& body : variant.bodies)
             body.displacement[k] = [&now, n, k](const Point& X) {
               for (std::size_t i = 0; i < now.size(); ++i) {
                 const Point at = now.initial(i);
@@ -212,7 +212,7 @@ TEST_SUITE("unit") {
               }
               return 0.0;
             };
-        const Snapshot same = make_simulation(met, with_method(method))->snapshot();
+        const Snapshot same = make_simulation(variant, with_method(method))->snapshot();
         double most = 0, off = 0;
         for (std::size_t i = 0; i < now.size(); ++i) {
           const double rho0 = ring_rubber().density;

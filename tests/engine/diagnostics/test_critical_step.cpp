@@ -139,9 +139,9 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("critical step: the search can be stopped, and may find no stable or no unstable step") {
-    int asked = 0;
+    int reports = 0;
     const CriticalStep stopped =
-        find_critical_step(square(), with_h(1, 1), quick, [&](const CriticalStep&) { return ++asked < 3; });
+        find_critical_step(square(), with_h(1, 1), quick, [&](const CriticalStep&) { return ++reports < 3; });
     CHECK(stopped.interrupted);
     CHECK(!stopped.stable);
     Settings settings = with_h(1, 1);

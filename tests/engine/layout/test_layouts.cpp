@@ -179,7 +179,7 @@ TEST_SUITE("unit") {
             for (int b = 0; b < 3; ++b) second[a][b] += layout.V0[i] * layout.x[i][a] * layout.x[i][b];
         }
         CHECK(total == relative(volume));
-        // with planes of symmetry the rule holds for the body with its image
+        // with planes of symmetry the moments are exact for the body with its image
         for (int a = planes > 0 ? 1 : 0; a < 3; ++a) {
           CHECK(first[a] == relative(volume * side[a] / 2));
           for (int b = planes > 0 ? 1 : 0; b < 3; ++b) {

@@ -103,9 +103,9 @@ TEST_SUITE("unit") {
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
       const Snapshot now = state_after(15, scene, with_method(std::string(method.name)));
-      Scene laid = scene;
-      laid.element_order = method.formulation.element_order;
-      const InitialParticles layout = make_initial_particles(laid);
+      Scene meshed = scene;
+      meshed.element_order = method.formulation.element_order;
+      const InitialParticles layout = make_initial_particles(meshed);
       long constrained = 0;
       for (std::size_t i = 0; i < now.size(); ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
