@@ -97,7 +97,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("momenta: just the methods that claim it conserve the angular momentum of a rotating plate") {
+  TEST_CASE("momenta: exactly the methods that claim it conserve the angular momentum of a rotating plate") {
     const Scene scene = rotating_plate(0.2);
     for (const MethodInfo& method : methods()) {
       const std::string name(method.name);
@@ -162,7 +162,7 @@ TEST_SUITE("conservation") {
         stress = std::max({stress, std::abs(now.p[i]), std::abs(now.s[4 * i]), std::abs(now.s[4 * i + 1])});
       }
       CHECK(now.x[0] - now.x0[0] > scene.spacing);
-      // the error of strains from positions is the round-off of x divided by the spacing
+      // strains from positions: round-off of x divided by the spacing
       const double bound = keeps_neighbors(method) ? 100 * round_off : round_off;
       CHECK(change < bound * speed);
       CHECK(stress < bound * scene.materials[0].youngs_modulus);

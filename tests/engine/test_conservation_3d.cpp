@@ -108,7 +108,7 @@ TEST_SUITE("conservation") {
           stress = std::max(stress, std::abs(each));
       }
       CHECK(now.x[0] - now.x0[0] > scene.spacing);
-      // the error of strains from positions is the round-off of x divided by the spacing
+      // strains from positions: round-off of x divided by the spacing
       const double bound = keeps_neighbors(method) ? 100 * round_off : round_off;
       CHECK(change_of_v < bound * speed);
       CHECK(stress < bound * scene.materials[0].youngs_modulus);

@@ -138,7 +138,7 @@ TEST_SUITE("determinism") {
   TEST_CASE("output: 1, 10 and 100 outputs give the same bytes and the same series") {
     for_each_run([](const Scene& scene, const std::string& method) {
       const auto once = make_simulation(scene, with_method(method));
-      // `until` lies between two steps, so round-off in the last time does not matter
+      // `until` is between two steps, so round-off does not matter
       const double until = 0.5 * (state_after(steps - 1, scene, with_method(method)).time +
                                   state_after(steps, scene, with_method(method)).time);
       once->advance_to(until);
@@ -163,7 +163,7 @@ TEST_SUITE("determinism") {
     });
   }
 
-  TEST_CASE("stepping: dual and single stepping differ just for the methods that have cfl_advection") {
+  TEST_CASE("stepping: dual and single stepping differ exactly for the methods that have cfl_advection") {
     for_each_run([](const Scene& scene, const std::string& method) {
       const Snapshot dual = state_after(steps, scene, with_method(method, Stepping::dual));
       const Snapshot single = state_after(steps, scene, with_method(method, Stepping::single));

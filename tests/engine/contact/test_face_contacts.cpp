@@ -73,7 +73,7 @@ void check_energy_stays(const Scene& scene) {
   CHECK(met);
 }
 
-/// Perturbs the bodies. Checks that the forces balance, and that each is −∂E/∂x within `within` times the greatest.
+/// Perturbs the bodies. Checks that forces balance and are −∂E/∂x within `within` times the greatest force.
 void check_slopes(Pressed<2>& bodies, double within) {
   for (int i = 0; i < bodies.s.size(); ++i)
     bodies.s.x[i] += 0.03 * dp *
@@ -222,7 +222,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("contact of faces: two blocks press each other by k times their overlap, corners included") {
+  TEST_CASE("contact of faces: the force between two blocks is k times their overlap, corners included") {
     const double depth = 0.1 * dp, length = 6 * dp, k = modulus() / (2 * dp);
     Pressed<2> blocks(scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}, Box{{0, 0, 0}, {0.008, 0.006, 0}}}));
     blocks.shift(1, {-depth, 0});

@@ -101,7 +101,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("contact of faces: in 3D two blocks press each other by k times their overlap") {
+  TEST_CASE("contact of faces: in 3D the force between two blocks is nearly k times their overlap") {
     const double depth = 0.1 * dp, area = 64 * dp * dp, k = modulus() / (2 * dp);
     Pressed<3> blocks(
         scene_of({Box{{-0.006, 0, 0}, {0, 0.008, 0.008}}, Box{{0, 0, 0}, {0.006, 0.008, 0.008}}}));
@@ -130,7 +130,8 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("contact of faces: in 3D a wall presses by k times twice the depth and records its impulse") {
+  TEST_CASE(
+      "contact of faces: in 3D the force of a wall is k times twice the depth, and its impulse is recorded") {
     const double depth = 0.1 * dp, area = 36 * dp * dp, k = modulus() / (2 * dp);
     Scene scene = scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0.006}}});
     scene.walls = {{"wall", {0, 0, 0}, {-1, 0, 0}}};

@@ -220,7 +220,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "checkerboards: a pure checkerboard gives 1, and one ε times a smooth background ε/√(1 + ε²), in any unit") {
+      "checkerboards: a relative amplitude ε on a smooth field gives ε/√(1 + ε²), and 1 without the field") {
     const double dp = 0.02;
     const Sample body = lattice(50, 50, dp);
     const ScalarField smooth = [](const Point& X) {
@@ -270,7 +270,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "von Mises checkerboard: the kink at a neutral line gives 0, and shear that only alternates in sign 1") {
+      "von Mises checkerboard: the kink at a neutral line gives 0, and shear that only alternates in sign gives 1") {
     const Sample body = lattice(40, 10, 0.1);
     const auto of_shear = [&](const ScalarField& shear) {
       Snapshot now = body.start;
@@ -382,7 +382,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("og zigzags and enog does not [Zhang2024] Figs. 12, 13") {
+  TEST_CASE("og zigzags and enog does not, [Zhang2024] Figs. 12, 13") {
     const Scene scene = test::colliding_rings(0.06, 0.002);
     const auto at_three = [&](const char* method) {
       const auto simulation = make_simulation(scene, test::with_method(method));

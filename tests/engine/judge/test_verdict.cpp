@@ -266,7 +266,7 @@ TEST_SUITE("unit") {
     CHECK(judge.verdict() == Verdict::fractured);
   }
 
-  TEST_CASE("judge: bonds belong to the undisplaced layout, whatever the initial displacement") {
+  TEST_CASE("judge: bonds belong to the undisplaced layout") {
     const Scene scene = one_body(2);
     for (const bool cut : {false, true}) {
       Snapshot now = lattice(2, 10, 10);
@@ -332,7 +332,7 @@ TEST_SUITE("unit") {
     CHECK(judge.verdict() == Verdict::stable);
   }
 
-  TEST_CASE("judge: a body of two parts may part further, but not break into three") {
+  TEST_CASE("judge: two parts of a body may move further apart, but a third part is a fracture") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 9, 2);
     part(now, 5.5 * dp, 3 * dp);

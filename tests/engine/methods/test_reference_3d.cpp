@@ -22,7 +22,7 @@ using namespace taut::test;
 namespace {
 
 constexpr int steps = 40;
-/// Tolerance for the methods of [Zhang2024], whose pair cache has single precision.
+/// Tolerance: the pair cache of [Zhang2024] has single precision.
 constexpr double single_precision = 3e-7;
 
 void check_ulsph(const Scene& scene, const std::string& name, Stepping stepping) {

@@ -120,7 +120,7 @@ std::vector<FaceShare> shares_of(FaceRule rule, const Scene& scene, const Load& 
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "face loads: force and moment equal the integrals over the face, by columns for a linear traction") {
+      "face loads: columns give force and moment of a linear traction, the uniform rule of a uniform one") {
     const Scene scene = pulled_block(
         10, 0.03, [](double y) { return 3 + 200 * y; }, 1);
     const InitialParticles initial = make_initial_particles(scene);

@@ -42,7 +42,7 @@ Load load(Load::Kind kind, double x, double y) {
   return load;
 }
 
-/// Clamped at its left end, pulled at the other end with up to `force` along x and a fifth of it along y.
+/// Clamped at its left end, pulled with up to `force`.
 Scene pulled_bar(double force) {
   Scene scene = bar();
   Body& body = scene.bodies[0];
