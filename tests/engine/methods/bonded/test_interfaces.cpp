@@ -56,7 +56,7 @@ double force_left(const Scene& scene, double traction) {
 }
 
 /// Lowest longitudinal frequency of the free bar in Hz, with transverse inertia ([Love] §278), in plane strain:
-/// (M − ρ ω² (ν r)²) u″ + ρ ω² u = 0, r² = H²/12.
+/// (M − ρ ω² (ν′ r)²) u″ + ρ ω² u = 0, ν′ = ν/(1 − ν), r² = H²/12.
 double lowest_frequency(double ratio) {
   struct Wave {
     double k, Z;  // 1/m; traction over velocity
