@@ -243,7 +243,7 @@ class Run {
     return acceleration;
   }
 
-  /// Eq. 45, with u.
+  /// Eq. 45 with u, not û.
   std::vector<Matrix> plain_velocity_gradients(const std::vector<Matrix>& L) const {
     std::vector<Matrix> grad(n(), Matrix::Zero());
     for (std::size_t i = 0; i < n(); ++i)

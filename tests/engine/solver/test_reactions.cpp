@@ -59,7 +59,7 @@ double momentum(const Snapshot& now) {  // along y
   return sum;
 }
 
-double summed(const Series& series, std::size_t probe) {
+double integral(const Series& series, std::size_t probe) {
   double sum = 0;
   for (std::size_t k = 1; k < series.time.size(); ++k)
     sum += series.value[probe][k] * (series.time[k] - series.time[k - 1]);
@@ -211,7 +211,7 @@ TEST_SUITE("conservation") {
         }
         const double gained = mass * (series.value[2].back() - series.value[2].front());
         CHECK(gained < 0);
-        CHECK(summed(series, 0) == relative(gained, 1e-9));
+        CHECK(integral(series, 0) == relative(gained, 1e-9));
       }
     }
   }
@@ -231,7 +231,7 @@ TEST_SUITE("conservation") {
       CAPTURE(k);
       const double gained = mass * (series.value[2 + k].back() - series.value[2 + k].front());
       CHECK(std::abs(gained) > 0.1 * mass * 8 * (k == 0 ? 1 : 0.1));
-      CHECK(summed(series, k) == relative(gained, 1e-9));
+      CHECK(integral(series, k) == relative(gained, 1e-9));
     }
   }
 
@@ -262,8 +262,8 @@ TEST_SUITE("conservation") {
       simulation->advance_to(5e-4);
       const Snapshot& now = simulation->snapshot();
       CHECK(now.of_walls.linear[0] < -0.5 * mass_of(now, 0) * speed);
-      CHECK(summed(simulation->series(), 0) == relative(now.of_walls.linear[0], 1e-9));
-      CHECK(summed(simulation->series(), 1) == 0);
+      CHECK(integral(simulation->series(), 0) == relative(now.of_walls.linear[0], 1e-9));
+      CHECK(integral(simulation->series(), 1) == 0);
     }
   }
 
