@@ -104,7 +104,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "judge: rows bent to a radius of one spacing exceed the threshold, rows bent to two spacings do not") {
+      "judge: rows bent to a radius of one spacing exceed the hourglass threshold, rows bent to two do not") {
     const Scene scene = one_body(2);
     const auto reading = [&](int rows, double radius) {
       const Snapshot start = lattice(2, 40, rows);

@@ -266,7 +266,7 @@ TEST_SUITE("analytic") {
       CHECK(stress_when_turned(LawOf<Law::linear_elastic>{{1, 1}}, angle) > 0.1);
     }
   }
-  TEST_CASE("total Lagrangian: a plate rotating by 180 degrees is strained by its inertia only") {
+  TEST_CASE("total Lagrangian: a plate rotating by 180 degrees is stressed by its inertia only") {
     for (const std::string method : {"tl", "icb", "pf-jst", "pfj-jst"}) {
       CAPTURE(method);
       const double stress = stress_of_turning(method, 3.1);

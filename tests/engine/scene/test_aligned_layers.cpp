@@ -31,7 +31,7 @@ double volume_of(const std::vector<InitialSite>& sites) {
 
 struct Faces {
   double area = 0, outwards = 0;  // outwards: ∫ outward distance from site to patch dA
-  double aside = 0;               // greatest tangential distance of site and patch
+  double aside = 0;               // greatest tangential distance from site to patch
   Point sum{};
   explicit Faces(const FacePatches& faces, const std::vector<InitialSite>& sites) {
     for (const FacePatches::Patch& patch : faces.patches) {
