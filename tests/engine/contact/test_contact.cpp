@@ -174,7 +174,8 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("impulse contact: densities of the mixed methods agree with the corrected positions") {
+  TEST_CASE(
+      "impulse contact: densities of mixed methods fit the corrected positions, with pfj-jst and pfhj-jst within 15 %") {
     Scene scene;
     scene.name = "blocks";
     scene.spacing = dp;

@@ -393,7 +393,8 @@ TEST_SUITE("failure") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("contact of faces: a pressed or bent body has no self-contact, a rolled-up body has") {
+  TEST_CASE(
+      "contact of faces: the middle of a pressed or bent body has no self-contact, a rolled-up body has") {
     constexpr double inside = 0.008;
     CHECK(touching_after<2>([](const V& x) { return V{x[0], 0.5 * x[1]}; }, dp, inside) == 0);
     CHECK(touching_after<2>([](const V& x) { return bent(x, 0.012); }, dp, inside) == 0);

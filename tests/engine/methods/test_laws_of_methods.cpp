@@ -166,7 +166,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("laws: forces of tl and oenog are minus the slopes of their energies under every law") {
+  TEST_CASE("laws: under every law the work of the forces of tl and oenog is the loss of their energies") {
     for (const Law law : choices) {
       for (const std::string method : {"tl", "oenog"}) {
         CAPTURE(law_row(law).choice);

@@ -184,7 +184,7 @@ TEST_SUITE("unit") {
     CHECK(quarter(90) == quarter(0));
   }
 
-  TEST_CASE("shapes: ellipses and polygons mirrored about their centres are mirror images to the last bit") {
+  TEST_CASE("shapes: mirrored ellipses and polygons are images of unmirrored ones to the last bit") {
     for (const double side : {-1.0, 1.0}) {
       const Point centre{side * 0.0313, 0.002, 0};
       const Shape shapes[] = {Ellipse{centre, {0.02, 0.01, 1}}, Polygon({star(0.02, 0.009)}, centre)};
