@@ -84,8 +84,7 @@ TEST_SUITE("conservation") {
         CHECK(turn < round_off);
       else
         CHECK(turn > 1e-4);
-      // shear forces of enog do not rotate, ccb does not damp tension, pf does not damp zigzags; contact and
-      // time step cause errors below 0.001
+      // shear forces of enog do not rotate, ccb does not damp tension, pf does not damp zigzags
       if (method.name != "enog" && method.name != "ccb" && method.name != "pf")
         CHECK(after.kinetic + after.strain < 1.001 * before.kinetic);
     }

@@ -151,7 +151,6 @@ TEST_SUITE("analytic") {
       CAPTURE(depth);
       Pressed<3> balls = two_balls(depth);
       const V force = balls.force_on(1);
-      // the error of the gap is of third order in spacing over radius
       CHECK(std::abs(balls.gap() + depth) < 0.02 * dp);
       const double away = force[0] * direction[0] + force[1] * direction[1] + force[2] * direction[2];
       if (depth < 0)

@@ -209,7 +209,7 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("natural frequencies: the spectrum of colliding bodies shows their frequencies") {
     const Scene scene = drop();
-    // the first mode is 4 % low due to method, amplitude, resolution and duration
+    // the first mode is 4 % low
     const auto simulation = make_simulation(scene, with_method("pf-jst"));
     simulation->advance_to(scene.until);
     const std::vector<MeasureResult> found = measure(scene, simulation->series(), "neo_hookean");

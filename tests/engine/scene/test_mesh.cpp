@@ -30,7 +30,7 @@ bool is_in_cube(const Point& x, double low, double beyond) {
   return in;
 }
 
-/// Calls `check` for lattice points, many of them exactly on faces, edges and diagonals.
+/// Many points lie exactly on faces, edges and diagonals.
 template <class Check>
 void at_lattice(const Check& check) {
   for (int i = -2; i <= 14; ++i)

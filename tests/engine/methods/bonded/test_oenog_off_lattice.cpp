@@ -194,7 +194,6 @@ TEST_SUITE("analytic") {
     const double lattice = half_period(plate, 0.15);
     constexpr double exact = 0.25522 / 2;
     CHECK(lattice == relative(exact, 0.003));
-    // particles within round-off of a lattice must not be balanced like layers
     for (const double share : {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-7, 1e-5, 1e-3}) {
       CAPTURE(share);
       const double period = half_period(jittered(plate, share), 0.2);
