@@ -67,8 +67,7 @@ const std::map<std::string, double> least_angular_change = {
     {"tl-small-strain", 0.002},
 };
 
-/// ccb does not damp tension, pf does not damp zigzags; tl-small-strain and the contact of fe2 have errors of the
-/// step.
+/// ccb does not damp tension, pf does not damp zigzags; tl-small-strain and the contact of fe2 have time step errors.
 double greatest_energy_gain(std::string_view method) {
   if (method == "fe2") return 0.02;
   if (method == "ccb") return 0.2;
@@ -98,7 +97,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("momenta: each method conserves exactly the claimed momenta of a rotating plate") {
+  TEST_CASE("momenta: exactly the methods that claim it conserve the angular momentum of a rotating plate") {
     const Scene scene = rotating_plate(0.2);
     for (const MethodInfo& method : methods()) {
       const std::string name(method.name);
@@ -163,14 +162,14 @@ TEST_SUITE("conservation") {
         stress = std::max({stress, std::abs(now.p[i]), std::abs(now.s[4 * i]), std::abs(now.s[4 * i + 1])});
       }
       CHECK(now.x[0] - now.x0[0] > scene.spacing);
-      // strains from positions have the round-off of x over the spacing
+      // strains from positions: round-off of x divided by the spacing
       const double bound = keeps_neighbors(method) ? 100 * round_off : round_off;
       CHECK(change < bound * speed);
       CHECK(stress < bound * scene.materials[0].youngs_modulus);
     }
   }
 
-  TEST_CASE("mass: every particle keeps its mass") {
+  TEST_CASE("mass: snapshots keep the mass and initial position of every particle") {
     const Scene scene = small_collision();
     const auto simulation = make_simulation(scene, with_method("enog"));
     const Snapshot start = simulation->snapshot();

@@ -84,8 +84,7 @@ TEST_SUITE("conservation") {
         CHECK(turn < round_off);
       else
         CHECK(turn > 1e-4);
-      // shear forces of enog do not rotate, ccb does not damp tension, pf does not damp zigzags; penalty contact and
-      // step cause errors below 0.001
+      // shear forces of enog do not rotate, ccb does not damp tension, pf does not damp zigzags
       if (method.name != "enog" && method.name != "ccb" && method.name != "pf")
         CHECK(after.kinetic + after.strain < 1.001 * before.kinetic);
     }
@@ -108,7 +107,7 @@ TEST_SUITE("conservation") {
           stress = std::max(stress, std::abs(each));
       }
       CHECK(now.x[0] - now.x0[0] > scene.spacing);
-      // strains from positions have the round-off of x over the spacing
+      // strains from positions: round-off of x divided by the spacing
       const double bound = keeps_neighbors(method) ? 100 * round_off : round_off;
       CHECK(change_of_v < bound * speed);
       CHECK(stress < bound * scene.materials[0].youngs_modulus);

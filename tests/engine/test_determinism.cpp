@@ -79,12 +79,12 @@ TEST_SUITE("determinism") {
   }
 
   TEST_CASE("threads: a scene expression is evaluated by one thread at a time") {
-    // like scene-file expressions, whose parser has state
-    static std::atomic<int> asking, together;
+    // the parser of scene-file expressions has state
+    static std::atomic<int> evaluations, overlaps;
     const auto alone = [](double value) {
-      if (asking.fetch_add(1) > 0) ++together;
-      for (int k = 0; k < 2000; ++k) asking.load();  // lets another thread interfere
-      asking.fetch_sub(1);
+      if (evaluations.fetch_add(1) > 0) ++overlaps;
+      for (int k = 0; k < 2000; ++k) evaluations.load();  // lets another thread interfere
+      evaluations.fetch_sub(1);
       return value;
     };
     for (Scene scene : {small_clamped_plate(), small_clamped_block()}) {
@@ -100,9 +100,9 @@ TEST_SUITE("determinism") {
         CAPTURE(method.name);
         Settings settings = with_method(std::string(method.name));
         settings.threads = 4;
-        together = 0;
+        overlaps = 0;
         make_simulation(scene, settings);
-        CHECK(together.load() == 0);
+        CHECK(overlaps.load() == 0);
       }
     }
   }
@@ -138,7 +138,7 @@ TEST_SUITE("determinism") {
   TEST_CASE("output: 1, 10 and 100 outputs give the same bytes and the same series") {
     for_each_run([](const Scene& scene, const std::string& method) {
       const auto once = make_simulation(scene, with_method(method));
-      // round-off in k/looks does not matter between two steps
+      // `until` is between two steps, so round-off does not matter
       const double until = 0.5 * (state_after(steps - 1, scene, with_method(method)).time +
                                   state_after(steps, scene, with_method(method)).time);
       once->advance_to(until);
@@ -163,7 +163,7 @@ TEST_SUITE("determinism") {
     });
   }
 
-  TEST_CASE("stepping: dual and single stepping give different runs") {
+  TEST_CASE("stepping: dual and single stepping differ exactly for the methods that have cfl_advection") {
     for_each_run([](const Scene& scene, const std::string& method) {
       const Snapshot dual = state_after(steps, scene, with_method(method, Stepping::dual));
       const Snapshot single = state_after(steps, scene, with_method(method, Stepping::single));

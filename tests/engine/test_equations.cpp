@@ -136,7 +136,7 @@ TEST_SUITE("unit") {
     CHECK(std::regex_search("TEST_CASE(\n  \"a; b\")", named));
   }
 
-  TEST_CASE("equations: a missing function or test is found") {
+  TEST_CASE("equations: a missing function or test is detected") {
     CHECK(declares("double f(double x) {", "f"));
     CHECK_FALSE(declares("/// see f(x) of another\ndouble g(double x) {", "f"));
     CHECK_FALSE(declares("double fall(double x) {", "f"));

@@ -67,7 +67,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(usage_error(with_method("")).empty());
   }
 
-  TEST_CASE("constants: the message for an unknown constant contains its name and the known constants") {
+  TEST_CASE("constants: the message for an unknown constant contains its name and a known constant") {
     Settings settings = with_method("enog");
     settings.constants = {{"zeal", 1}};
     CHECK(contains(usage_error(settings), "'zeal'"));
@@ -126,7 +126,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("settings: a law that a method lacks is refused, and the message lists the available laws") {
+  TEST_CASE("settings: a law that a method lacks is refused with a reason") {
     const Scene scene = small_collision();
     const auto message = [&](const char* method, const char* law) -> std::string {
       Settings settings = with_method(method);
@@ -151,7 +151,7 @@ TEST_SUITE("unit") {
     CHECK(material_law(*find_method("og"), with_method("og")) == "2d_deviator");
   }
 
-  TEST_CASE("settings: the step follows the CFL number") {
+  TEST_CASE("settings: the step is proportional to the CFL number") {
     const Scene scene = small_collision();
     Settings settings = with_method("enog");
     const double usual = state_after(1, scene, settings).time;
@@ -175,7 +175,7 @@ TEST_SUITE("unit") {
     for (const char* method : {"og", "enog", "d-ulsph-r-tic", "ccb"}) {
       CAPTURE(std::string(method));
       for (const double nu : {0.2, 0.3, 0.49}) CHECK(step(method, nu) == relative(1, 1e-14));
-      // √(K + ζG) relative to ν = 0, or 0.2 for enog; G/K is ¾, 3/2 and 6 at ν = 0.2, 0 and −0.5
+      // √(1 + ζG/K) relative to ν = 0, or 0.2 for enog; G/K is ¾, 3/2 and 6 at ν = 0.2, 0 and −0.5
       const bool enog = std::string(method) == "enog";
       const double zeta = enog ? 3.5 : 4.0 / 3, known = 1 + (enog ? 0.75 : 1.5) * zeta;
       CHECK(step(method, 0) == relative(std::sqrt(known / (1 + 1.5 * zeta)), 1e-9));
@@ -205,7 +205,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("scene: a second, different material is refused, and the message names its body") {
+  TEST_CASE("scene: enog refuses a second, different material, and the message names its body") {
     Scene scene = small_collision();
     scene.materials.push_back(scene.materials[0]);
     scene.bodies[1].material = 1;

@@ -89,7 +89,7 @@ TEST_SUITE("failure") {
   }
 
   TEST_CASE(
-      "free body: uncorrected gradients and the plain Laplacian resist a rotation, other methods do not") {
+      "free body: uncorrected gradients and the plain Laplacian resist a rotation, nine other methods do not") {
     const double rate = 0.01, until = 2;
     Scene scene = free_square(10);
     scene.bodies[0].velocity = {[=](const Point& x) { return -rate * x[1]; },

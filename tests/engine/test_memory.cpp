@@ -20,7 +20,7 @@ double in_use() {
   return static_cast<double>(now.uordblks) + static_cast<double>(now.hblkhd);
 }
 
-/// Memory in kB per particle, with snapshot and indicators, on layers without equal neighbourhoods.
+/// Memory in kB per particle, with snapshot and indicators, on curved layers, where neighbourhoods differ.
 double kilobytes_each(const std::string& method) {
   const Scene scene = colliding_rings(/*v0*/ 0.06, /*dp*/ 0.0005);
   const double before = in_use();
@@ -35,7 +35,7 @@ double kilobytes_each(const std::string& method) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("memory: a particle in 2D takes no more than its known size") {
+  TEST_CASE("memory: six methods take less than their known size per particle in 2D") {
     if (in_use() == 0) return;  // a sanitizer replaces the heap
     const std::pair<std::string, double> known[] = {
         {"tl", 0.88},   {"pf-jst", 1.19},        {"oenog", 2.25},

@@ -56,7 +56,7 @@ template <bool WithEnergy, int Dim, class Storage>
 inline constexpr TermInfo bonded_damping_info{
     "damping", "f_i = Σ_j k_ij τ q̇_ij (x_j − x_i), q = ½ (λ² − 1), τ = damping dp √(ρ0/G)", "ours",
     "methods/bonded/bond_sums.hpp:bond_sums",
-    "oenog: damping removes a zigzag and leaves the first mode unchanged"};
+    "oenog: damping removes a zigzag and leaves the first mode nearly unchanged"};
 
 /// Adds the stress force Σ_j (Q_i + Q_j) a_ij, N.
 template <int Dim, class Storage>

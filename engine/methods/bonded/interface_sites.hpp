@@ -275,6 +275,6 @@ void InterfaceSites<Dim>::pass(const Column& x, const Law& law, int threads, Col
 inline constexpr TermInfo interface_info{
     "interface", "E_i = V_i [(1 − θ) W_own(F_own) + θ W_other(F_other)] − …, F_own − F_other = b ⊗ N", "ours",
     "methods/bonded/interface_sites.hpp:stress",
-    "oenog: layers of two materials under one stress leave no force where they meet"};
+    "oenog: layers of two materials leave no force where they meet"};
 
 }  // namespace taut

@@ -135,7 +135,7 @@ inline constexpr TermInfo element_strain_info{
     "deformation gradient",
     "F̄ = (J̄/J)^(1/d) (1 + Σ_a u_a ∂N_a/∂X), J̄: mean of J in the element; fe2: linear fit of J",
     "[Simo1985]; here d = 2 in 2D", "methods/finite_elements/element.hpp:ElementStrain",
-    "finite elements: linear displacements give uniform strain, rigid motions none"};
+    "finite elements: linear displacements give uniform stress, rigid motions none"};
 inline constexpr TermInfo element_force_info{
     "internal force", "f_a = −∂E/∂x_a, E = Σ_q w ψ(F̄)", "[Simo1985]",
     "methods/finite_elements/element.hpp:element_force",

@@ -85,7 +85,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("impulse contact: two particles closer than one spacing stop within one step") {
+  TEST_CASE("impulse contact: two particles stop within one step if they are closer than one spacing") {
     for (const char* method : {"og", "enog", "oenog"}) {
       CAPTURE(std::string(method));
       for (const double gap : {0.99, 1.4}) {
@@ -125,7 +125,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("contact: every law slows two bodies down and conserves their momentum if the method does") {
+  TEST_CASE("contact: every law slows a body down and conserves the momenta that the method conserves") {
     Scene scene = small_collision();
     for (const MethodInfo& method : methods()) {
       for (const ContactLaw law : method.contact_laws) {
@@ -174,7 +174,8 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("impulse contact: densities of the mixed methods agree with the corrected positions") {
+  TEST_CASE(
+      "impulse contact: densities of mixed methods fit the corrected positions, with pfj-jst and pfhj-jst within 15 %") {
     Scene scene;
     scene.name = "blocks";
     scene.spacing = dp;
@@ -193,17 +194,17 @@ TEST_SUITE("unit") {
            {std::pair{"pf", 1e-9}, {"pf-jst", 1e-9}, {"pfj-jst", 0.15}, {"pfhj-jst", 0.15}}) {
         CAPTURE(dim);
         CAPTURE(method);
-        Scene met = scene;
-        met.dim = dim;
-        met.contact = ContactLaw::impulse;
-        for (Body& body : met.bodies) {
+        Scene variant = scene;
+        variant.dim = dim;
+        variant.contact = ContactLaw::impulse;
+        for (Body& body : variant.bodies) {
           const Box& box = *body.shapes[0].as<Box>();
           body.shapes[0] = Box{box.low, {box.high[0], box.high[1], dim == 3 ? 3 * dp : 0}};
         }
-        const Snapshot now = state_after(30, met, with_method(method));
+        const Snapshot now = state_after(30, variant, with_method(method));
         const auto n = static_cast<std::size_t>(dim);
         for (std::size_t k = 0; k < n; ++k)
-          for (Body& body : met.bodies)
+          for (Body& body : variant.bodies)
             body.displacement[k] = [&now, n, k](const Point& X) {
               for (std::size_t i = 0; i < now.size(); ++i) {
                 const Point at = now.initial(i);
@@ -212,7 +213,7 @@ TEST_SUITE("unit") {
               }
               return 0.0;
             };
-        const Snapshot same = make_simulation(met, with_method(method))->snapshot();
+        const Snapshot same = make_simulation(variant, with_method(method))->snapshot();
         double most = 0, off = 0;
         for (std::size_t i = 0; i < now.size(); ++i) {
           const double rho0 = ring_rubber().density;
@@ -245,7 +246,7 @@ TEST_SUITE("determinism") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("contact: separate bodies that do not touch do not act on each other") {
+  TEST_CASE("contact: bodies one spacing apart do not act on each other by penalty or surface contact") {
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
       Scene scene = small_collision();

@@ -73,7 +73,7 @@ void check_energy_stays(const Scene& scene) {
   CHECK(met);
 }
 
-/// Checks that perturbed bodies have balanced forces −∂E/∂x, up to `within` times the largest force.
+/// Perturbs the bodies. Checks that forces balance and are −∂E/∂x within `within` times the greatest force.
 void check_slopes(Pressed<2>& bodies, double within) {
   for (int i = 0; i < bodies.s.size(); ++i)
     bodies.s.x[i] += 0.03 * dp *
@@ -196,9 +196,9 @@ TEST_SUITE("stability") {
       CHECK(std::abs(total_energy(*simulation, scene) / start - 1) < 0.1);
       return simulation->steps();
     };
-    const long published = run(2);
-    CHECK(run(1) <= published);
-    CHECK(run(100) > 2 * published);
+    const long usual = run(2);
+    CHECK(run(1) <= usual);
+    CHECK(run(100) > 2 * usual);
   }
 }
 
@@ -222,7 +222,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("contact of faces: two blocks press each other by k times their overlap, corners included") {
+  TEST_CASE("contact of faces: the force between two blocks is k times their overlap, corners included") {
     const double depth = 0.1 * dp, length = 6 * dp, k = modulus() / (2 * dp);
     Pressed<2> blocks(scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}, Box{{0, 0, 0}, {0.008, 0.006, 0}}}));
     blocks.shift(1, {-depth, 0});
@@ -393,7 +393,8 @@ TEST_SUITE("failure") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("contact of faces: a pressed or bent body has no self-contact, a rolled-up body has") {
+  TEST_CASE(
+      "contact of faces: the middle of a pressed or bent body has no self-contact, a rolled-up body has") {
     constexpr double inside = 0.008;
     CHECK(touching_after<2>([](const V& x) { return V{x[0], 0.5 * x[1]}; }, dp, inside) == 0);
     CHECK(touching_after<2>([](const V& x) { return bent(x, 0.012); }, dp, inside) == 0);

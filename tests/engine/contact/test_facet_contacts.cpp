@@ -101,7 +101,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("contact of faces: in 3D two blocks press each other by k times their overlap") {
+  TEST_CASE("contact of faces: in 3D the force between two blocks is nearly k times their overlap") {
     const double depth = 0.1 * dp, area = 64 * dp * dp, k = modulus() / (2 * dp);
     Pressed<3> blocks(
         scene_of({Box{{-0.006, 0, 0}, {0, 0.008, 0.008}}, Box{{0, 0, 0}, {0.006, 0.008, 0.008}}}));
@@ -117,7 +117,7 @@ TEST_SUITE("analytic") {
     CHECK(length(blocks.between(0, 1) + force) < 1e-9 * force[0]);
   }
 
-  TEST_CASE("contact of faces: in 3D a step beside a body exerts no force if the two do not overlap") {
+  TEST_CASE("contact of faces: in 3D a step beside a body exerts no force on it before they overlap") {
     for (const double step : {1.0, 1.3, 2.0}) {
       CAPTURE(step);
       Scene scene = scene_of({Box{{0, 0, -4 * dp}, {12 * dp, 12 * dp, 0}},
@@ -130,7 +130,8 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("contact of faces: in 3D a wall presses by k times twice the depth and records its impulse") {
+  TEST_CASE(
+      "contact of faces: in 3D the force of a wall is k times twice the depth, and its impulse is recorded") {
     const double depth = 0.1 * dp, area = 36 * dp * dp, k = modulus() / (2 * dp);
     Scene scene = scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0.006}}});
     scene.walls = {{"wall", {0, 0, 0}, {-1, 0, 0}}};
@@ -150,7 +151,6 @@ TEST_SUITE("analytic") {
       CAPTURE(depth);
       Pressed<3> balls = two_balls(depth);
       const V force = balls.force_on(1);
-      // the error of the gap is of third order in spacing over radius
       CHECK(std::abs(balls.gap() + depth) < 0.02 * dp);
       const double away = force[0] * direction[0] + force[1] * direction[1] + force[2] * direction[2];
       if (depth < 0)
@@ -219,7 +219,8 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact of faces: in 3D an oblique impact conserves both momenta and, undamped, the energy") {
+  TEST_CASE(
+      "contact of faces: in 3D an oblique impact conserves both momenta, and undamped oenog the energy") {
     Scene scene = small_solid_collision();
     scene.contact = ContactLaw::surface;
     for (const char* method : {"oenog", "tl", "pf-jst"}) {
@@ -247,7 +248,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact of faces: in 3D corners and edges that slip past each other gain no energy") {
+  TEST_CASE("contact of faces: in 3D a corner that slips past an edge or a corner gains no energy") {
     struct Pair {
       Point middle;
       Rotation upper, lower;
@@ -332,7 +333,8 @@ TEST_SUITE("failure") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("contact of faces: in 3D a cube that lands on its corner or its edge rebounds") {
+  TEST_CASE(
+      "contact of faces: in 3D a cube that lands on its corner or its edge keeps 90 % of the energy and separates") {
     const double side = 6 * dp, drop = 0.2 * dp, root = 1 / std::sqrt(2.0);
     struct Landing {
       Rotation turn;

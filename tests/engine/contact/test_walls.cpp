@@ -65,7 +65,7 @@ Scene disc_in_corner() {
   return scene;
 }
 
-/// Relative changes of momenta without wall impulses.
+/// Relative changes of the momenta, less the wall impulses.
 struct MomentumChange {
   double linear, angular;
 };

@@ -91,7 +91,7 @@ TEST_SUITE("analytic") {
       REQUIRE(limits.size() == 1);  // the sufficient limit of [Zhang2020] is for 2D
       CHECK(critical(cube, with_h(h, 0)) == Approx(limits[0].step).epsilon(0.05));
     }
-    // the corrected V W' is 1/2 for dp = 1; the steepest wave (1, 1, 1) π/2 has |κ| = √3
+    // the corrected V W' is 1/2 for dp = 1; |κ| is greatest, √3, for the wave vector (1, 1, 1) π/2
     Settings six = with_method("tl");
     six.constants["h"] = 0.6;
     const Material& m = cube.materials[0];
@@ -116,7 +116,7 @@ TEST_SUITE("convergence") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("critical step: tension reduces the step of ccb by a third and not that of tl-small-strain") {
+  TEST_CASE("critical step: tension reduces the step of ccb, but not the step of tl-small-strain") {
     const Settings linear = with_h(1, 1);  // [Zhang2020] Fig. 15
     const double at_rest = critical(square(), linear);
     for (const double pull : {0.05, 0.2})
@@ -138,11 +138,10 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE(
-      "critical step: the search reports progress, can be stopped, and returns none if nothing is stable") {
-    int asked = 0;
+  TEST_CASE("critical step: the search can be stopped, and may find no stable or no unstable step") {
+    int reports = 0;
     const CriticalStep stopped =
-        find_critical_step(square(), with_h(1, 1), quick, [&](const CriticalStep&) { return ++asked < 3; });
+        find_critical_step(square(), with_h(1, 1), quick, [&](const CriticalStep&) { return ++reports < 3; });
     CHECK(stopped.interrupted);
     CHECK(!stopped.stable);
     Settings settings = with_h(1, 1);

@@ -102,7 +102,7 @@ TEST_SUITE("unit") {
   TEST_CASE("fields: stress components and principal values in 3D are correct in any axes") {
     Snapshot now = made_snapshot(3, {{0, 0, 0}, {1, 0, 0}});
     now.p = {7, 1};
-    now.s = {1, 2, 3, 4, 5, -5, 0, 2, 2, 0, 2, 0};  // tension along (1, 1, 1)
+    now.s = {1, 2, 3, 4, 5, -5, 0, 2, 2, 0, 2, 0};  // second: tension along (1, 1, 1)
     CHECK(value("stress_xx", now) == 1 - 7);
     CHECK(value("stress_xy", now) == 2);
     CHECK(value("stress_xz", now) == 3);

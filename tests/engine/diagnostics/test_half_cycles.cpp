@@ -100,7 +100,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "period: a one-sided oscillation has a period about its mean, and about the level 0 none, with a reason") {
+      "period: a one-sided oscillation has a period about its mean, but none about 0, and `why` gives the reason") {
     const double T = 0.254, loss = 0.4;
     const auto swing = [=](double t) {
       return -0.03 * (1 - std::exp(-loss * t / T) * std::cos(2 * pi * t / T)) + 2e-4 * std::sin(40 * t / T);

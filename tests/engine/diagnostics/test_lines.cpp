@@ -123,7 +123,7 @@ TEST_SUITE("unit") {
     CHECK(lines.samples().at(1).at(0).step == 20);
   }
 
-  TEST_CASE("lines and probes: a point outside the body is a scene error with its place") {
+  TEST_CASE("lines and probes: a point outside the body is a scene error, as is an unknown field of a line") {
     Scene scene = rotating_plate(0.01);
     scene.lines = {line_across_plate({0})};
     CHECK(error_key(scene) == "none");
@@ -170,7 +170,8 @@ TEST_SUITE("unit") {
     CHECK(std::isfinite(far.samples()[0][0].value[0]));
   }
 
-  TEST_CASE("line_error: the error against a table over distance is relative to the table's RMS") {
+  TEST_CASE(
+      "line_error: the error against a table over distance is relative to the table's RMS at the points") {
     Scene scene;
     scene.lines = {line_across_plate({1})};
     scene.lines[0].from = {1, 2, 0};

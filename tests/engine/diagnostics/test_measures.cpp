@@ -18,7 +18,7 @@ using namespace taut;
 using namespace taut::test;
 
 TEST_SUITE("unit") {
-  TEST_CASE("rmse: straight lines are compared over their common time only") {
+  TEST_CASE("rmse: series and table are compared over their common time only") {
     Scene scene = scene_of("rmse");
     scene.references["neo_hookean"] = {"a table", {}, {{"number", {{0.5, 0.8, 2.5}, {{1.5, 1.8, 3.5}}}}}};
     scene.until = 2;
@@ -38,7 +38,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("rmse: the mean weighs time, not steps") {
+  TEST_CASE("rmse: the mean is over time, not over steps") {
     Scene scene = scene_of("rmse");
     scene.references["neo_hookean"] = {"zero", {}, {{"number", {{0, 1}, {{0, 0}}}}}};
     const auto wave = [](double t) { return std::sin(2 * pi * t) * (t < 0.5 ? 1 : 0); };
@@ -371,7 +371,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("measure: an unknown probe is a scene error with its place") {
+  TEST_CASE("measure: an unknown probe is a scene error that lists the probes") {
     for (const bool free : {false, true}) {
       Scene scene = scene_of("final_ratio");
       (free ? scene.measures[0].free : scene.measures[0].probes[0]) = "gpa";

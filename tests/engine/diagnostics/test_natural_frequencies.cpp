@@ -113,7 +113,7 @@ std::vector<double> frequencies(const Grid& grid) {
   return f;
 }
 
-/// First elastic mode in Hz, by Rayleigh–Ritz for u_r = U(r) cos nθ, u_θ = V(r) sin nθ.
+/// Lowest elastic frequency in Hz, by Rayleigh–Ritz for u_r = U(r) cos nθ, u_θ = V(r) sin nθ.
 double annulus_frequency(const Elastic& material, double inner, double outer, int n) {
   constexpr int degree = 8, terms = degree + 1, points = 2000;
   const auto& [E, nu, rho] = material;
@@ -196,7 +196,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("natural frequencies: waves around annuli give the scenes' references") {
+  TEST_CASE("natural frequencies: Rayleigh–Ritz frequencies of annuli equal the scenes' references") {
     // [Zhang2020] Table 2: 152.5, 356.0 and 445.3 Hz
     const auto f = [](int n) { return annulus_frequency(jelly, 2.5e-4, 5e-4, n); };
     CHECK(f(2) / 150.898 == Approx(1).epsilon(5e-6));
@@ -209,7 +209,7 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("natural frequencies: the spectrum of colliding bodies shows their frequencies") {
     const Scene scene = drop();
-    // the first mode is 4 % low due to method, amplitude, resolution and duration
+    // the first mode is 4 % low
     const auto simulation = make_simulation(scene, with_method("pf-jst"));
     simulation->advance_to(scene.until);
     const std::vector<MeasureResult> found = measure(scene, simulation->series(), "neo_hookean");

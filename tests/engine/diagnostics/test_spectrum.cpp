@@ -102,7 +102,7 @@ TEST_SUITE("analytic") {
       }
   }
 
-  TEST_CASE("spectrum: an oscillation on a drift has one line, also with few periods") {
+  TEST_CASE("spectrum: an oscillation on a drift has its line, also with few periods") {
     for (const double periods : {2.5, 3.0, 4.0, 5.25, 6.0, 9.0}) {
       CAPTURE(periods);
       std::vector<double> t, y, line;

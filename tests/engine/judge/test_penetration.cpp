@@ -204,7 +204,7 @@ TEST_SUITE("unit") {
     CHECK(found < 200);
   }
 
-  TEST_CASE("penetration in 3D: faces that touch or dent each other are no penetration, at any angle") {
+  TEST_CASE("penetration in 3D: faces that touch, rotated or not, or dent each other are no penetration") {
     const Snapshot start = two_cubes();
     Penetration penetration(start, dp);
     CHECK(penetration(start) == 0);

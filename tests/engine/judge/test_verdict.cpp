@@ -80,7 +80,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "judge: a soft joint of two rows between stiff halves may stretch far, and a crack in it is found") {
+      "judge: a soft joint of two columns between stiff halves may stretch far, and a crack in it is found") {
     Scene scene = one_body(2);
     scene.materials.push_back({.name = "stiff", .density = 1, .youngs_modulus = 30, .poisson_ratio = 0});
     // stretches of bonds in the joint, beside it, and in the halves
@@ -104,7 +104,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "judge: rows bent to a radius of one spacing exceed the threshold, rows bent to two spacings do not") {
+      "judge: rows bent to a radius of one spacing exceed the hourglass threshold, rows bent to two do not") {
     const Scene scene = one_body(2);
     const auto reading = [&](int rows, double radius) {
       const Snapshot start = lattice(2, 40, rows);
@@ -173,7 +173,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("judge: the ends of a broken bond may be eight bonds apart, not nine") {
     const Scene scene = one_body(2);
-    for (const int bonds : {8, 9}) {  // of a straightened ring, without the breaking bond
+    for (const int bonds : {8, 9}) {  // of a straightened ring, without the broken bond
       const int n = bonds + 1;
       const double turn = 2 * 3.14159265358979 / n, radius = 0.5 * dp / std::sin(0.5 * turn);
       std::vector<Point> places;
@@ -266,7 +266,7 @@ TEST_SUITE("unit") {
     CHECK(judge.verdict() == Verdict::fractured);
   }
 
-  TEST_CASE("judge: bonds belong to the undisplaced layout, whatever the initial displacement") {
+  TEST_CASE("judge: bonds belong to the undisplaced layout") {
     const Scene scene = one_body(2);
     for (const bool cut : {false, true}) {
       Snapshot now = lattice(2, 10, 10);
@@ -332,7 +332,7 @@ TEST_SUITE("unit") {
     CHECK(judge.verdict() == Verdict::stable);
   }
 
-  TEST_CASE("judge: a body of two parts may part further, but not break into three") {
+  TEST_CASE("judge: two parts of a body may move further apart, but a third part is a fracture") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 9, 2);
     part(now, 5.5 * dp, 3 * dp);

@@ -32,7 +32,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "judge: kinetic energy above twice the initial or a lasting loss of strain energy is divergence") {
+      "judge: doubled kinetic energy, or with kept neighbours a lasting loss of strain energy, is divergence") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 6, 1);
     now.strain_energy.assign(now.size(), 0);
@@ -132,7 +132,7 @@ TEST_SUITE("unit") {
       }
   }
 
-  TEST_CASE("judge: any value that is not finite is divergence") {
+  TEST_CASE("judge: a position, velocity, density or stress that is not finite is divergence") {
     const Scene scene = one_body(2);
     const Snapshot start = lattice(2, 6, 1);
     const auto spoil = {&Snapshot::x, &Snapshot::v, &Snapshot::rho, &Snapshot::p, &Snapshot::s};

@@ -103,7 +103,7 @@ TEST_SUITE("unit") {
       }
   }
 
-  TEST_CASE("element mesh: faces are closed and point outwards, also in mirrored bodies") {
+  TEST_CASE("element mesh: facets point outwards and enclose the volume, also in mirrored bodies") {
     for (const Case& one : cases())
       for (const int order : {1, 2})
         for (const bool mirrored : {false, true}) {

@@ -56,7 +56,7 @@ SceneError scene_error(const Make& make) {
   return {"", ""};
 }
 
-bool says(const SceneError& error, const std::string& text) {
+bool contains(const SceneError& error, const std::string& text) {
   return std::string(error.what()).find(text) != std::string::npos;
 }
 
@@ -71,7 +71,8 @@ TEST_SUITE("unit") {
     CHECK(clamped(rings) == 0);
   }
 
-  TEST_CASE("layout: particles of a ring are a spacing apart and half a spacing inside its faces") {
+  TEST_CASE(
+      "layout: layers of a ring begin half a spacing inside its faces, with particles at least 0.99 dp apart") {
     const InitialParticles rings = make_initial_particles(colliding_rings());
     double least = 1, innermost = 1, outermost = 0;
     for (int i = 0; i < rings.first[1]; ++i) {
@@ -143,7 +144,8 @@ TEST_SUITE("unit") {
     CHECK(make_initial_particles(one_body(2, 1, {right, left})).size() == 5 * 2);
   }
 
-  TEST_CASE("layout: the particles of boxes, balls and hollow balls in 3D have the volume of the shape") {
+  TEST_CASE(
+      "layout: the particles of boxes, balls and hollow balls in 3D have the volume of the shape within 1 %") {
     CHECK(make_initial_particles(one_body(3, 0.5, {Box{{0, 0, 0}, {1, 2, 3}}})).size() == 2 * 4 * 6);
     const double ball = 4.0 / 3 * std::numbers::pi;
     CHECK(volume(make_initial_particles(one_body(3, 0.05, {Disc{{0, 0, 0}, 1}}))) == relative(ball, 0.01));
@@ -168,9 +170,9 @@ TEST_SUITE("unit") {
     scene.bodies[1].shapes = {Box{{2.4, 0, 0}, {5.4, 2, 0}}};
     const SceneError error = scene_error([&] { make_initial_particles(scene); });
     CHECK(error.key == "body.other");
-    CHECK(says(error, "'thing'"));
-    CHECK(says(error, "overlap"));
-    CHECK(says(error, "0.4"));
+    CHECK(contains(error, "'thing'"));
+    CHECK(contains(error, "overlap"));
+    CHECK(contains(error, "0.4"));
   }
 
   TEST_CASE("layout: bodies in 3D overlap only if they do in depth too") {
@@ -187,7 +189,7 @@ TEST_SUITE("unit") {
       make_initial_particles(one_body(2, 1, {Disc{{0, 0, 0}, 0.2}}));
     });
     CHECK(error.key == "body.thing");
-    CHECK(says(error, "no particle"));
+    CHECK(contains(error, "no particle"));
     Scene empty = one_body(2, 1, {Box{}});
     empty.bodies.clear();
     CHECK(scene_error([&] { make_initial_particles(empty); }).key == "body");
@@ -197,7 +199,7 @@ TEST_SUITE("unit") {
   TEST_CASE("layout: more than 20 million particles are refused before they are made") {
     const SceneError error = scene_error([] { make_initial_particles(colliding_rings(0.06, 1e-5 / 2)); });
     CHECK(error.key == "spacing");
-    CHECK(says(error, "20 million"));
+    CHECK(contains(error, "20 million"));
     CHECK(scene_error([] { make_initial_particles(colliding_rings(0.06, 1e-300)); }).key == "spacing");
   }
 }

@@ -52,7 +52,7 @@ std::vector<Point> places(const Scene& scene) { return make_initial_particles(sc
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("jitter: particles move uniformly and reproducibly, up to a share of the spacing") {
+  TEST_CASE("jitter: moves are reproducible and uniformly distributed up to a share of the spacing") {
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
       Scene scene = brick(dim);

@@ -43,7 +43,7 @@ std::string error_of(const Scene& scene) {
   return "no error";
 }
 
-bool holds(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
 double greatest_change_of_distance(const std::vector<Point>& a, const std::vector<Point>& b) {
   double greatest = 0;
@@ -81,9 +81,9 @@ TEST_SUITE("unit") {
     CHECK(layout.size() == 512 - 64 - 8);
     for (const Point& x : layout.x) CHECK_FALSE((x[0] < 2 && x[1] < 2 && x[2] < 2));
     scene.bodies[0].without.push_back(Box{{5, 5, 5}, {6, 6, 6}});
-    CHECK(holds(error_of(scene), "without: shape 3 removes no particle of body 'thing'"));
+    CHECK(contains(error_of(scene), "without: shape 3 removes no particle of body 'thing'"));
     scene.bodies[0].without = {Disc{{2, 2, 2}, 10}};
-    CHECK(holds(error_of(scene), "contains no particle: the rest of its shapes after 'without'"));
+    CHECK(contains(error_of(scene), "contains no particle: the rest of its shapes after 'without'"));
   }
 
   TEST_CASE("layout: a disc with a notch is reflected with its notch") {
@@ -153,7 +153,7 @@ TEST_SUITE("unit") {
     CHECK(make_initial_particles(flat).size() == 7 * 5);
     CHECK(volume(make_initial_particles(flat)) == relative(6));
     flat.bodies[0].loads = {{constant(1), Load::Kind::traction, {constant(1)}, {}}};
-    CHECK(holds(error_of(flat), "give the total force as 'force'"));
+    CHECK(contains(error_of(flat), "give the total force as 'force'"));
   }
 
   TEST_CASE("layout: a box with particles on its faces has its exact volume, centre and moments of inertia") {
@@ -179,7 +179,7 @@ TEST_SUITE("unit") {
             for (int b = 0; b < 3; ++b) second[a][b] += layout.V0[i] * layout.x[i][a] * layout.x[i][b];
         }
         CHECK(total == relative(volume));
-        // with planes of symmetry the rule holds for the body with its image
+        // with planes of symmetry the moments are exact for the body with its image
         for (int a = planes > 0 ? 1 : 0; a < 3; ++a) {
           CHECK(first[a] == relative(volume * side[a] / 2));
           for (int b = planes > 0 ? 1 : 0; b < 3; ++b) {
@@ -208,7 +208,7 @@ TEST_SUITE("unit") {
     }
     CHECK(layout.x[0] == Point{0.25, 0.25, 0.25});
     scene.bodies[0].displacement = {constant(5), {}, {}};
-    CHECK(holds(error_of(scene), "overlap"));
+    CHECK(contains(error_of(scene), "overlap"));
   }
 
   TEST_CASE("outline: a cut-out adds its faces and removes the faces it covers") {

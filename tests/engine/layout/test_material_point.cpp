@@ -62,7 +62,7 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("material point: a boundary point is a particle or lies between the particles of its cell") {
     Scene scene;
-    scene.spacing = 0.99 * dp;  // not the fitted lattice
+    scene.spacing = 0.99 * dp;  // the fitted spacing is dp
     scene.bodies.resize(1);
     scene.bodies[0].shapes = {Box{{-2 * dp, -2 * dp, 0}, {2 * dp, 2 * dp, 0}}};
     scene.bodies[0].on_boundary = true;

@@ -71,7 +71,7 @@ double volume(const InitialParticles& layout) {
   return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
 }
 
-/// Distances in spacings, shortest first.
+/// Distances to the nearest other point, in spacings, shortest first.
 std::vector<double> distances_to_nearest(const std::vector<Point>& from, const std::vector<Point>& to,
                                          int dim) {
   std::vector<double> all;
@@ -169,7 +169,7 @@ struct TwistingBall {
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "relaxation: particles are half a spacing inside the faces of round, turned and combined shapes") {
+      "relaxation: outer particles of round, turned and combined shapes are about half a spacing inside") {
     Scene scene;
     double least_depth = 0.35;
     SUBCASE("disc") { scene = relaxed_body({Disc{{0.01, 0.02, 0}, 1}}); }
@@ -189,7 +189,7 @@ TEST_SUITE("unit") {
     check_follows_faces(scene, points_on_outline(scene), least_depth);
   }
 
-  TEST_CASE("relaxation: particles are half a spacing inside the faces of a ball and of a mesh") {
+  TEST_CASE("relaxation: outer particles of a ball and of a mesh are about half a spacing inside") {
     check_follows_faces(relaxed_body({Disc{{0, 0, 0}, 0.4}}, {}, 3), points_on_sphere(0.4), 0.3);
     std::vector<Point> on_octahedron = points_on_sphere(1);
     for (Point& x : on_octahedron) {
@@ -242,7 +242,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("relaxation: the surface mesh of a ball is closed and has its area") {
+  TEST_CASE("relaxation: the surface mesh of a ball is closed and has its area within 3 %") {
     const Scene scene = relaxed_body({Disc{{0, 0, 0}, 0.4}}, {}, 3);
     const SurfaceMesh mesh = make_surface_mesh(scene, make_initial_particles(scene));
     CHECK(mesh.closed == std::vector<bool>{true});

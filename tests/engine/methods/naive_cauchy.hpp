@@ -11,8 +11,8 @@
 #include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
-/// Transcribes [Khayyer2024] and [TranDuc2023] §2.2 in 2D; the 3D form is ours. r_ij = r_j − r_i, u_ij = u_j − u_i, ∇ is
-/// ∇_i w. Choices: tests/README.md (Transcriptions).
+/// Transcribes [Khayyer2024] and [TranDuc2023] §2.2 in 2D; the 3D form is ours. r_ij = r_j − r_i, u_ij = u_j − u_i,
+/// ∇w = ∇_i w. Choices: tests/README.md (Transcriptions).
 namespace taut::test::naive_cauchy {
 
 template <int Dim>
@@ -243,7 +243,7 @@ class Run {
     return acceleration;
   }
 
-  /// Eq. 45, with u.
+  /// Eq. 45 with u, not û.
   std::vector<Matrix> plain_velocity_gradients(const std::vector<Matrix>& L) const {
     std::vector<Matrix> grad(n(), Matrix::Zero());
     for (std::size_t i = 0; i < n(); ++i)
@@ -375,7 +375,7 @@ class Run {
     return force;
   }
 
-  /// Eq. 53, 54, new velocities.
+  /// Eq. 53, 54 with the new velocities.
   void stop_approach() {
     std::vector<Vector> change;
     for (const Particle& a : particles) {

@@ -44,7 +44,7 @@ struct Particle {
   int body = 0;
   bool clamped = false;
   Matrix L = Matrix::Zero();      // gradient correction
-  Vector alpha = Vector::Zero();  // Laplacian correction
+  Vector alpha = Vector::Zero();  // Laplacian correction, with beta
   double beta = 0;
 };
 

@@ -41,7 +41,7 @@ inline double constant_of(const Settings& settings, int dim, const std::string& 
   return 0;
 }
 
-/// [Zhang2024]
+/// [Zhang2024], [Zhang2024b]
 template <int Dim>
 naive::Run<Dim> naive_split(const Scene& scene, const Settings& settings) {
   const Material& material = scene.materials[0];
@@ -78,7 +78,7 @@ naive_cauchy::Run<Dim> naive_current(const Scene& scene, const Settings& setting
   return run;
 }
 
-/// tl with each law, icb, tl-hg, tl-enog, tl-small-strain
+/// tl except with Mooney–Rivlin, icb, tl-hg, tl-enog, tl-small-strain
 template <int Dim>
 naive_reference::Run<Dim> naive_total_lagrangian(const Scene& scene, const Settings& settings) {
   const Material& material = scene.materials[0];

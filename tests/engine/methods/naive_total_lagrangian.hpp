@@ -198,7 +198,7 @@ struct Run {
     }
   }
 
-  /// Volumetric stress, isotropic part of the deviator −c G J^(−2/3) tr b/3, and damping stress χ/2 db/dt.
+  /// Volumetric stress, isotropic part −c G J^(−2/3) tr b/3 of the deviator (c: shear_factor), damping χ/2 db/dt.
   Matrix kirchhoff_on_particle(const Particle& i) const {
     Matrix rate = Matrix::Zero();
     for (const std::size_t n : of(near, i)) {

@@ -46,7 +46,7 @@ struct Particle {
   bool clamped = false;
   Matrix<Dim> s{}, ds{};
   Vector<Dim> a_shear{}, da_shear{};
-  Matrix<Dim> L{};        // velocity gradient of gnog
+  Matrix<Dim> L{};        // velocity gradient, for gnog corrected
   Vector<Dim> x_shown{};  // at the last update of an output-only stress
 };
 

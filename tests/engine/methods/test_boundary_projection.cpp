@@ -208,7 +208,7 @@ TEST_SUITE("analytic") {
       "boundary projection: after five steps interpolated velocities fulfil clamps, rollers and drives") {
     struct Row {
       int dim;
-      double h, without;  // a shorter kernel weighs neighbours less
+      double h, without;  // least miss without projection; a shorter kernel weighs neighbours less
     };
     for (const auto& [dim, h, without] :
          {Row{2, h_over_dp(2), 1e-4}, Row{2, 1.05, 1e-3}, Row{3, h_over_dp(3), 1e-3}}) {

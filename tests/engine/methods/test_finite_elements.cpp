@@ -87,7 +87,7 @@ TEST_SUITE("convergence") {
 }
 
 TEST_SUITE("term") {
-  TEST_CASE("finite elements: linear displacements give uniform strain, rigid motions none") {
+  TEST_CASE("finite elements: linear displacements give uniform stress, rigid motions none") {
     for (const std::string& method : both)
       for (const int dim : {2, 3}) {
         CAPTURE(method);

@@ -58,7 +58,7 @@ Mat<double, Dim> pressed_strain(double share) {
   return F;
 }
 
-/// Block with the initial gradient F and a displacement that varies by `off` spacings; `share`: `cofactor_share`.
+/// Block with the initial gradient F plus a smooth displacement up to `off` spacings; `share`: `cofactor_share`.
 template <int Dim>
 Scene strained_block(const Mat<double, Dim>& F, double off, double share = 0.4) {
   Scene scene;
@@ -166,7 +166,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("laws: forces of tl and oenog are minus the slopes of their energies under every law") {
+  TEST_CASE("laws: under every law the work of the forces of tl and oenog is the loss of their energies") {
     for (const Law law : choices) {
       for (const std::string method : {"tl", "oenog"}) {
         CAPTURE(law_row(law).choice);

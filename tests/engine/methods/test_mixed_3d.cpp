@@ -111,7 +111,7 @@ Scene sprung_block() {
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("JST: zigzags in 3D decay at the rates of the lattice") {
+  TEST_CASE("JST: zigzags on a 3D lattice have the tabulated Laplacians") {
     struct Row {
       double h;
       int neighbors;
@@ -284,7 +284,8 @@ TEST_SUITE("stability") {
 }
 
 TEST_SUITE("stability") {
-  TEST_CASE("mixed: a body softened by strain keeps the step at rest, also with an odd number of particles") {
+  TEST_CASE(
+      "mixed: a body softened by strain has the step of the unstrained body, also with an odd number of particles") {
     for (const double side : {4, 5}) {
       CAPTURE(side);
       Scene scene = pressed_block(1);

@@ -22,7 +22,7 @@ using namespace taut::test;
 namespace {
 
 constexpr int steps = 40;
-/// Precision of the pair cache of [Zhang2024].
+/// Tolerance: the pair cache of [Zhang2024] has single precision.
 constexpr double single_precision = 3e-7;
 
 void check_ulsph(const Scene& scene, const std::string& name, Stepping stepping) {
@@ -45,8 +45,8 @@ void check_ulsph(const Scene& scene, const std::string& name, Stepping stepping)
     rho.push_back(a.rho);
     p.push_back(a.p);
     s.insert(s.end(), {a.s[0][0], a.s[0][1], a.s[0][2], a.s[1][1], a.s[1][2], a.s[2][2]});
-    const double in_plane[] = {a.s[0][1], a.s[0][2], a.s[1][2]};
-    for (int k = 0; k < 3; ++k) greatest_shear[k] = std::max(greatest_shear[k], std::abs(in_plane[k]));
+    const double shear[] = {a.s[0][1], a.s[0][2], a.s[1][2]};
+    for (int k = 0; k < 3; ++k) greatest_shear[k] = std::max(greatest_shear[k], std::abs(shear[k]));
   }
   CHECK(*std::ranges::min_element(greatest_shear) > 1e4);
   check_field("x", now.x, x, single_precision);

@@ -153,7 +153,7 @@ TEST_SUITE("reference") {
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "surface vicinity: any reach from 1.1 to 1.3 spacings selects the same particles, 1.48 selects others") {
+      "surface vicinity: reaches of 1.1, 1.2 and 1.3 spacings select the same particles, 1.48 selects others") {
     // some particles in the inner corner are 1.41 spacings, a cell diagonal, from the surface
     Scene scene = small_collision();
     scene.bodies.pop_back();

@@ -30,8 +30,8 @@ double volume_of(const std::vector<InitialSite>& sites) {
 }
 
 struct Faces {
-  double area = 0, outwards = 0;  // ∫ outward distance from site to patch
-  double aside = 0;               // greatest tangential distance of site and patch
+  double area = 0, outwards = 0;  // outwards: ∫ outward distance from site to patch dA
+  double aside = 0;               // greatest tangential distance from site to patch
   Point sum{};
   explicit Faces(const FacePatches& faces, const std::vector<InitialSite>& sites) {
     for (const FacePatches::Patch& patch : faces.patches) {
@@ -79,7 +79,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("aligned layers: a pipe along any axis has its exact volume and slices that are rings") {
+  TEST_CASE(
+      "aligned layers: a pipe along z or an oblique axis has its exact volume and slices that are rings") {
     const std::vector<InitialSite> along = pipe({0, 0, 0}, {0, 0, 0.01}).sites(3, dp);
     CHECK(volume_of(along) == Approx(pi * (4e-4 - 1.44e-4) * 0.01).epsilon(1e-13));
     const std::vector<InitialSite> ring = shell().sites(2, dp);

@@ -87,7 +87,7 @@ void check_outline(const Scene& scene, double length, double area, double tolera
   }
 }
 
-std::string overlap_of(const Scene& scene) {
+std::string error_of(const Scene& scene) {
   try {
     make_initial_particles(scene);
   } catch (const SceneError& error) {
@@ -132,7 +132,7 @@ TEST_SUITE("unit") {
     check_outline(scene, 2 * pi * 0.03, of_ring, 2e-3);
   }
 
-  TEST_CASE("shapes: outlines of ellipses and polygons have their length and area") {
+  TEST_CASE("shapes: outlines of ellipses, polygons and implicit shapes have their length and area") {
     const double dp = 0.0005, a = 0.02, b = 0.01;
     // Ramanujan's perimeter of an ellipse
     const double h = 3 * (a - b) * (a - b) / ((a + b) * (a + b));
@@ -184,7 +184,7 @@ TEST_SUITE("unit") {
     CHECK(quarter(90) == quarter(0));
   }
 
-  TEST_CASE("shapes: ellipses and polygons mirrored about their centres are mirror images to the last bit") {
+  TEST_CASE("shapes: mirrored ellipses and polygons are images of unmirrored ones to the last bit") {
     for (const double side : {-1.0, 1.0}) {
       const Point centre{side * 0.0313, 0.002, 0};
       const Shape shapes[] = {Ellipse{centre, {0.02, 0.01, 1}}, Polygon({star(0.02, 0.009)}, centre)};
@@ -249,30 +249,30 @@ TEST_SUITE("unit") {
     other.name = "other";
     other.shapes = {Ellipse{{0.0305, 0.01, 0}, {0.01, 0.01, 1}}};
     scene.bodies.push_back(other);
-    CHECK(overlap_of(scene).empty());
+    CHECK(error_of(scene).empty());
     scene.bodies[1].shapes = {Ellipse{{0.0288, 0.01, 0}, {0.01, 0.01, 1}}};
-    const std::string deep = overlap_of(scene);
+    const std::string deep = error_of(scene);
     CHECK(has(deep, "bodies 'other' and 'body' overlap at (0.0"));
     CHECK(has(deep, ") m: "));
     // particles at the corners of the other body's cells
     scene.bodies[1].shapes = {Box{{0.0055, 0.0055, 0}, {0.0105, 0.0105, 0}}};
-    CHECK(has(overlap_of(scene), "overlap at (0.0065, 0.0065) m: a particle of 'body' is inside 'other'"));
+    CHECK(has(error_of(scene), "overlap at (0.0065, 0.0065) m: a particle of 'body' is inside 'other'"));
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.02, 0.02, 0.02}}};
     scene.dim = 3;
     scene.bodies[1].shapes = {Box{{0.0055, 0.0055, 0.0055}, {0.0105, 0.0105, 0.0105}}};
-    CHECK(has(overlap_of(scene), "(0.0065, 0.0065, 0.0065) m"));
+    CHECK(has(error_of(scene), "(0.0065, 0.0065, 0.0065) m"));
   }
 
   TEST_CASE("shapes: empty regions and too large lattices are refused") {
     Scene scene = scene_of(0.001, {Box{{0, 0, 0}, {0.02, 0.02, 0}}});
     scene.bodies[0].clamped = [](const Point& x) { return x[0] < -1; };
-    CHECK(has(overlap_of(scene), "held: no particle of body 'body' is held"));
+    CHECK(has(error_of(scene), "held: no particle of body 'body' is held"));
     scene.bodies[0].clamped = {};
     scene.bodies[0].guided[1] = [](const Point& x) { return x[0] < -1; };
-    CHECK(has(overlap_of(scene), "held[1]"));
+    CHECK(has(error_of(scene), "held[1]"));
     scene.bodies[0].guided = {};
     scene.bodies[0].shapes.push_back(Box{{1e6, 1e6, 0}, {1e6 + 0.1, 1e6 + 0.1, 0}});
-    CHECK(has(overlap_of(scene), "lattice sites"));
+    CHECK(has(error_of(scene), "lattice sites"));
   }
 }
 

@@ -125,23 +125,23 @@ void try_state(const std::string& state, const Scene& scene, const Settings& set
 }
 
 long words_to_damage(long few) {
-  const char* const asked = std::getenv("TAUT_DAMAGED_WORDS");
-  return asked ? std::atol(asked) : few;
+  const char* const words = std::getenv("TAUT_DAMAGED_WORDS");
+  return words ? std::atol(words) : few;
 }
 
 }  // namespace
 
 TEST_SUITE("restart") {
-  TEST_CASE("a state with any word changed is refused, or its steps stay within their memory") {
+  TEST_CASE("a state with a random word changed is refused, or its steps stay within their memory") {
     std::mt19937 random(18);
     Tally count;
     for (const char* method : {"enog", "oas", "ccbwat", "d-ulsph-r-tic", "tl", "pfj-jst", "oenog"}) {
       for (const int dim : {2, 3}) {
-        for (const Scene& laid : {touching_blocks(dim), folded_block(dim)}) {
+        for (const Scene& base : {touching_blocks(dim), folded_block(dim)}) {
           const MethodInfo& info = *find_method(method);
-          if (!info.keeps_neighbors && laid.bodies.size() == 1) continue;
+          if (!info.keeps_neighbors && base.bodies.size() == 1) continue;
           for (const ContactLaw law : info.contact_laws) {
-            Scene scene = laid;
+            Scene scene = base;
             scene.contact = law;
             CAPTURE(scene.name);
             CAPTURE(method);

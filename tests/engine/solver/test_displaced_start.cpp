@@ -60,7 +60,7 @@ Scene swinging_cube(int dim, int n) {
   return scene;
 }
 
-/// RMS difference from u(X, 0) cos ωt, ω = √dim/2 π/L c_p, over the amplitude.
+/// RMS difference from u(X, 0) cos ωt, ω = √dim/2 π/L c_p, divided by the amplitude.
 double swinging_error(int dim, int n, const std::string& method) {
   const Scene scene = swinging_cube(dim, n);
   const Material& rubber = scene.materials[0];
@@ -222,7 +222,8 @@ TEST_SUITE("convergence") {
     check(3, "tl", 0.03, 2.5);
   }
 
-  TEST_CASE("swinging cube: velocity and stress are of second order, with and without boundary projection") {
+  TEST_CASE(
+      "swinging cube: errors of velocity and stress are of second order, with and without boundary projection") {
     const auto check = [](const char* method, double projection) {
       CAPTURE(std::string(method));
       CAPTURE(projection);

@@ -105,7 +105,8 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("driven: the work of a piston is the energy of the bar") {
+  TEST_CASE(
+      "driven: the energy of a bar is its piston's work if the method conserves energy, and no greater otherwise") {
     const Scene scene = pushed_bar();
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));

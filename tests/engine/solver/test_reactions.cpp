@@ -59,7 +59,7 @@ double momentum(const Snapshot& now) {  // along y
   return sum;
 }
 
-double summed(const Series& series, std::size_t probe) {
+double integral(const Series& series, std::size_t probe) {
   double sum = 0;
   for (std::size_t k = 1; k < series.time.size(); ++k)
     sum += series.value[probe][k] * (series.time[k] - series.time[k - 1]);
@@ -211,7 +211,7 @@ TEST_SUITE("conservation") {
         }
         const double gained = mass * (series.value[2].back() - series.value[2].front());
         CHECK(gained < 0);
-        CHECK(summed(series, 0) == relative(gained, 1e-9));
+        CHECK(integral(series, 0) == relative(gained, 1e-9));
       }
     }
   }
@@ -231,11 +231,11 @@ TEST_SUITE("conservation") {
       CAPTURE(k);
       const double gained = mass * (series.value[2 + k].back() - series.value[2 + k].front());
       CHECK(std::abs(gained) > 0.1 * mass * 8 * (k == 0 ? 1 : 0.1));
-      CHECK(summed(series, k) == relative(gained, 1e-9));
+      CHECK(integral(series, k) == relative(gained, 1e-9));
     }
   }
 
-  TEST_CASE("contact_force: the impulse of a wall is the momentum change of the rebounding body") {
+  TEST_CASE("contact_force: the force of a wall integrates to the recorded impulse of the walls") {
     for (const auto& [method, law] :
          std::vector<std::pair<std::string, ContactLaw>>{{"enog", ContactLaw::published},
                                                          {"oenog", ContactLaw::surface},
@@ -262,12 +262,12 @@ TEST_SUITE("conservation") {
       simulation->advance_to(5e-4);
       const Snapshot& now = simulation->snapshot();
       CHECK(now.of_walls.linear[0] < -0.5 * mass_of(now, 0) * speed);
-      CHECK(summed(simulation->series(), 0) == relative(now.of_walls.linear[0], 1e-9));
-      CHECK(summed(simulation->series(), 1) == 0);
+      CHECK(integral(simulation->series(), 0) == relative(now.of_walls.linear[0], 1e-9));
+      CHECK(integral(simulation->series(), 1) == 0);
     }
   }
 
-  TEST_CASE("contact_force: bodies that interact by their stress as one body are refused") {
+  TEST_CASE("contact_force: under sph d-ulsph-av-as refuses the probe, and enog accepts it") {
     Scene scene = small_collision();
     scene.contact = ContactLaw::sph;
     scene.probes = {component(Probe::Kind::contact_force, {0, 1}, 0)};
@@ -357,7 +357,8 @@ TEST_SUITE("unit") {
     });
   }
 
-  TEST_CASE("stress: a hanging block at rest has the weight below over the area, also at its clamp") {
+  TEST_CASE(
+      "stress: in a hanging block at rest it is the weight below divided by the area, also at the clamp") {
     Scene scene = hanging(2);
     scene.materials[0].poisson_ratio = 0;  // the clamp does not hinder contraction
     scene.damping = 2e4;

@@ -85,7 +85,7 @@ TEST_SUITE("term") {
     CHECK(std::abs(raw(0, 1) - some_L(0, 1)) > 0.1);
   }
 
-  TEST_CASE("gradient correction: collinear particles are not corrected") {
+  TEST_CASE("gradient correction: it is 0 for collinear neighbours") {
     Sym2 moment{};
     add_gradient_moment(moment, 1.0, -0.5, 1.0, Vec2{0.6, 0.8});
     add_gradient_moment(moment, 1.0, -0.5, 2.0, Vec2{-0.6, -0.8});
@@ -94,7 +94,7 @@ TEST_SUITE("term") {
   }
 
   TEST_CASE(
-      "gradient correction: almost collinear or coplanar neighbours are not corrected, faces and corners are") {
+      "gradient correction: it is 0 for almost collinear or coplanar neighbours, else the inverse moment") {
     const Sym2 row{1, 0.02, 0.001}, layer_of_two{1, 0, 0.25}, corner{0.3, 0.1, 0.3};
     for (const double c : gradient_correction(row).c) CHECK(c == 0);
     for (const Sym2& M : {layer_of_two, corner})

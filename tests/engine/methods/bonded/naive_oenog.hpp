@@ -80,7 +80,7 @@ class NaiveOenogIn {
   const Interfaces& interfaces() const { return interfaces_; }
   double contacts = 0;  // ordered pairs, summed over steps
 
-  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))]. Bonds use the harmonic mean of G; λ° must be in ½ … 2.
+  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))], except at interfaces. Bonds use `modulus` for G; λ° must be in ½ … 2.
   double energy(const Places& at) const {
     double E = 0;
     for (int i = 0; i < size(); ++i) {
@@ -278,8 +278,8 @@ class NaiveOenogIn {
     return m.shear_modulus() / 2 * (J.to(-2.0 / 3) * C - 3) + m.bulk_modulus() / 2 * (J - 1) * (J - 1);
   }
 
-  /// Derivatives at an interface: by F, its jump b, and the squared stretches s of bonds.
   static constexpr int most_bonds = 26;
+  /// Derivatives at an interface: by F, its jump b, and the squared stretches s of bonds.
   using Wide = Dual<components + Dim + most_bonds>;
   using WideSquare = std::array<Wide, components>;
   static WideSquare with(WideSquare F, double share, const std::array<Wide, Dim>& b, const Point& n) {
@@ -352,7 +352,7 @@ class NaiveOenogIn {
     }
   }
 
-  /// ∂W/∂F = G J^(−2/3) (F − C/3 F⁻ᵀ) + K (J − 1) J F⁻ᵀ, C = tr FᵀF
+  /// ∂W/∂F = G J^(−2/3) (F − C/3 F⁻ᵀ) + K (J − 1) J F⁻ᵀ, C = tr FᵀF, in 2D plus 1
   Square neo_hookean(int i, const Square& F) const {
     Square H;  // J F⁻ᵀ
     double J = 0, C = 3 - Dim;
@@ -421,7 +421,7 @@ class NaiveOenogIn {
   Bonds bonds_;
   Interfaces interfaces_;
   std::vector<int> site_of_;  // −1: none
-  double stiffest_ = 1;       // greatest φ″ of the step
+  double stiffest_ = 1;       // greatest φ″ of the last step
 };
 using NaiveOenog = NaiveOenogIn<2>;
 

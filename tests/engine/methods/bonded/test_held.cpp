@@ -48,7 +48,7 @@ double turned(const Scene& scene, const char* method, double t) {
   return simulation->series().value[0].back();
 }
 
-/// Reaction over E A u/L of a bar (ν = 0) stretched from a clamp or, with `both`, from a driven end at rest.
+/// Reaction of a bar (ν = 0), divided by E A u/L. Its other end is clamped or, with `both`, driven at speed 0.
 double resistance(double spacing, bool both, const char* method, std::optional<double> until = {}) {
   constexpr double E = 1e6, clamp = 0.004, width = 0.012, free = 0.032, u = 1e-5;
   Scene scene;
@@ -81,7 +81,7 @@ double resistance(double spacing, bool both, const char* method, std::optional<d
 
 TEST_SUITE("analytic") {
   TEST_CASE(
-      "driven: a region driven for the whole run is a moving clamp, a region released later acts 0.4 dp deeper") {
+      "driven: with oenog a region driven to the end is a moving clamp, a region released later acts 0.4 dp deeper") {
     for (const double spacing : {0.002, 0.001}) {
       CAPTURE(spacing);
       const double length = 0.032, later = 1;

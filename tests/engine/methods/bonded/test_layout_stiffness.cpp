@@ -55,7 +55,7 @@ TEST_SUITE("unit") {
     CHECK(of_chain(springs, 1, products) == test::relative(9, 1e-4));
   }
 
-  TEST_CASE("layout stiffness: the result has the same bits on any number of threads") {
+  TEST_CASE("layout stiffness: the result has the same bits on 1, 2, 3 and 8 threads") {
     constexpr int n = 50000;
     int products = 0;
     const std::vector<double> springs(n, 2.0);

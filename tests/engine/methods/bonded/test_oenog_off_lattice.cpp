@@ -148,7 +148,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("oenog: an off-lattice body at rest stays there with bonds in single precision") {
+  TEST_CASE("oenog: an off-lattice body with bonds in single precision stays at rest") {
     Scene layers = block(7);
     layers.bodies[0].shapes = {Ring{{}, 3 * dp, 6 * dp, RoundLayout::aligned}};
     for (Scene scene : {layers, jittered(block(7), 0.2)}) {
@@ -175,7 +175,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("oenog: an off-lattice bar bends slightly too slowly") {
+  TEST_CASE("oenog: jitter prolongs the bending period of a bar, by less than 6.6 %") {
     constexpr double period = 0.27691;  // finite elements
     const double lattice = error_of_period(bending_cantilever(5), period),
                  little = error_of_period(jittered(bending_cantilever(5), 0.1), period),
@@ -188,12 +188,12 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("oenog: a plate within round-off of a lattice vibrates as on the lattice") {
+  TEST_CASE(
+      "oenog: a plate within round-off of a lattice vibrates as on it, up to a jitter of 1e-3 within 0.9 %") {
     const Scene plate = oscillating_plate(0.01, 5);
     const double lattice = half_period(plate, 0.15);
     constexpr double exact = 0.25522 / 2;
     CHECK(lattice == relative(exact, 0.003));
-    // particles within round-off of a lattice must not be balanced like layers
     for (const double share : {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-7, 1e-5, 1e-3}) {
       CAPTURE(share);
       const double period = half_period(jittered(plate, share), 0.2);
@@ -204,7 +204,8 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("oenog: a jittered ring and plate vibrate slightly too slowly, and a finer ring less so") {
+  TEST_CASE(
+      "oenog: a jittered ring vibrates slightly too slowly, a finer ring less so, and a plate by less than 4 %") {
     const auto too_slow = [](const Scene& scene, double share, double lattice) {
       return half_period(jittered(scene, share), 1.5 * lattice) / lattice - 1;
     };
@@ -231,7 +232,7 @@ TEST_SUITE("failure") {
     CHECK(half(jittered(plate, 0.1)) > 1.2 * half(plate));
   }
 
-  TEST_CASE("oenog: an off-lattice block is stable with its layout's steps and conserves its energy") {
+  TEST_CASE("oenog: an off-lattice block is stable at the default step and conserves its energy") {
     for (const double share : {0.1, 0.2, 0.3, 0.4, 0.45}) {
       CAPTURE(share);
       const Scene scene = jittered(block(7), share);

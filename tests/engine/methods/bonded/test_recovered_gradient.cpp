@@ -113,7 +113,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("recovered gradient: the compact form equals the full one in single precision") {
+  TEST_CASE("recovered gradient: the compact form equals the full one rounded to single precision") {
     const Scene cube = jittered(small_clamped_block(), 0.2);
     const InitialParticles initial = make_initial_particles(cube);
     const RecoveredGradient whole = recovered(cube, initial), half = recovered(cube, initial, true);
@@ -155,7 +155,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "recovered gradient: rows of two layers are exact for linear fields only, and one layer has no rows") {
+      "recovered gradient: in a body of two layers rows are exact for linear fields only, in one layer there are none") {
     Scene thin = block(2);
     InitialParticles initial = make_initial_particles(thin);
     RecoveredGradient rows = recovered(thin, initial);
