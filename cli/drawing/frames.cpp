@@ -168,7 +168,7 @@ std::set<std::string> Frames::cut_texts() const {
 std::string remark_on_texts(const std::set<std::string>& cut) {
   if (cut.empty()) return "";
   return fmt::format(
-      "taut: the picture has no room for {}; use a larger --size, or leave it out with --text\n",
+      "taut: the picture has no room for {}; use a larger --size, or fewer texts with --text\n",
       join({cut.begin(), cut.end()}, "; "));
 }
 

@@ -20,7 +20,7 @@ DrawingValue get_color(const Drawing& drawing) {
   return drawing.formula.empty() ? std::string(drawing.field->key) : "=" + drawing.formula;
 }
 
-/// Also resets range and colour map.
+/// A new colour resets range and colour map.
 std::string set_color(Drawing& drawing, const DrawingValue& value) {
   const std::string& text = word(value);
   if (DrawingValue(text) == get_color(drawing)) return "";
@@ -370,7 +370,7 @@ std::span<const DrawingKey> drawing_keys() {
           .get = get_texts},
       DrawingKey{.name = "bar_position",
                  .placeholder = "POSITION",
-                 .help = "position of the colour bar or legend: right, left or bottom; --text omits it",
+                 .help = "position of the colour bar or legend: right, left or bottom",
                  .session_help = "position of the colour bar or legend: right, left or bottom",
                  .words = {"position", names_of_bar_positions},
                  .set = set_bar_position,
@@ -433,7 +433,7 @@ std::span<const DrawingKey> drawing_keys() {
           .placeholder = "LENGTH|none",
           .help =
               "width on paper, such as 85mm: "
-              "with --dpi it gives the width in pixels; keeps the proportions of --size, and sets texts of 7 points",
+              "with --dpi it gives the width in pixels; keeps the proportions of --size",
           .is_free_text = true,
           .pattern = R"(^(none|[0-9]+(\.[0-9]+)?(mm|cm|in))$)",
           .numbers = {.typed = fmt::format("none or {}", right_print_widths)},
