@@ -149,7 +149,7 @@ bool Options::read(const std::vector<std::string>& words) try {
 } catch (const CLI::CallForHelp&) {
   return false;
 } catch (const CLI::ParseError& e) {
-  refuse_unknown();  // precedes the error about a missing argument
+  refuse_unknown();  // rather than report a missing argument
   throw UsageError(fmt::format("{}; see `{} --help`", what_is_wrong(*app_, e), app_->get_name()));
 }
 
@@ -170,7 +170,7 @@ std::vector<std::string> Options::joined(const std::vector<std::string>& words) 
   return all;
 }
 
-/// Replaces a missing word of a flag by the first allowed word. Throws UsageError for an unknown word.
+/// Gives flags without a word the first allowed word. Throws UsageError for an unknown word.
 void Options::set_flags(const std::vector<std::string>& words) const {
   for (const FlagWithWords& flag : flags_) {
     if (app_->get_option(flag.name)->count() == 0) continue;

@@ -20,7 +20,7 @@ class Option {
   bool operator==(const Option&) const = default;
 
   Option& required(bool is_required = true);
-  /// `check` returns a message, or "" for a valid value.
+  /// `check` returns a message, or "".
   Option& check(std::string (*check)(const std::string& value));
   Option& one_word_each();
   Option& comma_separated();
@@ -74,7 +74,7 @@ class Options {
   std::string help() const;
   /// Returns false for --help. Throws UsageError.
   bool read(const std::vector<std::string>& words);
-  /// Joins flags and their words: "--name WORD" becomes "--name=WORD".
+  /// Joins flags and their words as "--name=WORD".
   std::vector<std::string> joined(const std::vector<std::string>& words) const;
 
  private:

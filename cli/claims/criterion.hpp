@@ -19,7 +19,7 @@ std::vector<Quantity> quantities_in(const std::string& criterion);
 /// Throws UsageError for an invalid expression, an unknown run, or no quantity of a run.
 void check_criterion(const std::string& criterion, const std::vector<std::string>& runs);
 
-/// Verdicts count as ranks, from 0 for `stable` to the highest for `diverged`.
+/// Verdicts count as ranks that rise from `stable` to `diverged`.
 bool is_met(const std::string& criterion, const std::map<std::string, double>& values);
 
 struct QuantityValue {

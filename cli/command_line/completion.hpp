@@ -20,7 +20,7 @@ struct Completion {
 /// Completes the last word of `typed`, which excludes `taut`.
 Completion complete(std::span<const Command> commands, const std::vector<std::string>& typed);
 
-/// Pattern of files, then a line per word with text, tab and help; omits words with characters special to Bash.
+/// Pattern of files, then a line per word with text, tab and help.
 std::string answer_to_shell(std::span<const Command> commands, const std::vector<std::string>& typed);
 
 }  // namespace taut::cli

@@ -14,8 +14,8 @@ struct Choices {
   std::string files;
 };
 
-/// Candidates for a placeholder such as "FIELD,..." or "LOW:HIGH|auto", each with the list items already in `typed`;
-/// includes candidates that do not begin with `typed`. `scene` may be nullptr.
+/// Candidates for a placeholder such as "FIELD,..." or "LOW:HIGH|auto", even if they do not begin with `typed`. `scene`
+/// may be nullptr.
 Choices choices(std::string_view placeholder, const std::string& typed, const SceneFile* scene);
 
 }  // namespace taut::cli

@@ -173,7 +173,7 @@ void check_options(const Options& command, bool suite) {
     if (suite && !in(of_suites, option))
       throw UsageError(option.name() +
                        " is for scenes; "
-                       "write it into the suite file, where `set` and `render` take settings and drawing");
+                       "write it into the suite file: settings into `set`, drawing into `render`, the limit as `fail`");
   }
 }
 

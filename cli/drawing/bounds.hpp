@@ -42,7 +42,7 @@ class SequenceBounds {
     double low = 1e300, high = -1e300;
     void add(double value, double margin = 0);
   };
-  Interval values_, x_, y_, z_;  // positions: along the axes of the camera, if there is one
+  Interval values_, x_, y_, z_;  // positions: along the axes of the camera, if any
   std::vector<double> sample_;   // every `stride_`-th value
   std::size_t stride_ = 1, seen_ = 0;
   std::optional<render::CameraAxes> axes_;

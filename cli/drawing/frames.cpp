@@ -73,7 +73,7 @@ Frames::Frames(const Drawing& drawing, Origins origins, std::filesystem::path fo
       captions_(std::move(captions)),
       seconds_(seconds),
       renderers_(static_cast<std::size_t>(pictures_at_once(drawing_, threads))),
-      // with one thread, the caller draws
+      // with one renderer, the caller draws
       work_(renderers_.size() > 1 ? static_cast<int>(renderers_.size()) : 0) {
   const render::Look& look = drawing_.look;
   if ((look.range || !look.categories.empty()) && look.view) begin_drawing(SequenceBounds());

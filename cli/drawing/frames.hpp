@@ -23,7 +23,7 @@
 namespace taut::cli {
 
 std::string frame_name(int number);
-/// Also true for temporary files of frames.
+/// Also true for temporary files.
 bool is_frame(const std::filesystem::path& path);
 
 struct Captions {

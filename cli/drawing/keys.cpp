@@ -298,7 +298,7 @@ std::span<const DrawingKey> drawing_keys() {
           .placeholder = "STYLE",
           .help =
               "shape of particles: discs (2D), spheres (3D), "
-              "cells (flat pieces of one colour and one strain each: hairline gaps open where the strain varies), "
+              "cells (flat pieces, with hairline gaps where the strain varies), "
               "or surface (continuous bodies with interpolated values)",
           .session_help = "shape of particles: discs (2D), spheres (3D), cells, or surface",
           .allows_auto = true,

@@ -87,7 +87,7 @@ Point Surface::initial(std::uint32_t point) const {
   return x;
 }
 
-/// Omits hidden nodes, nodes close to a particle and nodes far from all particles.
+/// Omits nodes that are hidden, close to a particle or far from all particles.
 void Surface::add_nodes(const Scene& scene, const std::vector<Point>& places, const NodeWeights& weights,
                         const Expression& is_cut) {
   constexpr double nearest = 0.1, farthest = 1.5;  // spacings
@@ -126,7 +126,7 @@ void Surface::triangulate(const Scene& scene, int body, std::span<const int> fir
   }
 }
 
-/// Whether the simplex is small and, if all its points can be on faces, inside its body. An edge between two nodes could
+/// Whether the simplex is small and, if all points can be on faces, inside its body. An edge between two nodes could
 /// bridge a groove; chords of hollow faces are slightly outside.
 bool Surface::fits(const Scene& scene, int body, const Simplex& simplex) const {
   constexpr double chord = 0.15;  // spacings

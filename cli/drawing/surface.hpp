@@ -57,7 +57,7 @@ class Surface {
   std::size_t dim_, particles_ = 0;
   double dp_;               // m
   std::vector<double> x0_;  // m
-  FaceNodes nodes_;         // shares refer to particles of the surface, not of the scene
+  FaceNodes nodes_;         // shares number the particles of the surface
   std::vector<Simplex> simplices_;
   std::vector<Face> faces_;
 };

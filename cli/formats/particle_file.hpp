@@ -26,7 +26,7 @@ class ParticleFile {
   bool has(const std::string& field) const;
   std::vector<double> positions(int dim) const;  // n × dim, m
   std::vector<double> diameter() const;          // m
-  /// Throws UsageError for a missing or damaged field; the readers above throw for damaged data.
+  /// Throws UsageError for a missing or damaged field.
   std::vector<double> field(const std::string& key) const;
 
  private:

@@ -49,7 +49,7 @@ Rows colormap_rows();
 Rows method_rows();
 Rows key_rows();
 
-/// Empty for a name without an example.
+/// May be empty.
 std::string_view example_of(std::string_view name);
 
 }  // namespace taut::cli

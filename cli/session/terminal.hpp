@@ -12,7 +12,7 @@ namespace taut::cli {
 /// Shows pictures on stdout: as pixels if possible (kitty, iTerm2, sixels), else as coloured characters.
 class Terminal {
  public:
-  /// Throws UsageError unless `out` is std::cout on a terminal.
+  /// Throws UsageError if `out` is no terminal.
   explicit Terminal(const std::ostream& out);
   ~Terminal();
   Terminal(const Terminal&) = delete;

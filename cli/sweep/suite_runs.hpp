@@ -41,7 +41,7 @@ struct EntryOutcome {
   const PlannedEntry* planned;
   EntryResult result = EntryResult::no_result;
   FolderDifference difference{};
-  std::size_t updated = 0;  // frames in the new baseline
+  std::size_t updated = 0;
   std::string problem{};  // why there is no result
 
   bool passed() const;
