@@ -379,8 +379,7 @@ std::span<const DrawingKey> drawing_keys() {
           .name = "bar_format",
           .placeholder = "FORMAT|auto",
           .help =
-              "numbers of the colour bar: %.2f for two decimals, %.1e for powers of ten without SI prefix; "
-              "more decimals where the numbers need them",
+              "numbers of the colour bar: %.2f for two decimals, %.1e for powers of ten without SI prefix",
           .session_help = "numbers of the colour bar, such as %.2f or %.1e",
           .is_free_text = true,
           .pattern = R"(^(auto|%\.[0-9][fe])$)",

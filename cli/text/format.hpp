@@ -41,7 +41,7 @@ std::uint64_t hash_of(std::string_view text);
 /// Escapes cells with printable().
 std::string in_columns(std::vector<std::vector<std::string>> rows, int indent = 2,
                        std::optional<std::size_t> columns = {});
-/// Lines of at most `columns` characters, including `indent` leading blanks, or of one longer word; no newline at the end.
+/// Lines of at most `columns` characters (or one longer word), including `indent` blanks; no newline at the end.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns);
 
 /// "NAME_00012.EXTENSION"
