@@ -91,8 +91,7 @@ StoredResults read_all(const PlotPaths& paths, std::ostream& err) {
     constexpr std::size_t most = 5;
     const std::size_t more = names.size() > most ? names.size() - most : 0;
     names.resize(names.size() - more);
-    err << "taut: skipped: " << join(names)
-        << (more > 0 ? fmt::format(" and {} more", more) : "") << '\n';
+    err << "taut: skipped: " << join(names) << (more > 0 ? fmt::format(" and {} more", more) : "") << '\n';
   }
   StoredResults results;
   if (!paths.sweeps.empty()) results = read_results(paths.sweeps);

@@ -293,18 +293,16 @@ std::span<const DrawingKey> drawing_keys() {
                              .high = render::greatest_field_of_view},
                  .set = set_fov,
                  .get = get_fov},
-      DrawingKey{
-          .name = "style",
-          .placeholder = "STYLE",
-          .help =
-              "shape of particles: discs (2D), spheres (3D), "
-              "cells (flat pieces, with hairline gaps where the strain varies), "
-              "or surface (continuous bodies with interpolated values)",
-          .session_help = "shape of particles: discs (2D), spheres (3D), cells, or surface",
-          .allows_auto = true,
-          .words = {"style", names_of_styles},
-          .set = set_style,
-          .get = get_style},
+      DrawingKey{.name = "style",
+                 .placeholder = "STYLE",
+                 .help = "shape of particles: discs (2D), spheres (3D), "
+                         "cells (flat pieces, with hairline gaps where the strain varies), "
+                         "or surface (continuous bodies with interpolated values)",
+                 .session_help = "shape of particles: discs (2D), spheres (3D), cells, or surface",
+                 .allows_auto = true,
+                 .words = {"style", names_of_styles},
+                 .set = set_style,
+                 .get = get_style},
       DrawingKey{.name = "cut",
                  .placeholder = "EXPRESSION|none",
                  .help = "particles to hide, by their initial position, such as 'y < 0'",
@@ -427,17 +425,15 @@ std::span<const DrawingKey> drawing_keys() {
                              .high = render::greatest_size},
                  .set = set_size,
                  .get = get_size},
-      DrawingKey{
-          .name = "width",
-          .placeholder = "LENGTH|none",
-          .help =
-              "width on paper, such as 85mm: "
-              "with --dpi it gives the width in pixels; keeps the proportions of --size",
-          .is_free_text = true,
-          .pattern = R"(^(none|[0-9]+(\.[0-9]+)?(mm|cm|in))$)",
-          .numbers = {.typed = fmt::format("none or {}", right_print_widths)},
-          .set = set_width,
-          .get = get_width},
+      DrawingKey{.name = "width",
+                 .placeholder = "LENGTH|none",
+                 .help = "width on paper, such as 85mm: "
+                         "with --dpi it gives the width in pixels; keeps the proportions of --size",
+                 .is_free_text = true,
+                 .pattern = R"(^(none|[0-9]+(\.[0-9]+)?(mm|cm|in))$)",
+                 .numbers = {.typed = fmt::format("none or {}", right_print_widths)},
+                 .set = set_width,
+                 .get = get_width},
       DrawingKey{.name = "dpi",
                  .placeholder = "N|auto",
                  .help = "pixels per inch, for --width and --font-size; auto: 96, or 300 if --width is given",

@@ -148,7 +148,8 @@ ParticleFile::ParticleFile(std::filesystem::path path) : path_(std::move(path)) 
 
 void ParticleFile::read_header() {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path_, error)) fail("is not a regular file");  // opening a pipe would wait
+  if (!std::filesystem::is_regular_file(path_, error))
+    fail("is not a regular file");  // opening a pipe would wait
   std::ifstream file(path_, std::ios::binary);
   if (!file) fail("cannot be read");
   const std::string header = header_of(file);
