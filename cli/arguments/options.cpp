@@ -19,7 +19,7 @@ const CLI::Option* greedy_option(const CLI::App& app) {
   return nullptr;
 }
 
-/// Replaces CLI11's messages.
+/// Replaces some messages of CLI11.
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& e) {
   const std::string text = e.what();
   if (const CLI::Option* taker = greedy_option(app); taker && dynamic_cast<const CLI::RequiredError*>(&e))
@@ -170,7 +170,7 @@ std::vector<std::string> Options::joined(const std::vector<std::string>& words) 
   return all;
 }
 
-/// Gives flags without a word their first word. Throws UsageError for an unknown word.
+/// Gives flags without a word the first allowed word. Throws UsageError for an unknown word.
 void Options::set_flags(const std::vector<std::string>& words) const {
   for (const FlagWithWords& flag : flags_) {
     if (app_->get_option(flag.name)->count() == 0) continue;
@@ -185,7 +185,7 @@ void Options::set_flags(const std::vector<std::string>& words) const {
   }
 }
 
-/// Throws UsageError for unknown options and superfluous arguments.
+/// Throws UsageError for unknown options, options after "--" and superfluous arguments.
 void Options::refuse_unknown() const {
   std::vector<std::string> rest = app_->remaining();
   std::erase(rest, "--");

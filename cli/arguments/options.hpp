@@ -35,7 +35,7 @@ class Option {
   bool is_positional() const;
   bool takes_value() const;
   bool may_be_repeated() const;
-  /// Values as typed; "true" for a flag.
+  /// Values as typed; "true" for a flag without a word.
   std::vector<std::string> values() const;
 
  private:
@@ -62,7 +62,7 @@ class Options {
   Option add(std::string_view name, std::string_view placeholder,
              const std::function<void(const std::vector<std::string>&)>& take, std::string_view help);
   Option add_flag(std::string_view name, bool& target, std::string_view help);
-  /// Declares --name, --name WORD or --name=WORD. `target` becomes the word, by default the first one.
+  /// Declares --name, --name WORD or --name=WORD. `target` becomes WORD, by default the first of `words`.
   Option add_flag(std::string_view name, const std::vector<std::string>& words, std::string& target,
                   std::string_view help);
   template <class Target>
@@ -74,7 +74,7 @@ class Options {
   std::string help() const;
   /// Returns false for --help. Throws UsageError.
   bool read(const std::vector<std::string>& words);
-  /// Writes "--name WORD" of flags as "--name=WORD".
+  /// Joins flags and their words as "--name=WORD".
   std::vector<std::string> joined(const std::vector<std::string>& words) const;
 
  private:

@@ -37,8 +37,10 @@ std::vector<ClaimRun> read_runs(TomlCursor& cursor) {
   std::vector<ClaimRun> all;
   for (TomlEntry& entry : runs.entries) {
     if (!is_identifier(entry.key))
-      cursor.fail(entry.place, "run",
-                  fmt::format("the name of a run must have letters, digits and _ only, not '{}'", entry.key));
+      cursor.fail(
+          entry.place, "run",
+          fmt::format("'{}' is not a valid name for a run; use letters, digits and '_', with no digit first",
+                      entry.key));
     if (entry.value.kind != TomlValue::Kind::table)
       cursor.fail(entry.value, "run",
                   fmt::format("the run {} must be a table {{ NAME = value }}", entry.key));

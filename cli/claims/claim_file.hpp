@@ -42,7 +42,7 @@ struct Paper {
   std::vector<Claim> claims;
 };
 
-/// Throws SceneError with file, line and column. Does not check settings and quantities.
+/// Throws SceneError with file, line and column. Does not check whether settings and quantities exist.
 Paper read_paper(const std::filesystem::path& file);
 std::vector<Paper> shipped_papers();
 

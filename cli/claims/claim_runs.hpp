@@ -17,7 +17,7 @@ struct PlannedClaim {
 };
 
 /// Checks the settings of all runs. Equal runs share a folder below `folder`. The claims must outlive the
-/// plan. Throws SceneError with the place in the claim file, and UsageError.
+/// plan. Throws SceneError with the place, and UsageError.
 std::vector<PlannedClaim> plan_claims(const std::vector<const Claim*>& claims,
                                       const std::filesystem::path& folder);
 
@@ -28,7 +28,7 @@ struct ClaimOutcome {
   const Claim* claim;
   std::vector<std::pair<std::string, std::string>> values{};  // "og.verdict", "fractured"
   std::optional<ClaimState> state{};                          // none: a problem
-  bool evidence = true;                                       // true or not needed
+  bool evidence = true;                                       // condition is true or absent
   std::string problem{};                                      // broken run or quantity without value
 
   bool agrees() const { return state == claim->state && evidence; }

@@ -19,15 +19,15 @@ std::vector<Quantity> quantities_in(const std::string& criterion);
 /// Throws UsageError for an invalid expression, an unknown run, or no quantity of a run.
 void check_criterion(const std::string& criterion, const std::vector<std::string>& runs);
 
-/// Verdicts are ranks from `stable` to `diverged`.
+/// Verdicts count as ranks that rise from `stable` to `diverged`.
 bool is_met(const std::string& criterion, const std::map<std::string, double>& values);
 
 struct QuantityValue {
   // `verdict`: its rank; `since.FAILURE`: first time of the failure in s, infinity if never
   double number = 0;
-  std::string shown;  // with unit
+  std::string shown;  // such as "0.012 s"
 };
-/// Throws UsageError for an unknown quantity and a measure without value.
+/// Throws UsageError if the quantity is unknown or has no value.
 QuantityValue value_of(const std::string& folder, const std::string& path);
 
 }  // namespace taut::cli

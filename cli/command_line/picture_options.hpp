@@ -26,8 +26,8 @@ struct PictureOptions {
 
 inline void declare_measure(Options& command, std::string& measure) {
   command.add("--measure", "MEASURE", measure,
-              "measure whose error is used; default: the measure that has an error in most runs, "
-              "and neither a name that ends in _time nor an error with a unit, if possible");
+              "measure whose error is used; default: the one with an error in most runs; "
+              "names in ..._time and errors with a unit only if there are no others");
 }
 
 }  // namespace taut::cli

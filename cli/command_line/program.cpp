@@ -27,7 +27,7 @@ void print_help(std::span<const Command> commands, std::ostream& out) {
          "Exit codes:\n"
          "  0    success\n"
          "  1    diff, snapshot: pictures differ; check: a check failed; choose: no run is accurate enough;\n"
-         "       claims: a run differs from the recorded state\n"
+         "       claims: a claim differs from its recorded state\n"
          "  2    wrong command line or scene\n"
          "  3    the simulation diverged, or its verdict is as bad as --fail-on or worse\n"
          "  4    output could not be written\n"

@@ -40,7 +40,7 @@ double share(const std::string& text) {
   return percents ? *value / 100 : *value;
 }
 
-/// Files results.csv of the scene below out/.
+/// Files results.csv of the scene, at most three folders below out/.
 std::vector<std::string> stored_results(const std::string& scene) {
   constexpr int deepest = 3;
   std::vector<std::string> files;
@@ -183,7 +183,7 @@ std::function<int(Streams)> declare_choose(Options& command) {
   declare_measure(command, options->measure);
   command.add(
       "--against", "METHOD|DIR", options->against,
-      "method whose finest stable run, or run folder whose values, replace the references of the scene");
+      "method or run folder that replaces the references of the scene; of a method, the finest stable run");
   command.add("--from", "FILE ...", options->from,
               "results.csv files of sweeps, or the folders of sweeps; default: all below out/");
   options->declare_json(command);

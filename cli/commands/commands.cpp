@@ -117,7 +117,7 @@ constexpr Command table[] = {
      "received, or if the simulation fails, for instance because a value is not finite.\n",
      declare_critical_step},
     {"claims",
-     "list statements of the papers and whether they hold here; run them; exit code 1 if a run differs",
+     "list statements of the papers and whether they hold here; run them; exit code 1 if a claim differs",
      "  taut claims                               all papers\n"
      "  taut claims Zhang2024\n"
      "  taut claims Zhang2024.fig-3a              one claim, with the commands that repeat its runs\n"
@@ -125,8 +125,8 @@ constexpr Command table[] = {
      "  taut claims Lee2016 --quick               run the claims of a paper that take seconds\n"
      "  taut claims --all --jobs 2 --json         run everything: hours\n"
      "Runs are kept in --out, and finished runs are not repeated. A claim `holds` if its criterion is true,\n"
-     "holds `in part` if only the weaker criterion is true, and otherwise `does not hold`. A run agrees if it\n"
-     "finds the recorded state and if the claim's `evidence` condition, if any, is true.\n",
+     "holds `in part` if only the weaker criterion is true, and otherwise `does not hold`. A claim agrees if\n"
+     "its runs give the recorded state and its `evidence` condition, if any, is true.\n",
      declare_claims},
     {"session", "simulate interactively: read commands from stdin, print answers; `help` lists the commands",
      "  taut session colliding-rings\n"

@@ -75,8 +75,9 @@ std::vector<double> chosen_times(const CompareArguments& options, double until) 
     for (int k = 1; k <= default_rows; ++k) times.push_back(until * k / default_rows);
   for (const double time : times)
     if (time > until)
-      throw UsageError(fmt::format("--times contains {} s; times must be at most {} s, the end of the runs",
-                                   brief(time), brief(until)));
+      throw UsageError(
+          fmt::format("--times contains {} s; times must be at most {} s, the end of the longest run",
+                      brief(time), brief(until)));
   return times;
 }
 

@@ -73,8 +73,7 @@ std::string result_text(const SceneFile& file, const CriticalStep& found) {
   rows.push_back({"time of a trial", brief(found.covered) + " s, at least 300 steps",
                   std::to_string(found.trials) + " trials"});
   if (found.interrupted)
-    rows.push_back(
-        {"interrupted", "", "the search is incomplete; the largest stable step is between these bounds"});
+    rows.push_back({"interrupted", "", "the search is incomplete; run the command again for closer bounds"});
   return text + in_columns(rows);
 }
 

@@ -65,14 +65,14 @@ Json equation_rows() {
 }
 
 constexpr Listing listings[] = {
-    {"scenes", scene_rows, "shipped scenes"},
+    {"scenes", scene_rows, "scenes, shipped or in TAUT_SCENES"},
     {"methods", of_language<method_rows>, "SPH formulations, and finite elements"},
     {"equations", equation_rows, "equations of all methods, with function and test"},
     {"laws", of_language<law_rows>, "laws of elasticity"},
     {"contacts", of_language<contact_rows>, "contact laws"},
     {"shapes", of_language<shape_rows>, "shapes of bodies"},
     {"probes", of_language<probe_rows>, "quantities that history.csv records"},
-    {"measures", of_language<measure_rows>, "numbers that are compared with references"},
+    {"measures", of_language<measure_rows>, "numbers that can be compared with references"},
     {"fields", of_language<field_rows>, "quantities that colour the particles"},
     {"colormaps", of_language<colormap_rows>, "colour maps"},
     {"keys", of_language<key_rows>, "keys of scene, sweep, claim and suite files"}};

@@ -77,7 +77,7 @@ bool draw_orbit(const fs::path& folder, const fs::path& frames, std::ostream& er
   return redraw(run, frames, 0, progress).all;
 }
 
-/// Adds a white edge to videos, which need even sides, and reduces the colours of GIFs.
+/// Pads videos with white to even sides, and reduces the colours of GIFs.
 std::vector<std::string> encoding(const std::string& extension) {
   if (extension == ".gif")
     return {"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none"};

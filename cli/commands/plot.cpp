@@ -91,8 +91,7 @@ StoredResults read_all(const PlotPaths& paths, std::ostream& err) {
     constexpr std::size_t most = 5;
     const std::size_t more = names.size() > most ? names.size() - most : 0;
     names.resize(names.size() - more);
-    err << "taut: skipped (neither a run nor a sweep): " << join(names)
-        << (more > 0 ? fmt::format(" and {} more", more) : "") << '\n';
+    err << "taut: skipped: " << join(names) << (more > 0 ? fmt::format(" and {} more", more) : "") << '\n';
   }
   StoredResults results;
   if (!paths.sweeps.empty()) results = read_results(paths.sweeps);
@@ -292,7 +291,7 @@ std::function<int(Streams)> declare_plot(Options& command) {
   command.add("--title", "TEXT|none", options->title, "title; default: the title of the sweep or scene");
   command.add("--size", "WIDTHxHEIGHT", options->size, "size, pixels; with --width: aspect ratio");
   command.add("--width", "LENGTH", options->width,
-              "width on paper, such as 85mm: sets --dpi 300 and --font-size 7");
+              "width on paper, such as 85mm; the defaults are then --dpi 300 and --font-size 7");
   command.add("--dpi", "N", options->dpi, "pixels per inch of a PNG; default: 96").check(positive_number);
   command.add("--font-size", "POINTS", options->font_size, "size of texts, points; default: 11")
       .check(positive_number);

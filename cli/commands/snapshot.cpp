@@ -171,9 +171,10 @@ void check_options(const Options& command, bool suite) {
     if (!suite && in(of_suites, option))
       throw UsageError(option.name() + " is for suites, and this is a scene; leave it out");
     if (suite && !in(of_suites, option))
-      throw UsageError(option.name() +
-                       " is for scenes; "
-                       "write it into the suite file, where `set` and `render` take settings and drawing");
+      throw UsageError(
+          option.name() +
+          " is for scenes; "
+          "write it into the suite file: settings into `set`, drawing into `render`, the limit as `fail`");
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace taut::cli {
 
-/// Range and view of a sequence of frames; ignores non-finite values.
+/// Range and view of a sequence of frames; ignores NaN and magnitudes from 1e100.
 class SequenceBounds {
  public:
   /// The camera sets the plane of the view.
@@ -22,7 +22,7 @@ class SequenceBounds {
   void add(const FrameView& particles);
 
   /// Leaves out at each end at most 1 % of the values beyond ±`round_off`, unless they would widen the range by less
-  /// than a quarter. Never empty; symmetric about `middle`.
+  /// than a quarter. Never empty; symmetric about `middle`, if given.
   render::Range range(std::optional<double> middle, double round_off = 0) const;
   /// Includes a margin of 5 % of the longer side.
   render::View view() const;
@@ -42,7 +42,7 @@ class SequenceBounds {
     double low = 1e300, high = -1e300;
     void add(double value, double margin = 0);
   };
-  Interval values_, x_, y_, z_;  // positions: along the camera's axes
+  Interval values_, x_, y_, z_;  // positions: along the axes of the camera, if any
   std::vector<double> sample_;   // every `stride_`-th value
   std::size_t stride_ = 1, seen_ = 0;
   std::optional<render::CameraAxes> axes_;

@@ -79,7 +79,7 @@ std::vector<double> color_values(const Drawing& drawing, const Snapshot& snapsho
 
 std::vector<std::string> names_of_fields();
 std::vector<std::string> names_of_fields(int dim);
-/// Throws UsageError if `dim` dimensions lack the field.
+/// Throws UsageError if there is no such field in `dim` dimensions.
 const Field& known_field(const std::string& key, int dim = 3);
 
 }  // namespace taut::cli

@@ -73,7 +73,7 @@ Frames::Frames(const Drawing& drawing, Origins origins, std::filesystem::path fo
       captions_(std::move(captions)),
       seconds_(seconds),
       renderers_(static_cast<std::size_t>(pictures_at_once(drawing_, threads))),
-      // with one thread, the caller draws
+      // with one renderer, the caller draws
       work_(renderers_.size() > 1 ? static_cast<int>(renderers_.size()) : 0) {
   const render::Look& look = drawing_.look;
   if ((look.range || !look.categories.empty()) && look.view) begin_drawing(SequenceBounds());
@@ -168,7 +168,7 @@ std::set<std::string> Frames::cut_texts() const {
 std::string remark_on_texts(const std::set<std::string>& cut) {
   if (cut.empty()) return "";
   return fmt::format(
-      "taut: the picture has no room for {}; use a larger --size, or leave it out with --text\n",
+      "taut: the picture has no room for {}; use a larger --size, or fewer texts with --text\n",
       join({cut.begin(), cut.end()}, "; "));
 }
 

@@ -23,7 +23,7 @@
 namespace taut::cli {
 
 std::string frame_name(int number);
-/// Includes temporary files.
+/// Also true for temporary files.
 bool is_frame(const std::filesystem::path& path);
 
 struct Captions {
@@ -38,13 +38,13 @@ render::Image draw_picture(const Drawing& drawing, const Captions& captions, con
 /// "taut: …" with end of line; empty if all texts fit.
 std::string remark_on_texts(const std::set<std::string>& cut);
 
-/// Draws immediately if range and view are fixed, else at the end. Worker threads draw; `add` waits if too many frames
-/// are pending. Files are written in order.
+/// Draws immediately if range (or categories) and view are fixed, else at the end. If several threads draw, `add` waits
+/// while too many frames are pending. Files are written in order.
 class Frames {
  public:
   static constexpr double memory_of_pictures = 1e9;  // bytes
 
-  /// Throws if no picture can be drawn. `finish` adds the times of all threads to `seconds`.
+  /// Throws UsageError if all particles are hidden. `finish` adds the times of all threads to `seconds`.
   Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
          int threads, Seconds& seconds);
 
@@ -116,7 +116,7 @@ class Frames {
   int dim_ = 2;
   std::vector<double> diameter_;  // m
   std::vector<Kept> kept_;
-  std::optional<render::Vector> orbited_;  // centre, m
+  std::optional<render::Vector> orbited_;  // centre of the orbit, m
   std::vector<int> file_numbers_;
   int drawn_ = 0;  // including pending frames
   std::atomic<int> written_ = 0;

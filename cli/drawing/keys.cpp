@@ -20,7 +20,7 @@ DrawingValue get_color(const Drawing& drawing) {
   return drawing.formula.empty() ? std::string(drawing.field->key) : "=" + drawing.formula;
 }
 
-/// Also resets range and colour map.
+/// A new colour resets range and colour map.
 std::string set_color(Drawing& drawing, const DrawingValue& value) {
   const std::string& text = word(value);
   if (DrawingValue(text) == get_color(drawing)) return "";
@@ -293,18 +293,16 @@ std::span<const DrawingKey> drawing_keys() {
                              .high = render::greatest_field_of_view},
                  .set = set_fov,
                  .get = get_fov},
-      DrawingKey{
-          .name = "style",
-          .placeholder = "STYLE",
-          .help =
-              "shape of particles: discs (2D), spheres (3D), "
-              "cells (flat pieces of one colour and one strain each: hairline gaps open where the strain varies), "
-              "or surface (continuous bodies with interpolated values)",
-          .session_help = "shape of particles: discs (2D), spheres (3D), cells, or surface",
-          .allows_auto = true,
-          .words = {"style", names_of_styles},
-          .set = set_style,
-          .get = get_style},
+      DrawingKey{.name = "style",
+                 .placeholder = "STYLE",
+                 .help = "shape of particles: discs (2D), spheres (3D), "
+                         "cells (flat pieces, with hairline gaps where the strain varies), "
+                         "or surface (continuous bodies with interpolated values)",
+                 .session_help = "shape of particles: discs (2D), spheres (3D), cells, or surface",
+                 .allows_auto = true,
+                 .words = {"style", names_of_styles},
+                 .set = set_style,
+                 .get = get_style},
       DrawingKey{.name = "cut",
                  .placeholder = "EXPRESSION|none",
                  .help = "particles to hide, by their initial position, such as 'y < 0'",
@@ -370,7 +368,7 @@ std::span<const DrawingKey> drawing_keys() {
           .get = get_texts},
       DrawingKey{.name = "bar_position",
                  .placeholder = "POSITION",
-                 .help = "position of the colour bar or legend: right, left or bottom; --text omits it",
+                 .help = "position of the colour bar or legend: right, left or bottom",
                  .session_help = "position of the colour bar or legend: right, left or bottom",
                  .words = {"position", names_of_bar_positions},
                  .set = set_bar_position,
@@ -379,8 +377,7 @@ std::span<const DrawingKey> drawing_keys() {
           .name = "bar_format",
           .placeholder = "FORMAT|auto",
           .help =
-              "numbers of the colour bar: %.2f for two decimals, %.1e for powers of ten without SI prefix; "
-              "more decimals where the numbers need them",
+              "numbers of the colour bar: %.2f for two decimals, %.1e for powers of ten without SI prefix",
           .session_help = "numbers of the colour bar, such as %.2f or %.1e",
           .is_free_text = true,
           .pattern = R"(^(auto|%\.[0-9][fe])$)",
@@ -428,17 +425,15 @@ std::span<const DrawingKey> drawing_keys() {
                              .high = render::greatest_size},
                  .set = set_size,
                  .get = get_size},
-      DrawingKey{
-          .name = "width",
-          .placeholder = "LENGTH|none",
-          .help =
-              "width on paper, such as 85mm: "
-              "with --dpi it gives the width in pixels; keeps the proportions of --size, and sets texts of 7 points",
-          .is_free_text = true,
-          .pattern = R"(^(none|[0-9]+(\.[0-9]+)?(mm|cm|in))$)",
-          .numbers = {.typed = fmt::format("none or {}", right_print_widths)},
-          .set = set_width,
-          .get = get_width},
+      DrawingKey{.name = "width",
+                 .placeholder = "LENGTH|none",
+                 .help = "width on paper, such as 85mm: "
+                         "with --dpi it gives the width in pixels; keeps the proportions of --size",
+                 .is_free_text = true,
+                 .pattern = R"(^(none|[0-9]+(\.[0-9]+)?(mm|cm|in))$)",
+                 .numbers = {.typed = fmt::format("none or {}", right_print_widths)},
+                 .set = set_width,
+                 .get = get_width},
       DrawingKey{.name = "dpi",
                  .placeholder = "N|auto",
                  .help = "pixels per inch, for --width and --font-size; auto: 96, or 300 if --width is given",

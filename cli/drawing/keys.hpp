@@ -21,7 +21,7 @@ using DrawingValues = std::map<std::string, DrawingValue, std::less<>>;
 inline constexpr std::string_view nothing = "none";
 inline constexpr std::string_view automatic = "auto";
 
-/// A key of [render], a command-line option and a session command.
+/// A key of [render] and its command-line option; with `session_help` also a session command.
 struct DrawingKey {
   struct Words {
     std::string_view kind;
@@ -51,7 +51,7 @@ struct DrawingKey {
   bool is_free_text = false;  // checked by `set` or `apply_scene`
   std::string_view pattern = {};
   Numbers numbers = {};
-  /// Returns an error message, or "". `apply_scene` compares the value with the scene.
+  /// Returns an error message, or "". `apply_scene` checks whether the value fits the scene.
   std::string (*set)(Drawing&, const DrawingValue&);
   DrawingValue (*get)(const Drawing&);
 

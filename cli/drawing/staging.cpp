@@ -48,8 +48,7 @@ Staging::Staging(const Drawing& drawing, Origins origins)
                   [&](std::size_t i) { return drawing.is_cut(point(origins_.x0, origins_.dim, i)) != 0; });
   if (shown_.empty() && origins_.size() > 0)
     throw UsageError("cut = \"" + drawing.cut +
-                     "\" hides all particles: it is true at every initial position; "
-                     "hide fewer, or reverse the expression");
+                     "\" hides all particles of the shown bodies; hide fewer, or reverse the expression");
   if (drawing.style == Style::cells) find_cells();
   if (drawing.scene) surface_.reset(new LazySurface{drawing.scene, drawing.is_cut});
 }

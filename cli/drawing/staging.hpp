@@ -33,7 +33,7 @@ struct StagedParticles {
 /// Selects and places the particles of a picture. The cut uses initial positions, so it deforms with the body.
 class Staging {
  public:
-  /// Throws UsageError if no particle is left.
+  /// Throws UsageError if `cut` hides all particles.
   Staging(const Drawing& drawing, Origins origins);
 
   int dim() const { return origins_.dim; }

@@ -20,15 +20,15 @@ struct SurfaceShape {
 };
 
 /// Delaunay triangles (in 3D tetrahedra) of the initial positions of particles and of nodes on contact faces. Nodes
-/// move with the particles around them. Initial edges are at most two spacings long. A triangle is dropped if an edge
-/// becomes more than three times as long: such neighbours have left the usual kernel (2.6 spacings).
+/// move with the particles around them. Initial edges are at most two spacings long. A triangle is dropped while an edge
+/// is more than three times as long.
 class Surface {
  public:
   /// Particle k is `shown[k]` of the scene, ascending. `is_cut` hides nodes.
   Surface(const Scene& scene, const Origins& origins, std::span<const std::size_t> shown,
           const Expression& is_cut);
 
-  /// `x`: n × dim, m. Nodes have interpolated values, or, if `uniform`, those of nearest particles.
+  /// `x`: n × dim, m. A node has an interpolated value or, if `uniform`, the value of its nearest particle.
   SurfaceShape at(std::span<const double> x, std::span<const double> value, bool uniform) const;
   /// 2D: four coordinates per segment, m.
   std::vector<double> undeformed() const;
@@ -57,7 +57,7 @@ class Surface {
   std::size_t dim_, particles_ = 0;
   double dp_;               // m
   std::vector<double> x0_;  // m
-  FaceNodes nodes_;         // shares count particles of the surface
+  FaceNodes nodes_;         // shares number the particles of the surface
   std::vector<Simplex> simplices_;
   std::vector<Face> faces_;
 };

@@ -74,7 +74,7 @@ std::vector<Chain> faces_of(const Mask& mask, double threshold) {
     return Point{in[0] + share * (out[0] - in[0]), in[1] + share * (out[1] - in[1]), 0};
   };
   const auto inside = [&](long column, long row) { return solid(centres.at(column, row)) > threshold; };
-  constexpr double fine = 0.05;  // pixels
+  constexpr double fine = 0.05;  // tolerance, pixels
   std::vector<Chain> faces;
   for (const Chain& chain : contours(centres, inside, face)) {
     Chain face_of = simplified(chain, fine);

@@ -26,13 +26,13 @@ enum class MaskOf : std::uint8_t { darkness, alpha };
 /// Throws UsageError if the file is unreadable or too large.
 Mask read_mask(const std::filesystem::path& png, MaskOf of);
 
-/// Painted area of an SVG file (rsvg-convert), about `rows` pixels high. Throws UsageError if the file is
-/// unreadable or paints nothing.
+/// Painted area of an SVG file, up to about `rows` pixels high. Throws UsageError if rsvg-convert is missing, fails or
+/// paints nothing.
 Mask paint_svg(const std::filesystem::path& svg, int rows);
 
 Mask cropped(const Mask& mask);
 
-/// Closed contours in pixels from the lower left corner, y up, solid to the left.
+/// Closed contours in pixels from the lower left corner, y up. The solid share exceeds `threshold` on their left.
 std::vector<Chain> faces_of(const Mask& mask, double threshold);
 
 }  // namespace taut::cli

@@ -25,9 +25,9 @@ struct ParticleArray {
 /// Names, in VTK's order.
 std::span<const std::string_view> tensor_components();
 
-/// Fields as given, without body and material; then diameter, velocity, body, material, held, id, mass, volume, initial
-/// position, displacement. Stress tensor (Cauchy, positive in tension) and strain tensor (logarithmic, ½ ln F Fᵀ) follow
-/// if `fields` contain a component. Vectors have three components also in 2D.
+/// Fields as given, without body and material; then the arrays of every file, from diameter to displacement. Stress
+/// tensor (Cauchy, positive in tension) and strain tensor (logarithmic, ½ ln F Fᵀ) follow if `fields` contain a
+/// component. Vectors have three components also in 2D.
 std::vector<ParticleArray> particle_arrays(const Snapshot& now, std::span<const Field* const> fields);
 
 /// Positions, three components each, m.

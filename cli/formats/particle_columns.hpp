@@ -8,7 +8,7 @@
 namespace taut::cli {
 
 /// Extended XYZ for OVITO and ASE, with names of OVITO's manual ("XYZ file reader"). Tensors: xx, yy, zz, xy, xz, yz.
-/// The lattice is the bounding box, not periodic. Fields that a vector or tensor contains are left out.
+/// The lattice is the bounding box and not periodic. Fields that a vector or tensor contains are left out.
 std::string extended_xyz_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                               bool single_precision = false);
 

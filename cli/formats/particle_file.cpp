@@ -82,7 +82,7 @@ void write_point_data(Writer& file, const std::vector<ParticleArray>& arrays, bo
   file.line("</PointData>");
 }
 
-/// One cell per particle: ParaView can select and cut only cells.
+/// One cell per particle, for ParaView.
 void write_vertices(Writer& file, std::size_t count) {
   std::vector<std::int32_t> number(count);
   std::iota(number.begin(), number.end(), 0);
@@ -113,7 +113,7 @@ std::vector<std::string_view> tags_of(std::string_view xml) {
   return tags;
 }
 
-/// Returns "" if longer than 64 KiB.
+/// Returns "" unless the header ends within the first 64 KiB.
 std::string header_of(std::ifstream& file) {
   std::string text(1 << 16, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -148,7 +148,8 @@ ParticleFile::ParticleFile(std::filesystem::path path) : path_(std::move(path)) 
 
 void ParticleFile::read_header() {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path_, error)) fail("is not a regular file");  // a pipe would wait
+  if (!std::filesystem::is_regular_file(path_, error))
+    fail("is not a regular file");  // opening a pipe would wait
   std::ifstream file(path_, std::ios::binary);
   if (!file) fail("cannot be read");
   const std::string header = header_of(file);

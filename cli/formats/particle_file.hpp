@@ -11,7 +11,7 @@
 namespace taut::cli {
 
 /// Compressed VTK PolyData (.vtp): time, positions (z = 0 in 2D), vertices, particle_arrays(). Real numbers are
-/// Float64, or Float32.
+/// Float64, with `single_precision` Float32.
 std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                                bool single_precision = false);
 
@@ -26,7 +26,7 @@ class ParticleFile {
   bool has(const std::string& field) const;
   std::vector<double> positions(int dim) const;  // n × dim, m
   std::vector<double> diameter() const;          // m
-  /// Throws UsageError for a missing field.
+  /// Throws UsageError for a missing or damaged field.
   std::vector<double> field(const std::string& key) const;
 
  private:

@@ -32,7 +32,7 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
-/// Time limit: filters of a few kilobytes can take hours.
+/// Time limit: a few kilobytes of filters can take hours.
 constexpr std::chrono::seconds longest{10};
 
 Mask paint(const std::filesystem::path& svg, int rows) {
@@ -48,9 +48,9 @@ Mask paint(const std::filesystem::path& svg, int rows) {
     throw UsageError(
         "an SVG file needs rsvg-convert, which is not installed: sudo apt-get install librsvg2-bin");
   if (result.late)
-    throw UsageError(
-        fmt::format("{} takes rsvg-convert more than {} s; simplify it, for instance by removing its filters",
-                    svg.string(), longest.count()));
+    throw UsageError(fmt::format(
+        "{}: rsvg-convert takes more than {} s; simplify it, for instance by removing its filters",
+        svg.string(), longest.count()));
   if (result.code != 0) {
     const std::string why = result.errors.substr(0, result.errors.find('\n'));
     throw UsageError(svg.string() + " is not an SVG file that rsvg-convert can paint" +

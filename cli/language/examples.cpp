@@ -95,7 +95,7 @@ unit = "m"
 name = "touch_time"
 of = "first_below"
 probe = "gap"
-threshold = "touching"                  # the gap below which bodies touch
+threshold = "touching"                  # the gap below which bodies count as touching
 unit = "s"
 
 [[measure]]

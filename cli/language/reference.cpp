@@ -199,13 +199,13 @@ const Texts scene_rules{
     "A [[header]] can occur several times, once for each object. "
     "Keys above the first header belong to the file itself. `#` begins a comment. "
     "A scene needs `spacing`, `until`, a material and a body.",
-    "All numbers are in SI units and are written without a unit: 1e7 for 10 MPa, 0.005 for 5 mm.",
+    "Numbers are in SI units, angles in degrees. They are written without a unit: 1e7 for 10 MPa, 0.005 for 5 mm.",
     fmt::format(
         "Every number may be an expression in quotes: \"0.06 + 4*dp\", \"x > 0.1 ? 1 : 0\", \"x < 0 && y > 0\". "
         "Operators: + - * / ^, < <= > >= == !=, && (and), || (or), CONDITION ? A : B. Functions: {}.",
         join(function_names())),
     "Names in expressions: "
-    "the parameters, `dp` (the spacing), `pi`, and `touching` (the gap below which bodies are in contact). "
+    "the parameters, `dp` (the spacing), `pi`, and `touching` (the gap below which bodies count as touching). "
     "Expressions about a body of one material can also use its `c0`, `E`, `nu`, `rho`, `K` and `G`. "
     "Expressions \"of the place\" can use `x`, `y` and in 3D `z`, the position in the initial configuration in m. "
     "Expressions \"of t\" can use the time `t` in s.",
@@ -229,7 +229,8 @@ std::string general_settings() {
 }
 
 const Texts sweep_rules{
-    "A sweep is a TOML file that runs a scene with every combination of some values: `taut sweep my-sweep.toml`.",
+    "A sweep is a TOML file that runs a scene with every combination of its [grid], or once for each [[row]]: "
+    "`taut sweep my-sweep.toml`.",
     fmt::format(
         "Names that can be set: the parameters of the scene; method.NAME, a constant of the method; {}.",
         general_settings()),

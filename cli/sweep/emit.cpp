@@ -33,7 +33,7 @@ jobs=$(( $(nproc) / @THREADS@ ))
 # The command is an environment variable, since parallel would replace {} and run {= =} on its own command line.
 TAUT_SWEEP=@QUOTED_SWEEP@
 export TAUT_SWEEP
-# A failed run does not stop the others; the last command reports it.
+# A failed run does not stop the others. The last command repeats failed runs and collects the results.
 seq 0 @LAST@ |
   parallel --jobs "$jobs" --env TAUT_SWEEP "$@" -q sh -c 'eval "exec $TAUT_SWEEP --quiet --index $1"' sh {} ||
   true

@@ -6,11 +6,11 @@
 
 namespace taut::cli {
 
-/// Script that does the runs elsewhere.
+/// Script by which Slurm or GNU parallel does the runs.
 struct EmitForm {
   std::string_view name;  // of --emit
   std::string_view file;  // in the sweep's folder
-  std::string_view text;  // with placeholders such as @WORD@
+  std::string_view text;  // with placeholders such as @TITLE@
 };
 
 std::vector<std::string> emit_names();

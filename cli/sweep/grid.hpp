@@ -16,8 +16,8 @@ struct Axis {
   std::vector<Setting> values;
 };
 
-/// Parses "v1,v2,..." or "lo:hi:step", which includes both ends. Commas in brackets belong to expressions. Numbers
-/// become canonical. Throws UsageError for a step that does not divide the range, and for repeated values.
+/// Parses "v1,v2,..." or "lo:hi:step", which includes both ends. Commas in parentheses belong to expressions. Numbers
+/// become canonical. Throws UsageError for a step that does not divide the range, and for repeated or empty values.
 std::vector<std::string> parse_values(const std::string& text);
 /// Parses "name=values". Throws UsageError.
 Axis parse_axis(const std::string& text);

@@ -23,7 +23,7 @@ std::string path_of_program() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) return program.string();
-  // path at the start of the program
+  // path by which the program was started
   return fs::absolute(reinterpret_cast<const char*>(::getauxval(AT_EXECFN))).string();
 }
 
@@ -84,7 +84,7 @@ void declare_sweep_options(Options& command, SweepOptions& o) {
   command
       .add("--repeat", "N", o.repeat,
            "number of times that each run is made; the median cost counts; "
-           "above 1, at most one job per physical core; default: the sweep file's, else 1")
+           "above 1, at most one thread per physical core; default: the sweep file's, else 1")
       .check(positive_whole_number);
   command.add("--index", "N", o.index, "do only run N; the first run is 0").check(whole_number);
   command.add_flag("--force", o.force, "repeat finished runs");

@@ -18,7 +18,7 @@ Json results_tree(const SweepPlan& plan, std::optional<int> index = {});
 /// RFC 4180, a row per run. Columns are paths: "set.v0", "measures.period.value". Missing values are empty.
 std::string results_csv(const SweepPlan& plan);
 
-/// Writes both files atomically. Throws OutputError.
+/// Writes results.csv and results.json, each atomically. Throws OutputError.
 void write_results(const SweepPlan& plan);
 
 TestCase test_case(const SweepRun& run, const std::optional<Verdict>& fail_on);

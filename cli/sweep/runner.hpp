@@ -18,10 +18,10 @@ struct SweepEnd {
 
 struct SweepEvents {
   std::function<void(const SweepRun&)> ended;
-  std::function<void()> waiting;  // at least ten times a second
+  std::function<void()> waiting;  // several times a second
 };
 
-/// Does `jobs` runs at a time, each in its own process. The longest start first, so that no core idles at the end.
+/// Does `jobs` runs at a time, each in its own process. The longest start first, so that cores idle less at the end.
 class SweepRunner {
  public:
   SweepRunner(std::vector<SweepRun*> runs, int jobs, const Interrupts& interrupts, Progress& progress,

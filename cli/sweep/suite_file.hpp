@@ -22,7 +22,7 @@ struct SuiteEntry {
   std::optional<double> warn, fail;  // ΔE*ab
 
   bool is_control() const { return !differs_from.empty(); }
-  /// The entry with the baseline: itself, or `differs_from`.
+  /// Name of the entry with the baseline: its own, or `differs_from`.
   const std::string& owner() const { return is_control() ? differs_from : name; }
 };
 
@@ -35,7 +35,7 @@ struct SuiteFile {
 
 /// Throws SceneError unless the file is TOML.
 bool is_suite_file(const std::filesystem::path& path);
-/// Throws SceneError with the place. Does not compare settings and drawing with the scenes.
+/// Throws SceneError with the place. Does not check whether settings and drawing fit the scenes.
 SuiteFile read_suite(const std::filesystem::path& path);
 
 }  // namespace taut::cli

@@ -29,7 +29,7 @@ namespace {
                         (taken ? "another process has locked it for a minute" : std::strerror(error)));
 }
 
-/// Returns 0 or an errno. Repeats partial writes.
+/// Returns 0 or an errno. Continues after partial writes.
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t taken = ::write(descriptor, text.data(), text.size());
@@ -64,7 +64,7 @@ int sync(const fs::path& path) {
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
 
-/// Locks the file until it is closed, if the file system has locks. Returns false after a long wait, since
+/// Locks the file until it is closed, if the file system has locks. Returns false after a minute, since
 /// any reader can lock it.
 bool wait_for_lock(int descriptor) {
   using namespace std::chrono_literals;

@@ -36,7 +36,7 @@ void put_on_disk(const std::filesystem::path& path);
 /// Returns the new folders, innermost first. Throws OutputError.
 std::vector<std::filesystem::path> make_folders(const std::filesystem::path& folder);
 
-/// Creates the folder of `file`. Throws OutputError, also for a missing top-level folder (most likely a typing error).
+/// Creates the folder of `file`. Throws OutputError, also for a missing top-level folder.
 void make_folder_of(const std::filesystem::path& file);
 
 constexpr std::uint64_t most_bytes_of_text = 64 << 20;

@@ -8,8 +8,8 @@
 
 namespace taut::cli {
 
-/// Excludes other writers by a lock file, which names the holder. The lock ends with the process and works
-/// between machines if the file system supports it. Warns if the file system has no locks.
+/// Excludes other writers by a lock file. The lock ends with the process and its children, and works between machines if
+/// the file system supports it. Warns if the file system has no locks.
 class FolderLock {
  public:
   enum class Of {
@@ -18,8 +18,8 @@ class FolderLock {
     part_of_sweep,  // excludes writers of the whole sweep; the file stays
   };
 
-  /// Creates a missing folder. The lock file contains `command`. Throws UsageError if another process holds
-  /// the lock, OutputError for an unwritable folder.
+  /// Creates a missing folder. The lock file contains `command`, except for `part_of_sweep`. Throws UsageError if
+  /// another process holds the lock, OutputError for an unwritable folder.
   FolderLock(const std::filesystem::path& folder, Of of, std::string_view command, std::ostream& err);
   /// Removes created folders, if empty.
   ~FolderLock();

@@ -23,7 +23,7 @@ class Interrupts {
     ExitOnSignal& operator=(const ExitOnSignal&) = delete;
   };
 
-  /// `interrupted` and `must_end` keep their values until the next Interrupts is constructed: no signal is missed.
+  /// `interrupted` and `must_end` keep their values until the next Interrupts is constructed.
   static bool interrupted() { return flag() != 0; }
   /// SIGTERM or SIGHUP: the program must end, not only the command.
   static bool must_end();

@@ -38,7 +38,7 @@ class OrderedWork {
   void do_seconds(std::unique_lock<std::mutex>& lock);
   void throw_failure() const;
 
-  std::mutex mutex_;  // guards all members below
+  std::mutex mutex_;  // guards the members from `waiting_` to `failure_`
   std::condition_variable changed_;
   std::deque<Piece> waiting_;
   std::map<long, SecondHalf> seconds_;

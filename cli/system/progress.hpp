@@ -22,7 +22,7 @@ class Progress {
   void prepare(const std::string& what);
   /// `done_before`: share done by an earlier run.
   void begin(const std::string& what, double done_before = 0);
-  /// `share`: 0 to 1. After a second, warns of work of half a day or more. Frequent calls are cheap.
+  /// `share`: 0 to 1. After a second, warns once if half a day or more is left. Frequent calls are cheap.
   void show(double share, const std::string& detail);
   /// Call before other output.
   void clear();

@@ -14,8 +14,8 @@ namespace taut::cli {
 /// Errors are UsageErrors with file, path of the key ("measures.period.value"), actual and allowed values.
 class JsonCursor {
  public:
-  /// The arguments must outlive the cursor. With `texts_are_numbers`, as in CSV, a text can be a number, and
-  /// counts as null otherwise.
+  /// The arguments must outlive the cursor. With `texts_are_numbers`, as in CSV, number() parses texts and
+  /// returns nullopt for others, and items() of a text is empty.
   JsonCursor(const Json& value, const std::string& file, std::string path = "",
              bool texts_are_numbers = false);
 

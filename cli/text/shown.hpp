@@ -6,10 +6,11 @@
 
 namespace taut::cli {
 
-/// Makes one line: cuts a text longer than `most` bytes and appends "…". Escapes control characters, as in "\x1b".
+/// Cuts a text longer than `most` bytes, in UTF-8 with "…", then escapes like printable(), and line breaks.
 std::string shown(std::string_view text, std::size_t most = 200);
 
-/// Escapes control characters (except line breaks), C1 controls and bidirectional marks.
+/// Escapes control characters (except line breaks), C1 controls and bidirectional marks, as in "\x1b"; without valid
+/// UTF-8, all bytes from 0x80.
 std::string printable(std::string_view text);
 
 /// Cuts a text longer than `most` bytes between UTF-8 characters and appends "…".

@@ -17,7 +17,7 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-/// Number of insertions, deletions, replacements and swaps of neighbours.
+/// Least number of insertions, deletions, replacements and swaps of neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -53,7 +53,7 @@ constexpr std::size_t most_names = 5, most_listed = 8, most_letters = 100;
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates) {
   constexpr std::size_t least_part = 3;
   if (name.empty() || name.size() > most_letters) return {};
-  // a third of the letters may differ, but one letter of two and none of a single letter
+  // edits: a third of the letters, at least one, but none in a name of one letter
   const std::size_t most_edits = name.size() == 1 ? 0 : std::max<std::size_t>(1, name.size() / 3);
   const std::string given = lower_case(name);
   std::vector<std::string> names;

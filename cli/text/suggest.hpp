@@ -6,8 +6,8 @@
 
 namespace taut::cli {
 
-/// At most five candidates, best first, that contain `name` or are a few edits away. A swap is one edit, a change of
-/// case none.
+/// At most five candidates, fewest edits first, that are a few edits from `name` or contain it (if it has three letters).
+/// A swap is one edit, a change of case none.
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates);
 
 /// " (did you mean 'a' or 'b'?)", or "".

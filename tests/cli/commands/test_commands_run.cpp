@@ -150,7 +150,7 @@ TEST_SUITE("cli") {
     CAPTURE(outcome.err);
     REQUIRE(outcome.code == 0);
     CHECK(outcome.err ==
-          "taut: the picture has no room for any text; use a larger --size, or leave it out with --text\n");
+          "taut: the picture has no room for any text; use a larger --size, or fewer texts with --text\n");
     CHECK(contains(outcome.out, folder.str("out/frames")));
     CHECK(contains(outcome.out, "touch_time"));
 

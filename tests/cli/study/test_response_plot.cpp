@@ -195,7 +195,7 @@ TEST_SUITE("cli") {
     const Outcome histories = call(words);
     CAPTURE(histories.err);
     CHECK(histories.code == 0);
-    CHECK(contains(histories.err, "taut: skipped (neither a run nor a sweep): "));
+    CHECK(contains(histories.err, "taut: skipped: "));
     CHECK(contains(histories.err, "results.csv"));
     CHECK(contains(text_of(folder / "p.gp"), "title 'speed=3'"));
     const Texts sweep{"plot", folder.str("sweep"), "--out", folder.str("s.png")};
