@@ -95,7 +95,7 @@ Judge::Judge(const Scene& scene, const Simulation& simulation)
 }
 
 void Judge::observe(const Snapshot& now, const Balance& balance, const Readings& readings) {
-  // the angular scale contains all positions, the energies contain all velocities and stresses
+  // the sums of `balance` contain all positions, velocities, and strain energies or stresses
   const bool finite = std::isfinite(balance.kinetic + balance.strain) && std::isfinite(balance.angular_scale);
   if (!finite || energies_.diverges(now)) since_.try_emplace(Verdict::diverged, now.time);
   if (!finite) return;

@@ -22,7 +22,7 @@ enum class Family : std::uint8_t {
 
 /// Share of the trace removed from the strain rate.
 enum class Deviator : std::uint8_t {
-  in_plane,      // 1/d, [Zhang2024] Eq. 7; s_zz = 0
+  in_plane,      // 1/d, [Zhang2024] Eq. 7; in 2D s_zz = 0
   plane_strain,  // 1/3, [Khayyer2024] Eq. 6
 };
 

@@ -66,7 +66,7 @@ std::vector<ConstantRow<UlCauchyConstants>> constants(const UlCauchyFormulation&
   if (m.viscosity == Viscosity::riemann) {
     c.push_back({&C::riemann_factor,
                  {"riemann_factor", 1.0, 0.0, 2.0,
-                  "factor of the dissipation in Eq. 39; Eq. 43 prints 2, for CFL ≤ 0.5"}});
+                  "factor of the dissipation in Eq. 39; Eq. 43 prints 2"}});
     c.push_back(
         {&C::limiter,
          {.name = "limiter",
