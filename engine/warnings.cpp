@@ -166,7 +166,7 @@ std::optional<LatticeBody> on_lattice(const Snapshot& start, std::span<const std
 
 /// Warns of thin parts: particles neither in nor beside a block of 3 × 3 (× 3) particles.
 void warn_about_thin_parts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
-  constexpr int around = 2;  // from the middle of a block, with lattice steps of round faces
+  constexpr int around = 2;  // from the middle of a block: 1 inside it, 1 for lattice steps of round faces
   const auto dim = static_cast<std::size_t>(start.dim);
   std::vector<std::vector<std::size_t>> particles(scene.bodies.size());
   for (std::size_t i = 0; i < start.size(); ++i)

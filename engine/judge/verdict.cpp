@@ -149,7 +149,7 @@ double Judge::compliance(const Bond& bond, const Snapshot& now) const {
   return compliance_[now.material[bond.i]] + compliance_[now.material[bond.j]];
 }
 
-/// Whether the bond is stretched more than its continuations within 26°, as across a crack.
+/// Whether the bond is stretched more than 1.5 times as much as its continuations within 26°, as across a crack.
 template <int Dim>
 bool Judge::stands_out(const Bond& bond, const Snapshot& now) const {
   constexpr double jump = 1.5, straight = 0.9;  // ratio of stretches; cosine

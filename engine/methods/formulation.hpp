@@ -37,7 +37,7 @@ struct Formulation {
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
   ContactLaw contact = ContactLaw::sph;  // published
-  double contact_stiffness = 1;          // see terms/penalty_contact.hpp
+  double contact_stiffness = 1;          // see the contact law in terms/
   bool several_materials = false;        // whether a scene may have several
   double h_over_dp = 1.3;
   double h_over_dp_3d = 0;  // 0: as in 2D
