@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Invalid command line or value. The message states the allowed values.
+/// Invalid command line, setting or input file.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -33,7 +33,7 @@ class NumericalError : public std::runtime_error {
 
   long step;
   double time;    // s
-  long particle;  // creation order
+  long particle;  // id; −1 = unknown
   std::string field;
 };
 

@@ -76,7 +76,6 @@ void check_materials(const Scene& scene, const InitialParticles& initial, const 
   }
 }
 
-/// Throws SceneError if a body is displaced but the method has no reference configuration.
 void check_displacements(const Scene& scene, const MethodInfo& method) {
   if (method.keeps_neighbors) return;
   for (const Body& body : scene.bodies)

@@ -30,8 +30,8 @@ void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, c
     const double excess = volume[b] / shapes[0]->measure(scene.dim) - 1;
     if (std::abs(excess) < tolerated) continue;
     warnings.push_back(
-        fmt::format("the particles of body '{}' weigh {:.3g} % {} than its shape, "
-                    "since the lattice does not fit it; a smaller spacing fits better",
+        fmt::format("the particles of body '{}' weigh {:.3g} % {} than its shape; "
+                    "a smaller spacing fits better",
                     scene.bodies[b].name, 100 * std::abs(excess), excess > 0 ? "more" : "less"));
   }
 }
@@ -77,7 +77,6 @@ void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene,
                   stored, share));
 }
 
-/// Warns of two bodies closer than two spacings and within the kernel support: `sph` may join them.
 void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start,
                               double support) {
   constexpr double parts = 2 - 1e-6;  // spacings; bodies this far apart separate with every method
@@ -167,7 +166,7 @@ std::optional<LatticeBody> on_lattice(const Snapshot& start, std::span<const std
 
 /// Warns of thin parts: particles neither in nor beside a block of 3 × 3 (× 3) particles.
 void warn_about_thin_parts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
-  constexpr int around = 2;  // from the middle of a block, with lattice steps of round faces
+  constexpr int around = 2;  // from the middle of a block: 1 inside it, 1 for lattice steps of round faces
   const auto dim = static_cast<std::size_t>(start.dim);
   std::vector<std::vector<std::size_t>> particles(scene.bodies.size());
   for (std::size_t i = 0; i < start.size(); ++i)

@@ -6,7 +6,7 @@
 namespace taut {
 
 /// Reserves room for `more` entries: twice the need until 1/16 of `all` contributions are `done`, then the extrapolated
-/// total. Each reallocation would need memory for two copies.
+/// total, since each reallocation needs memory for two copies.
 template <class List>
 void make_room(List& list, std::size_t more, std::size_t done, std::size_t all) {
   constexpr std::size_t extrapolation_part = 16;

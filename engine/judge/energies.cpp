@@ -54,7 +54,6 @@ EnergyTest::EnergyTest(const Scene& scene, const Snapshot& start, double support
   merge(start_, start.time);
 }
 
-/// One pass over the particles: a run is judged about 200 times.
 template <int Dim>
 void EnergyTest::add_up(const Snapshot& now, std::vector<Sums>& all) const {
   std::vector<StrainDivisors> divisors;

@@ -23,9 +23,9 @@ class EnergyTest {
   /// Returns whether a group diverges. Observations must be in the order of their times.
   bool diverges(const Snapshot& now);
 
-  /// Energy over received energy, where above 1.1.
+  /// Ratio of energy to received energy, where above 1.1.
   const Excess& gain() const { return gain_; }
-  /// Change of the angular momentum of a closed group over its greatest √(moment of inertia · 2 kinetic energy),
+  /// Change of a closed group's angular momentum relative to its greatest √(moment of inertia · 2 kinetic energy),
   /// where above 0.01.
   const Excess& turn() const { return turn_; }
 

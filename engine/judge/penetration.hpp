@@ -15,7 +15,7 @@ double widest_gap(std::span<double> directions);
 class Penetration {
  public:
   Penetration(const Snapshot& start, double spacing, int threads = 1);
-  /// Returns the number of surface particles inside a far part.
+  /// Returns the number of surface particles inside a body or part.
   int operator()(const Snapshot& now);
 
  private:

@@ -47,8 +47,7 @@ PrincipalStretches<T> principal_stretches(const Mat<T, 3>& F) {
 }
 
 /// Upper bound, in Pa, of m·Q m over all unit vectors m and n. Q is the acoustic tensor of an isotropic law with the
-/// coefficients `along(k)`, `across(k, l)` and `coupling(k, l)` in Pa (THEORY.md). Returns NaN for NaN, and infinity or
-/// NaN for det F = 0.
+/// coefficients `along(k)`, `across(k, l)` and `coupling(k, l)` in Pa (THEORY.md). Returns NaN if a coefficient is NaN.
 template <int Dim, class Along, class Across, class Coupling>
 auto greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
   using T = decltype(along(0));

@@ -90,7 +90,6 @@ std::vector<MethodInfo> table() {
   return all;
 }
 
-/// Throws UsageError if the method does not accept the law.
 const LawChoice& chosen_law(const MethodInfo& method, const Settings& settings) {
   for (const LawChoice& choice : method.laws)
     if (settings.law.empty() || choice.name == settings.law) return choice;

@@ -23,7 +23,7 @@ struct LawChoice {
 };
 
 enum class StrainEnergy {
-  potential,  // function of the positions or F; not all forces derive from it
+  potential,  // function of the positions or F; some forces may not derive from it
   of_stress,  // of an integrated stress; the forces have no potential
   recovered,  // of a stress that is recovered for display
 };
@@ -57,7 +57,7 @@ std::vector<MethodConstant> method_constants(const Formulation& m, int dim);
 ConstantValues constant_values(const Formulation& m, int dim, double dp, const Settings& settings);
 
 std::span<const LawRow> laws();
-/// Law of a run, or nullptr. Throws UsageError if the method lacks it.
+/// Elastic law of a run, or nullptr. Throws UsageError if the method lacks the chosen law.
 const LawRow* law_row(const MethodInfo& method, const Settings& settings);
 /// Reason why the method refuses the law; empty if it accepts it.
 std::string reason_against_law(const MethodInfo& method, std::string_view law);

@@ -26,7 +26,7 @@ inline double compression_wave_speed(const Elasticity& m) {
 struct Constants : Elasticity {
   double dp = 0;                 // particle spacing, m
   double h = 0;                  // smoothing length, m
-  double contact_stiffness = 1;  // relative to K1 K2/(K1 + K2)
+  double contact_stiffness = 1;  // factor of the contact law's stiffness
   double cfl = 0;
   double step = 0;  // fixed time step, s; 0: from cfl
 };

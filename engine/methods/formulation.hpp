@@ -22,7 +22,7 @@ enum class Family : std::uint8_t {
 
 /// Share of the trace removed from the strain rate.
 enum class Deviator : std::uint8_t {
-  in_plane,      // 1/d, [Zhang2024] Eq. 7; s_zz = 0
+  in_plane,      // 1/d, [Zhang2024] Eq. 7; in 2D s_zz = 0
   plane_strain,  // 1/3, [Khayyer2024] Eq. 6
 };
 
@@ -37,7 +37,7 @@ struct Formulation {
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
   ContactLaw contact = ContactLaw::sph;  // published
-  double contact_stiffness = 1;          // see terms/penalty_contact.hpp
+  double contact_stiffness = 1;          // see the contact law in terms/
   bool several_materials = false;        // whether a scene may have several
   double h_over_dp = 1.3;
   double h_over_dp_3d = 0;  // 0: as in 2D

@@ -27,7 +27,7 @@ struct InitialPositions {
 /// Neighbours in the same body, up to 1.6 times the distance of the nearest.
 struct FirstNeighbors {
   std::vector<std::size_t> first, neighbor;
-  std::vector<double> spacing;  // distance of the nearest, m
+  std::vector<double> spacing;  // distance of the nearest, m; 1e300 = none
 
   std::span<const std::size_t> operator[](std::size_t i) const {
     return std::span(neighbor).subspan(first[i], first[i + 1] - first[i]);
@@ -38,7 +38,7 @@ FirstNeighbors first_neighbors(const InitialPositions& start);
 /// Regularised inverse of Σ X ⊗ X, 1/m²; in 2D without the third axis.
 LinearMap inverse_moment(const LinearMap& moment, int dim);
 
-/// Least-squares affine map of the first neighbours, in 2D with F_zz = 1; meaningless where a body has torn.
+/// Least-squares F from the first neighbours, in 2D with F_zz = 1; meaningless where a body has torn.
 std::vector<LinearMap> affine_maps(const Snapshot& now);
 LinearMap affine_map(const Snapshot& now, std::size_t i);
 

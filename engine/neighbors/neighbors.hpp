@@ -70,7 +70,7 @@ class CellGrid {
     };
     while (count() > most) size *= 1.5;
     if (!(size < 1e5 * farthest)) refuse();      // if the support is NaN
-    const double farthest_cell = 0x1p44 * size;  // farther away, rounding exceeds a cell
+    const double farthest_cell = 0x1p44 * size;  // there, rounding reaches 1/256 of a cell
     for (int k = 0; k < Dim; ++k)
       if (std::max(std::abs(low[k]), std::abs(high[k])) > farthest_cell) refuse();
     cells_ = 1;

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Cross product (a − o) × (b − o), m²; positive if b is left of a.
+/// Cross product (a − o) × (b − o), m²; positive if b is left of the line from o to a.
 double turn(const Point& o, const Point& a, const Point& b);
 
 struct PlaceGrid {
@@ -33,7 +33,7 @@ std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(cons
 /// Omits points that deviate by at most `tolerance` (in m) [Douglas, Peucker 1973].
 Chain simplified(const Chain& chain, double tolerance);
 
-/// Points about dp apart, with one at each corner, where the chain, simplified to 0.1 dp, turns by more than 40°.
+/// Points about dp apart, including corners: points at which the chain, simplified to 0.1 dp, turns by more than 40°.
 Chain evenly_spaced(const Chain& chain, double dp);
 std::vector<Chain> evenly_spaced(const std::vector<Chain>& chains, double dp);
 

@@ -25,7 +25,7 @@ struct Material {
   double density = 0;             // ρ0, kg/m³
   double youngs_modulus = 0;      // E, Pa
   double poisson_ratio = 0;       // ν
-  double given_bulk_modulus = 0;  // Pa; 0 = from E and ν; E in [Khayyer2024] Eq. 57
+  double given_bulk_modulus = 0;  // Pa; 0 = from E and ν. [Khayyer2024] Eq. 57: K = E
   std::map<std::string, double, std::less<>> law_parameters{};  // LawRow::parameters
 
   double bulk_modulus() const {  // K, Pa
@@ -51,7 +51,7 @@ struct Drive {
 /// External forces on a region. Loads add up; clamped and driven particles feel none.
 struct Load {
   enum class Kind : std::uint8_t {
-    force,          // N (2D: N/m), by volume over the particles that are free at some time
+    force,          // N (2D: N/m), shared by volume among the particles that are free at some time
     force_density,  // N/m³ of initial volume
     traction,       // Pa, on the outer face of a layer one spacing deep; see solver/face_loads.hpp
   };
@@ -73,7 +73,7 @@ struct Wall {
 /// Lattice with dp² (dp³) per particle.
 enum class Lattice : std::uint8_t {
   square,     // 3D: cubic
-  hexagonal,  // 2D: triangular, rows along the longer side
+  hexagonal,  // 2D only; rows along the longer side
 };
 std::string_view name(Lattice lattice);
 /// Row distance in spacings, √(√3/2); its inverse is the distance in a row.
@@ -85,7 +85,7 @@ struct Rotation {
   Point about{};        // m
   double angle = 0;
 };
-/// Exact to the last bit for quarter turns and mirror images.
+/// Sines and cosines of quarter turns are exact; mirror images rotate to mirror images to the last bit.
 Point rotated(const Rotation& rotation, const Point& x);
 
 /// Random displacement, uniform within ± `share` spacings.

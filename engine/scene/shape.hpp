@@ -76,7 +76,7 @@ struct ShapeBase {
   virtual Point anchor() const;
   /// Particles of a body of this shape alone; empty if the lattice fills it.
   virtual std::vector<InitialSite> sites(int dim, double dp) const;
-  /// Closed chains of points exactly on the faces, about dp apart and at each corner, with the solid on the left.
+  /// Closed chains of points on the faces, about dp apart and at each corner, with the solid on the left.
   /// Empty in 3D.
   virtual std::vector<Chain> outline(int dim, double dp) const;
   /// Combined shapes give their parts a finer dp, down to `finest`: without this limit, each level would multiply the

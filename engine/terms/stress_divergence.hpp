@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Term j of a force per volume (T = σ·L, w = V, [Khayyer2024] Eq. 28) or an acceleration (T = σ/ρ², w = m,
+/// Term j of a force per volume (T = σ or σ·L, w = V, [Khayyer2024] Eq. 9, 28) or an acceleration (T = σ/ρ², w = m,
 /// [TranDuc2023] Eq. 2.3); also of the artificial stress, [Khayyer2024] Eq. 31.
 template <class T, int Dim>
 Vec<T, Dim> stress_divergence_term(const Mat<T, Dim>& T_i, const Mat<T, Dim>& T_j, const T& w_j, const T& dW,

@@ -51,7 +51,7 @@ T root_of(const T& a, std::integral_constant<int, 3>) {
 
 /// Deformation gradients of four elements at their Gauss points: F from the displacements of the nodes, and F̄ with the
 /// volume ratio J̄, which is det F projected on the constant (fe2: linear) functions of the element.
-/// F̄ = (J̄/J)^(1/d) F as in [Hughes1980] and [Simo1985] for large strains. Departure: d = 2 in 2D, not 3.
+/// F̄ = (J̄/J)^(1/d) F, [Simo1985], for small strains [Hughes1980]. Departure: d = 2 in 2D, not 3.
 template <int n, int Dim>
 struct ElementStrain {
   static constexpr int N = power_of(n, Dim), modes = volume_modes(n - 1, Dim);

@@ -15,7 +15,7 @@ struct Strains {
   Mat<Pack, Dim>* H;  // cofactor of F; null unless an unknown
 };
 
-/// External actions on particle i in the stages of a step, or null.
+/// External actions on particle i in the stages of a step; null if inactive.
 template <int Dim>
 struct StageActions {
   using V = Vec<double, Dim>;

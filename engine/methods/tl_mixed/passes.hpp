@@ -105,7 +105,7 @@ void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Computes all rates and dp² L[U].
+/// Computes all rates and, with dissipation, dp² L[U].
 template <const TlMixedFormulation& M, int Dim>
 void gather_pass(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;

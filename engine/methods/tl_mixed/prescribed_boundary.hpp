@@ -72,7 +72,7 @@ class PrescribedBoundary {
     }
   }
 
-  /// Sets the prescribed components of v to given(i), in m/s, then projects all velocities.
+  /// Sets the prescribed components of v to given(i), in m/s, then projects the velocities.
   template <class Velocity, class Given, class Place>
   void project(const Velocity& v, const Given& given, const Place& x) {
     for (Body& body : bodies_) {

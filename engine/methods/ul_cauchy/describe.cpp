@@ -65,8 +65,7 @@ std::vector<ConstantRow<UlCauchyConstants>> constants(const UlCauchyFormulation&
     c.push_back({&C::alpha, {"alpha", 1.0, 0.0, 10.0, "α of the artificial viscosity"}});
   if (m.viscosity == Viscosity::riemann) {
     c.push_back({&C::riemann_factor,
-                 {"riemann_factor", 1.0, 0.0, 2.0,
-                  "factor of the dissipation in Eq. 39; Eq. 43 prints 2, for CFL ≤ 0.5"}});
+                 {"riemann_factor", 1.0, 0.0, 2.0, "factor of the dissipation in Eq. 39; Eq. 43 prints 2"}});
     c.push_back(
         {&C::limiter,
          {.name = "limiter",

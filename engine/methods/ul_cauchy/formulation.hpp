@@ -58,8 +58,8 @@ constexpr bool consistent(const UlCauchyFormulation& m) {
   // terms that need corrected gradients
   const bool second_order = m.density_diffusion || m.viscosity == Viscosity::riemann || m.tensile_control;
   return m.artificial_stress == (m.epsilon > 0) && (m.corrected || !second_order) &&
-         (!m.tensile_control || m.artificial_stress) &&           // TIC keeps artificial stress at surfaces
-         (m.pair_stress == PairStress::product || !m.corrected);  // not in any paper
+         (!m.tensile_control || m.artificial_stress) &&           // artificial stress stays at surfaces
+         (m.pair_stress == PairStress::product || !m.corrected);  // no paper corrects squares
 }
 
 }  // namespace taut

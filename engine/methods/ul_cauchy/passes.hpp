@@ -109,7 +109,7 @@ void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Artificial stress in units of ∇W.
+/// Artificial stress without the factors ε and α/h^(Dim+2).
 template <const UlCauchyFormulation& M, int Dim>
 class Repulsion {
  public:

@@ -110,7 +110,7 @@ void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
                                    probe.name, method_.name));
 }
 
-/// Time step, s, [Khayyer2024] Eq. 26, shorter for materials stiffer in shear.
+/// Time step, s, [Khayyer2024] Eq. 26 with `step_speed`.
 template <int Dim>
 double UlCauchy<Dim>::step_size() const {
   return common_.fixed_or_stable_step(c_.cfl * c_.h / c_.step_speed);
@@ -196,7 +196,6 @@ void UlCauchy<Dim>::bind_fields() {
         .spin = spin_.data()};
 }
 
-/// Gives the probes all neighbours under `sph`, else the pairs in contact.
 template <int Dim>
 void UlCauchy<Dim>::show_neighbors_to_probes() {
   if (!sph_contact_) return common_.show_contacts_to_probes();

@@ -70,7 +70,7 @@ class UlCauchy final : public Scheme<Dim> {
   std::vector<V> drift_;
   std::vector<Spin<Dim>> spin_;
   std::vector<V> centre_;         // centre of mass, moved by drift_, m
-  double relative_distance_ = 0;  // maximum from the rigid motion, m
+  double relative_distance_ = 0;  // bound of the distance from the rigid motion, m
   UlCauchyFields<Dim> f_{};
 };
 

@@ -109,8 +109,8 @@ struct PairGeometry {
   Pack inverse_distance;    // (1/r)/(∂W/∂r); 0 between bodies: no shear
 };
 
-/// Pair geometry, cached until the next rebuild; 0 in padding, exactly opposite for (i, j) and (j, i). Single
-/// precision saves memory in 3D; kernel units fit its range.
+/// Pair geometry, cached until the next rebuild; 0 in padding. The gradients of (i, j) and (j, i) are exactly opposite.
+/// Single precision saves memory in 3D; kernel units fit its range.
 template <int Dim>
 struct PairCache {
   static constexpr bool single_precision = Dim == 3;

@@ -172,7 +172,7 @@ void UlSplit<Dim>::bind_fields() {
         .mixed_count = static_cast<int>(mixed_.size())};
 }
 
-/// Displacements and volumes since the last stress recovery.
+/// Displacements since the last stress recovery, and volumes at that time.
 template <int Dim>
 std::vector<FlowRow<Dim>> UlSplit<Dim>::displacements() const {
   std::vector<FlowRow<Dim>> rows(p_.x.size());

@@ -22,7 +22,7 @@ struct Ellipse final : ShapeBase {
     return box;
   }
   bool holds(const Point& x, int dim, double tolerance) const override {
-    double squared = 0, slope = 0;  // (r/r_face)², its half gradient squared
+    double squared = 0, slope = 0;  // (r/r_face)²; |½ ∇ squared|²
     for (std::size_t k = 0; k < as_index(dim); ++k) {
       const double d = (x[k] - centre[k]) / semi_axes[k];
       squared += d * d;

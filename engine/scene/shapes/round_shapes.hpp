@@ -62,9 +62,9 @@ struct Ring final : ShapeBase {
   double extent_to_divide(int) const override { return outer - inner; }
   Point middle() const override { return centre; }
   Point anchor() const override { return bounds().middle(); }
-  /// Layers at r = inner + (k + ½) dp begin on the positive x axis. Aligned layers form a polar grid with particles dp
-  /// apart at the mean radius; spaced layers have particles about dp apart. In 3D, aligned layers are a cube made
-  /// round, with n × n particles of mean volume dp³ on each of its six faces.
+  /// Layers about dp thick begin on the positive x axis. Aligned layers form a polar grid with particles about dp apart
+  /// at the mean radius; spaced layers have particles about dp apart. In 3D, aligned layers are a cube made round, with
+  /// n × n particles of mean volume about dp³ on each of its six faces.
   std::vector<InitialSite> sites(int dim, double dp) const override;
   std::vector<Chain> outline(int dim, double dp) const override;
   FacePatches patches(double dp) const override;
