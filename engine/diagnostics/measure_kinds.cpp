@@ -381,14 +381,15 @@ const std::vector<MeasureKind> kinds = {
      .value = at_rest,
      .reference = as_given},
     {.name = "field_rmse",
-     .help = "root mean square of |fields − reference| over the body at the end, "
+     .help = "root mean square of |fields − reference| over the free particles of the body at the end, "
              "divided by the greatest |reference|",
      .keys = {"body", "fields", "rigid_motion"},
      .solution = true,
      .value = field_rmse,
      .reference = zero},
     {.name = "field_error",
-     .help = "greatest |fields − reference| in the body at the end, divided by the greatest |reference|",
+     .help = "greatest |fields − reference| of a free particle of the body at the end, "
+             "divided by the greatest |reference|",
      .keys = {"body", "fields", "rigid_motion"},
      .solution = true,
      .value = greatest_field_error,
