@@ -10,8 +10,7 @@
 
 namespace taut {
 
-/// Contact candidates of two bodies, listed by particle. Searches only particles in the widened bounding box of another
-/// body.
+/// Contact candidates in other bodies, by particle. Searches only widened bounding boxes of other bodies.
 template <int Dim>
 class BodyPairs {
  public:

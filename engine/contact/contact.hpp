@@ -33,7 +33,7 @@ class Contact {
   /// Evaluates the forces at the current positions. The forces act for `dt` (in s).
   void evaluate(const Particles<Dim>& s, double dt, int threads);
 
-  /// Greatest ratio of contact stiffness to material stiffness, at least 1.
+  /// Contact stiffness relative to the material, at least 1; 1 for laws between particles.
   double stiffening() const { return mechanism_->stiffening(); }
 
   /// Force on particle i as last evaluated. Requires `acting`.

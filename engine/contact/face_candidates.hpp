@@ -50,7 +50,7 @@ class FaceCandidates {
 
  private:
   // in spacings
-  static constexpr double skin = 1;       // longer: fewer searches, more pairs
+  static constexpr double skin = 1;       // greater: fewer searches, more pairs
   static constexpr double horizon = 4;    // search range
   static constexpr double far_apart = 3;  // initial distance; faces of a thinner body do not interact
   static constexpr double aside = 0.5;    // greatest cosine of the normals of a candidate
@@ -70,7 +70,7 @@ class FaceCandidates {
   FaceSearch find_;
   std::vector<V> normal_;
   MotionBound<2> others_bound_, own_bound_;
-  std::vector<V> main_places_;  // [node] position of its main particle, m
+  std::vector<V> main_places_;  // [node] position of its main particle (MovingFaces::follow), m
 };
 
 }  // namespace taut

@@ -60,7 +60,7 @@ class FaceSearch {
   }
 
  private:
-  /// Sorts midpoints of segments, then nodes, by cell. Returns the greatest length, m.
+  /// Sorts midpoints of segments, then nodes, by cell. Returns the length of the longest segment, m.
   double sort_middles(const MovingFaces& faces, const std::vector<int>& nodes,
                       const std::vector<int>& segments, double horizon) {
     middles_.clear();

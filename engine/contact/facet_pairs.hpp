@@ -14,7 +14,7 @@ namespace taut {
 
 enum class PairsOf {
   one_body,    // pairs of one body that were initially farther apart than `far`
-  two_bodies,  // all pairs
+  two_bodies,  // pairs of different bodies
 };
 
 /// Columns with `lanes` readable entries after the last one.

@@ -11,9 +11,9 @@
 
 namespace taut {
 
-/// Decides when the points of a body must be searched again. `holds` returns true while no two points can have
-/// approached each other by more than `free`. The bound is twice the path of the fastest particle. Once this exceeds
-/// `free`, `still_holds` replaces it by twice the greatest deviation from the rigid motion of the body.
+/// Decides when points must be searched again. `holds` returns true while no two points can have approached each other
+/// by more than `free`. The bound is twice the path of the fastest particle. Once this exceeds `free`, `still_holds`
+/// replaces it by twice the greatest deviation from the rigid motion of each body.
 template <int Dim>
 class MotionBound {
  public:

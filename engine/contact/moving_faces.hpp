@@ -20,7 +20,7 @@ struct FacingHalf {
   double share = 0, slope = 0;  // facing_share and its derivative by the cosine
   /// Where the side crosses each end of the segment: 0 at the node, 1 at the other end of the side.
   std::array<double, 2> at{};
-  std::array<double, 2> over{1, 1};  // share of the half that lies within each end
+  std::array<double, 2> over{1, 1};  // share of the half within each end, smoothed
   std::array<double, 2> rise{};      // derivative of `over` by `at`
   double past = 1;                   // beyond an end: 1 − facing_share of the next face
   double past_slope = 0;
@@ -97,7 +97,7 @@ class MovingFaces {
     normal_[k] = {factor * t[1], -factor * t[0]};
   }
   const std::vector<V>& places() const { return place_; }  // [node] m
-  /// Position of the main particle of each node, m.
+  /// Position of the main particle of each node, which has the greatest weight, m.
   void follow(const Particles<2>& s, std::vector<V>& x) const {
     x.clear();
     for (const int share : main_share_) x.push_back(s.x[stored_[share]]);
@@ -130,8 +130,8 @@ class MovingFaces {
     return area;
   }
 
-  /// Calls give(n, f) with the forces f on nodes n, in N per metre depth, with which an energy per length (in J/m)
-  /// turns the sides of a node.
+  /// Calls give(n, f) with the forces f on nodes n, in N per metre depth, of the energy `energy` (in J/m) times
+  /// facing(node, normal).
   template <class Give>
   void push_facing(int node, const V& normal, double energy, const Give& give) const {
     for (const int k : outline_.beside[node])

@@ -12,10 +12,10 @@
 namespace taut {
 
 /// Contact of particles less than a spacing apart, of two bodies or of distant parts of one body. Forces act along the
-/// pair, equal and opposite to the last bit. Departs from [Khayyer2024] Eq. 53–54, which stops only the approach of the
-/// old velocities: faces under a pressure p creep into each other at about p/(ρ c0). Here new velocities are stopped
-/// before positions follow. The paper gives no contact distance; here it is one spacing, as between two layers of a
-/// body.
+/// pair, equal and opposite to the last bit. The law `impulse` departs from [Khayyer2024] Eq. 53–54, which stops only
+/// the approach of the old velocities: faces under a pressure p creep into each other at about p/(ρ c0). Here new
+/// velocities are stopped before positions follow. The paper gives no contact distance; here it is one spacing, as
+/// between two layers of a body.
 template <int Dim>
 class PairContacts final : public ContactMechanism<Dim> {
  public:

@@ -10,7 +10,6 @@
 namespace taut {
 
 /// Rigid frictionless walls, each a half-space. A wall acts on a particle like the particle's mirror image.
-/// Records the impulses that walls give to bodies.
 template <int Dim>
 class WallContacts {
  public:

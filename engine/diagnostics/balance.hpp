@@ -14,7 +14,7 @@ struct Balance {
   double angular_scale = 0;        // Σ m |x| |v|, kg m²/s
   double work = 0;                 // of drives, loads and gravity so far, J
   double damped = 0;               // energy removed by damping, J
-  Impulse of_walls;                // impulses so far; momenta minus these are conserved
+  Impulse of_walls;                // impulses so far
 };
 
 Balance balance(const Snapshot& now, const Scene& scene);

@@ -16,7 +16,7 @@ namespace {
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
-constexpr double adjacent = 1.35;  // in spacings, greatest distance of cells that share a side
+constexpr double adjacent = 1.35;  // in Cell::spacing, greatest distance of cells that share a side
 constexpr double torn = 1.5;       // stretch from which a neighbour no longer covers a cell
 constexpr double straight = 0.8;   // least cosine between a neighbour and an axis
 

@@ -17,7 +17,7 @@ struct CellShapes {
 };
 
 /// The part of a body that each particle represents, initially a box. Moves with the best affine map of the initial
-/// neighbours within 1.6 spacings (3D, without an open side: 1.35).
+/// neighbours within 1.6 times the distance of the nearest (3D, without an open side: 1.35).
 class Cells {
  public:
   /// `x0`: n × dim, m; `diameter` in m.
@@ -37,7 +37,7 @@ class Cells {
   struct Cell {
     std::array<Side, 3> sides;
     std::array<double, 9> inverse{};  // of Σ X_ij ⊗ X_ij, 1/m²
-    double spacing = 0;               // m
+    double spacing = 0;               // distance of the nearest neighbour, m
     bool inside = false;              // has a neighbour on each side
   };
 

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Greatest relative drifts, corrected for walls; none for quantities exchanged with the surroundings.
+/// Greatest relative drifts, corrected for walls; no momenta if exchanges_momentum.
 struct Conservation {
   std::optional<double> linear_momentum;   // |Δp| over greatest Σ|m v|
   std::optional<double> angular_momentum;  // |ΔL| over greatest Σ m|x||v|

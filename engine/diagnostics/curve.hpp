@@ -23,7 +23,7 @@ double crossing_time(const Curve& curve, std::size_t k, double level);
 
 struct HalfCycle {
   double begin, end;  // s
-  double peak;        // greatest deviation from the level: vertex of a parabola through three samples
+  double peak;        // greatest deviation from the level, signed: vertex of a parabola through three samples
   double peak_at;     // s
 };
 

@@ -143,7 +143,8 @@ constexpr std::array all = {
         .key = "zigzag",
         .name = "zigzag over spacing",
         .unit = "",
-        .help = "displacement that alternates between neighbours, over the spacing, at most 1; 0 at corners",
+        .help =
+            "displacement that alternates between neighbours, over the spacing, at most 1; 0 at corners and if held",
         .of_all = zigzag},
     counted("body", "number of the body in the scene, from 0; one colour per body", Counted::bodies, body),
     counted("material", "number of the material in the scene, from 0; one colour per material",

@@ -23,7 +23,7 @@ inline constexpr std::array indicators = {
 
 struct Reading {
   double part = 0, whole = 0;  // same unit
-  int particle = -1;           // centre of the worst patch; −1: a whole body is worse
+  int particle = -1;           // centre of the worst patch; −1: none
   double share() const { return part == 0 ? 0 : part / whole; }
 };
 using Readings = std::array<Reading, indicators.size()>;
@@ -38,8 +38,7 @@ struct IndicatorRecord {
   void take(const Reading& now, double time);
 };
 
-/// Evaluates the indicators (THEORY.md). hourglass_error departs from [Ganzenmueller2015], whose mean error includes
-/// smooth fields.
+/// Evaluates the indicators (THEORY.md). hourglass_error departs from [Ganzenmueller2015].
 class IndicatorGauge {
  public:
   IndicatorGauge(const Scene& scene, const Snapshot& start, int threads = 1);

@@ -35,8 +35,7 @@ struct StrainDivisors {
 
 /// Sums for the history, bit-identical for all instruction sets.
 struct HistoryKernels {
-  /// Writes AlternatingSums::part and then `whole` to `out`, and AlternatingSums::x of each row to `squared`. A row
-  /// adds at most `spacing`² to part.x.
+  /// Writes AlternatingSums::part and then `whole` to `out`, and AlternatingSums::x to `squared`.
   void (*alternating_sums)(const AlternatingView& part, const SnapshotView& now, double spacing, double* out,
                            double* squared);
   /// Writes 10 numbers: kinetic energy, strain plus contact energy, scales of linear and angular momentum, linear

@@ -36,7 +36,7 @@ std::vector<int> planes(const std::vector<double>& x, double apart) {
 
 std::map<LatticeSite, std::size_t> sites(const Snapshot& now, int body) {
   std::vector<std::size_t> particles;
-  double least = 1e300;  // m, diameter
+  double least = 1e300;  // diameter, m
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now.body[i] != body) continue;
     particles.push_back(i);

@@ -26,8 +26,8 @@ double length_of(const SampleLine& line);  // m
 
 class LineRecorder {
  public:
-  /// `support`: radius of interaction, m. Throws SceneError for an unknown field, or if a line that moves with its body
-  /// leaves the body.
+  /// `support`: radius of interaction, m. Throws SceneError for an unknown field, or if too few particles are around a
+  /// point of a line that moves with its body.
   LineRecorder(const Scene& scene, const Snapshot& start, double support);
 
   /// Next time to sample, s; may be infinite.

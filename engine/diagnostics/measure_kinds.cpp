@@ -15,7 +15,7 @@ namespace {
 using Source = MeasureSource;
 using Value = std::optional<double>;
 
-/// Interval that both run and reference cover; none if the run ends before it.
+/// Interval that the scene and the reference cover; none if it is empty or a series ends before it does.
 std::optional<std::pair<double, double>> common_time(const Source& source) {
   if (source.reference.empty()) return std::nullopt;
   const double begin = std::max(source.curve.front().t.front(), source.reference.begin());
@@ -126,7 +126,7 @@ std::vector<double> component(const std::vector<Curve>& point, const Point& alon
   return y;
 }
 
-/// Requires equal times. In 3D the angle is seen along the axis.
+/// Requires equal times. `axis`: only in 3D.
 Value turn_until(const std::vector<Curve>& point, const Point& axis, double until) {
   if (!std::ranges::all_of(point, [=](const Curve& c) { return c.t.back() >= until; })) return std::nullopt;
   if (point.size() < 3) return turn(point[0], point[1], until);
@@ -197,7 +197,7 @@ Measured last_below(const Source& source) {
   return crossing_time(curve, above, threshold);
 }
 
-/// Returns none if bodies have not touched, still touch or may touch again.
+/// With a series `free`, returns none if bodies have not touched, still touch or may touch again.
 Measured final_ratio(const Source& source) {
   const double ratio = source.curve[0].y.back() / source.measure->scale;
   if (!source.free) return ratio;
@@ -381,14 +381,15 @@ const std::vector<MeasureKind> kinds = {
      .value = at_rest,
      .reference = as_given},
     {.name = "field_rmse",
-     .help = "root mean square of |fields − reference| over the body at the end, "
+     .help = "root mean square of |fields − reference| over the free particles of the body at the end, "
              "divided by the greatest |reference|",
      .keys = {"body", "fields", "rigid_motion"},
      .solution = true,
      .value = field_rmse,
      .reference = zero},
     {.name = "field_error",
-     .help = "greatest |fields − reference| in the body at the end, divided by the greatest |reference|",
+     .help = "greatest |fields − reference| of a free particle of the body at the end, "
+             "divided by the greatest |reference|",
      .keys = {"body", "fields", "rigid_motion"},
      .solution = true,
      .value = greatest_field_error,

@@ -15,7 +15,7 @@ namespace taut {
 struct MeasureResult {
   std::string name, kind, unit;
   std::optional<double> value;      // none: see `why`
-  std::optional<double> reference;  // none for this law; 0 for differences
+  std::optional<double> reference;  // may be missing for a law; 0 for differences
   std::string reference_name;
   std::optional<double> error;  // relative; absolute if the reference is 0
   std::string why;

@@ -115,35 +115,35 @@ namespace {
 
 using Source = MeasureSource;
 
-struct LineSquares {
+struct LineRms {
   double difference = 0, reference = 0;
 };
 
 /// Returns none before the last sample, or if a point left the body.
-std::optional<LineSquares> line_squares(const Source& source) {
+std::optional<LineRms> rms_on_line(const Source& source) {
   if (source.reference.empty() || !source.samples) return std::nullopt;
   const SampleLine& line = *source.line;
   if (source.samples->size() < line.times.size() || source.samples->empty()) return std::nullopt;
   const double apart = length_of(line) / (line.points - 1);
-  LineSquares mean;
+  LineRms sum;
   for (const LineSample& sample : *source.samples) {
     for (int k = 0; k < line.points; ++k) {
       const ReferenceCurves& reference = source.reference;
       const double is = sample.value[static_cast<std::size_t>(k)];
       const double should = reference.exact ? reference.exact->front()(line_point(line, k), sample.time)
                                             : value_at(reference.table.front(), k * apart);
-      mean.difference += (is - should) * (is - should);
-      mean.reference += should * should;
+      sum.difference += (is - should) * (is - should);
+      sum.reference += should * should;
     }
   }
   const double number = static_cast<double>(line.points) * static_cast<double>(line.times.size());
-  if (!std::isfinite(mean.difference)) return std::nullopt;
-  return LineSquares{std::sqrt(mean.difference / number), std::sqrt(mean.reference / number)};
+  if (!std::isfinite(sum.difference)) return std::nullopt;
+  return LineRms{std::sqrt(sum.difference / number), std::sqrt(sum.reference / number)};
 }
 
 Measured without_line(const Source& source) {
   return source.reference.empty() ? none(no_reference)
-                                  : none("the line has no samples, or one of its points has left the body");
+                                  : none("the line lacks samples, or one of its points has left the body");
 }
 
 std::optional<FieldError> error_at_end(const Source& source) {
@@ -167,15 +167,15 @@ Measured without_field(const Source& source) {
 }  // namespace
 
 Measured line_rmse(const Source& source) {
-  const auto mean = line_squares(source);
-  return mean ? Measured(mean->difference) : without_line(source);
+  const auto rms = rms_on_line(source);
+  return rms ? Measured(rms->difference) : without_line(source);
 }
 
 Measured line_error(const Source& source) {
-  const auto mean = line_squares(source);
-  if (!mean) return without_line(source);
-  return mean->reference > 0 ? Measured(mean->difference / mean->reference)
-                             : none("the reference is 0 everywhere, so there is no relative error");
+  const auto rms = rms_on_line(source);
+  if (!rms) return without_line(source);
+  return rms->reference > 0 ? Measured(rms->difference / rms->reference)
+                            : none("the reference is 0 everywhere, so there is no relative error");
 }
 
 Measured field_rmse(const Source& source) {

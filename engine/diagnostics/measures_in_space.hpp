@@ -20,14 +20,12 @@ struct FieldError {
 std::optional<FieldError> field_error(const Measure& measure, const Snapshot& now,
                                       const std::vector<Solution>& exact);
 
-/// RMS of field − reference, absolute and relative.
 Measured line_rmse(const MeasureSource& source);
 Measured line_error(const MeasureSource& source);
 
 Measured field_rmse(const MeasureSource& source);
 Measured greatest_field_error(const MeasureSource& source);
 
-/// Relative change of a body's volume at the end.
 Measured volume_change(const MeasureSource& source);
 
 }  // namespace taut

@@ -18,7 +18,7 @@ struct LatticeFrame {
 
 /// Small cubes that fill a body, and points on its faces, in the frame of its lattice.
 struct BodyPieces {
-  static int along_spacing(int dim) { return dim == 3 ? 4 : 8; }
+  static int along_spacing(int dim) { return dim == 3 ? 4 : 8; }  // cubes per spacing
 
   struct Piece {
     Point x{};          // centre of mass

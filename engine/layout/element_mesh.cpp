@@ -42,8 +42,8 @@ Point direction(const Point& u, double largest) {
   return way;
 }
 
-/// Maps the cube [−1, 1]^dim to a rounded cube at the centre of the unit ball. The faces of the rounded cube are half a
-/// radius from the centre.
+/// Maps the cube [−1, 1]^dim to a rounded cube at the centre of the unit ball. The midpoints of its faces
+/// are at half the radius.
 Point core_point(const Point& u) {
   constexpr double half = 0.5, rounding = 0.21;
   const double largest = std::max({std::abs(u[0]), std::abs(u[1]), std::abs(u[2])});

@@ -32,8 +32,8 @@ struct MeshFacet {
 };
 
 /// Meshes a body. Boxes with unions and cut-outs get a grid through all faces; a single disc, ball, ellipse, ellipsoid,
-/// ring, shell or cylinder, or a rotated shape, gets mapped blocks. Elements of order 2 are twice as long, so that nodes
-/// are about dp apart. Throws SceneError for other shapes. Nodes are numbered from 0.
+/// ring, shell or cylinder, also rotated, or a rotated box gets mapped blocks. Elements of order 2 are twice as long,
+/// so that nodes are about dp apart. Throws SceneError for other shapes. Nodes are numbered from 0.
 ElementMesh mesh_of_body(const Body& body, int dim, int order, double dp);
 
 /// Facets that belong to one element only.

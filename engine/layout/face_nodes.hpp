@@ -27,8 +27,8 @@ class NodeWeights {
  public:
   NodeWeights(const InitialParticles& initial, int body, double dp);
 
-  /// Shares of a node at x, from the smallest reach around x with low Σ weight². Empty if too few particles are near,
-  /// or all of them lie in a plane (2D: on a line).
+  /// Shares of a node at x, from the smallest reach with Σ weight² ≤ 3, else from the reach with the least sum. Empty
+  /// if too few particles are near, or all of them lie in a plane (2D: on a line).
   std::vector<PointWeight> shares_of(const Point& x) const;
 
  private:

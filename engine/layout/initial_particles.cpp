@@ -58,7 +58,7 @@ struct LatticeRows {
   std::array<double, 3> pitch{};
   std::array<long, 3> from{}, to{};
   std::size_t along = 0;  // axis of hexagonal rows
-  double staggered = 0;   // offset of every second hexagonal row, in pitches
+  double staggered = 0;   // shift of hexagonal rows, alternately + and −, in pitches
 
   Point at(long i, long j, long k, int dim) const {
     const std::array<long, 3> n{i, j, k};

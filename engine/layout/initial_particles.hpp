@@ -42,7 +42,8 @@ inline constexpr double greatest_particle_number = 20e6;
 /// on its faces, the n + 1 particles along n cells represent ½ − δ, 1 + δ, 1 … cells, δ = n/(12 (n − 1)), as in
 /// Gregory's rule: mass, moments of inertia and bending stiffness are exact. Guided faces may be planes of symmetry and
 /// keep half cells. Then jitters, reflects, rotates and displaces. Finite elements: see make_element_nodes. Throws
-/// SceneError for no or too many particles, overlapping bodies, and regions or cut-outs without particles.
+/// SceneError for no or too many particles, overlapping bodies, and regions, loads or cut-outs in conflict or without
+/// particles.
 InitialParticles make_initial_particles(const Scene& scene);
 
 /// Fills the union of shapes minus cut-outs with a lattice that begins half a pitch from the anchor of the first shape.

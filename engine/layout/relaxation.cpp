@@ -18,7 +18,7 @@ namespace {
 constexpr int layers = 3;       // of particles along faces
 constexpr int steps = 8;        // more turn the rows inside into hexagonal grains
 constexpr double beside = 0.6;  // least distance to particles of other layers at the start
-/// Distance from a place to the nearest particle that makes room for another one, 1.2 times its maximum in a lattice.
+/// A place farther than this from all particles has room for one; 1.2 times the maximum in a lattice.
 double hole(int dim) { return 0.6 * std::sqrt(dim); }
 constexpr double least_depth_of_hole = 0.35;
 
@@ -145,7 +145,7 @@ class Relaxation {
     for (std::size_t c = 0; c < members.size(); ++c)
       for (const int i : even_row(candidates, members[c], std::round(volume[c]))) x_.push_back(candidates[i]);
   }
-  /// As many candidates as wanted, or a few more, as far apart as possible, but at least 0.7.
+  /// At least `wanted` candidates, as far apart as possible; fewer if they would be closer than 0.7.
   static std::vector<int> even_row(const PointGrid& candidates, const std::vector<int>& members,
                                    double wanted) {
     double low = 0.7, high = 1.4;

@@ -44,8 +44,8 @@ struct External {
 
   Steering<Dim> steering() const { return {drives.active() || guides.active() ? axes_.data() : nullptr}; }
 
-  /// Mean force on particle i by its clamp, guide or drive over the last step, in N. Balances the weight of the
-  /// particle and, at guides, its loads.
+  /// Mean force on particle i by its clamp, guide or drive over the last step, in N. Also balances the weight of
+  /// the particle and, at guides, its loads.
   V reaction(const Particles<Dim>& p, int i) const {
     const int id = p.id[i];
     const bool free = p.mobile[i] != 0 && !drives.moves(id);

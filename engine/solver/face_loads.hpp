@@ -18,8 +18,8 @@ struct FaceLayer {
   bool has_edge = false;        // not a layer: the region covers two faces that meet
 };
 
-/// Returns an empty layer unless each particle and its neighbours in the region lie on a line (3D: a plane) with the
-/// rest of the body on one side.
+/// Returns an empty layer unless each particle and its neighbours in the region lie nearly on a line (3D: a plane) with
+/// the rest of the body on one side.
 FaceLayer face_layer(const Load& load, const InitialParticles& initial, std::vector<int> id, double spacing);
 
 /// Particle id and force, N.

@@ -16,8 +16,8 @@ class InitialConfiguration {
  public:
   using V = Vec<double, Dim>;
 
-  /// Moves particles to their start. With corrected gradients, lets loads act on faces. Throws SceneError if a body is
-  /// too thin. `normalised`: see TlDisplacementConstants. `corrected_forces`: if true, forces as in
+  /// Moves particles to their start. With corrected gradients, lets tractions act on faces. Throws SceneError if a body
+  /// is too thin. `normalised`: see TlDisplacementConstants. `corrected_forces`: if true, forces as in
   /// internal_force_info, otherwise as in pair_shear_force.
   InitialConfiguration(Common<Dim>& common, const SolverInput& input,
                        GradientCorrection gradient = GradientCorrection::corrected, double normalised = 0,
@@ -52,7 +52,7 @@ class InitialConfiguration {
 /// Radius of interaction, m.
 double initial_support(const SolverInput& input);
 
-/// The method's ratio h/dp.
+/// Constant h with the method's default.
 constexpr MethodConstant smoothing_length(const Formulation& m, int dim, double least) {
   const double h = dim == 3 && m.h_over_dp_3d > 0 ? m.h_over_dp_3d : m.h_over_dp;
   return {"h", h, least, 3.0, "smoothing length over the spacing", true, true};

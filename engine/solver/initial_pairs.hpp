@@ -54,7 +54,7 @@ struct PairLanesView {
     for (int b = 0; b < own.size; ++b) f(slots[own.slots + b], constants[own.constants + b]);
   }
 
-  /// Σ_j (f_j − f_i) ⊗ k_ij for the fields in the first columns.
+  /// Σ_j (f_j − f_i) ⊗ k_ij for the fields in the first Dim columns.
   template <int N>
   Mat<Pack, Dim> difference_sum(const ColumnsView<N>& f, int group) const {
     const int first = lanes * group;

@@ -46,7 +46,8 @@ struct Kick {
     for (int lane = 0; lane < std::min(lanes, size - first); ++lane)
       impulse[first + lane] += dt * lane_of(force, lane);
   }
-  /// Adds `change` to v of four particles, then moves x by `after` (in s) times the new v. Returns v², m²/s².
+  /// Adds `change` and external actions to v of four particles, then moves x by `after` (in s) times v.
+  /// Returns v², m²/s².
   [[gnu::always_inline]] Pack by_changes(int first, const Pack (&change)[Dim], double after) const {
     Pack rows[Dim], columns[Dim], v2{};
     if (act || first + lanes > size) {
@@ -71,7 +72,7 @@ struct Kick {
     for (const Pack& of_four : columns) v2 += of_four * of_four;
     return v2;
   }
-  /// Advances v by `force` (in N) and contact; x does not change. `mobility` = mobile/m, 1/kg.
+  /// Advances v by `force` (in N), contact and external actions; x does not change. `mobility` = mobile/m, 1/kg.
   [[gnu::always_inline]] Vec<Pack, Dim> by_forces(int first, const Pack& mobility,
                                                   Vec<Pack, Dim> force) const {
     if (contact) force += load_four(contact + first, size - first);

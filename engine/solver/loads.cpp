@@ -13,7 +13,7 @@ namespace taut {
 
 namespace {
 
-/// Whether all faces are flat and meet at edges. On other faces, steps of the lattice look like edges.
+/// On faces of other shapes, steps of the lattice look like edges.
 bool is_of_boxes(const Body& body) {
   const auto is_box = [](const Shape& shape) { return shape.as<Box>() != nullptr; };
   return std::ranges::all_of(body.shapes, is_box) && std::ranges::all_of(body.without, is_box);

@@ -72,7 +72,7 @@ struct ProbeStep : ProbeView<Dim> {
 template <int Dim>
 struct ProbeRow {
   Probe::Kind kind;
-  /// Finds the particles of the probe; may be null. Throws SceneError if there are none.
+  /// Finds the particles of the probe; may be null. Throws SceneError if the probe does not fit its body.
   void (*set_up)(ProbeFollower<Dim>&, const ProbeSetUp&);
   double (*value)(ProbeFollower<Dim>&, const ProbeStep<Dim>&);
   /// Called after a neighbour search, which may reorder particles; may be null.

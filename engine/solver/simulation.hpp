@@ -60,7 +60,7 @@ class Simulation {
   /// no access outside arrays.
   virtual void load(std::string_view state) = 0;
 
-  /// State after the last step. After a NumericalError: the last snapshot taken before it.
+  /// State after the last step. After a NumericalError: the last snapshot taken before it, if any.
   const Snapshot& snapshot() const {
     if (outdated_) take_snapshot(snapshot_);
     outdated_ = false;

@@ -47,7 +47,7 @@ class Clamps {
       }
   }
 
-  /// Calls use(rigid particle, force on the free particle in N).
+  /// For each bond to a clamp, calls use(stored index of the rigid particle, force on the free particle in N).
   template <class Storage, class Use>
   void for_each_pull(const PackedBonds<Dim, Storage>& packed, const ColumnsView<2 * Dim>& places,
                      const ColumnsView<Dim * Dim>& Q, double least_r2, const Use& use) const {
@@ -74,7 +74,7 @@ class Clamps {
 
  private:
   struct Driven {
-    int place, rigid_particle;  // column of the place; stored index
+    int place, rigid_particle;  // index in the columns; stored index
     V from_rigid_particle;      // m
   };
   int first_ = 0;                    // index of the first place

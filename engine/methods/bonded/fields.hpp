@@ -12,7 +12,7 @@ namespace taut {
 
 /// Volumes of four particles and their constants of the default law.
 struct alignas(sizeof(Pack)) GroupLaw {
-  Pack V;  // in m^Dim; 0 in padding and for particles whose neighbours determine no F
+  Pack V;  // in m^Dim; 0 in padding and for particles whose bonds determine no F
   ClosedNeoHookean<Pack> law;
 };
 /// Indices of the group in `group_laws` and `B`.

@@ -14,10 +14,10 @@
 
 namespace taut {
 
-/// W and its derivative for one particle, by the family's own law or the chosen one.
+/// W and its derivative for one particle, by the default law or the chosen law.
 struct LawOfOne {
   const std::vector<Elasticity>& materials;
-  bool own;  // uses the family's law
+  bool own;  // uses the default law
   const Materials& chosen;
 
   template <int Dim>
@@ -32,7 +32,7 @@ struct LawOfOne {
   }
 };
 
-/// Particles beside another material (THEORY.md, Interfaces), in storage order.
+/// Particles beside another material (THEORY.md, Interfaces).
 template <int Dim>
 class InterfaceSites {
  public:
@@ -43,7 +43,7 @@ class InterfaceSites {
   /// `ids` is in storage order.
   InterfaceSites(const BondedSetup& setup, const std::vector<int>& ids);
 
-  /// Replaces Q at the sites and adds the forces of their kinks and bonds across, N.
+  /// Replaces Q at the sites and adds the forces of their kinks and of their bonds across the interface, N.
   template <class Column, class Law>
   void pass(const Column& x, const Law& law, int threads, Columns<Dim * Dim>& Q,
             std::vector<Vec<Pack, Dim>>& bond_force);
@@ -70,7 +70,7 @@ class InterfaceSites {
     Square B;
     int bond, bonds, kink, kinks;  // index ranges: [bond, bonds) in bonds_, [kink, kinks) in kinks_
   };
-  /// F_i, F_own, F_other, and F_own − ½ b ⊗ N in the middle of a bond across.
+  /// F_i, F_own, F_other, and F_own − ½ b ⊗ N in the middle of a bond across the interface.
   struct Deformations {
     Square mean, own, other, across;
   };
@@ -104,7 +104,7 @@ class InterfaceSites {
   std::vector<int> site_of_;  // [stored] or −1
   std::vector<StoredSiteBond> bonds_;
   std::vector<Kink> kinks_;
-  std::vector<Direction> pulls_;  // ∂E/∂b of each site, J; then forces along bonds across, N
+  std::vector<Direction> pulls_;  // ∂E/∂b of each site, J; then forces of bonds across the interface, N
   std::vector<PullShare> shares_;
   std::vector<GroupShares> affected_;
 };

@@ -188,7 +188,6 @@ void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& th
   });
 }
 
-/// Stress of four particles; 0 where F = I, as for rigid particles without bonds.
 template <const BondedFormulation& M, int Dim>
 ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, const Mat<Pack, Dim>& F) {
   if (f.uses_group_law) return shown_neo_hookean(f.law(group).law.K, f.law(group).law.G, F);
@@ -213,10 +212,10 @@ void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const
     const int group = groups[k];
     StrainOfFour<Dim> now;
     out[k].energy = strain_and_energy<M>(f, group, now);
-    // F is undetermined for rigid particles without bonds, and where B is 0, as at tips of jittered bodies
+    // F is undetermined where B is 0
     const PackIndex has_own = f.law(group).V > 0;
     for (int a = 0; a < Dim; ++a) now.F(a, a) = has_own ? now.F(a, a) : filled<Pack>(1);
-    // 3D: J comes from the method's F, because no force controls the volume ratio of the recovered F
+    // no force controls the volume ratio of the recovered F
     Mat<Pack, Dim> F = recovered_deformations<Dim>(recovered, u, f.size, lanes * group, now.F);
     if constexpr (Dim == 3)
       keep_volume(recovered, f.size, lanes * group, F, has_own ? determinant(now.F) : determinant(F));

@@ -157,7 +157,7 @@ class Sector {
         owner[class_[b - begin()]] = i;
         w[class_[b - begin()]] = bonds_.rows[b].weight;
       });
-    const Eigen::VectorXd omega = w.cwiseMax(0.5);  // bonds of weight 0 may change
+    const Eigen::VectorXd omega = w.cwiseMax(0.5);  // lets bonds of weight 0 change
     least_change(w, omega, owner, [&](int i, int row, Entries& entries, std::vector<double>& target) {
       add_force_rows(i, row, entries, target);
     });
@@ -334,8 +334,8 @@ class Sector {
     }
     return steps;
   }
-  /// Changes x as little as possible, in Σ (Δx)²/ω, to satisfy the rows, unless the residual grows. `owner`: for
-  /// each unknown, one particle at which a bond with this unknown begins.
+  /// Changes x as little as possible, in Σ (Δx)²/ω, to satisfy the rows; not at all unless this reduces the residual.
+  /// `owner`: for each unknown, one particle at which a bond with this unknown begins.
   template <class AddRows>
   void least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, const std::vector<int>& owner,
                     const AddRows& add_rows) const {

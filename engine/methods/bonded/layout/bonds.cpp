@@ -31,7 +31,7 @@ int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
   return found;
 }
 
-/// Face terms of particles with five of the eight nearest, away from other materials.
+/// Face terms at each particle with five of the eight nearest and at the two behind it, away from other materials.
 std::vector<FaceTerm> make_face_terms(const Scene& scene, const InitialParticles& initial, const Bonds& uncut,
                                       const std::vector<Point>& S) {
   constexpr int inside = 8, at_face = 5;
@@ -84,7 +84,7 @@ class BondFinisher {
   }
 
  private:
-  /// Divisors of dp² for particles in cells and on faces (THEORY.md, Volumes and masses).
+  /// Divisors of the end correction in cells and with `on_boundary` (THEORY.md, Volumes and masses).
   struct EndCorrection {
     double cells, on_faces;
   };

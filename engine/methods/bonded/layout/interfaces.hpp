@@ -9,8 +9,8 @@ namespace taut {
 
 inline constexpr double greatest_across = 8;  // maximum of own G over G_ij
 
-/// Sites are particles beside another material (THEORY.md, Interfaces). There are no sites at corners, between three
-/// materials, where one side is a single layer, at clamps, or if only densities differ.
+/// Sites are particles beside another material (THEORY.md, Interfaces). There are no sites at corners of an interface,
+/// between three materials, where one side is a single layer, at clamps, or if only densities differ.
 struct Interfaces {
   struct Site {
     int id;
@@ -31,7 +31,7 @@ struct SiteBond {
   int j;
   Point g, e;  // g_ij, 1/m; initial direction
   double per_r0_squared;
-  double strength, own_strength;  // G V0_i w_ij in J; with the own G, at most greatest_across G
+  double strength, own_strength;  // G_ij V0_i w_ij in J; G V0_i w_ij, G limited to greatest_across G_ij
   bool is_across;
 };
 std::vector<SiteBond> site_bonds(const Bonds& bonds, const InitialParticles& initial,

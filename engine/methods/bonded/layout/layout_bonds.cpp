@@ -43,7 +43,7 @@ class LayoutBonds {
   }
 
  private:
-  /// Minimum strength (V_i w_ij + V_j w_ji)/V_i of a pair, about 2 on lattices.
+  /// Least allowed strength (V_i w_ij + V_j w_ji)/V_i of a pair; square lattices have 2.
   static constexpr double least_strength = 0.4;
   static constexpr double not_selected = -1;
   static constexpr double greatest_at_surface = 1;  // w in irregular bodies

@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Bonds that are not yet cut at clamps, without volumes and masses. Lengths in m.
+/// Bonds in 2D, not yet cut at clamps, without volumes and masses. Lengths in m.
 Bonds layout_bonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
                    int threads);
 

@@ -85,7 +85,7 @@ std::vector<int> motions(const InitialParticles& initial, const Constraints& con
   return motion;
 }
 
-/// Neighbours with the material and motion of i. X is rounded to 2^-40 dp: on a lattice the bits are equal.
+/// Neighbours with the material and motion of i. X is rounded to 2^-40 dp, to share rows on lattices.
 template <int Dim>
 Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>& motion, int i,
                         std::span<const int> near, double spacing) {

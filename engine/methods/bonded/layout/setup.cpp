@@ -7,7 +7,7 @@
 namespace taut {
 namespace {
 
-/// Bond from `from` to `to`; −1 if not stored, as for rigid particles.
+/// Index of the bond from `from` to `to`; −1 if it is not stored.
 int find_bond(const Bonds& bonds, int from, int to) {
   const int* const last = bonds.j.data() + bonds.begin[from + 1];
   const int* const found = std::find(bonds.j.data() + bonds.begin[from], last, to);
@@ -36,7 +36,7 @@ double greatest_wave_speed(const InitialParticles& initial, const std::vector<El
 
 double damping_lead(const InitialParticles& initial, const std::vector<Elasticity>& materials, double damping,
                     double dp) {
-  double shear_speed = 0, greatest_share = 0;  // modulus_of_bonds over G
+  double shear_speed = 0, greatest_share = 0;  // m/s; of modulus_of_bonds/G
   for (const int used : initial.material) {
     const Elasticity& m = materials[used];
     shear_speed = std::max(shear_speed, std::sqrt(m.G / m.rho0));

@@ -17,7 +17,8 @@ struct BondConstants {
   Point area;     // a_ij from i to j, up to the factor that B removes (THEORY.md)
 };
 
-/// Bond, or face term, whose energy is subtracted (THEORY.md, Cancellation). G: modulus_of_bond.
+/// Bond, or face term, whose energy is subtracted (THEORY.md, Cancellation). G: modulus_of_bond, or
+/// modulus_of_bonds for a face term.
 struct CancelledTerm {
   Point X;          // initial vector to the neighbour, or t of a face term, m; only the direction counts
   double strength;  // G V0_i w_ij in J

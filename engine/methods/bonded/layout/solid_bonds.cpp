@@ -17,7 +17,7 @@
 namespace taut {
 namespace {
 
-/// Neighbours inside a lattice: a cube of 3 × 3 × 3 without its centre.
+/// Number of neighbours inside a lattice: a cube of 3 × 3 × 3 without its centre.
 constexpr std::size_t whole = 26;
 
 /// w for `r` in spacings (THEORY.md, Three dimensions).

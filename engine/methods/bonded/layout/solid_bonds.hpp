@@ -23,7 +23,7 @@ struct SolidGeometry {
   ReferenceBond bond(int i, int j, std::size_t k) const;
 };
 
-/// Bonds that are not yet cut at clamps, without volumes and masses. h in m.
+/// Bonds in 3D, not yet cut at clamps, without volumes and masses. h in m.
 Bonds solid_bonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
                   int threads);
 
