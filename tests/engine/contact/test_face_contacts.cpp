@@ -382,6 +382,7 @@ TEST_SUITE("failure") {
           most = std::max(most, penetration(simulation->snapshot(), 2, dp, arm));
         }
         CHECK(most < 0);
+        CHECK(most > -dp);  // the arms meet
         if (law != ContactLaw::impulse) CHECK(pressed > 0.001);
         const Balance after = balance(simulation->snapshot(), scene);
         CHECK(std::abs(after.linear_momentum[0] - before.linear_momentum[0]) < 1e-12 * before.momentum_scale);
