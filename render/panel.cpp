@@ -7,6 +7,7 @@
 
 #include "engine/error.hpp"
 #include "render/coloring.hpp"
+#include "render/image/png.hpp"
 #include "render/page/annotation.hpp"
 #include "render/page/axes_marker.hpp"
 #include "render/page/canvas.hpp"
@@ -188,11 +189,11 @@ Image empty_image(const PanelOptions& options, const Grid& grid) {
   if (const auto& size = options.look.size) return {size->width, size->height};
   const int width = options.width > 0 ? options.width : grid.width(),
             height = grid.top + grid.grid_height() + grid.bottom;
-  constexpr double most_pixels = 8192.0 * 8192.0;
-  if (static_cast<double>(width) * height > most_pixels)
+  if (std::max(width, height) > greatest_side || std::int64_t{width} * height > most_pixels)
     throw UsageError("a panel of " + std::to_string(grid.all_columns()) + " x " + std::to_string(grid.rows) +
                      " pictures would have " + std::to_string(width) + " x " + std::to_string(height) +
-                     " pixels; at most 67 million are allowed, such as 8192 x 8192: use fewer runs or times");
+                     " pixels; at most 67 million are allowed, such as 8192 x 8192, and 16384 per side: "
+                     "use fewer runs or times");
   return {width, height};
 }
 

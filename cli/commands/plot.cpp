@@ -42,7 +42,7 @@ SceneFile scene_of(const StoredRun& run) {
 }
 
 struct PlotPaths {
-  std::vector<std::string> runs, sweeps, others;
+  std::vector<std::string> runs, sweeps, tables_of_runs, others;
 };
 
 bool contains_file(const std::string& folder, const char* name) {
@@ -74,7 +74,7 @@ PlotPaths sorted_paths(const std::vector<std::string>& given) {
       paths.others.push_back(path);
   }
   for (const std::string& table : tables)
-    (std::ranges::any_of(paths.runs, is_beside(fs::path(table).lexically_normal())) ? paths.others
+    (std::ranges::any_of(paths.runs, is_beside(fs::path(table).lexically_normal())) ? paths.tables_of_runs
                                                                                     : paths.sweeps)
         .push_back(table);
   if (paths.runs.empty() && paths.sweeps.empty())
@@ -84,15 +84,20 @@ PlotPaths sorted_paths(const std::vector<std::string>& given) {
   return paths;
 }
 
+void report_skipped(const std::vector<std::string>& paths, const char* why, std::ostream& err) {
+  if (paths.empty()) return;
+  std::vector<std::string> names;
+  for (const std::string& path : paths) names.push_back(fs::path(path).filename().string());
+  constexpr std::size_t most = 5;
+  const std::size_t more = names.size() > most ? names.size() - most : 0;
+  names.resize(names.size() - more);
+  err << "taut: skipped (" << why << "): " << join(names)
+      << (more > 0 ? fmt::format(" and {} more", more) : "") << '\n';
+}
+
 StoredResults read_all(const PlotPaths& paths, std::ostream& err) {
-  if (!paths.others.empty()) {
-    std::vector<std::string> names;
-    for (const std::string& path : paths.others) names.push_back(fs::path(path).filename().string());
-    constexpr std::size_t most = 5;
-    const std::size_t more = names.size() > most ? names.size() - most : 0;
-    names.resize(names.size() - more);
-    err << "taut: skipped: " << join(names) << (more > 0 ? fmt::format(" and {} more", more) : "") << '\n';
-  }
+  report_skipped(paths.others, "neither a run nor a sweep", err);
+  report_skipped(paths.tables_of_runs, "runs of the same folder are drawn instead", err);
   StoredResults results;
   if (!paths.sweeps.empty()) results = read_results(paths.sweeps);
   for (const std::string& path : paths.runs) results.runs.push_back(read_stored_run(path));

@@ -177,8 +177,11 @@ Probe read_probe(TomlCursor& cursor, const Scene& scene) {
   else if (kind.takes("component"))
     probe.axis = axis_of_component(cursor, scene);
   if (kind.takes("wall") && cursor.find("body")) probe.wall = wall_index(cursor, scene);
-  if (kind.takes("where") && cursor.find("where"))
-    probe.where = cursor.function_of(cursor.need("where"), "where");
+  if (const TomlValue* where = kind.takes("where") ? cursor.find("where") : nullptr) {
+    probe.where = cursor.function_of(*where, "where");
+    if (!probe.where)
+      cursor.fail(*where, "where", "where is 0, so the region is empty; leave it out for the whole body");
+  }
   if (kind.takes("axis")) {
     probe.turns_about = turning_axis(cursor, scene);
     refuse_point_on_axis(cursor, probe);
@@ -193,12 +196,12 @@ std::vector<double> read_line_times(TomlCursor& cursor) {
     cursor.fail(value, "times", "times must be an array of one or more times in s, in increasing order");
   std::vector<double> times;
   for (const TomlValue& item : value.items) {
-    times.push_back(cursor.value_of(item, "times"));
-    const double before = times.size() > 1 ? times[times.size() - 2] : 0;
-    if (times.back() < before)
-      cursor.fail(item, "times",
-                  fmt::format("{} comes after {}; times must increase, from 0 on", exact(times.back()),
-                              exact(before)));
+    const double time = cursor.value_of(item, "times"), before = times.empty() ? 0 : times.back();
+    if (times.empty() ? time < 0 : time <= before)
+      cursor.fail(
+          item, "times",
+          fmt::format("{} comes after {}; times must increase, from 0 on", exact(time), exact(before)));
+    times.push_back(time);
   }
   return times;
 }

@@ -207,6 +207,7 @@ std::function<double(Arguments...)> TomlCursor::function(const TomlValue& value,
   }
   try {
     function = compile(value.text, names_);
+    if (names_in(value.text).empty() && evaluate(value.text, names_) == 0) return {};
   } catch (const ExpressionError& error) {
     fail_expression(value, key, error);
   }

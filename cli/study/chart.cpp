@@ -48,7 +48,7 @@ void add_point(ChartSeries& series, const ChartPoint& point) {
   const auto same = std::ranges::find(series.points, point.spacing, &ChartPoint::spacing);
   if (same == series.points.end())
     series.points.push_back(point);
-  else if (point.cost < same->cost)
+  else if (point.ranked_cost() < same->ranked_cost())
     *same = point;
 }
 
@@ -138,6 +138,8 @@ std::string without_error(const ChartPoint& point) {
 std::string shown_error(const Chart& chart, double error) {
   return chart.unit.empty() ? percent(error) : fmt::format("{} {}", brief(error), chart.unit);
 }
+
+std::string shown_cost(double cost) { return cost > 0 ? brief(cost) : "-"; }
 
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points) {
   double n = 0, x_sum = 0, y_sum = 0, xx_sum = 0, xy_sum = 0;

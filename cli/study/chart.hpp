@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -39,6 +40,9 @@ struct ChartPoint {
   std::string verdict{}, folder{};
   std::string cfl{}, stepping{};  // empty: unknown
   bool stable = true;
+
+  /// Unknown costs are the greatest.
+  double ranked_cost() const { return cost > 0 ? cost : std::numeric_limits<double>::infinity(); }
 };
 
 /// Points that differ only in spacing, from coarse to fine.
@@ -74,6 +78,9 @@ std::string without_error(const ChartPoint& point);
 
 /// "1.2 %" or "0.003 m".
 std::string shown_error(const Chart& chart, double error);
+
+/// "-" if unknown.
+std::string shown_cost(double cost);
 
 /// Least-squares slope of log error over log spacing of stable runs; nullopt for fewer than two spacings.
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);

@@ -60,7 +60,7 @@ std::string orders_table(const Chart& chart) {
         {series.name, series.order ? brief(*series.order) : "-", std::to_string(series.points.size()),
          brief(finest.spacing),
          finest.error ? shown_error(chart, *finest.error) : fmt::format("- ({})", without_error(finest)),
-         finest.cost > 0 ? brief(finest.cost) : "-", unstable == 0 ? "" : std::to_string(unstable)});
+         shown_cost(finest.cost), unstable == 0 ? "" : std::to_string(unstable)});
   }
   return in_columns(rows);
 }
@@ -72,9 +72,8 @@ std::string markdown(const Chart& chart) {
   for (const ChartSeries& series : chart.series) {
     rows.push_back({fmt::format("`{}`", series.name)});
     for (const double spacing : spacings(chart)) rows.back().push_back(error_cell(chart, series, spacing));
-    const double cost = series.points.back().cost;
     rows.back().insert(rows.back().end(),
-                       {series.order ? brief(*series.order) : "-", cost > 0 ? brief(cost) : "-"});
+                       {series.order ? brief(*series.order) : "-", shown_cost(series.points.back().cost)});
   }
   std::string text = fmt::format("**{}**: {}\n\n{}", chart.title, error_label(chart), markdown_table(rows));
   for (const std::string& note : footnotes(chart)) text += fmt::format("\n{}\n", note);
@@ -92,7 +91,7 @@ std::string markdown_of_prices(const Chart& chart) {
       const std::vector<Offer> offers = suitable_offers(chart, {.error = level, .seconds = {}});
       const auto own = std::ranges::find(offers, &series, &Offer::series);
       cells.push_back(own == offers.end() ? "-"
-                                          : fmt::format("{} s at {}", brief(own->point->cost),
+                                          : fmt::format("{} s at {}", shown_cost(own->point->cost),
                                                         shown_spacing(own->point->spacing)));
     }
     if (std::ranges::any_of(cells, [](const std::string& cell) { return cell.ends_with("m"); }))

@@ -11,7 +11,7 @@ namespace taut::cli {
 namespace {
 
 bool in_time(const ChartPoint& point, std::optional<double> seconds) {
-  return !seconds || point.cost <= *seconds;
+  return !seconds || point.ranked_cost() <= *seconds;
 }
 
 std::vector<Offer> offers(const ChartSeries& series) {
@@ -26,7 +26,7 @@ std::vector<Offer> offers(const ChartSeries& series) {
 }
 
 std::vector<Offer> cheapest_first(std::vector<Offer> all) {
-  std::ranges::stable_sort(all, {}, [](const Offer& offer) { return offer.point->cost; });
+  std::ranges::stable_sort(all, {}, [](const Offer& offer) { return offer.point->ranked_cost(); });
   return all;
 }
 
@@ -45,13 +45,16 @@ std::string settings_of(const ChartSeries& series, const ChartPoint& point) {
 }
 
 std::string result_of(const Chart& chart, const ChartPoint& point) {
-  return fmt::format("error {}, {} s", shown_error(chart, *point.error), brief(point.cost));
+  return fmt::format("error {}, {} s", shown_error(chart, *point.error), shown_cost(point.cost));
 }
 
 std::vector<std::string> choice_row(const Chart& chart, const ChartSeries& series, const ChartPoint& point) {
-  return {series.name,       brief(point.spacing),
-          point.cfl,         point.error ? shown_error(chart, *point.error) : "-",
-          brief(point.cost), point.verdict};
+  return {series.name,
+          brief(point.spacing),
+          point.cfl,
+          point.error ? shown_error(chart, *point.error) : "-",
+          shown_cost(point.cost),
+          point.verdict};
 }
 
 std::string sources(const Chart& chart) {
@@ -145,7 +148,7 @@ std::string price_list(const Chart& chart, std::optional<double> seconds) {
   std::vector<std::vector<std::string>> rows{
       {"error up to", "s", "method", "spacing, m", "cfl", "finer runs"}};
   for (const Offer& offer : all)
-    rows.push_back({shown_error(chart, offer.error), brief(offer.point->cost), offer.series->name,
+    rows.push_back({shown_error(chart, offer.error), shown_cost(offer.point->cost), offer.series->name,
                     brief(offer.point->spacing), offer.point->cfl, std::to_string(offer.finer)});
   return fmt::format(
       "{}{}\n"
@@ -169,7 +172,7 @@ Json to_json(const std::vector<Offer>& offers) {
              {"error", point.error},
              {"error_up_to", offer.error},
              {"finer_runs", offer.finer},
-             {"seconds", point.cost},
+             {"seconds", point.cost > 0 ? Json(point.cost) : Json()},
              {"folder", point.folder}});
   }
   return all;

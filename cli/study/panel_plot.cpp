@@ -151,8 +151,8 @@ PlotLook plot_look(const PlotLookOptions& typed, const PlotFiles& files) {
   }
   if (width > greatest_side || height.value_or(0) > greatest_side)
     throw UsageError(fmt::format(
-        "the picture would be too large, {:.0f} pixels wide; each side can have at most {}; use a smaller --dpi",
-        width, greatest_side));
+        "the picture would be {:.0f} pixels {}; at most {} are allowed; use a smaller --dpi",
+        std::max(width, height.value_or(0)), width < height.value_or(0) ? "high" : "wide", greatest_side));
   look.width = static_cast<int>(std::lround(width / look.scale));
   if (height) look.height = static_cast<int>(std::lround(*height / look.scale));
   return look;

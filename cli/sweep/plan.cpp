@@ -192,15 +192,17 @@ void SweepRun::forget() {
   state = SweepRunState::to_do;
   problem.clear();
   record.reset();
+  seconds = 0;
 }
 
 void SweepRun::read_folder() {
   using Status = RunRecord::Status;
   forget();
   const RunFolder files(*options.out);
-  const std::optional<RunRecord> found = read_record(files.record());
+  const std::optional<StoredRecord> found = read_record(files.record());
   if (!found && files.is_damaged()) state = SweepRunState::damaged;
   if (!found) return;
+  seconds = seconds_taken(*found);
   const bool same = found->version == build_info.version &&
                     are_of_one_run(read_whole(files.scene()).value_or(""), scene, last_frame >= 0);
   const bool failed = found->status == Status::failed;

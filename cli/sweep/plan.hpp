@@ -40,6 +40,7 @@ struct SweepRun {
   SweepRunState state = SweepRunState::to_do;
   std::string problem;
   std::optional<RunRecord> record;
+  double seconds = 0;  // wall time
   std::vector<SweepRun> repetitions;
 
   /// Includes repetitions.

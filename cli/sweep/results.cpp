@@ -126,8 +126,7 @@ TestCase test_case(const SweepRun& run, const std::optional<Verdict>& fail_on) {
   TestCase test{text_of(run.settings), Result::error, run.problem.empty() ? outcome(run) : run.problem};
   if (run.state != SweepRunState::done) return test;
   test.result = fail_on && run.record->verdict >= fail_on ? Result::failed : Result::passed;
-  const Seconds& s = run.record->seconds;
-  test.seconds = s.setup + s.solve + s.render + s.write;
+  test.seconds = run.seconds;
   return test;
 }
 

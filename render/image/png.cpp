@@ -24,10 +24,7 @@
 namespace taut::render {
 namespace {
 
-// Against forged headers. A side of a panel can exceed `greatest_size` of a drawn picture.
-constexpr png_uint_32 greatest_side = 16384;
-constexpr png_alloc_size_t max_chunk_bytes = 8 << 20;
-constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
+constexpr png_alloc_size_t max_chunk_bytes = 8 << 20;  // against forged headers
 
 // The simplified API of libpng would convert to sRGB.
 

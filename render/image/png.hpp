@@ -18,8 +18,10 @@ void write_png(const Image& image, const std::filesystem::path& path);
 
 enum class Alpha : std::uint8_t { dropped, kept };
 
-/// Reads at most 8192 × 8192 pixels, and 16384 per side. Throws UsageError if the file is missing, damaged, too large
-/// or not a PNG file.
+inline constexpr int greatest_side = 16384;  // exceeds `greatest_size` of a drawn picture
+inline constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;  // per picture
+
+/// Throws UsageError if the file is missing, damaged, too large or not a PNG file.
 Image read_png(const std::filesystem::path& path, Alpha alpha = Alpha::dropped);
 
 }  // namespace taut::render

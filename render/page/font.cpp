@@ -51,9 +51,8 @@ Font::Font(const std::filesystem::path& file) {
   }
   face_.reset(cairo_ft_font_face_create_for_ft_face(owner->face, FT_LOAD_NO_HINTING));
   const auto destroy = [](void* data) { delete static_cast<Face*>(data); };
-  if (cairo_font_face_set_user_data(face_.get(), &face_key, owner.get(), destroy) == CAIRO_STATUS_SUCCESS) {
-    owner.release();
-  }
+  // if memory runs out, the face leaks, since Cairo still uses it
+  cairo_font_face_set_user_data(face_.get(), &face_key, owner.release(), destroy);
 }
 
 void Font::use(cairo_t* cairo, double size) const {

@@ -1,6 +1,5 @@
 #include "render/page/segments.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace taut::render {
@@ -19,7 +18,8 @@ void draw_segments(Canvas& canvas, const PageLayout& layout, std::span<const dou
     const double x0 = plot.x + layout.column(segments[k]), y0 = plot.y + layout.row(segments[k + 1]);
     const double x1 = plot.x + layout.column(segments[k + 2]), y1 = plot.y + layout.row(segments[k + 3]);
     constexpr double farthest = 1e6;  // pixels
-    if (!(std::max({std::abs(x0), std::abs(y0), std::abs(x1), std::abs(y1)}) < farthest)) continue;
+    const auto near = [](double pixel) { return std::abs(pixel) < farthest; };
+    if (!(near(x0) && near(y0) && near(x1) && near(y1))) continue;
     cairo_move_to(cairo, x0, y0);
     cairo_line_to(cairo, x1, y1);
   }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <doctest/doctest.h>
 
@@ -118,6 +119,8 @@ TEST_SUITE("image") {
     CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("a panel of 2 x 20000 pictures would have"),
                          UsageError);
     CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("at most 67 million are allowed"), UsageError);
+    options.rows.resize(100), options.width = 500;  // 9 million pixels
+    CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("16384 per side"), UsageError);
   }
 
   TEST_CASE(
@@ -128,12 +131,17 @@ TEST_SUITE("image") {
     for (const int width : {500, 1004, 2008}) {
       options.width = width;
       Panel panel(options);
-      Particles one;
-      panel.draw(0, 0, one_disc(one, 0));
+      Particles cover;
+      cover.add(0, 0, 4, 0);
+      for (const int k : {0, 1}) panel.draw(k, k, cover.frame());
       const Image& image = panel.finish();
       CHECK(image.width == width);
-      CHECK(image.height > width / 2);
-      CHECK(image.height < width * 1.3);
+      const int before_bar = width - 140;
+      const Found grid = find_color(image, options.look.colormap->at(0), before_bar);
+      CHECK(std::abs((grid.right - grid.left) - (grid.bottom - grid.top)) <= 2);  // like the view
+      CHECK(grid.right - grid.left > 0.5 * width);
+      CHECK(grid.top < 7 * 20);
+      CHECK(image.height - grid.bottom < 3 * 20);
     }
     options.width = 200;
     CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("has no room for 2 columns"), UsageError);

@@ -82,13 +82,12 @@ TEST_SUITE("image") {
       Look with = bare();
       with.transparent = true;
       const Image image = drawn(Sheet(9, map).frame(), with);
-      int transparent = 0, seen = 0;
+      int transparent = 0;
       for (int k = 0; k < 100 * 100; ++k) {
         const auto [x, y] = map(-0.7 + 1.4 * (k % 100) / 99.0, -0.7 + 1.4 * (k / 100) / 99.0);
         const int column = static_cast<int>(100 * (1 + x)), row = static_cast<int>(100 * (1 - y));
-        ++seen, transparent += opacity(image, column, row) != 255;
+        transparent += opacity(image, column, row) != 255;
       }
-      CHECK(seen == 10000);
       CHECK(opacity(image, 1, 1) == 0);
       return transparent;
     };

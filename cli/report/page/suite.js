@@ -35,7 +35,10 @@ function show_entry(entry, place) {
   if (entry.problem)
     return place.replaceChildren(section(entry.name, element('p', {class: 'warning'}, entry.problem)));
   const pictures = new PictureComparison(entry.comparison), part = pictures.part();
-  place.stop = () => clearInterval(pictures.timer);
+  place.stop = () => {
+    clearInterval(pictures.timer);
+    document.onkeydown = null;
+  };
   const about = element(
       'p', {class: 'soft'}, `expected: ${entry.comparison.expected}, got: ${entry.comparison.got}`,
       entry.differs_from ? `. A control: it must differ from the baseline of ${entry.differs_from}.` : '');

@@ -92,7 +92,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("claims: unknown papers and claims are refused with the nearest names") {
     CHECK(contains(call({"claims", "Zhang2025"}).err,
-                   "unknown paper 'Zhang2025' (did you mean 'Zhang2020' or 'Zhang2024'?)"));
+                   "unknown paper 'Zhang2025' (did you mean 'Zhang2020', 'Zhang2024' or 'Zhang2024b'?)"));
     const Outcome wrong = call({"claims", "Zhang2024", "--run", "fig-3x"});
     CHECK(wrong.code == 2);
     CHECK(contains(wrong.err, "unknown claim 'fig-3x'"));

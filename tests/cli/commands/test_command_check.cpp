@@ -146,7 +146,7 @@ TEST_SUITE("cli") {
     std::ofstream(table) << "status,scene\nfinished,tiny\n";
     const Outcome other = call({"plot", a, table, "--out", folder.str("t.png")});
     CHECK(other.code == 0);
-    CHECK(contains(other.err, "taut: skipped: results.csv"));
+    CHECK(contains(other.err, "taut: skipped (runs of the same folder are drawn instead): results.csv\n"));
     std::ofstream(folder / "notes.txt") << "notes\n";
     const Outcome none =
         call({"plot", folder.str("notes.txt"), folder.str("discs.toml"), "--out", folder.str("t.png")});

@@ -267,7 +267,11 @@ TEST_SUITE("cli") {
     REQUIRE(runs["cases"].size() == 2);
     CHECK(runs["cases"][0]["name"] == "cfl=0.5");
     CHECK(runs["cases"][0]["result"] == "passed");
-    CHECK(runs["cases"][0]["time"].get<double>() > 0);
+    for (const int k : {0, 1}) {
+      const auto record = json_of(folder / "sweep" / (k == 0 ? "cfl=0.5" : "cfl=20") / "run.json");
+      const double wall = record["provenance"]["wall_seconds"].get<double>();
+      CHECK(std::abs(runs["cases"][k]["time"].get<double>() - wall) <= 0.0005);
+    }
     CHECK(runs["cases"][1]["result"] == "failure");
     CHECK(contains(runs["cases"][1]["text"], "diverged since "));
 

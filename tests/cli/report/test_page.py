@@ -246,6 +246,12 @@ def check_texts(browser):
                           " one.textContent.trim() || one.ariaLabel || one.closest('label'))")
 
 
+def check_errors(browser):
+    """Only an error with a reference number is a share."""
+    rows = {row.text.split()[0]: row.text for row in browser.all("section[aria-label=Measures] tbody tr")}
+    assert rows["gap_rmse"].endswith(" m") and rows["gap_value"].endswith(" %"), rows
+
+
 def check_theme(browser):
     theme = lambda: browser.script("return [document.documentElement.dataset.theme, getComputedStyle(document.body).backgroundColor]")
     before = theme()
@@ -260,6 +266,7 @@ def check_run(browser, taut, folder):
     taut("report", "run")
     browser.open(folder / "run/report/index.html")
     check_texts(browser)
+    check_errors(browser)
     check_player(browser)
     check_hover(browser, folder / "run")
     check_zoom_and_columns(browser)
@@ -308,6 +315,10 @@ def check_sweep(browser, taut, folder):
     points = browser.script("return [...document.querySelectorAll('.plot canvas')].map((one) =>"
                             " Chart.getChart(one).data.datasets.flatMap((line) => line.data).filter((point) => point.row).length)")
     assert points == [4, 6], points  # error over cost: og has another material law and no reference; response: all
+    error_axis = lambda: browser.script("return Chart.getChart(document.querySelector('.plot canvas')).options.scales.y.title.text")
+    for measure, unit in (("gap_rmse", "m"), ("gap_value", "share of the reference")):
+        browser.select("Measure", measure)
+        assert error_axis() == f"error of {measure}, {unit}", error_axis()
     cell = browser.all(".map td button")[0]
     name = cell.get_attribute("aria-label")
     browser.script("arguments[0].scrollIntoView({block: 'center'})", cell)
@@ -373,6 +384,13 @@ def check_suite(browser, taut, folder):
     before = shown()
     browser.keys(Keys.ARROW_RIGHT)
     assert shown() != before
+    shutil.rmtree(folder / "out/snapshot-suite/discs/frames")
+    taut("report", "out/snapshot-suite")
+    browser.open(folder / "out/snapshot-suite/report/index.html")
+    browser.button("faster").click()
+    browser.button("discs").click()
+    assert "no pictures" in browser.one("main").text, browser.one("main").text
+    assert browser.script("return document.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', cancelable: true}))")
 
 
 def check_embedded(browser, taut, folder):

@@ -336,6 +336,7 @@ TEST_SUITE("cli") {
     bad("points = 5\ntimes = @[]\n", {"times must be an array"});
     bad("points = 5\ntimes = @3\n", {"times must be an array"});
     bad("points = 5\ntimes = [1, @0.5]\n", {"0.5 comes after 1", "times must increase"});
+    bad("points = 5\ntimes = [1, @1]\n", {"1 comes after 1", "times must increase"});
     bad("points = 5\ntimes = [@-1]\n", {"times must increase"});
     bad("points = 5\ntimes = [1]\n@width = 3\n", {"unknown key 'width'"});
     const std::string good = with("points = 5\ntimes = [1]\n");

@@ -113,6 +113,11 @@ TEST_SUITE("cli") {
     CHECK(held.axis == 1);
     CHECK(held.where({3, 0, 0}) == 1);
     CHECK(held.where({5, 0, 0}) == 0);
+    for (const char* nowhere : {"0", "\"0\""})
+      CHECK_THROWS_WITH_AS(
+          with(std::string("of = \"reaction\"\nbody = \"ring\"\ncomponent = \"y\"\nwhere = ") + nowhere +
+               "\n"),
+          doctest::Contains("where is 0"), SceneError);
     const Probe pair = with("of = \"contact_force\"\nbodies = [\"ring\", \"block\"]\ncomponent = \"x\"\n");
     CHECK(pair.bodies == std::vector{1, 0});
     CHECK(pair.wall == -1);

@@ -95,6 +95,8 @@ TEST_SUITE("cli") {
     CHECK(says(layout_error("driven = [{ where = \"x > 9\", velocity = [1, 0] }]"), "driven: no particle"));
     const SceneError both = layout_error("held = \"x < 1\"\ndriven = [{ where = 1, velocity = [1, 0] }]");
     CHECK(says(both, "both held and driven"));
+    for (const char* none : {"held = 0", "held = \"0\"", "held = [\"0\", 0]"})
+      CHECK_NOTHROW(make_initial_particles(read_text(with_block(none)).scene));
     CHECK(both.line == 15);
     const SceneFile infinite = read_text(with_block("driven = [{ where = 1, velocity = [\"1/(t-1)\", 0] }]"));
     try {
@@ -127,6 +129,7 @@ TEST_SUITE("cli") {
     check_block_error("loaded = [{ where = 1, force = @[1] }]", {"force must be an array of 2"});
     check_block_error("loaded = [{ where = 1, force = [1, 0], ramp = \"@x\" }]", {"unknown name 'x'", "t"});
     check_block_error("loaded = [{ where = 1, force = [1, 0], ramp = @0 }]", {"never act"});
+    check_block_error("loaded = [{ where = 1, force = [1, 0], ramp = @\"0\" }]", {"never act"});
     check_block_error("loaded = [{ where = 1, force = [\"@t\", 0] }]", {"unknown name 't'"});
     check_block_error("loaded = [{ where = 1, force = [1, 0], @rmp = 1 }]", {"unknown key 'rmp'", "'ramp'"});
     const SceneError empty = layout_error("loaded = [{ where = \"x > 9\", force = [1, 0] }]");

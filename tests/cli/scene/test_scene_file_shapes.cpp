@@ -177,6 +177,8 @@ TEST_SUITE("cli") {
     check_shape_error(R"({ type = @"ellipsoid", centre = [0, 0], semi_axes = [1, 1] })", {"use ellipse"});
     check_shape_error(R"({ type = "expression", inside = @0, low = [0, 0], high = [1, 1] })",
                       {"so the shape is empty"});
+    check_shape_error(R"({ type = "expression", inside = @"0", low = [0, 0], high = [1, 1] })",
+                      {"so the shape is empty"});
     check_shape_error(R"({ type = "expression", inside = "x < @q", low = [0, 0], high = [1, 1] })",
                       {"unknown name 'q'"});
     check_shape_error(R"({ type = "union", shapes = @[{ type = "disc", centre = [0, 0], radius = 1 }] })",

@@ -51,6 +51,24 @@ TEST_SUITE("cli") {
     CHECK(taut::cli::suitable_offers(chart, {0.06, 0.99}).empty());
   }
 
+  TEST_CASE("a run of unknown cost neither replaces a run of known cost nor counts as cheapest") {
+    const TemporaryFolder folder;
+    const taut::cli::Chart chart = taut::cli::make_chart(
+        taut::cli::read_results({write_results(folder / "a",
+                                               "finished,tl,tl,0.4,10,stable,,0.005,2,8,\n"
+                                               "finished,tl,tl,0.4,10,stable,,0.005,2,,\n"
+                                               "finished,icb,icb,0.4,10,stable,,0.004,2,,\n",
+                                               "rod")}),
+        {});
+    const auto all = taut::cli::suitable_offers(chart, {0.01, std::nullopt});
+    REQUIRE(all.size() == 2);
+    CHECK(all[0].series->name == "tl");
+    CHECK(all[0].point->cost == 8);
+    CHECK(all[1].series->name == "icb");
+    CHECK(taut::cli::suitable_offers(chart, {0.01, 100.0}).size() == 1);
+    CHECK(taut::cli::to_json(all).items().at(1).find("seconds")->is_null());
+  }
+
   TEST_CASE("choose reports method, spacing and evidence, or that no result is accurate enough") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", runs, "colliding-rings");

@@ -164,6 +164,12 @@ TEST_SUITE("cli") {
     typed.title = "none", typed.size = "640x480";
     CHECK(plot_look(typed, {"p.png"}).title == "");
     CHECK(plot_look(typed, {"p.png"}).height == 480);
+    typed.width = "85mm", typed.size = "100x2000";
+    CHECK_THROWS_WITH_AS(plot_look(typed, {"p.png"}), doctest::Contains("would be 20079 pixels high"),
+                         UsageError);
+    typed.width = "850mm", typed.size = {};
+    CHECK_THROWS_WITH_AS(plot_look(typed, {"p.png"}), doctest::Contains("would be 10039 pixels wide"),
+                         UsageError);
   }
 
   TEST_CASE("a map of a measure shows values, unit, and a cross for unstable runs") {
@@ -195,8 +201,9 @@ TEST_SUITE("cli") {
     const Outcome histories = call(words);
     CAPTURE(histories.err);
     CHECK(histories.code == 0);
-    CHECK(contains(histories.err, "taut: skipped: "));
-    CHECK(contains(histories.err, "results.csv"));
+    CHECK(contains(histories.err, "taut: skipped (neither a run nor a sweep): "));
+    CHECK(
+        contains(histories.err, "taut: skipped (runs of the same folder are drawn instead): results.csv\n"));
     CHECK(contains(text_of(folder / "p.gp"), "title 'speed=3'"));
     const Texts sweep{"plot", folder.str("sweep"), "--out", folder.str("s.png")};
     CHECK(call(sweep).code == 0);

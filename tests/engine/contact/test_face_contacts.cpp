@@ -168,7 +168,12 @@ TEST_SUITE("conservation") {
     settings.cfl = 0.1;
     const auto simulation = make_simulation(scene, settings);
     const double start = total_energy(*simulation, scene);
-    while (simulation->time() < 1.2e-3) make_steps(*simulation, 500);
+    double folded = 0;
+    while (simulation->time() < 1.2e-3) {
+      make_steps(*simulation, 500);
+      if (simulation->time() > 5e-4) folded = std::max(folded, simulation->snapshot().contact_energy);
+    }
+    CHECK(folded > 1e-3 * start);
     CHECK(total_energy(*simulation, scene) == Approx(start).epsilon(1e-3));
   }
 
@@ -382,6 +387,7 @@ TEST_SUITE("failure") {
           most = std::max(most, penetration(simulation->snapshot(), 2, dp, arm));
         }
         CHECK(most < 0);
+        CHECK(most > -dp);  // the arms meet
         if (law != ContactLaw::impulse) CHECK(pressed > 0.001);
         const Balance after = balance(simulation->snapshot(), scene);
         CHECK(std::abs(after.linear_momentum[0] - before.linear_momentum[0]) < 1e-12 * before.momentum_scale);

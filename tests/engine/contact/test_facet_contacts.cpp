@@ -326,6 +326,7 @@ TEST_SUITE("failure") {
           most = std::max(most, penetration(simulation->snapshot(), 3, dp, arm));
         }
         CHECK(most < 0);
+        CHECK(most > -dp);  // the arms meet
         if (law != ContactLaw::impulse) CHECK(pressed > 0.001);
       }
     }

@@ -101,11 +101,18 @@ TEST_SUITE("unit") {
     const Scene scene = of({Ring{{0, 0, 0}, 0.03, 0.04}});
     const InitialParticles initial = make_initial_particles(scene);
     const Outline outline = make_outline(scene, initial);
+    std::vector<int> nodes(initial.x.size());
     for (int n = 0; n < outline.size(); ++n) {
-      double nearest = 1;
-      for (const Point& x : initial.x)
-        nearest = std::min(nearest, std::hypot(x[0] - outline.x[n][0], x[1] - outline.x[n][1]));
-      CHECK(nearest == Approx(0.5 * dp).epsilon(1e-6));
+      const auto distance = [&](const Point& x) {
+        return std::hypot(x[0] - outline.x[n][0], x[1] - outline.x[n][1]);
+      };
+      const auto nearest = std::ranges::min_element(initial.x, {}, distance);
+      CHECK(distance(*nearest) == Approx(0.5 * dp).epsilon(1e-6));
+      ++nodes[nearest - initial.x.begin()];
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const double r = std::hypot(initial.x[i][0], initial.x[i][1]);
+      CHECK(nodes[i] == (r < 0.03 + dp || r > 0.04 - dp ? 1 : 0));
     }
   }
 

@@ -152,6 +152,7 @@ TEST_SUITE("unit") {
     make_steps(*simulation, 200);
     const Series& series = simulation->series();
     CHECK(series.value[0][0] == relative(start));
+    CHECK((start - series.value[0][1]) / series.time[1] == relative(speed, 0.01));
     double least = start;
     for (const double gap : series.value[0]) least = std::min(least, gap);
     CHECK(least < 0.5 * start);
