@@ -54,7 +54,7 @@ constexpr KeyInfo top_keys[] = {
      "contact law between bodies: `taut list contacts`"},
     {"stepping", types::word("dual", "single"), "dual",
      "dual: recomputes the geometry of pairs at advection steps only; single: at every step. "
-     "Only the methods of [Zhang2024] and [Zhang2024b] use it"},
+     "Only the methods of [Zhang2024], [Zhang2024b] and [SPHinXsys2025] use it"},
     {"cfl", types::number("", at_least(1e-6)), "the method's", "factor of the time step (CFL number)"},
     {"gravity", types::vector("[x, y] of t", "m/s²"), "none", "gravitational acceleration"},
     {"damping", types::number("1/s", at_least(0)), "0",

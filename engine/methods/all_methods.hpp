@@ -12,7 +12,7 @@
 namespace taut {
 
 /// In listing order. The index selects the colour in charts: append new methods.
-inline constexpr std::array<const Formulation*, 26> all_methods{&og,
+inline constexpr std::array<const Formulation*, 27> all_methods{&og,
                                                                 &oas,
                                                                 &enog,
                                                                 &enog_nonconservative,
@@ -37,7 +37,8 @@ inline constexpr std::array<const Formulation*, 26> all_methods{&og,
                                                                 &tl_hg,
                                                                 &tl_enog,
                                                                 &fe1,
-                                                                &fe2};
+                                                                &fe2,
+                                                                &gnog_amc};
 static_assert(all_methods.size() == ul_split::Methods::size + ul_cauchy::Methods::size +
                                         bonded::Methods::size + tl_displacement::Methods::size +
                                         tl_mixed::Methods::size + finite_elements::Methods::size);

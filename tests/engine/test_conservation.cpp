@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
 #include <doctest/doctest.h>
 
@@ -54,6 +55,7 @@ const std::map<std::string, double> least_angular_change = {
     {"enog", 0.2},
     {"enog-nonconservative", 0.8},
     {"gnog", 0.005},
+    {"gnog-amc", 0.001},
     {"ulsph-av-as-uncorrected", 0.05},
     {"ulsph-av-as", 8e-5},
     {"d-ulsph-av-as", 8e-5},
@@ -133,6 +135,39 @@ TEST_SUITE("conservation") {
     }
     CHECK(change("ulsph-av-as-uncorrected", 0) > 1e-3);
     CHECK(change("ccbwat", 0) > 1e-3);
+  }
+
+  TEST_CASE("slow rotation: gnog gains energy and angular momentum, gnog-amc no energy and less momentum") {
+    Scene scene = rotating_plate(0.03);
+    scene.spacing = 0.002;
+    const auto greatest = [&](const std::string& method, double until) {
+      const auto simulation = make_simulation(scene, with_method(method));
+      const Balance before = balance(simulation->snapshot(), scene);
+      double gained = 0, turned = 0;
+      for (int k = 1; k <= 50; ++k) {
+        simulation->advance_to(k * until / 50);
+        const Balance now = balance(simulation->snapshot(), scene);
+        gained = std::max(gained, (now.kinetic + now.strain) / before.kinetic - 1);
+        turned = std::max(turned, angular_change(before, now));
+      }
+      return std::pair{gained, turned};
+    };
+    const auto [gained, turned] = greatest("gnog-amc", 0.05);  // two turns
+    CHECK(gained < 1e-3);
+    CHECK(turned < 0.25);
+    const auto [gained_by_gnog, turned_by_gnog] = greatest("gnog", 0.005);
+    CHECK(gained_by_gnog > 0.5);
+    CHECK(turned_by_gnog > 0.35);
+  }
+
+  TEST_CASE("linear momentum: gnog-amc loses it if the penalty rotates with each particle") {
+    const Scene scene = small_collision();
+    Settings settings = with_method("gnog-amc");
+    settings.constants["penalty_rotation"] = 1;
+    const auto simulation = make_simulation(scene, settings);
+    const Balance before = balance(simulation->snapshot(), scene);
+    make_steps(*simulation, steps);
+    CHECK(linear_change(before, balance(simulation->snapshot(), scene)) > 1e-5);
   }
 
   TEST_CASE("energy: a collision gains no energy beyond each method's known error") {

@@ -111,8 +111,8 @@ TEST_SUITE("failure") {
       CHECK(greatest_turn(method) < 0.3);
     }
     CHECK(greatest_turn("enog-nonconservative") < 0.02);
-    for (const std::string method :
-         {"enog", "ulsph-av-as", "d-ulsph-r-tic", "tl", "tl-hg", "tl-enog", "icb", "pf-jst", "oenog"}) {
+    for (const std::string method : {"enog", "gnog-amc", "ulsph-av-as", "d-ulsph-r-tic", "tl", "tl-hg",
+                                     "tl-enog", "icb", "pf-jst", "oenog"}) {
       CAPTURE(method);
       CHECK(greatest_turn(method) == relative(1, 0.01));
     }

@@ -14,7 +14,8 @@ constexpr TermInfo time_info{"time", "position Verlet, dual-criteria steps", "[Z
 std::vector<TermInfo> terms(const UlSplitFormulation& m) {
   std::vector<TermInfo> t{equation_of_state_info, compression_info, riemann_pressure_info};
   if (has_penalty(m))
-    t.insert(t.end(), {penalized_gradient_info, jaumann_rate_info, nested_shear_info, velocity_penalty_info});
+    t.insert(t.end(), {penalized_gradient_info, jaumann_rate_info, nested_shear_info,
+                       m.central_penalty ? central_velocity_penalty_info : velocity_penalty_info});
   else if (carries_stress(m))
     t.insert(t.end(), {velocity_gradient_info, jaumann_rate_info, nested_shear_info});
   if (m.shear == Shear::laplacian_velocity) t.push_back(laplacian_info);
@@ -49,8 +50,14 @@ std::vector<ConstantRow<UlSplitConstants>> constants(const UlSplitFormulation& m
                   "ζ of the Laplacian: 0.7 d + 2.1 calibrated, d + 2 consistent"}});
   if (has_penalty(m))
     c.push_back({&C::xi,
-                 {"xi", 4.0, 0.0, 20.0,
+                 {"xi", m.central_penalty ? 2.0 : 4.0, 0.0, 20.0,
                   "factor ξ of the penalty on velocity differences that the velocity gradients miss"}});
+  if (m.central_penalty)
+    c.push_back(
+        {&C::penalty_rotation,
+         {"penalty_rotation", 0.0, 0.0, 1.0,
+          "1 rotates the accumulated penalty with the spin of each particle, as the first public version does: "
+          "it then changes linear momentum"}});
   if (m.artificial_stress) {
     c.push_back({&C::epsilon, {"epsilon", m.epsilon, 0.0, 10.0, "ε of the artificial stress"}});
     c.push_back({&C::exponent, {"exponent", m.exponent, 0.0, 20.0, "n of the artificial stress"}});

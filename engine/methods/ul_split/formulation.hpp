@@ -9,11 +9,12 @@ enum class Shear : std::uint8_t {
   nested_stress,                       // [Zhang2024] Eq. 7, 13, 14
   laplacian_velocity,                  // ∫ G/ρ ∇²v dt, [Zhang2024] Eq. 19, 20
   laplacian_velocity_nonconservative,  // [Zhang2024] Eq. 18
-  nested_with_penalty,                 // [Zhang2024b]
+  nested_with_penalty,                 // [Zhang2024b], [SPHinXsys2025]
 };
 
 struct UlSplitSwitches {
   Shear shear = Shear::nested_stress;
+  bool central_penalty = false;    // along the line of the pair
   bool artificial_stress = false;  // Gray's
   double epsilon = 0, exponent = 0;
   double beta_least = 1;       // 1: linear, 0: limited; see terms/riemann.hpp
@@ -27,6 +28,7 @@ struct UlSplitFormulation : Formulation, UlSplitSwitches {
 struct UlSplitConstants : Constants {
   double zeta = 0;  // [Zhang2024] Eq. 19
   double xi = 0;
+  double penalty_rotation = 0;
   double epsilon = 0, exponent = 0;
   double riemann_limiter = 0, beta_least = 1;  // see terms/riemann.hpp
   double pressure_diffusion = 0;               // see terms/riemann.hpp
@@ -48,7 +50,8 @@ constexpr bool strains_clamped(const UlSplitFormulation& m) { return carries_str
 
 constexpr bool consistent(const UlSplitFormulation& m) {
   return (!m.artificial_stress || carries_stress(m)) &&  // artificial stress needs the stress
-         m.artificial_stress == (m.epsilon > 0) && m.cfl_advection > 0;
+         (!m.central_penalty || has_penalty(m)) && m.artificial_stress == (m.epsilon > 0) &&
+         m.cfl_advection > 0;
 }
 
 }  // namespace taut

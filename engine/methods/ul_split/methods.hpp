@@ -43,7 +43,7 @@ inline constexpr UlSplitFormulation enog_nonconservative{
     },
     {.shear = Shear::laplacian_velocity_nonconservative}};
 
-/// [Zhang2024b], with the pressure of `enog`.
+/// [Zhang2024b] and [SPHinXsys2025], with the pressure of `enog`.
 inline constexpr UlSplitFormulation gnog{
     {
         .name = "gnog",
@@ -54,9 +54,19 @@ inline constexpr UlSplitFormulation gnog{
         .family = Family::ul_split,
     },
     {.shear = Shear::nested_with_penalty}};
+inline constexpr UlSplitFormulation gnog_amc{
+    {
+        .name = "gnog-amc",
+        .paper = "SPHinXsys2025",
+        .summary = "gnog with a penalty along the line of each pair, "
+                   "which its authors call angular momentum conservative",
+        .conserves = "linear momentum",
+        .family = Family::ul_split,
+    },
+    {.shear = Shear::nested_with_penalty, .central_penalty = true}};
 
 namespace ul_split {
-using Methods = MethodList<og, oas, enog, enog_nonconservative, gnog>;
+using Methods = MethodList<og, oas, enog, enog_nonconservative, gnog, gnog_amc>;
 }
 
 }  // namespace taut

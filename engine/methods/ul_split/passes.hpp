@@ -204,7 +204,7 @@ Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const UlSplitConstan
 }
 
 /// Advances the penalty acceleration. Requires the velocity gradients of all particles.
-template <int Dim>
+template <const UlSplitFormulation& M, int Dim>
 void penalty_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double dt, const Threads& threads) {
   parallel_pass(s.size, threads, [&](int i) {
     const Flow<Dim, Pack> f_i = spread_flow(s.flow_new[i]);
@@ -215,7 +215,11 @@ void penalty_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double
       const Flow<Dim, Pack> f_j = gather_flow(s.flow_new, s.pack(b));
       const Mat<Pack, Dim> L_sum = L_i + gather_gradient(s.velocity_gradient, s.pack(b));
       const Pack slope_over_r = dot(grad_W, grad_W) * s.pairs.inverse_distance(b);
-      penalty += velocity_penalty_term(f_i.v - f_j.v, L_sum, f_j.V, slope_over_r, grad_W);
+      const Vec<Pack, Dim> term = velocity_penalty_term(f_i.v - f_j.v, L_sum, f_j.V, slope_over_r, grad_W);
+      if constexpr (M.central_penalty)
+        penalty += central_velocity_penalty_term(term, s.pairs.inverse_slope(b) * grad_W);
+      else
+        penalty += term;
     }
     const double inv_rho = s.flow_new[i].c[Dim + 1] / s.m[i];
     s.da_shear[i] = (c.xi * c.G * inv_rho) * sum(penalty);
@@ -256,6 +260,8 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
       if constexpr (has_penalty(M)) {
         gradient = product(gradient, s.recovery[i].get());
         s.velocity_gradient[i].set(gradient);
+        if (M.central_penalty && c.penalty_rotation != 0)
+          s.a_shear[i] = rotated_by_spin(gradient, s.a_shear[i], 2 * dt);
       }
       s.ds[i] = jaumann_rate<M.deviator>(gradient, s.s[i], c.G);
     }
@@ -273,7 +279,7 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
     else
       s.a_shear[i] += dt * s.da_shear[i];
   });
-  if constexpr (has_penalty(M)) penalty_pass(s, c, dt, threads);
+  if constexpr (has_penalty(M)) penalty_pass<M>(s, c, dt, threads);
 }
 template <const UlSplitFormulation& M, int Dim>
 void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Steering<Dim>& steering,

@@ -49,6 +49,7 @@ naive::Run<Dim> naive_split(const Scene& scene, const Settings& settings) {
                       scene.spacing, material.density, material.sound_speed(), material.shear_modulus());
   run.cubic_spline = constant_of(settings, Dim, "cubic_spline") != 0;
   run.pressure_diffusion = constant_of(settings, Dim, "pressure_diffusion");
+  run.penalty_rotates = constant_of(settings, Dim, "penalty_rotation") != 0;
   lay_particles(run, scene, [&](auto& a, int i, const InitialParticles& initial) {
     a.x = vector_of<naive::Vector<Dim>>(initial.x[i]);
     a.v = vector_of<naive::Vector<Dim>>(initial.v[i]);

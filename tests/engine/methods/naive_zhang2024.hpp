@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
-/// Transcription of [Zhang2024] and [Zhang2024b] in 2D and 3D. tests/README.md (Transcriptions) lists its choices.
+/// Transcription of [Zhang2024], [Zhang2024b] and [SPHinXsys2025] in 2D and 3D. tests/README.md (Transcriptions) lists
+/// its choices.
 namespace taut::test::naive {
 
 template <int Dim>
@@ -27,11 +29,12 @@ double dot(const Vector<Dim>& a, const Vector<Dim>& b) {
   return sum;
 }
 
-enum class Method { og, oas, enog, enog_nonconservative, gnog };
+enum class Method { og, oas, enog, enog_nonconservative, gnog, gnog_amc };
 inline Method method_named(const std::string& name) {
   if (name == "og") return Method::og;
   if (name == "oas") return Method::oas;
   if (name == "gnog") return Method::gnog;
+  if (name == "gnog-amc") return Method::gnog_amc;
   return name == "enog" ? Method::enog : Method::enog_nonconservative;
 }
 
@@ -46,7 +49,7 @@ struct Particle {
   bool clamped = false;
   Matrix<Dim> s{}, ds{};
   Vector<Dim> a_shear{}, da_shear{};
-  Matrix<Dim> L{};        // velocity gradient, for gnog corrected
+  Matrix<Dim> L{};        // velocity gradient, corrected for gnog and gnog-amc
   Vector<Dim> x_shown{};  // at the last update of an output-only stress
 };
 
@@ -68,6 +71,7 @@ class Run {
   std::vector<Particle> particles;
   bool cubic_spline = false;  // instead of Wendland's
   double pressure_diffusion = 0;
+  bool penalty_rotates = false;    // gnog-amc
   int rebuilds = 0, contacts = 0;  // contacts: ordered pairs, summed over steps
   double time = 0;
 
@@ -79,7 +83,7 @@ class Run {
     }
     greatest_speed_ = speed_;
     rebuild();
-    find_rates(volumes());
+    find_rates(volumes(), 0);
   }
 
   /// Eq. 22–25.
@@ -106,7 +110,7 @@ class Run {
       }
       speed_ = std::max(speed_, length(a.v));
     }
-    find_rates(V);
+    find_rates(V, dt);
     for (Particle& a : particles) advance_half(a, dt);  // Eq. 25
     greatest_speed_ = std::max(greatest_speed_, speed_);
     distance_since_rebuild_ += greatest_speed_ * dt;
@@ -125,7 +129,7 @@ class Run {
   static constexpr double zeta = 0.7 * Dim + 2.1;  // §6
   static double length(const Vector& a) { return std::sqrt(dot<Dim>(a, a)); }
 
-  bool penalized() const { return method_ == Method::gnog; }
+  bool penalized() const { return method_ == Method::gnog || method_ == Method::gnog_amc; }
   bool nested() const { return method_ == Method::og || method_ == Method::oas || penalized(); }
   bool same_body(std::size_t i, std::size_t j) const { return particles[i].body == particles[j].body; }
 
@@ -246,7 +250,7 @@ class Run {
     return acceleration;
   }
 
-  void find_rates(const std::vector<double>& V) {
+  void find_rates(const std::vector<double>& V, double dt) {
     for (std::size_t i = 0; i < particles.size(); ++i) {
       Particle& a = particles[i];
       double divergence = 0;
@@ -272,10 +276,22 @@ class Run {
       if (nested()) a.ds = stress_rate(gradient, a.s);
       for (int k = 0; k < Dim && !nested(); ++k) a.da_shear[k] = G_ / a.rho * laplacian[k];  // Eq. 20
     }
+    for (Particle& a : particles)
+      if (penalty_rotates) rotate_penalty(a, dt);
     if (penalized()) find_penalties(V);
   }
 
-  /// [Zhang2024b] with ξ = 4.
+  /// [SPHinXsys2025], first version.
+  static void rotate_penalty(Particle& a, double dt) {
+    Eigen::Vector3d spin{0, 0, 0.5 * (a.L[1][0] - a.L[0][1])}, penalty{0, 0, 0};
+    if constexpr (Dim == 3) spin.head(2) << 0.5 * (a.L[2][1] - a.L[1][2]), 0.5 * (a.L[0][2] - a.L[2][0]);
+    if (spin.norm() == 0) return;
+    for (int k = 0; k < Dim; ++k) penalty[k] = a.a_shear[k];
+    penalty = Eigen::AngleAxisd(spin.norm() * dt, spin.normalized()) * penalty;
+    for (int k = 0; k < Dim; ++k) a.a_shear[k] = penalty[k];
+  }
+
+  /// [Zhang2024b] with ξ = 4, [SPHinXsys2025] with ξ = 2.
   void find_penalties(const std::vector<double>& V) {
     for (std::size_t i = 0; i < particles.size(); ++i) {
       Particle& a = particles[i];
@@ -283,11 +299,16 @@ class Run {
       for (const PairGeometry& g : pairs_[i]) {
         const Particle& b = particles[g.j];
         if (!same_body(i, g.j)) continue;
+        Vector unexplained;
         for (int k = 0; k < Dim; ++k) {
-          double unexplained = a.v[k] - b.v[k];
-          for (int l = 0; l < Dim; ++l) unexplained -= 0.5 * (a.L[k][l] + b.L[k][l]) * g.r * g.e[l];
-          a.da_shear[k] += 4 * G_ / a.rho * V[g.j] * unexplained / g.r * g.dW;
+          unexplained[k] = a.v[k] - b.v[k];
+          for (int l = 0; l < Dim; ++l) unexplained[k] -= 0.5 * (a.L[k][l] + b.L[k][l]) * g.r * g.e[l];
         }
+        const bool central = method_ == Method::gnog_amc;
+        const double along = dot<Dim>(unexplained, g.e);
+        for (int k = 0; k < Dim; ++k)
+          a.da_shear[k] +=
+              (central ? 2 * along * g.e[k] : 4 * unexplained[k]) * G_ / a.rho * V[g.j] / g.r * g.dW;
       }
     }
   }

@@ -57,7 +57,7 @@ void check_ulsph(const Scene& scene, const std::string& name, Stepping stepping)
 }
 
 void check_ulsph_methods(const Scene& scene, Stepping stepping) {
-  for (const std::string name : {"og", "oas", "enog", "enog-nonconservative", "gnog"})
+  for (const std::string name : {"og", "oas", "enog", "enog-nonconservative", "gnog", "gnog-amc"})
     check_ulsph(scene, name, stepping);
 }
 

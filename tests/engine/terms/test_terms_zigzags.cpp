@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -27,7 +28,7 @@ constexpr V2 X{0.6, 0.5};
 double cross_of(const V2& a, const V2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// Penalty of the velocity (−1)^(a + b) e_x at a lattice's origin.
-V2 penalty_on_checkerboard(const M2& L_sum) {
+V2 penalty_on_checkerboard(const M2& L_sum, bool central = false) {
   using K = Kernel<KernelName::wendland_c2>;
   const double h = 1.3;
   V2 sum{};
@@ -38,7 +39,8 @@ V2 penalty_on_checkerboard(const M2& L_sum) {
       if (r == 0) continue;
       const double slope = K::alpha(2) / (h * h * h) * K::dw(r / h);
       const V2 v_ij{(a + b) % 2 == 0 ? 0.0 : 2.0, 0};
-      sum += velocity_penalty_term(v_ij, L_sum, 1.0, slope / r, (slope / r) * x);
+      const V2 penalty = velocity_penalty_term(v_ij, L_sum, 1.0, slope / r, (slope / r) * x);
+      sum += central ? central_velocity_penalty_term(penalty, (1 / r) * x) : penalty;
     }
   }
   return sum;
@@ -139,6 +141,40 @@ TEST_SUITE("term") {
     const V2 on_j = j.V * velocity_penalty_term(of_j.v_ij, L_sum, i.V, slope * of_j.inv_r, slope * of_j.e);
     CHECK(magnitude(on_i) > 0.1);
     CHECK(magnitude(on_i + on_j) < 1e-14);
+  }
+
+  TEST_CASE("velocity penalty: the central penalty acts along the pair and opposes zigzags") {
+    const Seen g(first_of_pair, second_of_pair);
+    const V2 x_ij = g.r * g.e;
+    const M2 L{{{0.5, -2}, {3, 0.7}}};
+    const V2 whole = velocity_penalty_term(g.v_ij, L, 1.1, slope_of_pair * g.inv_r, slope_of_pair * g.e);
+    const V2 central = central_velocity_penalty_term(whole, g.e);
+    CHECK(std::abs(cross_of(x_ij, whole)) > 0.1);  // torque of the pair
+    CHECK(std::abs(cross_of(x_ij, central)) < 1e-14);
+    CHECK(dot(central, g.e) == relative(dot(whole, g.e), 1e-14));
+    CHECK(std::abs(dot(central, g.e)) > 0.1);
+    const V2 unstrained =
+        velocity_penalty_term(L * x_ij, L + L, 1.1, slope_of_pair * g.inv_r, slope_of_pair * g.e);
+    CHECK(magnitude(central_velocity_penalty_term(unstrained, g.e)) < 1e-14);
+    const V2 on_zigzag = penalty_on_checkerboard({}, true);
+    CHECK(on_zigzag[0] ==
+          relative(0.5 * penalty_on_checkerboard({})[0], 1e-12));  // mean of e_x² on a square lattice
+    CHECK(std::abs(on_zigzag[1]) < 1e-14);
+  }
+
+  TEST_CASE("velocity penalty: the spin rotates a vector, whatever the strain rate") {
+    const double right_angle = std::numbers::pi / 2;
+    const M2 strained_and_turning{{{5, 1 - 2}, {1 + 2, -4}}};  // spin 2
+    const V2 turned = rotated_by_spin(strained_and_turning, V2{3, 0}, right_angle / 2);
+    CHECK(magnitude(turned - V2{0, 3}) < 1e-14);
+    CHECK(rotated_by_spin(M2{{{5, 1}, {1, -4}}}, V2{3, 1}, 0.7)[1] == 1);
+    // a third of a turn about (1, 1, 1) exchanges the axes
+    const double w = 4 * right_angle / 3 / std::numbers::sqrt3;
+    const Mat<double, 3> about_diagonal{{{0, -w, w}, {w, 0, -w}, {-w, w, 0}}};
+    const Vec<double, 3> next = rotated_by_spin(about_diagonal, Vec<double, 3>{2, 0, 0}, 1);
+    CHECK(std::abs(next[0]) < 1e-14);
+    CHECK(next[1] == relative(2, 1e-14));
+    CHECK(std::abs(next[2]) < 1e-14);
   }
 }
 
