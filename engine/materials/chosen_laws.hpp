@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -63,6 +64,13 @@ class Materials {
  public:
   Materials(Law law, const std::vector<Elasticity>& materials) : law_(law) { take(materials, Laws{}); }
 
+  /// Shear energies take J instead of det F, [Lee2016] Eq. 8.
+  void take_volume_ratio_in_shear() {
+    const auto take = [](auto& law) {
+      if constexpr (requires { law.J_in_shear; }) law.J_in_shear = true;
+    };
+    std::visit([&](auto& laws) { std::ranges::for_each(laws, take); }, laws_);
+  }
   LawsInUse in_use() const {
     return {law_, std::visit([](const auto& laws) -> const void* { return laws.data(); }, laws_)};
   }

@@ -13,7 +13,7 @@
 ///   stiffness_bound(F, J) upper bound of ρ0 c² of all waves, Pa; c in initial lengths per time (THEORY.md)
 /// J is det F or an unknown ([Lee2016] Eq. 33c). A law that takes_volume_ratio also has
 ///   piola(F, H, J)        H is cof F or an unknown ([Lee2016] Eq. 12)
-///   shear_energy(F, H, j) shear part of the energy, with j = det F
+///   shear_energy(F, H, j) shear part of the energy, with j from shear_ratio()
 ///   slopes(F, H, j)       derivatives of shear_energy by F, H and j, Pa; the first two divided by F and H
 namespace taut {
 
@@ -40,6 +40,12 @@ T contraction(const Mat<T, Dim>& A, const Mat<T, Dim>& B) {
   for (int a = 0; a < Dim; ++a)
     for (int b = 0; b < Dim; ++b) s += A(a, b) * B(a, b);
   return s;
+}
+
+/// Volume ratio j in the shear energy: det F, or J if `J_in_shear`.
+template <class Law, class T, int Dim>
+T shear_ratio(const Law& law, const Mat<T, Dim>& F, const T& J) {
+  return law.J_in_shear ? J : determinant(F);
 }
 
 /// s A + t B

@@ -14,6 +14,7 @@ namespace taut {
 struct MooneyRivlin {
   double K, G;            // Pa
   double cofactor_share;  // 3√3 ξ/G
+  bool J_in_shear = false;
 
   /// Derivatives of the shear energy, Pa: Σ_F/F, Σ_H/H and Σ_j.
   template <class T>
@@ -36,7 +37,7 @@ struct MooneyRivlin {
 
   template <class T, int Dim>
   Mat<T, Dim> piola(const Mat<T, Dim>& F, const Mat<T, Dim>& H, const T& J) const {
-    const Slopes<T> by = slopes(F, H, determinant(F));
+    const Slopes<T> by = slopes(F, H, shear_ratio(*this, F, J));
     return combination(1.0, combination(by.F, F, by.j + K * (J - 1), H), by.H, stress_of_cofactor(F, H));
   }
   template <class T, int Dim>
@@ -45,12 +46,12 @@ struct MooneyRivlin {
   }
   template <int Dim>
   double energy(const Mat<double, Dim>& F, double J) const {
-    return shear_energy(F, cofactor(F), determinant(F)) + 0.5 * K * (J - 1) * (J - 1);
+    return shear_energy(F, cofactor(F), shear_ratio(*this, F, J)) + 0.5 * K * (J - 1) * (J - 1);
   }
   template <int Dim>
   Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double J) const {
     const double j = determinant(F);
-    const Slopes by = slopes(F, cofactor(F), j);
+    const Slopes by = slopes(F, cofactor(F), shear_ratio(*this, F, J));
     const double zz = (by.F + by.H * contraction(F, F)) / j + by.j + K * (J - 1);
     return {push_forward(piola(F, J), F, j), beside_plane<Dim>(zz)};
   }

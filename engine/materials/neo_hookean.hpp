@@ -7,10 +7,11 @@
 namespace taut {
 
 /// Nearly incompressible neo-Hookean law, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G. Departure: where J is an
-/// unknown, the paper has J instead of j = det F. The deviator would then respond to volume changes of F with the
-/// stiffness −4G/3, and collisions would diverge.
+/// unknown, the paper has J instead of j = det F (`J_in_shear`). The deviator would then respond to volume changes of
+/// F with the stiffness −4G/3, and collisions would diverge.
 struct NeoHookean {
   double K, G;  // Pa
+  bool J_in_shear = false;
 
   template <class T, int Dim>
   static T square(const Mat<T, Dim>& F) {
@@ -34,7 +35,7 @@ struct NeoHookean {
   }
   template <class T, int Dim>
   Mat<T, Dim> piola(const Mat<T, Dim>& F, const Mat<T, Dim>& H, const T& J) const {
-    const Slopes<T> by = slopes(F, H, determinant(F));
+    const Slopes<T> by = slopes(F, H, shear_ratio(*this, F, J));
     return combination(by.F, F, K * (J - 1) + by.j, H);
   }
   template <class T, int Dim>
@@ -43,12 +44,14 @@ struct NeoHookean {
   }
   template <int Dim>
   double energy(const Mat<double, Dim>& F, double J) const {
-    return shear_energy(F, F, determinant(F)) + 0.5 * K * (J - 1) * (J - 1);
+    return shear_energy(F, F, shear_ratio(*this, F, J)) + 0.5 * K * (J - 1) * (J - 1);
   }
   template <int Dim>
   Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double J) const {
-    const double j = determinant(F), root = inverse_cube_root(j), shear = G * root * root / j;
-    return {push_forward(piola(F, J), F, j), beside_plane<Dim>(K * (J - 1) + shear * (1 - square(F) / 3))};
+    const double det = determinant(F), j = shear_ratio(*this, F, J);
+    const double root = inverse_cube_root(j), shear = G * root * root / j;
+    return {push_forward(piola(F, J), F, det),
+            beside_plane<Dim>(K * (J - 1) + shear * (j / det - square(F) / 3))};
   }
   template <class T, int Dim>
   T stiffness_bound(const Mat<T, Dim>& F, const T&) const {

@@ -70,16 +70,30 @@ struct PairLanesView {
   }
   /// Σ_j (A_i + A_j) k_ij
   Vec<Pack, Dim> pair_sum(const ColumnsView<Dim * Dim>& A, int group) const {
+    return pair_sum(A, group, [](const Constants& of_pair) { return of_pair.c; });
+  }
+  /// Σ_j (A_i + A_j) B_i k_ij, [Lee2016] Eq. 30 with the corrected gradient (Remark 4). Not opposite for i and j.
+  Vec<Pack, Dim> one_sided_sum(const ColumnsView<Dim * Dim>& A, const Sym<Pack, Dim>& B, int group) const {
+    return pair_sum(A, group, [&](const Constants& of_pair) {
+      Vec<Pack, Dim> k;
+      for (int a = 0; a < Dim; ++a) k[a] = of_pair.c[a];
+      return B * k;
+    });
+  }
+  template <class Gradient>
+  [[gnu::always_inline]] Vec<Pack, Dim> pair_sum(const ColumnsView<Dim * Dim>& A, int group,
+                                                 const Gradient& gradient) const {
     const int first = lanes * group;
     Vec<Pack, Dim> sum{};
     for_each(group, [&](const LaneSlot& slot, const Constants& of_pair) {
       Pack of_j[Dim * Dim];
       gather(A, first, slot, of_j);
+      const auto k = gradient(of_pair);
 #pragma GCC unroll 3
       for (int a = 0; a < Dim; ++a)
 #pragma GCC unroll 3
         for (int b = 0; b < Dim; ++b)
-          sum[a] += (load(A[a * Dim + b] + first) + of_j[a * Dim + b]) * of_pair.c[b];
+          sum[a] += (load(A[a * Dim + b] + first) + of_j[a * Dim + b]) * k[b];
     });
     return sum;
   }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
 
+#include "engine/core/pack.hpp"
 #include "engine/core/principal_axes.hpp"
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
@@ -41,6 +43,13 @@ inline constexpr TermInfo surface_repulsion_info{
     "artificial stress, at surfaces", "dv/dt: terms of the stress divergence of −σ⁺, times ε (W/W(dp))ⁿ",
     "[Khayyer2024] Eq. 18–21, 31", "terms/artificial_stress.hpp:positive_part",
     "artificial stress: the positive part keeps the axes and the positive principal stresses"};
+
+/// f_ij of [TranDuc2023] §2.2. Departure: `kernel` is Gray's (W/W(Δx))ⁿ; `distance` is the printed (r/Δx)ⁿ.
+enum class RepulsionWeight { kernel, distance };
+inline constexpr std::string_view repulsion_weight_names[] = {"kernel", "distance"};
+
+/// f_ij = (r/Δx)ⁿ as [TranDuc2023] §2.2 prints it. Distant pairs weigh most.
+inline Pack distance_weight(const Pack& r, double dp, double n) { return power(Pack(r / dp), n); }
 
 /// R = −ε σ⁺/ρ², Pa m⁶/kg²
 template <int Dim>

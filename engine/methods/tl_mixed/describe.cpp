@@ -13,6 +13,9 @@ constexpr TermInfo time_info{"time", "TVD Runge–Kutta, two stages", "[Lee2016]
                              "methods/tl_mixed/solver.cpp:step",
                              "mixed: a colliding ring and disc follow the transcription"};
 
+constexpr std::string_view internal_force_names[] = {"conservative", "one-sided"};
+constexpr std::string_view deviator_ratio_names[] = {"det-F", "J"};
+
 }  // namespace
 
 std::vector<TermInfo> terms(const TlMixedFormulation& m) {
@@ -42,6 +45,21 @@ std::vector<ConstantRow<TlMixedConstants>> constants(const TlMixedFormulation& m
          {"eps_J4", 1.0 / 256, 0.0, 1.0,
           "ε₄ of the volume ratio; 1/8 suits near incompressibility, but faces in contact fail with it"}});
   }
+  if (follows_volume_ratio(m))
+    c.push_back({&C::deviator_ratio,
+                 {.name = "deviator_ratio",
+                  .value = 0,
+                  .low = 0,
+                  .high = 1,
+                  .help = "volume ratio in the deviator; J: the unknown, Eq. 8 as printed",
+                  .choices = deviator_ratio_names}});
+  c.push_back({&C::internal_force,
+               {.name = "internal_force",
+                .value = 0,
+                .low = 0,
+                .high = 1,
+                .help = "conservative: Eq. 29c; one-sided: Eq. 30 with corrected gradients, Remark 4",
+                .choices = internal_force_names}});
   c.push_back({&C::projection,
                {"projection", 1.0, 0.0, 1.0, "1: projects forces to conserve both momenta; 0: does not"}});
   c.push_back(

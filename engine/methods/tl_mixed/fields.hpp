@@ -44,11 +44,12 @@ struct TlMixedFields {
   const Sites<Dim>* sites;
   LawsInUse laws;
   double wave_speed;                              // c_p of the unstrained body, m/s
+  bool one_sided;                                 // internal force by one_sided_sum
   PairLanesView<Dim> pairs;                       // k_ij
   PairLanesView<Dim, Dim + 2> dissipating_pairs;  // k_ij, dp² × weights of L and of its adjoint L*
   Strains<Dim> now, start, rate;                  // at the stage; at the start of the step; rates, 1/s
   ColumnsView<Dim + 1> flow;                      // v, m/s, and J
-  ColumnsView<Dim * Dim> stress;                  // V P B, row by row
+  ColumnsView<Dim * Dim> stress;                  // V P B, or P if one-sided, row by row
   ColumnsView<Dim + 1> once;                      // dp² L[(v, J)], L of corrected_laplacian.hpp
   ColumnsView<Dim> a, a_start;                    // m/s²: internal; total at the start of the step
   ColumnsView<1> dissipation_J;                   // 1/s

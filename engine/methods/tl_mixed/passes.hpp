@@ -88,7 +88,7 @@ void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   });
 }
 
-/// Fills `flow` with (v, J) and `stress` with V P B.
+/// Fills `flow` with (v, J) and `stress` with V P B, or P if one-sided.
 template <const TlMixedFormulation& M, int Dim>
 void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -100,7 +100,7 @@ void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
       for (int k = 0; k < Dim; ++k) store(v[k], f.flow[k] + first);
       if constexpr (U::has_J) store(f.now.J[group].value, f.flow[Dim] + first);
       const Mat<Pack, Dim> P = laws(group, [&](const auto& law) { return U::piola(law, f.now, group); });
-      put(product(P, f.sites[group].V0 * f.sites[group].B), f.stress, first);
+      put(f.one_sided ? P : product(P, f.sites[group].V0 * f.sites[group].B), f.stress, first);
     });
   });
 }
@@ -124,7 +124,11 @@ void gather_pass(const TlMixedFields<Dim>& f, const Threads& threads) {
     f.rate.F[group] = grad_v;
     if constexpr (U::has_J) f.rate.J[group].value = contraction(U::cofactors(f.now, group), grad_v);
     if constexpr (U::has_H) f.rate.H[group] = tensor_cross(f.now.F[group], grad_v);
-    put(f.sites[group].per_m * pairs.pair_sum(f.stress, group), f.a, first);
+    const Sites<Dim>& site = f.sites[group];
+    if (f.one_sided) [[unlikely]]
+      put(site.V0 * site.per_m * pairs.one_sided_sum(f.stress, site.B, group), f.a, first);
+    else
+      put(site.per_m * pairs.pair_sum(f.stress, group), f.a, first);
   });
 }
 inline constexpr TermInfo volume_ratio_info{

@@ -29,6 +29,7 @@ TlMixed<Dim>::TlMixed(Common<Dim>& common, const SolverInput& input, const Kerne
       c_(constants_of(tl_mixed::constants(method_, Dim), input.constants, input.values)),
       body_(common, input),
       v_start_(p_.x.size()) {
+  if (c_.deviator_ratio != 0) body_.materials.take_volume_ratio_in_shear();
   make_pairs(input);
   flow_.resize(p_.size());
   stress_.resize(p_.size());
@@ -46,6 +47,7 @@ TlMixed<Dim>::TlMixed(Common<Dim>& common, const SolverInput& input, const Kerne
         .sites = body_.sites.data(),
         .laws = body_.laws(),
         .wave_speed = body_.wave_speed,
+        .one_sided = c_.internal_force != 0,
         .pairs = pair_lanes_.view(),
         .dissipating_pairs = dissipating_lanes_.view(),
         .now = now_.view(),

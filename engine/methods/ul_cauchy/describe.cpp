@@ -72,17 +72,30 @@ std::vector<ConstantRow<UlCauchyConstants>> constants(const UlCauchyFormulation&
           .value = 0,
           .low = 0,
           .high = std::size(limiter_names) - 1.0,
-          .help = "slope limiter of the Riemann term; first-order: velocities without reconstruction, Eq. 37",
+          .help = "slope limiter of the Riemann term; first-order: velocities without reconstruction, Eq. 37, B.20",
           .choices = limiter_names}});
   }
   c.push_back({&C::geometry,
                {"geometry", 0.5, 0.0, 1.0,
                 "point of the step at which ∇u is evaluated: 0 start, as printed; 1 end"}});
   if (m.transport_velocity) c.push_back({&C::xsph, {"xsph", 0.5, 0.0, 1.0, "ε of the transport velocity"}});
-  if (m.density_diffusion) c.push_back({&C::delta, {"delta", 0.002, 0.0, 0.1, "δ of the density diffusion"}});
+  if (m.density_diffusion) {
+    c.push_back({&C::delta, {"delta", 0.002, 0.0, 0.1, "δ of the density diffusion"}});
+    c.push_back({&C::delta_order,
+                 {"delta_order", 1.0, 0.0, 1.0,
+                  "order of the density diffusion: 1 corrects ψ by ∇ρ, Eq. 34; 0 does not, Eq. B.3"}});
+  }
   if (m.artificial_stress) {
     c.push_back({&C::epsilon, {"epsilon", m.epsilon, 0.0, 10.0, "ε of the artificial stress"}});
     c.push_back({&C::exponent, {"exponent", m.exponent, 0.0, 20.0, "n of the artificial stress"}});
+    if (chooses_repulsion_weight(m))
+      c.push_back({&C::repulsion_weight,
+                   {.name = "repulsion_weight",
+                    .value = 0,
+                    .low = 0,
+                    .high = std::size(repulsion_weight_names) - 1.0,
+                    .help = "weight of the artificial stress; kernel: (W/W(dp))ⁿ; distance: (r/dp)ⁿ, as printed",
+                    .choices = repulsion_weight_names}});
   }
   if (m.tensile_control) {
     c.push_back(

@@ -45,12 +45,19 @@ struct UlCauchyConstants : Constants {
   double geometry = 0;  // time of ∇u; 0: start, 1: end of the step
   double xsph = 0;
   double delta = 0;
+  double delta_order = 1;  // factor of ∇ρ in ψ
   double epsilon = 0, exponent = 0;
+  double repulsion_weight = 0;  // RepulsionWeight
   double surface_colour = 0;
   double vicinity = 0;  // in spacings
   double surface_artificial_stress = 0;
   double step_speed = 0;  // wave speed for steps, m/s
 };
+
+/// [TranDuc2023] and [Khayyer2024] print different f_ij.
+constexpr bool chooses_repulsion_weight(const UlCauchyFormulation& m) {
+  return m.artificial_stress && m.pair_stress == PairStress::squares;
+}
 
 constexpr bool carries_stress(const UlCauchyFormulation&) { return true; }
 

@@ -102,7 +102,7 @@ void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
     if constexpr (M.corrected) result.L = gradient_correction(scale.of_gradient * sum(moment));
     if constexpr (M.viscosity == Viscosity::riemann)
       result.D = symmetric_part(product(scale.of_gradient * sum(L), result.L));
-    if constexpr (M.density_diffusion) result.grad_rho = result.L * (scale.of_gradient * sum(grad_rho));
+    if constexpr (M.density_diffusion) result.grad_rho = c.delta_order * (result.L * (scale.of_gradient * sum(grad_rho)));
     if constexpr (M.tensile_control)
       result.colour = scale.of_W * (sum(colour) + colour_term(K::w(0.0), a.V[0]));
     set_stress<M>(f, c, i, result);
@@ -110,17 +110,19 @@ void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
 }
 
 /// Artificial stress without the factors ε and α/h^(Dim+2).
-template <const UlCauchyFormulation& M, int Dim>
+template <const UlCauchyFormulation& M, int Dim, RepulsionWeight weight>
 class Repulsion {
  public:
   explicit Repulsion(const UlCauchyConstants& c)
-      : scale_(c.h), per_w_dp_(1 / K::w(c.dp / c.h)), exponent_(c.exponent) {}
+      : scale_(c.h), dp_(c.dp), per_w_dp_(1 / K::w(c.dp / c.h)), exponent_(c.exponent) {}
 
   Vec<Pack, Dim> term(const UlCauchyFields<Dim>& f, const Mat<Pack, Dim>& R_i, int b,
-                      const CauchyPair<Dim>& pair, const Pack& weight) const {
-    const Pack close = power(Pack(per_w_dp_ * f.w[b].value), exponent_);  // (W/W(dp))ⁿ
+                      const CauchyPair<Dim>& pair, const Pack& mass) const {
+    const Pack close = weight == RepulsionWeight::distance
+                           ? distance_weight(pair.r, dp_, exponent_)
+                           : power(Pack(per_w_dp_ * f.w[b].value), exponent_);  // (W/W(dp))ⁿ
     const Mat<Pack, Dim> R_j = RepulsionRow<Dim>::gather(f.repulsion, f.pack(b));
-    return stress_divergence_term(R_i, R_j, Pack(close * weight), pair.dw_per_q, pair.d);
+    return stress_divergence_term(R_i, R_j, Pack(close * mass), pair.dw_per_q, pair.d);
   }
   Vec<double, Dim> of_all(const UlCauchyFields<Dim>& f, int i) const {
     const Mat<Pack, Dim> R_i = spread(f.repulsion[i].get());
@@ -134,18 +136,20 @@ class Repulsion {
  private:
   using K = Kernel<M.kernel>;
   KernelScale<M, Dim> scale_;
-  double per_w_dp_, exponent_;
+  double dp_, per_w_dp_, exponent_;
 };
 
 /// Advances v over the whole step and stores the density diffusion in `drho`. Returns the maximum v², m²/s².
-template <const UlCauchyFormulation& M, int Dim>
+template <const UlCauchyFormulation& M, int Dim, RepulsionWeight weight = RepulsionWeight::kernel>
 double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Kick<Dim>& kick,
                    const Threads& threads) {
+  if constexpr (chooses_repulsion_weight(M) && weight == RepulsionWeight::kernel)
+    if (c.repulsion_weight != 0) return stress_pass<M, Dim, RepulsionWeight::distance>(f, c, kick, threads);
   using Row = StressRow<M, Dim>;
   const KernelScale<M, Dim> scale(c.h);
   const Row* const rows = f.template stress_rows<M>();
   [[maybe_unused]] const auto limiter = static_cast<Limiter>(c.limiter);
-  return parallel_max(f.size, threads, [&, repulsion = Repulsion<M, Dim>(c)](int i) {
+  return parallel_max(f.size, threads, [&, repulsion = Repulsion<M, Dim, weight>(c)](int i) {
     const auto a = Row::spread(rows[i]);
     Vec<Pack, Dim> force{};
     constexpr bool everywhere = M.artificial_stress && !M.tensile_control;

@@ -84,6 +84,8 @@ class Run {
   double riemann_factor = 1;
   int limiter = 0;  // 0: none, 1: minmod, 2: van Leer, 3: no reconstruction
   double geometry = 0.5;
+  bool printed_weight = false;  // [TranDuc2023]: f_ij = (r/Δx)ⁿ
+  bool diffusion_of_order_0 = false;  // Eq. B.3
 
   void step() {
     const double dt = is_.cfl() * h_ / c0_;  // Eq. 26
@@ -227,7 +229,8 @@ class Run {
         if (!near(i, j)) continue;
         const Particle &a = particles[i], &b = particles[j];
         const Vector dw = gradient(r_ij(i, j));
-        const double f = is_.epsilon() * std::pow(w(r_ij(i, j).norm()) / w(d0_), is_.n());
+        const double r = r_ij(i, j).norm(), nearness = printed_weight ? r / d0_ : w(r) / w(d0_);
+        const double f = is_.epsilon() * std::pow(nearness, is_.n());
         const double aa = is_.tranduc ? a.rho * a.rho : a.rho * b.rho;
         const double bb = is_.tranduc ? b.rho * b.rho : a.rho * b.rho;
         Vector sum = (1 / bb * (b.sigma() * L[j]) + 1 / aa * (a.sigma() * L[i])) * dw;
@@ -294,7 +297,8 @@ class Run {
       for (const std::size_t j : others_[i]) {
         if (!same(i, j)) continue;
         const Vector r = r_ij(i, j);
-        const double psi = 2 * (particles[j].rho - particles[i].rho) - (grad_rho[i] + grad_rho[j]).dot(r);
+        double psi = 2 * (particles[j].rho - particles[i].rho);
+        if (!diffusion_of_order_0) psi -= (grad_rho[i] + grad_rho[j]).dot(r);
         D[i] += 0.002 * h_ * c0_ * psi * r.dot(gradient(r)) / r.dot(r) * particles[j].V();
       }
       if (D[i] != 0) ++counts.diffused;

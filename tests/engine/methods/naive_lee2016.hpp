@@ -65,6 +65,7 @@ struct Run {
   double dp, h, cfl, rho0, K, G, contact_stiffness;
   double eps_p2, eps_p4, eps_J2, eps_J4;
   bool projection, adjoint;
+  bool one_sided, J_in_deviator;
   std::vector<Particle> particles;
   double dt = 0;  // used if cfl is 0
   double time = 0;
@@ -137,7 +138,8 @@ struct Run {
     return with_H ? a.H : Matrix(a.F.determinant() * a.F.inverse().transpose());
   }
   Matrix stress(const Particle& a) const {
-    const double j = a.F.determinant(), J = with_J ? a.J : j, zeta = G / 2;  // the paper has J for j too
+    const double det = a.F.determinant(), J = with_J ? a.J : det, zeta = G / 2;
+    const double j = J_in_deviator ? J : det;  // the paper has J
     const Matrix H = cofactor(a);
     const double FF = a.F.squaredNorm() + (3 - Dim);
     const double Sigma_J = -2.0 / 3 * zeta * std::pow(j, -5.0 / 3) * FF + K * (J - 1);
@@ -215,7 +217,10 @@ struct Run {
       for (const std::size_t l : lists[k]) {
         const Particle& b = particles[l];
         if (!near(a, b)) continue;
-        T[k] += b.V * (stress(b) * gradient(b, a) - stress(a) * gradient(a, b));
+        if (one_sided)
+          T[k] -= b.V * (stress(a) + stress(b)) * gradient(a, b);  // Eq. 30, Remark 4
+        else
+          T[k] += b.V * (stress(b) * gradient(b, a) - stress(a) * gradient(a, b));
         grad += b.V / rho0 * (b.p - a.p) * gradient(a, b).transpose();
       }
       out[k] = {a.p / rho0, Vector::Zero(), grad, Matrix::Zero(), cofactor(a).cwiseProduct(grad).sum()};

@@ -67,6 +67,8 @@ naive_cauchy::Run<Dim> naive_current(const Scene& scene, const Settings& setting
   run.riemann_factor = constant_of(settings, Dim, "riemann_factor");
   run.limiter = static_cast<int>(constant_of(settings, Dim, "limiter"));
   run.geometry = constant_of(settings, Dim, "geometry");
+  run.printed_weight = constant_of(settings, Dim, "repulsion_weight") != 0;
+  run.diffusion_of_order_0 = constant_of(settings, Dim, "delta_order") == 0;
   lay_particles(run, scene, [&](auto& a, int i, const InitialParticles& initial) {
     const Material& material = scene.materials[initial.material[i]];
     a.r = vector_of<naive_cauchy::Vector<Dim>>(initial.x[i]);
@@ -126,6 +128,8 @@ naive_lee::Run<Dim> naive_mixed(const Scene& scene, const Settings& settings) {
                           .eps_J4 = constant("eps_J4"),
                           .projection = constant("projection") != 0,
                           .adjoint = constant("adjoint") != 0,
+                          .one_sided = constant("internal_force") != 0,
+                          .J_in_deviator = constant("deviator_ratio") != 0,
                           .particles = {},
                           .dt = settings.step};
   lay_particles(run, scene, [&](auto& a, int i, const InitialParticles& initial) {

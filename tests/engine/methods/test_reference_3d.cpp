@@ -95,13 +95,15 @@ void check_total_lagrangian(const Scene& scene, const std::string& name) {
   check_field("stress", engine_sigma, sigma);
 }
 
-void check_mixed(const Scene& scene, const std::string& name, double projection) {
+void check_mixed(const Scene& scene, const std::string& name, double projection,
+                 const char* printed = nullptr) {
   CAPTURE(name);
   const Material& material = scene.materials[0];
   Settings settings = with_method(name);
   settings.step = 0.2 * scene.spacing /
                   std::sqrt((material.bulk_modulus() + 4 * material.shear_modulus() / 3) / material.density);
   settings.constants = {{"projection", projection}};
+  if (printed) settings.constants[printed] = 1;
   if (name != "pf") settings.constants.insert({{"eps_v2", 0.03}, {"eps_v4", 0.1}});
   if (name == "pfj-jst" || name == "pfhj-jst")
     settings.constants.insert({{"eps_J2", 0.02}, {"eps_J4", 0.01}});
@@ -182,6 +184,9 @@ TEST_SUITE("reference") {
       check_mixed(small_solid_collision(), name, 1);
       check_mixed(small_clamped_block(), name, 0);
     }
+    check_mixed(small_solid_collision(), "pf", 0, "internal_force");
+    for (const char* printed : {"internal_force", "deviator_ratio"})
+      check_mixed(small_clamped_block(), "pfhj-jst", 1, printed);
   }
   TEST_CASE("oenog: in 3D 40 steps equal the transcription, with a collision, a clamp and two materials") {
     check_oenog(small_solid_collision(), true);

@@ -93,6 +93,19 @@ void check_limiters(const Scene& scene, const std::string& method) {
 }
 
 template <int Dim>
+void check_variant(const Scene& scene, const std::string& method, const std::string& constant, double value) {
+  constexpr int steps = Dim == 2 ? 25 : 40;
+  CAPTURE(method);
+  Settings settings = with_method(method);
+  settings.constants[constant] = value;
+  const naive_cauchy::Run<Dim> run = after_steps(naive_current<Dim>(scene, settings), steps);
+  check_active(run.counts, method);
+  const Snapshot engine = state_after(steps, scene, settings);
+  check_agreement(engine, run);
+  CHECK(engine.v != state_after(steps, scene, with_method(method)).v);
+}
+
+template <int Dim>
 void check_method(const Scene& scene, const std::string& method, int steps) {
   CAPTURE(method);
   const Settings settings = with_method(method);
@@ -140,6 +153,14 @@ TEST_SUITE("reference") {
       check_limiters<2>(small_collision(), method);
       check_limiters<3>(small_solid_collision(), method);
     }
+  }
+  TEST_CASE("naive: with (r/Δx)ⁿ, as printed, ccbwat follows the transcription in 2D and 3D") {
+    check_variant<2>(two_materials(), "ccbwat", "repulsion_weight", 1);
+    check_variant<3>(small_solid_collision(), "ccbwat", "repulsion_weight", 1);
+  }
+  TEST_CASE("naive: with density diffusion of order 0 the ladder follows the transcription in 2D and 3D") {
+    check_variant<2>(two_materials(), "d-ulsph-av-tic", "delta_order", 0);
+    check_variant<3>(small_solid_collision(), "d-ulsph-r-as", "delta_order", 0);
   }
   TEST_CASE("naive: with ∇u at the start of the step, as printed, d-ulsph-r-tic follows the transcription") {
     const Scene scene = two_materials();

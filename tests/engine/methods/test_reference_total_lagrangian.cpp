@@ -106,6 +106,18 @@ TEST_SUITE("reference") {
     for (const std::string name : {"pf", "pf-jst", "pfj-jst"})
       check_mixed(small_collision(), name, with_method(name));
   }
+  TEST_CASE("mixed: with one-sided forces, and with J in the deviator, the transcription is followed") {
+    for (const std::string name : {"pf", "pfj-jst"}) {
+      for (const Scene& scene : {small_collision(), small_clamped_plate()}) {
+        Settings settings = with_method(name);
+        settings.constants = {{"internal_force", 1}, {"projection", name == "pf" ? 0 : 1}};
+        check_mixed(scene, name, settings);
+        if (name == "pf") continue;
+        settings.constants = {{"deviator_ratio", 1}};
+        check_mixed(scene, name, settings);
+      }
+    }
+  }
   TEST_CASE(
       "mixed: a plate hit on its clamp follows the transcription without projection, with all dissipation") {
     Settings settings = with_method("pfj-jst");

@@ -197,6 +197,37 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("term") {
+  TEST_CASE("initial pairs: one-sided forces are exact for differences of stress but not opposite in sum") {
+    const Cloud cloud;
+    const InitialPairs<2> pairs = cloud.pairs();
+    const PairLanes<2> of_four = four_at_a_time(pairs);
+    const M2 slope_x = {{{3, -1}, {0.5, 2}}}, slope_y = {{{-2, 4}, {1, 0.7}}};
+    Columns<4> stress;
+    stress.resize(pairs.size());
+    const auto length = [](const V2& a) { return std::sqrt(dot(a, a)); };
+    const auto at = [&](int i) {
+      return combination(1 + cloud.X[i][0] / cloud.dp, slope_x, cloud.X[i][1] / cloud.dp, slope_y);
+    };
+    for (int i = 0; i < pairs.size(); ++i)
+      for (int k = 0; k < 4; ++k) stress[k][i] = at(i)(k / 2, k % 2);
+    const V2 divergence = {(slope_x(0, 0) + slope_y(0, 1)) / cloud.dp,
+                           (slope_x(1, 0) + slope_y(1, 1)) / cloud.dp};
+    V2 one_sided{}, opposite{};
+    for (int i = 0; i < pairs.size(); ++i) {
+      Sym<Pack, 2> B;
+      for (int c = 0; c < 3; ++c) B.c[c] = filled<Pack>(pairs.B[i].c[c]);
+      const V2 sum = lane_of(of_four.view().one_sided_sum(stress, B, i / lanes), i % lanes);
+      V2 k{};
+      for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p) k += pairs.k[p];
+      const V2 of_differences = sum - 2.0 * (at(i) * (pairs.B[i] * k));
+      CHECK(length(of_differences - divergence) < 1e-11 * length(divergence));
+      one_sided += cloud.V[i] * sum;
+      opposite += lane_of(of_four.view().pair_sum(stress, i / lanes), i % lanes);
+    }
+    CHECK(length(one_sided) > 1e-3 * cloud.dp * cloud.dp * length(divergence));
+    CHECK(length(opposite) < 1e-12 * cloud.dp * pairs.size());
+  }
+
   TEST_CASE("corrected Laplacian: linear fields give 0 and in 2D the squared distance 4, also at surfaces") {
     const Cloud cloud;
     const InitialPairs<2> pairs = cloud.pairs();

@@ -166,6 +166,18 @@ TEST_SUITE("term") {
     CHECK(to_i == Approx(-(2 * 2 + 0.5 * (4 * 0.6 - 1 * 0.8)) * dW / 0.5));
   }
 
+  TEST_CASE("density diffusion: with order 0 a linear density diffuses, and most at a surface") {
+    const Vec2 slope = {3, -2};
+    double sum = 0;
+    for (const Neighbor& j : neighbors()) {
+      const double change = dot(slope, j.x());
+      const double flow = density_diffusion_term(10.0, 10 + change, Vec2{}, Vec2{}, j.V, j.dW, j.r, j.e);
+      CHECK(flow == Approx(-2 * change * j.dW / j.r * j.V));  // Eq. B.3
+      sum += flow;
+    }
+    CHECK(std::abs(sum) > 0.1);
+  }
+
   TEST_CASE("Riemann term: a linear velocity has no dissipation, and forces are opposite") {
     const Sym2 D = symmetric_part(some_L);
     for (const Neighbor& j : neighbors()) {

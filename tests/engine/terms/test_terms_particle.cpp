@@ -232,6 +232,14 @@ TEST_SUITE("term") {
     CHECK(push(1) > 0);
     CHECK(push(0.5) == Approx(0.5 * push(1)));
   }
+
+  TEST_CASE("artificial stress: the printed weight of [TranDuc2023] grows with the distance") {
+    const Pack r = {0.5, 1, 2, 3}, weight = distance_weight(r, 2.0, 6);
+    CHECK(weight[2] == 1);
+    CHECK(weight[0] == Approx(1 / 4096.0));
+    CHECK(weight[1] == Approx(1 / 64.0));
+    CHECK(weight[3] == Approx(729 / 64.0));
+  }
 }
 
 }  // namespace of_this_file
