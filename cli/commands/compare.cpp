@@ -88,7 +88,7 @@ std::optional<render::View> common_view(const std::vector<SavedRun>& runs) {
   return view;
 }
 
-/// Part of `all` in `window`, without particles that fly away.
+/// Part of `all` inside `window`, so that particles that fly away do not widen the view.
 render::View within(const render::View& all, const std::optional<render::View>& window) {
   if (!window) return all;
   return {std::max(all.x_min, window->x_min), std::min(all.x_max, window->x_max),
@@ -116,7 +116,7 @@ void check_followed_body(const Drawing& drawing, const std::vector<SavedRun>& ru
   }
 }
 
-/// Any chosen view overrides the scene's, including `auto`.
+/// Whether the view of the scene limits the picture. A chosen view, also `auto`, overrides it.
 bool is_bounded(const Drawing& drawing, bool has_chosen_view) {
   return !has_chosen_view && !drawing.look.view && !drawing.look.camera && !drawing.followed;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <numeric>
@@ -32,18 +33,20 @@ struct MovieArguments {
 
 /// Throws UsageError for missing frames, at which ffmpeg would stop silently.
 int count_frames(const fs::path& folder) {
-  const int count = static_cast<int>(picture_names(folder).size());
-  if (!fs::exists(folder / frame_name(0)))
-    throw UsageError(
-        fmt::format("there are no frames ({}, ...) in {}; draw them with `taut run` or `taut render`",
-                    frame_name(0), folder.string()));
   int whole = 0;
   while (fs::exists(folder / frame_name(whole))) ++whole;
-  for (int later = whole + 1; later < count + whole; ++later)
-    if (fs::exists(folder / frame_name(later)))
-      throw UsageError(
-          fmt::format("{} is missing in {}, but later frames exist; draw all frames again with `taut render`",
-                      frame_name(whole), folder.string()));
+  const std::string missing = frame_name(whole);
+  const auto is_later_frame = [&](const std::string& name) {
+    return name.size() == missing.size() && name.starts_with("frame_") && name > missing;
+  };
+  if (std::ranges::any_of(picture_names(folder), is_later_frame))
+    throw UsageError(
+        fmt::format("{} is missing in {}, but later frames exist; draw all frames again with `taut render`",
+                    missing, folder.string()));
+  if (whole == 0)
+    throw UsageError(
+        fmt::format("there are no frames ({}, ...) in {}; draw them with `taut run` or `taut render`",
+                    missing, folder.string()));
   return whole;
 }
 

@@ -158,7 +158,7 @@ bool answer(const SweepPlan& plan, const SweepArguments& o, const std::optional<
   return std::ranges::find(report.cases, Result::failed, &TestCase::result) == report.cases.end();
 }
 
-/// Updates results of whole sweeps only.
+/// Writes the results of a whole sweep; for a single run (--index) writes nothing.
 class ResultsWriter {
  public:
   ResultsWriter(const SweepPlan& plan, bool whole_sweep) : plan_(plan), active_(whole_sweep) {}
@@ -172,7 +172,7 @@ class ResultsWriter {
     since_written_ = {};
   }
   void changed() { pending_ = true; }
-  /// Writes rarely if writing is slow.
+  /// Waits 20 times as long as the last write took.
   void write_when_due() {
     if (pending_ && since_written_.seconds() > 20 * took_) write();
   }

@@ -234,8 +234,8 @@ std::span<const DrawingKey> drawing_keys() {
                  .placeholder = "LOW:HIGH|auto",
                  .help = "values at the ends of the colour scale, in the field's unit; auto: "
                          "the range of the whole sequence, without outliers",
-                 .session_help =
-                     "values at the ends of the colour scale, in the field's unit; auto: the current range",
+                 .session_help = "values at the ends of the colour scale, in the field's unit; auto: "
+                                 "the range at this time",
                  .allows_auto = true,
                  .numbers = {.count = 2,
                              .in_file = "[low, high]",
@@ -296,7 +296,7 @@ std::span<const DrawingKey> drawing_keys() {
       DrawingKey{.name = "style",
                  .placeholder = "STYLE",
                  .help = "shape of particles: discs (2D), spheres (3D), "
-                         "cells (flat pieces, with hairline gaps where the strain varies), "
+                         "cells (pieces of one colour, with hairline gaps where the strain varies), "
                          "or surface (continuous bodies with interpolated values)",
                  .session_help = "shape of particles: discs (2D), spheres (3D), cells, or surface",
                  .allows_auto = true,

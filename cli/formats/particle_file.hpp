@@ -11,7 +11,7 @@
 namespace taut::cli {
 
 /// Compressed VTK PolyData (.vtp): time, positions (z = 0 in 2D), vertices, particle_arrays(). Real numbers are
-/// Float64, with `single_precision` Float32.
+/// Float64; with `single_precision`, all but the time are Float32.
 std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                                bool single_precision = false);
 

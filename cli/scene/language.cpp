@@ -263,7 +263,7 @@ constexpr KeyInfo chart_keys[] = {
      "x axis. cpu: CPU time to solve, s; wall: elapsed time to solve, s; steps: particles × time steps; "
      "seconds: earlier name of wall"},
     {"methods", method_name.or_list(1), "all", "methods to draw"},
-    {"against", method_name, "the references", "method whose finest run replaces the references"},
+    {"against", method_name, "the references", "method whose finest stable run replaces the references"},
 };
 
 constexpr KeyInfo map_keys[] = {

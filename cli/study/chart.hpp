@@ -25,7 +25,7 @@ struct ChartRequest {
   std::string measure;                 // empty: default
   Cost cost = Cost::cpu;               // becomes `wall` if a run has no CPU seconds
   std::vector<std::string> methods{};  // empty: all
-  std::string against{};               // method whose finest run replaces the references
+  std::string against{};               // method whose finest stable run replaces the references
   bool stable_only = false;
   std::optional<StoredRun> run{};  // replaces the references, instead of `against`
 

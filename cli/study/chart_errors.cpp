@@ -85,9 +85,9 @@ std::string hint(const StoredResults& results) {
     return std::ranges::none_of(
         results.runs, [&](const StoredRun& run) { return run.method() == method && run.is_stable(); });
   });
-  return names.empty()
-             ? ""
-             : "; `taut chart --against METHOD` compares with the finest run of a method: " + join(names);
+  return names.empty() ? ""
+                       : "; `taut chart --against METHOD` compares with the finest stable run of a method: " +
+                             join(names);
 }
 
 std::string not_ended(const StoredResults& results) {

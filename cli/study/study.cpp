@@ -84,7 +84,7 @@ void check_chart(const StudyPictures::Charted& chart, const std::filesystem::pat
                      request.measure));
   if (!request.against.empty()) return;
   const std::string way_out =
-      " with these parameters, so no run has an error; against = METHOD compares with the finest run of a method";
+      " with these parameters, so no run has an error; against = METHOD compares with the finest stable run of a method";
   if (request.measure.empty() && available.referenced.empty()) fail("no measure has a reference" + way_out);
   if (!request.measure.empty() && !available.referenced.contains(request.measure))
     fail(fmt::format("'{}' has no reference{}", request.measure, way_out));

@@ -33,8 +33,8 @@ class InitialConfiguration {
 
   int groups() const { return static_cast<int>(sites.size()); }
   LawsInUse laws() const { return materials.in_use(); }
-  /// Time step CFL h/(c_p + |v|max), s. Departs from [Lee2016] Eq. 44, which has the spacing and the wave speed of
-  /// the strained body.
+  /// Time step, s: Common::fixed_or_stable_step of CFL h/(c_p + |v|max). Departs from [Lee2016] Eq. 44, which has the
+  /// spacing and the wave speed of the strained body.
   double step_size() const;
   static void begin(Snapshot& out) { out.strain_energy.resize(out.size()); }
   void begin_motion(Snapshot& out) const { common_.begin_motion(out), begin(out); }

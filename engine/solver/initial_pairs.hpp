@@ -23,8 +23,8 @@ enum class GradientCorrection : std::uint8_t { corrected, normalised };
 
 /// Pairs of initial neighbours within a body, from both sides: k_ij = V_i V_j ∇_i W(X_i − X_j) = −k_ji. Forces
 /// (internal_force_info, also [TranDuc2023] §2.3) are equal and opposite to the last bit. V in k_ij is the whole
-/// cell even on a face, V in forces only the part inside the body: gradients and forces are then of second order
-/// (summation by parts).
+/// cell even on a face. V in forces is V0, the particle's weight in volume integrals (InitialParticles::inside).
+/// Gradients and forces are then of second order (summation by parts).
 template <int Dim>
 struct InitialPairs {
   std::vector<int> begin, j;        // begin[i] … begin[i + 1] − 1; j ascends
@@ -138,8 +138,8 @@ inline constexpr TermInfo internal_force_info{
 
 /// Correction B:
 /// - corrected: B_i = [Σ_j (X_j − X_i) ⊗ k_ij]⁻¹, exact for linear fields. [Lee2016] Eq. 21, [TranDuc2023] §2.3
-/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1) with i itself. [Zhang2020] below Eq. 11 prints no
-///   equation; here the force derives from an energy.
+/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1) with i itself. [Zhang2020] mentions it below Eq. 11
+///   without an equation; here the force derives from an energy.
 template <int Dim>
 Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<double, Dim>& moment, double V,
                                      double S) {

@@ -95,8 +95,8 @@ void Loads<Dim>::spread_by(const std::vector<double>& volume, const Scene& scene
   }
 }
 
-/// Shares of a load by id, N. Throws SceneError if no particle is ever free. Particles driven to the end take no share
-/// of a force.
+/// Shares of a load by id, N. Throws SceneError if no particle is ever free, or a traction on elements is on no face.
+/// Particles driven to the end take no share of a force.
 template <int Dim>
 auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParticles& initial, int body)
     -> std::vector<std::pair<int, V>> {
@@ -112,7 +112,7 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
   };
   // includes particles driven to the end, except for forces
   std::vector<int> loaded;
-  double volume = 0;  // of the particles that are free at some time, m^Dim
+  double volume = 0;  // of the particles that are free at some time, m^Dim; traction on elements: m^(Dim − 1)
   for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
     if (initial.clamped[id] || !is_loaded(id)) continue;
     if (is_driven(id) && load.kind == Load::Kind::force) continue;
@@ -120,6 +120,12 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
     if (!is_driven(id)) volume += weight(id);
   }
   const std::string& name = scene.bodies[body].name;
+  if (has_mesh && std::ranges::max(of_mesh) == 0)
+    throw SceneError(
+        fmt::format("body.{}.loaded", name),
+        fmt::format("a traction of body '{}' is on no face: "
+                    "its 'where' must be nonzero in the middle of an element cell at the surface",
+                    name));
   if (volume == 0)
     throw SceneError(
         fmt::format("body.{}.loaded", name),

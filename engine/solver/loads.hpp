@@ -19,7 +19,8 @@ class Loads {
  public:
   using V = Vec<double, Dim>;
 
-  /// Throws SceneError if all particles of a load are clamped or driven to the end.
+  /// Throws SceneError if all particles of a load are clamped or driven to the end, or a traction on elements is on no
+  /// face.
   Loads(const Scene& scene, const InitialParticles& initial);
 
   void act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,

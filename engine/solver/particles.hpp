@@ -14,7 +14,7 @@ struct Particles {
 
   std::vector<V> x, v;         // m, m/s
   std::vector<double> m;       // kg
-  std::vector<double> mobile;  // 1; 0 where clamped
+  std::vector<double> mobile;  // 1, or 0 where clamped
   std::vector<int> id;         // number in creation order
   std::vector<int> body;
   std::vector<int> material;

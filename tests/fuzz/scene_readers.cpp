@@ -43,9 +43,10 @@ void check_resolved(const SceneFile& file) {
   try {
     again = read_scene(write("resolved.toml", once));
   } catch (const std::runtime_error& error) {
-    throw Finding(std::string("scene.toml cannot be read again: ") + error.what() + "\n" + once);
+    throw Finding(std::string("resolved.toml cannot be read: ") + error.what() + "\n" + once);
   }
-  expect(resolved_text(again, folder()) == once, "scene.toml changes when read and written again:\n" + once);
+  expect(resolved_text(again, folder()) == once,
+         "resolved.toml changes when read and written again:\n" + once);
 }
 
 }  // namespace

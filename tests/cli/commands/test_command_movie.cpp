@@ -84,6 +84,10 @@ TEST_SUITE("cli") {
     const Outcome gap = call({"movie", folder.str("frames"), "--out", folder.str("m.mp4")});
     CHECK(gap.code == 2);
     CHECK(contains(gap.err, "frame_00002.png is missing"));
+    fs::remove(folder / "frames/frame_00000.png");
+    fs::remove(folder / "frames/frame_00001.png");
+    CHECK(contains(call({"movie", folder.str("frames"), "--out", folder.str("m.mp4")}).err,
+                   "frame_00000.png is missing"));
   }
 
   TEST_CASE("the real ffmpeg makes movies of frames with odd sides") {

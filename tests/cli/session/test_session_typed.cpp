@@ -17,7 +17,7 @@ namespace {
 
 const std::string up = "\x1b[A", backspace = "\x7f", interrupt = "\x03", end_of_input = "\x04";
 
-/// Distance of `color` from the nearest colour in `shown` (ESC[38;2;R;G;Bm), in the channel that differs most.
+/// Distance of `color` from the nearest colour in `shown` (38;2;R;G;B or 48;2;R;G;B), in the channel that differs most.
 int nearest_color(const std::string& shown, const std::array<int, 3>& color) {
   int nearest = 255;
   for (std::size_t at = shown.find("8;2;"); at != std::string::npos; at = shown.find("8;2;", at + 1)) {

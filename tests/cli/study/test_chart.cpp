@@ -80,7 +80,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "the default measure is the measure of most runs, and event times and measures with units come last") {
+      "the measure with errors of the most runs is the default, and event times and errors with a unit come last") {
     const TemporaryFolder folder;
     const auto chosen = [&](const std::string& rows) {
       std::ofstream(folder / "results.csv")
@@ -265,7 +265,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "without a reference runs are compared with the finest run of a method, and that run gets no point") {
+      "without a reference runs are compared with the finest stable run of a method, and that run gets no point") {
     const TemporaryFolder folder;
     const std::string head =
         "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.bend.value,"
@@ -280,8 +280,9 @@ TEST_SUITE("cli") {
     const std::string file = folder.str("results.csv");
     const Outcome without = call({"chart", file, "--out", folder.str("a.png")});
     CHECK(without.code == 2);
-    CHECK(contains(without.err,
-                   "; `taut chart --against METHOD` compares with the finest run of a method: oenog, tl"));
+    CHECK(contains(
+        without.err,
+        "; `taut chart --against METHOD` compares with the finest stable run of a method: oenog, tl"));
     const auto chart = chart_of(file, {.measure = "", .against = "oenog"});
     CHECK(chart.against == "oenog at 0.5 mm");
     REQUIRE(chart.series.size() == 2);
@@ -320,7 +321,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("a run without an error shows the reason, and a measure without a unit has the unit 1") {
+  TEST_CASE("a run without an error shows the reason, also for a measure without a unit") {
     const TemporaryFolder folder;
     std::ofstream(folder / "results.csv")
         << "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.period.value,"

@@ -344,7 +344,7 @@ TEST_SUITE("conservation") {
     CHECK(*std::ranges::min_element(gap) > -dp);  // faces that are turned away from each other are ignored
   }
 
-  TEST_CASE("contact of faces: a round body on a flat one is not pushed aside where corner meets corner") {
+  TEST_CASE("contact of faces: a flat body does not push a round one sideways where node meets node") {
     const double r = 0.02, depth = 0.1 * dp;
     Pressed<2> bodies(scene_of(
         {Disc{{0, -r, 0}, r, RoundLayout::spaced}, Box{{-0.03, -depth, 0}, {0.03, 0.006 - depth, 0}}}));

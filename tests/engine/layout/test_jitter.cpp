@@ -81,7 +81,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("jitter: clamped and driven particles stay, free components of others move") {
+  TEST_CASE(
+      "jitter: clamped, driven and, in a rotated body, guided particles stay, and free components of others move") {
     Scene scene = brick(2);
     Body& body = scene.bodies[0];
     body.clamped = [](const Point& x) { return x[0] < dp ? 1.0 : 0.0; };
@@ -91,7 +92,7 @@ TEST_SUITE("unit") {
     const InitialParticles lattice = make_initial_particles(scene);
     scene.jitter = {0.49, 1};
     const InitialParticles moved = make_initial_particles(scene);
-    CHECK(moved.clamped == lattice.clamped);  // regions are selected by cells
+    CHECK(moved.clamped == lattice.clamped);  // regions are tested at the middles of cells
     CHECK(moved.drive == lattice.drive);
     CHECK(moved.guided == lattice.guided);
     for (int i = 0; i < lattice.size(); ++i) {
@@ -99,7 +100,7 @@ TEST_SUITE("unit") {
       CHECK((moved.x[i][0] == lattice.x[i][0]) == (row < 2 * dp));
       CHECK((moved.x[i][1] == lattice.x[i][1]) == (row < 2 * dp || row > 1 - dp));
     }
-    body.rotation = Rotation{.about = {0.5, 0.5, 0}, .angle = 90};  // guided particles would leave their face
+    body.rotation = Rotation{.about = {0.5, 0.5, 0}, .angle = 90};  // guided particles stay on their face
     const InitialParticles turned = make_initial_particles(scene);
     int guided = 0;
     for (int i = 0; i < turned.size(); ++i) {

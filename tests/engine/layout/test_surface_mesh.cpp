@@ -93,7 +93,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("surface mesh: a box whose sides are no multiples of the spacing keeps its faces") {
+  TEST_CASE("surface mesh: a box with two sides that are no multiples of the spacing keeps its faces") {
     const Scene scene = of(Box{{0, 0, 0}, {0.004, 0.0053, 0.0057}});
     const SurfaceMesh mesh = mesh_of(scene);
     double low = 1, high = 0;

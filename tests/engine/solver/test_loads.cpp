@@ -261,6 +261,17 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("loads: elements refuse a traction in a region that contains no cell at the surface") {
+    Scene scene = bar();
+    scene.bodies[0].loads = {load(Load::Kind::traction, 500, 0)};
+    CHECK_NOTHROW(make_simulation(scene, with_method("fe1")));
+    scene.bodies[0].loads[0].where = [](const Point& at) {
+      return std::abs(at[0] - 0.5 * length) < dp && std::abs(at[1] - 0.5 * H) < dp ? 1.0 : 0.0;
+    };
+    CHECK_THROWS_WITH_AS(make_simulation(scene, with_method("fe1")), doctest::Contains("is on no face"),
+                         SceneError);
+  }
+
   TEST_CASE(
       "loads: free particles take the full force if the others are driven to the end, else their share") {
     Scene scene = bar();

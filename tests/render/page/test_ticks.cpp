@@ -55,7 +55,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "a number format sets decimals or powers of ten, with wider steps or more decimals for exact numbers") {
+      "a number format sets decimals or powers of ten, and wider steps or more decimals avoid rounded labels") {
     const NumberFormat none{0}, two{2}, power{1, true};
     CHECK(labels(nice_ticks(0, 2e6, "Pa", 5, two)) == "0.00 0.50 1.00 1.50 2.00 MPa");
     CHECK(labels(nice_ticks(0, 2e6, "Pa", 5, power)) == "0 5.0×10⁵ 1.0×10⁶ 1.5×10⁶ 2.0×10⁶ Pa");

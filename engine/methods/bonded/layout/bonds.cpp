@@ -31,7 +31,8 @@ int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
   return found;
 }
 
-/// Face terms at each particle with five of the eight nearest and at the two behind it, away from other materials.
+/// Face terms in bodies that have bonds to the eight nearest only: at each particle with five bonds and at the two
+/// particles behind it, if no bond of the three leads to another material.
 std::vector<FaceTerm> make_face_terms(const Scene& scene, const InitialParticles& initial, const Bonds& uncut,
                                       const std::vector<Point>& S) {
   constexpr int inside = 8, at_face = 5;
@@ -84,7 +85,7 @@ class BondFinisher {
   }
 
  private:
-  /// Divisors of the end correction in cells and with `on_boundary` (THEORY.md, Volumes and masses).
+  /// Divisors of the end correction: `on_faces` with `on_boundary` in 3D, else `cells` (THEORY.md, Volumes and masses).
   struct EndCorrection {
     double cells, on_faces;
   };
