@@ -126,8 +126,8 @@ void Surface::triangulate(const Scene& scene, int body, std::span<const int> fir
   }
 }
 
-/// Whether the simplex is small and, if all points can be on faces, inside its body. An edge between two nodes could
-/// bridge a groove; chords of hollow faces are slightly outside.
+/// Whether the simplex is small, its edges between nodes do not bridge a groove, and, if all its points can be on faces,
+/// its middle is in the body. Edges that are chords of hollow faces are slightly outside.
 bool Surface::fits(const Scene& scene, int body, const Simplex& simplex) const {
   constexpr double chord = 0.15;  // spacings
   const Body& of = scene.bodies[static_cast<std::size_t>(body)];

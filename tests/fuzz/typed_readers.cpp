@@ -157,7 +157,7 @@ void read_values(std::string_view bytes) {
       const DrawingValue value = key.get(drawing);
       Drawing again;
       const std::string wrong = key.set(again, value);
-      expect(wrong.empty() && key.get(again) == value, text + " is refused when read again: " + wrong);
+      expect(wrong.empty() && key.get(again) == value, text + " is refused or changed when read again: " + wrong);
     }
 }
 
@@ -176,7 +176,7 @@ void read_text(std::string_view bytes) {
          "a quote ends a text in a gnuplot script early");
   const std::string data = data_text(text);
   expect(std::ranges::count(data, '"') == 2 && data.find('\\') == std::string::npos,
-         "a quoted text contains quotes");
+         "a quoted text contains further quotes or a backslash");
   const std::string comment = plot_comment(text);
   expect(std::ranges::count(comment, '\n') == 1, "a comment has several lines");
   shortened(text);

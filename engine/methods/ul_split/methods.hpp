@@ -18,7 +18,8 @@ inline constexpr UlSplitFormulation oas{
     {
         .name = "oas",
         .paper = "Zhang2024 §6",
-        .summary = "og with Gray's artificial stress: fractures later, zigzag modes remain",
+        .summary = "og with Gray's artificial stress and the dissipation of enog: "
+                   "fractures later, zigzag modes remain",
         .conserves = "linear momentum",
         .family = Family::ul_split,
     },
