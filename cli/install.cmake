@@ -33,7 +33,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "the authors of taut <taut@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "compares SPH formulations for elastic solids")
 set(CPACK_PACKAGE_DESCRIPTION
-  "Runs the same scene with 23 formulations of smoothed particle hydrodynamics for\nelastic solids from eight papers and \
+  "Runs the same scene with 25 formulations of smoothed particle hydrodynamics for\nelastic solids, 24 published and \
 one of its own, draws the particles off\nscreen, and reports how accurate, fast and stable each formulation is.")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
