@@ -92,8 +92,7 @@ struct PairLanesView {
 #pragma GCC unroll 3
       for (int a = 0; a < Dim; ++a)
 #pragma GCC unroll 3
-        for (int b = 0; b < Dim; ++b)
-          sum[a] += (load(A[a * Dim + b] + first) + of_j[a * Dim + b]) * k[b];
+        for (int b = 0; b < Dim; ++b) sum[a] += (load(A[a * Dim + b] + first) + of_j[a * Dim + b]) * k[b];
     });
     return sum;
   }

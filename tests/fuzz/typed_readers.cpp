@@ -157,7 +157,8 @@ void read_values(std::string_view bytes) {
       const DrawingValue value = key.get(drawing);
       Drawing again;
       const std::string wrong = key.set(again, value);
-      expect(wrong.empty() && key.get(again) == value, text + " is refused or changed when read again: " + wrong);
+      expect(wrong.empty() && key.get(again) == value,
+             text + " is refused or changed when read again: " + wrong);
     }
 }
 

@@ -72,7 +72,8 @@ std::vector<ConstantRow<UlCauchyConstants>> constants(const UlCauchyFormulation&
           .value = 0,
           .low = 0,
           .high = std::size(limiter_names) - 1.0,
-          .help = "slope limiter of the Riemann term; first-order: velocities without reconstruction, Eq. 37, B.20",
+          .help =
+              "slope limiter of the Riemann term; first-order: velocities without reconstruction, Eq. 37, B.20",
           .choices = limiter_names}});
   }
   c.push_back({&C::geometry,
@@ -89,13 +90,14 @@ std::vector<ConstantRow<UlCauchyConstants>> constants(const UlCauchyFormulation&
     c.push_back({&C::epsilon, {"epsilon", m.epsilon, 0.0, 10.0, "ε of the artificial stress"}});
     c.push_back({&C::exponent, {"exponent", m.exponent, 0.0, 20.0, "n of the artificial stress"}});
     if (chooses_repulsion_weight(m))
-      c.push_back({&C::repulsion_weight,
-                   {.name = "repulsion_weight",
-                    .value = 0,
-                    .low = 0,
-                    .high = std::size(repulsion_weight_names) - 1.0,
-                    .help = "weight of the artificial stress; kernel: (W/W(dp))ⁿ; distance: (r/dp)ⁿ, as printed",
-                    .choices = repulsion_weight_names}});
+      c.push_back(
+          {&C::repulsion_weight,
+           {.name = "repulsion_weight",
+            .value = 0,
+            .low = 0,
+            .high = std::size(repulsion_weight_names) - 1.0,
+            .help = "weight of the artificial stress; kernel: (W/W(dp))ⁿ; distance: (r/dp)ⁿ, as printed",
+            .choices = repulsion_weight_names}});
   }
   if (m.tensile_control) {
     c.push_back(

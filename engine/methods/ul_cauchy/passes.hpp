@@ -102,7 +102,8 @@ void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
     if constexpr (M.corrected) result.L = gradient_correction(scale.of_gradient * sum(moment));
     if constexpr (M.viscosity == Viscosity::riemann)
       result.D = symmetric_part(product(scale.of_gradient * sum(L), result.L));
-    if constexpr (M.density_diffusion) result.grad_rho = c.delta_order * (result.L * (scale.of_gradient * sum(grad_rho)));
+    if constexpr (M.density_diffusion)
+      result.grad_rho = c.delta_order * (result.L * (scale.of_gradient * sum(grad_rho)));
     if constexpr (M.tensile_control)
       result.colour = scale.of_W * (sum(colour) + colour_term(K::w(0.0), a.V[0]));
     set_stress<M>(f, c, i, result);

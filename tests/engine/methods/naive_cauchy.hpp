@@ -84,7 +84,7 @@ class Run {
   double riemann_factor = 1;
   int limiter = 0;  // 0: none, 1: minmod, 2: van Leer, 3: no reconstruction
   double geometry = 0.5;
-  bool printed_weight = false;  // [TranDuc2023]: f_ij = (r/Δx)ⁿ
+  bool printed_weight = false;        // [TranDuc2023]: f_ij = (r/Δx)ⁿ
   bool diffusion_of_order_0 = false;  // Eq. B.3
 
   void step() {
