@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <tuple>
 
 #include <fmt/core.h>
@@ -103,6 +104,8 @@ std::vector<std::string> fixed_in(const StoredResults& results) {
   const auto is_set = [&](std::string_view name) {
     return std::ranges::any_of(results.fixed, [&](const auto& set) { return set.first == name; });
   };
+  if (const std::string contact = common(results, "contact"); !contact.empty() && !is_set("contact"))
+    all.push_back(contact + " contact");
   if (const std::string stepping = common(results, "stepping"); !stepping.empty() && !is_set("stepping"))
     all.push_back(stepping + " stepping");
   if (const std::string cfl = common(results, "cfl"); !cfl.empty() && !is_set("cfl"))
@@ -181,6 +184,7 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
   const auto is_reference = [&](const StoredRun& run) {
     return std::ranges::any_of(errors.against, [&](const StoredRun* one) { return is_same_run(run, *one); });
   };
+  std::vector<std::string> contacts;
   for (const StoredRun& run : results.runs) {
     if (!run.has_result()) ++chart.without_result;
     if (!run.has_result() || is_reference(run)) continue;
@@ -197,6 +201,7 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
     add_point(*series, point_of(run, errors, chart.cost));
     if (errors.of(run)) describe_errors(chart, errors, run);
     add_once(chart.machines, machine_of(run));
+    if (run.record.contact) add_once(contacts, *run.record.contact);
     chart.other_load = std::max(chart.other_load, run.record.other_load.value_or(0));
   }
   if (chart.series.empty() && chart.left_out > 0)
@@ -206,7 +211,14 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
   for (ChartSeries& series : chart.series) {
     std::ranges::sort(series.points, std::greater(), &ChartPoint::spacing);
     series.order = convergence_order(series.points);
+    double worst = 0;  // of finer runs
+    for (ChartPoint& point : std::views::reverse(series.points)) {
+      if (!point.error) continue;
+      point.by_chance = point.stable && *point.error < worst;
+      worst = std::max(worst, *point.error);
+    }
   }
+  chart.several_contacts = contacts.size() > 1;
   chart.references = references_of(results, chart.measure);
   return chart;
 }

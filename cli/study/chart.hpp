@@ -40,6 +40,7 @@ struct ChartPoint {
   std::string verdict{}, folder{};
   std::string cfl{}, stepping{};  // empty: unknown
   bool stable = true;
+  bool by_chance = false;  // stable, but a finer run has a larger error
 
   /// Unknown costs are the greatest.
   double ranked_cost() const { return cost > 0 ? cost : std::numeric_limits<double>::infinity(); }
@@ -62,6 +63,7 @@ struct Chart {
   int dim = 2;
   std::string against;             // "oenog at 0.5 mm"; empty: the references
   std::vector<std::string> fixed;  // "single stepping", "until = 0.3"
+  bool several_contacts = false;   // the runs have different contact laws
   std::vector<ChartSeries> series;
   std::vector<std::string> references;
   std::vector<std::string> machines;

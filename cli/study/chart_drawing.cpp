@@ -187,6 +187,9 @@ std::vector<std::string> curve(const Chart& chart, const Layout& layout, std::si
     all.push_back(
         fmt::format("{} with lines linewidth 2 {} notitle", at("$5 == 1 && $4 == 1", y), style.line()));
     for (std::string& each : markers("$5 == 1", y, "1.3", "0.9,0.45")) all.push_back(std::move(each));
+    if (std::ranges::any_of(points, &ChartPoint::by_chance))
+      all.push_back(fmt::format("{} with points pointtype 7 linecolor '#ffffff'{} notitle",
+                                at("$8 == 1", y), point_size("0.5")));
   }
   if (const int place = layout.strip_row[k]; place >= 0)
     for (std::string& each :
@@ -197,11 +200,12 @@ std::vector<std::string> curve(const Chart& chart, const Layout& layout, std::si
 
 std::vector<std::string> legend(const Chart& chart, const Layout& layout) {
   std::vector<std::string> all;
-  bool all_stable = true;
+  bool all_stable = true, chance = false;
   for (std::size_t k = 0; k < chart.series.size(); ++k) {
     const CurveStyle& style = layout.styles[k];
     const auto& points = chart.series[k].points;
     all_stable &= std::ranges::all_of(points, &ChartPoint::stable);
+    chance |= std::ranges::any_of(points, &ChartPoint::by_chance);
     if (std::ranges::all_of(points, has_no_error)) continue;  // named in the strip
     all.push_back(fmt::format("keyentry with linespoints linewidth 2{} {} pointtype {} title {}",
                               point_size("1.3"), style.line(), style.filled, plot_text(layout.names[k])));
@@ -210,6 +214,9 @@ std::vector<std::string> legend(const Chart& chart, const Layout& layout) {
     all.push_back(fmt::format(
         "keyentry with points pointtype 6 linewidth 1.5{} linecolor '#555555' title 'open, ×: not stable'",
         point_size("1.3")));
+  if (chance)
+    all.emplace_back("keyentry with points pointtype 6 linewidth 3.5 pointsize 0.9 linecolor '#555555' "
+                     "title 'dot: finer run worse'");
   return all;
 }
 
@@ -219,13 +226,13 @@ std::string chart_data(const Chart& chart) {
   std::string text = plot_comment(fmt::format("{} of {}", chart.measure, chart.scene));
   for (const ChartSeries& series : chart.series) {
     text += plot_comment(series.name) +
-            plot_comment(fmt::format("spacing, m; error{}; {}; stable; has an error; verdict; run",
+            plot_comment(fmt::format("spacing, m; error{}; {}; stable; has an error; verdict; run; a finer run is worse",
                                      chart.unit.empty() ? "" : ", " + chart.unit, label(chart.cost)));
     for (const ChartPoint& point : series.points)
-      text += fmt::format("{} {} {} {} {} {} {}\n", exact(point.spacing),
+      text += fmt::format("{} {} {} {} {} {} {} {}\n", exact(point.spacing),
                           point.error ? exact(*point.error) : "NaN", exact(point.cost), point.stable ? 1 : 0,
                           point.error ? 1 : 0, point.verdict.empty() ? "-" : point.verdict,
-                          data_text(point.folder));
+                          data_text(point.folder), point.by_chance ? 1 : 0);
     text += "\n\n";
   }
   return text;

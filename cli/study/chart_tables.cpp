@@ -43,6 +43,7 @@ Json point_json(const ChartPoint& point) {
           {"cost", point.cost > 0 ? Json(point.cost) : Json()},
           {"verdict", point.verdict},
           {"stable", point.stable},
+          {"by_chance", point.by_chance},
           {"cfl", point.cfl},
           {"stepping", point.stepping},
           {"folder", point.folder}};
@@ -137,6 +138,7 @@ std::vector<std::string> footnotes(const Chart& chart) {
               ? fmt::format(" to {} apart, each line from coarse to fine", shown_spacing(*all.rbegin()))
               : " apart";
   if (!chart.fixed.empty()) what += "; all with " + join(chart.fixed);
+  if (chart.several_contacts) what += "; each method with its own contact law";
   if (chart.left_out > 0) what += fmt::format("; without {} runs that are not stable", chart.left_out);
   if (has_zero(chart)) what += "; points on an axis: an error or a cost of 0";
   std::vector<std::string> notes{what};

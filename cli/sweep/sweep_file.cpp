@@ -85,27 +85,38 @@ class SettingsReader {
   TomlCursor& table_;
 };
 
-std::vector<GridRow> read_rows(TomlCursor& root) {
-  std::vector<GridRow> rows;
+std::vector<Axis> read_grid(TomlCursor& root) {
   TomlValue* grid = root.find("grid");
+  if (!grid) return {};
+  TomlCursor cursor = root.enter(*grid, "grid", "[grid]", keys_of("grid"));
+  std::vector<Axis> axes = SettingsReader(cursor).axes();
+  if (axes.empty()) root.fail(*grid, "grid", "[grid] is empty; it needs a line NAME = VALUES");
+  return axes;
+}
+
+/// A [[row]] beside a [grid] is run with every combination of the grid's names that the row does not set.
+std::vector<GridRow> read_rows(TomlCursor& root) {
+  const std::vector<Axis> axes = read_grid(root);
   const std::span<TomlValue> listed = root.list("row");
-  if (grid && !listed.empty())
-    root.fail(listed.front(), "row",
-              "a sweep must have either a [grid] or one [[row]] for each run, not both");
-  if (!grid && listed.empty())
+  if (axes.empty() && listed.empty())
     root.fail(root.table().place, "", "the sweep needs a [grid], or a [[row]] for each run");
-  if (grid) {
-    TomlCursor cursor = root.enter(*grid, "grid", "[grid]", keys_of("grid"));
-    const std::vector<Axis> axes = SettingsReader(cursor).axes();
-    if (axes.empty()) root.fail(*grid, "grid", "[grid] is empty; it needs a line NAME = VALUES");
-    rows = all_combinations(axes);
-  }
+  std::vector<GridRow> rows;
+  if (!axes.empty()) rows = all_combinations(axes);
   std::set<std::string> seen;
+  for (const GridRow& row : rows) seen.insert(folder_name(row));
   for (TomlValue& row : listed) {
     TomlCursor cursor = root.enter(row, "row", "[[row]]", keys_of("row"));
-    rows.push_back(SettingsReader(cursor).settings());
-    if (!seen.insert(folder_name(rows.back())).second)
-      root.fail(row, "row", fmt::format("the run {} is listed twice", text_of(rows.back())));
+    const std::vector<Setting> own = SettingsReader(cursor).settings();
+    std::vector<Axis> others = axes;
+    std::erase_if(others, [&](const Axis& axis) {
+      return std::ranges::find(own, axis.name, &Setting::name) != own.end();
+    });
+    for (const GridRow& combination : all_combinations(others)) {
+      rows.push_back(combination);
+      rows.back().insert(rows.back().end(), own.begin(), own.end());
+      if (!seen.insert(folder_name(rows.back())).second)
+        root.fail(row, "row", fmt::format("the run {} is listed twice", text_of(rows.back())));
+    }
   }
   return rows;
 }
