@@ -17,8 +17,7 @@ class FacetContacts;
 template <int Dim>
 using ContactsOfFaces = std::conditional_t<Dim == 3, FacetContacts, FaceContacts>;
 
-/// Contact between particles, between faces, or none. A search lists candidates, the geometry selects those that
-/// touch, a law gives the force, energy or impulse.
+/// Contact between particles, between faces, or none.
 template <int Dim>
 class ContactMechanism {
  public:
@@ -28,7 +27,7 @@ class ContactMechanism {
 
   virtual ~ContactMechanism() = default;
 
-  /// See Contact::prepare. Searches in any case if `way` is empty.
+  /// See Contact::prepare. An empty `way` forces a search.
   virtual bool search(const Particles<Dim>& /*particles*/, const WallContacts<Dim>& /*walls*/,
                       std::optional<double> /*way*/) {
     return false;

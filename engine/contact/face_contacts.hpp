@@ -16,8 +16,8 @@
 namespace taut {
 
 /// Contact between overlapping faces in 2D (terms/surface_contact.hpp). Each node is pushed towards its closest point
-/// of the other face, weighted by the length of the node's sides over that face. Conserves linear and angular momentum,
-/// and energy except where the closest face changes.
+/// of the other face. The force grows with the length of the node's sides over that face. Conserves linear and angular
+/// momentum.
 class FaceContacts final : public ContactMechanism<2> {
  public:
   using V = Vec<double, 2>;
@@ -26,7 +26,7 @@ class FaceContacts final : public ContactMechanism<2> {
 
   bool search(const Particles<2>& s, const WallContacts<2>& walls, std::optional<double> way) override;
 
-  /// Uses one thread, since touching faces have too few nodes for several.
+  /// Uses one thread: faces have few nodes.
   void evaluate(const Particles<2>& s, double dt, WallContacts<2>& walls, std::vector<V>& force,
                 int threads) override;
   double energy(const Particles<2>& s, const WallContacts<2>& walls) override;
@@ -50,7 +50,7 @@ class FaceContacts final : public ContactMechanism<2> {
  private:
   // in spacings
   static constexpr double reach = 1;        // greatest depth
-  static constexpr double own_reach = 1.2;  // of finite elements in their own body, fading from `reach` on
+  static constexpr double own_reach = 1.2;  // greatest depth within a body of finite elements
   static constexpr double tie = 1e-6;       // round-off of equal distances
 
   void refuse_thin(const Scene& scene) const;

@@ -45,7 +45,7 @@ void PairContacts<Dim>::for_each_touch(const Particles<Dim>& s, int i, double go
 }
 
 /// Calls f(i, wall, x, r) for each particle i that touched its mirror image in a wall `gone` seconds ago. `x`: position
-/// of i at that time, m; `r`: distance of the image, m, negative inside the wall.
+/// at that time, m; `r`: distance of the image, m, negative inside the wall.
 template <int Dim>
 template <class F>
 void PairContacts<Dim>::for_each_wall_touch(const Particles<Dim>& s, const WallContacts<Dim>& walls,
