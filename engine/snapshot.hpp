@@ -60,7 +60,6 @@ struct Snapshot {
     return sigma;
   }
 
-  /// Allocates all fields except `strain_energy` and `body_work`.
   void resize(int dimensions, std::size_t n) {
     dim = dimensions;
     const auto d = static_cast<std::size_t>(dim);

@@ -36,7 +36,7 @@ void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, c
   }
 }
 
-/// Speeds above the sound speed are mostly unit errors. In a closed scene, speeds are relative to the common motion.
+/// In a closed scene, speeds are relative to the common motion.
 void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   const auto dim = static_cast<std::size_t>(start.dim);
   Point common{};  // m/s
@@ -135,7 +135,7 @@ struct LatticeBody {
   std::vector<std::array<int, 3>> places;
 };
 
-/// Returns nullopt without a lattice along the axes, or if it has too many cells.
+/// Returns nullopt if a particle is off the lattice or the lattice exceeds `most_cells`.
 std::optional<LatticeBody> on_lattice(const Snapshot& start, std::span<const std::size_t> own, double dp) {
   constexpr double off_lattice = 1e-6;  // dp
   constexpr double most_cells = 5e7;

@@ -50,7 +50,7 @@ class Contact {
     for (const int i : mechanism_->touching()) change(i, impulse_[i]);
   }
 
-  /// Impulse on `body` in the last step by body `other`, or by `wall` if `wall` ≥ 0. Requires a probe.
+  /// Impulse on `body` in the last step by body `other`, or by `wall` if `wall` ≥ 0; 0 without a probe.
   V impulse(int body, int other, int wall) const;
 
   const Impulse& of_walls() const { return walls_.recorded_impulse(); }
@@ -58,7 +58,7 @@ class Contact {
   double energy(const Particles<Dim>& s) const { return mechanism_->energy(s, walls_); }
 
   Neighbors neighbors(int particles) const { return mechanism_->neighbors(particles); }
-  /// Faces from which gaps are measured, or null.
+  /// Faces from which gaps are measured; may be null.
   ContactsOfFaces<Dim>* faces() { return faces_; }
 
   template <class Archive>

@@ -32,10 +32,10 @@ class ContactMechanism {
                       std::optional<double> /*way*/) {
     return false;
   }
-  /// Particles that may get a force before the next search, ascending.
+  /// Particles that may touch before the next search, ascending.
   const std::vector<int>& touching() const { return touching_; }
 
-  /// Sets the forces in N on the particles of `touching` and records the impulses of walls over `dt` (in s).
+  /// Sets the forces (in N) on `touching` particles and records the impulses of walls over `dt` (in s).
   virtual void evaluate(const Particles<Dim>& /*particles*/, double /*dt*/, WallContacts<Dim>& /*walls*/,
                         std::vector<V>& /*force*/, int /*threads*/) {}
   virtual double energy(const Particles<Dim>&, const WallContacts<Dim>&) { return 0; }

@@ -70,7 +70,7 @@ class FaceCandidates {
   FaceSearch find_;
   std::vector<V> normal_;
   MotionBound<2> others_bound_, own_bound_;
-  std::vector<V> main_places_;  // [node] position of its main particle (MovingFaces::follow), m
+  std::vector<V> main_places_;  // [node] position of the main particle, m
 };
 
 }  // namespace taut

@@ -75,7 +75,7 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
     distance2.clear();
     for (const int l : segments) distance2.push_back(faces_.distance2(n, l));
     const auto nearest = std::ranges::min_element(distance2) - distance2.begin();
-    // a segment with a sharp end may be touched from beyond this end
+    // a node beyond a sharp end may touch
     const auto is_sharp = [&](int l) { return faces_.has_sharp_end(l); };
     if (distance2[nearest] >= power<2>(greatest_depth(near)) && std::ranges::none_of(segments, is_sharp))
       continue;

@@ -67,7 +67,7 @@ class FacetCandidates {
   // in spacings
   static constexpr double skin = 1.4;
   static constexpr double horizon = 4.25;    // search range
-  static constexpr double cluster = 4;       // width of the clusters of facets (FacetPairs)
+  static constexpr double cluster = 4;       // width of clusters of facets
   static constexpr double far_apart = 4;     // least initial distance along a face or across a gap
   static constexpr double far_inside = 8;    // least initial distance through the body
   static constexpr double flat = 1e-6;       // round-off of facets in one plane

@@ -32,7 +32,7 @@ class FacetContacts final : public ContactMechanism<3> {
   V between(const Particles<3>& s, int a, int b) const override;
   V of_wall(const Particles<3>& s, int a, int wall, const WallContacts<3>& walls) const override;
 
-  /// Least height in m of a facet above another body, negative if they overlap, at most one spacing.
+  /// Least height of a facet of one body above the other, m; negative for an overlap, at most one spacing.
   double gap(const Particles<3>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<3>& walls) override {

@@ -47,7 +47,7 @@ inline int find_near_facets(const FacetColumns& facets, int p, int first, int la
   return count;
 }
 
-/// Finds pairs of near facets with different normals. Skips distant clusters of facets.
+/// Finds pairs of near facets with different normals.
 class FacetPairs {
  public:
   using V = Vec<double, 3>;

@@ -25,13 +25,13 @@ class MotionBound {
     from_ = std::move(x);
   }
 
-  /// Call before points move by at most `way` (in m). If false, search or call `still_holds`.
+  /// Call before points move by at most `way` (in m). If false, call `still_holds` or search.
   bool holds(double way) {
     gone_ += way;
     return 2 * gone_ <= free_;
   }
 
-  /// `x`: positions before the motion by `way` [m]. Returns false if a search is needed.
+  /// `x`: positions before the motion by `way` [m].
   bool still_holds(const std::vector<V>& x, const std::vector<int>& body, double way) {
     gone_ = 0;
     const std::size_t n = x.size();

@@ -13,16 +13,16 @@
 
 namespace taut {
 
-/// Half of a side next to a node, and its share that lies over a segment and faces it.
+/// The half of a side next to its node, and the share of this half that faces a segment.
 struct FacingHalf {
   int side = Outline::none;
   double half = 0;              // initial length, m
   double share = 0, slope = 0;  // facing_share and its derivative by the cosine
-  /// Where the side crosses each end of the segment: 0 at the node, 1 at the far end of the side.
+  /// Place on the side above each end of the segment: 0 at the node, 1 at the far end of the side.
   std::array<double, 2> at{};
-  std::array<double, 2> over{1, 1};  // smoothed share within each end
+  std::array<double, 2> over{1, 1};  // share of the half inside each end, smoothed
   std::array<double, 2> rise{};      // derivative of `over` by `at`
-  double past = 1;                   // beyond an end: 1 − facing_share of the next face
+  double past = 1;                   // 1 − facing_share of the next face
   double past_slope = 0;
   int next = Outline::none;
 
@@ -102,7 +102,6 @@ class MovingFaces {
     for (const int share : main_share_) x.push_back(s.x[stored_[share]]);
   }
 
-  /// Calls f(i, weight) for each stored particle i of a node.
   template <class F>
   void for_each_share(int node, const F& f) const {
     for (int k = outline_.begin[node]; k < outline_.begin[node + 1]; ++k)
@@ -172,8 +171,8 @@ class MovingFaces {
     V out;
     double share = 1, cosine = 0, slope = 0;
   };
-  /// At blunt ends the depth changes sign with `cosine`. With `fades` the energy does not jump: the flanks of a crease
-  /// would gain energy.
+  /// At blunt ends the sign of the depth depends on `cosine`. With `fades` the energy does not jump there: the flanks of
+  /// a crease would gain energy.
   Touch touch(const ClosestPoint& closest, bool fades = false) const {
     if (is_beyond(closest)) {
       const FacingHalf& half = closest.halves[closest.halves[0].side == Outline::none ? 1 : 0];

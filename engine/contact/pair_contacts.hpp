@@ -25,7 +25,6 @@ class PairContacts final : public ContactMechanism<Dim> {
 
   bool search(const Particles<Dim>& s, const WallContacts<Dim>& walls, std::optional<double> way) override;
 
-  /// Uses one thread: faces have few particles.
   void evaluate(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force,
                 int threads) override;
   double energy(const Particles<Dim>& s, const WallContacts<Dim>& walls) override;

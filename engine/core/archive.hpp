@@ -111,7 +111,7 @@ class Archive {
     if (is_copied<T> || values.size() > size) values.resize(size);
     elements(values, size);
   }
-  /// Not inlined: the linker would use a copy emitted only by an AVX build on all machines.
+  /// Not inlined: a copy that only an AVX build emits would run on all machines.
   template <class T>
   [[gnu::noinline]] void one_fixed(std::vector<T>& values) {
     const std::size_t size = side().length(values.size(), 1);

@@ -11,7 +11,7 @@ struct LeastSquares {
 };
 LeastSquares least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
-/// Gram matrix or right-hand sides, at most 15 × 15.
+/// Gram matrix or right-hand sides.
 using Gram = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 15, 15>;
 
 /// Returns G⁻¹ B for G = Aᵀ A; empty if G is ill-conditioned.

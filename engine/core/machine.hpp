@@ -21,7 +21,7 @@ inline int cores() {
 }
 
 #if defined(__x86_64__)
-/// [Intel SDM 2A, CPUID]; __builtin_cpu_supports of clang 14 has no names for these.
+/// CPUID bits of [Intel SDM 2A]; __builtin_cpu_supports of clang 14 lacks these names.
 inline bool has_lzcnt_movbe_f16c() {
   constexpr unsigned movbe = 1U << 22, f16c = 1U << 29, lzcnt = 1U << 5;
   unsigned a = 0, b = 0, c = 0, d = 0;

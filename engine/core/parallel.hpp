@@ -40,10 +40,10 @@ void parallel_for(int n, const Threads& threads, const F& f) {
   });
 }
 
-/// Inlines all calls of f; otherwise packs pass through memory.
+/// Inlines all calls of f: packs stay in registers.
 template <class F>
 [[gnu::flatten, gnu::noinline]] void inlined_loop(const F& f, int first, int last) {
-  const F own = f;  // a local copy stays in registers: no store can alias it
+  const F own = f;  // no store can alias a local copy
   for (int i = first; i < last; ++i) own(i);
 }
 template <class F>

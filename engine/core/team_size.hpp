@@ -34,7 +34,7 @@ class TeamSize {
   }
 
  private:
-  static constexpr int most_steps = 16;         // per block, includes some rebuilds
+  static constexpr int most_steps = 16;         // per block
   static constexpr int least_steps = 4;         // per long block
   static constexpr double long_enough = 0.1;    // s
   static constexpr int often = 100;             // blocks on all threads between two on one thread

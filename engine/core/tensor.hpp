@@ -4,7 +4,7 @@
 
 #include "engine/core/pack.hpp"
 
-/// Small vectors and tensors over T = double or Pack. The alignment of Eigen's types depends on the instruction set.
+/// Small vectors and tensors over T = double or Pack; not Eigen's, whose alignment depends on the instruction set.
 namespace taut {
 
 /// Alignment, equal in all builds.

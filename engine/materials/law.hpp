@@ -22,7 +22,6 @@ struct Cauchy {
   Sym<double, Dim> sigma;
   double zz;
 };
-/// σ_zz in 2D, 0 in 3D.
 template <int Dim>
 double beside_plane(double zz) {
   return Dim == 2 ? zz : 0;
@@ -47,7 +46,6 @@ T shear_ratio(const Law& law, const Mat<T, Dim>& F, const T& J) {
   return law.J_in_shear ? J : determinant(F);
 }
 
-/// s A + t B
 template <class S, class R, class T, int Dim>
 Mat<T, Dim> combination(const S& s, const Mat<T, Dim>& A, const R& t, const Mat<T, Dim>& B) {
   Mat<T, Dim> C;
@@ -96,7 +94,7 @@ double hooke_energy(const Sym<double, Dim>& strain, double K, double G) {
   return G * squares + (0.5 * K - G / 3) * trace(strain) * trace(strain);
 }
 
-/// σ = P Fᵀ/J; uses the upper triangle.
+/// σ = P Fᵀ/J
 template <int Dim>
 Sym<double, Dim> push_forward(const Mat<double, Dim>& P, const Mat<double, Dim>& F, double J) {
   Sym<double, Dim> sigma{};

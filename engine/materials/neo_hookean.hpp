@@ -7,7 +7,7 @@
 namespace taut {
 
 /// Nearly incompressible neo-Hookean law, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G. Departure: where J is an unknown,
-/// the paper has J instead of j = det F (`J_in_shear`), with which collisions diverge.
+/// the paper has J instead of j = det F (`J_in_shear`), but then collisions diverge.
 struct NeoHookean {
   double K, G;  // Pa
   bool J_in_shear = false;

@@ -37,7 +37,7 @@ inline bool is_half_turn(const Mat<double, 3>& R, const Mat<double, 3>& F) {
 template <class T>
 Mat<T, 2> nearest_rotation(const Mat<T, 2>& F) {
   const T c = F(0, 0) + F(1, 1), s = F(1, 0) - F(0, 1);
-  const T length = root(T(c * c + s * s));  // sum of principal stretches if det F > 0
+  const T length = root(T(c * c + s * s));
   const auto turned =
       length > std::numeric_limits<double>::min();  // false for a reflection with equal stretches
   const T cosine = turned ? T(c / length) : filled<T>(1), sine = turned ? T(s / length) : T{};

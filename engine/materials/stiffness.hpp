@@ -27,7 +27,7 @@ T greatest_eigenvalue(const Sym<T, 3>& A) {
   return q + 2 * p * c;
 }
 
-/// Principal stretches in descending order; in 2D the last is 1, normal to the plane.
+/// Principal stretches; in 2D the last is 1, normal to the plane.
 template <class T>
 using PrincipalStretches = Vec<T, 3>;
 
@@ -52,7 +52,7 @@ template <int Dim, class Along, class Across, class Coupling>
 auto greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
   using T = decltype(along(0));
   T greatest{};
-  const auto take = [&](const T& stiffness) {  // keeps NaN
+  const auto take = [&](const T& stiffness) {
     greatest = ((stiffness <= greatest) | (greatest != greatest)) ? greatest : stiffness;
   };
   for (int k = 0; k < Dim; ++k) {

@@ -102,7 +102,7 @@ struct Neighbors {
   }
 };
 
-/// Finds pairs closer than the support, in the order of the grid, independent of the number of threads.
+/// Finds pairs closer than the support. The order does not depend on the number of threads.
 template <int Dim>
 class NeighborSearch {
  public:
