@@ -111,7 +111,7 @@ struct LatticeCells {
   }
 };
 
-/// Fills a cell if all (`all`) or any of the cells up to `reach` away along the axis are filled.
+/// Fills a cell if `all` or any of the cells up to `reach` away along the axis are filled.
 LatticeCells along_axis(const LatticeCells& cells, std::size_t axis, int reach, bool all) {
   LatticeCells result = cells;
   std::array<int, 3> cell{};
