@@ -11,8 +11,7 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Invalid scene. `key` is the dotted path of the wrong value ("body.left.velocity"). The scene reader adds the
-/// place in the file.
+/// Invalid scene. `key` is the dotted path of the wrong value ("body.left.velocity").
 class SceneError : public std::runtime_error {
  public:
   SceneError(std::string key, const std::string& what) : SceneError("", 0, 0, std::move(key), what) {}
@@ -25,7 +24,7 @@ class SceneError : public std::runtime_error {
   std::string key;
 };
 
-/// A value is infinite, NaN or beyond the solver's limit, or a particle or element is crushed.
+/// A value is not finite or beyond the solver's limit, or a particle or element is crushed.
 class NumericalError : public std::runtime_error {
  public:
   NumericalError(long step, double time, long particle, std::string field, const std::string& what)

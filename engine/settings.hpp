@@ -11,7 +11,7 @@ inline constexpr std::string_view default_method = "oenog";
 /// [Zhang2024] §5: `dual` caches the pair geometry between advection steps.
 enum class Stepping { dual, single };
 
-/// Upper bound of the instruction set; all sets produce identical bytes.
+/// Greatest instruction set to use; all produce identical bytes.
 enum class InstructionSet { baseline, x86_64_v3, x86_64_v4 };
 
 /// Settings of a run; unset members take the method's defaults.

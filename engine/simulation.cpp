@@ -31,7 +31,7 @@ void check_constants(const MethodInfo& method, const Settings& settings, int dim
   }
 }
 
-/// `parameters`: of the elastic law; the material overrides them.
+/// `parameters`: of the law; the material overrides their defaults.
 Elasticity elasticity(const Material& material, std::span<const LawParameter> parameters) {
   Elasticity e{material.density, material.sound_speed(), material.bulk_modulus(), material.shear_modulus()};
   for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -88,8 +88,7 @@ void check_displacements(const Scene& scene, const MethodInfo& method) {
                         method.name, body.name));
 }
 
-/// Throws SceneError if a particle is behind a wall, or if an undisplaced shape reaches more than `greatest_depth`
-/// spacings behind it. Clamped regions may be inside walls.
+/// Throws SceneError for bodies behind walls. Clamped regions may be inside walls.
 void check_walls(const Scene& scene, const InitialParticles& initial) {
   constexpr double round_off = 1e-6;  // spacings
   const double dp = scene.spacing;

@@ -33,8 +33,8 @@ struct Snapshot {
   std::vector<double> strain_energy;  // J; empty for methods that do not define it
   double contact_energy = 0;          // J
   double work = 0;                    // of drives, loads and gravity since the start, J
-  std::vector<double> body_work;      // [body] work of drives, loads and gravity on the body, J
-  double damped = 0;                  // energy removed by Scene::damping since the start, J
+  std::vector<double> body_work;      // [body] J
+  double damped = 0;                  // by Scene::damping since the start, J
   Impulse of_walls;                   // impulse of the walls on the particles since the start
   std::vector<double> diameter;       // as drawn: V0^(1/dim), m
   std::vector<int> body;
@@ -60,7 +60,6 @@ struct Snapshot {
     return sigma;
   }
 
-  /// Allocates all fields except `strain_energy` and `body_work`.
   void resize(int dimensions, std::size_t n) {
     dim = dimensions;
     const auto d = static_cast<std::size_t>(dim);

@@ -36,7 +36,7 @@ void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, c
   }
 }
 
-/// Speeds above the sound speed are mostly unit errors. In a closed scene, speeds are relative to the common motion.
+/// In a closed scene, speeds are relative to the common motion.
 void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   const auto dim = static_cast<std::size_t>(start.dim);
   Point common{};  // m/s
@@ -62,7 +62,7 @@ void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, c
 
 void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr double of_motion = 1e-3;
-  constexpr double of_stiffness = 1e-9;  // energy of a uniform strain of about 4e-5
+  constexpr double of_stiffness = 1e-9;  // ½ε² for a strain ε of 4e-5
   const double kinetic = balance(start, scene).kinetic, stored = start.contact_energy;  // J
   double stiffness = 0;                                                                 // J
   for (std::size_t i = 0; i < start.size(); ++i) {
@@ -79,7 +79,7 @@ void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene,
 
 void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start,
                               double support) {
-  constexpr double parts = 2 - 1e-6;  // spacings; bodies this far apart separate with every method
+  constexpr double parts = 2 - 1e-6;  // spacings; more distant bodies separate
   std::optional<std::pair<int, int>> first;
   double nearest = std::min(support, parts * scene.spacing);
   for_each_meeting_pair(start, nearest, [&](int i, int j) {
@@ -111,7 +111,7 @@ struct LatticeCells {
   }
 };
 
-/// Fills a cell if all (`all`) or any of the cells up to `reach` away along the axis are filled.
+/// Fills a cell if `all` or any of the cells up to `reach` away along the axis are filled.
 LatticeCells along_axis(const LatticeCells& cells, std::size_t axis, int reach, bool all) {
   LatticeCells result = cells;
   std::array<int, 3> cell{};
@@ -135,7 +135,7 @@ struct LatticeBody {
   std::vector<std::array<int, 3>> places;
 };
 
-/// Returns nullopt without a lattice along the axes, or for very sparse bodies.
+/// Returns nullopt if a particle is off the lattice or the lattice exceeds `most_cells`.
 std::optional<LatticeBody> on_lattice(const Snapshot& start, std::span<const std::size_t> own, double dp) {
   constexpr double off_lattice = 1e-6;  // dp
   constexpr double most_cells = 5e7;

@@ -13,8 +13,7 @@ namespace taut {
 /// Warns of `reaction` and `contact_force` probes if the method does not conserve linear momentum.
 std::string warning_about_reactions(const Scene& scene, const MethodInfo& method);
 
-/// Warns of bodies whose mass differs from their shape's, speeds above the sound speed, thin parts, contacts that
-/// store energy, and bodies that may join in contact by `sph`.
+/// Warnings about a scene and its initial state.
 std::vector<std::string> warnings_at_start(const Scene& scene, const MethodInfo& method,
                                            const Simulation& simulation);
 

@@ -10,13 +10,13 @@
 
 namespace taut {
 
-/// Contact candidates in other bodies, by particle. Searches only widened bounding boxes of other bodies.
+/// Contact candidates of each particle in other bodies.
 template <int Dim>
 class BodyPairs {
  public:
   BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
-  /// Path of the fastest particle up to which the lists stay valid, in m.
+  /// Path of the fastest particle until the next search, m.
   double lasts_for() const { return 0.5 * skin_; }
 
   void search(const Particles<Dim>& s) {
@@ -39,7 +39,7 @@ class BodyPairs {
           if (dot(d, d) < reach_ * reach_) j.push_back(other);
         }
       });
-      // ascending ids as in mirrored bodies, for bit-exact symmetry
+      // by id, for the same order of additions in mirrored bodies
       std::sort(j.begin() + from, j.end(), [&](int a, int b) { return s.id[a] < s.id[b]; });
     }
     while (next <= s.size()) begin[next++] = static_cast<int>(j.size());

@@ -25,23 +25,21 @@ class Contact {
   bool between_bodies() const { return between_bodies_; }
   bool acting() const { return !mechanism_->touching().empty(); }
 
-  /// Searches if a particle that moves by `way` (in m) may leave the range of the last search. Returns whether it
-  /// searched.
+  /// Searches unless the last search still covers a motion by `way` (in m). Returns whether it searched.
   bool prepare(const Particles<Dim>& s, double way);
   void search(const Particles<Dim>& s);
 
-  /// Evaluates the forces at the current positions. The forces act for `dt` (in s).
+  /// Evaluates the forces at the current positions and their impulses over `dt` (in s).
   void evaluate(const Particles<Dim>& s, double dt, int threads);
 
-  /// Contact stiffness relative to the material, at least 1; 1 for laws between particles.
+  /// Contact stiffness relative to the material, at least 1.
   double stiffening() const { return mechanism_->stiffening(); }
 
-  /// Force on particle i as last evaluated. Requires `acting`.
+  /// Last evaluated force. Requires `acting`.
   const V& force(int i) const { return force_[i]; }
 
-  /// Impulse laws: calls `change(i, impulse)` for touching particles. Impulses follow from the state before the first
-  /// call. To conserve angular momentum they act at the positions of `gone` seconds ago, where the forces acted.
-  /// `inverse_mass(i)`: 1/kg, 0 if immovable.
+  /// Calls `change(i, impulse)` for touching particles if the law has impulses. To conserve angular momentum, impulses
+  /// act at the positions of `gone` seconds ago, as the forces did. `inverse_mass(i)`: 1/kg, 0 if immovable.
   template <class InverseMass, class Change>
   void stop_approach(const Particles<Dim>& s, double gone, const InverseMass& inverse_mass,
                      const Change& change) {
@@ -52,17 +50,15 @@ class Contact {
     for (const int i : mechanism_->touching()) change(i, impulse_[i]);
   }
 
-  /// Impulse on `body` in the last step by body `other`, or by `wall` if `wall` is not negative. Recorded only if a
-  /// probe measures it.
+  /// Impulse on `body` in the last step by body `other`, or by `wall` if `wall` ≥ 0; 0 without a probe.
   V impulse(int body, int other, int wall) const;
 
   const Impulse& of_walls() const { return walls_.recorded_impulse(); }
 
-  /// Energy of all contacts; 0 for impulse laws.
   double energy(const Particles<Dim>& s) const { return mechanism_->energy(s, walls_); }
 
   Neighbors neighbors(int particles) const { return mechanism_->neighbors(particles); }
-  /// Faces from which gaps are measured; null if gaps are measured between particles.
+  /// Faces from which gaps are measured; may be null.
   ContactsOfFaces<Dim>* faces() { return faces_; }
 
   template <class Archive>

@@ -17,8 +17,7 @@ class FacetContacts;
 template <int Dim>
 using ContactsOfFaces = std::conditional_t<Dim == 3, FacetContacts, FaceContacts>;
 
-/// Contact between particles, between faces, or none. A search lists candidates, the geometry selects those that
-/// touch, a law gives the force, energy or impulse.
+/// Contact between particles, between faces, or none.
 template <int Dim>
 class ContactMechanism {
  public:
@@ -28,15 +27,15 @@ class ContactMechanism {
 
   virtual ~ContactMechanism() = default;
 
-  /// See Contact::prepare. Searches in any case if `way` is empty.
+  /// See Contact::prepare. An empty `way` forces a search.
   virtual bool search(const Particles<Dim>& /*particles*/, const WallContacts<Dim>& /*walls*/,
                       std::optional<double> /*way*/) {
     return false;
   }
-  /// Particles that may get a force before the next search, ascending.
+  /// Particles that may touch before the next search, ascending.
   const std::vector<int>& touching() const { return touching_; }
 
-  /// Sets the forces in N on the particles of `touching` and records the impulses of walls over `dt` (in s).
+  /// Sets the forces (in N) on `touching` particles and records the impulses of walls over `dt` (in s).
   virtual void evaluate(const Particles<Dim>& /*particles*/, double /*dt*/, WallContacts<Dim>& /*walls*/,
                         std::vector<V>& /*force*/, int /*threads*/) {}
   virtual double energy(const Particles<Dim>&, const WallContacts<Dim>&) { return 0; }

@@ -47,8 +47,8 @@ void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<
       if (walls.height(w, faces.places()[n]) < 0.5 * horizon * dp_) near_wall.emplace_back(n, w);
 }
 
-/// Whether no side of the node can face this segment before the next search. Faces that were initially close are often
-/// at right angles. They count only if the cosine is below `folded`; otherwise a search would be due every few steps.
+/// Whether no side of the node can face the segment before the next search. Initially close faces are often at right
+/// angles; without `folded` they would make a search due every few steps.
 bool FaceCandidates::cannot_face(const MovingFaces& faces, int node, int segment) const {
   const auto& [a, b] = faces.segment(segment).node;
   const V D = faces.x0(node) - 0.5 * (faces.x0(a) + faces.x0(b));

@@ -14,7 +14,7 @@
 
 namespace taut {
 
-/// Contact candidates in 2D: nodes with segments of other bodies or of their own folding body, and nodes near walls.
+/// Contact candidates in 2D: nodes near segments and nodes near walls.
 class FaceCandidates {
  public:
   using V = Vec<double, 2>;
@@ -33,7 +33,7 @@ class FaceCandidates {
 
   NearFaces other_faces, own_faces;
   std::vector<std::pair<int, int>> near_wall;        // (node, wall)
-  std::vector<int> watched_nodes, watched_segments;  // of all candidates, ascending
+  std::vector<int> watched_nodes, watched_segments;  // to place in each step, ascending
   std::vector<int> particles;                        // of the watched nodes, ascending
 
   bool search(const Particles<2>& s, MovingFaces& faces, const WallContacts<2>& walls,
@@ -50,9 +50,9 @@ class FaceCandidates {
 
  private:
   // in spacings
-  static constexpr double skin = 1;       // greater: fewer searches, more pairs
+  static constexpr double skin = 1;
   static constexpr double horizon = 4;    // search range
-  static constexpr double far_apart = 3;  // initial distance; faces of a thinner body do not interact
+  static constexpr double far_apart = 3;  // least initial distance in one body
   static constexpr double aside = 0.5;    // greatest cosine of the normals of a candidate
   static constexpr double close_by = 4;   // initial distance; closer faces need a cosine below `folded`
   static constexpr double folded = -0.1;
@@ -64,13 +64,13 @@ class FaceCandidates {
   void watch(const MovingFaces& faces);
 
   double dp_;                 // m
-  double reach_, own_reach_;  // range of contact with others and with the own body, in spacings
+  double reach_, own_reach_;  // range of contact of two bodies, of one body; spacings
   bool meets_itself_, meets_others_;
   std::vector<int> all_nodes_, all_segments_;
   FaceSearch find_;
   std::vector<V> normal_;
   MotionBound<2> others_bound_, own_bound_;
-  std::vector<V> main_places_;  // [node] position of its main particle (MovingFaces::follow), m
+  std::vector<V> main_places_;  // [node] position of the main particle, m
 };
 
 }  // namespace taut

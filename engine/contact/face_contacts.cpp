@@ -14,7 +14,7 @@ namespace taut {
 
 namespace {
 
-/// K + 4G/3 at a node, Pa; between two materials, the mean over the particles of the node.
+/// Mean K + 4G/3 of the particles of a node, Pa.
 double modulus(const Outline& outline, int node, const SolverInput& input) {
   double sum = 0, weights = 0, least = std::numeric_limits<double>::infinity(), most = 0;
   for (int k = outline.begin[node]; k < outline.begin[node + 1]; ++k) {
@@ -63,9 +63,8 @@ void FaceContacts::place_watched(const Particles<2>& s) {
   for (const int k : candidates_.watched_segments) faces_.set_normal(k);
 }
 
-/// Calls f(node, closest point, touch) for nodes that face a segment within `greatest_depth`, and for some nodes
-/// farther away. If a node inside a corner is equally near to both sides, each side counts half, which preserves
-/// symmetry.
+/// Calls f(node, closest point, touch) at least for nodes that face a segment within `greatest_depth`. If both sides
+/// of a corner are equally near, each counts half, which preserves symmetry.
 template <class F>
 void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
   std::vector<double> distance2;  // [segment] m²
@@ -76,7 +75,7 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
     distance2.clear();
     for (const int l : segments) distance2.push_back(faces_.distance2(n, l));
     const auto nearest = std::ranges::min_element(distance2) - distance2.begin();
-    // a segment with a sharp end may be touched from beyond this end
+    // a node beyond a sharp end may touch
     const auto is_sharp = [&](int l) { return faces_.has_sharp_end(l); };
     if (distance2[nearest] >= power<2>(greatest_depth(near)) && std::ranges::none_of(segments, is_sharp))
       continue;
@@ -103,8 +102,7 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
   }
 }
 
-/// Calls f(node, wall, depth, area, k) for each node behind a wall. The depth below the mirror image is twice the
-/// depth in the wall.
+/// Calls f(node, wall, depth, area, k) for each node behind a wall. `depth`: overlap with the mirror image, m.
 template <class F>
 void FaceContacts::for_each_wall(const WallContacts<2>& walls, const F& f) const {
   for (const auto& [n, wall] : candidates_.near_wall) {
@@ -129,7 +127,7 @@ void FaceContacts::act_on_nodes(const Particles<2>& s, double dt, WallContacts<2
   push(candidates_.other_faces, reaction_);
   push(candidates_.own_faces, own_force_);
   for_each_wall(walls, [&](int n, int wall, double depth, double area, double k) {
-    // 2: one pass over the node, one over its image
+    // 2: the node touches its image, and the image the node
     const auto give = [&](int node, const V& f) {
       own_force_[node] += f;
       faces_.for_each_share(

@@ -16,8 +16,8 @@
 namespace taut {
 
 /// Contact between overlapping faces in 2D (terms/surface_contact.hpp). Each node is pushed towards its closest point
-/// of the other face, weighted by the length of the node's sides over that face. Conserves linear and angular momentum,
-/// and energy except where the closest face changes.
+/// of the other face. The force grows with the length of the node's sides over that face. Conserves linear and angular
+/// momentum.
 class FaceContacts final : public ContactMechanism<2> {
  public:
   using V = Vec<double, 2>;
@@ -26,7 +26,6 @@ class FaceContacts final : public ContactMechanism<2> {
 
   bool search(const Particles<2>& s, const WallContacts<2>& walls, std::optional<double> way) override;
 
-  /// Uses one thread, since touching faces have too few nodes for several.
   void evaluate(const Particles<2>& s, double dt, WallContacts<2>& walls, std::vector<V>& force,
                 int threads) override;
   double energy(const Particles<2>& s, const WallContacts<2>& walls) override;
@@ -34,7 +33,7 @@ class FaceContacts final : public ContactMechanism<2> {
   V between(const Particles<2>& s, int a, int b) const override;
   V of_wall(const Particles<2>& s, int a, int wall, const WallContacts<2>& walls) const override;
 
-  /// Least distance in m between nodes and faces of two bodies, negative if they overlap, at most one spacing.
+  /// Least distance between nodes and faces of two bodies, m; negative for an overlap, at most one spacing.
   double gap(const Particles<2>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<2>& walls) override {
@@ -50,7 +49,7 @@ class FaceContacts final : public ContactMechanism<2> {
  private:
   // in spacings
   static constexpr double reach = 1;        // greatest depth
-  static constexpr double own_reach = 1.2;  // of finite elements in their own body, fading from `reach` on
+  static constexpr double own_reach = 1.2;  // greatest depth within a body of finite elements
   static constexpr double tie = 1e-6;       // round-off of equal distances
 
   void refuse_thin(const Scene& scene) const;
@@ -76,7 +75,7 @@ class FaceContacts final : public ContactMechanism<2> {
   MovingFaces faces_;
   std::vector<double> M_;  // [node] K + 4G/3, Pa
   FaceCandidates candidates_;
-  // [node] N; two sums, so that the order of additions is the same in mirrored bodies
+  // [node] N; two sums, for the same order of additions in mirrored bodies
   std::vector<V> own_force_;
   std::vector<V> reaction_;
 };

@@ -26,8 +26,8 @@ class FaceSearch {
  public:
   using V = Vec<double, 2>;
 
-  /// Lists the segments that may be nearer than `listed` (in m) and for which wanted(node, segment) is true. Returns a
-  /// lower bound, in m, of the distance of the other wanted segments, at most `horizon`.
+  /// Lists the segments with wanted(node, segment) that may be nearer than `listed` (in m). Returns a lower bound of
+  /// the distance to all other wanted segments, at most `horizon`, in m.
   template <class Wanted>
   double operator()(const MovingFaces& faces, const std::vector<int>& nodes, const std::vector<int>& segments,
                     double listed, double horizon, const Wanted& wanted, NearFaces& out) {
@@ -60,7 +60,7 @@ class FaceSearch {
   }
 
  private:
-  /// Sorts midpoints of segments, then nodes, by cell. Returns the length of the longest segment, m.
+  /// Sorts midpoints and nodes by cell. Returns the length of the longest segment, m.
   double sort_middles(const MovingFaces& faces, const std::vector<int>& nodes,
                       const std::vector<int>& segments, double horizon) {
     middles_.clear();

@@ -16,7 +16,7 @@
 
 namespace taut {
 
-/// Contact candidates in 3D: facets of two bodies or one folding body, and facets near walls.
+/// Contact candidates in 3D: pairs of facets and facets near walls.
 class FacetCandidates {
  public:
   using V = Vec<double, 3>;
@@ -67,9 +67,9 @@ class FacetCandidates {
   // in spacings
   static constexpr double skin = 1.4;
   static constexpr double horizon = 4.25;    // search range
-  static constexpr double cluster = 4;       // width of the clusters of facets (FacetPairs)
-  static constexpr double far_apart = 4;     // initial distance along a face or across a gap
-  static constexpr double far_inside = 8;    // initial distance through the body
+  static constexpr double cluster = 4;       // width of clusters of facets
+  static constexpr double far_apart = 4;     // least initial distance along a face or across a gap
+  static constexpr double far_inside = 8;    // least initial distance through the body
   static constexpr double flat = 1e-6;       // round-off of facets in one plane
   static constexpr double aside = 0.5;       // greatest cosine of the normals of a candidate
   static constexpr double turn_slack = 0.5;  // for rotation of facets about their particles
@@ -97,8 +97,7 @@ class FacetCandidates {
     own_bound_.restart(find<PairsOf::one_body>(facets, near_.order(), wanted, own_), particle_places_);
   }
 
-  /// Returns the distance in m by which the nearest unlisted pair may still approach. Skips facets with similar
-  /// normals: they would have to turn by 44° to interact (facing_share).
+  /// Returns the distance in m by which the nearest unlisted pair may still approach.
   template <PairsOf kind, class Wanted>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Wanted& wanted,
               std::vector<std::pair<int, int>>& list) {

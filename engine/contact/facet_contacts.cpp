@@ -100,8 +100,8 @@ void FacetContacts::for_each_pair(int row, const int* first, int count, const F&
   }
 }
 
-/// Calls f(facet, wall, depth, projected share, k) for each facet behind a wall. The depth below the mirror image is
-/// twice the depth in the wall. Contact with walls does not harden.
+/// Calls f(facet, wall, depth, projected share, k) for each facet behind a wall. `depth`: overlap with the mirror
+/// image, m.
 template <class F>
 void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) const {
   for (const auto& [facet, wall] : candidates_.near_wall) {
@@ -145,8 +145,7 @@ auto FacetContacts::measured(int r) -> Touch {
   return touch;
 }
 
-/// Derivatives, by the position, normal and area of a facet, of the energies of this facet and of all facets to whose
-/// mean depth it contributes.
+/// Derivatives of the energy of all contacts by the position, normal and area of a facet.
 MovingFacets::Slope FacetContacts::slope_of(int r) const {
   const Touch& own = touches_[r];
   const double area = facets_[rows_[r].facet].area, M = M_[rows_[r].facet];
@@ -186,7 +185,7 @@ void FacetContacts::evaluate(const Particles<3>& s, double dt, WallContacts<3>& 
   for_each_wall(walls, [&](int facet, int wall, double depth, double share, double k) {
     const V& normal = walls.normal(wall);
     const double area = area_of(facet), slope = projected_slope(dot(facets_[facet].normal, normal));
-    // 2: one pass over the facet, one over its image
+    // 2: the facet touches its image, and the image the facet
     facets_.push(facet,
                  {.middle = (-2 * surface_force(depth, area * share, k)) * normal,
                   .normal = (surface_energy(depth, area, k) * slope) * normal},

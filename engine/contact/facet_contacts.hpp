@@ -13,8 +13,8 @@
 
 namespace taut {
 
-/// Contact of faces in 3D (terms/surface_contact.hpp), derived from an energy. The depth of a facet is a mean
-/// over the facets of the other body (or fold) around it.
+/// Contact of faces in 3D (terms/surface_contact.hpp), derived from an energy. The depth of a facet is a mean over
+/// nearby facets of the other body or fold.
 class FacetContacts final : public ContactMechanism<3> {
  public:
   using V = Vec<double, 3>;
@@ -32,7 +32,7 @@ class FacetContacts final : public ContactMechanism<3> {
   V between(const Particles<3>& s, int a, int b) const override;
   V of_wall(const Particles<3>& s, int a, int wall, const WallContacts<3>& walls) const override;
 
-  /// Least height in m of a facet above another body, negative if they overlap, at most one spacing.
+  /// Least height of a facet of one body above the other, m; negative for an overlap, at most one spacing.
   double gap(const Particles<3>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<3>& walls) override {
@@ -60,15 +60,13 @@ class FacetContacts final : public ContactMechanism<3> {
     double k = 0;              // Pa/m
     // ∂E/∂cover in J; (∂E/∂height)/cover in N; (∂E/∂M)/cover in m³
     double per_sum = 0, per_p = 0, per_M = 0;
-    double per_weight(double p,
-                      double modulus) const {  // derivative of the energy by the weight W of one facet, J
+    double per_weight(double p, double modulus) const {  // ∂E/∂W of one facet, J
       return per_sum + per_p * (p - height) + per_M * (modulus - M);
     }
   };
   struct Pair {
-    V d, middle;  // x_f − x_g, m; (n_g − n_f)/|n_g − n_f|
-    double p, l2, radius, cosine, share, weight,
-        near;  // radius: R; factors of weight_of: share s, weight w, near c
+    V d, middle;                                        // x_f − x_g, m; (n_g − n_f)/|n_g − n_f|
+    double p, l2, radius, cosine, share, weight, near;  // terms/THEORY.md: p, ℓ², R, cosine, s, w, c
   };
 
   double weight_of(const Pair& pair) const { return pair.share * pair.weight * pair.near; }  // 1/m²

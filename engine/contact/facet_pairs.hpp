@@ -13,8 +13,8 @@
 namespace taut {
 
 enum class PairsOf {
-  one_body,    // pairs of one body that were initially farther apart than `far`
-  two_bodies,  // pairs of different bodies
+  one_body,  // initially farther apart than `far`
+  two_bodies,
 };
 
 /// Columns with `lanes` readable entries after the last one.
@@ -24,9 +24,8 @@ struct FacetColumns {
   const double* normal[3];
 };
 
-/// Finds the facets among first … last − 1 that are nearer to facet p than √near2, were initially farther than √far2,
-/// and have normals with a cosine below `cosine` to the normal of p. Distances are between midpoints. Stores indices
-/// and squared distances [m²].
+/// Finds the facets q among first … last − 1 with |x_q − x_p|² < near2, |X_q − X_p|² > far2 and n_q · n_p < cosine.
+/// Stores indices and squared distances [m²].
 inline int find_near_facets(const FacetColumns& facets, int p, int first, int last, double near2, double far2,
                             double cosine, int* found, double* distance2) {
   int count = 0;
@@ -48,13 +47,13 @@ inline int find_near_facets(const FacetColumns& facets, int p, int first, int la
   return count;
 }
 
-/// Finds pairs of near facets with different normals, first by clusters of facets.
+/// Finds pairs of near facets with different normals.
 class FacetPairs {
  public:
   using V = Vec<double, 3>;
 
   FacetPairs() = default;
-  /// A cluster contains the facets of a cell of this width, m, with similar initial normals.
+  /// A cluster contains the facets in a cell of this width (in m) with similar initial normals.
   FacetPairs(const MovingFacets& facets, double width) {
     using Key = std::tuple<int, int, bool, std::array<double, 3>>;
     std::vector<Key> key;
@@ -87,8 +86,8 @@ class FacetPairs {
     double far;              // least initial distance in one body, m
     double cosine;           // greatest cosine of the normals
   };
-  /// Calls found(f, g) once for each pair nearer than `listed` for which wanted(f, g) is true. Returns the distance in
-  /// m of the nearest wanted pair beyond `listed`, at most `horizon`. `candidates`: facets in the order of `order()`.
+  /// Calls found(f, g) once for each pair with wanted(f, g) nearer than `listed`. Returns the distance of the nearest
+  /// other wanted pair, at most `horizon`, in m. `candidates`: facets in the order of `order()`.
   template <PairsOf kind, class Wanted, class Found>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Limits& limits,
               const Wanted& wanted, const Found& found) {
@@ -112,7 +111,7 @@ class FacetPairs {
   struct Cluster {
     V low, high;    // m
     V normal;       // mean of the normals
-    double spread;  // greatest deviation of a normal from `normal`
+    double spread;  // greatest deviation from `normal`
   };
 
   static constexpr double room = 1e-9;  // tolerance of rounding

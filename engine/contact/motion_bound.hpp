@@ -11,28 +11,27 @@
 
 namespace taut {
 
-/// Decides when points must be searched again. `holds` returns true while no two points can have approached each other
-/// by more than `free`. The bound is twice the path of the fastest particle. Once this exceeds `free`, `still_holds`
-/// replaces it by twice the greatest deviation from the rigid motion of each body.
+/// Bounds the approach of two points since the last search. The bound is twice the path of the fastest point.
+/// `still_holds` replaces this path by the greatest deviation from the rigid motion of each body.
 template <int Dim>
 class MotionBound {
  public:
   using V = Vec<double, Dim>;
 
-  /// `free`: allowed approach of two points [m]; `x`: positions by body [m].
+  /// `free`: allowed approach of two points [m]; `x`: positions, body after body [m].
   void restart(double free, std::vector<V> x) {
     free_ = free;
     gone_ = 0;
     from_ = std::move(x);
   }
 
-  /// Call before points move by at most `way` (in m). If the result is false, search or call `still_holds`.
+  /// Call before points move by at most `way` (in m). If false, call `still_holds` or search.
   bool holds(double way) {
     gone_ += way;
     return 2 * gone_ <= free_;
   }
 
-  /// `x`: positions before the motion by `way` [m]. Returns false if a search is needed.
+  /// `x`: positions before the motion by `way` [m].
   bool still_holds(const std::vector<V>& x, const std::vector<int>& body, double way) {
     gone_ = 0;
     const std::size_t n = x.size();
@@ -58,7 +57,7 @@ class MotionBound {
       }
     }
     gone_ = std::sqrt(gone_);
-    constexpr double worthwhile = 0.75;  // of `free_`; beyond, a search is cheaper
+    constexpr double worthwhile = 0.75;  // of `free_`
     return 2 * gone_ <= worthwhile * free_ && holds(way);
   }
 

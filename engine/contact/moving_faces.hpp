@@ -13,21 +13,21 @@
 
 namespace taut {
 
-/// The half of a node's side that ends at the node, as far as this half lies over a segment and faces the segment.
+/// The half of a side next to its node, and the share of this half that faces a segment.
 struct FacingHalf {
   int side = Outline::none;
   double half = 0;              // initial length, m
   double share = 0, slope = 0;  // facing_share and its derivative by the cosine
-  /// Where the side crosses each end of the segment: 0 at the node, 1 at the other end of the side.
+  /// Place on the side above each end of the segment: 0 at the node, 1 at the far end of the side.
   std::array<double, 2> at{};
-  std::array<double, 2> over{1, 1};  // share of the half within each end, smoothed
+  std::array<double, 2> over{1, 1};  // share of the half inside each end, smoothed
   std::array<double, 2> rise{};      // derivative of `over` by `at`
-  double past = 1;                   // beyond an end: 1 − facing_share of the next face
+  double past = 1;                   // 1 − facing_share of the next face
   double past_slope = 0;
   int next = Outline::none;
 
   double covered() const { return over[0] * over[1]; }
-  double area() const { return half * share * covered() * past; }  // length that counts, m
+  double area() const { return half * share * covered() * past; }  // m
 };
 
 struct ClosestPoint {
@@ -42,8 +42,7 @@ struct ClosestPoint {
   double area() const { return weight * (halves[0].area() + halves[1].area()); }  // m
 };
 
-/// Current positions of the faces of layout/outline.hpp. Nodes are weighted means of particles, and forces on nodes go
-/// to the particles by the same weights.
+/// Current positions of the faces of layout/outline.hpp.
 class MovingFaces {
  public:
   using V = Vec<double, 2>;
@@ -89,7 +88,7 @@ class MovingFaces {
     for (int n = 0; n < size(); ++n) place(s, n);
     for (int k = 0; k < static_cast<int>(normal_.size()); ++k) set_normal(k);
   }
-  /// Requires that `place` has updated the nodes of segment k.
+  /// Requires current nodes of segment k.
   void set_normal(int k) {
     const auto& [node, length, sense] = outline_.segments[k];
     const V t = place_[node[1]] - place_[node[0]];
@@ -97,13 +96,12 @@ class MovingFaces {
     normal_[k] = {factor * t[1], -factor * t[0]};
   }
   const std::vector<V>& places() const { return place_; }  // [node] m
-  /// Position of the main particle of each node, which has the greatest weight, m.
+  /// Position of the main particle (of greatest weight) of each node, m.
   void follow(const Particles<2>& s, std::vector<V>& x) const {
     x.clear();
     for (const int share : main_share_) x.push_back(s.x[stored_[share]]);
   }
 
-  /// Calls f(i, weight) for each stored particle i of a node.
   template <class F>
   void for_each_share(int node, const F& f) const {
     for (int k = outline_.begin[node]; k < outline_.begin[node + 1]; ++k)
@@ -130,8 +128,7 @@ class MovingFaces {
     return area;
   }
 
-  /// Calls give(n, f) with the forces f on nodes n, in N per metre depth, of the energy `energy` (in J/m) times
-  /// facing(node, normal).
+  /// Calls give(n, f) with the forces f on nodes n, in N, of the energy `energy` (in J/m) times facing(node, normal).
   template <class Give>
   void push_facing(int node, const V& normal, double energy, const Give& give) const {
     for (const int k : outline_.beside[node])
@@ -140,10 +137,9 @@ class MovingFaces {
           turn(k, normal, energy * 0.5 * outline_.segments[k].length * slope, give);
   }
 
-  /// Replaces `best` by the closest point of segment k if the node faces the segment and the rank of this point is
-  /// lower. The rank is the distance plus, where the sides of the node face the segment obliquely, up to half the
-  /// segment's length: a corner is pushed back by the face in front of it, not by the face beside it. Beyond a sharp
-  /// end a node acts with the length of its side over the segment and the depth of the side at that end.
+  /// Replaces `best` by the closest point of segment k if the node faces the segment and this point has a lower rank.
+  /// The rank is the distance plus up to half the segment's length for oblique sides: a corner is pushed back by the
+  /// face in front of it, not by the face beside it. Beyond a sharp end, the depth is that of the side at this end.
   void measure(int node, int k, ClosestPoint& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -168,16 +164,15 @@ class MovingFaces {
     if (closest.rank < best.rank) best = closest;
   }
 
-  /// `share`: factor of the energy; `slope`: its derivative by `cosine`, the cosine between the offset and the mean
+  /// `share`: factor of the energy; `slope`: its derivative by `cosine`; `cosine`: between the offset and the mean
   /// normal of both segments at a blunt end.
   struct Touch {
     double depth;  // behind the segment, m; negative in front
     V out;
     double share = 1, cosine = 0, slope = 0;
   };
-  /// At blunt ends the mean normal separates inside and outside. A node that crosses this boundary keeps its distance,
-  /// and its depth changes sign. With `fades` the energy has no jump: the flanks of a crease would otherwise gain
-  /// energy.
+  /// At blunt ends the sign of the depth depends on `cosine`. With `fades` the energy does not jump there: the flanks of
+  /// a crease would gain energy.
   Touch touch(const ClosestPoint& closest, bool fades = false) const {
     if (is_beyond(closest)) {
       const FacingHalf& half = closest.halves[closest.halves[0].side == Outline::none ? 1 : 0];
@@ -202,8 +197,8 @@ class MovingFaces {
   double energy(const ClosestPoint& closest, const Touch& touch, double k, double reach) const {  // J
     return touch.share * near_energy(touch.depth, closest.area(), k, reach);
   }
-  /// Calls own(n, f) with the forces on the nodes of the node's face, and other(n, f) with those on the segment's face,
-  /// in N per metre depth. `k`: contact stiffness, Pa/m; `reach`: depth at which contact has faded, m.
+  /// Calls own(n, f) with forces on the face of the node and other(n, f) with forces on the face of the segment, in N.
+  /// `k`: contact stiffness, Pa/m; `reach`: depth at which contact has faded, m.
   template <class Own, class Other>
   void push(const ClosestPoint& closest, const Touch& touch, double k, double reach, const Own& own,
             const Other& other) const {

@@ -19,8 +19,8 @@ inline std::vector<int> indices_of(const std::vector<char>& seen) {
   return indices;
 }
 
-/// Current positions of the facets of layout/surface_mesh.hpp. The midpoint of a facet is the mean of its nodes, moved
-/// by the facet's bulge along the normal. Forces on facets go to particles by the weights of the nodes.
+/// Current positions of the facets of layout/surface_mesh.hpp. The midpoint of a facet is the mean of its nodes plus
+/// the bulge along the normal.
 class MovingFacets {
  public:
   using V = Vec<double, 3>;

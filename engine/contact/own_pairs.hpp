@@ -14,8 +14,8 @@
 
 namespace taut {
 
-/// Contact candidates of a folding body: pairs of particles at faces that were initially far apart and have come near.
-/// The storage order must not change.
+/// Contact candidates within a body: particles at faces that were initially far apart and have come near. The storage
+/// order must not change.
 template <int Dim>
 class OwnPairs {
  public:
@@ -56,9 +56,8 @@ class OwnPairs {
  private:
   // in spacings
   static constexpr double skin = 1;
-  static constexpr double horizon = 4;  // search range
-  static constexpr double far_apart =
-      4;  // initial distance; opposite faces of a thinner body do not interact
+  static constexpr double horizon = 4;    // search range
+  static constexpr double far_apart = 4;  // least initial distance
 
   void place(const Particles<Dim>& s) {
     stored_.resize(ids_.size());

@@ -13,11 +13,11 @@
 
 namespace taut {
 
-/// Contact candidates: pairs of two bodies or of a folding body, and particles near walls.
+/// Contact candidates: pairs of particles, and particles near walls.
 template <int Dim>
 class PairCandidates {
  public:
-  /// `reach`: range of pairs of two bodies, for probes, m. Contact itself acts within one spacing.
+  /// `reach`: range of pairs of two bodies, m; beyond one spacing for gap probes only.
   PairCandidates(const SolverInput& input, bool between_bodies, double reach)
       : between_bodies_(between_bodies),
         dp_(input.constants.dp),
@@ -91,7 +91,7 @@ class PairCandidates {
   BodyPairs<Dim> others_;
   OwnPairs<Dim> own_;
   std::vector<std::pair<int, int>> near_walls_;
-  double travelled_ = 0;  // path of the fastest particle since the last search of other bodies, m
+  double travelled_ = 0;  // path of the fastest particle since search_others, m
 };
 
 }  // namespace taut

@@ -33,7 +33,7 @@ double PairContacts<Dim>::modulus(const Particles<Dim>& s, int i, int j) const {
   return contact_modulus(K_[s.id[i]], K_[s.id[j]], stiffness_);
 }
 
-/// Calls f(j, x_ij, r) for each particle j that touched particle i `gone` seconds ago, with x_ij and r of that time.
+/// Calls f(j, x_ij, r) for each particle j that touched particle i `gone` seconds ago. x_ij and r are of that time.
 template <int Dim>
 template <class F>
 void PairContacts<Dim>::for_each_touch(const Particles<Dim>& s, int i, double gone, const F& f) const {
@@ -45,7 +45,7 @@ void PairContacts<Dim>::for_each_touch(const Particles<Dim>& s, int i, double go
 }
 
 /// Calls f(i, wall, x, r) for each particle i that touched its mirror image in a wall `gone` seconds ago. `x`: position
-/// of i at that time, m; `r`: distance of the image, m, negative inside the wall.
+/// at that time, m; `r`: distance of the image, m, negative inside the wall.
 template <int Dim>
 template <class F>
 void PairContacts<Dim>::for_each_wall_touch(const Particles<Dim>& s, const WallContacts<Dim>& walls,
@@ -78,7 +78,6 @@ void PairContacts<Dim>::evaluate(const Particles<Dim>& s, double dt, WallContact
 template <int Dim>
 double PairContacts<Dim>::energy(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
   const auto stored = law_.energy;
-  // each pair is visited from both sides
   double twice = 0;
   if (!stored) return twice;
   for (const int i : touching_)

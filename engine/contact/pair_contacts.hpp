@@ -11,11 +11,10 @@
 
 namespace taut {
 
-/// Contact of particles less than a spacing apart, of two bodies or of distant parts of one body. Forces act along the
-/// pair, equal and opposite to the last bit. The law `impulse` departs from [Khayyer2024] Eq. 53–54, which stops only
-/// the approach of the old velocities: faces under a pressure p creep into each other at about p/(ρ c0). Here new
-/// velocities are stopped before positions follow. The paper gives no contact distance; here it is one spacing, as
-/// between two layers of a body.
+/// Contact of particles less than a spacing apart, of two bodies or of distant parts of one body. Forces are equal and
+/// opposite along the pair. Departures of `impulse` from [Khayyer2024] Eq. 53–54: the approach of the new velocities is
+/// stopped, since pressed faces would otherwise creep into each other; the contact distance is one spacing, as the
+/// paper gives none.
 template <int Dim>
 class PairContacts final : public ContactMechanism<Dim> {
  public:
@@ -26,7 +25,6 @@ class PairContacts final : public ContactMechanism<Dim> {
 
   bool search(const Particles<Dim>& s, const WallContacts<Dim>& walls, std::optional<double> way) override;
 
-  /// Uses one thread, since touching faces have too few particles for several.
   void evaluate(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force,
                 int threads) override;
   double energy(const Particles<Dim>& s, const WallContacts<Dim>& walls) override;

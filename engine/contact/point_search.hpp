@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Points of bodies as columns, each with `lanes` readable entries after the last point.
+/// Columns with `lanes` readable entries after the last one.
 template <int Dim>
 struct PointColumns {
   const double* now[Dim];    // m
@@ -18,8 +18,8 @@ struct PointColumns {
   const double* body;
 };
 
-/// Finds the points among first … last − 1 in the body of point p that are nearer to p than √near2 and were initially
-/// farther than √far2. Stores indices and squared distances [m²].
+/// Finds the points q among first … last − 1 in the body of point p with |x_q − x_p|² < near2 and |X_q − X_p|² > far2.
+/// Stores indices and squared distances [m²].
 template <int Dim>
 int find_near_points(const PointColumns<Dim>& points, int p, int first, int last, double near2, double far2,
                      int* found, double* distance2) {
@@ -47,7 +47,7 @@ class PointSearch {
  public:
   using V = Vec<double, Dim>;
 
-  /// Adds a point with the initial position `start`. `body` must not decrease from call to call.
+  /// `start`: initial position, m. `body` must not decrease from call to call.
   void add(const V& start, int body) {
     X_.push_back(start);
     body_.push_back(body);
@@ -55,9 +55,9 @@ class PointSearch {
   int size() const { return static_cast<int>(X_.size()); }
   const std::vector<int>& bodies() const { return body_; }
 
-  /// Calls found(a, b) once for each pair of a body nearer than `listed`, initially farther apart than `far`. Returns
-  /// the distance of the nearest pair beyond `listed`, at most `horizon`. `x`: current positions, in the order of
-  /// `add`. Lengths are in m.
+  /// Calls found(a, b) once for each pair within a body that is nearer than `listed` and was initially farther apart
+  /// than `far`. Returns the distance of the nearest other such pair, at most `horizon`. `x`: current positions, in the
+  /// order of `add`. Lengths in m.
   template <class Found>
   double find(const std::vector<V>& x, double listed, double horizon, double far, const Found& found) {
     if (x.empty()) return horizon;

@@ -20,7 +20,7 @@ namespace taut {
 template <class T>
 concept Count = std::integral<T> && !std::same_as<T, bool>;
 
-/// Whether `value` is an index below `bound`; pairs are compared componentwise.
+/// Whether 0 ≤ value < bound; pairs are compared componentwise.
 template <Count T, Count Bound>
 bool is_below(T value, Bound bound) {
   return std::cmp_greater_equal(value, 0) && std::cmp_less(value, bound);
@@ -37,9 +37,9 @@ bool are_rows(const std::vector<T>& begin, std::size_t rows, std::size_t entries
          std::is_sorted(begin.begin(), begin.end());
 }
 
-/// Common part of Saver and Loader. A class lists its members in `serialize(Archive&)`; trivially copyable types need
-/// no `serialize`. A state is valid for one machine and build only. Loaded data is untrusted: values that address
-/// memory must be listed with `fixed`, `indices`, `rows` or `check`, and bytewise copies must contain numbers only.
+/// Common part of Saver and Loader. A class lists its members in `serialize(Archive&)`; a struct without it is copied
+/// bytewise and must contain only numbers. A state is valid for one machine and build only. Loaded data is untrusted:
+/// values that address memory must be listed with `fixed`, `indices`, `rows` or `check`.
 template <class Side>
 class Archive {
  public:
@@ -111,7 +111,7 @@ class Archive {
     if (is_copied<T> || values.size() > size) values.resize(size);
     elements(values, size);
   }
-  /// Not inlined: if only an AVX build emitted this function, the linker would use its copy on all machines.
+  /// Not inlined: a copy that only an AVX build emits would run on all machines.
   template <class T>
   [[gnu::noinline]] void one_fixed(std::vector<T>& values) {
     const std::size_t size = side().length(values.size(), 1);
@@ -184,7 +184,7 @@ class Saver : public Archive<Saver> {
   std::string bytes_;
 };
 
-/// Reads values. Throws UsageError for invalid bytes.
+/// Throws UsageError for invalid bytes.
 class Loader : public Archive<Loader> {
  public:
   static constexpr bool loads = true;

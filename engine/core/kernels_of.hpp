@@ -9,7 +9,7 @@
 /// `taut`, so that the linker does not merge inline functions of two builds.
 namespace taut {
 
-/// The values differ from all values of Family.
+/// Must differ from all values of Family.
 enum class SharedKernels { neighbor_search = 100, history_row };
 
 /// Kernel table of this build, or null. `Key` is a Family or SharedKernels; `method` selects within a family.

@@ -21,7 +21,7 @@ inline int cores() {
 }
 
 #if defined(__x86_64__)
-/// Checks LZCNT, MOVBE and F16C, for which __builtin_cpu_supports of clang 14 has no names [Intel SDM 2A, CPUID].
+/// CPUID bits of [Intel SDM 2A]; __builtin_cpu_supports of clang 14 lacks these names.
 inline bool has_lzcnt_movbe_f16c() {
   constexpr unsigned movbe = 1U << 22, f16c = 1U << 29, lzcnt = 1U << 5;
   unsigned a = 0, b = 0, c = 0, d = 0;
@@ -30,7 +30,7 @@ inline bool has_lzcnt_movbe_f16c() {
 }
 #endif
 
-/// Whether the machine has all instructions of x86-64-v3, any of which a virtual machine may hide.
+/// Checks each instruction set of x86-64-v3, since a virtual machine may hide some.
 inline bool has_x86_64_v3() {
 #if defined(__x86_64__)
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&

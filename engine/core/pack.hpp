@@ -5,13 +5,13 @@
 
 namespace taut {
 
-/// Four doubles: four neighbours of one particle, or one neighbour of each of four particles. Terms written for a
-/// type T accept Pack and double. Results are bit-identical without AVX.
+/// Four doubles: four neighbours of one particle, or one neighbour of each of four particles. Results are bit-identical
+/// with and without AVX.
 inline constexpr int lanes = 4;
 typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
 
-/// Argument for a factor that the calling pass includes elsewhere.
+/// Argument if the caller applies the actual factor elsewhere.
 inline constexpr Pack one = {1, 1, 1, 1};
 
 typedef double UnalignedPack __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double))));
@@ -131,7 +131,7 @@ inline Pack halves(const double* a, const double* b) {
   typedef double Half __attribute__((vector_size(2 * sizeof(double))));
   const Half &low = *reinterpret_cast<const Half*>(a), &high = *reinterpret_cast<const Half*>(b);
 #if defined(__AVX__) && !defined(__clang__)
-  // one instruction; GCC 12 turns a shuffle into several moves
+  // GCC 12 turns a shuffle into several moves
   return __builtin_ia32_vinsertf128_pd256(__builtin_ia32_pd256_pd(low), high, 1);
 #else
   return __builtin_shufflevector(low, high, 0, 1, 2, 3);

@@ -13,7 +13,6 @@ namespace taut {
 /// Maximum; NaN if either is NaN.
 inline double greater(double a, double b) { return b <= a || a != a ? a : b; }
 
-/// Several chunks per thread balance the load.
 inline int chunks_of(int n, int threads) {
   constexpr int of_each = 4, least = 32;
   return threads == 1 ? 1 : std::clamp(n / least, 1, std::min(of_each * threads, Threads::most_chunks));
@@ -41,10 +40,10 @@ void parallel_for(int n, const Threads& threads, const F& f) {
   });
 }
 
-/// Inlines all calls of f; otherwise packs pass through memory.
+/// Inlines all calls of f: packs stay in registers.
 template <class F>
 [[gnu::flatten, gnu::noinline]] void inlined_loop(const F& f, int first, int last) {
-  const F own = f;  // a local copy stays in registers: no store can alias it
+  const F own = f;  // no store can alias a local copy
   for (int i = first; i < last; ++i) own(i);
 }
 template <class F>
@@ -60,7 +59,7 @@ void parallel_pass(int n, const Threads& threads, const F& f) {
   parallel_chunks(n, threads, [&](int, int first, int last) { inlined_loop(f, first, last); });
 }
 
-/// Calls take(i, make(i)): `make` on `threads` threads, `take` on one, in order. At most 1024 results exist at a time.
+/// Calls take(i, make(i)): `make` on `threads` threads, `take` on one, in order.
 template <class Make, class Take>
 void make_in_order(int n, int threads, const Make& make, const Take& take) {
   constexpr int most = 1024;

@@ -14,7 +14,7 @@ struct Principal {
 
 inline Principal principal_axes(const Sym<double, 3>& symmetric) {
   Mat<double, 3> A = full(symmetric), Q{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  constexpr int most = 12;  // sweeps; mostly five suffice
+  constexpr int most = 12;  // sweeps of Jacobi's method
   const double scale = std::abs(A(0, 0)) + std::abs(A(1, 1)) + std::abs(A(2, 2)) + std::abs(A(0, 1)) +
                        std::abs(A(0, 2)) + std::abs(A(1, 2));
   for (int sweep = 0; sweep < most; ++sweep) {

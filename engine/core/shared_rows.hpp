@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Rows of constants. Bit-identical rows are stored once.
+/// Stores bit-identical rows once.
 template <class T>
 class SharedRows {
  public:

@@ -10,7 +10,7 @@ namespace taut {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// Time for which a helper spins before it sleeps: waking it takes as long as a loop of a small scene.
+// time that a helper spins before it sleeps
 constexpr std::chrono::microseconds patience{100};
 constexpr int spins = 50;
 

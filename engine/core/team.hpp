@@ -12,8 +12,8 @@
 
 namespace taut {
 
-/// Helper threads that share their owner's loops. The owner waits only for chunks already begun, so a sleeping helper
-/// delays nothing. Each thread begins with the same chunks in every loop, which keeps its data in its cache.
+/// Helper threads that share their owner's loops. A sleeping helper delays no loop. Each thread begins with the same
+/// chunks in every loop, which keeps its data in its cache.
 class Team {
  public:
   static constexpr int most_threads = 1000, most_chunks = Threads::most_chunks;
@@ -45,7 +45,7 @@ class Team {
   std::uint64_t jobs_ = 0;
   Work work_ = nullptr;  // null between jobs
   const void* of_ = nullptr;
-  /// [chunk] number of the last job that took it. A late helper finds all chunks taken.
+  /// [chunk] number of the last job that took it.
   std::unique_ptr<std::atomic<std::uint64_t>[]> taken_;
   alignas(64) std::atomic<std::uint64_t> job_{0};
   alignas(64) std::atomic<int> left_{0};  // unfinished chunks

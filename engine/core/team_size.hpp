@@ -5,16 +5,15 @@
 
 namespace taut {
 
-/// Chooses the number of threads of the next step: all, or one if more do not help. After a block of steps on one
-/// thread, the team makes further blocks while they are no slower. After a slower block, one thread continues until the
-/// loss is 1/`worth` of the time, and at least for 2, 4, 8 … blocks after repeated failures.
+/// Chooses the number of threads of the next step: all, or one if more do not help. Compares blocks of steps on all
+/// threads with a block on one thread. After a slower block, one thread continues, longer after repeated failures.
 class TeamSize {
  public:
   explicit TeamSize(int most) : most_(most) {}
 
   int threads() const { return single_blocks_ > 0 ? 1 : most_; }
 
-  /// Call before a series of steps: only their time counts.
+  /// Call before a series of steps.
   void resume() { last_ = seconds(); }
   void step_done() {
     if (most_ == 1) return;
@@ -35,10 +34,10 @@ class TeamSize {
   }
 
  private:
-  static constexpr int most_steps = 16;         // per block, includes some rebuilds
+  static constexpr int most_steps = 16;         // per block
   static constexpr int least_steps = 4;         // per long block
   static constexpr double long_enough = 0.1;    // s
-  static constexpr int often = 100;             // blocks of the team between two blocks on one thread
+  static constexpr int often = 100;             // blocks on all threads between two on one thread
   static constexpr double worth = 50;           // a failed trial may cost 1/worth of the time
   static constexpr double most_patience = 1e3;  // blocks
 

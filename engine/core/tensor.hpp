@@ -4,11 +4,10 @@
 
 #include "engine/core/pack.hpp"
 
-/// Small vectors and tensors over T = double or Pack. Not Eigen's fixed-size types, because their alignment depends on
-/// the instruction set.
+/// Small vectors and tensors over T = double or Pack; not Eigen's, whose alignment depends on the instruction set.
 namespace taut {
 
-/// Alignment, equal in all builds, so that structs have one layout.
+/// Alignment, equal in all builds.
 template <class T>
 inline constexpr std::size_t alignment_of = sizeof(T) == sizeof(Pack) ? sizeof(Pack) : alignof(T);
 
@@ -272,7 +271,7 @@ Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
   return C;
 }
 
-/// Inverse, or 0 if not clearly positive definite, as without neighbours.
+/// Inverse, or 0 if not clearly positive definite.
 inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
   const double det = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);
   const double scale = trace(a) * trace(a);

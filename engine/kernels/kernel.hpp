@@ -10,8 +10,7 @@
 
 namespace taut {
 
-/// W(r) = α/h^Dim w(q), q = r/h; 0 for q ≥ `support`. `dw` is w′, `dw_per_q` w′/q, finite at 0, and
-/// `ddw` w″ (Wendland C2 only).
+/// W(r) = α/h^Dim w(q), q = r/h; 0 for q ≥ `support`. `dw` is w′, `dw_per_q` w′/q (finite at 0), `ddw` w″.
 template <KernelName Name>
 struct Kernel;
 
@@ -101,7 +100,7 @@ struct Kernel<KernelName::sinc> {
 
  private:
   static constexpr double scale = std::numbers::pi * std::numbers::pi / 4;
-  /// Polynomial in u = (πq/2)² for sinc, equal on all machines and accurate to 2e-18.
+  /// Polynomial in u = (πq/2)² for sinc, accurate to 2e-18.
   static constexpr int degree = 10;
   static constexpr std::array<double, degree + 1> coefficients = [] {
     constexpr int long_degree = 15;

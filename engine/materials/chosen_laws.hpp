@@ -42,7 +42,6 @@ struct LawsInUse {
   Law law;
   const void* laws;  // LawOf<law> [material]
 
-  /// Calls pass(laws), compiled for each law.
   template <const auto& M, class Pass>
   auto visit(const Pass& pass) const {
     return visit_among<M>(pass, Laws{});

@@ -5,8 +5,7 @@
 #include "engine/core/tensor.hpp"
 #include "engine/materials/law_row.hpp"
 
-/// Elastic laws of F, in 2D in plane strain (F_zz = 1): structs of K, G (Pa) and their parameters, with a
-/// specialisation of LawOf and
+/// Elastic laws of F, in 2D in plane strain (F_zz = 1): structs of K, G (Pa) and parameters with
 ///   piola(F, J)           first Piola–Kirchhoff stress, N per initial m²
 ///   energy(F, J)          strain energy density, J per initial m³, 0 at rest
 ///   cauchy(F, J)          Pa
@@ -23,13 +22,12 @@ struct Cauchy {
   Sym<double, Dim> sigma;
   double zz;
 };
-/// σ_zz in 2D, 0 in 3D.
 template <int Dim>
 double beside_plane(double zz) {
   return Dim == 2 ? zz : 0;
 }
 
-/// Each specialisation derives from the struct of its law and has a static LawRow `row`.
+/// Derives from the struct of the law and has a static LawRow `row`.
 template <Law law>
 struct LawOf;
 
@@ -48,7 +46,6 @@ T shear_ratio(const Law& law, const Mat<T, Dim>& F, const T& J) {
   return law.J_in_shear ? J : determinant(F);
 }
 
-/// s A + t B
 template <class S, class R, class T, int Dim>
 Mat<T, Dim> combination(const S& s, const Mat<T, Dim>& A, const R& t, const Mat<T, Dim>& B) {
   Mat<T, Dim> C;
@@ -97,7 +94,7 @@ double hooke_energy(const Sym<double, Dim>& strain, double K, double G) {
   return G * squares + (0.5 * K - G / 3) * trace(strain) * trace(strain);
 }
 
-/// σ = P Fᵀ/J, symmetric for objective laws.
+/// σ = P Fᵀ/J
 template <int Dim>
 Sym<double, Dim> push_forward(const Mat<double, Dim>& P, const Mat<double, Dim>& F, double J) {
   Sym<double, Dim> sigma{};

@@ -4,8 +4,7 @@
 
 namespace taut {
 
-/// For small strains and rotations only: a rotation by θ acts like the strain cos θ − 1 across its axis. The G of
-/// [Zhang2020] Eq. 3, 4 is twice the shear modulus.
+/// For small strains and rotations only. The G of [Zhang2020] Eq. 3, 4 is twice the shear modulus.
 struct LinearElastic {
   double K, G;  // Pa
 

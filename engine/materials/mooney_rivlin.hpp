@@ -10,7 +10,7 @@
 namespace taut {
 
 /// Nearly incompressible Mooney–Rivlin law, [Lee2016] Eq. 8–12, with G = 2ζ + 3√3 ξ. A `cofactor_share` of 0 is
-/// neo-Hookean, 1 is [Lee2016] §8.7. Departure: j = det F even where J is an unknown, see NeoHookean.
+/// neo-Hookean, 1 is [Lee2016] §8.7. Departure: see NeoHookean.
 struct MooneyRivlin {
   double K, G;            // Pa
   double cofactor_share;  // 3√3 ξ/G

@@ -6,9 +6,8 @@
 
 namespace taut {
 
-/// Nearly incompressible neo-Hookean law, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G. Departure: where J is an
-/// unknown, the paper has J instead of j = det F (`J_in_shear`). The deviator would then respond to volume changes of
-/// F with the stiffness −4G/3, and collisions would diverge.
+/// Nearly incompressible neo-Hookean law, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G. Departure: where J is an unknown,
+/// the paper has J instead of j = det F (`J_in_shear`), but then collisions diverge.
 struct NeoHookean {
   double K, G;  // Pa
   bool J_in_shear = false;

@@ -22,7 +22,7 @@ inline Mat<double, 3> turned_by(const Vec<double, 3>& omega, double angle, const
   return result;
 }
 
-/// Whether RᵀF, which must be symmetric, has a positive determinant and two negative eigenvalues.
+/// Whether RᵀF has a positive determinant and two negative eigenvalues. RᵀF must be symmetric.
 inline bool is_half_turn(const Mat<double, 3>& R, const Mat<double, 3>& F) {
   Mat<double, 3> U{};
   for (int a = 0; a < 3; ++a)
@@ -37,15 +37,15 @@ inline bool is_half_turn(const Mat<double, 3>& R, const Mat<double, 3>& F) {
 template <class T>
 Mat<T, 2> nearest_rotation(const Mat<T, 2>& F) {
   const T c = F(0, 0) + F(1, 1), s = F(1, 0) - F(0, 1);
-  const T length = root(T(c * c + s * s));  // sum of principal stretches if det F > 0
+  const T length = root(T(c * c + s * s));
   const auto turned =
       length > std::numeric_limits<double>::min();  // false for a reflection with equal stretches
   const T cosine = turned ? T(c / length) : filled<T>(1), sine = turned ? T(s / length) : T{};
   return {{{cosine, -sine}, {sine, cosine}}};
 }
 
-/// Müller's iteration, [TranDuc2023] §2.3. Departures: the absolute value of `along`, without which rotations beyond
-/// 90° diverge; a restart from another rotation if the torque vanishes because two axes are turned by 180°.
+/// Müller's iteration, [TranDuc2023] §2.3. Departures: the absolute value of `along`, for convergence beyond 90°; a
+/// restart if the torque vanishes because two axes are turned by 180°.
 inline Mat<double, 3> nearest_rotation(const Mat<double, 3>& F) {
   Mat<double, 3> R{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   constexpr int most = 100;
@@ -76,7 +76,7 @@ inline Mat<Pack, 3> nearest_rotation(const Mat<Pack, 3>& F) {
   return R;
 }
 
-/// Stress of `icb`, [TranDuc2023] §2.3. This stress is the derivative of no energy; `energy` is a diagnostic.
+/// Stress of `icb`, [TranDuc2023] §2.3. It is not derived from an energy; `energy` is a diagnostic.
 struct RotatedPiola {
   double K, G;  // Pa
 

@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// St Venant–Kirchhoff law, which softens without limit in compression.
+/// St Venant–Kirchhoff law. Softens in compression.
 struct StVenantKirchhoff {
   double K, G;  // Pa
 

@@ -38,7 +38,7 @@ FirstNeighbors first_neighbors(const InitialPositions& start);
 /// Regularised inverse of Σ X ⊗ X, 1/m²; in 2D without the third axis.
 LinearMap inverse_moment(const LinearMap& moment, int dim);
 
-/// Least-squares F from the first neighbours, in 2D with F_zz = 1; meaningless where a body has torn.
+/// Least-squares F from the first neighbours, in 2D with F_zz = 1. Meaningless where a body has torn.
 std::vector<LinearMap> affine_maps(const Snapshot& now);
 LinearMap affine_map(const Snapshot& now, std::size_t i);
 

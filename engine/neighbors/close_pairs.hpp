@@ -39,8 +39,7 @@ class PlacesInCells {
   std::vector<int> order_;
 };
 
-/// Calls visit(i, j) on one thread for all `wanted` pairs i < j at most `reach` apart, in m. `threads` does not change
-/// the order.
+/// Calls visit(i, j) on one thread for all `wanted` pairs i < j at most `reach` (in m) apart, in a fixed order.
 template <int Dim, class Wanted, class Visit>
 void for_each_pair_within(const std::vector<double>& x, double reach, const Wanted& wanted,
                           const Visit& visit, int threads = 1) {

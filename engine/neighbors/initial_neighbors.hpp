@@ -20,7 +20,7 @@ struct NeighborLists {
 
 /// Neighbours in the same body within `reach`, m.
 NeighborLists initial_neighbors(const InitialParticles& initial, double reach, int threads = 1);
-/// Excludes particles beyond a slot, see linked.hpp.
+/// Excludes particles beyond a slot (linked.hpp).
 NeighborLists linked_neighbors(const InitialParticles& initial, double reach, double spacing,
                                int threads = 1);
 

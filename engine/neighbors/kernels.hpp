@@ -37,7 +37,7 @@ struct SearchFields {
   CellsView<Dim> cells;
   const double* x[Dim];  // m, padded for a pack at the end
   double support;        // m
-  const int* body;       // [particle]; restricts the search to pairs within a body; null: all pairs
+  const int* body;       // [particle]; null: pairs of two bodies, too
 };
 
 template <int Dim>

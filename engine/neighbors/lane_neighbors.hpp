@@ -8,8 +8,8 @@
 
 #include "engine/core/columns.hpp"
 
-/// Slots: neighbours of four consecutive particles, one per lane. In most slots they are consecutive, too, so that one
-/// load gathers them. Each lane takes its neighbours in ascending order, whatever the grouping.
+/// Slots: neighbours of four consecutive particles, one per lane. Most slots contain consecutive neighbours, which one
+/// load gathers. Each lane takes its neighbours in ascending order.
 namespace taut {
 
 struct LaneSlot {

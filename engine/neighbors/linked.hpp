@@ -11,7 +11,7 @@
 namespace taut {
 
 /// Moves the items linked to a place to the front, in order, and returns their number. Items within link_of_neighbors of
-/// the place, or of such an item, are linked. Items beyond a slot are not linked. Distances are squared, in spacings.
+/// the place, or of such an item, are linked. Distances are squared, in spacings.
 template <class T, class FromPlace, class Between>
 std::size_t bring_linked_to_front(std::span<T> near, const FromPlace& from_place, const Between& between) {
   constexpr double link2 = link_of_neighbors * link_of_neighbors;

@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// Cells at least as wide as the support, with a border. Three cells along x are one range of sorted particles.
+/// Cells at least as wide as the support, with a border of empty cells.
 template <int Dim>
 class CellGrid {
  public:
@@ -48,7 +48,7 @@ class CellGrid {
                          "the position of a particle is not finite, or too large for the neighbour search");
   }
 
-  /// Throws NumericalError if a position has no cell; the caller adds the time.
+  /// Throws NumericalError without a time if a position has no cell.
   void place(const std::vector<Vec<double, Dim>>& x, double support) {
     Vec<double, Dim> low = x[0], high = x[0];
     constexpr double farthest = 1e300;
@@ -75,7 +75,7 @@ class CellGrid {
       if (std::max(std::abs(low[k]), std::abs(high[k])) > farthest_cell) refuse();
     cells_ = 1;
     for (int k = 0; k < Dim; ++k) {
-      cells_at_.origin[k] = low[k] - 1.5 * size;  // rounding could reach a border of one cell
+      cells_at_.origin[k] = low[k] - 1.5 * size;  // a border cell, and half a cell for rounding
       cells_at_.stride[k] = cells_;
       cells_ *= static_cast<int>(along(k));
     }
@@ -102,7 +102,7 @@ struct Neighbors {
   }
 };
 
-/// Finds pairs closer than the support, in the order of the grid, independent of the number of threads.
+/// Finds pairs closer than the support. The order does not depend on the number of threads.
 template <int Dim>
 class NeighborSearch {
  public:

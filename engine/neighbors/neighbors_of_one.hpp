@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Computes initial_neighbors for one particle at a time; lists of all would dominate the memory.
+/// Computes initial_neighbors for one particle at a time to save memory.
 template <int Dim>
 class NeighborsOfOne {
  public:
