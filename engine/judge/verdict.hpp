@@ -27,9 +27,8 @@ std::optional<Verdict> find_verdict(std::string_view name);
 std::vector<std::string> names_of_verdicts();
 std::vector<std::string> names_of_failures();
 
-/// Hourglass error above which the verdict is `hourglass`. Runs of the papers have less than 0.012 if smooth
-/// ([Zhang2024] Fig. 3, 12, 18; [Khayyer2024] Fig. 9, 10) and more than 0.04 if they show zigzags ([Zhang2024] Fig. 6,
-/// 12–14, 18; [Khayyer2024] Fig. 13; [Lee2016] Fig. 11).
+/// Hourglass error above which the verdict is `hourglass`. Runs of [Zhang2024], [Khayyer2024] and [Lee2016] have less
+/// than 0.012 if their figures are smooth, and more than 0.04 if they show zigzags.
 inline constexpr double hourglass_threshold = 0.03;
 
 /// Bonds stretched beyond the range in which the method follows its elastic law.

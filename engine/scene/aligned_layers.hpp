@@ -6,8 +6,7 @@
 
 namespace taut {
 
-// Layers of particles along the faces of hollow round 3D bodies. The hollow ball is a cube mapped to a sphere. The mass
-// is exact.
+// Layers of particles along the faces of hollow round 3D bodies. The hollow ball is a cube mapped to a sphere.
 
 std::vector<InitialSite> aligned_sites(const Ring& shell, double dp);
 FacePatches aligned_patches(const Ring& shell, double dp);

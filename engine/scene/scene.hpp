@@ -265,8 +265,7 @@ bool has_guides(const Scene& scene);
 bool has_gravity(const Scene& scene);
 bool has_loads(const Scene& scene);
 
-/// Nearest spacing that divides the thinnest extent of the first shape into whole particles or rows; `spacing` if the
-/// shape has no such extent.
+/// Nearest spacing that divides the thinnest extent of the first shape into whole particles or rows.
 double fitted_spacing(const Body& first, int dim, double spacing);
 
 }  // namespace taut
