@@ -26,7 +26,7 @@ namespace {
 
 constexpr double reach = 2.1;  // in dp
 
-/// Least |(I − P) e_i|² of a particle with weights; 0.53 at faces of a square lattice, 0 at its corners.
+/// Least |(I − P) e_i|² of a particle with weights.
 constexpr double least_left = 0.3;
 
 /// κ (THEORY.md, Alternating part).
@@ -115,7 +115,7 @@ Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
   const Eigen::VectorXd coefficients =
       fast.size() > 0 ? Eigen::VectorXd(fast) : Eigen::VectorXd(least_squares(quadratics, e_i).x);
   const Eigen::VectorXd left = e_i - quadratics.lazyProduct(coefficients);
-  if (left[0] < least_left) return {};  // = |left|²
+  if (left[0] < least_left) return {};  // left[0] = |left|²
   return kappa / left.norm() * left;
 }
 

@@ -6,8 +6,7 @@
 
 namespace taut {
 
-/// Alternating part of a field, r_i = Σ_j w_ij q_j (THEORY.md, Alternating part). Smooth fields give about 0, a
-/// checkerboard its amplitude.
+/// Alternating part of a field, r_i = Σ_j w_ij q_j (THEORY.md, Alternating part).
 struct AlternatingPart {
   std::vector<int> begin;         // [row + 1] first entry
   std::vector<int> j;             // [entry] particle
@@ -27,7 +26,7 @@ struct SquareSums {
 };
 /// Sums over particles with a row.
 struct AlternatingSums {
-  std::vector<double> x;  // [row] square of the alternating part of x, at most one spacing², m²
+  std::vector<double> x;  // [row] square of the alternating part of x, at most spacing², m²
   SquareSums part;        // of the alternating parts
   SquareSums whole;       // of the fields; x is 0
 };

@@ -7,7 +7,7 @@
 namespace taut {
 
 struct Balance {
-  double kinetic = 0, strain = 0;  // J (per metre depth in 2D); `strain` includes contact
+  double kinetic = 0, strain = 0;  // J; `strain` includes contact
   Point linear_momentum{};         // kg m/s
   Point angular_momentum{};        // about the origin, kg m²/s; in 2D only z
   double momentum_scale = 0;       // Σ |m v|, kg m/s
@@ -19,7 +19,7 @@ struct Balance {
 
 Balance balance(const Snapshot& now, const Scene& scene);
 
-/// Σ m (1e-8 c0)² with the greatest c0, in J: greater than round-off.
+/// Σ m (1e-8 c0)² with the greatest c0, J.
 double energy_of_rounding(const Scene& scene, const Snapshot& start);
 
 }  // namespace taut

@@ -53,8 +53,7 @@ std::span<const std::size_t> Cells::neighbors(std::size_t i) const {
   return std::span(neighbor_).subspan(first_[i], first_[i + 1] - first_[i]);
 }
 
-/// In 3D the axes point to the nearest neighbour, towards the most perpendicular one, and at right angles to both.
-/// In 2D they are the best fit to the adjacent neighbours, since the layers of a ring are staggered.
+/// In 2D the axes are the best fit to the adjacent neighbours, since the layers of a ring are staggered.
 void Cells::find_axes(std::size_t i) {
   std::array<Vector, 3> axes{Vector::UnitX(), Vector::UnitY(), Vector::UnitZ()};
   Vector across = Vector::Zero();

@@ -16,8 +16,7 @@ struct CellShapes {
   std::vector<double> edge;           // [cell] dim vectors, m
 };
 
-/// The part of a body that each particle represents, initially a box. Moves with the best affine map of the initial
-/// neighbours within 1.6 times the distance of the nearest (3D, without an open side: 1.35).
+/// Cells of particles, initially boxes. Each cell moves with the best affine map of the initial neighbours.
 class Cells {
  public:
   /// `x0`: n × dim, m; `diameter` in m.
@@ -26,7 +25,7 @@ class Cells {
   /// Copies axes and ends of the cells `shown` of `all`.
   void take_ends(const Cells& all, std::span<const std::size_t> shown);
 
-  /// Shapes at positions `x`, n × dim, m; in 3D without covered cells.
+  /// Shapes at positions `x`, n × dim, m; in 3D without hidden cells.
   CellShapes at(std::span<const double> x) const;
 
  private:

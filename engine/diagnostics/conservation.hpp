@@ -18,7 +18,7 @@ struct Conservation {
   std::optional<double> energy_gained, energy_lost;
 };
 
-/// Whether the scene changes its momentum by clamps, guides, drives, loads, gravity or damping.
+/// Whether external actions other than walls change the momentum.
 bool exchanges_momentum(const Scene& scene, const Snapshot& start);
 
 class ConservationWatch {

@@ -15,8 +15,8 @@ struct CriticalStepSearch {
 };
 
 struct CriticalStep {
-  std::optional<double> stable;    // s; none: unstable down to 1/16 default step, or interrupted
-  std::optional<double> unstable;  // s; none: stable up to 256 default steps, or interrupted
+  std::optional<double> stable;    // greatest stable step found, s
+  std::optional<double> unstable;  // least unstable step found, s
   double default_step = 0;         // of the method, s
   double covered = 0;              // least duration of a trial, s
   int trials = 0;

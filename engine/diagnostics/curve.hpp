@@ -23,7 +23,7 @@ double crossing_time(const Curve& curve, std::size_t k, double level);
 
 struct HalfCycle {
   double begin, end;  // s
-  double peak;        // greatest deviation from the level, signed: vertex of a parabola through three samples
+  double peak;        // greatest deviation from the level, signed
   double peak_at;     // s
 };
 
@@ -31,7 +31,7 @@ struct HalfCycle {
 /// the previous peak are noise.
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level = 0);
 
-/// Mean over whole periods, between two crossings of this mean in the same direction; none without a whole period.
+/// Mean over whole periods between crossings of this mean; none without a whole period.
 std::optional<double> mean_of_periods(const Curve& curve);
 
 /// ∫ y dt; requires begin < end within the curve.
@@ -44,8 +44,7 @@ double rms_difference(const Curve& a, const Curve& b, double begin, double end);
 /// RMS with three Gauss points between samples of `a`.
 double rms_difference(const Curve& a, const std::function<double(double)>& b, double begin, double end);
 
-/// Angle by which (x, y) turns about the origin until `end`, in rad, including full turns; requires less than half a
-/// turn per sample.
+/// Angle by which (x, y) turns about the origin until `end`, rad; requires less than half a turn per sample.
 double turn(const Curve& x, const Curve& y, double end);
 
 }  // namespace taut

@@ -81,7 +81,6 @@ double strain(const LinearMap& F) {
   return logarithmic_strain(F)(A, B);
 }
 
-/// Equals the axial strain in isochoric tension.
 double equivalent_strain(const LinearMap& F) {
   const Eigen::Matrix3d e = logarithmic_strain(F);
   return std::sqrt(2.0 / 3.0) * (e - e.trace() / 3 * Eigen::Matrix3d::Identity()).norm();

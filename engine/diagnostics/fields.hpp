@@ -25,7 +25,7 @@ struct Field {
   Counted counts = Counted::nothing;
   std::vector<double> (*of_all)(const Snapshot&) = nullptr;  // for all particles
 
-  /// Value of one particle; for many, `evaluate` is faster.
+  /// `evaluate` is faster for many particles.
   double value(const Snapshot& now, std::size_t particle) const;
 };
 

@@ -7,8 +7,7 @@
 namespace taut {
 namespace {
 
-/// Weight of a patch: a zigzag of 0.15 dp in a patch is judged like one of 0.03 dp in a body. Patches stay below 0.02
-/// dp in smooth runs of the papers, and below 0.13 dp in sharp creases.
+/// Weight of a patch; small, since sharp creases also cause zigzags.
 constexpr double weight_of_patch = 0.2;
 
 constexpr double least_strain = 1e-8;  // times Young's modulus: stress of round-off

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Number that shows a kind of failure, as a share: `part` of a `whole`.
+/// Ratio `part`/`whole` that shows a kind of failure.
 struct Indicator {
   std::string_view key;
   std::string_view part, whole;

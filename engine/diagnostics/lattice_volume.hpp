@@ -6,9 +6,8 @@
 
 namespace taut {
 
-/// Total volume in m^dim of the lattice cells whose corners are particles of a body at positions `x` (n × dim, m).
-/// Equal to the volume of the body only if particles are on its faces. 0 unless the initial positions form an
-/// axis-aligned lattice.
+/// Volume in m^dim of the cells between the particles of a body at positions `x` (n × dim, m); 0 unless the initial
+/// positions form an axis-aligned lattice.
 double lattice_volume(const Snapshot& now, int body, std::span<const double> x);
 
 }  // namespace taut

@@ -26,8 +26,7 @@ double length_of(const SampleLine& line);  // m
 
 class LineRecorder {
  public:
-  /// `support`: radius of interaction, m. Throws SceneError for an unknown field, or if too few particles are around a
-  /// point of a line that moves with its body.
+  /// `support`: radius of interaction, m. Throws SceneError for an unknown field or too few particles around a point.
   LineRecorder(const Scene& scene, const Snapshot& start, double support);
 
   /// Next time to sample, s; may be infinite.

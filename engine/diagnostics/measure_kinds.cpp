@@ -15,7 +15,7 @@ namespace {
 using Source = MeasureSource;
 using Value = std::optional<double>;
 
-/// Interval that the scene and the reference cover; none if it is empty or a series ends before it does.
+/// Interval that the scene and the reference cover; none if it is empty or a series ends earlier.
 std::optional<std::pair<double, double>> common_time(const Source& source) {
   if (source.reference.empty()) return std::nullopt;
   const double begin = std::max(source.curve.front().t.front(), source.reference.begin());
@@ -97,7 +97,7 @@ Measured rmse(const Source& source) {
   return difference / std::abs(source.measure->scale);
 }
 
-/// Compares at the times of a reference table, since paths are curved between them, or at the steps for a solution.
+/// Compares at the times of a reference table, since paths are curved between them.
 Measured path_error(const Source& source) {
   const auto time = common_time(source);
   if (!time) return without_common_time(source);
@@ -166,7 +166,6 @@ Value given_then(const Source& source) {
   return source.reference.exact ? source.reference.at(0, source.measure->time) : source.reference_value;
 }
 
-/// Returns none if the extreme is at the end and may still grow.
 Measured extreme(const Source& source, double value) {
   const auto &t = source.curve[0].t, &y = source.curve[0].y;
   if (!source.end_extreme_may_grow || y.back() != value) return value;
@@ -197,7 +196,6 @@ Measured last_below(const Source& source) {
   return crossing_time(curve, above, threshold);
 }
 
-/// With a series `free`, returns none if bodies have not touched, still touch or may touch again.
 Measured final_ratio(const Source& source) {
   const double ratio = source.curve[0].y.back() / source.measure->scale;
   if (!source.free) return ratio;

@@ -67,8 +67,7 @@ struct MeasureKind {
   std::string_view name, help;
   /// Keys beside `name`, `of` and `unit`. `probes`: one per axis.
   std::vector<std::string_view> keys;
-  /// Possible references. A solution can also give the number: its value at the end of the run or, for the kind
-  /// `value`, at Measure::time.
+  /// Possible references. A solution can also give the number.
   bool number = false, table = false, solution = false;
   Value value;
   Reference reference;

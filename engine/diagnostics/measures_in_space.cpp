@@ -58,7 +58,7 @@ void take_plane_motion_off(std::vector<Site>& sites) {
 
 Eigen::Vector3d vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
-/// Does the same in 3D; solves Σ m (r² I − r rᵀ) ω = Σ m r × difference, r from the mass centre.
+/// Solves Σ m (r² I − r rᵀ) ω = Σ m r × difference, r from the mass centre.
 void take_space_motion_off(std::vector<Site>& sites) {
   double mass = 0;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(), mean = centre, moment = centre;
@@ -119,7 +119,6 @@ struct LineRms {
   double difference = 0, reference = 0;
 };
 
-/// Returns none before the last sample, or if a point left the body.
 std::optional<LineRms> rms_on_line(const Source& source) {
   if (source.reference.empty() || !source.samples) return std::nullopt;
   const SampleLine& line = *source.line;

@@ -13,11 +13,10 @@ struct StepLimit {
   double step;  // s
 };
 
-/// Limits of the time step in theory, for small waves in an unbounded lattice of the first body's material. Empty for
+/// Theoretical limits of the time step for small waves in an unbounded lattice of the first body's material. Empty for
 /// methods outside the family tl_displacement and for methods with a pair force.
 /// - sharp: Δt = 2/(c_p max |κ(q)|) over plane waves q with gradient κ(q) = Σ_j V B W′ e_ij sin(q·X_ij).
-/// - sufficient with four neighbours, for GradientCorrection::normalised in 2D: [Zhang2020] Eq. 15b,
-///   (ρ/|m W′|) √(ρ (1 − 2ν)/((3 − 4ν) E/(1 + ν))). The G of the paper is twice the shear modulus. Here W′ is divided
+/// - sufficient with four neighbours: [Zhang2020] Eq. 15b, whose G is twice the shear modulus. Departure: W′ is divided
 ///   by S of gradient_correction; the paper does not specify this.
 std::vector<StepLimit> step_limits(const Scene& scene, const Settings& settings);
 

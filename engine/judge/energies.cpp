@@ -107,8 +107,7 @@ double EnergyTest::work(const Snapshot& now, std::size_t body) const {
   return now.body_work[body];
 }
 
-/// Whether the boxes swept by bodies a and b since the last observation come within `reach_` of each other, relative to
-/// the centre of a.
+/// Whether the boxes that a and b swept since the last observation, relative to the centre of a, come within `reach_`.
 bool EnergyTest::may_meet(std::size_t a, std::size_t b, const std::vector<Sums>& now, double time) const {
   const double beyond =
       reach_ + 0.5 * (time - last_time_) *

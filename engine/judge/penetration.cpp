@@ -17,9 +17,9 @@ namespace taut {
 namespace {
 
 // in spacings
-constexpr double near = 1.5;  // eight neighbours on a square lattice, six on a hexagonal one
+constexpr double near = 1.5;  // includes diagonal neighbours of a square lattice
 constexpr double far = 4;
-constexpr double reach = 2.5;  // range of the lists; below `far`, so that they stay empty at small strain
+constexpr double reach = 2.5;  // range of the lists; less than `far` for speed
 constexpr double skin = reach - near;
 
 constexpr double shallow(int dim) { return dim == 3 ? 0.41 : 0.29; }  // see THEORY.md
@@ -45,7 +45,7 @@ struct Around<2> {
   bool leaves_gap() { return widest_gap(directions) > widest_inside; }
 };
 
-/// Unit vectors to the surface points of a 5 × 5 × 5 lattice; any direction is within 18° of one.
+/// Unit vectors to the surface points of a 5 × 5 × 5 lattice.
 std::array<Vec<double, 3>, 98> spread_directions() {
   std::array<Vec<double, 3>, 98> all;
   std::size_t n = 0;

@@ -95,7 +95,7 @@ Judge::Judge(const Scene& scene, const Simulation& simulation)
 }
 
 void Judge::observe(const Snapshot& now, const Balance& balance, const Readings& readings) {
-  // the sums of `balance` contain all positions, velocities, and strain energies or stresses
+  // `balance` sums all positions, velocities, and strain energies or stresses
   const bool finite = std::isfinite(balance.kinetic + balance.strain) && std::isfinite(balance.angular_scale);
   if (!finite || energies_.diverges(now)) since_.try_emplace(Verdict::diverged, now.time);
   if (!finite) return;
@@ -149,7 +149,7 @@ double Judge::compliance(const Bond& bond, const Snapshot& now) const {
   return compliance_[now.material[bond.i]] + compliance_[now.material[bond.j]];
 }
 
-/// Whether the bond is stretched more than 1.5 times as much as its continuations within 26°, as across a crack.
+/// Whether the bond is stretched much more than its continuations, as across a crack.
 template <int Dim>
 bool Judge::stands_out(const Bond& bond, const Snapshot& now) const {
   constexpr double jump = 1.5, straight = 0.9;  // ratio of stretches; cosine

@@ -34,7 +34,7 @@ long layers_of(double inner, double outer, double dp) {
   return std::max(1L, std::lround((outer - inner) / dp));
 }
 
-/// Surface of a cube of side 2 n, n × n cells of side 2 per face, with lines at equal angles from its centre.
+/// Surface of a cube of side 2 n with n × n cells per face; grid lines are at equal angles from the centre.
 class RoundCube {
  public:
   using Place = std::array<long, 3>;  // the greatest |component| is n
@@ -130,7 +130,7 @@ struct Slices {
          along[0] * u[1] - along[1] * u[0]};
   }
 
-  /// Maps x from the plane of a slice to space. `pitches`: height above the end `from`, in pitches.
+  /// Maps x from the plane of a slice to space. `pitches`: height above `from`, in pitches.
   Point place(const Point& x, double pitches) const {
     Point at{};
     for (std::size_t k = 0; k < 3; ++k)

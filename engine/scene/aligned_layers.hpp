@@ -6,9 +6,7 @@
 
 namespace taut {
 
-// Layers of particles along the faces of hollow round 3D bodies. Each inner cell has six neighbours, as in a cubic
-// lattice. The hollow ball is a cube mapped to a sphere, irregular only at the eight corners of the cube. The mass is
-// exact, and the symmetries of the cube hold to the last bit.
+// Layers of particles along the faces of hollow round 3D bodies. The hollow ball is a cube mapped to a sphere.
 
 std::vector<InitialSite> aligned_sites(const Ring& shell, double dp);
 FacePatches aligned_patches(const Ring& shell, double dp);

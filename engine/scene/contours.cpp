@@ -51,8 +51,7 @@ class March {
     long to = 0;
   };
 
-  /// Visits a square anticlockwise: a face begins on a side where this path leaves the solid, and ends on the last side
-  /// before it where the path enters the solid.
+  /// On an anticlockwise path around a square, each exit from the solid begins a face, which ends at the preceding entry.
   void visit(const PlaceGrid& grid, const std::function<Point(const Point&, const Point&)>& face, long i,
              long j) {
     constexpr std::array<std::array<long, 2>, 4> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};

@@ -21,9 +21,8 @@ struct PlaceGrid {
   }
 };
 
-/// Contours of the solid where inside(column, row) is true, by marching squares, with the solid on the left. Between
-/// a point `in` of the solid and its neighbour `out`, a contour passes through face(in, out). Parts that touch at a
-/// corner are separate.
+/// Contours of the region where inside(column, row) is true, by marching squares, with the solid on the left. They pass
+/// through face(in, out) between neighbours. Parts that touch at a corner are separate.
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(long, long)>& inside,
                             const std::function<Point(const Point&, const Point&)>& face);
 
@@ -33,7 +32,7 @@ std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(cons
 /// Omits points that deviate by at most `tolerance` (in m) [Douglas, Peucker 1973].
 Chain simplified(const Chain& chain, double tolerance);
 
-/// Points about dp apart, including corners: points at which the chain, simplified to 0.1 dp, turns by more than 40°.
+/// Points about dp apart, including all corners (turns by more than 40°).
 Chain evenly_spaced(const Chain& chain, double dp);
 std::vector<Chain> evenly_spaced(const std::vector<Chain>& chains, double dp);
 

@@ -124,7 +124,7 @@ double fitted_spacing(const Body& first, int dim, double spacing) {
   if (!(extent > 0)) return spacing;
   const double row = first.lattice == Lattice::hexagonal ? hexagonal_row : 1;
   const double fitted = extent / (std::max(1.0, std::round(extent / (spacing * row))) * row);
-  return std::abs(fitted - spacing) <= 1e-9 * spacing ? spacing : fitted;  // 0.04 − 0.03 ≠ 0.01
+  return std::abs(fitted - spacing) <= 1e-9 * spacing ? spacing : fitted;  // round-off
 }
 
 }  // namespace taut

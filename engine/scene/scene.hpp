@@ -35,25 +35,23 @@ struct Material {
   double sound_speed() const;  // c0 = √(K/ρ0), m/s [Zhang2024] Eq. 5
 };
 
-/// Region of another material.
 struct Part {
   int material = 0;
   Expression where;
 };
 
-/// Region with prescribed velocity.
 struct Drive {
   Expression where;
   std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s; empty = 0
   std::optional<double> until;                            // s; none = never released
 };
 
-/// External forces on a region. Loads add up; clamped and driven particles feel none.
+/// External force on the free particles of a region.
 struct Load {
   enum class Kind : std::uint8_t {
-    force,          // N (2D: N/m), shared by volume among the particles that are free at some time
+    force,          // N (2D: N/m), shared by volume
     force_density,  // N/m³ of initial volume
-    traction,       // Pa, on the outer face of a layer one spacing deep; see solver/face_loads.hpp
+    traction,       // Pa, on the outer face of a layer one spacing deep
   };
   Expression where;
   Kind kind{};
@@ -126,9 +124,9 @@ Point unplaced_point(const Body& body, Point x, int dim);
 /// Stress component, positive in tension, or invariant, Pa.
 enum class StressPart : std::uint8_t { xx, yy, zz, xy, xz, yz, von_mises, pressure };
 
-/// Quantity sampled in every step. Forces are means over the last step, 0 at the start, in 2D per metre depth.
+/// Quantity sampled in every step. Forces are means over the last step, 0 at the start.
 struct Probe {
-  /// Kind (solver/probe_kinds.cpp); unless stated, of `bodies[0]`, component `axis`.
+  /// Unless stated, quantities of `bodies[0]`, component `axis`.
   struct Kind {
     std::string_view name;
     bool is_force = false;
@@ -141,11 +139,11 @@ struct Probe {
     static const Kind greatest_position;
     // least distance between particles minus their mean diameter, or between faces, m
     static const Kind gap;
-    // largest |x_a − mirror(x_b)| of two bodies of equal layout, or of one symmetric body, plane ⊥ axis, m
+    // greatest |x_a − mirror(x_b)| of two bodies or of one body, mirror plane ⊥ axis, m
     static const Kind mirror_asymmetry;
     // angle of `at` about `turns_about`, with whole turns, rad
     static const Kind turn;
-    static const Kind stress;  // as the method reports it, Pa
+    static const Kind stress;  // Pa
     // on clamped, guided or driven particles, N
     static const Kind reaction;
     static const Kind contact_force;  // on `bodies[0]`, from `bodies[1]` or `wall`, N
@@ -192,7 +190,7 @@ struct Measure {
   std::string line;
   int body = 0;
   std::vector<std::string> fields;  // compared components
-  bool rigid_motion_free = false;   // ignores a small rigid motion, which loads do not determine
+  bool rigid_motion_free = false;   // ignores a small rigid motion
   std::string unit;
   double threshold = 0;
   double scale = 1;
@@ -242,7 +240,7 @@ struct Scene {
   std::vector<Wall> walls;
   ContactLaw contact = ContactLaw::published;
   std::array<std::function<double(double)>, 3> gravity;  // m/s², of the time in s; empty = 0
-  double damping = 0;                                    // c, 1/s, of a force −c m v; see solver/loads.hpp
+  double damping = 0;                                    // c, 1/s, of a force −c m v
   std::vector<Probe> probes;
   std::vector<SampleLine> lines;
   std::vector<Measure> measures;
@@ -250,7 +248,7 @@ struct Scene {
   std::map<std::string, Reference> references;
 };
 
-/// Returns false if the drive and the run end at the same time, since the last step overshoots.
+/// Returns false if the drive and the run end at the same time.
 bool ends_before_run(const Drive& drive, const Scene& scene);
 /// Returns −1 if no region contains x.
 template <class Region>
@@ -267,8 +265,7 @@ bool has_guides(const Scene& scene);
 bool has_gravity(const Scene& scene);
 bool has_loads(const Scene& scene);
 
-/// Nearest spacing that divides the thinnest extent of the first shape into whole particles, or rows of a hexagonal
-/// lattice; `spacing` without such an extent.
+/// Nearest spacing that divides the thinnest extent of the first shape into whole particles or rows.
 double fitted_spacing(const Body& first, int dim, double spacing);
 
 }  // namespace taut

@@ -50,14 +50,13 @@ struct FacePatches {
 struct InitialSite {
   Point x{};          // m
   double V0 = 0;      // m^dim
-  int turned = -1;    // index of the site onto which a symmetry rotation maps this one; -1 = none
+  int turned = -1;    // site onto which a symmetry rotation maps this site; -1 = none
   double inside = 1;  // fraction of its cell that lies in the body
   std::array<bool, 3> on_face{};
   Point middle{};  // x without jitter, m; for regions
 };
 
-/// Interface of all shapes. Lengths are in m; components beyond `dim` are ignored. A shape can place particles in
-/// layers along its faces: lattice steps there cause strain errors that do not fall with the spacing.
+/// Interface of all shapes. Lengths are in m; components beyond `dim` are ignored.
 struct ShapeBase {
   virtual ~ShapeBase() = default;
   bool operator==(const ShapeBase&) const = default;
@@ -74,16 +73,15 @@ struct ShapeBase {
   /// Centre of reflections and rotations, m.
   virtual Point middle() const;
   virtual Point anchor() const;
-  /// Particles of a body of this shape alone; empty if the lattice fills it.
+  /// Sites in a body that has only this shape; empty if the lattice fills the body.
   virtual std::vector<InitialSite> sites(int dim, double dp) const;
   /// Closed chains of points on the faces, about dp apart and at each corner, with the solid on the left.
   /// Empty in 3D.
   virtual std::vector<Chain> outline(int dim, double dp) const;
-  /// Combined shapes give their parts a finer dp, down to `finest`: without this limit, each level would multiply the
-  /// points.
+  /// Combined shapes give their parts a finer dp, not below `finest`.
   virtual std::vector<Chain> outline_of_part(int dim, double dp, double finest) const;
   virtual FacePatches patches(double dp) const;
-  /// Maps and bounds of shapes that rotate the lattice.
+  /// Map between lattice and space; a shape may rotate the lattice.
   virtual Point from_lattice(const Point& x) const;
   virtual Point to_lattice(const Point& x) const;
   virtual Bounds lattice_bounds() const;

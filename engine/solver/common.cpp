@@ -72,7 +72,7 @@ Kick<Dim> Common<Dim>::kick(double dt, double t) {
 
 namespace {
 
-/// Component-wise median velocity of each body, m/s; robust against a few diverged particles.
+/// Component-wise median velocity of each body, m/s.
 template <int Dim>
 std::vector<Vec<double, Dim>> middle_velocities(const Particles<Dim>& s, int bodies) {
   std::vector<Vec<double, Dim>> middle(bodies);
@@ -123,7 +123,6 @@ double Common<Dim>::fastest() const {
   return std::sqrt(fastest2);
 }
 
-/// Checks a loaded state: each particle occurs once and has its body and material.
 template <int Dim>
 bool Common<Dim>::are_of_this_scene() const {
   std::vector<bool> seen(size());
@@ -136,7 +135,6 @@ bool Common<Dim>::are_of_this_scene() const {
   return true;
 }
 
-/// Checks a loaded state: positions and velocities are finite.
 template <int Dim>
 bool Common<Dim>::are_numbers() const {
   for (int i = 0; i < size(); ++i)

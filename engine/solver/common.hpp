@@ -18,9 +18,9 @@
 
 namespace taut {
 
-/// Greatest speed of a particle relative to its body, in c0; a faster particle has diverged.
+/// Greatest speed of a particle relative to its body, in c0.
 inline constexpr double greatest_mach_number = 10;
-/// Greatest speed of a whole body, in c0; bodies may fly or spin fast.
+/// Greatest speed of any particle, in c0.
 inline constexpr double greatest_mach_number_of_bodies = 1000;
 /// A saved state with more steps is damaged.
 inline constexpr long most_steps = 1L << 53;
@@ -81,7 +81,7 @@ class Common {
     run.time += dt;
     ++run.steps;
   }
-  /// Takes the greatest v² of a step, m²/s². Throws NumericalError if a particle has diverged.
+  /// `v2` in m²/s². Throws NumericalError if a particle has diverged.
   void set_greatest_speed(double v2) {
     vmax = std::sqrt(v2);
     refuse_divergence();
@@ -125,7 +125,7 @@ class Common {
   }
 
  private:
-  /// Whether a speed, m/s, is in bounds; false for NaN.
+  /// `speed` in m/s. Returns false for NaN.
   bool is_within_bounds(double speed) const {
     return speed >= 0 && speed <= greatest_mach_number * constants.c0;
   }

@@ -12,8 +12,7 @@
 
 namespace taut {
 
-/// Particles that cannot move along some axes (rollers, symmetry planes). Constraint forces do no work. Active
-/// drives override guides.
+/// Particles that cannot move along some axes (rollers, symmetry planes).
 template <int Dim>
 class Guides {
  public:
@@ -29,7 +28,6 @@ class Guides {
       if (along_[id] >> k & 1) v[k] = 0;
   }
 
-  /// Components of `force` along the constrained axes.
   Vec<double, Dim> constrained_part(int id, const Vec<double, Dim>& force) const {
     Vec<double, Dim> kept{};
     for (int k = 0; k < Dim && active(); ++k)
@@ -41,8 +39,7 @@ class Guides {
   std::vector<unsigned char> along_;  // [id] see `axes`
 };
 
-/// Particles with prescribed velocity. Their density and stress evolve as for clamped particles. In each step call
-/// `set_time`, then `replace` for each new velocity.
+/// Particles with prescribed velocity. In each step call `set_time`, then `replace` for each new velocity.
 template <int Dim>
 class Drives {
  public:
@@ -53,8 +50,7 @@ class Drives {
   bool active() const { return active_; }
   int number_of_active() const { return static_cast<int>(std::ranges::count_if(drives_, &Timed::on)); }
 
-  /// `t`, in s: pass the end of the step if positions advance with the mean of old and new velocity, and the middle of
-  /// the step if they advance with the new velocity. Both are second-order accurate. Expressions are not thread-safe.
+  /// `t`: time of the new velocities, s. Expressions are not thread-safe.
   void set_time(double t);
 
   /// Whether the particle is driven until the end of the run.
@@ -62,7 +58,6 @@ class Drives {
   bool moves(int id) const { return active_ && drive_[id] >= 0 && drives_[drive_[id]].on; }
   const V& velocity(int id) const { return drives_[drive_[id]].now; }  // m/s
 
-  /// Sets v to the prescribed velocity and adds the work: added momentum times the mean of old and new velocity.
   void replace(const Particles<Dim>& s, int i, V& v) {
     const int id = s.id[i];
     if (!moves(id)) return;
@@ -71,7 +66,7 @@ class Drives {
     v = given;
   }
 
-  /// Work on a particle since the start, in J (per metre depth in 2D).
+  /// Work on a particle since the start, J.
   double work(int id) const { return work_.empty() ? 0 : work_[id]; }
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
 
@@ -111,7 +106,7 @@ class Reactions {
 
   bool active() const { return active_; }
 
-  /// Stores the velocities before the step of `dt` seconds. The storage order must not change during the step.
+  /// `dt` in s. The storage order must not change during the step.
   void begin(const std::vector<V>& v, double dt) {
     v_ = v;
     dt_ = dt;
@@ -121,7 +116,7 @@ class Reactions {
   V* impulses() { return impulse_.data(); }  // [i] N s
   void add(int i, const V& impulse) { impulse_[i] += impulse; }
 
-  /// Mean force over the step that the recorded impulses do not explain, in N.
+  /// Mean force over the step that the recorded impulses do not explain, N.
   V unexplained_force(const Particles<Dim>& s, int i) const {
     return (1 / dt_) * (s.m[i] * (s.v[i] - v_[i]) - impulse_[i]);
   }

@@ -25,11 +25,11 @@ struct External {
 
   bool active() const { return drives.active() || loads.active() || guides.active(); }
 
-  /// `t`: time of the new velocities [s]. Call once in each step, before `act`.
+  /// `t`: time of the new velocities, s. Call once in each step, before `act`.
   void set_time(double dt, double t, const Particles<Dim>& p) {
     const int before = drives.number_of_active();
     drives.set_time(t);
-    if (drives.number_of_active() != before) update_steering();  // drives end; none begins later
+    if (drives.number_of_active() != before) update_steering();  // all drives begin at t = 0
     loads.set_time(t - 0.5 * dt);
     if (reactions.active()) reactions.begin(p.v, dt);
   }
@@ -44,8 +44,7 @@ struct External {
 
   Steering<Dim> steering() const { return {drives.active() || guides.active() ? axes_.data() : nullptr}; }
 
-  /// Mean force on particle i by its clamp, guide or drive over the last step, in N. Also balances the weight of
-  /// the particle and, at guides, its loads.
+  /// Mean force on particle i by its clamp, guide or drive over the last step, N.
   V reaction(const Particles<Dim>& p, int i) const {
     const int id = p.id[i];
     const bool free = p.mobile[i] != 0 && !drives.moves(id);

@@ -19,9 +19,9 @@ using Place = Eigen::Vector<double, Dim>;
 
 constexpr double layer_reach = 2.1;  // dp, range of the particles that determine the normal of a layer
 constexpr double close_reach = 2.2;  // dp, range of the search along the face
-constexpr double aside = 0.75;       // dp, greatest lateral offset of a particle below another one
+constexpr double aside = 0.75;       // dp, greatest lateral offset
 
-/// Least ratio of Σ n · S to face area of a column that shares a force; ends of bars have 0.95 to 1.5.
+/// Least ratio of Σ n · S to face area at which the particles of a column share a force.
 constexpr double least_scaled = 0.5;
 
 template <int Dim>
@@ -46,8 +46,7 @@ int position(const std::vector<int>& layer, int i) {
   return found != layer.end() && *found == i ? static_cast<int>(found - layer.begin()) : -1;
 }
 
-/// Outward unit normal of the layer at particle i: the direction in which the layer is thin. Returns 0 if the layer is
-/// not thin or has no outer side.
+/// Outward unit normal of the layer at particle i; 0 if the layer is not thin or has no outer side.
 template <int Dim>
 Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int> near,
                     const std::vector<int>& layer, double spacing) {
@@ -86,7 +85,7 @@ double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& in
   return std::pow(inside > 0 ? outside / inside : 1, Dim - 1);
 }
 
-/// Particles below a layer particle; in a thin body down to the middle.
+/// Column of particles below a layer particle.
 struct Column {
   bool thin = false;                                        // the opposite face may be in reach
   double middle = std::numeric_limits<double>::infinity();  // depth, m; infinite unless thin
@@ -106,7 +105,7 @@ std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticle
   return known;
 }
 
-/// Column below particle i. Two faces interact if they are closer than twice the range of `near`.
+/// Column below particle i; thin if it is shorter than about twice the range of `near`.
 template <int Dim>
 Column column(int i, const Place<Dim>& n, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
               double spacing) {
@@ -127,7 +126,7 @@ struct Below {
   double depth = 0;  // along the normal, m
 };
 
-/// For each free particle below the layer, by id: the nearest particle of the layer above it.
+/// Nearest layer particle above each free particle, by id.
 template <int Dim>
 std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initial,
                            const NeighborsOfOne<Dim>& near, double spacing) {
@@ -160,8 +159,7 @@ int beside(int i, const Place<Dim>& along, const InitialParticles& initial, cons
   return found;
 }
 
-/// Unit vectors along the face towards the neighbours of particle k of the layer, also where the face ends and a
-/// neighbour is missing.
+/// Unit vectors along the face at particle k of the layer.
 template <int Dim>
 std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                                    const NeighborsOfOne<Dim>& near) {

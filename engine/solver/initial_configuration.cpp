@@ -19,7 +19,6 @@ InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const Solve
                                                 GradientCorrection gradient, double normalised,
                                                 bool corrected_forces)
     : materials(input.law, input.materials), common_(common) {
-  // not sorted: the creation order follows the rows of a lattice or the layers of a round body
   const Particles<Dim>& p = common.particles;
   const InitialParticles& initial = common.initial;
   const double h = common.constants.h;
@@ -43,7 +42,7 @@ InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const Solve
     of_four.mobile[i % lanes] = p.mobile[i];
     for (int c = 0; c < Sym<double, Dim>::size; ++c) of_four.B.c[c][i % lanes] = pairs.B[i].c[c];
   }
-  // normalised gradients underestimate uniform fields; loads then act on the outermost layer, as in [Zhang2020]
+  // with normalised gradients, loads act on the outermost layer, as in [Zhang2020]
   if (gradient == GradientCorrection::corrected)
     common.external.loads.act_on_faces(input.scene, initial, FaceRule::uniform, surface(corrected_forces),
                                        common.run.support);
@@ -69,8 +68,7 @@ void InitialConfiguration<Dim>::check_pairs(const Scene& scene, const Formulatio
   }
 }
 
-/// Outward area vectors S_i = −Σ_j (V_i B_i + V_j B_j) k_ij by id, m^(Dim − 1); 0 inside a lattice. Without
-/// `corrected_forces`, S_i = −2 Σ_j c_i c_j k_ij with the share c of each cell inside the body.
+/// Outward area vectors S_i by id, m^(Dim − 1); 0 inside a lattice.
 template <int Dim>
 std::vector<Point> InitialConfiguration<Dim>::surface(bool corrected_forces) const {
   const auto& [begin, j, k, B] = pairs;

@@ -9,16 +9,15 @@
 
 namespace taut {
 
-/// Initial configuration of total-Lagrangian methods. The papers place particles on the boundary; here the outermost
-/// lie half a spacing inside the face unless Body::on_boundary is set.
+/// Initial configuration of total-Lagrangian methods. Departs from the papers, which place particles on the boundary:
+/// the outermost particles lie half a spacing inside the face unless Body::on_boundary is set.
 template <int Dim>
 class InitialConfiguration {
  public:
   using V = Vec<double, Dim>;
 
-  /// Moves particles to their start. With corrected gradients, lets tractions act on faces. Throws SceneError if a body
-  /// is too thin. `normalised`: see TlDisplacementConstants. `corrected_forces`: if true, forces as in
-  /// internal_force_info, otherwise as in pair_shear_force.
+  /// Moves particles to their start. `normalised`: see TlDisplacementConstants. `corrected_forces`: forces as in
+  /// internal_force_info, otherwise as in pair_shear_force. Throws SceneError if a body is too thin.
   InitialConfiguration(Common<Dim>& common, const SolverInput& input,
                        GradientCorrection gradient = GradientCorrection::corrected, double normalised = 0,
                        bool corrected_forces = true);
@@ -33,13 +32,12 @@ class InitialConfiguration {
 
   int groups() const { return static_cast<int>(sites.size()); }
   LawsInUse laws() const { return materials.in_use(); }
-  /// Time step, s: Common::fixed_or_stable_step of CFL h/(c_p + |v|max). Departs from [Lee2016] Eq. 44, which has the
-  /// spacing and the wave speed of the strained body.
+  /// Time step from CFL h/(c_p + |v|max), s. Departs from [Lee2016] Eq. 44, which uses the spacing and the wave speed of
+  /// the strained body.
   double step_size() const;
   static void begin(Snapshot& out) { out.strain_energy.resize(out.size()); }
   void begin_motion(Snapshot& out) const { common_.begin_motion(out), begin(out); }
   void store_motion(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
-  /// `F`, `J`: deformation gradient and volume ratio that determine the stress.
   void store(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
 
  private:
@@ -52,7 +50,6 @@ class InitialConfiguration {
 /// Radius of interaction, m.
 double initial_support(const SolverInput& input);
 
-/// Constant h with the method's default.
 constexpr MethodConstant smoothing_length(const Formulation& m, int dim, double least) {
   const double h = dim == 3 && m.h_over_dp_3d > 0 ? m.h_over_dp_3d : m.h_over_dp;
   return {"h", h, least, 3.0, "smoothing length over the spacing", true, true};

@@ -21,10 +21,9 @@ namespace taut {
 
 enum class GradientCorrection : std::uint8_t { corrected, normalised };
 
-/// Pairs of initial neighbours within a body, from both sides: k_ij = V_i V_j ∇_i W(X_i − X_j) = −k_ji. Forces
-/// (internal_force_info, also [TranDuc2023] §2.3) are equal and opposite to the last bit. V in k_ij is the whole
-/// cell even on a face. V in forces is V0, the particle's weight in volume integrals (InitialParticles::inside).
-/// Gradients and forces are then of second order (summation by parts).
+/// Directed pairs of initial neighbours within a body. k_ij = V_i V_j ∇_i W(X_i − X_j), with k_ji = −k_ij to the last
+/// bit. V in k_ij is the whole cell, but V in forces is V0 (see InitialParticles::inside); gradients and forces are then
+/// of second order (summation by parts).
 template <int Dim>
 struct InitialPairs {
   std::vector<int> begin, j;        // begin[i] … begin[i + 1] − 1; j ascends
@@ -34,7 +33,7 @@ struct InitialPairs {
   int size() const { return static_cast<int>(B.size()); }
 };
 
-/// Pairs for passes over four particles, `Width` constants each, k_ij first; 0 in lanes without neighbour.
+/// Pairs for passes over groups. Each pair has `Width` constants, k_ij first; 0 in lanes without neighbour.
 template <int Dim, int Width = Dim>
 struct PairLanesView {
   struct Group {
@@ -72,7 +71,7 @@ struct PairLanesView {
   Vec<Pack, Dim> pair_sum(const ColumnsView<Dim * Dim>& A, int group) const {
     return pair_sum(A, group, [](const Constants& of_pair) { return of_pair.c; });
   }
-  /// Σ_j (A_i + A_j) B_i k_ij, [Lee2016] Eq. 30 with the corrected gradient (Remark 4). Not opposite for i and j.
+  /// Σ_j (A_i + A_j) B_i k_ij, [Lee2016] Eq. 30 with the corrected gradient (Remark 4).
   Vec<Pack, Dim> one_sided_sum(const ColumnsView<Dim * Dim>& A, const Sym<Pack, Dim>& B, int group) const {
     return pair_sum(A, group, [&](const Constants& of_pair) {
       Vec<Pack, Dim> k;
@@ -137,8 +136,8 @@ inline constexpr TermInfo internal_force_info{
 
 /// Correction B:
 /// - corrected: B_i = [Σ_j (X_j − X_i) ⊗ k_ij]⁻¹, exact for linear fields. [Lee2016] Eq. 21, [TranDuc2023] §2.3
-/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1) with i itself. [Zhang2020] mentions it below Eq. 11
-///   without an equation; here the force derives from an energy.
+/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1), where the sum includes i. [Zhang2020] mentions it
+///   below Eq. 11 without an equation.
 template <int Dim>
 Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<double, Dim>& moment, double V,
                                      double S) {
@@ -162,8 +161,7 @@ Vec<double, Dim> difference_on_grid(const Vec<double, Dim>& X_i, const Vec<doubl
   return d;
 }
 
-/// Greatest distance of a pair, m. Excludes lattice neighbours at the end of the support, where kernels may not
-/// vanish.
+/// Greatest distance of a pair, m. Excludes lattice neighbours at the end of the support.
 template <class K>
 double reach_of_pairs(double h) {
   return (1 - 1e-9) * K::support * h;

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Change of the velocities by all forces, as plain data for passes; made by Common::kick.
+/// Change of the velocities by all forces, as plain data for passes.
 template <int Dim>
 struct Kick {
   using V = Vec<double, Dim>;
@@ -29,7 +29,6 @@ struct Kick {
     return take(i, next);
   }
 
-  /// The last group may be incomplete.
   [[gnu::always_inline]] void add_contact(int first, Vec<Pack, Dim>& force) const {
     if (!contact) return;
     const double* const of_contact = &contact[first][0];
@@ -39,8 +38,7 @@ struct Kick {
     separate(rows, columns);
     for (int k = 0; k < Dim; ++k) force[k] += columns[k];
   }
-  /// Records the impulses of `force` (internal forces, N) and of contact. Requires `impulse`; call before particles
-  /// move.
+  /// Records the impulses of `force` (internal forces, N) and of contact. Requires `impulse`.
   void record(int first, Vec<Pack, Dim> force) const {
     if (contact) force += load_four(contact + first, size - first);
     for (int lane = 0; lane < std::min(lanes, size - first); ++lane)
@@ -72,7 +70,7 @@ struct Kick {
     for (const Pack& of_four : columns) v2 += of_four * of_four;
     return v2;
   }
-  /// Advances v by `force` (in N), contact and external actions; x does not change. `mobility` = mobile/m, 1/kg.
+  /// Advances v by `force` (in N), contact and external actions. `mobility` = mobile/m, 1/kg.
   [[gnu::always_inline]] Vec<Pack, Dim> by_forces(int first, const Pack& mobility,
                                                   Vec<Pack, Dim> force) const {
     if (contact) force += load_four(contact + first, size - first);

@@ -95,8 +95,7 @@ void Loads<Dim>::spread_by(const std::vector<double>& volume, const Scene& scene
   }
 }
 
-/// Shares of a load by id, N. Throws SceneError if no particle is ever free, or a traction on elements is on no face.
-/// Particles driven to the end take no share of a force.
+/// Shares of a load by id, N. Particles driven to the end take no share of a force.
 template <int Dim>
 auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParticles& initial, int body)
     -> std::vector<std::pair<int, V>> {
@@ -110,9 +109,8 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
   const auto is_loaded = [&](int id) {
     return has_mesh ? of_mesh[id] > 0 : load.where(initial.cell(id)) != 0;
   };
-  // includes particles driven to the end, except for forces
   std::vector<int> loaded;
-  double volume = 0;  // of the particles that are free at some time, m^Dim; traction on elements: m^(Dim − 1)
+  double volume = 0;  // of particles that are free at some time, m^Dim (traction on elements: m^(Dim − 1))
   for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
     if (initial.clamped[id] || !is_loaded(id)) continue;
     if (is_driven(id) && load.kind == Load::Kind::force) continue;

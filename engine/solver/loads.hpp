@@ -19,8 +19,7 @@ class Loads {
  public:
   using V = Vec<double, Dim>;
 
-  /// Throws SceneError if all particles of a load are clamped or driven to the end, or a traction on elements is on no
-  /// face.
+  /// Throws SceneError if a load is on no particle that is free at some time, or a traction on elements is on no face.
   Loads(const Scene& scene, const InitialParticles& initial);
 
   void act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,
@@ -31,16 +30,16 @@ class Loads {
 
   bool active() const { return active_; }
 
-  /// `t`: middle of the velocity update [s]. Expressions are not thread-safe.
+  /// `t`: middle of the velocity update, s. Expressions are not thread-safe.
   void set_time(double t);
 
-  /// Acceleration of particle i without damping, m/s². Only gravity unless `free`.
+  /// Acceleration of particle i by gravity and, if `free`, by loads, m/s².
   V pull(const Particles<Dim>& s, int i, bool free) const { return free && active_ ? push(s, i) : g_; }
 
   /// Acceleration of particle i by loads, gravity and damping, m/s².
   V acceleration(const Particles<Dim>& s, int i) const { return push(s, i) - damping_ * s.v[i]; }
 
-  /// Adds the effect of a step of `dt` seconds to `v`. Damping uses the mean of the old and the new velocity.
+  /// `dt` in s. Damping acts on the mean of the old and the new velocity.
   void act(const Particles<Dim>& s, int i, double dt, V& v) {
     const double half = 0.5 * damping_ * dt * s.mobile[i];
     v += (dt * s.mobile[i]) * push(s, i);
@@ -52,7 +51,7 @@ class Loads {
     damped_[s.id[i]] += dt * s.mobile[i] * s.m[i] * damping_ * dot(mean, mean);
   }
 
-  /// Work on a particle so far, J (per metre depth in 2D).
+  /// Work on a particle since the start, J.
   double work(int id) const { return work_.empty() ? 0 : work_[id]; }
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
   double damped() const { return std::accumulate(damped_.begin(), damped_.end(), 0.0); }

@@ -23,7 +23,7 @@ void ParticleSimulation<Dim>::advance(double t, double short_of) {
   outdated_ = !has_snapshot();  // a diverged run keeps its last snapshot
   c.stepping = true;
   c.team.resume();
-  c.refuse_divergence();  // a divergence in the last call
+  c.refuse_divergence();  // if the last call diverged
   try {
     while (c.run.time < t && !asked_to_stop()) {
       const double dt = scheme_->step_size();

@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Particles in storage order. Methods with searched neighbours sort them by cell; others keep the creation order.
+/// Particles in storage order.
 template <int Dim>
 struct Particles {
   using V = Vec<double, Dim>;
@@ -28,7 +28,7 @@ struct Particles {
   }
 };
 
-/// Reorders each array: moves row order[i] to row i. Empty arrays stay empty.
+/// Moves row order[i] of each array to row i.
 template <class... Arrays>
 void reorder(const std::vector<int>& order, int threads, Arrays&... arrays) {
   const auto one = [&](auto& array) {

@@ -28,7 +28,7 @@ using Points = std::vector<PointWeight>;
 Points point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
   const auto& [scene, initial, reach] = in;
   const int body = probe.bodies[0], begin = initial.first[body], end = initial.first[body + 1];
-  constexpr double farthest = 1.5;  // spacings; reaches corners of faces oblique to the lattice
+  constexpr double farthest = 1.5;  // spacings
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = begin; i < end; ++i) {
     double squared = 0;
@@ -136,7 +136,7 @@ void follow_images(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
                        of_a, of_b));
   if (a != b) return;
   using Cell = std::array<long, 3>;
-  // a quarter of a spacing: by round-off, an image may lie in an adjacent cell
+  // by round-off, an image may lie in an adjacent cell
   const auto cell = [side = 0.25 * scene.spacing](const Point& x) {
     return Cell{std::lround(x[0] / side), std::lround(x[1] / side), std::lround(x[2] / side)};
   };
@@ -252,7 +252,7 @@ double angle(const ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
 }
 template <int Dim>
 double turn(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
-  // counts whole turns; a step turns by less than half a turn
+  // counts whole turns, since a step turns by less than half a turn
   f.last = f.last + std::remainder(angle(f, now) - f.last, 2 * std::numbers::pi);
   return f.last;
 }

@@ -72,10 +72,10 @@ struct ProbeStep : ProbeView<Dim> {
 template <int Dim>
 struct ProbeRow {
   Probe::Kind kind;
-  /// Finds the particles of the probe; may be null. Throws SceneError if the probe does not fit its body.
+  /// May be null. Throws SceneError if the probe does not fit its body.
   void (*set_up)(ProbeFollower<Dim>&, const ProbeSetUp&);
   double (*value)(ProbeFollower<Dim>&, const ProbeStep<Dim>&);
-  /// Called after a neighbour search, which may reorder particles; may be null.
+  /// Called after each neighbour search; may be null.
   void (*rebuilt)(ProbeFollower<Dim>&, const ProbeView<Dim>&, const Neighbors&) = nullptr;
   bool takes_stress = false;
 };

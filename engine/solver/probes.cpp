@@ -34,7 +34,7 @@ void ProbeRecorder<Dim>::record(const Particles<Dim>& s, double time, ProbeSourc
   const double dt = series.time.empty() ? 0 : time - series.time.back();
   series.value.resize(followers_.size());
   series.time.push_back(time);
-  // steps; without contact there may be no further search that would call `rebuilt`
+  // steps
   constexpr std::size_t now_and_then = 32;
   std::vector<int> stressed = stressed_;
   for (int& i : stressed) i = storage_of_id_[i];

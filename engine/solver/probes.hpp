@@ -15,7 +15,7 @@ class ProbeRecorder {
   /// `support`: radius of interaction, m. Throws SceneError if a probe does not fit its body.
   ProbeRecorder(const Scene& scene, const InitialParticles& initial, double support);
 
-  /// Updates storage indices, pairs of gap probes and mirror asymmetries. Call after each neighbour search.
+  /// Call after each neighbour search.
   void rebuilt(const Particles<Dim>& s, const Neighbors& neighbors, double support);
   void record(const Particles<Dim>& s, double time, ProbeSource<Dim>& source, Series& series);
 

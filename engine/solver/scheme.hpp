@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Algorithm and fields of one method. Refers to the Common part.
+/// Algorithm and fields of one method.
 template <int Dim>
 class Scheme {
  public:
@@ -18,8 +18,7 @@ class Scheme {
   virtual double step_size() const = 0;  // s
   virtual void step(double dt) = 0;
 
-  /// Stores the particles of these groups of four, in ascending order, in a snapshot that Common::begin_snapshot has
-  /// begun.
+  /// `groups` must ascend; `out` must come from Common::begin_snapshot.
   virtual void show(Snapshot& out, std::span<const int> groups) const = 0;
   /// See Simulation::motion.
   virtual bool show_motion(Snapshot& /*out*/) const { return false; }

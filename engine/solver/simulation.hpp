@@ -34,13 +34,12 @@ struct RunState {
   Series series;
   long pairs = 0;                // directed neighbour pairs at the last rebuild
   double support = 0;            // radius of interaction, m
-  bool keeps_neighbors = false;  // keeps initial neighbours inside a body
-  /// Greatest stretch of a neighbour pair up to which the method follows its elastic law.
+  bool keeps_neighbors = false;  // particles of a body keep their initial neighbours
+  /// Greatest stretch of a neighbour pair at which the method follows its elastic law.
   double lawful_stretch = std::numeric_limits<double>::infinity();
   int threads = 1;  // greatest number in use
 };
 
-/// A running simulation. Virtual functions are never called inside loops over particles.
 class Simulation {
  public:
   virtual ~Simulation() = default;
@@ -53,11 +52,10 @@ class Simulation {
   /// Makes `advance` return after the current step once `stop` is not 0. `stop` must outlive the simulation.
   void set_stop_flag(const std::atomic<int>& stop) { stop_ = &stop; }
 
-  /// Returns the state that determines all later steps, and the series, as bytes for `load`.
+  /// Returns the state and the series as bytes for `load`.
   virtual std::string save() = 0;
-  /// Continues from a state of the same scene, settings and checkpoint format, bit-identical on the same kind of
-  /// machine. Throws UsageError for any other state; the simulation is then unusable. Damaged or forged states cause
-  /// no access outside arrays.
+  /// Continues from a state of the same scene and settings. Throws UsageError for any other state; the simulation is
+  /// then unusable. Damaged states cause no access outside arrays.
   virtual void load(std::string_view state) = 0;
 
   /// State after the last step. After a NumericalError: the last snapshot taken before it, if any.
@@ -80,7 +78,7 @@ class Simulation {
  protected:
   virtual const RunState& run_state() const = 0;
   virtual void take_snapshot(Snapshot& out) const = 0;
-  /// Fills only what `motion` needs. Returns false if energies depend on stresses; `snapshot` is then used.
+  /// Returns false if energies depend on stresses; `motion` then uses `snapshot`.
   virtual bool take_motion(Snapshot& /*out*/) const { return false; }
   bool asked_to_stop() const { return stop_->load(std::memory_order_relaxed) != 0; }
   bool has_snapshot() const { return !snapshot_.m.empty(); }

@@ -48,7 +48,7 @@ inline constexpr TermInfo surface_repulsion_info{
 enum class RepulsionWeight { kernel, distance };
 inline constexpr std::string_view repulsion_weight_names[] = {"kernel", "distance"};
 
-/// f_ij = (r/Δx)ⁿ as [TranDuc2023] §2.2 prints it. Distant pairs weigh most.
+/// f_ij = (r/Δx)ⁿ
 inline Pack distance_weight(const Pack& r, double dp, double n) { return power(Pack(r / dp), n); }
 
 /// R = −ε σ⁺/ρ², Pa m⁶/kg²

@@ -12,8 +12,7 @@
 /// Terms of `oenog`, derived in methods/bonded/THEORY.md.
 namespace taut {
 
-/// Modulus of bonds, at most G, in Pa. A solid of bonds has λ = μ; with G at a negative Poisson's ratio, the body would
-/// soften in tension.
+/// Modulus of bonds, at most G, in Pa. With G, a body of negative Poisson's ratio would soften in tension.
 template <int Dim>
 double bond_modulus(double K, double G) {
   return std::min(G, Dim == 2 ? K + G / 3 : 1.5 * K);
@@ -91,7 +90,7 @@ T closing_stiffness(const T& J) {
   return 1 + 24 * max(1 - 2 * J, T{});
 }
 
-/// Neo-Hookean W, continued below J = ½. T: one particle or four.
+/// Neo-Hookean W, continued below J = ½.
 template <class T>
 struct ClosedNeoHookean {
   T K, G;  // Pa

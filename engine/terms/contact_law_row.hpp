@@ -8,7 +8,7 @@
 namespace taut {
 
 enum class ContactBetween {
-  particles,      // pairs of two bodies or a fold, less than a spacing apart; not for finite elements
+  particles,      // pairs of two bodies or a fold; not for finite elements
   faces,          // for methods with initial neighbours
   all_neighbors,  // in the method's own sums; for methods that search neighbours
 };
@@ -18,10 +18,10 @@ struct ContactLawRow {
   std::string_view help;
   TermInfo term{};
   ContactBetween between;
-  // gap in spacings below which faces count as touching; particles of oblique faces touch early
+  // gap in spacings below which faces count as touching
   double touching = 0.1;
 
-  // Force along a pair in N and its energy in J; with `sph` only at walls.
+  // Force along a pair in N and its energy in J.
   double (*force)(double r, double dp, double K, int dim) = nullptr;
   double (*energy)(double r, double dp, double K, int dim) = nullptr;
   // Impulse instead of a force, N s.

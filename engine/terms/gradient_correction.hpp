@@ -17,8 +17,7 @@ inline constexpr TermInfo stress_recovery_info{
     "terms/gradient_correction.hpp:add_gradient_moment",
     "velocity gradient: a linear field on irregular particles is exact after correction"};
 
-/// Least allowed det M/(tr M)^Dim. The ratio is ¼ (3D: 1/27) inside a lattice and 0 for collinear
-/// (3D: coplanar) neighbours.
+/// Least allowed det M/(tr M)^Dim.
 template <int Dim>
 inline constexpr double least_moment = Dim == 2 ? 1e-2 : 1e-3;
 

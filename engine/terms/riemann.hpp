@@ -14,8 +14,7 @@ struct Dissipation {
 };
 
 /// P* = ½ (p_i + p_j) + ½ β ρ0 c0 (U_L − U_R) in Pa, [Zhang2024] Eq. 12. Departure: the paper prints no β. β = 1 is
-/// the linearised solver; the cited solver has β = min(3 max(U_L − U_R, 0)/c0, 1). No lower bound fits all figures
-/// (METHODS.md).
+/// the linearised solver; the cited solver has β = min(3 max(U_L − U_R, 0)/c0, 1).
 template <class T>
 T riemann_pressure(const T& p_i, const T& p_j, const T& closing_speed, const Dissipation& d) {
   T impedance = filled<T>(d.rho0_c0);

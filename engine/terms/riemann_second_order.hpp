@@ -22,8 +22,8 @@ T reconstructed_closing_speed(const T& closing_speed, const Sym<T, Dim>& D_i, co
 enum class Limiter { none, minmod, van_leer, first_order };
 inline constexpr std::string_view limiter_names[] = {"none", "minmod", "van-leer", "first-order"};
 
-/// Limited velocity difference, m/s; 0 if the signs differ. `over`: difference over the pair; `behind`: difference over
-/// the same distance on the far side of one particle.
+/// Limited velocity difference, m/s. `over`: difference over the pair; `behind`: difference over the same distance on
+/// the far side of one particle.
 template <class T>
 T limited(const T& over, const T& behind, Limiter limiter) {
   const T zero = filled<T>(0), product = over * behind;
@@ -33,7 +33,7 @@ T limited(const T& over, const T& behind, Limiter limiter) {
   return product > zero ? T(2.0 * product / (product > zero ? over + behind : filled<T>(1))) : zero;
 }
 
-/// Closing speed, m/s; limited slopes keep reconstructed velocities between the two velocities of the pair.
+/// Closing speed of the limited reconstruction, m/s.
 template <class T, int Dim>
 T limited_closing_speed(const T& closing_speed, const Sym<T, Dim>& D_i, const Sym<T, Dim>& D_j, const T& r,
                         const Vec<T, Dim>& e_ij, Limiter limiter) {

@@ -6,8 +6,8 @@
 
 namespace taut {
 
-/// Jaumann rate of the deviatoric stress, Pa/s. Given L dt instead of L, returns the increment. n = d in [Zhang2024]
-/// Eq. 7, n = 3 in [Khayyer2024] Eq. 6. Departure: [Zhang2024] lacks the rotation terms and would not be objective.
+/// Jaumann rate of the deviatoric stress, Pa/s. n = d in [Zhang2024] Eq. 7, n = 3 in [Khayyer2024] Eq. 6. Departure:
+/// [Zhang2024] lacks the rotation terms and would not be objective.
 template <Deviator deviator, int Dim>
 Sym<double, Dim> jaumann_rate(const Mat<double, Dim>& L, const Sym<double, Dim>& s, double G) {
   constexpr double n = deviator == Deviator::in_plane ? Dim : 3;

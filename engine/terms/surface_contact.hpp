@@ -25,7 +25,7 @@ inline double surface_stiffness_slope(double M1, double M2, double stiffness, do
 /// Contact stiffness relative to the material, at least 1.
 inline double stiffer_than_material(double stiffness) { return std::max(1.0, stiffness / 2); }
 
-/// Energy in J of a piece of a face at `depth` behind another; each face contributes half.
+/// Energy in J of a piece of a face at `depth` behind another face; each face contributes half.
 inline double surface_energy(double depth, double area, double k) {
   return depth > 0 ? 0.25 * k * area * depth * depth : 0;
 }
@@ -38,7 +38,7 @@ inline double surface_force(double depth, double area, double k) {
 /// 3u² − 2u³ from 0 to 1.
 inline double smooth_step(double u) { return u * u * (3 - 2 * u); }
 
-/// c, the share of a face at height p: 1 up to |p| = (1 − `fade`) `reach`, 0 from `reach` (in m) on.
+/// c, the share of a face at height p: 1 near the face, 0 from `reach` (in m) on.
 inline double near_share(double p, double reach, double fade = 0.3) {
   return smooth_step(std::clamp((1 - std::abs(p) / reach) / fade, 0.0, 1.0));
 }
@@ -48,7 +48,7 @@ inline double near_slope(double p, double reach, double fade = 0.3) {  // 1/m
 }
 
 inline constexpr double fade_2d = 1.0 / 6;  // from one spacing to 1.2
-/// Energy in J that fades near `reach`, so that nodes from beyond enter without a jump.
+/// Energy in J that fades to 0 at `reach`.
 inline double near_energy(double depth, double area, double k, double reach) {
   return near_share(depth, reach, fade_2d) * surface_energy(depth, area, k);
 }
@@ -69,14 +69,13 @@ inline constexpr ContactLawRow surface_contact{
     .touching = 0,
 };
 
-/// Share of a piece of face that counts, by the cosine of the outward normals: 1 up to 60° from facing, 0 from 76° on.
+/// Weight of a piece of a face. `cosine`: of the outward normals, −1 if the faces are opposite.
 inline double facing_share(double cosine) { return std::clamp(-4 * cosine - 1, 0.0, 1.0); }
 inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.25 ? -4 : 0; }
 
 // THEORY.md explains the depth of facets in 3D.
 
-/// Lateral range R, m: 1.5 dp above the plane, 1.05 dp from a depth of dp on. A smaller radius lets edges and corners
-/// through; a greater one includes rims of steps.
+/// Lateral range R, m. A smaller range lets edges through.
 inline double lateral_radius(double p, double dp) {
   const double t = std::clamp(-p / dp, 0.0, 1.0);
   return (1.5 - 0.45 * t * t * (3 - 2 * t)) * dp;
@@ -109,11 +108,11 @@ inline double hard_force(double depth, double area, double k, double dp) {
   const double u = depth / dp;
   return (1 + 2 * u * u) * surface_force(depth, area, k);
 }
-/// s, the share projected on the other normal: edges press no harder than flat faces.
+/// s, the share projected on the normal of the other face.
 inline double projected_share(double cosine) { return -cosine * facing_share(cosine); }
 inline double projected_slope(double cosine) { return -facing_share(cosine) - cosine * facing_slope(cosine); }
 
-/// Factor of the energy, 1 from a cover Σ_g W of 0.85 on.
+/// Factor of the energy. `cover` = Σ_g W.
 inline double covered_share(double cover) {
   const double t = std::clamp((cover - 0.15) / 0.7, 0.0, 1.0);
   return smooth_step(t);

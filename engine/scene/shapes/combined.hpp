@@ -6,7 +6,6 @@
 
 namespace taut {
 
-/// Has the lattice and middle of the first shape.
 struct Combined final : ShapeBase {
   Combination how{};
   std::vector<Shape> shapes;

@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// Particles listed one by one; each fills a square (cube) of its volume. In 2D, faces are where the volume fraction of
-/// the particles, smoothed by a cubic spline of radius 2 × the largest particle size, is ½.
+/// Particles listed one by one; each fills a square (cube) of its volume. The outline is the contour ½ of the volume
+/// fraction, smoothed by a cubic spline.
 class GivenParticles final : public ShapeBase {
  public:
   GivenParticles(std::vector<Point> places, std::vector<double> volumes, int dim)

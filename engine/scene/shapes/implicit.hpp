@@ -7,8 +7,7 @@
 
 namespace taut {
 
-/// Part of a box where an expression is not 0. The outline misses details below a quarter of dp; tolerances are tested
-/// along the axes.
+/// Part of a box where an expression is not 0. Tolerances are tested along the axes.
 struct Implicit final : ShapeBase {
   Box within;
   Expression inside;

@@ -23,7 +23,7 @@ double volume_of(const Triangles& mesh) {
 }
 
 /// Side of the line ab, seen from +z, on which x + (ε, ε²) lies: 1 is left, -1 right; 0 if a and b coincide.
-/// Swapping a and b changes exactly the sign. Simulation of simplicity (Edelsbrunner, Mücke 1990).
+/// Simulation of simplicity (Edelsbrunner, Mücke 1990).
 int side_of(const Point& x, const Point& a, const Point& b) {
   if (std::pair(b[0], b[1]) < std::pair(a[0], a[1])) return -side_of(x, b, a);
   const double dx = b[0] - a[0], dy = b[1] - a[1];

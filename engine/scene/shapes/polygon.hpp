@@ -9,8 +9,7 @@ namespace taut {
 /// Region inside an odd number of closed contours, 2D; no sides may cross.
 class Polygon final : public ShapeBase {
  public:
-  /// With a `centre`, points are relative to it, and the lattice is symmetric about it. Otherwise the middle of the
-  /// box is the centre, and the lattice begins at the lower corner.
+  /// If `centre` is given, points are relative to it, and the lattice is symmetric about it.
   Polygon(std::vector<Chain> contours, const std::optional<Point>& centre = {});
 
   Bounds bounds() const override;

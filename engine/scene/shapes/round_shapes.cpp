@@ -10,7 +10,7 @@
 namespace taut {
 namespace {
 
-/// Points k and n − k have the angles ±φ, so their offsets in y from the centre are opposite to the last bit.
+/// Points k and n − k have opposite angles to the last bit.
 Point on_circle(const Point& centre, double r, long k, long n) {
   const double angle =
       2 * std::numbers::pi * static_cast<double>(2 * k <= n ? k : k - n) / static_cast<double>(n);
@@ -38,7 +38,6 @@ std::vector<long> numbers_of(const Ring& ring, double dp) {
   return numbers;
 }
 
-/// Layer k has 6 k particles.
 constexpr int sectors = 6;
 long layers_of(const Disc& disc, double dp) { return std::max(0L, std::lround(disc.radius / dp - 0.5)); }
 
@@ -149,7 +148,7 @@ Bounds Cylinder::bounds() const {
   Bounds box;
   for (std::size_t k = 0; k < 3; ++k) {
     const double along = (to[k] - from[k]) / length();
-    const double half = radius * std::sqrt(std::max(0.0, 1 - along * along));  // half width
+    const double half = radius * std::sqrt(std::max(0.0, 1 - along * along));
     box.low[k] = std::min(from[k], to[k]) - half;
     box.high[k] = std::max(from[k], to[k]) + half;
   }

@@ -7,8 +7,6 @@
 
 namespace taut {
 
-/// Layout of round bodies. Layers along the faces suit methods with initial neighbours; equal distances in all
-/// directions suit methods that search neighbours.
 enum class RoundLayout : std::uint8_t {
   aligned,  // equally many per layer; hollow only
   spaced,   // about dp apart
@@ -62,9 +60,7 @@ struct Ring final : ShapeBase {
   double extent_to_divide(int) const override { return outer - inner; }
   Point middle() const override { return centre; }
   Point anchor() const override { return bounds().middle(); }
-  /// Layers about dp thick begin on the positive x axis. Aligned layers form a polar grid with particles about dp apart
-  /// at the mean radius; spaced layers have particles about dp apart. In 3D, aligned layers are a cube made round, with
-  /// n × n particles of mean volume about dp³ on each of its six faces.
+  /// Layers about dp thick. In 2D, aligned layers form a polar grid with particles about dp apart at the mean radius.
   std::vector<InitialSite> sites(int dim, double dp) const override;
   std::vector<Chain> outline(int dim, double dp) const override;
   FacePatches patches(double dp) const override;

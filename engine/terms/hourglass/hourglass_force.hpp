@@ -10,9 +10,8 @@ inline double hourglass_weight(double alpha, double E_i, double V_i, double V_j,
   return 0.5 * alpha * E_i * V_i * V_j * W / (r * r);
 }
 
-/// Force of j on i, N, against the part of the distance that F does not explain; 0 for coincident particles. Derives
-/// from no energy, because it neglects the variation of F. [Ganzenmueller2015] as in TrixiParticles. Departure: MACHDYN
-/// limits δ and adds a share of h to distances.
+/// Force of j on i, N, against the part of the distance that F does not explain. [Ganzenmueller2015] as in
+/// TrixiParticles. Departure: MACHDYN limits δ and adds a share of h to distances.
 template <class T, int Dim>
 Vec<T, Dim> hourglass_force(const Mat<T, Dim>& F_i, const Mat<T, Dim>& F_j, const Vec<T, Dim>& X_ij,
                             const Vec<T, Dim>& x_ij, const T& w_i, const T& w_j) {
