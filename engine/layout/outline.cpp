@@ -16,7 +16,7 @@ bool any_holds(const std::vector<Shape>& shapes, const Point& x, double toleranc
   return std::ranges::any_of(shapes, [&](const Shape& shape) { return shape->holds(x, 2, tolerance); });
 }
 
-/// Whether another shape contains x, or an earlier one contains `middle`, as where two faces coincide.
+/// Whether another shape contains x. Of coincident faces, the first is kept.
 bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, const Point& middle,
              double dp) {
   const double thin = 1e-6 * dp;
@@ -42,7 +42,7 @@ bool needs_clipping(const Body& body) {
   return std::ranges::any_of(body.shapes, is_other) || std::ranges::any_of(body.without, is_other);
 }
 
-/// Outline of the union of all shapes minus the cut-outs, by polygon clipping.
+/// Outline of all shapes minus the cut-outs, by polygon clipping.
 std::vector<Chain> whole_outline(const Body& body, int dim, double dp) {
   const auto one = [](const std::vector<Shape>& shapes) {
     return shapes.size() == 1 ? shapes.front() : Shape(Combined{Combination::together, shapes});
