@@ -23,7 +23,7 @@ struct LawChoice {
 };
 
 enum class StrainEnergy {
-  potential,  // function of the positions or F; some forces may not derive from it
+  potential,  // function of the positions or F
   of_stress,  // of an integrated stress; the forces have no potential
   recovered,  // of a stress that is recovered for display
 };

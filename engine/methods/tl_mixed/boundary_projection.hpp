@@ -17,7 +17,7 @@ struct BoundaryPoint {
 };
 
 /// Changes v as little as possible, weighted by mass, so that interpolated velocities are the prescribed ones,
-/// [Lee2016] Appendix B (THEORY.md). Both momenta are conserved: set boundary particles to their prescribed velocities
+/// [Lee2016] Appendix B (THEORY.md). Conserves both momenta. Set boundary particles to their prescribed velocities
 /// first.
 class BoundaryProjection {
  public:
