@@ -14,7 +14,7 @@ struct InitialParticles {
   std::vector<Point> middle;   // position before jitter, m, tested for regions; empty = x
   std::vector<Point> start;    // starting position, m; empty = x
   std::vector<double> V0;      // m^dim
-  std::vector<double> inside;  // V0 / cell: < 1 on a face, slightly > 1 next to a free face
+  std::vector<double> inside;  // V0 over the volume of a whole cell
   std::vector<int> body;
   std::vector<int> material;
   std::vector<int> drive;

@@ -27,7 +27,7 @@ bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, 
 }
 
 bool is_face(const Body& body, bool cut, std::size_t own, const Point& a, const Point& b, double dp) {
-  const double off = 1e-3 * dp / distance_between(a, b, 2);  // places points 1e-3 dp off the side
+  const double off = 1e-3 * dp / distance_between(a, b, 2);
   const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0};
   const Point before{middle[0] + off * (b[1] - a[1]), middle[1] - off * (b[0] - a[0]), 0};
   const Point behind{middle[0] - off * (b[1] - a[1]), middle[1] + off * (b[0] - a[0]), 0};

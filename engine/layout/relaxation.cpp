@@ -15,7 +15,7 @@ namespace taut {
 namespace {
 
 // lengths in spacings
-constexpr int layers = 3;       // of particles along faces
+constexpr int layers = 3;
 constexpr int steps = 8;        // more steps turn rows inside into hexagonal grains
 constexpr double beside = 0.6;  // least distance to particles of other layers at the start
 /// A place farther than this from all particles has room for one.
@@ -199,7 +199,7 @@ class Relaxation {
   }
   /// Drops particles at tips: methods need neighbours that span the space.
   void drop_tips() {
-    constexpr int most = 3;  // from the end of each tip
+    constexpr int most = 3;
     constexpr double near = 1.5;
     for (int round = 0; round < most; ++round) {
       const PointGrid grid(x_, dim_);

@@ -316,7 +316,7 @@ class BodyMesh {
       return facet;
     };
     make_in_order(static_cast<int>(facets_.size()), threads, make, [&](int, const SurfaceMesh::Facet& facet) {
-      constexpr double least_area = 0.01;  // dp²; drops remnants of lattice steps
+      constexpr double least_area = 0.01;  // dp²
       if (facet.area > least_area * dp_ * dp_) out_.facets.push_back(facet);
     });
   }

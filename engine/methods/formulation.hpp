@@ -38,7 +38,7 @@ struct Formulation {
   KernelName kernel = KernelName::wendland_c2;
   ContactLaw contact = ContactLaw::sph;  // published
   double contact_stiffness = 1;          // see the contact law in terms/
-  bool several_materials = false;        // whether a scene may have several
+  bool several_materials = false;
   double h_over_dp = 1.3;
   double h_over_dp_3d = 0;  // 0: as in 2D
   double cfl = 0.4;         // acoustic, [Zhang2024] Eq. 22

@@ -36,7 +36,7 @@ struct TlMixedFields {
   int size;
   V *x, *v;
   const double* m;
-  V* v_start;  // at the start of the step
+  V* v_start;
   const V* X;
   const double* V0;
   const int* material;

@@ -155,7 +155,6 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
   return g;
 }
 
-/// Equal rows are shared in 3D.
 template <int Dim>
 class Rows {
  public:

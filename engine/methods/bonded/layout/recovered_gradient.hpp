@@ -18,7 +18,7 @@ struct RecoveredGradient {
   // [n + 1]; particles without entries keep the gradient of the method
   std::vector<int> begin;
   std::vector<int> j;
-  std::vector<int> row;       // [n] first index in `g`, shared by equal neighbourhoods
+  std::vector<int> row;       // [n] first index in `g`
   std::vector<double> g;      // 1/m, dim numbers per entry
   std::vector<float> halved;  // replaces g if requested
   // [n] 1: the method's gradient averages over two materials or motions; 3D only, may be empty

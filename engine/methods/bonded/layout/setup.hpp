@@ -37,7 +37,7 @@ struct BondedSetup {
   std::vector<double> mass;  // [n] kg
   Interfaces interfaces;
   double wave_speed;                     // m/s
-  double damping_lead;                   // 3 τ in s; τ: damping time of the bonds (THEORY.md)
+  double damping_lead;                   // 3 τ in s (THEORY.md, Damping)
   std::vector<ClampPlace> clamp_places;  // sorted by the particle whose bond ends there
   std::vector<int> first_clamp_place;    // [n] index in `clamp_places`
 
