@@ -28,7 +28,7 @@ class BoundaryProjection {
 
   /// `v` in m/s, positions `Z` in m.
   void operator()(std::vector<Point>& v, std::vector<Point> Z) const;
-  /// Only their velocities may be changed.
+  /// Callers may change only the velocities.
   std::vector<BoundaryPoint>& points() { return points_; }
   Point interpolated(const BoundaryPoint& point, const std::vector<Point>& f) const;
 

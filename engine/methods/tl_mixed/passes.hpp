@@ -11,7 +11,6 @@
 
 namespace taut {
 
-/// Unknowns of method M.
 template <const TlMixedFormulation& M, int Dim>
 struct UnknownsOf {
   using Mat = taut::Mat<Pack, Dim>;
