@@ -16,7 +16,7 @@ struct LatticeFrame {
   Point to(const Point& place) const;
 };
 
-/// Small cubes that fill a body, and points on its faces, in the frame of its lattice.
+/// Small cubes that fill a body, and points on its faces, in a LatticeFrame.
 struct BodyPieces {
   static int along_spacing(int dim) { return dim == 3 ? 4 : 8; }  // cubes per spacing
 
@@ -28,7 +28,7 @@ struct BodyPieces {
   std::vector<Point> face_points;
 };
 
-/// `box`: bounds in lattice coordinates, m. Cubes at faces count by samples; details smaller than a cube are lost.
+/// `box`: bounds in lattice coordinates, m. Details smaller than a cube are lost.
 BodyPieces make_pieces(const LatticeFrame& frame, const Bounds& box);
 
 }  // namespace taut

@@ -32,8 +32,7 @@ long number(double length, double size) { return std::max(1L, std::lround(length
 
 double squared_length(const Point& a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; }
 
-/// Unit vector through point u of the surface of a cube (in 2D, square) with half side `largest`; lines of the grid are
-/// at equal angles.
+/// Unit vector through point u on the surface of a cube with half side `largest`. Grid lines are at equal angles.
 Point direction(const Point& u, double largest) {
   Point way{};
   for (std::size_t k = 0; k < 3; ++k) way[k] = std::tan(0.25 * std::numbers::pi * u[k] / largest);
@@ -42,8 +41,7 @@ Point direction(const Point& u, double largest) {
   return way;
 }
 
-/// Maps the cube [−1, 1]^dim to a rounded cube at the centre of the unit ball. The midpoints of its faces
-/// are at half the radius.
+/// Maps the cube [−1, 1]^dim to a rounded cube at the centre of the unit ball.
 Point core_point(const Point& u) {
   constexpr double half = 0.5, rounding = 0.21;
   const double largest = std::max({std::abs(u[0]), std::abs(u[1]), std::abs(u[2])});
@@ -55,7 +53,7 @@ Point core_point(const Point& u) {
   return x;
 }
 
-/// Calls f(point) for each side of the cube [−1, 1]^dim; point(a, b) is on the side, a and b from 0 to 1.
+/// Calls f(point) for each side of the cube [−1, 1]^dim; point(a, b), a and b from 0 to 1, is on the side.
 template <class F>
 void for_each_side(int dim, const F& f) {
   for (std::size_t axis = 0; axis < as_index(dim); ++axis)
@@ -71,7 +69,7 @@ void for_each_side(int dim, const F& f) {
 
 /// Unit ball or disc: a core and blocks around it.
 Blocks ball_blocks(int dim, double radius, double size) {
-  // lengths to divide into elements, over the radius; the elements get similar sizes
+  // lengths to divide into elements, over the radius
   constexpr double of_core = 1.15, around_core = 0.45;
   const long n = number(of_core * radius, size), layers = number(around_core * radius, size);
   Blocks blocks{{{n, n, dim == 3 ? n : 1}, [=](const Point& u) {
@@ -90,7 +88,7 @@ Blocks ball_blocks(int dim, double radius, double size) {
   return blocks;
 }
 
-/// Ring, or shell made of one block for each side of a cube; the mean radius sets the number of elements around it.
+/// Ring, or shell with one block for each side of a cube.
 Blocks ring_blocks(int dim, double inner, double outer, double size) {
   const double middle = 0.5 * (inner + outer);
   const long layers = number(outer - inner, size);
@@ -152,7 +150,7 @@ Blocks cylinder_blocks(const Cylinder& pipe, double size) {
   return blocks;
 }
 
-/// Coordinates of the faces of all boxes on an axis, ascending, m.
+/// Coordinates of all box faces along an axis, ascending, m.
 std::vector<double> lines_along(std::size_t axis, const std::vector<Box>& boxes, double dp) {
   std::vector<double> lines;
   for (const Box& box : boxes) lines.insert(lines.end(), {box.low[axis], box.high[axis]});
@@ -186,7 +184,7 @@ Blocks box_blocks(const Body& body, const std::vector<Box>& boxes, int dim, doub
   return blocks;
 }
 
-/// Empty without a rule for the shape.
+/// Empty if the shape has no mesh.
 Blocks blocks_of(const Shape& shape, int dim, double size) {
   if (const auto* turned = shape.as<Turned>()) {
     Blocks blocks = blocks_of(turned->shape, dim, size);
@@ -236,7 +234,7 @@ Blocks blocks_of(const Body& body, int dim, double size) {
   return blocks;
 }
 
-/// Joins nodes of different blocks at one place.
+/// Joins coincident nodes of different blocks.
 class NodeJoiner {
  public:
   NodeJoiner(std::vector<Point>& x, double dp) : x_(x), side_(0.1 * dp), near_(1e-5 * dp) {}
@@ -297,7 +295,7 @@ void add_elements(ElementMesh& mesh, const Block& block, NodeJoiner& joiner) {
         }
 }
 
-/// ∂X/∂ξ at node or Gauss point k, by the derivatives `slope` and values `value` of one axis.
+/// ∂X/∂ξ at node or Gauss point k.
 template <int n, int Dim>
 Mat<double, Dim> jacobian(const std::array<Point, power_of(n, Dim)>& X, int k,
                           const typename LineElement<n>::Table& value,
@@ -314,8 +312,7 @@ Mat<double, Dim> jacobian(const std::array<Point, power_of(n, Dim)>& X, int k,
   return G;
 }
 
-/// Adds the volume share of each node (Gauss–Lobatto weights, scaled to the volume at the Gauss points) and the middle
-/// of each element.
+/// Adds the middle and the nodal volumes (Gauss–Lobatto weights, scaled to the element volume) of each element.
 template <int n, int Dim>
 void add_volumes(ElementMesh& mesh) {
   using Line = LineElement<n>;
@@ -356,7 +353,7 @@ bool is_inverted(const ElementMesh& mesh, int element) {
 template <int n, int Dim>
 std::vector<MeshFacet> boundary(const ElementMesh& mesh) {
   constexpr int N = power_of(n, Dim), stride[3] = {1, n, n * n};
-  std::map<std::array<int, 4>, std::pair<int, MeshFacet>> found;  // by sorted nodes: number of elements
+  std::map<std::array<int, 4>, std::pair<int, MeshFacet>> found;  // [sorted nodes] number of elements
   for (int element = 0; element < mesh.size(); ++element) {
     const bool inverted = is_inverted<n, Dim>(mesh, element);
     for (int side = 0; side < 2 * Dim; ++side) {

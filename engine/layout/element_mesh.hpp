@@ -6,8 +6,7 @@
 
 namespace taut {
 
-/// Finite elements of all bodies, body after body. Elements have (order + 1)^dim nodes, numbered along the local axis 0
-/// first.
+/// Finite elements of all bodies, body after body. An element has (order + 1)^dim nodes, numbered along axis 0 first.
 struct ElementMesh {
   int dim = 2, order = 0;           // order 0: no elements
   std::vector<Point> x;             // [node] reference position, m
@@ -24,16 +23,14 @@ struct ElementMesh {
 
 /// Piece of a face between neighbouring nodes: a segment in 2D, a quadrilateral in 3D.
 struct MeshFacet {
-  std::array<int, 4>
-      node{};  // seen from outside, 2D: left node first; 3D: anticlockwise; reversed if `inverted`
+  // seen from outside, 2D: left node first; 3D: anticlockwise; reversed if `inverted`
+  std::array<int, 4> node{};
   int element = 0;
   int side = 0;           // 2 axis + (1 at the upper end)
   bool inverted = false;  // the element is a mirror image of the reference element
 };
 
-/// Meshes a body. Boxes with unions and cut-outs get a grid through all faces; a single disc, ball, ellipse, ellipsoid,
-/// ring, shell or cylinder, also rotated, or a rotated box gets mapped blocks. Elements of order 2 are twice as long,
-/// so that nodes are about dp apart. Throws SceneError for other shapes. Nodes are numbered from 0.
+/// Meshes a body with nodes about dp apart, numbered from 0. Throws SceneError for shapes without a mesh.
 ElementMesh mesh_of_body(const Body& body, int dim, int order, double dp);
 
 /// Facets that belong to one element only.

@@ -19,7 +19,7 @@ namespace {
 
 bool contains(const Expression& where, const Point& x) { return where && where(x) != 0; }
 
-/// Parts of an element between neighbouring nodes, about dp long: local nodes, 2^dim each.
+/// Local nodes of each cell.
 std::vector<std::vector<int>> cells_of_element(const ElementMesh& mesh) {
   const int n = mesh.order + 1, cells = mesh.dim == 2 ? 1 : mesh.order;
   std::vector<std::vector<int>> all;
@@ -33,7 +33,7 @@ std::vector<std::vector<int>> cells_of_element(const ElementMesh& mesh) {
   return all;
 }
 
-/// Calls f(element, cell) for each cell whose middle is in a region.
+/// Calls f(element, cell) for each cell whose middle is in the region.
 template <class F>
 void for_each_cell_in(const Expression& where, const ElementMesh& mesh, const F& f) {
   const std::vector<std::vector<int>> cells = cells_of_element(mesh);
@@ -48,7 +48,6 @@ void for_each_cell_in(const Expression& where, const ElementMesh& mesh, const F&
     }
 }
 
-/// Elements and nodes of one body.
 class BodyNodes {
  public:
   BodyNodes(const Scene& scene, int b, InitialParticles& out)
@@ -176,7 +175,7 @@ class BodyNodes {
   ElementMesh mesh_;
 };
 
-/// Shape functions at a point of an element, whose coordinates ξ follow by Newton's method. Empty outside.
+/// Shape functions at a point, by Newton's method. Empty outside the element.
 template <int n, int Dim>
 std::vector<PointWeight> shapes_at(const ElementMesh& mesh, int element, const Point& at) {
   using Line = LineElement<n>;
@@ -243,7 +242,7 @@ std::vector<double> load_weights(const Load& load, const Body& body, const Initi
   const ElementMesh& mesh = initial.mesh;
   std::vector<double> weight(initial.x.size());
   const int each = mesh.nodes_of_each();
-  // [element][local node] loaded share of the node's cells in the element
+  // [element][local node] loaded share of the node's cells
   std::vector<double> share(mesh.node.size());
   std::vector<std::vector<std::vector<int>>> of_load(as_index(mesh.size()));  // [element] loaded cells
   std::vector<double> cells(as_index(each));

@@ -10,10 +10,9 @@
 namespace taut {
 namespace {
 
-// in spacings; a smaller reach smooths faces less
+// in spacings
 constexpr double least_reach = 2, greatest_reach = 4, reach_step = 0.25;
-/// Limit of Σ weight², the factor by which a node is lighter than a particle. At a lattice face the sum is at most
-/// (3/2)² + (1/2)² = 2.5, from two layers.
+/// Limit of Σ weight²; at lattice faces the sum is at most 2.5.
 constexpr double greatest_square = 3;
 
 }  // namespace

@@ -27,8 +27,7 @@ class NodeWeights {
  public:
   NodeWeights(const InitialParticles& initial, int body, double dp);
 
-  /// Shares of a node at x, from the smallest reach with Σ weight² ≤ 3, else from the reach with the least sum. Empty
-  /// if too few particles are near, or all of them lie in a plane (2D: on a line).
+  /// Shares of a node at x. Empty if too few particles are near or if they are coplanar (2D: collinear).
   std::vector<PointWeight> shares_of(const Point& x) const;
 
  private:

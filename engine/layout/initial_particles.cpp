@@ -20,7 +20,7 @@
 namespace taut {
 namespace {
 
-constexpr double edge_tolerance = 1e-6;  // in dp; a place closer to an edge counts as inside
+constexpr double edge_tolerance = 1e-6;  // in dp
 constexpr double greatest_place_number = 1e9;
 
 double expected_number(const Body& body, int dim, double dp) {
@@ -44,7 +44,6 @@ Bounds lattice_bounds_of(const Body& body) {
   return all;
 }
 
-/// A cut-out that removes nothing is most likely a mistake.
 void check_cuts(const Body& body, const std::vector<long>& cut) {
   for (std::size_t k = 0; k < cut.size(); ++k)
     if (cut[k] == 0)
@@ -157,7 +156,7 @@ std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
   return body.shapes.front()->sites(dim, dp);
 }
 
-/// Jitters along the lattice axes; particles on faces stay on them. Random numbers are the same with every compiler.
+/// Jitters along the lattice axes. Random numbers are the same with every compiler.
 void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, const Shape& first, int dim,
                   double dp) {
   if (jitter.share == 0) return;
@@ -220,7 +219,7 @@ void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
   if (!by_component && is_idle(body.clamped)) refuse("held");
 }
 
-/// Weights of n + 1 particles along an axis of n cells, in cells. An end that is not `free` may be a plane of symmetry.
+/// Weights of n + 1 particles along n cells, in cells. An end that is not `free` counts as a plane of symmetry.
 std::vector<double> shares_along(long n, const bool (&free)[2]) {
   std::vector<double> share(static_cast<std::size_t>(n) + 1, 1.0);
   share.front() = share.back() = 0.5;

@@ -11,16 +11,16 @@ namespace taut {
 struct InitialParticles {
   int dim = 2;
   std::vector<Point> x, v;     // reference position, m; velocity, m/s
-  std::vector<Point> middle;   // of the cells, m, tested for regions and mirror images; empty = x
+  std::vector<Point> middle;   // position before jitter, m, tested for regions; empty = x
   std::vector<Point> start;    // starting position, m; empty = x
   std::vector<double> V0;      // m^dim
-  std::vector<double> inside;  // V0 / cell: < 1 on a face, slightly > 1 next to a free face
+  std::vector<double> inside;  // V0 over the volume of a whole cell
   std::vector<int> body;
   std::vector<int> material;
   std::vector<int> drive;
   std::vector<unsigned char> clamped;
   std::vector<unsigned char> guided;  // bit k: fixed along axis k; empty = none
-  // index of the image under a symmetry rotation of the body, or of the particle itself
+  // index of the image under a symmetry rotation of the body
   std::vector<int> turned;
   std::vector<int> first;     // [body] first particle; then the number of particles
   std::vector<bool> relaxed;  // [body] moved off the lattice to follow the faces; empty = none
@@ -38,12 +38,10 @@ struct InitialParticles {
 
 inline constexpr double greatest_particle_number = 20e6;
 
-/// Fills bodies with a lattice, or whole round bodies with layers (RoundLayout) of exact mass. In a box with particles
-/// on its faces, the n + 1 particles along n cells represent ½ − δ, 1 + δ, 1 … cells, δ = n/(12 (n − 1)), as in
-/// Gregory's rule: mass, moments of inertia and bending stiffness are exact. Guided faces may be planes of symmetry and
-/// keep half cells. Then jitters, reflects, rotates and displaces. Finite elements: see make_element_nodes. Throws
-/// SceneError for no or too many particles, overlapping bodies, and regions, loads or cut-outs in conflict or without
-/// particles.
+/// Fills bodies with a lattice, or whole round bodies with layers (RoundLayout). In a box with particles on its
+/// faces, the n + 1 particles along n cells represent ½ − δ, 1 + δ, 1 … cells, δ = n/(12 (n − 1)), as in Gregory's
+/// rule. Planes of symmetry keep half cells. Throws SceneError for no or too many particles, overlapping bodies, and
+/// regions, loads or cut-outs in conflict or without particles.
 InitialParticles make_initial_particles(const Scene& scene);
 
 /// Fills the union of shapes minus cut-outs with a lattice that begins half a pitch from the anchor of the first shape.

@@ -36,8 +36,7 @@ Point pitch_on_boundary(const Box& box, double dp, int dim) {
   return pitch;
 }
 
-/// Multilinear weights of the particles at the corners of a lattice cell; empty if the particles around the point are
-/// not on a lattice of this pitch.
+/// Multilinear weights of the particles at the corners of a lattice cell; empty off such a lattice.
 std::vector<PointWeight> point_in_cell(const std::vector<Point>& x, int begin, int end, const Point& at,
                                        const Body& body, double dp, int dim) {
   constexpr double round_off = 1e-9;
@@ -178,7 +177,7 @@ std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const S
   if (near.empty()) return point;
   const int nearest = nearest_of(all.x, near, at);
   const double least = squared_distance(all.x[nearest], at);
-  // particles equally near count, too, so that points on the face of a clamp are clamped
+  // equally near particles count, so that points on the face of a clamp are clamped
   const auto steered = std::ranges::find_if(near, [&](int i) {
     return motion_group[i] != 0 && squared_distance(all.x[i], at) <= least + 1e-6 * all.link * all.link;
   });

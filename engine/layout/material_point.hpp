@@ -12,7 +12,7 @@ struct PointWeight {
   double weight;
 };
 
-/// Radius within which particles determine a point, m; particles within a smaller radius may be collinear.
+/// Radius within which particles determine a point, m.
 constexpr double reach_of_points(double support, double dp) { return std::max(support, 2 * dp); }
 
 /// Weights by moving least squares, exact for linear fields:
@@ -24,7 +24,7 @@ std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, 
 /// Greatest step between linked particles, in spacings: links the diagonal of a cell, but not across a slot.
 inline constexpr double link_of_neighbors = 1.8;
 
-/// Particles linked to the one nearest to `at` by steps up to `link`, m; ascending.
+/// Particles linked by steps up to `link`, m, to the particle nearest to `at`; ascending.
 std::vector<int> linked_to_nearest(const std::vector<Point>& x, const std::vector<int>& some, const Point& at,
                                    double link);
 
@@ -43,14 +43,13 @@ struct Surroundings {
   int dim;
 };
 
-/// Replaces a `point` that contains particles of several materials, or clamped or driven particles, which mostly have
-/// no stress of their own. Extrapolates linearly from free particles of one material, or from driven ones if none is
-/// free. Empty if all are clamped.
+/// Replaces a `point` with several materials, clamped or driven particles. Extrapolates linearly from free particles
+/// of one material, or from driven ones if none is free. Empty if all are clamped.
 std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const Surroundings& all,
                                          const Point& at);
 
-/// Replaces a `point` at kinks of the displacement by particles that move with the nearest particle, or are of its
-/// material. `motion_group[i]`: number of the joint motion of particle i; 0 = free.
+/// At kinks of the displacement, replaces `point` by particles with the motion or the material of the nearest
+/// particle. `motion_group[i]`: number of the joint motion of particle i; 0 = free.
 std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const Surroundings& all,
                                          const std::vector<int>& motion_group, const Point& at);
 

@@ -16,7 +16,7 @@ bool any_holds(const std::vector<Shape>& shapes, const Point& x, double toleranc
   return std::ranges::any_of(shapes, [&](const Shape& shape) { return shape->holds(x, 2, tolerance); });
 }
 
-/// Whether another shape contains x, or an earlier one contains `middle`, as where two faces coincide.
+/// Whether another shape contains x. Of coincident faces, the first is kept.
 bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, const Point& middle,
              double dp) {
   const double thin = 1e-6 * dp;
@@ -27,7 +27,7 @@ bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, 
 }
 
 bool is_face(const Body& body, bool cut, std::size_t own, const Point& a, const Point& b, double dp) {
-  const double off = 1e-3 * dp / distance_between(a, b, 2);  // places points 1e-3 dp off the side
+  const double off = 1e-3 * dp / distance_between(a, b, 2);
   const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0};
   const Point before{middle[0] + off * (b[1] - a[1]), middle[1] - off * (b[0] - a[0]), 0};
   const Point behind{middle[0] - off * (b[1] - a[1]), middle[1] + off * (b[0] - a[0]), 0};
@@ -42,7 +42,7 @@ bool needs_clipping(const Body& body) {
   return std::ranges::any_of(body.shapes, is_other) || std::ranges::any_of(body.without, is_other);
 }
 
-/// Outline of the union of all shapes minus the cut-outs, by polygon clipping.
+/// Outline of all shapes minus the cut-outs, by polygon clipping.
 std::vector<Chain> whole_outline(const Body& body, int dim, double dp) {
   const auto one = [](const std::vector<Shape>& shapes) {
     return shapes.size() == 1 ? shapes.front() : Shape(Combined{Combination::together, shapes});

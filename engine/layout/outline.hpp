@@ -26,8 +26,8 @@ struct Outline : FaceNodes {
   int body_of(const Segment& segment) const { return body[static_cast<std::size_t>(segment.node[0])]; }
 };
 
-/// Outlines the union of each body's shapes minus cut-outs; mirrored bodies have exact mirror images. Empty in 3D, for
-/// shapes without outline, and where too few particles surround a node.
+/// Outlines the union of each body's shapes minus cut-outs. Empty in 3D and for shapes without outline. Omits nodes
+/// with too few particles around them.
 Outline make_outline(const Scene& scene, const InitialParticles& initial);
 
 }  // namespace taut

@@ -132,7 +132,7 @@ class LaidPlaces {
   }
 
  private:
-  static constexpr double reach = 1.5;  // in spacings; suffices up to a stretch of 1.7
+  static constexpr double reach = 1.5;  // in spacings
 
   Mat<double, 3> gradient(const Point& X) const {
     const double way = 1e-3 * spacing_;

@@ -12,7 +12,7 @@
 
 namespace taut {
 
-/// Points in cells of side 1, for searches near a place.
+/// Points in cells of side 1.
 class PointGrid {
  public:
   PointGrid(std::vector<Point> points, int dim) : points_(std::move(points)), dim_(dim) {

@@ -5,8 +5,7 @@
 
 namespace taut {
 
-/// Nodes and Gauss points of a line element on [−1, 1] with n nodes. Elements are products of lines; their nodes and
-/// points are numbered along axis 0 first.
+/// Nodes and Gauss points of a line element on [−1, 1]. Elements are products of lines, numbered along axis 0 first.
 template <int n>
 struct LineElement {
   static_assert(n == 2 || n == 3);
@@ -83,7 +82,6 @@ constexpr int index_along(int axis, int k, int n) {
   return axis == 0 ? k % n : axis == 1 ? k / n % n : k / (n * n);
 }
 
-/// Product of the weights of point k along all axes.
 template <int n, int Dim>
 constexpr double product_weight(const std::array<double, n>& weight, int k) {
   double product = 1;

@@ -15,10 +15,10 @@ namespace taut {
 namespace {
 
 // lengths in spacings
-constexpr int layers = 3;       // of particles along faces
-constexpr int steps = 8;        // more turn the rows inside into hexagonal grains
+constexpr int layers = 3;
+constexpr int steps = 8;        // more steps turn rows inside into hexagonal grains
 constexpr double beside = 0.6;  // least distance to particles of other layers at the start
-/// A place farther than this from all particles has room for one; 1.2 times the maximum in a lattice.
+/// A place farther than this from all particles has room for one.
 double hole(int dim) { return 0.6 * std::sqrt(dim); }
 constexpr double least_depth_of_hole = 0.35;
 
@@ -62,7 +62,7 @@ class Relaxation {
   Relaxation(BodyPieces body, std::vector<Point> lattice, int dim)
       : body_(std::move(body)), x_(std::move(lattice)), dim_(dim), faces_(body_.face_points, dim) {}
 
-  /// Returns false if the lattice fits all faces; particles then stay.
+  /// Returns false, and moves no particle, if the lattice fits all faces.
   bool run() {
     if (!arrange_at_faces()) return false;
     for (int step = 0; step < steps; ++step) move_to_middles(cells());
@@ -159,7 +159,7 @@ class Relaxation {
     }
     return best;
   }
-  /// Numbers of the connected parts, in the order of their first candidates.
+  /// [candidate] number of its connected part.
   static std::vector<int> components(const PointGrid& candidates) {
     constexpr double linked = 0.5;
     std::vector<int> component(candidates.points().size(), -1), open;
@@ -197,9 +197,9 @@ class Relaxation {
         added.push_back(*x);
     x_.insert(x_.end(), added.begin(), added.end());
   }
-  /// Drops particles at the end of a chain, as in sharp tips: methods need neighbours that span the space.
+  /// Drops particles at tips: methods need neighbours that span the space.
   void drop_tips() {
-    constexpr int most = 3;  // from the end of each tip
+    constexpr int most = 3;
     constexpr double near = 1.5;
     for (int round = 0; round < most; ++round) {
       const PointGrid grid(x_, dim_);

@@ -58,7 +58,7 @@ class Faces {
  public:
   Faces(const Body& laid, double dp) : body_(laid), dp_(dp) {}
 
-  /// Point of a face near x, to 1e-6 spacings, or x itself. `outside`: a point further outwards.
+  /// Point of a face near x, or x if there is none. `outside`: a point further outwards.
   Point nearest(const Point& x, const Point& outside) const {
     const std::optional<Point> at = descend_to_face(x);
     return at && is_face(*at) ? *at : on_the_line(x, outside);
@@ -123,7 +123,7 @@ class Faces {
     return std::nullopt;
   }
 
-  /// Signed distance to a face in m, negative inside. It is 0 on faces and on seams between shapes.
+  /// Signed distance to a face in m, negative inside; 0 on seams between shapes.
   double height(const Point& x) const {
     if (on_face(x)) return 0;
     double low = -2 * farthest * dp_, high = 2 * farthest * dp_;
@@ -251,13 +251,13 @@ class BodyMesh {
     return corners;
   }
 
-  /// Corner where several lattice-aligned faces meet; the point nearest to one face may not lie on the others.
+  /// Corner of several lattice-aligned faces; the point nearest to one face may not lie on the others.
   std::optional<Point> on_rim(const Cell& cell, const Point& outwards) const {
     if (std::ranges::count(outwards, 0.0) > dim - 2) return std::nullopt;
     Point off{};  // in pitches
     for (std::size_t a = 0; a < dim; ++a) {
       if (outwards[a] == 0) continue;
-      std::array<double, 2> way{};  // to the face, pitches, measured half a cell and a whole cell inside
+      std::array<double, 2> way{};  // to the face, in pitches, from half a cell and a whole cell inside
       for (std::size_t n = 0; n < way.size(); ++n) {
         Point beside{};
         for (std::size_t b = 0; b < dim; ++b)
@@ -316,7 +316,7 @@ class BodyMesh {
       return facet;
     };
     make_in_order(static_cast<int>(facets_.size()), threads, make, [&](int, const SurfaceMesh::Facet& facet) {
-      constexpr double least_area = 0.01;  // dp²; drops remnants of lattice steps
+      constexpr double least_area = 0.01;  // dp²
       if (facet.area > least_area * dp_ * dp_) out_.facets.push_back(facet);
     });
   }

@@ -25,12 +25,11 @@ struct SurfaceMesh : FaceNodes {
 /// Area vector ½ (x2 − x0) × (x3 − x1), outwards, m².
 Point vector_area(const std::array<Point, 4>& corner);
 
-/// Facets are the patches of layered shapes. On a lattice they are the sides of cells without a neighbour cell, with
-/// corners moved to the nearest face of the shapes. Mirrored bodies have exact mirror images. Omits facets where a body
-/// is too thin to locate its faces. Empty in 2D.
+/// Facets are the patches of layered shapes; on a lattice, the sides of cells without a neighbour cell, moved to the
+/// faces of the shapes. Omits facets where a body is too thin. Empty in 2D.
 SurfaceMesh make_surface_mesh(const Scene& scene, const InitialParticles& initial, int threads = 1);
 
-/// Whether faces can be found: false if a body has particles listed one by one.
+/// Returns false if a body has particles listed one by one.
 bool can_have_surface_mesh(const Scene& scene);
 
 }  // namespace taut

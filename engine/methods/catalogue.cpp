@@ -29,7 +29,7 @@ std::vector<TermInfo> terms(const Formulation& m) {
   return all;
 }
 
-/// `sph` requires a neighbour search, `surface` initial neighbours. Laws between particles need equal particles.
+/// `sph` requires a neighbour search, `surface` initial neighbours.
 std::vector<ContactLaw> contact_laws_of(bool searches, bool of_elements = false) {
   if (of_elements) return {ContactLaw::surface};
   std::vector<ContactLaw> all;

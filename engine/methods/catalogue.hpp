@@ -23,8 +23,8 @@ struct LawChoice {
 };
 
 enum class StrainEnergy {
-  potential,  // function of the positions or F; some forces may not derive from it
-  of_stress,  // of an integrated stress; the forces have no potential
+  potential,  // function of the positions or F
+  of_stress,  // of an integrated stress
   recovered,  // of a stress that is recovered for display
 };
 StrainEnergy strain_energy(const Formulation& m);

@@ -17,7 +17,7 @@ struct Elasticity {
   std::array<double, most_law_parameters> of_law{};  // values of LawRow::parameters
 };
 
-/// m/s; the same in plane strain and 3D.
+/// In m/s, in plane strain and 3D.
 inline double compression_wave_speed(const Elasticity& m) {
   return std::sqrt((m.K + 4.0 / 3 * m.G) / m.rho0);
 }

@@ -26,7 +26,7 @@ enum class Deviator : std::uint8_t {
   plane_strain,  // 1/3, [Khayyer2024] Eq. 6
 };
 
-/// Data of every method; families add switches.
+/// Data of every method.
 struct Formulation {
   std::string_view name;
   std::string_view paper;
@@ -38,14 +38,13 @@ struct Formulation {
   KernelName kernel = KernelName::wendland_c2;
   ContactLaw contact = ContactLaw::sph;  // published
   double contact_stiffness = 1;          // see the contact law in terms/
-  bool several_materials = false;        // whether a scene may have several
+  bool several_materials = false;
   double h_over_dp = 1.3;
   double h_over_dp_3d = 0;  // 0: as in 2D
   double cfl = 0.4;         // acoustic, [Zhang2024] Eq. 22
   int element_order = 0;    // of finite elements; 0 = particles
 };
 
-/// Null for a method of another family.
 template <class F>
 constexpr const F* as(const Formulation& m) {
   return m.family == F::own_family ? static_cast<const F*>(&m) : nullptr;
@@ -56,7 +55,6 @@ constexpr bool consistent(const Formulation& m) {
   return m.h_over_dp > 0 && m.h_over_dp_3d >= 0 && m.cfl > 0 && !m.name.empty();
 }
 
-/// Inconsistent methods do not compile.
 template <const auto&... M>
 struct MethodList {
   static_assert(((consistent(static_cast<const Formulation&>(M)) && consistent(M) &&

@@ -14,7 +14,7 @@ constexpr Formulation lee2016(Formulation m) {
   // [Lee2016] states neither kernel nor h. Short supports (8 neighbours, in 3D 26) are least one-sided at faces.
   m.h_over_dp = 0.8;
   m.h_over_dp_3d = 0.87;
-  // With the CFL number 0.3 of [Lee2016] §5, the bending column fails at ν = 0.499.
+  // Departure: [Lee2016] §5 has 0.3, with which the bending column fails at ν = 0.499.
   if (m.family == Family::tl_mixed) m.cfl = 0.25;
   return m;
 }

@@ -16,8 +16,7 @@ struct BondSums {
   Pack stiffest{};         // maximum s + 1/(4s²)
 };
 
-/// Sums over the bonds of a group, with damping (THEORY.md). `places`: x, then x + 3 τ v; the product of the
-/// differences of both is r0² (s + 3 τ q̇).
+/// Sums over the bonds of a group, with damping (THEORY.md). `places`: x, then x + 3 τ v.
 template <bool WithEnergy, int Dim, class Storage>
 [[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBondsView<Dim, Storage>& bonds,
                                                       const ColumnsView<2 * Dim>& places, int group,

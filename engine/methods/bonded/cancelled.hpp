@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// Cancellation for lattices along the axes, where the e ⊗ e of diagonals differ only in signs; e: direction of a bond.
+/// Cancellation on lattices along the axes. The e ⊗ e of diagonals differ only in signs; e: direction of a bond.
 template <int Dim>
 struct alignas(sizeof(Pack)) CancelledOnLattice {
   static constexpr int faces = Dim == 2 ? 1 : 3;
@@ -155,7 +155,7 @@ class CancelledBonds {
   SharedRows<CancelledOnLattice<Dim>> on_lattice_;
 };
 
-/// Computes s° = e·C e, the squared stretch of a bond by F alone, from the stored e ⊗ e.
+/// Computes s° = e·C e from the stored e ⊗ e.
 template <int Dim, class Storage>
 class CancelledView<Dim, Storage>::Stretch {
  public:

@@ -34,11 +34,11 @@ struct BondedFields {
   V* x;
   const V* v;
   ColumnsView<2 * Dim> places;  // x, x + 3 τ v of particles, then of clamp places
-  ColumnsView<Dim * Dim> Q;     // T B, row by row; T: generalised stress (THEORY.md, Energy)
+  ColumnsView<Dim * Dim> Q;     // T B, row by row (THEORY.md, Energy)
   const double* mobility;       // 1/kg; 0 if clamped
   Vec<Pack, Dim>* bond_force;   // [group] in N
-  double lead;                  // 3 τ in s; τ: damping time of the bonds (THEORY.md)
-  double least_r2;              // minimum of r² in m², (dp/100)²
+  double lead;                  // 3 τ in s (THEORY.md, Damping)
+  double least_r2;              // minimum of r² in m²
   bool uses_group_law;
   LawsInUse laws;
   const int* material;  // padded to whole groups

@@ -14,7 +14,7 @@
 
 namespace taut {
 
-/// W and its derivative for one particle, by the default law or the chosen law.
+/// W and ∂W/∂F of one particle.
 struct LawOfOne {
   const std::vector<Elasticity>& materials;
   bool own;  // uses the default law
@@ -43,7 +43,7 @@ class InterfaceSites {
   /// `ids` is in storage order.
   InterfaceSites(const BondedSetup& setup, const std::vector<int>& ids);
 
-  /// Replaces Q at the sites and adds the forces of their kinks and of their bonds across the interface, N.
+  /// Replaces Q at the sites and adds the forces of kinks and of bonds across the interface, N.
   template <class Column, class Law>
   void pass(const Column& x, const Law& law, int threads, Columns<Dim * Dim>& Q,
             std::vector<Vec<Pack, Dim>>& bond_force);

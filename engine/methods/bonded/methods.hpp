@@ -18,7 +18,7 @@ inline constexpr BondedFormulation oenog{
         .several_materials = true,
         .h_over_dp = 0.8,     // 8 neighbours on a square lattice
         .h_over_dp_3d = 0.9,  // 26 on a cubic lattice
-        .cfl = 0.64,          // over dp/(c_p + |v|max); lattices are stable up to 0.97
+        .cfl = 0.64,          // over dp/(c_p + |v|max)
     },
     {.law = Law::neo_hookean, .others = OtherLaws::all}};
 

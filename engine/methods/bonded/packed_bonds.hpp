@@ -53,8 +53,8 @@ struct BondToClamp {
   int group, lane, bond, place;
 };
 
-/// Bonds of groups of four particles: first bonds with an a_ij, then the others, each part in storage order. Storage is
-/// AlignedPack, or HalfPack off-lattice in 3D, where groups share no constants.
+/// Bonds of groups of four particles: first bonds with an a_ij, then the others, each part in storage order. Storage
+/// is AlignedPack, or HalfPack off-lattice in 3D.
 template <int Dim, class Storage>
 struct PackedBondsView {
   struct GroupRows {  // first indices, numbers of bonds

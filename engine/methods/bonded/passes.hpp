@@ -10,8 +10,7 @@
 
 namespace taut {
 
-/// Number of groups in a block. The cube roots of a block are computed in one loop, so that their long dependency
-/// chains overlap.
+/// Number of groups in a block. One loop computes the cube roots of a block, so that their dependency chains overlap.
 inline constexpr int groups_of_block = 8;
 template <int Dim>
 int block_count(const BondedFields<Dim>& f) {

@@ -66,8 +66,7 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const Alig
   return F;
 }
 
-/// Scales the recovered F to the volume ratio `J` of the particle's own F, except where the own F averages over two
-/// materials or motions.
+/// Scales the recovered F to the volume ratio `J` of the own F, except where `recovered.between` is 1.
 template <int Dim>
 void keep_volume(const RecoveredView& recovered, int size, int first, Mat<Pack, Dim>& F, const Pack& J) {
   const Pack least = filled<Pack>(0.05);  // for crushed or inverted particles

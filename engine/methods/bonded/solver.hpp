@@ -22,8 +22,7 @@ struct StoredBonds {
   BondsView<Dim, Storage> view() const { return {packed.view(), cancelled.view()}; }
 };
 
-/// Bodies of bonds (THEORY.md) with position Verlet. The stress pass computes F_i, bond forces and Q_i = T_i B_i, the
-/// force pass the stress force Σ_j (Q_i + Q_j) a_ij.
+/// Bodies of bonds (THEORY.md) with position Verlet.
 template <int Dim>
 class Bonded final : public Scheme<Dim> {
  public:

@@ -49,9 +49,9 @@ T root_of(const T& a, std::integral_constant<int, 3>) {
   return inverse_cube_root(T(1 / a));
 }
 
-/// Deformation gradients of four elements at their Gauss points: F from the displacements of the nodes, and F̄ with the
-/// volume ratio J̄, which is det F projected on the constant (fe2: linear) functions of the element.
-/// F̄ = (J̄/J)^(1/d) F, [Simo1985], for small strains [Hughes1980]. Departure: d = 2 in 2D, not 3.
+/// Deformation gradients F of four elements at their Gauss points, and F̄ = (J̄/J)^(1/d) F, [Simo1985], for small
+/// strains [Hughes1980]. J̄ is J = det F projected on the constant (fe2: linear) functions of the element. Departure:
+/// d = 2 in 2D, not 3.
 template <int n, int Dim>
 struct ElementStrain {
   static constexpr int N = power_of(n, Dim), modes = volume_modes(n - 1, Dim);

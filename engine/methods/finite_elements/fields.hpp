@@ -14,7 +14,7 @@ struct ElementPoint {
   alignas(sizeof(Pack)) Pack mode[modes];  // orthonormal functions that span the volume ratio, m^(−Dim/2)
 };
 
-/// Number of functions that span the volume ratio of an element: 1 (constant) or dim + 1 (linear).
+/// Number of functions that span the volume ratio of an element.
 constexpr int volume_modes(int order, int dim) { return order == 1 ? 1 : dim + 1; }
 
 template <int Dim>

@@ -4,11 +4,11 @@
 
 namespace taut {
 
-/// Data that both orders share. `cfl`: time step over 2/ω, the stability limit of the stiffest element alone.
+/// `cfl`: time step over 2/ω, the stability limit of the stiffest element.
 constexpr Formulation finite_elements_of(Formulation m) {
   m.deviator = Deviator::plane_strain;
   m.contact = ContactLaw::surface;
-  m.contact_stiffness = 4;  // a stiffer contact overlaps less, and needs shorter steps
+  m.contact_stiffness = 4;
   m.several_materials = true;
   m.cfl = 0.8;
   return m;

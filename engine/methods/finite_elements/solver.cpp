@@ -20,7 +20,7 @@ namespace taut {
 namespace {
 
 constexpr int steps_per_rate = 10;  // between evaluations of the greatest frequency
-/// Ratio of squared frequencies beyond which the run has diverged: its steps would be a hundred times as short.
+/// Ratio of squared frequencies beyond which the run has diverged.
 constexpr double greatest_rate_ratio = 1e4;
 
 template <int n, int Dim>
@@ -249,7 +249,7 @@ void FiniteElements<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Calls take(element, F_at) for some groups of elements; F_at(q) is F̄ at Gauss point q at the current positions.
+/// Calls take(element, F_at) for the elements of `groups`; F_at(q) is F̄ at Gauss point q at the current positions.
 template <int Dim>
 template <class Take>
 void FiniteElements<Dim>::with_strains(const std::vector<int>& groups, const Take& take) const {

@@ -8,8 +8,7 @@
 
 namespace taut {
 
-/// Total-Lagrangian finite elements with lumped masses. Particles are nodes. Position Verlet with forces at mid-step, as
-/// in TlDisplacement.
+/// Total-Lagrangian finite elements with lumped masses. Particles are nodes. Position Verlet with forces at mid-step.
 template <int Dim>
 class FiniteElements final : public Scheme<Dim> {
  public:

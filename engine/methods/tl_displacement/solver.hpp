@@ -6,8 +6,7 @@
 
 namespace taut {
 
-/// Computes F from positions, [Lee2016] Eq. 34. Position Verlet, [Zhang2020] Eq. 10, 11 with forces at mid-step,
-/// conserves energy if the forces derive from an energy.
+/// Computes F from positions, [Lee2016] Eq. 34. Position Verlet, [Zhang2020] Eq. 10, 11, with forces at mid-step.
 template <int Dim>
 class TlDisplacement final : public Scheme<Dim> {
  public:

@@ -17,7 +17,7 @@ struct BoundaryPoint {
 };
 
 /// Changes v as little as possible, weighted by mass, so that interpolated velocities are the prescribed ones,
-/// [Lee2016] Appendix B (THEORY.md). Both momenta are conserved: set boundary particles to their prescribed velocities
+/// [Lee2016] Appendix B (THEORY.md). Conserves both momenta. Set boundary particles to their prescribed velocities
 /// first.
 class BoundaryProjection {
  public:
@@ -28,7 +28,7 @@ class BoundaryProjection {
 
   /// `v` in m/s, positions `Z` in m.
   void operator()(std::vector<Point>& v, std::vector<Point> Z) const;
-  /// Only their velocities may be changed.
+  /// Callers may change only the velocities.
   std::vector<BoundaryPoint>& points() { return points_; }
   Point interpolated(const BoundaryPoint& point, const std::vector<Point>& f) const;
 

@@ -9,14 +9,14 @@
 namespace taut {
 
 /// Weights w_ij of L[f]_i = Σ_j w_ij (f_j − f_i), times `scale` in m², [Lee2016] Eq. A.1–A.5 (THEORY.md). Departure:
-/// no quadratic correction (β = 0) where neighbours hardly distinguish linear from quadratic fields, as at corners;
-/// large w_ij would require tiny time steps.
+/// no quadratic correction (β = 0) where neighbours hardly distinguish linear from quadratic fields, because large
+/// w_ij require tiny time steps.
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
                                         double h, double scale, int threads = 1) {
   constexpr int N = Dim + 1;
-  // minimum nonlinear share of Σ V r⁴; lattice corners have 0 at the default h, at least 0.03 at a greater h
+  // minimum nonlinear share of Σ V r⁴
   constexpr double least_nonlinear_share = 0.02;
   std::vector<double> w(pairs.j.size());
   parallel_for(pairs.size(), threads, [&](int i) {
@@ -138,7 +138,7 @@ Vec<Pack, N> second_laplacian(const LaplacianView<Dim>& pairs, const ColumnsView
   return sum;
 }
 
-/// Spectral radius of dp⁴ L*[L[·]], 1 to 2 % low, by power iteration; equal for any number of threads.
+/// Spectral radius of dp⁴ L*[L[·]], 1 to 2 % low, by power iteration.
 template <int Dim>
 double biharmonic_spectral_radius(const LaplacianView<Dim>& pairs, int particles, int threads) {
   constexpr int fields = 2;

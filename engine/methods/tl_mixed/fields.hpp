@@ -25,8 +25,7 @@ struct StageActions {
   void (*load)(void* of, int i, V& a);
   /// Sets prescribed `v` after the first stage.
   void (*steer)(void* of, int i, V& v);
-  /// Sets prescribed `v` at the end of the step and adds the work of loads and drives. `before`: v at the start of the
-  /// step.
+  /// Sets prescribed `v` at the end of the step and adds the work of loads and drives. `before`: v at its start.
   void (*close)(void* of, int i, double dt, const V& before, V& v);
 };
 
@@ -37,7 +36,7 @@ struct TlMixedFields {
   int size;
   V *x, *v;
   const double* m;
-  V* v_start;  // at the start of the step
+  V* v_start;
   const V* X;
   const double* V0;
   const int* material;

@@ -43,8 +43,8 @@ inline Pack volumes_of_four(const double* V, int i, int last) {
 }
 
 /// Changes the accelerations `a` of a body as little as possible (squares weighted by volume) so that total force and
-/// torque vanish, [Lee2016] Eq. 45–48. The body must have uniform density. `a` is padded by a pack; `share` scales the
-/// change. The result depends neither on the number of threads nor on the place in storage.
+/// torque vanish, [Lee2016] Eq. 45–48. The body must have uniform density. `a` is padded by a pack; `share` scales
+/// the change.
 template <int Dim>
 void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, const double* V, int first,
                         int last, double share = 1) {

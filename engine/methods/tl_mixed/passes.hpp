@@ -11,7 +11,6 @@
 
 namespace taut {
 
-/// Unknowns of method M, which may lack J and H.
 template <const TlMixedFormulation& M, int Dim>
 struct UnknownsOf {
   using Mat = taut::Mat<Pack, Dim>;
@@ -172,7 +171,7 @@ template <int Dim, class F>
   for (int i = first; i < last; ++i) use(i);
 }
 
-/// Adds the impulse of one of two stages, for reaction probes.
+/// Adds the impulse of a stage, for reaction probes.
 template <int Dim>
 [[gnu::noinline]] void watch(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, int group,
                              Vec<Pack, Dim> a) {

@@ -33,7 +33,7 @@ TlMixed<Dim>::TlMixed(Common<Dim>& common, const SolverInput& input, const Kerne
   make_pairs(input);
   flow_.resize(p_.size());
   stress_.resize(p_.size());
-  a_.resize(p_.size() + lanes), a_start_.resize(p_.size());  // packs may begin anywhere
+  a_.resize(p_.size() + lanes), a_start_.resize(p_.size());  // packs begin at any particle
   dissipation_J_.resize(p_.size() + lanes);
   make_strains();
   f_ = {.size = p_.size(),
@@ -102,7 +102,7 @@ void TlMixed<Dim>::set_start_gradients() {
   kernels_.start_gradients(f_);
 }
 
-/// Time step limit of the dissipation, s: 2 over its greatest rate, less a tenth for waves.
+/// Time step limit of the dissipation, s, with a reserve of a tenth for waves.
 template <int Dim>
 double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
   const double square = biharmonic_spectral_radius(dissipating_lanes_.view(), p_.size(), threads),
@@ -227,8 +227,7 @@ void TlMixed<Dim>::project_on_boundary(double ahead) {
                     [&](int i) { return p_.x[i] + ahead * v_start_[i]; });
 }
 
-/// Impulse law: advances x, F, J and H by the changes of the velocities. A particle stopped in each step creeps by
-/// dt²/4 times the difference of both stages' accelerations; correcting this would change angular momentum.
+/// Impulse law: advances x, F, J and H by the changes of the velocities.
 template <int Dim>
 void TlMixed<Dim>::stop_approach(double dt) {
   bool stopped = false;

@@ -13,10 +13,9 @@
 
 namespace taut {
 
-/// Mixed total-Lagrangian methods, [Lee2016] Algorithm 1. Momentum is stored as the velocity p/ρ0. Departures: L*[L[U]]
-/// replaces L[L[U]] (Eq. 37b), which can add energy at surfaces. Step 9 requires `boundary_projection` = 1. The sum of
-/// force and dissipation is projected (Eq. 49), contact and loads are not; contact forces are central at the
-/// same positions and keep angular momentum.
+/// Mixed total-Lagrangian methods, [Lee2016] Algorithm 1. Momentum is stored as the velocity p/ρ0. Departures:
+/// L*[L[U]] replaces L[L[U]] (Eq. 37b), which can add energy at surfaces. Step 9 requires `boundary_projection` = 1.
+/// The sum of force and dissipation is projected (Eq. 49), contact and loads are not.
 template <int Dim>
 class TlMixed final : public Scheme<Dim> {
  public:

@@ -173,7 +173,7 @@ struct Gradients {
   double colour = 0;            // Σ W V
 };
 
-/// Whether the method uses W itself.
+/// Whether the method uses W, not only its gradient.
 constexpr bool needs_kernel(const UlCauchyFormulation& m) {
   return m.artificial_stress || m.transport_velocity;
 }
@@ -196,7 +196,7 @@ struct UlCauchyFields {
   MotionRow<Dim>* transported;  // with û
   void* stress;                 // [particle] StressRow of the method
   RepulsionRow<Dim>* repulsion;
-  const int *begin, *j;                // in the same body, or under `sph` in any; see Neighbors
+  const int *begin, *j;                // see Neighbors
   AlignedPack* w;                      // w(q) of each pair, if needs_kernel
   const AlignedPack* of_one_material;  // 1 if a pair has one material; null: all 1
   // [body] rigid motion since the last neighbour search

@@ -65,7 +65,7 @@ constexpr bool consistent(const UlCauchyFormulation& m) {
   // terms that need corrected gradients
   const bool second_order = m.density_diffusion || m.viscosity == Viscosity::riemann || m.tensile_control;
   return m.artificial_stress == (m.epsilon > 0) && (m.corrected || !second_order) &&
-         (!m.tensile_control || m.artificial_stress) &&           // artificial stress stays at surfaces
+         (!m.tensile_control || m.artificial_stress) &&           // acts at surfaces
          (m.pair_stress == PairStress::product || !m.corrected);  // no paper corrects squares
 }
 

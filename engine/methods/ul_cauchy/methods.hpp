@@ -7,7 +7,7 @@ namespace taut {
 
 inline constexpr Citation khayyer2024_citations[] = {{"pressure", "[Khayyer2024] Eq. 5", ""}};
 
-/// Adds the settings that all methods of [Khayyer2024] share, stated in its §2.
+/// Adds the common settings of [Khayyer2024] §2.
 constexpr UlCauchyFormulation ladder(Formulation step, UlCauchySwitches switches) {
   step.family = Family::ul_cauchy;
   step.citations = khayyer2024_citations;

@@ -40,7 +40,6 @@ struct KernelScale {
         of_gradient(K::alpha(Dim) / power<Dim + 2>(h)),
         beyond2(power<2>(2 * K::support * h)) {}
 
-  /// Called in each pass; loading stored values would be no faster.
   CauchyPair<Dim> pair(const Vec<Pack, Dim>& d) const {
     const Pack r2 = dot(d, d);
     const Pack r = root(r2 == 0 ? filled<Pack>(beyond2) : r2);  // padding and coincident particles
@@ -206,8 +205,8 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Computes û, [Khayyer2024] Eq. 14, and stores û, ρ and the positions after `ahead` (in s) in `transported`. Returns
-/// the maximum squared velocity relative to the body's rigid motion, m²/s².
+/// Stores û ([Khayyer2024] Eq. 14), ρ and the positions after `ahead` (in s) in `transported`. Returns the maximum
+/// squared velocity relative to the body's rigid motion, m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
                       double ahead, const Threads& threads) {

@@ -19,7 +19,7 @@
 namespace taut {
 namespace {
 
-/// Maximum riemann_step_speed() in a body (`sph`: the scene), m/s.
+/// Maximum riemann_step_speed() in a body (`sph`: in the scene), m/s.
 double riemann_speed(const SolverInput& input) {
   const std::vector<Elasticity>& materials = input.materials;
   const InitialParticles& initial = input.initial;
@@ -98,7 +98,7 @@ UlCauchy<Dim>::UlCauchy(Common<Dim>& common, const SolverInput& input, const Ker
   rebuild();
 }
 
-/// Throws SceneError for force probes between bodies: with `sph` these forces are part of the sums over neighbours.
+/// Throws SceneError for force probes between bodies.
 template <int Dim>
 void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
   for (const Probe& probe : scene.probes)

@@ -49,9 +49,8 @@ constexpr bool has_penalty(const UlSplitFormulation& m) { return m.shear == Shea
 constexpr bool strains_clamped(const UlSplitFormulation& m) { return carries_stress(m); }
 
 constexpr bool consistent(const UlSplitFormulation& m) {
-  return (!m.artificial_stress || carries_stress(m)) &&  // artificial stress needs the stress
-         (!m.central_penalty || has_penalty(m)) && m.artificial_stress == (m.epsilon > 0) &&
-         m.cfl_advection > 0;
+  return (!m.artificial_stress || carries_stress(m)) && (!m.central_penalty || has_penalty(m)) &&
+         m.artificial_stress == (m.epsilon > 0) && m.cfl_advection > 0;
 }
 
 }  // namespace taut

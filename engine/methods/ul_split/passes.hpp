@@ -227,7 +227,7 @@ void penalty_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double
   });
 }
 
-/// Advances densities and shear by the second half step, Eq. 25, with rates of the new velocities.
+/// Advances densities and shear by the second half step, Eq. 25.
 template <const UlSplitFormulation& M, int Dim, bool pressure_diffusion>
 void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Steering<Dim>& steering,
                double dt, const Threads& threads) {
@@ -310,7 +310,7 @@ void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, cons
   });
 }
 
-/// Advances positions and densities by `dt`, the first half step, Eq. 23. Departure: shear, too; see Eq. 24.
+/// Advances positions and densities by `dt`, the first half step, Eq. 23. Departure: shear also advances.
 template <const UlSplitFormulation& M, int Dim>
 void half_drift(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double dt, const Threads& threads) {
   parallel_pass(s.size, threads, [&](int i) {

@@ -18,7 +18,7 @@ UlSplitConstants split_constants(const SolverInput& input) {
       constants_of(ul_split::constants(method, input.scene.dim), input.constants, input.values);
   constexpr double known = 0.75;  // G/K for ν = 0.2; above it `enog` fails if steps follow from c0
   c.step_speed = c.zeta > 0 ? step_speed(input, c.zeta, known) : step_speed(input);
-  // up to G/K = 1/4 steps that follow from c0 are stable; above, the penalty limits the step
+  // up to G/K = 1/4 the sound speed c0 limits the step, above that the penalty
   if (has_penalty(method)) c.step_speed = step_speed(input, 4.0 / 3 + c.xi, 0.25);
   return c;
 }

@@ -53,7 +53,7 @@ class UlSplit final : public Scheme<Dim> {
   std::vector<double> rho_, drho_;
   std::vector<V> a_shear_, da_shear_;
   std::vector<S> s_, ds_;
-  // positions when the stress was last updated from displacements (recover_stress), m
+  // positions at the last update of the stress, m
   std::vector<V> x_recovered_;
   std::vector<FlowRow<Dim>> flow_, flow_new_;
   std::vector<TensorRow<Dim>> stress_, repulsion_, recovery_;

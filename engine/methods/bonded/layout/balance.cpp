@@ -25,7 +25,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Vector vector(const Point& p) { return {p[0], p[1]}; }
 
-/// Multiplies by N = A Ω Aᵀ without storing N, whose rows couple particles up to two bonds apart.
+/// Multiplies by N = A Ω Aᵀ without storing N.
 class NormalMatrix {
  public:
   NormalMatrix(const Rows& A, const Eigen::VectorXd& omega, int threads)
@@ -61,9 +61,8 @@ class NormalMatrix {
   Eigen::VectorXd between_;
 };
 
-/// Solves A Ω Aᵀ α = r by preconditioned conjugate gradients. Rows may contradict each other by round-off: r then
-/// grows after some steps. Returns the α of the least residual once r exceeds 1000 times that residual, else the
-/// last α.
+/// Solves A Ω Aᵀ α = r by preconditioned conjugate gradients. Round-off may make rows contradictory: if r grows to
+/// 1000 times its least value, returns the α of the least r.
 Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen::VectorXd r, int threads) {
   constexpr Eigen::Index largest_factor = 12000;
   NormalMatrix N(A, omega, threads);
@@ -334,8 +333,8 @@ class Sector {
     }
     return steps;
   }
-  /// Changes x as little as possible, in Σ (Δx)²/ω, to satisfy the rows; not at all unless this reduces the residual.
-  /// `owner`: for each unknown, one particle at which a bond with this unknown begins.
+  /// Changes x by the least Σ (Δx)²/ω that satisfies the rows. Leaves x if the residual would not decrease. `owner`:
+  /// [unknown] one particle at which a bond with this unknown begins.
   template <class AddRows>
   void least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, const std::vector<int>& owner,
                     const AddRows& add_rows) const {

@@ -14,7 +14,7 @@
 namespace taut {
 namespace {
 
-/// c |X|²/V0 (THEORY.md, Faces).
+/// c r0²/V0 (THEORY.md, Faces).
 double lacking_along_free_face(const Material& material) {
   const double G = material.shear_modulus(), lambda = material.bulk_modulus() - 2.0 / 3 * G,
                thinner = lambda / (lambda + 2 * G);
@@ -31,8 +31,7 @@ int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
   return found;
 }
 
-/// Face terms in bodies that have bonds to the eight nearest only: at each particle with five bonds and at the two
-/// particles behind it, if no bond of the three leads to another material.
+/// Makes face terms at each particle with five bonds and at the two particles behind it (THEORY.md, Faces).
 std::vector<FaceTerm> make_face_terms(const Scene& scene, const InitialParticles& initial, const Bonds& uncut,
                                       const std::vector<Point>& S) {
   constexpr int inside = 8, at_face = 5;

@@ -81,8 +81,7 @@ inline Bonds make_bonds(const Scene& scene, const InitialParticles& initial, dou
 
 /// Modulus of bonds, at most G, in Pa (terms/bond.hpp).
 double modulus_of_bonds(int dim, const Elasticity& m);
-/// G of bond b of particle i, Pa: the harmonic mean of both ends. A rigid particle takes the modulus of the other
-/// end.
+/// G of bond b of particle i, Pa: the harmonic mean of both ends. A rigid end counts like the other end.
 double modulus_of_bond(const Bonds& bonds, const InitialParticles& initial,
                        const std::vector<Elasticity>& materials, int i, int b);
 

@@ -49,7 +49,7 @@ class InterfaceMaker {
 
  private:
   bool is_across(int i, int j) const { return taut::is_across(bonds_, initial_, materials_, i, j); }
-  /// The other material at i; nothing if there is none, if there are several, or at rigid particles.
+  /// The only other material bonded to i; nothing at or beside rigid particles.
   std::optional<int> other_material(int i) const {
     std::optional<int> other;
     if (bonds_.is_rigid(i) || !(bonds_.B[i][0][0] > 0)) return {};
@@ -62,10 +62,10 @@ class InterfaceMaker {
     }
     return other;
   }
-  /// Unit normal of the interface at i: of the plane through the midpoints of the bonds of i and its neighbours to the
-  /// other side. Nothing if these points are not nearly in a plane.
+  /// Unit normal at i of the plane through the midpoints of nearby bonds across the interface. Nothing if these
+  /// midpoints are not nearly in a plane.
   std::optional<Place> normal(int i, int other) const {
-    // maximum ratio of variances across and along the plane; with 0.15 some discs fly apart
+    // maximum ratio of variances across and along the plane
     constexpr double flat = 0.08;
     std::vector<Place> middles;
     Place mean = Place::Zero(), towards = Place::Zero();
@@ -99,7 +99,7 @@ class InterfaceMaker {
   /// Gradient at i within its material; empty where bonds hardly determine it, because the energy would have no
   /// minimum.
   std::vector<SideGradient> own_gradient(int i) const {
-    constexpr double least = 0.5;  // of det A/(tr A/dim)^dim; isotropic: 1, flat sides of lattices: ≥ 0.86
+    constexpr double least = 0.5;  // of det A/(tr A/dim)^dim; 1 if isotropic
     Square A = Square::Zero();
     std::vector<SideGradient> entries;
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {

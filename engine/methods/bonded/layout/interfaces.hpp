@@ -9,8 +9,7 @@ namespace taut {
 
 inline constexpr double greatest_across = 8;  // maximum of own G over G_ij
 
-/// Sites are particles beside another material (THEORY.md, Interfaces). There are no sites at corners of an interface,
-/// between three materials, where one side is a single layer, at clamps, or if only densities differ.
+/// Sites are particles with the energy of THEORY.md, Interfaces.
 struct Interfaces {
   struct Site {
     int id;

@@ -43,7 +43,7 @@ class LayoutBonds {
   }
 
  private:
-  /// Least allowed strength (V_i w_ij + V_j w_ji)/V_i of a pair; square lattices have 2.
+  /// Least allowed strength (V_i w_ij + V_j w_ji)/V_i of a pair.
   static constexpr double least_strength = 0.4;
   static constexpr double not_selected = -1;
   static constexpr double greatest_at_surface = 1;  // w in irregular bodies

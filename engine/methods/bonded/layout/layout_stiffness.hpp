@@ -56,7 +56,7 @@ double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double,
 }
 
 /// Maximum eigenvalue of a symmetric operator apply(u, out) on n vectors, about 0.5 % low, by Lanczos steps from a
-/// fixed start. Round-off repeats eigenvalues, but adds no greater one.
+/// fixed start.
 template <int Dim, class Apply>
 double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   constexpr int least = 14, most = 30;  // steps

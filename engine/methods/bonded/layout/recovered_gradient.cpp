@@ -53,8 +53,7 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
 }
 
 constexpr int rigid = 1;
-/// Motions: 0 free, 1 rigid, else a number per drive and guide. The outermost particles of a driven or guided region
-/// have the number of their least constrained neighbour.
+/// Motions (THEORY.md, Recovered gradient): 0 free, 1 rigid, else a number per drive and guide.
 template <int Dim>
 std::vector<int> motions(const InitialParticles& initial, const Constraints& constraints,
                          const std::vector<int>& drive, double spacing, int threads) {
@@ -156,7 +155,6 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
   return g;
 }
 
-/// Equal rows are shared in 3D.
 template <int Dim>
 class Rows {
  public:

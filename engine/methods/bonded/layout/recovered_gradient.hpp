@@ -13,13 +13,12 @@ struct RecoveredView {
   const unsigned char* between;  // null: none
 };
 
-/// Gradients for snapshots, ∇f at i = Σ_j (f_j − f_i) ⊗ g_ij, exact for quadratic fields, also at the surface;
-/// in thin bodies for linear fields only (THEORY.md, Recovered gradient).
+/// Gradients for snapshots, ∇f at i = Σ_j (f_j − f_i) ⊗ g_ij (THEORY.md, Recovered gradient).
 struct RecoveredGradient {
   // [n + 1]; particles without entries keep the gradient of the method
   std::vector<int> begin;
   std::vector<int> j;
-  std::vector<int> row;       // [n] first index in `g`, shared by equal neighbourhoods
+  std::vector<int> row;       // [n] first index in `g`
   std::vector<double> g;      // 1/m, dim numbers per entry
   std::vector<float> halved;  // replaces g if requested
   // [n] 1: the method's gradient averages over two materials or motions; 3D only, may be empty
@@ -39,9 +38,8 @@ struct RecoveredGradient {
   const double* of(int i, int b) const { return &g[row[i] + dim * (b - begin[i])]; }
 };
 
-/// Particle id[k] is stored at k; the result uses stored indices. `drive`: as in `initial`, but −1 after the end of the
-/// drive. `reach`: support of the method's gradient, m. `halved`: stores g in single precision, for layouts without
-/// equal neighbourhoods.
+/// Particle id[k] is stored at k; the result uses stored indices. `drive`: as in `initial`, but −1 after the end of
+/// the drive. `reach`: support of the method's gradient, m. `halved`: stores g in single precision.
 RecoveredGradient recovered_gradient(const InitialParticles& initial, const Constraints& constraints,
                                      const std::vector<int>& drive, const std::vector<int>& id,
                                      double spacing, double reach, int threads = 1, bool halved = false);

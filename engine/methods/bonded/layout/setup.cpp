@@ -7,7 +7,7 @@
 namespace taut {
 namespace {
 
-/// Index of the bond from `from` to `to`; −1 if it is not stored.
+/// Returns −1 if the bond is not stored.
 int find_bond(const Bonds& bonds, int from, int to) {
   const int* const last = bonds.j.data() + bonds.begin[from + 1];
   const int* const found = std::find(bonds.j.data() + bonds.begin[from], last, to);

@@ -17,8 +17,7 @@ struct BondConstants {
   Point area;     // a_ij from i to j, up to the factor that B removes (THEORY.md)
 };
 
-/// Bond, or face term, whose energy is subtracted (THEORY.md, Cancellation). G: modulus_of_bond, or
-/// modulus_of_bonds for a face term.
+/// Bond or face term (THEORY.md, Cancellation). G: modulus_of_bond, for face terms modulus_of_bonds.
 struct CancelledTerm {
   Point X;          // initial vector to the neighbour, or t of a face term, m; only the direction counts
   double strength;  // G V0_i w_ij in J
@@ -38,7 +37,7 @@ struct BondedSetup {
   std::vector<double> mass;  // [n] kg
   Interfaces interfaces;
   double wave_speed;                     // m/s
-  double damping_lead;                   // 3 τ in s; τ: damping time of the bonds (THEORY.md)
+  double damping_lead;                   // 3 τ in s (THEORY.md, Damping)
   std::vector<ClampPlace> clamp_places;  // sorted by the particle whose bond ends there
   std::vector<int> first_clamp_place;    // [n] index in `clamp_places`
 
@@ -48,7 +47,7 @@ struct BondedSetup {
 
 BondedSetup make_bonded_setup(const SolverInput& input, double damping);
 
-/// Marks the rigid particles, and no pins, as clamped, so that loads on faces skip them.
+/// Marks rigid particles as clamped, but no pins.
 InitialParticles with_rigid_clamped(const InitialParticles& initial, const Bonds& bonds);
 
 }  // namespace taut

@@ -17,7 +17,7 @@
 namespace taut {
 namespace {
 
-/// Number of neighbours inside a lattice: a cube of 3 × 3 × 3 without its centre.
+/// Number of neighbours inside a lattice.
 constexpr std::size_t whole = 26;
 
 /// w for `r` in spacings (THEORY.md, Three dimensions).

@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Computes 3D bonds on request, because 26 bonds take 1.5 kB per particle.
+/// Computes 3D bonds on request, to save memory.
 struct SolidGeometry {
   /// Decay of a_ij with the distance (THEORY.md, Gradient).
   enum class Gradient : unsigned char { of_axes, steep, even };
