@@ -31,7 +31,7 @@ class OutputOf : public RunOutput {
 /// Number of judgements after the start.
 constexpr int judged_parts = 200;
 
-/// Writes history.csv; updates drift, verdict and indicators. Rows between judgements repeat the indicators.
+/// Writes history.csv; updates drift, verdict and indicators.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
