@@ -28,7 +28,6 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// Number of judgements after the start.
 constexpr int judged_parts = 200;
 
 /// Writes history.csv; updates drift, verdict and indicators.

@@ -96,7 +96,7 @@ std::span<const RecordField> record_fields();
 Json to_json(const RunRecord& record);
 /// Keys of results.json.
 Json to_results(const RunRecord& record);
-/// Missing keys give empty members or defaults. Throws UsageError for an invalid record.
+/// Missing keys give empty members or defaults. Throws UsageError.
 RunRecord record_from(const JsonCursor& json);
 
 /// With all keys of run.json.

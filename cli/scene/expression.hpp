@@ -34,7 +34,7 @@ Solution compile_in_time(const std::string& text, const Names& names);
 std::function<double(const std::vector<double>&, double)> compile_of_values(
     const std::string& text, Names names, const std::vector<std::string>& values);
 
-/// Names of variables in `text`, known or not; empty if `text` is invalid.
+/// Names of variables in `text`; empty if `text` is invalid.
 std::set<std::string> names_in(const std::string& text);
 
 std::vector<std::string> function_names();

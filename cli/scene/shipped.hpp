@@ -7,8 +7,7 @@
 
 namespace taut::cli {
 
-/// In search order: folders of TAUT_SCENES, then the shipped scenes. Throws UsageError for a missing folder in
-/// TAUT_SCENES.
+/// In search order: folders of TAUT_SCENES, then the shipped scenes. Throws UsageError for a missing folder.
 std::vector<std::filesystem::path> scene_folders();
 /// Sorted, then "gallery/NAME". Throws UsageError without scene folders.
 std::vector<std::string> scene_names();

@@ -58,7 +58,7 @@ class TomlCursor {
 
   /// Finite value, also of an expression.
   double value_of(const TomlValue& value, std::string_view key);
-  /// Function of position; empty for the number 0. Calls throw SceneError for non-finite values.
+  /// Function of position; empty for the number 0. A call throws SceneError for a non-finite value.
   Expression function_of(const TomlValue& value, std::string_view key);
   /// Function of time, s.
   std::function<double(double)> function_of_time(const TomlValue& value, std::string_view key);

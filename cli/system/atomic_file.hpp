@@ -12,7 +12,7 @@ namespace taut::cli {
 /// `on_disk` survives power cuts but is slow.
 enum class Durability { from_crashes, on_disk };
 
-/// Writes a temporary file and renames it, so that other processes never see a part. Throws OutputError.
+/// Other processes never see a partial file. Throws OutputError.
 void write_atomically(const std::filesystem::path& path, std::string_view text,
                       Durability durability = Durability::from_crashes);
 
@@ -29,7 +29,7 @@ class FileLock {
   int descriptor_;
 };
 
-/// Waits until a file, or a folder's list of files, is on disk. Ignores a missing path. Throws OutputError.
+/// Waits until a file, or the list of files of a folder, is on disk. Ignores a missing path. Throws OutputError.
 void put_on_disk(const std::filesystem::path& path);
 
 /// Returns the new folders, innermost first. Throws OutputError.

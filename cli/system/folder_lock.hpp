@@ -19,7 +19,7 @@ class FolderLock {
   };
 
   /// Creates a missing folder. Messages of other processes name `command`. Throws UsageError if another process holds
-  /// the lock, OutputError for an unwritable folder.
+  /// the lock, and OutputError.
   FolderLock(const std::filesystem::path& folder, Of of, std::string_view command, std::ostream& err);
   /// Removes created folders, if empty.
   ~FolderLock();
