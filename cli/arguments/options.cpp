@@ -170,7 +170,7 @@ std::vector<std::string> Options::joined(const std::vector<std::string>& words) 
   return all;
 }
 
-/// Gives flags without a word the first allowed word. Throws UsageError for an unknown word.
+/// Gives flags without a word the first allowed word. Throws UsageError.
 void Options::set_flags(const std::vector<std::string>& words) const {
   for (const FlagWithWords& flag : flags_) {
     if (app_->get_option(flag.name)->count() == 0) continue;
@@ -185,7 +185,7 @@ void Options::set_flags(const std::vector<std::string>& words) const {
   }
 }
 
-/// Throws UsageError for unknown options, options after "--" and superfluous arguments.
+/// Throws UsageError.
 void Options::refuse_unknown() const {
   std::vector<std::string> rest = app_->remaining();
   std::erase(rest, "--");

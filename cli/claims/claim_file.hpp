@@ -14,19 +14,19 @@ std::string_view name(ClaimState);
 
 struct ClaimRun {
   std::string name;
-  std::vector<Setting> settings;  // of the run, including those of the claim
+  std::vector<Setting> settings;  // of the claim and the run
 };
 
 struct Claim {
   std::filesystem::path file;
   std::string paper, key;         // "Zhang2024", "fig-3a"
   std::string place, text;        // "Fig. 3(a)", the statement
-  std::string published, looser;  // may be empty; `looser`: how the criterion is weaker than the text
+  std::string published, looser;  // may be empty; `looser`: how the criterion is weaker
   std::string scene;              // path
   bool quick = true;              // repeated by the tests
   std::vector<ClaimRun> runs;
-  std::string criterion;       // see criterion.hpp
-  std::string part, evidence;  // weaker criterion; condition that confirms the reason; may be empty
+  std::string criterion;
+  std::string part, evidence;  // may be empty
   ClaimState state = ClaimState::holds;
   std::string reason;    // why the state is not `holds`
   std::string last_run;  // date, may have a remark
@@ -42,7 +42,7 @@ struct Paper {
   std::vector<Claim> claims;
 };
 
-/// Throws SceneError with file, line and column. Does not check whether settings and quantities exist.
+/// Throws SceneError. Does not check whether settings and quantities exist.
 Paper read_paper(const std::filesystem::path& file);
 std::vector<Paper> shipped_papers();
 

@@ -16,8 +16,7 @@ struct PlannedClaim {
   SweepPlan plan;  // in the order of the claim's runs
 };
 
-/// Checks the settings of all runs. Equal runs share a folder below `folder`. The claims must outlive the
-/// plan. Throws SceneError with the place, and UsageError.
+/// Equal runs share a folder below `folder`. The claims must outlive the plan. Throws SceneError and UsageError.
 std::vector<PlannedClaim> plan_claims(const std::vector<const Claim*>& claims,
                                       const std::filesystem::path& folder);
 

@@ -20,7 +20,7 @@ std::string claims_markdown(const std::vector<Paper>& papers);
 Json claim_json(const Claim& claim, const ClaimOutcome* outcome);
 TestReport claims_report(const std::vector<ClaimOutcome>& outcomes);
 
-/// Command that repeats a run, such as "taut run oscillating-plate --method og --until 0.05".
+/// "taut run oscillating-plate --method og --until 0.05".
 std::string command_of(const Claim& claim, const ClaimRun& run);
 
 }  // namespace taut::cli

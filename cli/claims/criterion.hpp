@@ -16,7 +16,7 @@ struct Quantity {
 /// Each quantity once, in order.
 std::vector<Quantity> quantities_in(const std::string& criterion);
 
-/// Throws UsageError for an invalid expression, an unknown run, or no quantity of a run.
+/// Throws UsageError for an invalid criterion.
 void check_criterion(const std::string& criterion, const std::vector<std::string>& runs);
 
 /// Verdicts count as ranks that rise from `stable` to `diverged`.

@@ -48,7 +48,7 @@ class CommandLine {
         next.push_back(option);
     return next;
   }
-  /// Scene that the first argument names (a run folder, or a scene, with the typed method); nullopt if unreadable.
+  /// Scene of the first argument; nullopt if unreadable.
   std::optional<SceneFile> scene() const try {
     if (arguments_.empty()) return std::nullopt;
     std::vector<Setting> settings;

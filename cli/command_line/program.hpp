@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// `arguments` exclude `taut`. Returns the exit code; reports errors on `streams.err`.
+/// `arguments` exclude `taut`. Returns the exit code.
 int run_program(std::span<const Command> commands, const std::vector<std::string>& arguments,
                 Streams streams);
 

@@ -17,7 +17,7 @@ struct ReportOptions {
 
   void declare_json(Options& command);
   void declare_junit(Options& command);
-  /// Writes the JUnit file, if requested, and within GitHub Actions annotations to `err`. Throws OutputError.
+  /// Writes the JUnit file and, within GitHub Actions, annotations to `err`. Throws OutputError.
   void publish(const TestReport& report, std::ostream& err) const;
 };
 

@@ -6,7 +6,6 @@
 
 namespace taut::cli {
 
-/// In the order of `taut --help`.
 std::span<const Command> commands();
 
 }  // namespace taut::cli

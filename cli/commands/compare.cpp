@@ -88,7 +88,7 @@ std::optional<render::View> common_view(const std::vector<SavedRun>& runs) {
   return view;
 }
 
-/// Part of `all` inside `window`, so that particles that fly away do not widen the view.
+/// Particles that fly away must not widen the view.
 render::View within(const render::View& all, const std::optional<render::View>& window) {
   if (!window) return all;
   return {std::max(all.x_min, window->x_min), std::min(all.x_max, window->x_max),
@@ -116,7 +116,7 @@ void check_followed_body(const Drawing& drawing, const std::vector<SavedRun>& ru
   }
 }
 
-/// Whether the view of the scene limits the picture. A chosen view, also `auto`, overrides it.
+/// Whether the view of the scene limits the picture.
 bool is_bounded(const Drawing& drawing, bool has_chosen_view) {
   return !has_chosen_view && !drawing.look.view && !drawing.look.camera && !drawing.followed;
 }
@@ -131,7 +131,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// Parses "color=pressure; range=0:1e6"; `color` comes first because it resets range and map.
+/// "color=pressure; range=0:1e6". `color` comes first because it resets range and map.
 std::vector<Change> changes_in(const std::string& beside) {
   std::vector<Change> changes;
   std::istringstream parts(beside);

@@ -30,7 +30,6 @@ std::string bracket(const CriticalStep& found) {
                      found.unstable ? fmt::format(" to {} s", brief(*found.unstable)) : " or more");
 }
 
-/// Adds the place in the scene file to errors.
 CriticalStep search(const SceneFile& file, const CriticalStepArguments& options, Progress& progress) {
   constexpr double usual_trials = 12;
   const Interrupts interrupts;

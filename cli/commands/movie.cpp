@@ -31,7 +31,7 @@ struct MovieArguments {
   bool orbit = false;
 };
 
-/// Throws UsageError for missing frames, at which ffmpeg would stop silently.
+/// ffmpeg would stop silently at a missing frame.
 int count_frames(const fs::path& folder) {
   int whole = 0;
   while (fs::exists(folder / frame_name(whole))) ++whole;
@@ -80,7 +80,7 @@ bool draw_orbit(const fs::path& folder, const fs::path& frames, std::ostream& er
   return redraw(run, frames, 0, progress).all;
 }
 
-/// Pads videos with white to even sides, and reduces the colours of GIFs.
+/// H.264 needs even sides.
 std::vector<std::string> encoding(const std::string& extension) {
   if (extension == ".gif")
     return {"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none"};

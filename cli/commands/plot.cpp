@@ -50,7 +50,7 @@ bool contains_file(const std::string& folder, const char* name) {
   return fs::symlink_status(fs::path(folder) / name, error).type() > fs::file_type::not_found;
 }
 
-/// Ignores the table of a sweep if runs beside it are also named, as with DIR/*.
+/// DIR/* names the table of a sweep and its runs; the table is then ignored.
 PlotPaths sorted_paths(const std::vector<std::string>& given) {
   PlotPaths paths;
   const auto is_beside = [](const fs::path& table) {
@@ -112,7 +112,7 @@ std::vector<std::string> default_columns(const Scene& scene) {
 
 using UnitOf = std::string (*)(const std::string& name, const Scene& scene);
 
-/// Accepts columns that `scene` lacks, which are reported later.
+/// Missing columns are reported later.
 void refuse_two_units(const std::string& column, UnitOf unit_of, const StoredRun& run, const Scene& scene,
                       const StoredRun& first, const Scene& of_first) {
   const std::string unit = unit_of(column, scene), before = unit_of(column, of_first);
@@ -135,7 +135,7 @@ void add_titles(StoredResults& results, const std::vector<SceneFile>& scenes) {
     }
 }
 
-/// Splits panels such as "a+b": `names` of all columns, and `panels` with their indices.
+/// Panels such as "a+b": names of columns, and their indices in each panel.
 struct JoinedColumns {
   std::vector<std::string> names;
   std::vector<std::vector<std::size_t>> panels;
@@ -226,7 +226,7 @@ int plot_curves(const PlotArguments& options, StoredResults results, const PlotF
   return draw_history(plot, files, streams, look);
 }
 
-/// Adds units and title of the first run's scene file, if it exists.
+/// Adds units and title of the first run's scene file.
 void add_units(StoredResults& results) {
   std::vector<SceneFile> scenes;
   try {

@@ -24,7 +24,7 @@ struct Answer {
   bool going = true;
 };
 
-/// An answer to a script ends with "ok" or "error: REASON". A terminal shows a prompt instead of "ok".
+/// An answer to a script ends with "ok" or "error: REASON".
 Answer answer(Session& session, const std::string& line, const Dialogue& to, bool typed) {
   const auto fail = [&](const std::string& message, int code) {
     to.out << "error: " << message << '\n';

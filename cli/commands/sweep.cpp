@@ -158,7 +158,6 @@ bool answer(const SweepPlan& plan, const SweepArguments& o, const std::optional<
   return std::ranges::find(report.cases, Result::failed, &TestCase::result) == report.cases.end();
 }
 
-/// Writes the results of a whole sweep; for a single run (--index) writes nothing.
 class ResultsWriter {
  public:
   ResultsWriter(const SweepPlan& plan, bool whole_sweep) : plan_(plan), active_(whole_sweep) {}
@@ -172,7 +171,6 @@ class ResultsWriter {
     since_written_ = {};
   }
   void changed() { pending_ = true; }
-  /// Waits 20 times as long as the last write took.
   void write_when_due() {
     if (pending_ && since_written_.seconds() > 20 * took_) write();
   }

@@ -14,7 +14,7 @@
 namespace taut::cli {
 namespace {
 
-/// Reads the header [PNG §11.2.2] before memory is allocated.
+/// Reads the header [PNG §11.2.2].
 void check_size(const std::filesystem::path& png) {
   std::array<unsigned char, 24> head{};
   std::ifstream file(png, std::ios::binary);

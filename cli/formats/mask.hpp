@@ -23,11 +23,10 @@ inline constexpr int greatest_mask_side = 4096;  // pixels
 
 /// Solid is darkness on a white background, or opacity.
 enum class MaskOf : std::uint8_t { darkness, alpha };
-/// Throws UsageError if the file is unreadable or too large.
+/// Throws UsageError.
 Mask read_mask(const std::filesystem::path& png, MaskOf of);
 
-/// Painted area of an SVG file, up to about `rows` pixels high. Throws UsageError if rsvg-convert is missing, fails or
-/// paints nothing.
+/// Painted area of an SVG file, up to about `rows` pixels high. Throws UsageError.
 Mask paint_svg(const std::filesystem::path& svg, int rows);
 
 Mask cropped(const Mask& mask);

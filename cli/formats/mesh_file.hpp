@@ -6,8 +6,7 @@
 
 namespace taut::cli {
 
-/// Reads a closed STL or OBJ mesh in file units. Merges equal points, drops triangles with two equal corners.
-/// Throws UsageError.
+/// Reads a closed STL or OBJ mesh in file units. Throws UsageError.
 Triangles read_mesh(const std::filesystem::path& file);
 
 }  // namespace taut::cli

@@ -19,7 +19,6 @@ bool any_begins_with(std::span<const Field* const> fields, std::string_view begi
   return std::ranges::any_of(fields, [&](const Field* field) { return field->key.starts_with(beginning); });
 }
 
-/// `vectors` have `dim` components.
 std::vector<double> with_three_components(const std::vector<double>& vectors, int dim) {
   const auto d = static_cast<std::size_t>(dim);
   std::vector<double> three(3 * (vectors.size() / d));

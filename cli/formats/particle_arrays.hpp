@@ -25,9 +25,8 @@ struct ParticleArray {
 /// Names, in VTK's order.
 std::span<const std::string_view> tensor_components();
 
-/// Fields as given, without body and material; then the arrays of every file, from diameter to displacement. Stress
-/// tensor (Cauchy, positive in tension) and strain tensor (logarithmic, ½ ln F Fᵀ) follow if `fields` contain a
-/// component. Vectors have three components also in 2D.
+/// `fields`, the arrays of every file, and the tensors of stress (Cauchy, positive in tension) and strain (logarithmic,
+/// ½ ln F Fᵀ) if `fields` contain a component. Vectors have three components also in 2D.
 std::vector<ParticleArray> particle_arrays(const Snapshot& now, std::span<const Field* const> fields);
 
 /// Positions, three components each, m.

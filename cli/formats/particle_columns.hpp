@@ -8,11 +8,10 @@
 namespace taut::cli {
 
 /// Extended XYZ for OVITO and ASE, with names of OVITO's manual ("XYZ file reader"). Tensors: xx, yy, zz, xy, xz, yz.
-/// The lattice is the bounding box and not periodic. Fields that a vector or tensor contains are left out.
 std::string extended_xyz_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                               bool single_precision = false);
 
-/// Header such as "time [s],id,x [m],y [m]"; each component has one column. In 2D, z, xz and yz are left out.
+/// Header such as "time [s],id,x [m],y [m]"; each component has one column.
 std::string particle_csv_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                               bool single_precision = false);
 

@@ -10,14 +10,13 @@
 
 namespace taut::cli {
 
-/// Compressed VTK PolyData (.vtp): time, positions (z = 0 in 2D), vertices, particle_arrays(). Real numbers are
-/// Float64; with `single_precision`, all but the time are Float32.
+/// Compressed VTK PolyData (.vtp), with z = 0 in 2D. `single_precision`: real numbers except the time are Float32.
 std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                                bool single_precision = false);
 
 class ParticleFile {
  public:
-  /// Throws UsageError for a missing or invalid file.
+  /// Throws UsageError.
   explicit ParticleFile(std::filesystem::path path);
 
   double time() const { return time_; }  // s
@@ -26,7 +25,7 @@ class ParticleFile {
   bool has(const std::string& field) const;
   std::vector<double> positions(int dim) const;  // n × dim, m
   std::vector<double> diameter() const;          // m
-  /// Throws UsageError for a missing or damaged field.
+  /// Throws UsageError.
   std::vector<double> field(const std::string& key) const;
 
  private:

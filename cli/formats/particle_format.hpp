@@ -22,7 +22,7 @@ constexpr std::string_view name(ParticleFormat format) {
 
 struct ParticleForm {
   ParticleFormat format = ParticleFormat::vtp;
-  bool single_precision = false;  // real numbers as Float32 (vtp) or with the digits of a float (xyz, csv)
+  bool single_precision = false;  // of real numbers
 
   bool operator==(const ParticleForm&) const = default;
 };

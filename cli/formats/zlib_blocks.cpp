@@ -14,7 +14,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the file header declares little-endian data");
 
 constexpr std::size_t block_size = 1 << 16;
-// Higher levels save only a few per cent.
 constexpr int level = 1;
 
 const Bytef* input(const void* data) { return static_cast<const Bytef*>(data); }

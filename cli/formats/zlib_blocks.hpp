@@ -11,7 +11,7 @@ namespace taut::cli {
 /// then the blocks (zlib).
 std::string to_zlib_blocks(std::span<const std::byte> bytes);
 
-/// Returns false for damaged data or a wrong length.
+/// Returns false for damaged data.
 bool from_zlib_blocks(std::string_view text, std::span<std::byte> bytes);
 
 }  // namespace taut::cli

@@ -9,8 +9,7 @@ struct Example {
   std::string_view name, text;
 };
 
-/// Top-level keys and sections with a [header] form one scene, one sweep, one claim file and one suite. Other examples
-/// are keys of the first body or reference, or of the sweep.
+/// Examples of top-level keys and of sections with a [header] join to one valid scene, sweep, claim file and suite.
 constexpr Example examples[] = {
     {"scene", R"toml(title = "A disc hits a bar"
 dim = 2

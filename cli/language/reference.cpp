@@ -156,7 +156,7 @@ std::string indented(std::string_view lines) {
   return result;
 }
 
-/// Escapes <, * and _; markdown_table() escapes vertical bars.
+/// markdown_table() escapes vertical bars.
 std::string plain(const std::string& text) {
   std::string result;
   for (const char c : text) {

@@ -27,7 +27,7 @@ LanguageFile sweep_language();
 LanguageFile claim_language();
 LanguageFile suite_language();
 
-/// Topics of this name, such as a probe and a measure, or else keys of this name.
+/// Topics of this name, or else keys of this name.
 std::vector<Topic> find_topics(std::string_view name);
 /// Excludes keys.
 std::vector<std::string> topic_names();

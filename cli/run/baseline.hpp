@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Frames to compare with, and look.json, which old baselines lack.
+/// Folder with frames to compare with, and look.json.
 class Baseline {
  public:
   explicit Baseline(std::filesystem::path path) : path_(std::move(path)) {}
@@ -17,11 +17,9 @@ class Baseline {
   bool exists() const;
   /// nullopt without look.json. Throws UsageError for a damaged file.
   std::optional<KeptLook> look() const;
-  /// Throws UsageError if the path is no folder, or inside the run folder; with `update` also if it contains other
-  /// files.
+  /// Throws UsageError for an unsuitable path. With `update`, the folder must contain only a baseline.
   void check(const std::filesystem::path& run, bool update) const;
-  /// Replaces the folder by copies of frames and look.json; returns the number of frames. After an OutputError the
-  /// folder is the old or the new one.
+  /// Replaces the folder by copies of frames and look.json. Returns the number of frames. Throws OutputError.
   std::size_t replace_by(const RunFolder& run) const;
 
  private:

@@ -22,7 +22,7 @@ std::uint32_t checksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-/// Whether a regular file begins with other bytes than a checkpoint; spares reading large foreign files.
+/// Avoids reading large foreign files.
 bool begins_otherwise(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
@@ -31,7 +31,7 @@ bool begins_otherwise(const std::filesystem::path& path) {
   return file.read(beginning.data(), static_cast<std::streamsize>(beginning.size())) && beginning != kind;
 }
 
-/// Half of the memory: the file and the state made of it must both fit.
+/// Half of the memory: file and state must both fit.
 std::uint64_t most_bytes() {
   return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
          static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) / 2;

@@ -44,7 +44,7 @@ struct CheckpointHeader {
 /// Atomic. A checksum ends the file. Throws OutputError.
 void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, CheckpointHeader header = {});
 
-/// Throws UsageError if missing, damaged or of another format.
+/// Throws UsageError.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace taut::cli

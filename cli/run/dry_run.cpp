@@ -43,10 +43,10 @@ Trial make_steps(Simulation& simulation) {
 double memory_in_use() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);  // from kB
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-/// Automatic ranges and views keep frames in memory until the end (COMMANDS.md, "Pictures").
+/// Automatic ranges and views keep frames in memory until the end.
 double memory_of_frames(const RunPlan& plan, std::size_t particles) {
   if (!plan.drawing) return 0;
   const render::Look& look = plan.drawing->look;

@@ -19,11 +19,11 @@ class RunFolder {
   /// `named`: named by the user, may be a link.
   explicit RunFolder(std::filesystem::path path, bool named = true) : path_(std::move(path)), named_(named) {}
 
-  /// Throws UsageError for a file, for links except a `named` one, and for a folder that contains files but no run.
+  /// Throws UsageError unless the folder is missing, empty or a run.
   void check() const;
   /// Whether this is a run with an unreadable run.json.
   bool is_damaged() const;
-  /// Writes run.json first, which marks a run. Throws OutputError.
+  /// Writes run.json, which marks a run folder. Throws OutputError.
   void claim(std::string_view record) const;
   /// Removes frames, particles, history and lines. Throws OutputError.
   void clear() const;
@@ -45,7 +45,6 @@ class RunFolder {
   std::filesystem::path particle_file(int number, ParticleFormat format = ParticleFormat::vtp) const;
   /// Index for ParaView.
   std::filesystem::path particle_index() const { return particles() / "particles.pvd"; }
-  /// For other programs: the index, or the first file.
   std::filesystem::path particle_entry(ParticleFormat format) const {
     return format == ParticleFormat::vtp ? particle_index() : particle_file(0, format);
   }
@@ -64,7 +63,6 @@ class RunFolder {
   bool named_;
 };
 
-/// Run folder that contains `path`, to be locked before `path` is written.
 std::optional<std::filesystem::path> run_around(const std::filesystem::path& path);
 /// nullptr outside run folders. Throws like FolderLock.
 std::unique_ptr<const FolderLock> lock_around(const std::filesystem::path& path, std::string_view command);

@@ -39,7 +39,7 @@ struct FolderDifference {
 FolderDifference compare_folders(const std::filesystem::path& a, const std::filesystem::path& b,
                                  const render::DifferenceLimit& limit);
 
-/// Returns true if the pictures are alike, but a pixel differs by more than `warn` [ΔE*ab].
+/// True if the pictures are alike, but a pixel differs by more than `warn` [ΔE*ab].
 bool warns(const PictureDifference& picture, std::optional<double> warn);
 int number_of_warnings(const FolderDifference& difference, std::optional<double> warn);
 

@@ -30,7 +30,7 @@ struct SavedLength {
   }
 };
 
-/// history.csv: a row per history time and at the end, SI units. Each row is written at once.
+/// history.csv, in SI units: a row per history time and at the end.
 class History {
  public:
   History(const std::filesystem::path& path, const Scene& scene,
@@ -58,7 +58,7 @@ class History {
   long last_step_ = -1;
 };
 
-/// lines.csv: a row per point of each sample, SI units, written at once. `reference` is the exact solution, or empty.
+/// lines.csv, in SI units: a row per point of each sample.
 class LineSamplesFile {
  public:
   LineSamplesFile(const std::filesystem::path& path, const Scene& scene, const std::string& law,

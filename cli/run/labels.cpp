@@ -27,7 +27,6 @@ std::string short_number(const std::string& value) {
   return number ? brief(*number) : value;
 }
 
-/// Adds settings that differ from their defaults.
 void add_settings(std::vector<Remark>& remarks, const SceneFile& file) {
   const auto changed = [](const ResolvedSetting& s) { return s.value != s.default_value; };
   for (const ResolvedSetting& each : file.resolved)

@@ -28,10 +28,9 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// Number of judgements after the start.
 constexpr int judged_parts = 200;
 
-/// Writes history.csv; updates drift, verdict and indicators. Rows between judgements repeat the indicators.
+/// Writes history.csv; updates drift, verdict and indicators.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)

@@ -10,7 +10,7 @@
 
 namespace taut::cli {
 
-/// Interpolates states within the last step; the simulation is unaffected.
+/// Interpolates states within the last step.
 class LastStep {
  public:
   explicit LastStep(const Simulation& simulation) : simulation_(simulation) {}
@@ -24,7 +24,7 @@ class LastStep {
   Snapshot before_, shown_;
 };
 
-/// An output does not affect the steps. Writing throws OutputError.
+/// Writing throws OutputError.
 class RunOutput {
  public:
   virtual ~RunOutput() = default;
@@ -39,7 +39,7 @@ class RunOutput {
   /// False: takes the first step at or after each time.
   virtual bool needs_exact_time() const { return true; }
   virtual bool needs_final_state() const { return false; }
-  /// Called at t = 0, when `next` is reached, and at the end if `needs_final_state`.
+  /// Called at t = 0, when `next` is reached, and for the final state.
   virtual void write_due() = 0;
   virtual void wait() {}
   virtual void put_on_disk() {}
@@ -58,8 +58,7 @@ class RunOutput {
   virtual void discard_newer() {}
 };
 
-/// Creates the outputs in the order in which they process a state; they write to `result`. Throws SceneError for
-/// a line that leaves its body.
+/// Outputs in the order in which they process a state. Throws SceneError for a line that leaves its body.
 std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
                                                      LastStep& last_step, RunResult& result);
 

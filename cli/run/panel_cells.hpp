@@ -12,8 +12,7 @@ struct PanelCell {
   std::string remark;  // in the corner, or centred without particles
 };
 
-/// Particles saved nearest to `time` [s]; none long after the last ones. The remark shows the saved time if it differs,
-/// or the end of the run.
+/// Particles saved nearest to `time` [s], or none if the run ended earlier. The remark shows another time, or the end.
 PanelCell cell_at(const SavedRun& run, double time, double until, const Drawing& drawing,
                   const Origins& origins);
 

@@ -8,7 +8,6 @@
 
 namespace taut::cli {
 
-/// Writes files atomically.
 class ParticleSeries {
  public:
   ParticleSeries(std::vector<const Field*> fields, ParticleForm form, const RunFolder& folder,

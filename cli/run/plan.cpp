@@ -25,7 +25,7 @@ namespace {
 
 constexpr int default_history_rows = 1000;
 
-/// Called before the scene is read, so that an unknown method is reported first.
+/// Reports an unknown method before the scene is read.
 void check_methods(const std::vector<Setting>& settings) {
   std::vector<std::string> names;
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);
@@ -73,8 +73,7 @@ std::optional<std::filesystem::path> run_folder_of(const SceneFile& file) {
   return folder.path();
 }
 
-/// "-spacing=0.002-v0=0.08". Unless `again` (scene.toml lies in its run folder), includes parameters whose value in a
-/// copied scene.toml differs from their `default`.
+/// Changed settings: "-spacing=0.002-v0=0.08". `again`: scene.toml lies in its run folder.
 std::string changes_text(const SceneFile& file, bool again) {
   constexpr std::size_t longest = 120;
   using enum ResolvedSetting::Source;
@@ -236,7 +235,7 @@ void declare_particle_options(Options& command, RunOptions& o) {
 }
 
 void check_threads(int threads, std::string_view option) {
-  constexpr int few = 8;  // most threads per core, at least 16 in total; further threads would only wait
+  constexpr int few = 8;  // most threads per core
   const int most = std::max(2 * few, few * cores());
   if (threads > most)
     throw UsageError(fmt::format("{} is {}; at most {} are allowed, since this machine has {} cores", option,

@@ -49,7 +49,7 @@ void print_remark(const SceneFile& file, std::ostream& err);
 /// Does not touch the run folder. Throws UsageError and SceneError.
 RunPlan make_plan(const RunOptions& options);
 
-/// Fields to save; empty if particles are not saved.
+/// Fields to save with the particles.
 std::vector<const Field*> particle_fields(const RunOptions& options, int dim);
 
 /// Throws UsageError for unknown names.

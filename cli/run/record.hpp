@@ -26,9 +26,9 @@ namespace taut::cli {
 struct RunRecord {
   enum class Status { running, finished, interrupted, failed };
 
-  std::string version{build_info.version};  // of taut
+  std::string version{build_info.version};
   std::string scene, method, material_law;
-  std::string remark;                  // about the scene
+  std::string remark;
   std::optional<std::string> contact;  // if there are several bodies, or a wall
   std::string stepping;                // "dual" or "single"
   double cfl = 0;                      // factor of the time step
@@ -56,7 +56,7 @@ struct RunRecord {
   std::vector<double> patch_place;  // initial middle of the patch, m
   Conservation conservation;
   std::vector<MeasureResult> measures;
-  std::optional<double> other_load;  // cores used by other processes; see Provenance
+  std::optional<double> other_load;  // cores used by other processes
   Provenance provenance;
 
   const MeasureResult* find_measure(std::string_view name) const;
@@ -72,7 +72,6 @@ struct RunWarning {
   std::string text;  // "gains energy since t = 0.1 s: …"
   Json figures;
 };
-/// Energy changes of more than a tenth, and "turns by itself".
 std::vector<RunWarning> warnings(const RunRecord& record);
 
 /// Explains an energy drift of 1 % or more; else empty.
@@ -97,7 +96,7 @@ std::span<const RecordField> record_fields();
 Json to_json(const RunRecord& record);
 /// Keys of results.json.
 Json to_results(const RunRecord& record);
-/// Missing keys give empty members or defaults. Throws UsageError, with file and key, for an invalid record.
+/// Missing keys give empty members or defaults. Throws UsageError.
 RunRecord record_from(const JsonCursor& json);
 
 /// With all keys of run.json.
@@ -105,7 +104,7 @@ struct StoredRecord : RunRecord {
   Json all;
 };
 
-/// Run time in s, or 0. After --resume: wall time of the last part, or solving time of all parts if longer.
+/// Run time in s, or 0. After --resume, a lower bound: the stored wall time is that of the last part.
 double seconds_taken(const StoredRecord& record);
 
 /// Returns nullopt without a file. Throws like record_from.

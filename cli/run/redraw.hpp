@@ -10,7 +10,7 @@
 
 namespace taut::cli {
 
-/// Throws UsageError if the saved particles do not suffice, and for --orbit in 2D.
+/// Throws UsageError if the run cannot be redrawn.
 void check_redrawing(const SavedRun& run);
 
 /// `all` is false after an interrupt.

@@ -6,12 +6,11 @@
 
 namespace taut::cli {
 
-/// Throws UsageError for other folders, and if nothing is left to do.
+/// Throws UsageError unless the folder is a run with work left.
 void check_resumable(const std::filesystem::path& folder, const RunOptions& given);
 
-/// Plan that continues the run from its checkpoint, else from the start. `given` must agree with the folder, except
-/// --threads, --keep-checkpoint, a later --until and a first --checkpoint-every. Without a checkpoint file, `given`
-/// selects frames, particles and checkpoints. Throws UsageError and SceneError.
+/// Plan that continues the run from its checkpoint, else from the start. Throws SceneError, and UsageError if `given`
+/// would change the run.
 RunPlan resume_plan(const std::filesystem::path& folder, const RunOptions& given);
 
 }  // namespace taut::cli

@@ -111,7 +111,7 @@ RunResult Run::execute() {
   return std::move(result_);
 }
 
-/// Writes restart files first, because the run may be killed.
+/// Writes restart files first: the run may be killed.
 void Run::begin() {
   write_atomically(plan_.folder.scene(), plan_.scene_text(), Durability::on_disk);
   plan_.checkpoint_every ? write_checkpoint("") : plan_.folder.clear_checkpoint();
@@ -157,7 +157,7 @@ void Run::open_files(AppendFile::Start start) {
   for (const auto& output : outputs_) output->open(start);
 }
 
-/// First puts the files on disk to which the state refers.
+/// The state refers to files, which must be on disk.
 std::string Run::state() {
   put_on_disk();
   const Timed timed(record_.seconds.write);
@@ -221,8 +221,7 @@ void Run::step_through() {
     advance(std::min({next_output(), next_checkpoint_, record_.until}));
     const bool stopped = interrupts_.interrupted();
     show_what_is_due(false);
-    // A checkpoint is saved after the outputs that are due and before the final row, which a continued run must
-    // not have.
+    // the checkpoint precedes the final row, which a continued run must not have
     const bool well = result_.failure.empty();
     if (well && (stopped || record_.reached >= next_checkpoint_)) save_checkpoint();
     going = well && !stopped && record_.reached < record_.until;
@@ -272,7 +271,7 @@ void Run::advance(double target) {
   }
 }
 
-/// Advances; stores the state before an interpolated output.
+/// Stores the state before an interpolated output.
 void Run::step_to(double target) {
   const auto advance = [&](double short_of) {
     const Timed timed(record_.seconds.solve);
@@ -322,7 +321,7 @@ void Run::save_failure(const std::string& reason) {
     }
   };
   for (const auto& output : outputs_) {
-    tried([&] { output->wait(); });  // pending files take space
+    tried([&] { output->wait(); });
     tried([&] { output->update_result(); });
   }
   record_.status = RunRecord::Status::failed;

@@ -23,7 +23,7 @@ struct RunPlan {
   bool keeps_look = false;
   std::vector<const Field*> particle_fields;  // none: not saved
   ParticleForm particle_form;
-  std::vector<double> frame_times, history_times;  // s, sorted; particles are saved with the frames
+  std::vector<double> frame_times, history_times;  // s, sorted
   RunFolder folder{"."};
   std::optional<double> checkpoint_every;  // simulated s; none: only when interrupted
   bool keep_checkpoint = false;            // for a later `until`
@@ -33,7 +33,7 @@ struct RunPlan {
   std::string scene_text() const { return resolved_text(file, folder.path()); }
 };
 
-/// SceneErrors contain their place in the scene file.
+/// Throws SceneError with the place in the scene file.
 std::unique_ptr<Simulation> start(const SceneFile& file);
 
 struct RunResult {
@@ -43,8 +43,7 @@ struct RunResult {
   std::string failure;
 };
 
-/// Throws OutputError. Errors of make_simulation come before any file changes. `setup_seconds`: s spent reading the
-/// scene. `before_it_begins` is called after the set-up.
+/// Throws OutputError. `setup_seconds`: time spent reading the scene. `before_it_begins` is called after the set-up.
 RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
                     double setup_seconds, const std::function<void()>& before_it_begins = {});
 

@@ -33,7 +33,7 @@ struct ColoredParticles {
   FrameView view() const;
 };
 
-/// `origins`: initial particles. Throws UsageError for a field that was not saved.
+/// Throws UsageError for a field that was not saved.
 ColoredParticles read_colored(const ParticleFile& file, const Drawing& drawing, const Origins& origins);
 
 }  // namespace taut::cli

@@ -36,7 +36,6 @@ class Agenda {
 /// Slices of about 0.2 s of wall clock, for checks of interrupts.
 class Pace {
  public:
-  /// The first slice is a millionth of the run, since the speed is unknown.
   explicit Pace(double until) : slice_(1e-6 * until) {}
 
   double slice() const { return slice_; }  // simulated time, s

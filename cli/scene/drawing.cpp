@@ -24,7 +24,6 @@ TomlValue toml_of(const DrawingKey& key, const DrawingValue& value) {
   return key.numbers.count == 1 ? array.items.front() : array;
 }
 
-/// Text for words, "auto" and free texts, else numbers.
 DrawingValue given(TomlCursor& render, const DrawingKey& key) {
   if (key.takes_words() || key.is_free_text) return render.text(key.name);
   const TomlValue& value = render.need(key.name);

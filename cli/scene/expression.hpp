@@ -21,20 +21,20 @@ class ExpressionError : public std::runtime_error {
   std::size_t offset;  // 0-based
 };
 
-/// The value need not be finite. `pi`, muParser's functions, comparisons, && and || are known.
+/// The value need not be finite.
 double evaluate(const std::string& text, const Names& names);
 
-/// Function of the position x, y, z. Thread-safe: copies share one parser, which a mutex protects.
+/// Function of the position x, y, z. Thread-safe.
 Expression compile(const std::string& text, const Names& names);
 /// Function of the time in s.
 std::function<double(double)> compile_of_time(const std::string& text, const Names& names);
 Solution compile_in_time(const std::string& text, const Names& names);
 
-/// Function of variables with the names `values` and of t. Skips names that are not identifiers, and `pi` and `t`.
+/// Function of variables with the names `values`, and of t. Skips names that cannot be variables.
 std::function<double(const std::vector<double>&, double)> compile_of_values(
     const std::string& text, Names names, const std::vector<std::string>& values);
 
-/// Names of variables in `text`, known or not; empty if `text` is invalid.
+/// Names of variables in `text`; empty if `text` is invalid.
 std::set<std::string> names_in(const std::string& text);
 
 std::vector<std::string> function_names();

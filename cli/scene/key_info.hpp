@@ -39,7 +39,7 @@ struct KeyType {
   NumberRange bounds = {};
   std::array<std::string_view, 8> words = {};
   std::vector<std::string> (*names)() = nullptr;
-  std::string_view section = {};  // keys of a table, also for a number that may be a table
+  std::string_view section = {};  // keys of a table
   std::string_view pattern = {};
   std::size_t longest = any_size;
   std::size_t size = 0;         // components; 0: one per axis
@@ -149,7 +149,7 @@ struct Section {
   std::span<const KeyInfo> keys;
 };
 
-/// The file itself comes first. Kinds of shapes, probes and measures add keys.
+/// The file itself comes first.
 std::span<const Section> scene_sections();
 std::span<const Section> sweep_sections();
 std::span<const Section> claim_sections();

@@ -81,7 +81,7 @@ void read_threshold(TomlCursor& cursor, const Scene&, Measure& measure) {
 
 void read_scale(TomlCursor& cursor, const Scene&, Measure& measure) {
   measure.scale = cursor.number("scale");
-  // an expression may be 0 for some parameters; the measure then has no value
+  // an expression may be 0 for some parameters
   if (measure.scale == 0 && cursor.need("scale").kind != TomlValue::Kind::text)
     cursor.fail(cursor.need("scale"), "scale",
                 "scale is 0; it must not be 0, because the result is divided by it");
@@ -124,7 +124,7 @@ void read_free(TomlCursor& cursor, const Scene& scene, Measure& measure) {
 struct MeasureKey : KeyInfo {
   void (*read)(TomlCursor&, const Scene&, Measure&);
 };
-/// Keys read first: expressions in `numbers` may use material constants of the measured body.
+/// Read first: expressions in `numbers` may use material constants of the measured body.
 constexpr std::array objects = {
     MeasureKey{{"probe", types::text("name of a probe"), "", "probe that gives the series"}, read_probe_of},
     MeasureKey{{"probes", types::text("PROBE").list(2, 3), "",

@@ -29,7 +29,7 @@ std::vector<std::string> names_of_contacts() {
   return names;
 }
 
-/// `change`, else the file's value, else the first name. `setting`: name in --set.
+/// `setting`: name in --set.
 std::string chosen(TomlCursor& table, const std::string& key, const std::vector<std::string>& names,
                    const std::string& setting, const std::string* change, SceneFile& file) {
   table.text(key, names.front());
@@ -88,7 +88,6 @@ void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
   }
 }
 
-/// The setting, else the file's value, else the method's default.
 void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, int dim,
                     const Changes& changes, SceneFile& file) {
   TomlCursor section = root.section("method_constants", "[method_constants]", named_by_user);
@@ -123,7 +122,6 @@ std::vector<std::string> names_of_elastic_laws() {
   return names;
 }
 
-/// Law of the file, which its method must support, or "".
 std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   const TomlValue* given = root.find("law");
   if (!given) return "";
@@ -133,7 +131,7 @@ std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   return law;
 }
 
-/// The setting, else the file's law, else the method's first law. Remarks on a law of the file that the method lacks.
+/// The setting, else the file's law, else the method's first law.
 void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, const Changes& changes,
               SceneFile& file) {
   const std::string own = method.laws.empty() ? "" : std::string(method.laws.front().name);

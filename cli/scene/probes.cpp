@@ -39,7 +39,6 @@ constexpr KeyInfo axis{"axis", types::vector_of(3, "[x, y, z]"), "[0, 0, 1]",
                        "axis of rotation through the origin; only in 3D"};
 }  // namespace key
 
-/// one row per line
 // clang-format off
 const std::vector<ProbeKind> kinds{
     {"displacement", "m", "displacement of a material point", {key::body, key::at, key::component}},
@@ -130,7 +129,7 @@ int wall_index(TomlCursor& cursor, const Scene& scene) {
 void read_probes_in(TomlCursor& cursor, const Scene& scene, Probe& probe) {
   const TomlValue& value = cursor.need("value");
   const std::set<std::string> used = names_in(value.kind == TomlValue::Kind::text ? value.text : "0");
-  probe.of_forces = !used.contains("t");  // step mean if all probes are; exact if linear
+  probe.of_forces = !used.contains("t");
   std::set<int> materials;
   const auto add_material = [&](int body) {
     materials.insert(scene.bodies[static_cast<std::size_t>(body)].material);

@@ -30,7 +30,7 @@ struct Rows {
   std::size_t next = 0;
   int line = 0;
 
-  /// Nullopt at the end. Skips empty lines, comments and a byte order mark.
+  /// Nullopt at the end.
   std::optional<std::vector<std::string>> read() {
     if (constexpr std::string_view mark = "\xEF\xBB\xBF"; next == 0 && text.starts_with(mark))
       next = mark.size();
@@ -63,7 +63,7 @@ std::size_t column_of(const Rows& rows, const std::vector<std::string>& head, co
                         join(head)));
 }
 
-/// Also searches the scene folders, to which paths in a run's scene.toml may be relative.
+/// Paths in a run's scene.toml may be relative to a scene folder.
 std::filesystem::path find_file(const std::filesystem::path& folder, const std::string& file) {
   std::error_code error;
   if (std::filesystem::is_regular_file(folder / file, error))
@@ -74,7 +74,7 @@ std::filesystem::path find_file(const std::filesystem::path& folder, const std::
   return (folder / file).lexically_normal();
 }
 
-/// Relative to its scene folder, which may move, else absolute.
+/// Scene folders may move.
 std::string path_without_scene_folder(const std::filesystem::path& file) {
   std::error_code error;
   for (const std::filesystem::path& scenes : scene_folders()) {

@@ -37,8 +37,8 @@ bool alike(double a, double b) {
 }
 
 struct Validity {
-  bool values = false;     // of values and tables: each parameter has the value of `when`, else its default
-  bool solutions = false;  // of solutions: each parameter in `when` has that value
+  bool values = false;     // each parameter has the value of `when`, else its default
+  bool solutions = false;  // each parameter in `when` has that value
 };
 
 Validity validity(TomlCursor& reference, const std::vector<Parameter>& parameters) {
@@ -120,7 +120,6 @@ std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure)
   return names;
 }
 
-/// The line must have one time, and the table must cover the line.
 void check_covers(TomlCursor& entry, const ReferenceTable& table, const SampleLine& line) {
   const TomlValue& file = entry.need("file");
   if (line.times.size() > 1)
@@ -160,7 +159,6 @@ std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const S
   return tables;
 }
 
-/// Each measure has one expression, or one per probe or field.
 std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& reference, const Scene& scene) {
   std::map<std::string, std::vector<Solution>> solutions;
   TomlValue* table = reference.find("solutions");
@@ -216,12 +214,11 @@ struct Part {
   Reference what;
 };
 
-/// Parts with `methods` come first, then more specific parts.
 bool counts_before(const Part& a, const Part& b) {
   return std::pair(a.of_method, a.specificity) > std::pair(b.of_method, b.specificity);
 }
 
-/// Merges the parts of a law; for each measure the first part counts.
+/// Merges the parts of a law. For each measure, the first part counts.
 class Merged {
  public:
   void add(const Part& part) {

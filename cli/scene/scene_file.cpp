@@ -64,7 +64,6 @@ void read_head(TomlCursor& root, SceneFile& file) {
   scene.dim = root.whole("dim");
 }
 
-/// The setting, else the value in the file, else the default.
 double read_setting(TomlCursor& root, const char* key, const Changes& changes, SceneFile& file) {
   const double in_scene = root.number(key);
   const std::string* change = changes.find(key);
@@ -120,8 +119,7 @@ void read_jitter(TomlCursor& root, const Changes& changes, SceneFile& file) {
   jitter.seed = static_cast<int>(read_setting(root, "jitter_seed", changes, file));
 }
 
-/// Skips parameters with the key `default` (scene.toml of a run): a setting may have replaced the only expression that
-/// used them.
+/// In scene.toml of a run, a setting may have replaced the only expression that used a parameter.
 void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const TomlSource& source) {
   const TomlEntry* parameters = original.find("parameters");
   if (!parameters) return;
@@ -131,7 +129,7 @@ void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const
                 fmt::format("the parameter '{}' is unused; remove it or use it in an expression", entry.key));
 }
 
-/// The constructor reads what `fitted` needs, with the spacing `dp`; `finish` reads the rest.
+/// The constructor reads what `fitted` needs.
 class SceneReading {
  public:
   SceneReading(double dp, const std::filesystem::path& path, const TomlValue& original,

@@ -25,8 +25,7 @@ struct Parameter {
   double default_value = 0;         // value without --set
 };
 
-/// `--set name=value`. Names are parameters, "method.CONSTANT" or from setting_infos(); values are numbers, words or
-/// expressions.
+/// `--set name=value`, with a name of names_to_set().
 struct Setting {
   std::string name, value;
   FilePlace place = {};
@@ -60,7 +59,7 @@ struct SceneFile {
   Scene scene;
   Settings settings;
   Drawing drawing;
-  double requested_spacing = 0;   // m; scene.spacing is the nearest value that divides the first body
+  double requested_spacing = 0;   // m; before the fit to the first body
   std::string remark;             // one line or empty
   std::optional<double> history;  // interval of history.csv, s; default: until / 1000
   std::vector<Parameter> parameters;
@@ -78,11 +77,11 @@ SceneFile read_scene(const std::filesystem::path& path, const std::vector<Settin
 std::vector<std::string> names_to_set(const SceneFile& scene);
 /// Allowed words of a setting; empty if it takes numbers.
 std::vector<std::string> allowed_words(std::string_view name);
-/// Sets the members that depend on the scene, such as the cut. Throws UsageError if `drawing` does not fit the scene.
+/// Sets the members that depend on the scene. Throws UsageError if `drawing` does not fit the scene.
 void apply_scene(Drawing& drawing, const SceneFile& scene);
 /// Adds file, line and column to an error without a place.
 SceneError locate(const SceneFile& scene, const SceneError& error);
-/// TOML with all defaults, current history and drawing; gives the same scene when read from `folder`.
+/// TOML with all defaults; gives the same scene when read from `folder`.
 std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder);
 /// Keeps only `frames` of [render]. Throws SceneError for invalid TOML.
 std::string without_drawing(const std::string& scene);

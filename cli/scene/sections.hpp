@@ -46,8 +46,8 @@ void read_parameters(TomlCursor& root, const Changes& changes, std::optional<dou
 /// `dp` and parameters that depend on it.
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
-/// Defines `touching`: gap in m below which faces count as touching. Call again after read_bodies, since the published
-/// contact law depends on the bodies.
+/// Defines `touching`: gap in m below which faces count as touching. The published contact law depends on the bodies, so
+/// call again after read_bodies.
 void name_touching(TomlCursor& root, const SceneFile& file);
 void read_gravity_and_damping(TomlCursor& root, Scene& scene);
 void read_materials(TomlCursor& root, Scene& scene);
@@ -58,17 +58,16 @@ void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
 void make_paths_relative(const std::filesystem::path& folder, TomlValue& scene);
-/// Searches `folder`, then the scene folders. Makes the key `file` relative to a scene folder, else absolute. `what`:
-/// for messages.
+/// Searches `folder`, then the scene folders. Makes the key `file` relative to a scene folder, or absolute.
 std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
                                  std::string_view what);
 /// Requires the scene's bodies.
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
-/// For files other than scenes; apply_scene checks whether the keys fit the scene.
+/// For files other than scenes.
 DrawingValues read_drawing_values(TomlCursor& render);
 TomlValue drawing_table(const Drawing& drawing);
 
-/// Values of `lead` must increase; lines that begin with # are comments. Throws SceneError with the place.
+/// Values of `lead` must increase. Throws SceneError with the place.
 ReferenceTable read_table(const std::filesystem::path& path, const std::string& lead,
                           const std::vector<std::string>& columns);
 struct ColumnTable {
@@ -79,7 +78,7 @@ struct ColumnTable {
 };
 ColumnTable read_columns(const std::filesystem::path& path, const std::vector<std::string>& needed,
                          const std::vector<std::string>& optional);
-/// Throws SceneError for a missing, unreadable or too large file.
+/// Throws SceneError.
 std::string file_text(const std::filesystem::path& path, std::size_t most_bytes = 4 << 20);
 
 inline const std::vector<std::string> axis_names = {"x", "y", "z"};
@@ -88,7 +87,7 @@ inline const std::vector<std::string> axis_names = {"x", "y", "z"};
 enum class Layers : std::uint8_t {
   for_initial_neighbours,
   for_searched_neighbours,
-  of_lattice,  // cut from the lattice: the body is hexagonal or relaxed
+  of_lattice,  // cut from the lattice
   none
 };
 struct ShapeSetting {
@@ -135,7 +134,7 @@ struct ProbeKind {
   bool takes(std::string_view key) const;
 };
 std::span<const ProbeKind> probe_kinds();
-/// Empty for expressions. 2D forces are per metre of depth.
+/// Empty for expressions.
 std::string_view unit_of(const Probe& probe, int dim);
 
 std::vector<KeyInfo> keys_of_measure(const MeasureKind& kind);

@@ -43,7 +43,6 @@ void read_where(TomlCursor& shape, Frame& frame) {
     frame.low = shape.point("low", 2);
 }
 
-/// Points are relative to the picture's centre, if given, else to the origin.
 Shape polygon_of(TomlCursor& shape, const Mask& mask, double threshold, const Frame& frame) {
   constexpr std::size_t most_points = 1000000;
   std::vector<Chain> contours = faces_of(mask, threshold);
@@ -126,10 +125,9 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
   return given;
 }
 
-/// Throws for volumes far from dp^dim, and for particles too far apart or from the origin, since cell numbers are
-/// limited.
+/// Cell numbers are limited.
 void refuse_far(const GivenSites& given, const std::filesystem::path& file, const ShapeSetting& setting) {
-  constexpr double most_sides = 1e6, farthest = 1e9, max_volume_ratio = 1e6;  // in dp; in dp^dim
+  constexpr double most_sides = 1e6, farthest = 1e9, max_volume_ratio = 1e6;  // lengths in dp
   const double cell = std::pow(setting.dp, setting.dim);
   double room = 1;
   for (std::size_t k = 0; k < static_cast<std::size_t>(setting.dim); ++k) {
@@ -153,7 +151,7 @@ void refuse_far(const GivenSites& given, const std::filesystem::path& file, cons
               volume, setting.dp, cell));
 }
 
-/// The spacing, which determines the neighbours, must fit the median volume.
+/// The spacing determines the neighbours.
 void refuse_other_spacing(std::vector<double> volumes, const std::filesystem::path& file,
                           const ShapeSetting& setting) {
   const auto middle = volumes.begin() + static_cast<std::ptrdiff_t>(volumes.size() / 2);
@@ -209,8 +207,7 @@ double usual_distance(std::vector<Point> places) {
   return *middle;
 }
 
-/// Particles without volumes get a cell of the scene's spacing, which must fit their distance: 1 to 1.12 dp in
-/// lattices, and down to 0.75 dp in disordered particles.
+/// Distances are 1 to 1.12 dp in lattices, and down to 0.75 dp in disordered particles.
 void refuse_other_mass(double apart, const std::filesystem::path& file, const ShapeSetting& setting) {
   if (std::isfinite(apart) && (apart < 0.7 * setting.dp || apart > 1.3 * setting.dp))
     throw SceneError(

@@ -7,8 +7,6 @@
 
 namespace taut::cli {
 
-// The keys `type` and `rotate` are read in shapes.cpp.
-
 Shape read_polygon(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_ellipse(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_expression(TomlCursor& shape, const ShapeSetting& setting);

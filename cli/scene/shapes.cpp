@@ -19,7 +19,7 @@ Shape read_box(TomlCursor& shape, const ShapeSetting& setting) {
   return read_low_and_high(shape, setting.dim);
 }
 
-/// Default: `otherwise`. Hexagonal and relaxed bodies allow only "lattice".
+/// Hexagonal and relaxed bodies allow only "lattice".
 RoundLayout read_layout(TomlCursor& shape, std::vector<RoundLayout> allowed, RoundLayout otherwise,
                         Layers layers) {
   if (layers == Layers::of_lattice) allowed = {RoundLayout::lattice}, otherwise = RoundLayout::lattice;
@@ -30,7 +30,6 @@ RoundLayout read_layout(TomlCursor& shape, std::vector<RoundLayout> allowed, Rou
   return allowed[static_cast<std::size_t>(std::ranges::find(names, chosen) - names.begin())];
 }
 
-/// Throws SceneError for aligned layers around too small a hole.
 RoundLayout read_layout_of_hollow(TomlCursor& shape, const std::vector<RoundLayout>& allowed,
                                   RoundLayout otherwise, bool can_be_aligned, Layers layers) {
   const RoundLayout layout = read_layout(shape, allowed, otherwise, layers);

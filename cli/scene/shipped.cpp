@@ -42,7 +42,7 @@ std::vector<fs::path> folders_of_user() {
   return folders;
 }
 
-/// A build links `scenes` beside the program. Without /proc, the program's location is unknown.
+/// A build links `scenes` beside the program.
 std::vector<fs::path> places_of_shipped() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);

@@ -7,20 +7,17 @@
 
 namespace taut::cli {
 
-/// In search order: TAUT_SCENES (separated by ':'), then `scenes` beside the program or share/taut/scenes. Throws
-/// UsageError for a missing folder in TAUT_SCENES.
+/// In search order: folders of TAUT_SCENES, then the shipped scenes. Throws UsageError for a missing folder.
 std::vector<std::filesystem::path> scene_folders();
 /// Sorted, then "gallery/NAME". Throws UsageError without scene folders.
 std::vector<std::string> scene_names();
 /// `scene`: path or name. Throws UsageError.
 std::filesystem::path find_scene(const std::string& scene);
 
-/// Sorted.
 std::vector<std::string> study_names();
 /// Like find_scene().
 std::filesystem::path find_sweep(const std::string& sweep);
 
-/// Sorted.
 std::vector<std::string> suite_names();
 std::optional<std::filesystem::path> shipped_suite(const std::string& name);
 

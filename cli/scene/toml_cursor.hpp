@@ -20,8 +20,8 @@ struct TomlSource {
   std::set<std::string> used;  // names in expressions
 };
 
-/// Typed access to a table. Writes defaults into it and records read keys. Throws SceneError with the place
-/// of a wrong value, std::logic_error for a key that is not in `keys`.
+/// Typed access to a table, to which it adds defaults. Throws SceneError for a wrong value, std::logic_error for a key
+/// that is not in `keys`.
 class TomlCursor {
  public:
   /// `path` is dotted; `what` is for messages.
@@ -58,13 +58,13 @@ class TomlCursor {
 
   /// Finite value, also of an expression.
   double value_of(const TomlValue& value, std::string_view key);
-  /// Function of position; empty for the number 0. Calls throw SceneError for non-finite values.
+  /// Function of position; empty for the number 0. A call throws SceneError for a non-finite value.
   Expression function_of(const TomlValue& value, std::string_view key);
   /// Function of time, s.
   std::function<double(double)> function_of_time(const TomlValue& value, std::string_view key);
   /// Never empty.
   Solution solution(const TomlValue& value, std::string_view key);
-  /// Function of probes and time, s. Names that are not identifiers are left out.
+  /// Function of probes and time, s.
   std::function<double(const std::vector<double>&, double)> function_of_probes(
       const TomlValue& value, std::string_view key, const std::vector<std::string>& probes);
   std::string text_of(const TomlValue& value, std::string_view key);
@@ -87,13 +87,12 @@ class TomlCursor {
  private:
   [[noreturn]] void fail_expression(const TomlValue& value, std::string_view key,
                                     const ExpressionError& error) const;
-  /// Function that throws for non-finite values; `show` prints its arguments.
   template <class... Arguments, class Compile, class Show>
   std::function<double(Arguments...)> function(const TomlValue& value, std::string_view key,
                                                const Compile& compile, const Show& show);
   void refuse_third_axis(const TomlValue& value, std::string_view key) const;
   std::string full_path(std::string_view key) const;
-  /// Null if the key is not allowed.
+  /// nullptr if the key is not allowed.
   const KeyInfo* row(std::string_view key) const;
   void check_bounds(const TomlValue& value, std::string_view key, std::string_view shown,
                     double number) const;

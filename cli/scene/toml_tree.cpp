@@ -27,14 +27,13 @@ FilePlace place_of(const toml::source_position& position) {
 /// toml++ limits nested brackets, but not dotted keys.
 constexpr int most_parts = 16, most_levels = 300;
 
-/// End of the quoted text. A text without triple quotes ends at the latest with its line.
 std::size_t end_of_quoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const bool long_one = text.substr(at, 3) == std::string(3, quote);
   for (std::size_t i = at + (long_one ? 3 : 1); i < text.size(); ++i) {
     if (!long_one && (text[i] == quote || text[i] == '\n')) return i + 1;
     if (long_one && text.substr(i, 3) == std::string(3, quote)) {
-      std::size_t end = i + 3;  // up to two more quotes belong to the text [TOML 1.0, String]
+      std::size_t end = i + 3;  // two more quotes may belong to the text [TOML 1.0, String]
       while (end < std::min(i + 5, text.size()) && text[end] == quote) ++end;
       return end;
     }

@@ -34,7 +34,7 @@ struct TomlValue {
 
   TomlEntry* find(std::string_view key);
   const TomlEntry* find(std::string_view key) const;
-  /// Replaces or appends. A replaced value keeps its place; a new one gets the table's.
+  /// Replaces or appends. The new value gets the place of the old value, or of the table.
   void set(std::string_view key, TomlValue value);
   /// "a number", "a table", ...
   std::string_view kind_name() const;
@@ -50,7 +50,7 @@ struct TomlEntry {
 /// Throws SceneError with the place of a syntax error.
 TomlValue parse_toml(std::string_view text, const std::string& file);
 
-/// Numbers read back exactly. Parsing and printing the text again returns the same text.
+/// Numbers read back exactly.
 std::string print_toml(const TomlValue& root);
 
 }  // namespace taut::cli

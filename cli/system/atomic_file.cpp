@@ -29,7 +29,7 @@ namespace {
                         (taken ? "another process has locked it for a minute" : std::strerror(error)));
 }
 
-/// Returns 0 or an errno. Continues after partial writes.
+/// Returns 0 or an errno.
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t taken = ::write(descriptor, text.data(), text.size());
@@ -40,20 +40,20 @@ int write_all(int descriptor, std::string_view text) {
   return 0;
 }
 
-/// TAUT_FSYNC=off is for runs whose files need not survive a power cut.
+/// TAUT_FSYNC=off: files need not survive a power cut.
 bool waits_for_the_disk() {
   static const char* const asked = std::getenv("TAUT_FSYNC");
   return !asked || std::string_view(asked) != "off";
 }
 
-/// Returns 0 or an errno; 0 if the file system does not support fsync.
+/// Returns 0 or an errno. Ignores file systems without fsync.
 int sync(int descriptor) {
   if (!waits_for_the_disk()) return 0;
   if (::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP) return 0;
   return errno;
 }
 
-/// Returns 0 or an errno; 0 if `path` may not be read.
+/// Returns 0 or an errno. Ignores unreadable paths.
 int sync(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return errno == EACCES ? 0 : errno;
@@ -64,8 +64,7 @@ int sync(const fs::path& path) {
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
 
-/// Locks the file until it is closed, if the file system has locks. Returns false after a minute, since
-/// any reader can lock it.
+/// Locks the file until it is closed, if the file system has locks. Returns false after a minute.
 bool wait_for_lock(int descriptor) {
   using namespace std::chrono_literals;
   constexpr auto longest = 60000ms, pause = 1ms;
@@ -91,7 +90,7 @@ int give_up(int descriptor, int error) {
 }
 
 /// Creates and locks a new file. Replaces a link or the file of a killed program; waits for other writers.
-/// On failure returns −1 with errno, EWOULDBLOCK if another process keeps the lock.
+/// Returns −1 and sets errno on failure.
 int open_new(const std::string& path) {
   constexpr int most = 1000;
   for (int k = 0; k < most; ++k) {
@@ -114,7 +113,7 @@ int open_new(const std::string& path) {
   return -1;
 }
 
-/// Temporary folder on the file system of `folder`. Constructor and destructor remove it.
+/// Temporary folder beside `folder`, removed by the destructor.
 class Beside {
  public:
   Beside(const fs::path& folder, const char* what)
@@ -138,8 +137,7 @@ int rename_folder(const fs::path& from, const fs::path& to) {
   return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// Returns 0 or an errno. Exchanges the folders in one step if the file system can, else `folder` is missing for a
-/// moment.
+/// Returns 0 or an errno. Atomic if the file system can exchange folders.
 int put_in_place(const fs::path& fresh, const fs::path& folder) {
   if (!fs::exists(folder)) return rename_folder(fresh, folder);
   if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return 0;
@@ -247,7 +245,7 @@ AppendFile::AppendFile(fs::path path, Start start) : path_(std::move(path)) {
   if (descriptor_ < 0) fail(path_, errno);
   struct stat found {};
   const bool known = ::fstat(descriptor_, &found) == 0, regular = known && S_ISREG(found.st_mode);
-  // no pipes; a second name of the file would change too
+  // a second name of the file would change too
   const bool allowed = regular ? found.st_nlink == 1 : known && S_ISCHR(found.st_mode);
   if (allowed && (!regular || start == Start::as_it_is || ::ftruncate(descriptor_, 0) == 0)) {
     length_ = std::max<std::int64_t>(0, ::lseek(descriptor_, 0, SEEK_END));
@@ -290,7 +288,7 @@ void AppendFile::append(std::string_view line) {
 }
 
 void write_whole_folder(const fs::path& folder, const std::vector<fs::path>& files) {
-  // without the final slash, so that names can be appended; the target of a link is replaced
+  // resolves links and drops a final slash
   std::error_code no_target;
   const fs::path real = fs::weakly_canonical(folder, no_target);
   const fs::path target = ((no_target ? fs::absolute(folder) : real) / "").lexically_normal().parent_path();

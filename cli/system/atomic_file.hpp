@@ -9,15 +9,14 @@
 
 namespace taut::cli {
 
-/// `on_disk` survives power cuts but is slow: for files that cannot be made again or mark others as complete.
+/// `on_disk` survives power cuts but is slow.
 enum class Durability { from_crashes, on_disk };
 
-/// Writes a temporary file and renames it: other processes never see a part. Before it throws OutputError,
-/// it removes the temporary file.
+/// Other processes never see a partial file. Throws OutputError.
 void write_atomically(const std::filesystem::path& path, std::string_view text,
                       Durability durability = Durability::from_crashes);
 
-/// Locks a file that another program writes, until destruction. Other writers wait. Throws OutputError.
+/// Locks a file until destruction; other writers wait. Throws OutputError.
 class FileLock {
  public:
   explicit FileLock(const std::filesystem::path& path);
@@ -30,7 +29,7 @@ class FileLock {
   int descriptor_;
 };
 
-/// Waits until a file, or a folder's list of files, is on disk. Ignores a missing path. Throws OutputError.
+/// Waits until a file, or the list of files of a folder, is on disk. Ignores a missing path. Throws OutputError.
 void put_on_disk(const std::filesystem::path& path);
 
 /// Returns the new folders, innermost first. Throws OutputError.
@@ -40,12 +39,11 @@ std::vector<std::filesystem::path> make_folders(const std::filesystem::path& fol
 void make_folder_of(const std::filesystem::path& file);
 
 constexpr std::uint64_t most_bytes_of_text = 64 << 20;
-/// Returns nullopt for unreadable files, folders, devices and pipes. Throws UsageError above `most_bytes`,
-/// OutputError for system errors.
+/// Returns nullopt unless `path` is a readable regular file. Throws UsageError above `most_bytes`, and OutputError.
 std::optional<std::string> read_whole(const std::filesystem::path& path,
                                       std::uint64_t most_bytes = most_bytes_of_text);
 
-/// Grows by whole lines, each passed to the system at once: crashes and full disks leave no partial line.
+/// Grows by whole lines: crashes and full disks leave no partial line.
 class AppendFile {
  public:
   enum class Start { empty, as_it_is };
@@ -69,8 +67,7 @@ class AppendFile {
   std::int64_t length_ = 0;
 };
 
-/// Creates a folder of copies, or replaces all its contents. Other processes see the old or the new folder, also after a
-/// power cut or OutputError; briefly none if the file system cannot exchange folders.
+/// Replaces a folder by copies of `files`. Atomic if the file system can exchange folders. Throws OutputError.
 void write_whole_folder(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 }  // namespace taut::cli

@@ -6,12 +6,11 @@
 
 namespace taut::cli {
 
-/// Runs a function in a forked process, so that a crash ends only the child. Requires a single thread at the fork.
-/// The child dies with its parent. It ignores Ctrl-C and SIGHUP; only `ask_to_stop` interrupts it.
+/// Runs a function in a forked process. Requires a single thread at the fork.
+/// The child dies with its parent and ignores Ctrl-C and SIGHUP.
 class ChildProcess {
  public:
-  /// `work` returns the exit code; the last 64 KiB of its output are kept. Throws UsageError if no process can be
-  /// started.
+  /// `work` returns the exit code; the last 64 KiB of its output are kept. Throws UsageError.
   explicit ChildProcess(const std::function<int()>& work);
   ~ChildProcess();  // kills a running child
   ChildProcess(const ChildProcess&) = delete;

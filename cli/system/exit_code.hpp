@@ -8,7 +8,7 @@ namespace taut::cli {
 
 /// Scripts rely on these numbers.
 enum ExitCode : int {
-  exit_fine = 0,         // any verdict except `diverged` and those of --fail-on
+  exit_fine = 0,
   exit_different = 1,    // `diff`, `snapshot`, `check`, `claims`
   exit_not_granted = 1,  // `choose`
   exit_wrong_input = 2,  // command line or scene

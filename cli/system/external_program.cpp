@@ -53,7 +53,7 @@ class Pipe {
   std::array<int, 2> ends_{};
 };
 
-/// Searches only absolute folders of PATH: the current folder may be foreign. Returns "" if it finds nothing.
+/// Searches only absolute folders of PATH: the current folder may be foreign.
 fs::path found_in_path(const std::string& name) {
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
@@ -83,7 +83,6 @@ int spawn(const std::vector<std::string>& arguments, const fs::path& folder, int
   return error;
 }
 
-/// Reads stderr until the program ends. Stops the program after an interrupt or `limit`.
 void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResult& result,
             std::optional<std::chrono::seconds> limit) {
   using Clock = std::chrono::steady_clock;
@@ -108,7 +107,7 @@ void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResu
   }
 }
 
-/// A new folder, in which no foreign link can redirect the program. Requires the FileLock of `file`.
+/// A new folder, without foreign links. Requires the FileLock of `file`.
 class Workplace {
  public:
   explicit Workplace(const fs::path& file)

@@ -34,7 +34,7 @@ struct Maker {
 using MakerArguments = std::function<std::vector<std::string>(const std::filesystem::path& unfinished)>;
 
 /// Runs `maker` in `folder` and renames the complete file. Returns exit_fine or the code of an interrupt.
-/// Throws OutputError if the program is missing or fails; no unfinished file remains.
+/// Throws OutputError.
 int make_file(const Maker& maker, const MakerArguments& arguments, const std::filesystem::path& folder,
               const std::filesystem::path& file);
 

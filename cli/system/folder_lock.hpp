@@ -8,18 +8,18 @@
 
 namespace taut::cli {
 
-/// Excludes other writers by a lock file. The lock ends with the process and its children, and works between machines if
-/// the file system supports it. Warns if the file system has no locks.
+/// Excludes other writers by a lock file. The lock ends with the process and its children. Warns if the file system has
+/// no locks.
 class FolderLock {
  public:
   enum class Of {
-    run,            // excludes all writers; the file is removed
-    sweep,          // excludes all writers, also of parts; the file stays
-    part_of_sweep,  // excludes writers of the whole sweep; the file stays
+    run,            // excludes all writers
+    sweep,          // excludes all writers, also of parts
+    part_of_sweep,  // excludes writers of the whole sweep
   };
 
-  /// Creates a missing folder. The lock file contains `command`, except for `part_of_sweep`. Throws UsageError if
-  /// another process holds the lock, OutputError for an unwritable folder.
+  /// Creates a missing folder. Messages of other processes name `command`. Throws UsageError if another process holds
+  /// the lock, and OutputError.
   FolderLock(const std::filesystem::path& folder, Of of, std::string_view command, std::ostream& err);
   /// Removes created folders, if empty.
   ~FolderLock();

@@ -5,8 +5,8 @@
 
 namespace taut::cli {
 
-/// While an object exists, the first Ctrl-C, SIGTERM or SIGHUP only sets a flag, so that a run can stop after its
-/// step. A second signal ends the program at once, except SIGHUP, which shells send twice. SIGPIPE is ignored.
+/// While an object exists, the first Ctrl-C, SIGTERM or SIGHUP only sets a flag. A second signal ends the program,
+/// except SIGHUP, which shells send twice. SIGPIPE is ignored.
 class Interrupts {
  public:
   Interrupts();
@@ -14,7 +14,7 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// The first signal, even an earlier one, ends the program: for long work that checks no flag and writes no files.
+  /// The first signal ends the program: for long work that checks no flag and writes no files.
   class ExitOnSignal {
    public:
     ExitOnSignal();
@@ -23,7 +23,7 @@ class Interrupts {
     ExitOnSignal& operator=(const ExitOnSignal&) = delete;
   };
 
-  /// `interrupted` and `must_end` keep their values until the next Interrupts is constructed.
+  /// The flag survives the destructor.
   static bool interrupted() { return flag() != 0; }
   /// SIGTERM or SIGHUP: the program must end, not only the command.
   static bool must_end();

@@ -16,8 +16,8 @@ int physical_cores();
 class MachineLoad {
  public:
   MachineLoad();
-  /// Mean number of cores that other processes and the hypervisor (steal) have used since construction, from
-  /// /proc/stat. Nullopt below 0.2 s: kernel ticks of 10 ms are too coarse.
+  /// Mean number of cores used by other processes and the hypervisor since construction. Nullopt without /proc/stat,
+  /// and in the first 0.2 s, since kernel ticks are coarse.
   std::optional<double> of_others() const;
 
  private:

@@ -58,7 +58,6 @@ void OrderedWork::work(int worker) {
   }
 }
 
-/// Runs second halves whose turn has come, one at a time.
 void OrderedWork::do_seconds(std::unique_lock<std::mutex>& lock) {
   for (auto next = seconds_.begin(); next != seconds_.end() && next->first == done_;
        next = seconds_.begin()) {

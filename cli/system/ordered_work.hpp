@@ -11,8 +11,7 @@
 
 namespace taut::cli {
 
-/// Runs work in threads: first halves in any order, second halves in the order of `add`. After a failure,
-/// later second halves are skipped.
+/// Runs work in threads: first halves in any order, second halves in the order of `add` until one fails.
 class OrderedWork {
  public:
   using SecondHalf = std::function<void()>;

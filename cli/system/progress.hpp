@@ -8,7 +8,6 @@
 
 namespace taut::cli {
 
-/// Shows progress: a bar on a terminal, lines in a log file, or nothing.
 class Progress {
  public:
   enum class Style { none, lines, bar };
@@ -18,11 +17,11 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Shows `what` before the work begins, on a terminal.
+  /// On a terminal, shows `what` before the work begins.
   void prepare(const std::string& what);
   /// `done_before`: share done by an earlier run.
   void begin(const std::string& what, double done_before = 0);
-  /// `share`: 0 to 1. After a second, warns once if half a day or more is left. Frequent calls are cheap.
+  /// `share`: 0 to 1. Warns once if half a day or more is left.
   void show(double share, const std::string& detail);
   /// Call before other output.
   void clear();
@@ -44,11 +43,10 @@ class Progress {
   double done_before_ = 0;  // share
 };
 
-/// "0:12 left", if the share done rose from `before` to `share` in `elapsed` s. Empty if too little is done.
+/// "0:12 left". The share done rose from `before` to `share` in `elapsed` s. May be empty.
 std::string time_left(double share, double before, double elapsed);
 
-/// "17 hours" for the share `left`, if the share `done` took `elapsed` s. Empty below half a day, and in the first
-/// second.
+/// "17 hours" for the share `left`. The share `done` took `elapsed` s. May be empty.
 std::string long_time_left(double done, double left, double elapsed);
 
 /// "rings, 4398 particles [####......] 40 %  0:12 left  2.1 M particle-steps/s". Shortened to fit `width`.

@@ -13,7 +13,6 @@
 namespace taut::cli {
 namespace {
 
-/// Highest instruction set of this machine; kernels may use a lower one.
 std::string_view instruction_set() {
   return has_x86_64_v4() ? "x86-64-v4" : has_x86_64_v3() ? "x86-64-v3" : "baseline";
 }

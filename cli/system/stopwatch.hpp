@@ -42,7 +42,7 @@ class Timed {
   Stopwatch watch_;
 };
 
-/// Times in s. `render` and `write` are sums over threads; `write` includes history rows and verdicts.
+/// Times in s. `render` and `write` are sums over threads.
 struct Seconds {
   double setup = 0, solve = 0, render = 0, write = 0;
   double cpu = 0;  // of `solve`, summed over threads

@@ -4,7 +4,7 @@
 
 namespace taut::cli {
 
-// Return a message, or "" for a valid text. The checks of CLI11 print the bounds of a double with 309 digits.
+// Return a message, or "" for a valid text.
 std::string positive_number(const std::string& text);
 std::string not_negative_number(const std::string& text);
 std::string positive_whole_number(const std::string& text);

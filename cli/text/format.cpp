@@ -126,7 +126,6 @@ std::string in_columns(std::vector<std::vector<std::string>> rows, int indent,
     for (const auto& row : rows) text += table_line(row, padded, indent);
     return text;
   }
-  // the widest column gets the rest
   constexpr std::size_t least = 24;
   const auto widest = static_cast<std::size_t>(std::ranges::max_element(full) - full.begin());
   const std::size_t others = all - full[widest] - 2;

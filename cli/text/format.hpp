@@ -37,11 +37,10 @@ std::string join_with_or(std::vector<std::string> words);
 /// FNV-1a, the same on every machine.
 std::uint64_t hash_of(std::string_view text);
 
-/// Table with two blanks between columns. Wraps the widest column if the table is wider than `columns`.
-/// Escapes cells with printable().
+/// Table. Wraps the widest column if the table is wider than `columns`. Escapes cells with printable().
 std::string in_columns(std::vector<std::vector<std::string>> rows, int indent = 2,
                        std::optional<std::size_t> columns = {});
-/// Lines of at most `columns` characters (or one longer word), including `indent` blanks; no newline at the end.
+/// Lines of at most `columns` characters, including `indent` blanks, without a newline at the end.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns);
 
 /// "NAME_00012.EXTENSION"

@@ -47,7 +47,7 @@ Json number_of(const Library& value) {
   throw UsageError(fmt::format("'{}' {}", file, what));
 }
 
-/// Rejects repeated keys and deep nesting. The library's own parser compares each key with all others.
+/// Rejects repeated keys and deep nesting.
 class Builder final : public nlohmann::json_sax<Library> {
  public:
   explicit Builder(const std::string& file) : file_(file) {}

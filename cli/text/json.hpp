@@ -63,7 +63,7 @@ class Json {
   void append(std::string key, Json value);
   /// A null value becomes an array.
   void add(Json item);
-  /// Copy with the members of `other` whose keys this object lacks.
+  /// Copy with the missing members from `other`.
   Json with(const Json& other) const;
 
   /// One line, or with `indent` a line per value. Replaces invalid UTF-8.
@@ -79,7 +79,7 @@ class Json {
       value_;
 };
 
-/// Throws UsageError for text that is not JSON, repeats a key, or has more than 64 levels.
+/// Throws UsageError for invalid JSON, repeated keys and more than 64 levels.
 Json parse_json(const std::string& text, const std::string& file);
 
 /// A JSON number, else a text.

@@ -11,11 +11,10 @@
 
 namespace taut::cli {
 
-/// Errors are UsageErrors with file, path of the key ("measures.period.value"), actual and allowed values.
+/// Invalid values cause a UsageError with file and path of the key ("measures.period.value").
 class JsonCursor {
  public:
-  /// The arguments must outlive the cursor. With `texts_are_numbers`, as in CSV, number() parses texts and
-  /// returns nullopt for others, and items() of a text is empty.
+  /// The arguments must outlive the cursor. With `texts_are_numbers`, as in CSV, number() parses texts.
   JsonCursor(const Json& value, const std::string& file, std::string path = "",
              bool texts_are_numbers = false);
 
@@ -33,7 +32,7 @@ class JsonCursor {
 
   void check_object() const;
   std::optional<double> number() const;
-  /// Null gives NaN, in a whole T 0. A whole T is also 0 beyond ±1e9 (64-bit: ±1e18).
+  /// Null gives NaN. For an integer T, null and values beyond ±1e9 (64-bit: ±1e18) give 0.
   template <class T>
   T number_as() const {
     const double value = number().value_or(NAN);

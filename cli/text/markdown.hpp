@@ -5,7 +5,7 @@
 
 namespace taut::cli {
 
-/// The first row is the header. Escapes vertical bars; line breaks become blanks.
+/// The first row is the header. Escapes vertical bars.
 std::string markdown_table(const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace taut::cli

@@ -6,11 +6,11 @@
 
 namespace taut::cli {
 
-/// Cuts a text longer than `most` bytes, in UTF-8 with "…", then escapes like printable(), and line breaks.
+/// Cuts a text longer than `most` bytes, then escapes it like printable(), including line breaks.
 std::string shown(std::string_view text, std::size_t most = 200);
 
-/// Escapes control characters (except line breaks), C1 controls and bidirectional marks, as in "\x1b"; without valid
-/// UTF-8, all bytes from 0x80.
+/// Escapes control characters, except line breaks, and bidirectional marks, as in "\x1b". In invalid UTF-8, also escapes
+/// all bytes from 0x80.
 std::string printable(std::string_view text);
 
 /// Cuts a text longer than `most` bytes between UTF-8 characters and appends "…".

@@ -53,7 +53,6 @@ constexpr std::size_t most_names = 5, most_listed = 8, most_letters = 100;
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates) {
   constexpr std::size_t least_part = 3;
   if (name.empty() || name.size() > most_letters) return {};
-  // edits: a third of the letters, at least one, but none in a name of one letter
   const std::size_t most_edits = name.size() == 1 ? 0 : std::max<std::size_t>(1, name.size() / 3);
   const std::string given = lower_case(name);
   std::vector<std::string> names;

@@ -20,7 +20,6 @@ struct TestReport {
   std::vector<TestCase> cases;
 };
 
-/// One test suite. Replaces bytes and letters that XML cannot contain.
 std::string junit_xml(const TestReport& report);
 
 /// Annotations of GitHub Actions: at most ten, the limit per step.
