@@ -35,7 +35,7 @@ struct Look {
   std::optional<Range> range;      // values outside are clamped
   const Colormap* colormap = nullptr;
   double middle = 0;                  // value at the middle of a diverging map
-  std::string unit{};                 // of values; determines the width of the bar's numbers
+  std::string unit{};                 // of values
   std::optional<Size> size = Size{};  // least_size to greatest_size
   bool bare = false;                  // no texts
   PageTexts texts{};
