@@ -40,7 +40,7 @@ struct Look {
   bool bare = false;                  // no texts
   PageTexts texts{};
   NumberFormat bar_format{};
-  double glyph = 1;        // drawn / true diameter
+  double glyph = 1;
   Rgb background = white;  // texts contrast with it
   bool transparent = false;
   /// If not empty, values are indices of categories, a legend replaces the bar, and range and colour map may be unset.

@@ -58,7 +58,7 @@ struct Drawing {
   Expression is_cut{};
   std::optional<int> followed{};
   std::vector<int> hidden{};
-  std::shared_ptr<const Scene> scene{};  // for surfaces and outlines
+  std::shared_ptr<const Scene> scene{};
   std::vector<WallFace> walls{};
   double round_off = 0;  // minimum width of an automatic range
   ColorFormula of_formula{};

@@ -63,8 +63,8 @@ class Staging {
   std::vector<WallFace> walls_;
   std::optional<int> followed_;
   std::vector<std::size_t> shown_;
-  std::optional<Cells> cells_;            // in style `cells`
-  std::shared_ptr<LazySurface> surface_;  // made at first use
+  std::optional<Cells> cells_;
+  std::shared_ptr<LazySurface> surface_;
   bool draws_surface_, has_categories_;
   Outlines outline_;
 };
