@@ -1,8 +1,6 @@
-# cmake -D TEMPLATE=… -D OUTPUT=… -D SOURCE=… -D …=… -P build_info.cmake: writes OUTPUT from TEMPLATE if the text
-# changes, so a new commit recompiles only OUTPUT. Without SOURCE/.git, the commit is unknown: an unpacked archive can be
-# inside another repository.
+# cmake -D TEMPLATE=… -D OUTPUT=… -D SOURCE=… -D …=… -P build_info.cmake: writes OUTPUT from TEMPLATE.
 set(TAUT_COMMIT unknown)
-if(EXISTS ${SOURCE}/.git)
+if(EXISTS ${SOURCE}/.git)  # an unpacked archive can be inside another repository
   execute_process(COMMAND git --no-optional-locks -C ${SOURCE} describe --always --dirty --abbrev=12 --match=
     OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
   if(failed EQUAL 0)

@@ -1,7 +1,7 @@
-# cmake --install BUILD [--prefix DIR]; `cpack` in the build folder makes a Debian package. An installation can be moved,
-# because the program finds its scenes relative to its own path (scene/shipped.hpp).
+# cmake --install BUILD [--prefix DIR]; `cpack` in the build folder makes a Debian package. The program finds its
+# scenes relative to its own path (scene/shipped.hpp).
 
-# A program in its build folder uses the scenes of the sources.
+# A program in a build folder uses the scenes of the sources.
 foreach(folder ${PROJECT_BINARY_DIR} ${PROJECT_BINARY_DIR}/tests)
   file(RELATIVE_PATH scenes ${folder} ${PROJECT_SOURCE_DIR}/scenes)
   file(MAKE_DIRECTORY ${folder})

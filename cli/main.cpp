@@ -7,7 +7,7 @@
 
 namespace {
 
-/// Opens /dev/null for closed standard streams: no file gets their numbers, and their use remains an error.
+/// Opens /dev/null for closed standard streams, so that no file gets their numbers. The mode makes each use an error.
 void occupy_closed_streams() {
   for (const int stream : {0, 1, 2})
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);

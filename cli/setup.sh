@@ -4,8 +4,7 @@ build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libosmesa6-dev li
                 libmuparser-dev libfmt-dev nlohmann-json3-dev libcairo2-dev libfreetype-dev fonts-dejavu-core zlib1g-dev
                 libedit-dev libchafa-dev libglib2.0-dev libpolyclipping-dev libqhull-dev libjs-chart.js libwebp-dev
                 libassimp-dev gnuplot-nox librsvg2-bin)
-# libegl-dev to libgl1-mesa-dri: a second OpenGL context, for tests that compare pictures. chromium to python3-selenium: a
-# browser, for tests of web pages
+# libegl-dev to libgl1-mesa-dri: a second OpenGL context; chromium to python3-selenium: a browser
 test_packages=(doctest-dev help2man python3-junitparser python3-jsonschema dpkg-dev libegl-dev libopengl-dev
                libgl1-mesa-dri chromium chromium-driver python3-selenium)
 
@@ -36,7 +35,7 @@ and then run this script again."
     apt=(sudo "${apt[@]}")
   fi
   local install=("${apt[@]}" install -y --no-install-recommends "${missing[@]}")
-  # fails if package lists are missing or out of date
+  # fails if the package lists are missing or old
   if apt-cache show --no-all-versions "${missing[@]}" >/dev/null 2>&1 && "${install[@]}"; then return; fi
   "${apt[@]}" update && "${install[@]}" || fail "apt-get could not install ${missing[*]}; its messages are above"
 }

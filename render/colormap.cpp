@@ -23,8 +23,7 @@ constexpr std::uint32_t magma[] = {0x000004, 0x08071e, 0x180f3e, 0x2c1160, 0x451
 constexpr std::uint32_t cividis[] = {0x00224e, 0x002c65, 0x123570, 0x2b406d, 0x3b496c, 0x4a536c, 0x575d6d,
                                      0x646770, 0x707173, 0x7c7b78, 0x8a8678, 0x979177, 0xa59c74, 0xb4a76f,
                                      0xc3b369, 0xd2bf60, 0xe1cc55, 0xf1d945, 0xfee838};
-// Moreland 2009, "Diverging Color Maps for Scientific Visualization", made darker by a seventh in the middle to be
-// visible on white.
+// Moreland 2009, "Diverging Color Maps for Scientific Visualization", darker in the middle to be visible on white
 constexpr std::uint32_t coolwarm[] = {0x3b4cc0, 0x4d66d3, 0x5f7de2, 0x7192ea, 0x83a4ec, 0x95b1e9,
                                       0xa5badf, 0xb3bed1, 0xbebebe, 0xcfb9ae, 0xdbaf9b, 0xe1a287,
                                       0xe38f72, 0xe0785e, 0xd65e49, 0xc73d37, 0xb40426};

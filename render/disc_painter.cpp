@@ -37,9 +37,9 @@ Colors blended(const Colors& over, const Colors& under, const Ints& alpha) {
 
 /// One row of a disc; lengths in samples.
 struct DiscRow {
-  float dy2;  // squared distance
+  float dy2;  // squared distance from the centre
   float reach;
-  float depth;  // per distance
+  float depth;  // per distance from the centre
   std::uint32_t color;
 };
 
@@ -50,7 +50,6 @@ void paint(const DiscRow& row, float x, float* depth, std::uint32_t* color) {
   for (int k = 0; k < lanes; ++k) r[k] = std::sqrt(r2[k]);
   const Floats coverage = row.reach - r;
   const auto rim = coverage < 1;
-  // A disc that covers a sample partly never hides a disc that covers it fully.
   const Floats d = r * row.depth + (rim ? Floats{} + 0.5f : Floats{});
   const auto nearest = loaded<Floats>(depth);
   const auto under = loaded<Colors>(color);
@@ -114,7 +113,7 @@ DiscPainter::Bands DiscPainter::bands_of(const Dot& disc) const {
 }
 
 void DiscPainter::sort_into_bands(std::span<const Dot> discs) {
-  // `end_` first contains each band's start, one place later; filling turns starts into ends
+  // counting sort: `end_[band + 1]` is first the band's start; filling `sorted_` advances it to the end
   end_.assign(static_cast<std::size_t>(bands_) + 2, 0);
   for (const Dot& disc : discs)
     for (auto [band, last] = bands_of(disc); band <= last; ++band) ++end_[static_cast<std::size_t>(band) + 2];

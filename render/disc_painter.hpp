@@ -14,8 +14,8 @@ struct Dot {
   std::uint32_t color;  // bytes R, G, B, 255
 };
 
-/// Antialiased discs, the same pixels on every machine. A sample shows the disc with the nearest centre, measured in
-/// radii of the disc; discs that cover the sample partly count as farther.
+/// Antialiased discs, the same pixels on every machine. A sample shows the disc with the nearest centre, in radii of
+/// that disc; discs that cover the sample only partly are behind.
 class DiscPainter {
  public:
   /// Before the first `draw`, the plot must be filled with `background`, or transparent. Nothing else may draw into it.
@@ -43,7 +43,7 @@ class DiscPainter {
   std::vector<std::uint32_t> end_;  // 0, then each band's end in `sorted_`
   std::vector<std::uint32_t> sorted_;
   std::vector<std::uint32_t> color_;  // samples of a band; bytes B, G, R, 255
-  // depth of the disc shown: below 0.5 where it covers the sample fully, 0.5 to 1 on its rim; 1 without a disc
+  // of samples: below 0.5 inside a disc, 0.5 to 1 on its rim, 1 without a disc
   std::vector<float> depth_;
   std::vector<std::uint8_t> touched_;  // tiles of the band
   std::vector<std::uint8_t> was_drawn_;

@@ -35,12 +35,12 @@ struct Look {
   std::optional<Range> range;      // values outside are clamped
   const Colormap* colormap = nullptr;
   double middle = 0;                  // value at the middle of a diverging map
-  std::string unit{};                 // of values; determines the width of the bar's numbers
+  std::string unit{};                 // of values
   std::optional<Size> size = Size{};  // least_size to greatest_size
   bool bare = false;                  // no texts
   PageTexts texts{};
   NumberFormat bar_format{};
-  double glyph = 1;        // drawn / true diameter
+  double glyph = 1;
   Rgb background = white;  // texts contrast with it
   bool transparent = false;
   /// If not empty, values are indices of categories, a legend replaces the bar, and range and colour map may be unset.

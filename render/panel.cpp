@@ -59,7 +59,6 @@ struct Grid {
   int grid_height() const { return rows * cell_height + (rows - 1) * gap_size; }
 
   int all_columns() const { return blocks * columns; }
-  /// Width of cells in a grid of `width` pixels.
   int cell_width_in(int width) const {
     const int taken = std::accumulate(spaces.begin(), spaces.end(), 0) + blocks * (columns - 1) * gap_size;
     return (width - taken) / all_columns();
@@ -82,7 +81,7 @@ bool same_colors(const PanelBlock& a, const PanelBlock& b) {
          a.look.bar_format == b.look.bar_format;
 }
 
-/// Margins of a grid whose cells have no size yet; without room for texts if bare.
+/// Grid with margins, whose cells have no size yet.
 Grid empty_grid(const PanelOptions& options, double em) {
   Grid grid;
   grid.em = em;
@@ -105,8 +104,7 @@ Grid empty_grid(const PanelOptions& options, double em) {
   return grid;
 }
 
-/// Width in em; 0 if another block has the key. Among consecutive blocks of equal colours, the last has it, or, if keys
-/// are on the left, the first.
+/// Width in em; 0 if an adjacent block of equal colours has the key.
 double key_width(const std::vector<PanelBlock>& blocks, std::size_t k, const Grid& grid) {
   const PanelBlock& block = blocks[k];
   const bool left = block.look.texts.bar == BarPosition::left;

@@ -64,7 +64,6 @@ void check_range(const Range& range) {
   }
 }
 
-/// A font set by the user may leave no room.
 void check_room(const Look& look) {
   const Rect plot =
       make_layout(look.size->width, look.size->height, *look.view, true, room_of_bar, look.texts).plot;

@@ -7,7 +7,7 @@
 namespace taut::render {
 namespace {
 
-constexpr double alike = 0.8;  // least cosine between a normal and those averaged with it, 37°
+constexpr double alike = 0.8;  // least cosine between normals that are averaged
 
 Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
@@ -43,7 +43,7 @@ std::vector<float> smooth_light(std::span<const Vector> points, std::span<const 
       if (!(dot(own, other) > alike * length * std::sqrt(dot(other, other)))) continue;
       for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += other[axis];
     }
-    // turned towards the camera, also for inner sides seen through a crack
+    // towards the camera, also for inner sides
     const double scale = (own[2] < 0 ? -1 : 1) / std::sqrt(dot(mean, mean));
     light[k] = light_on(static_cast<float>(scale * mean[0]), static_cast<float>(scale * mean[1]),
                         static_cast<float>(scale * mean[2]));

@@ -19,7 +19,7 @@ Vector sum(const Vector& a, const Vector& b, double times = 1) {
   return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
 }
 
-// Without overlap, bending would open gaps of second order in the spacing.
+// closes the gaps of bent bodies
 constexpr double overlap = 1.02, least_overlap = 0.7;  // factor; pixels
 
 Vector widened(const Vector& half) {

@@ -25,7 +25,7 @@ class Solids {
   /// Adds grid lines; particles in front hide them.
   void place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color);
   /// Loose particles become balls. `places`: places of points among the colours; if `uniform`, a triangle has the place
-  /// of its first point. In 3D, light varies smoothly except at edges. No `projection` in 2D.
+  /// of its first point. No `projection` in 2D.
   void place_surface(const FrameView& frame, const Projection* projection, std::span<const float> places,
                      std::span<const std::uint32_t> colors, bool uniform);
   /// Places 2D cells.
@@ -54,8 +54,7 @@ class Solids {
   Cover cover_;
 };
 
-/// Radius in pixels with which a disc or ball is drawn. Gaps narrower than a pixel cause moiré: small radii grow by less
-/// than 0.7 pixel, and discs below a diameter of 2 pixels fill a square.
+/// Radius in pixels with which a disc or ball is drawn. Small radii grow, since gaps narrower than a pixel cause moiré.
 double drawn_radius(double radius);
 
 }  // namespace taut::render

@@ -1,6 +1,5 @@
 # Writes OUTPUT, which adds the test cases of PROGRAM to CTest: each as "FOLDER: name" with its suite as label and
-# with PROPERTIES. Runs the program once. doctest's own script runs the program once per test (ten seconds of a build)
-# and gives no label to names with a comma.
+# with PROPERTIES. Unlike doctest's own script, it runs the program once and labels names with a comma.
 execute_process(COMMAND ${PROGRAM} --list-test-cases --reporters=xml OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 
 # characters that would end a list element, or keep it open

@@ -88,7 +88,7 @@ render::Range SequenceBounds::range(std::optional<double> middle, double round_o
     low = *middle - half, high = *middle + half;
   }
   if (high > low) return {low, high};
-  // a uniform field has the middle colour, or, if it is 0 and `middle` is open, the lowest one
+  // uniform values
   if (low == 0 && !middle) return {0, 1};
   const double half = low != 0 ? 0.5 * std::abs(low) : 1;
   return {low - half, low + half};

@@ -13,7 +13,6 @@ namespace taut::cli {
 /// Range and view of a sequence of frames; ignores NaN and magnitudes from 1e100.
 class SequenceBounds {
  public:
-  /// The camera sets the plane of the view.
   explicit SequenceBounds(const std::optional<render::Camera>& camera = {});
 
   void add_values(std::span<const double> values);
@@ -21,14 +20,14 @@ class SequenceBounds {
   void add_positions(std::span<const double> x, int dim, double diameter);
   void add(const FrameView& particles);
 
-  /// Leaves out at each end at most 1 % of the values beyond ±`round_off`, unless they would widen the range by less
-  /// than a quarter. Never empty; symmetric about `middle`, if given.
+  /// Leaves out outliers: at each end at most 1 % of the values beyond ±`round_off`. Never empty; symmetric about
+  /// `middle`, if given.
   render::Range range(std::optional<double> middle, double round_off = 0) const;
   /// Includes a margin of 5 % of the longer side.
   render::View view() const;
-  /// View centred at the origin (the followed body's centre of mass), 1.5 times as large as needed.
+  /// View centred at the origin, 1.5 times as large as needed.
   render::View view_about_origin() const;
-  /// Contains all particles from every direction.
+  /// View that contains all particles from every direction.
   struct Orbit {
     render::View view;      // centred at the origin
     render::Vector middle;  // m
@@ -48,7 +47,7 @@ class SequenceBounds {
   std::optional<render::CameraAxes> axes_;
 };
 
-/// Sets open members: colour map by the field, range and view by `shown`.
+/// Sets colour map, range and view if they are open.
 Drawing fitted(Drawing drawing, const SequenceBounds& shown);
 
 }  // namespace taut::cli

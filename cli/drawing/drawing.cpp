@@ -44,7 +44,6 @@ Drawing sized(Drawing drawing) {
   return drawing;
 }
 
-/// Formulas have no unit; a diverging map centres them at 0.
 ColorMeaning meaning(const Drawing& drawing) {
   const Field& field = *drawing.field;
   const render::Colormap* map = drawing.look.colormap;

@@ -35,13 +35,13 @@ struct ColorFormula {
                              std::span<const double> x, std::span<const double> x0, double time) const;
 };
 
-/// `fitted` sets open members.
+/// `fitted` sets members without a value.
 struct Drawing {
   const Field* field = find_field("von_mises");
   render::Look look{};
   int frames = 60;               // evenly spaced after t = 0
   std::optional<Style> style{};  // default: discs, in 3D spheres
-  std::string cut{};             // hides particles where it is not 0 at the start
+  std::string cut{};             // expression; hides particles where it is not 0 initially
   std::string hide{};            // bodies, separated by commas
   Outlines outline = Outlines::none;
   std::string follow{};  // body that stays centred
@@ -58,15 +58,14 @@ struct Drawing {
   Expression is_cut{};
   std::optional<int> followed{};
   std::vector<int> hidden{};
-  std::shared_ptr<const Scene> scene{};  // for surfaces and outlines
+  std::shared_ptr<const Scene> scene{};
   std::vector<WallFace> walls{};
-  double round_off = 0;  // minimum width of an open range
+  double round_off = 0;  // minimum width of an automatic range
   ColorFormula of_formula{};
 };
 
-/// `print_width` in pixels.
 std::optional<double> pixels_on_paper(const Drawing& drawing);
-/// Applies print width and font size. An open size stays open.
+/// Applies print width and font size.
 Drawing sized(Drawing drawing);
 
 struct ColorMeaning {

@@ -30,8 +30,7 @@ FrameView with_texts(FrameView view, const Drawing& drawing, const Captions& cap
   return view;
 }
 
-/// Limits memory. In 3D a pixel needs four 8-byte samples in OpenGL, four 4-byte depths in Cover, and the bytes of the
-/// picture and its copy.
+/// Limits memory; in 3D, OpenGL and Cover store four samples per pixel.
 int pictures_at_once(const Drawing& drawing, int threads) {
   constexpr double bytes_of_pixel = 70;
   const render::Size size = sized(drawing).look.size.value_or(render::Size{});

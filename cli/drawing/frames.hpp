@@ -38,8 +38,7 @@ render::Image draw_picture(const Drawing& drawing, const Captions& captions, con
 /// "taut: …" with end of line; empty if all texts fit.
 std::string remark_on_texts(const std::set<std::string>& cut);
 
-/// Draws immediately if range (or categories) and view are fixed, else at the end. If several threads draw, `add` waits
-/// while too many frames are pending. Files are written in order.
+/// Draws each frame at once if colours and view are fixed, else all frames at the end. Writes files in order.
 class Frames {
  public:
   static constexpr double memory_of_pictures = 1e9;  // bytes
@@ -83,7 +82,7 @@ class Frames {
   }
 
  private:
-  /// Doubles: in single precision, particles far from the origin would coincide.
+  /// In double precision, because particles can be far from the origin.
   struct Kept {
     double time;   // s
     Point origin;  // m

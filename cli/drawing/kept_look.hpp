@@ -9,7 +9,7 @@
 
 namespace taut::cli {
 
-/// File look.json of a baseline. Later frames keep its colour range and view even if the motion changes.
+/// File look.json of a baseline: colour range and view of all later frames.
 struct KeptLook {
   std::string color;                   // key, or "=EXPRESSION"
   std::optional<render::Range> range;  // none: bodies or materials
@@ -18,7 +18,7 @@ struct KeptLook {
 };
 
 KeptLook look_of(const Drawing& drawn);
-/// Sets an open view, and an open range for the same field.
+/// Sets a missing view, and a missing range of the same field.
 void set_open(Drawing& drawing, const KeptLook& look);
 
 Json to_json(const KeptLook& look);

@@ -20,7 +20,6 @@ DrawingValue get_color(const Drawing& drawing) {
   return drawing.formula.empty() ? std::string(drawing.field->key) : "=" + drawing.formula;
 }
 
-/// A new colour resets range and colour map.
 std::string set_color(Drawing& drawing, const DrawingValue& value) {
   const std::string& text = word(value);
   if (DrawingValue(text) == get_color(drawing)) return "";

@@ -51,7 +51,7 @@ struct DrawingKey {
   bool is_free_text = false;  // checked by `set` or `apply_scene`
   std::string_view pattern = {};
   Numbers numbers = {};
-  /// Returns an error message, or "". `apply_scene` checks whether the value fits the scene.
+  /// Returns an error message, or "".
   std::string (*set)(Drawing&, const DrawingValue&);
   DrawingValue (*get)(const Drawing&);
 

@@ -30,7 +30,7 @@ struct StagedParticles {
   FrameView view() const;
 };
 
-/// Selects and places the particles of a picture. The cut uses initial positions, so it deforms with the body.
+/// Selects and places the particles of a picture. The cut uses initial positions.
 class Staging {
  public:
   /// Throws UsageError if `cut` hides all particles.
@@ -43,7 +43,7 @@ class Staging {
   StagedParticles operator()(const FrameView& particles) const;
   /// Adds walls and outlines; applies styles `cells` and `surface`.
   StagedParticles completed(StagedParticles staged) const;
-  /// Extends the bounds by the values, and by the positions that an automatic view must contain.
+  /// Adds the values, and the positions that an automatic view must contain.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 
  private:
@@ -63,8 +63,8 @@ class Staging {
   std::vector<WallFace> walls_;
   std::optional<int> followed_;
   std::vector<std::size_t> shown_;
-  std::optional<Cells> cells_;            // in style `cells`
-  std::shared_ptr<LazySurface> surface_;  // made at first use
+  std::optional<Cells> cells_;
+  std::shared_ptr<LazySurface> surface_;
   bool draws_surface_, has_categories_;
   Outlines outline_;
 };

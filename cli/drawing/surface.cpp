@@ -40,8 +40,8 @@ double squared_distance(std::span<const double> x, std::size_t dim, std::size_t 
   return sum;
 }
 
-/// Twice the area, in 3D six times the volume; positive if the points turn to the left, in 3D if the first three do so
-/// as seen from the last.
+/// Twice the area, in 3D six times the volume. Positive if the points (in 3D the first three, seen from the last) are
+/// anticlockwise.
 double signed_size(std::span<const double> x, std::size_t dim, const std::array<std::uint32_t, 4>& points) {
   std::array<std::array<double, 3>, 3> way{};
   for (std::size_t c = 0; c < dim; ++c)
@@ -87,7 +87,6 @@ Point Surface::initial(std::uint32_t point) const {
   return x;
 }
 
-/// Omits nodes that are hidden, close to a particle or far from all particles.
 void Surface::add_nodes(const Scene& scene, const std::vector<Point>& places, const NodeWeights& weights,
                         const Expression& is_cut) {
   constexpr double nearest = 0.1, farthest = 1.5;  // spacings
@@ -126,10 +125,9 @@ void Surface::triangulate(const Scene& scene, int body, std::span<const int> fir
   }
 }
 
-/// Whether the simplex is small, its edges between nodes do not bridge a groove, and, if all its points can be on faces,
-/// its middle is in the body. Edges that are chords of hollow faces are slightly outside.
+/// Rejects long edges, edges between nodes that bridge a groove, and simplices of face points outside the body.
 bool Surface::fits(const Scene& scene, int body, const Simplex& simplex) const {
-  constexpr double chord = 0.15;  // spacings
+  constexpr double chord = 0.15;  // spacings by which chords of hollow faces are outside
   const Body& of = scene.bodies[static_cast<std::size_t>(body)];
   Point middle{};
   for (std::size_t a = 0; a <= dim_; ++a) {
@@ -146,7 +144,7 @@ bool Surface::fits(const Scene& scene, int body, const Simplex& simplex) const {
   return !on_faces || holds(of, middle, scene.dim, 0);
 }
 
-/// Drops boundary simplices of almost no size, whose outward side depends on round-off. Returns whether any was dropped.
+/// Drops flat boundary simplices, whose outward side depends on round-off. Returns whether any was dropped.
 bool Surface::drop_flat() {
   const double least = 1e-3 * std::pow(dp_, static_cast<double>(dim_));
   std::vector<bool> drop(simplices_.size());
@@ -242,7 +240,6 @@ SurfaceShape Surface::at(std::span<const double> x, std::span<const double> valu
       sum += weight * of, low = std::min(low, of), high = std::max(high, of);
     }
     const auto& nearest = nodes_.shares[static_cast<std::size_t>(nodes_.begin[n])];
-    // within the values of these particles
     shape.value.push_back(uniform           ? value[static_cast<std::size_t>(nearest.particle)]
                           : std::isnan(sum) ? sum
                                             : std::clamp(sum, low, high));

@@ -16,12 +16,11 @@ struct SurfaceShape {
   std::vector<double> x{}, value{};       // x: dim coordinates per point, m
   std::vector<std::uint32_t> triangle{};  // 3 points each; 3D: anticlockwise from outside
   std::vector<double> outline{};          // 2D: four coordinates per segment, m
-  std::vector<std::uint32_t> loose{};     // particles without a whole simplex
+  std::vector<std::uint32_t> loose{};     // particles of no unbroken simplex
 };
 
-/// Delaunay triangles (in 3D tetrahedra) of the initial positions of particles and of nodes on contact faces. Nodes
-/// move with the particles around them. Initial edges are at most two spacings long. A triangle is dropped while an edge
-/// is more than three times as long.
+/// Delaunay triangles (in 3D tetrahedra) of the initial positions of particles and of nodes on contact faces.
+/// Triangles with an initial edge above two spacings, or with an edge stretched more than threefold, are left out.
 class Surface {
  public:
   /// Particle k is `shown[k]` of the scene, ascending. `is_cut` hides nodes.
@@ -57,7 +56,7 @@ class Surface {
   std::size_t dim_, particles_ = 0;
   double dp_;               // m
   std::vector<double> x0_;  // m
-  FaceNodes nodes_;         // shares number the particles of the surface
+  FaceNodes nodes_;         // shares refer to particles of the surface
   std::vector<Simplex> simplices_;
   std::vector<Face> faces_;
 };

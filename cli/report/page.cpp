@@ -81,9 +81,9 @@ void write_page(const fs::path& folder, const PageData& data) {
   const auto scripts = run_scripts(data);
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "runs", error)) {
-    const std::string name = "runs/" + entry.path().filename().string();  // unused: from an older page
+    const std::string name = "runs/" + entry.path().filename().string();
     const bool used = std::ranges::any_of(scripts, [&](const auto& script) { return script.first == name; });
-    if (!used && entry.path().extension() == ".js") fs::remove(entry.path(), error);
+    if (!used && entry.path().extension() == ".js") fs::remove(entry.path(), error);  // of an older page
   }
   write_atomically(folder / "taut.css", page::taut_css);
   write_atomically(folder / "taut.js", page::taut_js);

@@ -12,7 +12,7 @@ namespace taut::cli {
 struct PageData {
   Json report;                  // all but the runs
   std::vector<Json> runs;       // null: no data
-  std::vector<Json> particles;  // may be shorter
+  std::vector<Json> particles;  // may be shorter than `runs`
 };
 
 /// `runs/K.js`, `runs/K-particles.js`.

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// Embedded by page_files.cmake: files of page/, with all scripts joined in `taut_js`, and Chart.js.
+/// Embedded by page_files.cmake: files of page/, with all scripts joined in `taut_js`.
 namespace taut::cli::page {
 
 extern const std::string_view index_html, taut_css, taut_js;

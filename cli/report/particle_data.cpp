@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-constexpr std::size_t most_particles = 2000000;  // of all times: 24 MB of base64
+constexpr std::size_t most_particles = 2000000;  // of all times
 constexpr int colors_of_key = 32;
 
 struct Box {

@@ -62,7 +62,6 @@ PageKind kind_of(const ReportRequest& request) {
   return PageKind::sweep;
 }
 
-/// DIR/report or out/report; with `embed`, DIR/report.html or out/report.html.
 fs::path place_of(const ReportRequest& request) {
   if (request.out) return *request.out;
   fs::path folder = request.paths.size() == 1 ? fs::path(request.paths.front()) : fs::path("out");

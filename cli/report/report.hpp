@@ -25,7 +25,7 @@ struct WrittenPage {
   PageKind kind;
   std::filesystem::path file;
   std::size_t runs = 0;
-  bool running = false;  // a run has not ended
+  bool running = false;
 };
 
 /// Throws UsageError for mixed paths or an `out` that is no page; OutputError.

@@ -6,7 +6,7 @@
 
 namespace taut::cli {
 
-/// Losses are hardly visible. Throws UsageError for more than 16383 pixels a side.
+/// Lossy. Throws UsageError for more than 16383 pixels a side.
 std::string webp(const render::Image& image);
 
 }  // namespace taut::cli

@@ -20,7 +20,7 @@ class LineInput {
   LineInput& operator=(const LineInput&) = delete;
 
   bool is_typed() const { return typed_; }
-  /// Nullopt at the end of input. On a terminal, also after SIGTERM or SIGHUP, and Ctrl-C discards a partial line.
+  /// Nullopt at the end of input; on a terminal, also after SIGTERM or SIGHUP. Ctrl-C discards a partial line.
   std::optional<std::string> next();
 
  private:

@@ -30,7 +30,6 @@ class Session {
   /// Runs to the first step at or after `t`, then shows `t`.
   void run_until(double t, const Interrupts& interrupts, Progress& progress);
 
-  /// Material law, which selects references.
   std::string_view law() const;
   std::vector<MeasureResult> measures() const;
 
@@ -50,11 +49,11 @@ class Session {
   void zoom(double factor);
   /// Orbits the 3D camera, degrees.
   void orbit(double right, double upwards);
-  /// Drawing with open members set for the shown state.
+  /// Drawing with all members set for the shown state.
   Drawing drawing() const;
   /// Writes the shown state to a PNG file.
   void frame(const std::filesystem::path& file) const;
-  /// `drawing` must have no open members.
+  /// `drawing` must be complete.
   render::Image picture(const Drawing& drawing) const;
 
   void save(const std::filesystem::path& file) const;

@@ -104,7 +104,7 @@ void take_look(Session& session, const DrawingKey& key, const Words& words) {
     return session.set_look(key, join(words, " "));
   const bool one_word = words.size() == 1 && (key.takes_words() || words[0] == automatic);
   if (!one_word && (key.takes_words() || words.size() != key.numbers.count)) wrong_words(key.name);
-  if (!one_word) std::ranges::for_each(words, number);  // errors name the word
+  if (!one_word) std::ranges::for_each(words, number);  // throws for other words
   session.set_look(key, join(words, std::string_view(&key.numbers.between, 1)));
 }
 

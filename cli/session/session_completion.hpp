@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Choices for the last word of a partial line, whether or not they match its letters.
+/// Choices for the last word of a partial line, matching or not.
 Choices session_choices(const Session& session, const std::vector<std::string>& words);
 
 }  // namespace taut::cli

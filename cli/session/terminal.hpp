@@ -18,7 +18,7 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Fits the size of pictures to the terminal. Leaves out texts in character output, which is too coarse.
+  /// Fits the size of pictures to the terminal. Leaves out texts in character output.
   void adapt(render::Look& look) const;
   std::string text_of(const render::Image& image) const;
 

@@ -155,7 +155,7 @@ std::optional<double> convergence_order(const std::vector<ChartPoint>& points) {
     xx_sum += x * x;
     xy_sum += x * y;
   }
-  const double spread = n * xx_sum - x_sum * x_sum;  // n² times the variance, not 0
+  const double spread = n * xx_sum - x_sum * x_sum;  // n² times the variance
   if (n < 2) return std::nullopt;
   return (n * xy_sum - x_sum * y_sum) / spread;
 }

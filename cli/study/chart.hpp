@@ -11,7 +11,7 @@
 namespace taut::cli {
 
 enum class Cost {
-  cpu,             // CPU seconds of the solver, hardly changed by other processes
+  cpu,             // CPU seconds of the solver
   wall,            // elapsed time, s
   particle_steps,  // equal on all machines
 };
@@ -27,7 +27,7 @@ struct ChartRequest {
   std::vector<std::string> methods{};  // empty: all
   std::string against{};               // method whose finest stable run replaces the references
   bool stable_only = false;
-  std::optional<StoredRun> run{};  // replaces the references, instead of `against`
+  std::optional<StoredRun> run{};  // replaces the references
 
   bool replaces_references() const { return run || !against.empty(); }
 };
@@ -87,9 +87,8 @@ std::string shown_cost(double cost);
 /// Least-squares slope of log error over log spacing of stable runs; nullopt for fewer than two spacings.
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 
-/// The default measure has the largest number of errors; at a tie, the scene's first counts. Times (`*_time`) and errors
-/// with a unit come last. Of runs with the same spacing the cheapest counts. Reference runs have no point. Throws
-/// UsageError for a measure without errors.
+/// The default measure has the largest number of errors; times (`*_time`) and errors with a unit come last. Of runs
+/// with the same spacing the cheapest counts. Throws UsageError for a measure without errors.
 Chart make_chart(const StoredResults& results, const ChartRequest& request);
 
 }  // namespace taut::cli

@@ -9,8 +9,8 @@ namespace taut::cli {
 
 /// A block per series, from coarse to fine.
 std::string chart_data(const Chart& chart);
-/// Work-precision diagram with slopes of order 1 and 2. Unstable runs have thin lines and crossed open markers; runs
-/// without an error form a strip at the top. Throws UsageError for too many series.
+/// Work-precision diagram with slopes of order 1 and 2; runs without an error form a strip at the top. Throws
+/// UsageError for too many series.
 std::string chart_script(const Chart& chart, const PlotFiles& files);
 
 }  // namespace taut::cli

@@ -14,7 +14,7 @@ struct ChoiceLimits {
   std::optional<double> seconds;  // maximum solving time
 };
 
-/// A stable run. All finer runs of its series are stable too and confirm its accuracy.
+/// A stable run; all finer runs of its series are stable, too, and have an error.
 struct Offer {
   const ChartSeries* series;
   const ChartPoint* point;
@@ -27,7 +27,7 @@ std::vector<Offer> suitable_offers(const Chart& chart, const ChoiceLimits& limit
 /// Runs with a smaller error than all cheaper runs, sorted by cost.
 std::vector<Offer> pareto_front(const Chart& chart, std::optional<double> seconds);
 
-/// The run to take with its evidence, or how close the nearest run comes.
+/// The cheapest accurate run with its evidence, or the run with the smallest error.
 std::string advice(const Chart& chart, const ChoiceLimits& limits);
 std::string price_list(const Chart& chart, std::optional<double> seconds);
 Json to_json(const std::vector<Offer>& offers);

@@ -10,7 +10,7 @@
 namespace taut::cli {
 namespace {
 
-// Damaged files cannot exhaust the memory.
+// limit the memory for damaged files
 constexpr std::size_t most_columns = 10000;
 constexpr std::uintmax_t most_mebibytes = 256;
 

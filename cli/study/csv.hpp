@@ -13,7 +13,7 @@ struct CsvTable {
 
 /// RFC 4180. Throws UsageError, with the line, for malformed rows.
 CsvTable parse_csv(const std::string& text, const std::string& file);
-/// Throws UsageError, also for an unreadable file.
+/// Throws UsageError.
 CsvTable read_csv(const std::filesystem::path& path);
 
 std::string csv_cell(const std::string& text);

@@ -5,7 +5,7 @@
 
 namespace taut::cli {
 
-/// The first line of a method has one style in all pictures. Further lines differ in dashes and markers.
+/// The first line of a method has the same style in all pictures.
 struct CurveStyle {
   std::string color;         // "#0072B2"
   int dash = 1;              // 1: solid

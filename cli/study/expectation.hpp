@@ -32,7 +32,7 @@ std::vector<Expectation> expectations_of(const StoredRun& baseline, const Tolera
 struct Finding {
   std::string name, expected, is, difference;
   bool fine = false;
-  bool bound = false;             // `expected` is a bound
+  bool bound = false;
   std::optional<double> value{};  // `is`, if finite
 };
 /// A measure without a value fails. Throws UsageError for a name that run.json lacks.

@@ -28,8 +28,7 @@ bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x
 /// Octal escape that splits a single-quoted string in two: gnuplot 5.4 reads '' as a quote only after a letter.
 std::string plot_byte(char c) { return fmt::format("'.\"\\{:03o}\".'", static_cast<unsigned char>(c)); }
 
-/// Relative path as a string. gnuplot would interpret a leading '|', '<' or '-', hence "./". Quotes, control
-/// characters and letters without a font become octal.
+/// Relative path as a string. gnuplot would interpret a leading '|', '<' or '-', hence "./".
 std::string plot_path(const std::string& name) {
   const bool drawable = with_letters_of_fonts(name) == name;
   std::string result;
@@ -103,7 +102,7 @@ double right_margin(const std::vector<std::string>& names) {
 std::string plot_head(const PlotFiles& files, int width, int height, double scale) {
   const std::string format = files.picture.extension().string();
   const double w = width * scale, h = height * scale;
-  // pictures: PDF in inches, else pixels; fonts: SVG in pixels, else points
+  // sizes of pictures: PDF in inches, else pixels; of fonts: SVG in pixels, else points
   const std::string lines = fmt::format(" linewidth {0:.4g} pointscale {0:.4g}", scale);
   std::string terminal;
   if (format == ".svg")

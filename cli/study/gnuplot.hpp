@@ -53,8 +53,8 @@ double legend_width(const std::vector<std::string>& names);
 /// Right edge of the plot, as a share of the width.
 double right_margin(const std::vector<std::string>& names);
 
-/// Writes data and script, then runs gnuplot; returns the exit code. Throws OutputError if gnuplot is missing
-/// or fails; both files remain.
+/// Writes data and script, then runs gnuplot. Returns exit_fine or the code of an interrupt. Throws OutputError if
+/// gnuplot is missing or fails.
 int draw_plot(const PlotFiles& files, const std::string& script, const std::string& data);
 
 }  // namespace taut::cli

@@ -44,7 +44,7 @@ std::vector<std::vector<double>> rows_of(const CsvTable& table, const std::vecto
   return rows;
 }
 
-/// Sorts runs that differ in one number; the shell sorts `DIR/*` by folder name.
+/// Sorts runs that differ in one number.
 void put_in_order(std::vector<NamedRun>& runs) {
   const auto number = [](const NamedRun& run) {
     return parsed<double>(run.name.substr(run.name.rfind('=') + 1));

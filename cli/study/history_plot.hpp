@@ -13,7 +13,7 @@ namespace taut::cli {
 
 struct HistoryColumn {
   std::string name, label;  // an axis adds `unit` with a fitting prefix to the label
-  FilePlace place = {};     // where the study file names the column, for messages
+  FilePlace place = {};     // in the study file, for messages
   std::string unit = {};    // SI
 };
 
@@ -29,7 +29,7 @@ struct HistoryPlot {
   std::vector<Curve> curves;
   std::vector<std::vector<std::size_t>> panels{};  // columns of each; empty: one panel per column
   std::vector<ReferenceCurve> references{};        // over time, or along lines
-  const char* kind = "history";                    // for the report
+  const char* kind = "history";                    // in printed lines
 };
 
 struct NamedRun {
@@ -45,7 +45,6 @@ HistoryPlot make_history_plot(const StoredResults& results, const std::vector<Hi
 
 /// Curves, then references; SI units.
 std::string history_data(const HistoryPlot& plot);
-/// Each panel has a line per run and column, and references in black.
 std::string history_script(const HistoryPlot& plot, const PlotFiles& files, const PlotLook& look = {});
 
 }  // namespace taut::cli

@@ -69,7 +69,7 @@ Profiles read_profiles(const std::filesystem::path& file, const std::string& x) 
   return all;
 }
 
-/// The sample nearest to `t`, at most 0.1 % away, since users round times.
+/// The sample nearest to `t`, at most 0.1 % away (users round times), or nullptr.
 const std::pair<const double, Profile>* sample_at(const std::map<double, Profile>& samples, double t) {
   const auto distance = [t](const auto& sample) { return std::abs(sample.first - t); };
   const auto nearest = std::ranges::min_element(samples, {}, distance);

@@ -19,7 +19,7 @@ struct Kind {
   std::string name, color;
 };
 
-/// Colours darken with severity, also in grey prints.
+/// Colours darken with severity.
 std::vector<Kind> kinds() {
   constexpr std::array colors = {"#d6ecf7", "#f3cc63", "#b49bd8", "#d9712f", "#8c2236"};
   const std::vector<std::string> names = names_of_verdicts();
@@ -55,7 +55,7 @@ void each_cell(const StabilityMap& map, const Use& use) {
       if (map.cells[r][v]) use(r, v, *map.cells[r][v]);
 }
 
-/// Kinds that occur, because gnuplot does not number empty blocks.
+/// Kinds that occur; gnuplot does not count empty blocks.
 std::vector<std::size_t> kinds_in(const StabilityMap& map, const std::vector<Kind>& all) {
   std::vector<bool> there(all.size());
   each_cell(map, [&](std::size_t, std::size_t, const MapCell& cell) { there[kind_of(cell, all)] = true; });

@@ -87,7 +87,7 @@ Layout layout_of(const PanelPlot& plot, const PlotLook& look, const std::string&
   return layout;
 }
 
-/// Legend in empty plots, which can use the full height.
+/// Legend, with an empty plot for each column.
 std::string legend_of(const PanelPlot& plot, const Layout& layout) {
   const auto columns = static_cast<std::size_t>(layout.beside ? 1 : layout.legend_columns);
   const double from = layout.beside ? layout.right * layout.width + 10 : 10,
@@ -215,7 +215,7 @@ std::string log_ticks(double low, double high, std::string (*show)(double)) {
 double width_of_ticks(double low, double high) {
   if (!(high > low)) return text_width(fmt::format("{:g}", low), axis_font);
   const double power = std::pow(10, std::floor(std::log10(high - low)) - 1);
-  const double step = (high - low > 50 * power ? 5 : 2) * power;  // at most as wide as gnuplot's
+  const double step = (high - low > 50 * power ? 5 : 2) * power;  // at most gnuplot's step
   std::vector<std::string> numbers;
   for (const double end : {low, high})
     for (const double way : {-2, -1, 0, 1, 2})

@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Layouts count pixels at 96 dpi with texts of 11 points; `scale` enlarges everything.
+/// Lengths are pixels at 96 dpi with texts of 11 points; `scale` enlarges everything.
 struct PlotLook {
   std::optional<std::string> title{};  // default: title of the results; empty: none
   int width = plot_width;              // before scaling
@@ -30,7 +30,7 @@ struct PanelPlot {
   struct Panel {
     std::string label;
     double low = 0, high = 1;        // of values; of positive values on a logarithmic axis
-    std::vector<std::string> lines;  // elements of `plot`, without titles
+    std::vector<std::string> lines;  // elements of gnuplot's `plot` command
   };
   struct Entry {
     std::string name, style;
@@ -53,7 +53,7 @@ struct AxisScale {
   double factor = 1;
   std::string label;
 };
-/// SI prefix as in frames; none for numbers without a unit on a logarithmic axis.
+/// SI prefix as in frames.
 AxisScale axis_scale(const std::string& name, const std::string& unit, double greatest, bool is_log);
 /// Ticks at 1, 2 and 5 of each decade, in long ranges at powers of ten.
 std::string log_ticks(double low, double high, std::string (*show)(double));

@@ -18,7 +18,7 @@ struct ReferenceCurve {
   bool operator==(const ReferenceCurve&) const = default;
 };
 
-/// Curves of probes that have a table, or an exact solution, evaluated at `times`. Empty without a reference for the law.
+/// Tables of probes, or exact solutions at `times`. Empty without a reference for the law.
 std::vector<ReferenceCurve> reference_curves(const Scene& scene, const std::string& law,
                                              std::span<const double> times);
 inline constexpr int solution_samples = 400;

@@ -35,7 +35,7 @@ std::string column_with(const StoredRun& run, const std::string& name) {
 }
 
 struct LineNames {
-  std::vector<ResultColumn> by;             // as requested
+  std::vector<ResultColumn> by;
   std::vector<std::string> distinguishing;  // if `by` is empty: columns that differ
 
   std::string operator()(const StoredRun& run) const {
@@ -83,7 +83,7 @@ std::string only_parameter(const StoredResults& results) {
 
 using Runs = std::vector<const StoredRun*>;
 
-/// Returns a line per reference, or, if values of one differ at the same x, one per line of runs.
+/// A line per reference, or one per line of runs if values of a reference differ at the same x.
 std::vector<Line> references_of(const Runs& runs, const ResultColumn& x, const ResultColumn& y,
                                 const LineNames& name_of) {
   std::map<std::string, std::map<double, double>> shared, own;
@@ -201,7 +201,7 @@ std::string response_data(const ResponsePlot& plot) {
 
 namespace {
 
-/// Label of an axis without the unit. Empty if the legend names the columns and they have a unit.
+/// Label of an axis without the unit; empty for several columns with a unit, which the legend names.
 std::string names_in(const std::vector<ResultColumn>& columns) {
   std::vector<std::string> names;
   if (columns.size() > 1 && !columns.front().unit.empty()) return "";
@@ -234,7 +234,7 @@ AxisScale scale_of(const std::string& name, const std::string& unit, double grea
                      : axis_scale(name, unit, greatest, is_log);
 }
 
-/// Returns styles by line name: those of the methods if `named_by_method`, else numbered.
+/// Styles by line name.
 std::map<std::string, CurveStyle> styles_of(const ResponsePlot& plot, bool named_by_method) {
   std::vector<std::string> names, methods;
   for (const ResponsePlot::Panel& panel : plot.panels)

@@ -39,7 +39,6 @@ struct ResponsePlot {
 ResponsePlot make_response_plot(const StoredResults& results, const ResponseRequest& request);
 
 std::string response_data(const ResponsePlot& plot);
-/// Runs that are not stable have open markers.
 std::string response_script(const ResponsePlot& plot, const PlotFiles& files, const PlotLook& look);
 
 }  // namespace taut::cli

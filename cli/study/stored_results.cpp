@@ -97,7 +97,7 @@ std::vector<StoredRun> read_runs(const fs::path& path) {
   return runs;
 }
 
-/// Reads title, units and common settings; returns these settings.
+/// Reads title and units; returns the common settings.
 StoredSettings add_names(const fs::path& table, StoredResults& results) {
   constexpr std::uint64_t most_bytes = 256 << 20;
   const std::string file = (table.parent_path() / "results.json").string();

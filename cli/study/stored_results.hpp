@@ -29,7 +29,7 @@ struct StoredRun {
   std::string text(std::string_view column) const;
   bool has_result() const { return status == "finished" || status == "failed"; }
   std::string method() const;  // known before a result if swept
-  std::string folder() const;  // of the run
+  std::string folder() const;
   std::string verdict() const { return record.verdict ? std::string(name(*record.verdict)) : ""; }
   bool is_stable() const { return has_result() && record.verdict == Verdict::stable; }
   /// The value, if finite.

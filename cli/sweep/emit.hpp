@@ -16,7 +16,7 @@ struct EmitForm {
 std::vector<std::string> emit_names();
 const EmitForm& find_emit_form(const std::string& name);
 
-/// `sweep`: words of the command, which without --index also collects results. `threads`: of each run.
+/// `sweep`: words of the command. `threads`: of each run.
 std::string emit_script(const EmitForm& form, const std::string& title, int runs, int threads,
                         const std::vector<std::string>& sweep);
 

@@ -67,7 +67,7 @@ struct SweepPlan {
   std::set<std::string> remarks;
 };
 
-/// Settings of files contain their place.
+/// Settings from a file have a place.
 struct SweepRequest {
   std::string title;
   std::filesystem::path file;  // empty: command line

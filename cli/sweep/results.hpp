@@ -9,8 +9,7 @@
 
 namespace taut::cli {
 
-/// results.json; see cli/COMMANDS.md. A run without a result has no keys after "folder"; an interrupted run
-/// has the values so far.
+/// results.json; see cli/COMMANDS.md.
 std::string results_json(const SweepPlan& plan);
 /// `index` selects a run.
 Json results_tree(const SweepPlan& plan, std::optional<int> index = {});

@@ -101,7 +101,6 @@ void SweepRunner::finish(Job& job) {
   job.process.reset();
   SweepRun& run = *job.run;
   run.read_folder();
-  // stopped by the interrupt, during the run or before it began
   const bool stopped = passed_on_ && (end.code == exit_by_signal(SIGTERM) || end.signal == SIGTERM);
   if (run.state != SweepRunState::done && !stopped) {
     const bool by_signal = end.signal != 0;

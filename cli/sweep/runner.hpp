@@ -21,7 +21,7 @@ struct SweepEvents {
   std::function<void()> waiting;  // several times a second
 };
 
-/// Does `jobs` runs at a time, each in its own process. The longest start first, so that cores idle less at the end.
+/// Does `jobs` runs at a time, each in its own process; the longest start first.
 class SweepRunner {
  public:
   SweepRunner(std::vector<SweepRun*> runs, int jobs, const Interrupts& interrupts, Progress& progress,

@@ -16,13 +16,13 @@ struct SuiteEntry {
   std::string name;
   FilePlace place;
   std::string scene;
-  std::string differs_from;  // of a control: entry from whose baseline it must differ; else empty
+  std::string differs_from;  // of a control: entry from whose baseline it must differ
   std::vector<Setting> settings;
   DrawingValues drawing;
   std::optional<double> warn, fail;  // ΔE*ab
 
   bool is_control() const { return !differs_from.empty(); }
-  /// Name of the entry with the baseline: its own, or `differs_from`.
+  /// Name of the entry with the baseline.
   const std::string& owner() const { return is_control() ? differs_from : name; }
 };
 

@@ -13,7 +13,7 @@ namespace taut::cli {
 
 /// `columns`: width of the text.
 std::string list_of_entries(const std::vector<PlannedEntry>& entries, std::optional<std::size_t> columns);
-/// Also lists frames that differ, warn or are missing, except frames of controls.
+/// Also lists frames that differ, warn or are missing.
 std::string table_of_outcomes(const std::vector<EntryOutcome>& outcomes, std::optional<std::size_t> columns);
 
 /// `outcome`: nullptr if the entry was not run.

@@ -23,7 +23,7 @@ namespace {
 EGLDisplay open_display() {
   // equal bytes on all machines
   setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
-  // A cache would write to the home folder, and warn if that is read-only.
+  // a cache would write to the home folder
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const EGLDisplay display =
       eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);

@@ -57,7 +57,7 @@ GlContext::Current::Current(GlContext& context, Image& target) : context_(contex
 }
 
 GlContext::Current::~Current() {
-  glFinish();  // completes the picture
+  glFinish();
   OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
 }
 

@@ -17,8 +17,7 @@ void fail_for_memory(int width, int height) {
 }
 
 void check_memory(int width, int height) {
-  // 4 bytes per pixel of the picture and of its copy; 8 for each of 4 samples per pixel, at most 16 Mi samples; 32 MiB
-  // for other data
+  // bytes: 4 for each pixel of the picture and of its copy, 8 for each of 4 samples per pixel
   constexpr std::size_t samples = std::size_t{128} << 20, beside = std::size_t{32} << 20;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const std::size_t bytes = 8 * pixels + std::min(32 * pixels, samples) + beside;

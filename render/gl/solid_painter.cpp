@@ -19,12 +19,12 @@ namespace {
 // per direction
 constexpr int samples = 2;
 
-// 16 Mi samples of 8 bytes; a picture of 1920 × 1080 has one band
+// of 8 bytes
 constexpr int samples_per_band = 1 << 24;
 
-// x to the right, y downwards, z towards the camera. Surfaces that face away from the light keep the share `ambient`.
+// x to the right, y downwards, z towards the camera
 constexpr std::array<float, 3> to_light = {-0.32f, -0.44f, 0.839f};
-constexpr float ambient = 0.72f;
+constexpr float ambient = 0.72f;  // light on surfaces that face away
 #define TAUT_LIGHT                                                  \
   "float light_on(vec3 normal, float ambient) {\n"                  \
   "  const vec3 to_light = vec3(-0.32, -0.44, 0.839);\n"            \
@@ -107,8 +107,8 @@ void main() {
 constexpr const char* resolve_vertex_shader = R"(#version 330 core
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); })";
 
-// Compares opposite points. Their mean depth equals the pixel's on a plane and is nearer in a hollow; the slope is half
-// their difference per distance. Points of very different depths belong to other objects.
+// Compares the depths of opposite points with the pixel's: the mean shows hollows, the difference the slope. Points of
+// very different depth belong to other objects.
 constexpr const char* resolve_fragment_shader = "#version 330 core\n" TAUT_LIGHT R"(
 uniform sampler2D colors, depths;
 uniform ivec2 corner;    // of the picture's part, pixels

@@ -33,9 +33,8 @@ struct SolidParts {
   std::span<const std::uint32_t> palette{};  // of the surface; the last is for NaN
 };
 
-/// Draws spheres and triangles. Requires a current context throughout its lifetime. Shading keeps hues. The depths
-/// around each pixel make hollows darker [Luft, Colditz, Deussen: Image enhancement by unsharp masking the depth
-/// buffer, 2006].
+/// Draws spheres and triangles; hollows are darker [Luft, Colditz, Deussen: Image enhancement by unsharp masking the
+/// depth buffer, 2006]. Constructor and `draw` require the same current context.
 class SolidPainter {
  public:
   /// Throws UsageError without enough memory.
@@ -62,7 +61,7 @@ class SolidPainter {
   std::array<float, 3> background_;  // all 0 if transparent
   float opacity_;
   int reach_;        // radius of the shading, pixels
-  int band_height_;  // limits buffers of large pictures
+  int band_height_;  // pixels
   std::uint32_t framebuffer_ = 0, color_ = 0, depth_ = 0;
   Shape ball_, triangle_, surface_;
   std::uint32_t palette_ = 0;

@@ -4,7 +4,7 @@
 
 namespace taut::render {
 
-/// CIE 1976 L*a*b*, white point D65. A distance of 2.3 is just noticeable.
+/// CIE 1976 L*a*b*, white point D65.
 struct Lab {
   double L, a, b;
 };

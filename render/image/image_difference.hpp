@@ -6,10 +6,9 @@
 
 namespace taut::render {
 
-/// Least visible difference, ΔE*ab. Rounding on other processors causes much less.
+/// Least visible difference, ΔE*ab.
 inline constexpr double just_noticeable = 2.3;
 
-/// The share measures widespread changes, the densest window local ones, such as one moved particle.
 struct ImageDifference {
   double share = 0;           // of pixels that differ
   double greatest = 0;        // ΔE*ab
@@ -18,7 +17,7 @@ struct ImageDifference {
   int width = 0, height = 0;  // of this window, pixels
 };
 
-/// Rounding may move edges across pixel centres, but rarely at many adjacent pixels.
+/// The defaults tolerate edges that round-off moves across pixel centres.
 struct DifferenceLimit {
   double share = 0.002;
   double densest = 0.05;

@@ -111,8 +111,7 @@ void put_row(const Image& image, int row, std::uint8_t* to) {
     to[0] = from[2], to[1] = from[1], to[2] = from[0];
 }
 
-/// ISA-L at level 0: in 2.30, output of levels 1 and 2 may depend on memory addresses. A Deflater is too large for the
-/// stack.
+/// ISA-L at level 0: in 2.30, the output of levels 1 and 2 may depend on memory addresses. Too large for the stack.
 struct Deflater {
   isal_zstream stream;
   isal_hufftables code;
@@ -232,7 +231,7 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
 }
 
 Image read_png(const std::filesystem::path& path, Alpha alpha) {
-  // O_NONBLOCK: never waits for another user's pipe; /dev/stdin is the user's own
+  // O_NONBLOCK: does not wait for another user's pipe
   const bool of_system = path.string().starts_with("/dev/");
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | (of_system ? 0 : O_NONBLOCK));
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(

@@ -18,8 +18,8 @@ void write_png(const Image& image, const std::filesystem::path& path);
 
 enum class Alpha : std::uint8_t { dropped, kept };
 
-inline constexpr int greatest_side = 16384;  // exceeds `greatest_size` of a drawn picture
-inline constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;  // width × height of a picture
+inline constexpr int greatest_side = 16384;  // pixels
+inline constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
 /// Throws UsageError if the file is missing, damaged, too large or not a PNG file.
 Image read_png(const std::filesystem::path& path, Alpha alpha = Alpha::dropped);

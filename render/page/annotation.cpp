@@ -44,7 +44,7 @@ Annotation::Annotation(Image& image, const PageLayout& layout, ColorKey key, dou
       key_(std::move(key)) {}
 
 void Annotation::draw(const FrameView& frame, const OffScale& off_scale) {
-  canvas_.begin();  // OpenGL may have drawn
+  canvas_.begin();
   draw_header(frame);
   if (parts_.bar) {
     key_.draw(canvas_, layout_.key, layout_.font, frame.field, frame.unit);

@@ -39,7 +39,7 @@ class Annotation {
   void hide_scale_bar() { has_scale_bar_ = false; }
 
   void draw(const FrameView& frame, const OffScale& off_scale);
-  /// Whether the picture shows the annotation of `frame`, except header and off-scale marks.
+  /// Whether `draw_again` is sufficient for `frame`.
   bool is_current_for(const FrameView& frame) const { return frame.field == field_ && frame.unit == unit_; }
   const std::set<std::string>& cut_texts() const { return canvas_.cut(); }
   /// Replaces title, method, time and off-scale marks.

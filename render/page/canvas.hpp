@@ -12,7 +12,7 @@
 
 namespace taut::render {
 
-// Gray levels, 0 (full contrast) to 1 (background). Black on white has too much contrast.
+// Gray levels, 0 (full contrast) to 1 (background).
 inline constexpr double ink = 0.13;
 inline constexpr double faint = 0.42;
 inline constexpr double cap_height = 0.73;  // of digits, per font size
@@ -28,7 +28,7 @@ class Canvas {
   /// The image must outlive the canvas and keep its pixels in place.
   explicit Canvas(Image& image, Rgb background = white);
 
-  /// Call before drawing, because others may have drawn on the image.
+  /// Call before drawing; OpenGL may have drawn on the image.
   void begin();
   void end();
 

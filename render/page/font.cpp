@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 4> folders = {"/usr/share/fonts/truetype/
                                                      "/usr/share/fonts/dejavu-sans-fonts",
                                                      "/usr/share/fonts/TTF", "/usr/share/fonts/truetype"};
 
-/// Lives as long as Cairo holds the face, which may be longer than the Font.
+/// Lives as long as Cairo uses the face.
 struct Face {
   FT_Library library = nullptr;
   FT_Face face = nullptr;

@@ -82,7 +82,6 @@ void Legend::draw_below(Canvas& canvas, const Rect& room, double em) const {
   write_line(rest(written));
 }
 
-/// Draws the entries that fit in one line.
 void Legend::draw_across(Canvas& canvas, const Rect& room, double em) const {
   const double middle = room.y + (title_height + 0.5 * line_height) * em, end = room.x + room.width;
   const auto width = [&](const std::string& text) { return canvas.width_of(text) + text_left * em; };

@@ -37,7 +37,6 @@ struct TextParts {
   bool header() const { return title || method || time; }
 };
 
-/// Position of the colour bar or legend, relative to the plot.
 enum class BarPosition : std::uint8_t { right, left, bottom };
 
 /// Minimum width of a colour key beside the plot, and height of a key below it, em.
@@ -54,15 +53,14 @@ struct PageTexts {
   bool has_bar(BarPosition position) const { return parts.bar && bar == position; }
 };
 
-/// Sizes in pixels; 0 in a picture that is too small for texts, unless `texts` sets the font.
+/// Sizes in pixels; 0: no texts.
 struct TextSize {
   double font = 0;
   int key_height = 0;
 };
 TextSize text_size(int width, int height, const PageTexts& texts = {});
 
-/// Without texts the plot fills the picture. A key beside the plot is `room` em wide, at most 36 % of the width, but
-/// at least `room_of_bar` em.
+/// Without texts the plot fills the picture. `room`: width of a key beside the plot, em.
 PageLayout make_layout(int width, int height, const View& view, bool with_texts = true,
                        double room = room_of_bar, const PageTexts& texts = {});
 

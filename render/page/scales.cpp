@@ -115,7 +115,6 @@ void ColorBar::draw_upright(Canvas& canvas, const Rect& room, const Rect& bar, d
   draw_ticks(canvas, bar, em);
 }
 
-/// Numbers and label below the bar.
 void ColorBar::draw_across(Canvas& canvas, const Rect& bar, double em, std::string_view field) const {
   canvas.use(Weight::regular, em);
   const std::string label = label_of_bar(canvas, field, ticks_.unit, bar.width);

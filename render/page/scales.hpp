@@ -26,7 +26,7 @@ class ColorBar {
 
   /// Width in em of an upright bar, for a height in pixels.
   double width(int height, double em, std::string_view unit) const;
-  /// Omits numbers if they, or their unit, do not fit.
+  /// Omits numbers that do not fit.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
   /// Replaces the arrows at exceeded ends and the swatch for NaN.
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& found) const;
@@ -48,7 +48,7 @@ class ColorBar {
   std::string tick_unit_;  // of ticks_
 };
 
-/// "von Mises stress (MPa)", at most `room` pixels long: the name is shortened, never the unit. May be empty.
+/// "von Mises stress (MPa)", at most `room` pixels long; shortens the name. May be empty.
 std::string label_of_bar(Canvas& canvas, std::string_view field, const std::string& unit, double room);
 
 void draw_scale_bar(Canvas& canvas, const Rect& plot, double pixels_per_metre, double em);

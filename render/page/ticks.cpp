@@ -18,7 +18,7 @@ int floor_to_three(int exponent) {
   return 3 * static_cast<int>(std::floor(static_cast<double>(exponent) / 3.0));
 }
 
-/// False for powers, because a prefix is raised to the power, too, and for kg, which has a prefix.
+/// False for powers, such as m², whose prefix would be squared, and for kg.
 bool takes_prefix(std::string_view unit) {
   constexpr std::array<std::string_view, 7> symbols = {"Pa", "m", "s", "N", "J", "W", "Hz"};
   return std::ranges::any_of(symbols, [&](std::string_view symbol) {

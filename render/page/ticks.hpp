@@ -33,8 +33,8 @@ struct NumberFormat {
   bool operator==(const NumberFormat&) const = default;
 };
 
-/// At most `most` (2 or more) ticks at multiples of 1, 2 or 5 times a power of ten. Numbers are exact: where `format` has
-/// too few decimals, ticks are farther apart, or get more decimals.
+/// At most `most` (2 or more) ticks at multiples of 1, 2 or 5 times a power of ten. Numbers are exact: if `format` has
+/// too few decimals, ticks are farther apart or have more decimals.
 Ticks nice_ticks(double low, double high, std::string_view unit, int most, const NumberFormat& format = {});
 
 /// Greatest 1, 2 or 5 times a power of ten up to `length` > 0.

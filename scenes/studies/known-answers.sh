@@ -5,8 +5,8 @@
 #     scenes/studies/known-answers.sh                      # all, into results/known-answers.md; two minutes of CPU time
 #     scenes/studies/known-answers.sh FILE SITUATION ...   # some situations, into FILE
 #
-# The scenes, with their answers as references, are in known-answers/, except the shipped scene oblique-discs. Runs are
-# kept in out/known-answers; an interrupted study resumes there. Uses build/taut, or the program in TAUT.
+# The scenes are in known-answers/, or shipped (oblique-discs); their references are the answers. Runs are kept in
+# out/known-answers; an interrupted study resumes there. Uses build/taut, or the program in TAUT.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 taut=${TAUT:-$here/../../build/taut}

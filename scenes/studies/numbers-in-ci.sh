@@ -8,13 +8,13 @@
 #
 #     - run: scenes/studies/numbers-in-ci.sh
 #
-# The expected values are below. A reviewed run can replace them: keep its run.json in the repository and write
+# A reviewed run can replace the expected values below: keep its run.json in the repository and write
 #
 #     taut check out/numbers --baseline baselines/plate.json --tolerance 1%
 set -eu
 taut=${TAUT:-$(dirname "$0")/../../build/taut}
 
-# Few particles, no pictures: takes a second. The tolerances only cover other compilers and processors.
+# The tolerances cover other compilers and processors.
 "$taut" run oscillating-plate --method oenog --spacing 0.005 --until 0.28 --no-render --quiet --out out/numbers "$@"
 exec "$taut" check out/numbers --verdict stable \
   --measure 'period=0.25356±0.1%' \

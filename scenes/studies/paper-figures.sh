@@ -13,7 +13,7 @@
 #     zhang-20    ball and plate at 0.12 c0, enog
 #     khayyer-9   rotating plate, artificial stress of two strengths (ours) and tensile control; pressure
 #     khayyer-10  rotating plate, artificial stress and tensile control at three spacings; SPACING is the coarsest
-#     khayyer-12  rotating plate, path of the corner: a history, no panel
+#     khayyer-12  rotating plate, path of the corner, as a history
 #     khayyer-13  rotating plate, tensile control without and with artificial stress at the surface
 #     lee-4       cable in 3D, pf, and pf-jst with harmonic dissipation 0, 1/32 and 1/8; pressure
 #     lee-9       tensile cube, pf-jst with and without the exact boundary projection
@@ -35,8 +35,7 @@
 # sampled times of the lines in s, joined by commas (default: all).
 #
 # FOLDER receives the runs and the panel FIGURE.png (default: out/FIGURE); SPACING is the particle spacing in m
-# (default: as published). A run of a zhang figure takes seconds, the finest of khayyer-10 a minute. Uses build/taut,
-# or the program in TAUT.
+# (default: as published). Uses build/taut, or the program in TAUT.
 set -eu
 taut=${TAUT:-$(dirname "$0")/../../build/taut}
 figure=${1:?which figure? the head of this script lists them}

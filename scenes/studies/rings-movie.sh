@@ -1,11 +1,10 @@
 #!/bin/sh
-# Image sequences of two colliding rubber rings, with a method that fractures and with one that does not, and movies of
-# the latter.
+# Image sequences of two colliding rubber rings with `og`, which fractures, and `enog`, and movies of `enog`.
 #
 #     scenes/studies/rings-movie.sh [FOLDER [SPACING [FRAMES]]]
 #
 # FOLDER receives all files (default: out/rings-movie). SPACING is the particle spacing in m (default: 0.001, as
-# published), FRAMES the number of frames (default: 60); takes about 10 s. Uses build/taut, or the program in TAUT.
+# published), FRAMES the number of frames (default: 60). Uses build/taut, or the program in TAUT.
 set -eu
 taut=${TAUT:-$(dirname "$0")/../../build/taut}
 folder=${1:-out/rings-movie}

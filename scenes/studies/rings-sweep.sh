@@ -3,9 +3,9 @@
 #
 #     scenes/studies/rings-sweep.sh [FOLDER [SPACING]]
 #
-# FOLDER receives runs and results (default: out/rings-sweep); SPACING is the particle spacing in m (default: 0.002, a
-# few seconds; 0.001 as published, under a minute). Uses build/taut, or the program in TAUT. Can be stopped (Ctrl-C,
-# kill, power cut) and resumed; finished runs are not repeated.
+# FOLDER receives runs and results (default: out/rings-sweep); SPACING is the particle spacing in m (default: 0.002;
+# as published: 0.001). Uses build/taut, or the program in TAUT. Can be stopped and resumed; finished runs are not
+# repeated.
 set -eu
 taut=${TAUT:-$(dirname "$0")/../../build/taut}
 folder=${1:-out/rings-sweep}

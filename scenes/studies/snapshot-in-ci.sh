@@ -13,14 +13,12 @@
 #       if: failure()
 #       with: { path: out/ }
 #
-# Pictures are compared visually, not byte by byte: another compiler or processor does not matter, but another colour
-# map or a stray particle does. After an intended change, renew the baseline with --update.
+# Pictures are compared visually, not byte by byte. After an intended change, renew the baseline with --update.
 set -eu
 taut=${TAUT:-$(dirname "$0")/../../build/taut}
 baseline=${1:-baselines/colliding-rings}
 
-# A test should be fast and sensitive: few particles, a few small frames, a time of contact. Your own scene would be a
-# path, my-scene.toml.
+# few particles and small frames, during contact; for your own scene, write its path
 [ $# -eq 0 ] || shift
 set -- colliding-rings --baseline "$baseline" --spacing 0.002 --until 0.006 --frames 4 --size 320x180 "$@"
 

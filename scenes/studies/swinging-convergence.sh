@@ -4,10 +4,10 @@
 #     scenes/studies/swinging-convergence.sh [FOLDER]     # about 5 minutes on 2 cores; can be stopped and resumed
 #
 # Errors are RMS values over the particles and over four times, 1/8, 3/8, 5/8 and 7/8 of the period, when velocity and
-# stress both differ from 0; a single time could be near a zero of the error. The stress error uses all nine
-# components. Prints errors in % of the maximum velocity and stress at those times, the order between successive
-# spacings, and the order from the coarsest to the finest. Writes them to FOLDER (default: out/swinging-convergence)
-# as convergence.dat and convergence.png. Uses build/taut, or the program in TAUT.
+# stress both differ from 0. The stress error uses all nine components. Prints errors in % of the maximum velocity and
+# stress at those times, the order between successive spacings, and the order from the coarsest to the finest. Writes
+# them to FOLDER (default: out/swinging-convergence) as convergence.dat and convergence.png. Uses build/taut, or the
+# program in TAUT.
 set -eu
 taut=${TAUT:-$(dirname "$0")/../../build/taut}
 folder=${1:-out/swinging-convergence}

@@ -11,7 +11,6 @@ patience=${TAUT_FAULTS_PATIENCE:-60}  # in s; a program that runs longer counts 
 
 # ---- findings
 
-# The kinds of findings are described in run.
 lost() { found lost "$@"; }
 torn() { found torn "$@"; }
 crashed() { found crashed "$@"; }
@@ -19,7 +18,7 @@ hung() { found hung "$@"; }
 wrong() { found wrong "$@"; }
 found() { printf '%s\t%s\t%s\t%s\n' "$1" "$kind" "$number" "$(tr '\n' ' ' <<<"${*:2}")" >>"$findings"; }
 
-# Counts a fault that took effect: a kill that hit, a disk that was full.
+# Counts a fault that took effect.
 harmed() { echo "$kind" >>"$harms"; }
 
 # ---- random choices, determined by the seed and the number of the trial
@@ -59,7 +58,7 @@ ends() {
 is_one_of() { [[ " $2 " == *" $1 "* ]]; }
 complaint() { tail -n 1 "$here/complained" 2>/dev/null | cut -c 1-300; }
 
-# start ARGUMENT...: runs the program in the background, as $victim, with default signal handling as on a terminal
+# start ARGUMENT...: runs the program in the background, as $victim, with default signal handling
 start() {
   LC_ALL=C env --default-signal "$program" "$@" >"$here/said" 2>"$here/complained" <"$input" &
   victim=$!
@@ -124,7 +123,7 @@ read_only() { [[ $TAUT_FAULTS_MOUNTS == yes ]] && mount --bind "$1" "$1" && moun
 
 # ---- comparisons
 
-# record FOLDER: prints run.json without entries that vary between repetitions: times, speed, threads, provenance
+# record FOLDER: prints run.json without entries that vary between repetitions
 record() { sed -E '/^  "provenance": \{/,/^  \}/d; /"(setup|solve|cpu|render|write|particle_steps_per_second|threads|machine)":/d' "$1/run.json"; }
 
 # same_run GOOD FOLDER: the folder equals the folder GOOD of an undisturbed run
@@ -150,7 +149,7 @@ part_of_run() {
   [[ ! -e $file || $(tail -n 1 "$file") == '</VTKFile>' ]] || torn "$file is incomplete"
 }
 
-# comparison of frames: by bytes, or only for completeness (whole_png) if the range depends on the frames drawn so far
+# comparison of frames: cmp, or whole_png if the colour range depends on the frames drawn so far
 frames_are="cmp -s"
 whole_png() { [[ $(tail -c 8 "$1" | od -An -tx1) == " 49 45 4e 44 ae 42 60 82" ]]; }
 
@@ -169,7 +168,7 @@ same_rows() {
   cmp -s <(head -n "$rows" "$1") <(head -n "$rows" "$2")
 }
 
-# whole_json FILE: the file is complete: it begins and ends with "{" and "}" on their own lines
+# whole_json FILE: the file is complete
 whole_json() { [[ $(tail -n 1 "$1") == "}" && $(head -n 1 "$1") == "{" ]] || torn "$1 is incomplete"; }
 
 # old_or_new PATH OLD NEW: a file, or a whole folder, equals OLD or NEW; "": it does not exist

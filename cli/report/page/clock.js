@@ -65,7 +65,7 @@ class Clock {
   }
 }
 
-/** Clock with the times of all frames (the index of a frame without a time) or, without frames, of all histories. */
+/** Clock with the times of all frames or, without frames, of all histories. */
 function clock_of(runs) {
   const of_run = (run) =>
       run.frames.length ? run.frames.map((frame, k) => frame.t ?? k) : column_of(run, 't')?.values ?? [];

@@ -41,7 +41,7 @@ function default_columns(names) {
   return probes.length ? probes.slice(0, 6) : names.filter((name) => name === 'total_energy');
 }
 
-let kept_columns = null;  // the reader's choice, for the next run and for newer data
+let kept_columns = null;  // the reader's choice
 
 function histories(runs, clock) {
   const shown = runs.filter((run) => run.history?.columns[0]?.values.length);

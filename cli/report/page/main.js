@@ -1,6 +1,6 @@
 // Builds the page from taut_report and taut_runs.
 
-/** Loads the data of a run, unless it is there. */
+/** Loads the data of a run unless they are loaded. */
 function load_run(index) {
   const script = taut_report.scripts[index];
   if (taut_runs[index] || !script) return Promise.resolve(taut_runs[index]);
@@ -90,9 +90,9 @@ function refresh(clock, shown) {
   setTimeout(async () => {
     const query = '?' + Date.now();
     try {
-      await load_script('data.js' + query);  // written after the data of the runs
+      await load_script('data.js' + query);  // first, because data.js is written last
       for (const script of taut_report.scripts.filter(Boolean)) await load_script(script + query);
-    } catch { /* the files are gone; the page stays as it is */
+    } catch { /* the page stays as it is */
     }
     if (loaded_data() === shown) return refresh(clock, shown);
     globalThis.taut_particles = {};

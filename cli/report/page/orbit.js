@@ -182,7 +182,6 @@ class OrbitView {
     }, {passive: false});
   }
 
-  /** The arrows turn the particles while the view has the focus. */
   take_keys() {
     const actions = {
       ArrowLeft: () => this.turn(-0.1, 0),
@@ -221,7 +220,7 @@ function color_key({label, unit, low, high, names, colors}) {
   return element('p', {}, `${title}: ${brief(low)} `, ramp, ` ${brief(high)}`);
 }
 
-/** Section with the saved particles of a run, loaded by `later`; null for a run without them. */
+/** Section with the saved particles of a run, or null. `later` loads them. */
 function orbit_section(run, index, clock) {
   if (!taut_report.particle_scripts?.[index] && !taut_particles[index]) return null;
   const box = element('div', {}, element('p', {class: 'soft'}, 'Loading the particles …'));

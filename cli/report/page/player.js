@@ -28,7 +28,7 @@ function player(run, clock) {
     if (clock.playing || k > 0)
       for (let ahead = 1; ahead <= preload_ahead; ++ahead) fetch_frame(k + ahead);
   });
-  image.addEventListener('load', () => {  // keeps the shape of the place for the next frame
+  image.addEventListener('load', () => {  // reserves the space of the next frame
     image.width = image.naturalWidth;
     image.height = image.naturalHeight;
   });
@@ -126,7 +126,7 @@ function controls(runs, clock) {
               ' ends')));
 }
 
-/** Keys of the page. They do nothing while a control that uses the same key has the focus. */
+/** Keys of the page, unless the focused control uses the key. */
 function take_keys(clock) {
   document.onkeydown = (event) => {
     const tag = event.target.tagName;

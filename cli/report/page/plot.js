@@ -1,10 +1,9 @@
-// One plot: Chart.js draws it; this file adds zooming by dragging, a line at the time of the clock, and a text for
-// readers who do not see the picture.
+// A plot by Chart.js, with zooming by dragging, a line at the time of the clock, and a text description.
 
 Chart.defaults.animation = false;
 Chart.defaults.font.family = 'system-ui, \'DejaVu Sans\', sans-serif';
 
-// the nearest point of each line, for lines with different times
+// the nearest point of each line
 Chart.Interaction.modes.nearest_of_each = (chart, event) => {
   const x = chart.scales.x.getValueForPixel(event.x);
   return chart.getSortedVisibleDatasetMetas()
@@ -43,7 +42,7 @@ class Plot {
     return `Plot of ${this.options.y} over ${this.options.x}: ` + lines.map((line) => line.label).join(', ');
   }
 
-  /** Chart.js needs the canvas in the page. */
+  /** Requires the canvas in the page. */
   show() {
     this.chart =
         new Chart(this.canvas, {type: 'scatter', data: {datasets: []}, options: this.chart_options()});

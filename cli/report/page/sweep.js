@@ -164,7 +164,7 @@ function stability_map(sweep) {
   return part;
 }
 
-// markers of `taut chart` by gnuplot's number, with signs for the legend; a rounded square replaces the pentagon
+// marker of Chart.js and sign of the legend, by gnuplot's point type
 const markers = {
   7: ['circle', '●'],
   5: ['rect', '■'],
@@ -174,7 +174,7 @@ const markers = {
   15: ['rectRounded', '▣']
 };
 
-/** Lines for Chart.js: a series for each method and combination of other settings; unstable runs have open markers. */
+/** Lines for Chart.js, one for each series. Unstable runs have open markers. */
 function series_lines(sweep, along, point_of) {
   const groups = new Map();
   for (const row of sweep.left) {

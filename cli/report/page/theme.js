@@ -1,4 +1,4 @@
-// Dark or light: as the system, unless the reader switches. Plots take their colours from here.
+// Dark or light theme: the system's, unless the reader switches.
 
 const theme_listeners = [];
 
@@ -40,7 +40,7 @@ function theme_switch() {
 
 function css_color(name) { return getComputedStyle(document.documentElement).getPropertyValue(name).trim(); }
 
-/** Colours of `taut plot` are for white paper; on a dark page they are lighter. */
+/** Lighter on a dark page. */
 function on_theme(color) {
   if (!is_dark()) return color;
   const parts = [1, 3, 5].map((k) => parseInt(color.slice(k, k + 2), 16));

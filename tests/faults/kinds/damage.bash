@@ -43,7 +43,7 @@ prepare() {
   ends 0 session "$scene" --strict
   input=load
   cd ..
-  # each reader must accept undamaged data, or its trials would prove nothing
+  # each reader must accept undamaged data
   local reader
   for reader in "${readers[@]}"; do
     mkdir sound && cp -a all/. sound && cd sound || exit 2

@@ -46,7 +46,6 @@ trial() {
     if is_one_of "$signals" "TERM HUP INT" && ((code > 128)) && [[ $(status out) != interrupted ]] && ! untouched; then
       wrong "run.json has status '$(status out)' after SIG$signals"
     fi
-    # a run without a checkpoint restarts; with one it resumes
     [[ ! -e out/checkpoint.bin ]] || again=(run --resume out --threads "$threads" --quiet)
   done
   has_ended || ends 0 "${again[@]}"
