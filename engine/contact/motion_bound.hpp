@@ -77,6 +77,6 @@ inline constexpr TermInfo self_contact_info{
     "the law of contact, between particles initially more than 4 dp apart (faces in 2D: 3 dp; "
     "facets through the body: 8 dp)",
     "ours", "contact/motion_bound.hpp:MotionBound",
-    "contact: closing arms do not pass through each other under any law"};
+    "contact: closing arms of oenog, tl and pf-jst do not pass through each other under any law"};
 
 }  // namespace taut

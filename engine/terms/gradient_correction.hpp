@@ -31,6 +31,6 @@ Sym<double, Dim> gradient_correction(const Sym<double, Dim>& M) {
 inline constexpr TermInfo gradient_correction_info{
     "gradient correction", "L = (−Σ V_j r_ij ⊗ ∇W)⁻¹", "[Khayyer2024] §3.1",
     "terms/gradient_correction.hpp:gradient_correction",
-    "gradient correction: it makes gradients of linear fields exact at a surface"};
+    "gradient correction: gradients of linear fields are exact at a surface"};
 
 }  // namespace taut

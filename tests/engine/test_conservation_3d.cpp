@@ -16,7 +16,7 @@ using namespace taut::test;
 namespace {
 
 constexpr int steps = 150;
-constexpr double round_off = 1e-13;  // of the scale, over all steps
+constexpr double round_off = 1e-13;  // relative change over all steps
 
 /// A block that rotates about x is hit off-centre by a ball.
 Scene solid_collision() {
@@ -66,7 +66,6 @@ TEST_SUITE("conservation") {
       const auto simulation = make_simulation(scene, with_method(std::string(method.name)));
       const Snapshot start = simulation->snapshot();
       const Balance before = balance(start, scene);
-      // no component is 0 by chance
       for (std::size_t k = 0; k < 3; ++k) {
         CHECK(std::abs(before.linear_momentum[k]) > 1e-3 * before.momentum_scale);
         CHECK(std::abs(before.angular_momentum[k]) > 0.01 * before.angular_scale);
@@ -107,7 +106,7 @@ TEST_SUITE("conservation") {
           stress = std::max(stress, std::abs(each));
       }
       CHECK(now.x[0] - now.x0[0] > scene.spacing);
-      // strains from positions: round-off of x divided by the spacing
+      // strains from positions have the round-off of x divided by the spacing
       const double bound = keeps_neighbors(method) ? 100 * round_off : round_off;
       CHECK(change_of_v < bound * speed);
       CHECK(stress < bound * scene.materials[0].youngs_modulus);

@@ -30,7 +30,6 @@ bool same_bytes(const Snapshot& a, const Snapshot& b) {
          same(a.diameter, b.diameter) && same(a.body, b.body) && same(a.clamped, b.clamped);
 }
 
-/// Some probes use forces within a step.
 std::vector<Scene> probed_scenes() {
   std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
   for (Scene& scene : scenes) {
@@ -174,7 +173,7 @@ TEST_SUITE("determinism") {
       if (std::ranges::find(constants, "cfl_advection", &MethodConstant::name) == constants.end())
         CHECK(difference == 0);  // no geometry is kept between steps
       else
-        CHECK(difference > 1e-6 * scene.spacing);  // far beyond round-off
+        CHECK(difference > 1e-6 * scene.spacing);
       CHECK(difference < scene.spacing);
     });
   }

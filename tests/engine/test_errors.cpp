@@ -116,7 +116,7 @@ TEST_SUITE("unit") {
         if (constant.name == "riemann_limiter") settings.constants["beta_least"] = 0;
         settings.constants[std::string(constant.name)] = constant.value;
         const Snapshot same = state_after(steps, scene, settings);
-        // with smaller values the body tears, because artificial stress is missing at the surface
+        // with smaller values the body tears
         const double low = constant.name == "surface_colour" ? constant.high : constant.low;
         const double middle = 0.5 * (constant.value + low);
         settings.constants[std::string(constant.name)] = middle == constant.value ? constant.high : middle;
@@ -258,7 +258,8 @@ TEST_SUITE("unit") {
     scene.bodies[0].velocity = {};
     const auto thrown_off = [](const Point& x) { return x[1] > -0.0165; };
     scene.bodies[1].velocity = {[=](const Point& x) { return thrown_off(x) ? 11 * c0 : 0.0; }, {}, {}};
-    scene.bodies[1].shapes = {Box{{-0.04, -0.02, 0}, {-0.035, -0.015, 0}}};  // stored before the ring
+    // the solver stores this body first
+    scene.bodies[1].shapes = {Box{{-0.04, -0.02, 0}, {-0.035, -0.015, 0}}};
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
       const auto simulation = make_simulation(scene, with_method(std::string(method.name)));

@@ -38,7 +38,7 @@ std::vector<std::string> lines_of(std::string_view bytes);
 std::filesystem::path folder();
 std::filesystem::path write(const std::string& name, std::string_view bytes);
 
-/// Applies changes (place: 4 bytes, operation: 1, value: 8) to a valid state, so that small inputs reach deep into it.
+/// Applies changes (place: 4 bytes, operation: 1, value: 8) to a valid state.
 std::string changed(std::string bytes, std::string_view changes);
 
 }  // namespace taut::fuzz

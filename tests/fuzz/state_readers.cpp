@@ -74,7 +74,7 @@ class InterruptAfterLines : public std::streambuf {
 RunOptions run_options(const SmallScene& scene) {
   RunOptions options = options_of(scene);
   options.out = (folder() / "run").string();
-  options.checkpoint_every = 1;  // s, longer than the run: only the interrupt writes one
+  options.checkpoint_every = 1;  // s, longer than the run
   options.save_particles = "vtp";
   return options;
 }

@@ -50,7 +50,6 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("colours of viridis between the stops match the published table") {
-    // 256 colours; interpolated stops stay within 3 levels
     struct Entry {
       int index;
       Rgb color;
@@ -118,7 +117,6 @@ TEST_SUITE("unit") {
   TEST_CASE("conversion to Lab colours matches reference values") {
     CHECK(lab_of({255, 255, 255}).L == Approx(100).epsilon(1e-4));
     CHECK(lab_of({0, 0, 0}).L == Approx(0));
-    // L* = 53.24, a* = 80.09, b* = 67.20
     const Lab red = lab_of({255, 0, 0});
     CHECK(red.L == Approx(53.24).epsilon(1e-3));
     CHECK(red.a == Approx(80.09).epsilon(1e-3));

@@ -106,7 +106,6 @@ TEST_SUITE("image") {
                                            table[static_cast<std::size_t>(std::lround(255 * value))]));
     }
     CHECK(worst <= 6);  // two colour steps
-    // the mean of the end colours is far from the map's middle
     Rgb mean{};
     for (std::size_t k = 0; k < 3; ++k)
       mean[k] = static_cast<std::uint8_t>((table[0][k] + table[255][k]) / 2);

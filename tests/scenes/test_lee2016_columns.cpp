@@ -100,7 +100,6 @@ TEST_SUITE("analytic") {
   // §8.8, Fig. 22
   TEST_CASE("bending column in 3D: pf-jst and oenog swing like finite elements") {
     const Run column = run("bending-column-3d", "pf-jst");
-    // position error of the top at 1.5 s, m; compared with the displacement of the top
     const double off = std::hypot(column.off("top_x_1500ms"), column.off("top_y_1500ms"));
     CHECK(off < 0.05 * std::hypot(2.689, 0.759));
     CHECK(column.gain < 1e-9);
@@ -115,7 +114,6 @@ TEST_SUITE("analytic") {
   TEST_CASE(
       "twisting column: pf-jst twists like finite elements, converges with spacing and stays on the axis") {
     double before = 1;
-    // 4 ("overly flexible"), 5 and 7 particles across
     for (const auto& [spacing, most] : {std::pair{"0.3333333", 1.0}, {"0.25", 0.1}, {"0.1666667", 0.03}}) {
       const auto& spacing_now = spacing;
       CAPTURE(spacing_now);

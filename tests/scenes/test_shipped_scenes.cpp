@@ -89,7 +89,6 @@ TEST_SUITE("convergence") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("elastic cable: d-ulsph-r-tic is no farther from the exact solution than published") {
-    // errors of taut: 4.55e-4 and 2.35e-4 m
     for (const auto& [spacing, published] : {std::pair(0.05, 4.88234e-4), {0.025, 2.44817e-4}}) {
       const auto cable = run("elastic-cable", "d-ulsph-r-tic", spacing, 0.01, {});
       REQUIRE(cable.measure.at("end_rmse"));
@@ -111,7 +110,7 @@ TEST_SUITE("analytic") {
         measure(file.scene, simulation->series(), "neo_hookean", lines.samples()).at(0);
     REQUIRE(rmse.value);
     CHECK(rmse.reference_name == "rod theory, M of plane strain");
-    CHECK(*rmse.value < 1e6);  // pulse: 24e6 and 34e6 Pa
+    CHECK(*rmse.value < 1e6);
   }
 
   TEST_CASE("elastic cable: the end of oenog follows the exact solution") {
@@ -123,7 +122,6 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("ringing ring: only one mode rings, and its period converges to the exact one with the spacing") {
-    // a second mode would change the later periods
     const auto period = [](double spacing, double& later) {
       SceneFile file =
           read_scene(find_scene("ringing-ring"), {{"method", "tl"}, {"spacing", exact(spacing)}});
@@ -167,7 +165,6 @@ TEST_SUITE("conservation") {
 
 TEST_SUITE("failure") {
   TEST_CASE("rotating plate: enog gains angular momentum until the plate diverges or doubles its energy") {
-    // enog's shear forces do not rotate with the plate
     const Outcome early = run("rotating-plate", "enog", 0.04, 0.015);
     CHECK(early.end.angular_momentum[2] > 1.01 * early.start.angular_momentum[2]);
     const Outcome late = run("rotating-plate", "enog", 0.04, 0.09);

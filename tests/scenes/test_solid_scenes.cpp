@@ -96,11 +96,11 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("colliding balls: oenog flattens and rebounds like finite elements, with exact mirror symmetry") {
     const Run balls = run("colliding-balls", "oenog", {{"spacing", "0.0025"}});
-    CHECK(balls.error("rebound_ratio") < 0.003);  // with particle contact: 0.008
+    CHECK(balls.error("rebound_ratio") < 0.003);
     CHECK(balls.error("least_pole_distance") < 0.003);
-    CHECK(balls.error("least_diameter") < 0.007);  // with particle contact: 0.010
+    CHECK(balls.error("least_diameter") < 0.007);
     CHECK(balls.error("touch_time") < 0.015);
-    CHECK(balls.error("separation_time") < 0.02);  // on a lattice: 0.043
+    CHECK(balls.error("separation_time") < 0.02);
     CHECK(*balls.measure.at("diameter_rmse").value < 0.017);
     CHECK(*balls.measure.at("speed_rmse").value < 0.005);
     CHECK(*balls.measure.at("mirror_asymmetry").value == 0);
@@ -110,10 +110,9 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("ball and plate in 3D: oenog bends the plate like finite elements, symmetrically") {
     const Run ball = run("ball-plate-3d", "oenog", {{"spacing", "0.0066667"}, {"until", "0.012"}});
-    CHECK(ball.error("deflection") < 0.04);  // measured: 0.032
+    CHECK(ball.error("deflection") < 0.04);
     CHECK(ball.error("ball_lowest") < 0.04);
     CHECK(ball.error("rebound_ratio") < 0.04);
-    // particle contact would break the symmetry by 1e-3 m
     CHECK(*ball.measure.at("mirror_asymmetry_x").value < 1e-12);
     CHECK(*ball.measure.at("mirror_asymmetry_z").value < 1e-12);
     CHECK(ball.verdict == Verdict::stable);

@@ -129,7 +129,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "the study of limitations reproduces its stored results of the truss, and has stored all runs in METHODS.md") {
+      "the study of limitations reproduces its results of the truss, and has stored every run that METHODS.md names") {
     const TemporaryFolder folder;
     const Outcome outcome = study(folder, "limitations.sh made.md truss");
     CAPTURE(outcome.err);

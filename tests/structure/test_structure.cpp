@@ -134,7 +134,7 @@ TEST_SUITE("structure") {
     }
   }
 
-  TEST_CASE("rooms and files stay small") {
+  TEST_CASE("rooms, files and lines stay within their limits") {
     constexpr std::size_t most_units = 20, most_rooms = 15, most_lines = 500;
     constexpr std::size_t most_columns = 122;            // clang-format: 110; raw strings need more
     std::map<std::string, std::set<std::string>> units;  // header and source are one unit
@@ -156,7 +156,7 @@ TEST_SUITE("structure") {
     CHECK(rooms_of_cli.size() <= most_rooms);
   }
 
-  TEST_CASE("tests compare with relative bounds: doctest's own Approx holds for any two small numbers") {
+  TEST_CASE("tests do not use doctest's own Approx, which holds for any two small numbers") {
     const std::string own =
         "doctest::"
         "Approx";

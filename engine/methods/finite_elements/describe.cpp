@@ -17,7 +17,7 @@ constexpr TermInfo step_info{
     "λ: greatest eigenvalue of the Laplacian of an element",
     "ours; c²: bound of the squared wave speed in the strained element",
     "methods/finite_elements/solver.cpp:step_size",
-    "finite elements: the default step is stable and at least a third of the critical one"};
+    "finite elements: the default step is stable and at least a third of the critical step"};
 constexpr TermInfo time_info{"time", "position Verlet, one step", "[Zhang2020] Eq. 10, 11",
                              "methods/finite_elements/solver.cpp:step",
                              "finite elements: a vibrating body keeps its energy"};

@@ -145,11 +145,11 @@ TEST_SUITE("cli") {
     };
     REQUIRE(snapshot({"--update"}).code == 0);
     CHECK(snapshot({"--max-difference", "0"}).code == 0);
-    const std::vector<std::string> faster{"--set", "speed=2.0014"};  // by 0.07 %
+    const std::vector<std::string> faster{"--set", "speed=2.0014"};
     CHECK(snapshot(faster).code == 0);
     CHECK(text_of(folder / "out/frames/frame_00000.png") == text_of(folder / "base/frame_00000.png"));
     CHECK(snapshot({"--set", "speed=2.4"}).code == 1);
-    // without look.json, as in older baselines, even the first frame differs: the texts at the colour bar move
+    // without look.json even the first frame differs
     fs::remove(folder / "base/look.json");
     CHECK(snapshot(faster).code == 1);
     CHECK(text_of(folder / "out/frames/frame_00000.png") != text_of(folder / "base/frame_00000.png"));

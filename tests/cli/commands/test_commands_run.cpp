@@ -198,7 +198,6 @@ TEST_SUITE("cli") {
     CHECK(record["measures"]["touch_time"]["unit"] == "s");
     CHECK(record["measures"]["touch_time"]["reference"].is_null());
     CHECK(record["conservation"]["linear_momentum"].get<double>() < 1e-10);
-    // each particle has an area of dp²
     CHECK(record["mass"].get<double>() == Approx(record["particles"].get<double>() * 4e-6 * 1000));
   }
 

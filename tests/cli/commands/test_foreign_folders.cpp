@@ -47,7 +47,6 @@ TEST_SUITE("cli") {
         CHECK_FALSE(fs::is_symlink(folder / "chart.png"));
       }));
     }
-    // the program removes neither files behind a link nor files of others
     fs::create_directory(folder / "mine");
     std::ofstream(folder / "mine/chart.png") << "mine";
     fs::create_directory_symlink("mine", folder / "chart.png.part");

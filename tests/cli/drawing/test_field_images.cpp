@@ -17,7 +17,6 @@ using namespace taut::test;
 
 const fs::path golden_folder = fs::path(TAUT_SOURCE_DIR) / "tests/golden/fields";
 
-/// Snapshot of the colliding rings with a coarse spacing.
 Outcome snapshot(std::string_view field, const fs::path& baseline, const fs::path& run,
                  const std::vector<std::string>& more = {}, const std::string& until = "0.003") {
   std::vector<std::string> arguments{"snapshot",   "colliding-rings",

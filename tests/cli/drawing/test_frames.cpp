@@ -162,7 +162,7 @@ TEST_SUITE("image") {
       frames.draw_kept([](int) { return true; });
       return render::read_png(folder / frame_name(0));
     };
-    // rounding errors: 2e-13 m in double precision, 1e-4 m in single; outer radius of a ring: 6e-4 m
+    // single precision would round by 1e-4 m; a ring has an outer radius of 6e-4 m
     const render::ImageDifference difference = compare(frame_at(1000, 2000), frame_at(0, 0));
     CHECK(difference.share < 0.001);
   }

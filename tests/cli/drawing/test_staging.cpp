@@ -16,7 +16,6 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// Two bodies, with unequal masses in the second.
 Origins two_pairs() {
   return {.dim = 2,
           .x0 = {0, 0, 1, 0, 0, 3, 1, 3},
@@ -98,7 +97,6 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("beside a cut, cells end half-way to the removed neighbour, also on the boundary of a body") {
-    // a square of 2 m
     Origins origins{.dim = 2, .x0 = {}, .m = Numbers(9, 1), .diameter = {}, .body = std::vector<int>(9, 0)};
     for (int n = 0; n < 9; ++n) {
       origins.x0.insert(origins.x0.end(), {n % 3 * 1.0, n / 3 * 1.0});

@@ -47,7 +47,6 @@ struct Covered {
     }
     return all;
   }
-  /// `map` times the initial positions.
   Numbers mapped(const Map& map) const {
     const auto d = static_cast<std::size_t>(scene.dim);
     Numbers x;
@@ -154,13 +153,12 @@ TEST_SUITE("unit") {
     CHECK(measure(shape, 2) == Approx(area).epsilon(2e-3));  // chords replace the arcs
     CHECK(length(shape.outline) == Approx(2 * std::numbers::pi * 0.3).epsilon(2e-3));
 
-    // slot of one spacing
     Scene fork = scene_of({Box{{0, 0, 0}, {0.09, 0.1, 0}}});
     fork.bodies[0].without = {Box{{0.04, 0.02, 0}, {0.05, 0.1, 0}}};
     const Covered body(fork);
     CHECK(measure(body.at(body.mapped(stretch)), 2) == Approx(determinant(2) * 0.0082).epsilon(1e-9));
 
-    // inner corners stay open; tips, which have no particle, are cut: 0.5 % of the area
+    // inner corners stay open, and tips, which have no particle, are cut
     Chain corners;
     for (int k = 0; k < 10; ++k) {
       const double r = k % 2 == 0 ? 0.1 : 0.05, angle = (k + 0.5) * std::numbers::pi / 5;

@@ -280,7 +280,7 @@ normal = [0, 1]
     };
     leave([](std::string& state) { state[sizeof(std::uint64_t)] ^= 1; });  // number of particles
     check_refused(folder, "checkpoint.bin' cannot be used: the saved state is damaged");
-    std::uint64_t simulation = 0;  // the state of the outputs follows
+    std::uint64_t simulation = 0;  // size of the simulation's state
     std::memcpy(&simulation, whole.state.data(), sizeof simulation);
     std::mt19937 random(18);
     int refused = 0;

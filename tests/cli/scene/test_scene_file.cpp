@@ -234,7 +234,7 @@ TEST_SUITE("unit") {
     CHECK(scene.bodies[0].clamped({-1e-9, 0, 0}) != 0);
     CHECK(scene.bodies[0].clamped({0, 0, 0}) == 0);
     CHECK(particles(scene) == 1612);
-    // Eq. 28–29: the tip moves with vf c0; the value in the middle is computed separately
+    // Eq. 28–29
     const auto& velocity = scene.bodies[0].velocity[1];
     const double c0 = scene.materials[0].sound_speed();
     CHECK(velocity({0.2, 0, 0}) == Approx(0.05 * c0).epsilon(1e-14));

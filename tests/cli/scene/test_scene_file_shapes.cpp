@@ -242,7 +242,6 @@ unit = "s"
       CHECK(error_of(far, 0).find("too far apart, or too far from the origin") != std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,6e-4\n.1,.1,6e-4\n", 0).find("about 0.0245 m apart") !=
           std::string::npos);
-    // without a column volume each particle has 0.05² m²
     for (const auto* other : {"x,y\n0,0\n.1,0\n.2,0\n0,.1\n", "x,y\n0,0\n.025,0\n.025,.025\n"})
       CHECK(error_of(other, 0).find("without a column volume") != std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,1e-300\n1,1,1\n", 0).find("does not fit a spacing") != std::string::npos);

@@ -165,7 +165,7 @@ TEST_SUITE("cli") {
       REQUIRE(chart.series.size() == 1);
       return chart.series[0];
     };
-    // measured orders: 1.60, 1.30 and 1.62; with h = 1.05 dp, tl has 12 instead of 8 neighbours
+    // with h = 1.05 dp, tl has 12 instead of 8 neighbours
     const auto oenog = series("oenog", "0.8"), tl = series("tl", "0.8"), wide_tl = series("tl", "1.05");
     CHECK(*oenog.order > 1.5);
     CHECK(*oenog.order < 1.7);

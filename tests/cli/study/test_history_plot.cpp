@@ -87,7 +87,6 @@ TEST_SUITE("cli") {
       looks.insert(alone.line());
     }
     CHECK(looks.size() == all.size());
-    // a second line of a method does not change any first line
     const auto twice = curve_styles({all[0], all[0], all[8]});
     CHECK(twice[2].line() == together[8].line());
     CHECK(twice[1].line() != twice[0].line());

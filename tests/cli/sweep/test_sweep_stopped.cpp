@@ -100,7 +100,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "a sweep exits with the code of its gravest error: a crash before an unwritable file before a wrong scene") {
+      "a sweep exits with the code of its gravest error: a crash, then an unwritable file, then a wrong scene") {
     const TemporaryFolder folder;
     std::string text = text_of(write_tiny_scene(folder));
     const std::string parameters = "[parameters]\n";

@@ -34,7 +34,6 @@ TEST_SUITE("cli") {
     std::ostringstream err;
     guarded([]() -> int { throw std::logic_error("impossible"); }, err);
     CHECK(err.str() == "taut: impossible (this is a bug of taut)\n");
-    // messages escape terminal controls: ESC, C1, marks of the writing direction
     err.str("");
     guarded([]() -> int { throw UsageError("a\x1b[2J\nb\u009b \u202ec \u2066d é Δ"); }, err);
     CHECK(err.str() == "taut: a\\x1b[2J\nb\\xc2\\x9b \\xe2\\x80\\xaec \\xe2\\x81\\xa6d é Δ\n");

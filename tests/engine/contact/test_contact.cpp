@@ -175,7 +175,7 @@ TEST_SUITE("conservation") {
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "impulse contact: densities of mixed methods fit the corrected positions, with pfj-jst and pfhj-jst within 15 %") {
+      "impulse contact: densities of pf and pf-jst follow from the positions, of pfj-jst and pfhj-jst within 15 %") {
     Scene scene;
     scene.name = "blocks";
     scene.spacing = dp;
@@ -228,7 +228,8 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("determinism") {
-  TEST_CASE("contact: impulse and penalty do not depend on the number of threads or the instruction set") {
+  TEST_CASE(
+      "contact: results of impulse and penalty do not depend on the number of threads or the instruction set") {
     Scene scene = small_collision();
     for (const char* method : {"oas", "oenog"}) {
       for (const ContactLaw law : {ContactLaw::impulse, ContactLaw::penalty}) {

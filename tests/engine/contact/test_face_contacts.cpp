@@ -227,7 +227,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("contact of faces: the force between two blocks is k times their overlap, corners included") {
+  TEST_CASE("contact of faces: the force between two blocks is k times their area of overlap") {
     const double depth = 0.1 * dp, length = 6 * dp, k = modulus() / (2 * dp);
     Pressed<2> blocks(scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}, Box{{0, 0, 0}, {0.008, 0.006, 0}}}));
     blocks.shift(1, {-depth, 0});
@@ -280,7 +280,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact of faces: an oblique collision conserves both momenta and, undamped, the energy") {
+  TEST_CASE("contact of faces: an undamped oblique collision conserves both momenta and the energy") {
     Scene scene = small_collision();
     scene.contact = ContactLaw::surface;
     Settings settings = with_method("oenog");
@@ -371,7 +371,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("contact: closing arms do not pass through each other under any law") {
+  TEST_CASE("contact: closing arms of oenog, tl and pf-jst do not pass through each other under any law") {
     Scene scene = closing_arms(2, dp, 0.008, arm, 0.15);
     for (const char* method : {"oenog", "tl", "pf-jst"}) {
       for (const ContactLaw law : find_method(method)->contact_laws) {

@@ -101,14 +101,14 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("contact of faces: in 3D the force between two blocks is nearly k times their overlap") {
+  TEST_CASE(
+      "contact of faces: in 3D the force between two blocks is nearly k times their volume of overlap") {
     const double depth = 0.1 * dp, area = 64 * dp * dp, k = modulus() / (2 * dp);
     Pressed<3> blocks(
         scene_of({Box{{-0.006, 0, 0}, {0, 0.008, 0.008}}, Box{{0, 0, 0}, {0.006, 0.008, 0.008}}}));
     CHECK(std::abs(blocks.force_on(1)[0]) < 1e-9 * k * depth * area);
     blocks.shift(1, {-depth, 0, 0});
     const V force = blocks.force_on(1);
-    // the outermost facets are covered to less than 0.85
     CHECK(force[0] == Approx(1.02 * k * depth * area).epsilon(0.03));
     CHECK(std::hypot(force[1], force[2]) < 1e-9 * force[0]);
     CHECK(blocks.energy() == Approx(1.01 / 1.02 * 0.5 * depth * force[0]).epsilon(1e-3));
@@ -131,7 +131,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE(
-      "contact of faces: in 3D the force of a wall is k times twice the depth, and its impulse is recorded") {
+      "contact of faces: in 3D the force of a wall is 2k times depth times area, and its impulse is recorded") {
     const double depth = 0.1 * dp, area = 36 * dp * dp, k = modulus() / (2 * dp);
     Scene scene = scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0.006}}});
     scene.walls = {{"wall", {0, 0, 0}, {-1, 0, 0}}};
@@ -310,7 +310,8 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("contact: in 3D closing arms do not pass through each other under any law") {
+  TEST_CASE(
+      "contact: in 3D closing arms of oenog, tl and pf-jst do not pass through each other under any law") {
     Scene scene = closing_arms(3, dp, 0.006, arm, 0.1);
     for (const char* method : {"oenog", "tl", "pf-jst"}) {
       for (const ContactLaw law : find_method(method)->contact_laws) {
@@ -386,7 +387,7 @@ TEST_SUITE("failure") {
 }
 
 TEST_SUITE("restart") {
-  TEST_CASE("contact of faces: in 3D a run resumed on more threads gives the same bytes") {
+  TEST_CASE("contact of faces: in 3D a run resumed on more threads gives the same positions and velocities") {
     Scene scene = small_solid_collision();
     scene.contact = ContactLaw::surface;
     scene.bodies[1].shapes[0].shift(0, 5 * dp);

@@ -112,7 +112,7 @@ TEST_SUITE("analytic") {
       for (const ContactLaw law : {ContactLaw::penalty, ContactLaw::lennard_jones, ContactLaw::impulse}) {
         CAPTURE(std::string(method.name));
         CAPTURE(std::string(name(law)));
-        // finite elements support only `surface`, which the test of wall impulses below covers
+        // finite elements support only `surface`
         if (has_elements(method)) continue;
         REQUIRE(supports(method, law));
         alone.contact = both.contact = law;
@@ -130,7 +130,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("wall: a wall acts by penalty contact under `sph`, with which bodies interact as one continuum") {
+  TEST_CASE("wall: a wall acts by penalty contact under `sph`") {
     Scene scene = flying_block();
     scene.walls = {wall("wall", {0, 0, 0}, {-1, 0, 0})};
     const auto after = [&](ContactLaw law) {
@@ -228,7 +228,7 @@ TEST_SUITE("unit") {
     CHECK(begins(0.25));
     CHECK_FALSE(begins(0.26));
     CHECK_FALSE(begins(0.49));
-    scene.jitter = {0.4, 1};  // does not move faces
+    scene.jitter = {0.4, 1};  // jitter does not move faces
     CHECK(begins(0));
     CHECK_FALSE(begins(0.3));
     scene.jitter = {};

@@ -153,7 +153,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("cells: boundary particles have the inner part of a cell") {
     const double dp = 0.1;
-    // share of a cell in its volume: half at a plane of symmetry, less at free faces
+    // volume of a boundary particle over the volume of its full cell: 1/2 at a plane of symmetry, less at free faces
     for (const auto& [dim, part] : {std::pair{2u, 0.5}, {3u, 0.5}, {2u, 1.0 / 3}, {3u, 0.41}}) {
       const int n = 5;
       Lattice lattice = block(static_cast<int>(dim), n, dp);

@@ -102,7 +102,7 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("convergence") {
   TEST_CASE(
-      "critical step: the step is smallest for medium h, normalising raises it for short and lowers it for long h") {
+      "critical step: medium h has the smallest step, normalising raises steps for short h and lowers them for long h") {
     const auto step = [](double h, double normalised) { return critical(square(), with_h(h, normalised)); };
     const double uncorrected[] = {step(0.55, 0), step(0.75, 0), step(1.3, 0)};
     const double normalised[] = {step(0.55, 1), step(0.75, 1), step(1.3, 1)};
@@ -145,7 +145,7 @@ TEST_SUITE("unit") {
     CHECK(stopped.interrupted);
     CHECK(!stopped.stable);
     Settings settings = with_h(1, 1);
-    settings.cfl = 1000;  // 1/16 of it is still too large
+    settings.cfl = 1000;  // even 1/16 of this step is too long
     const CriticalStep none = find_critical_step(square(), settings, quick);
     CHECK(!none.stable);
     CHECK(none.unstable);

@@ -87,7 +87,7 @@ TEST_SUITE("unit") {
     CHECK(value("von_mises", bar) == Approx(6 * std::sqrt(3.0)));
   }
 
-  TEST_CASE("fields: von Mises stress of the same state is the same in 3D and in any axes") {
+  TEST_CASE("fields: in 3D von Mises stress does not depend on the axes") {
     Snapshot now = made_snapshot(3, {{0, 0, 0}, {1, 0, 0}});
     now.p = {1, 1};
     now.s = {4, 0, 0, -2, 0, -2, 0, 2, 2, 0, 2, 0};  // xx, xy, xz, yy, yz, zz
@@ -99,7 +99,7 @@ TEST_SUITE("unit") {
     CHECK(value("stress_xy", now, 1) == 2);
   }
 
-  TEST_CASE("fields: stress components and principal values in 3D are correct in any axes") {
+  TEST_CASE("fields: in 3D stress components are s − p I, and principal stresses are sorted") {
     Snapshot now = made_snapshot(3, {{0, 0, 0}, {1, 0, 0}});
     now.p = {7, 1};
     now.s = {1, 2, 3, 4, 5, -5, 0, 2, 2, 0, 2, 0};  // second: tension along (1, 1, 1)

@@ -17,7 +17,6 @@ TEST_SUITE("unit") {
     const double T = 0.254;
     for (const double sign : {1.0, -1.0}) {
       const auto wave = [=](double t) { return sign * 0.1 * std::sin(2 * pi * t / T); };
-      // linear interpolation shifts the zeros of a sine by at most ~ (2π h/T)² h
       expect(value("period", sampled(unequal_times(0.5, 1e-4), wave)), T, 1e-6);
       CHECK_FALSE(value("period", sampled(unequal_times(0.99 * T, 1e-4), wave)));
     }

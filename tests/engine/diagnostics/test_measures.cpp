@@ -356,7 +356,7 @@ TEST_SUITE("unit") {
       for (std::vector<double>& column : *columns)
         for (double& y : column) y *= 1e-3;
     const auto [error_mm, angle_same] = both();
-    CHECK(error_mm == Approx(1e-3 * error).epsilon(1e-9));  // the scale is not rescaled
+    CHECK(error_mm == Approx(1e-3 * error).epsilon(1e-9));  // `scale` stays 2
     CHECK(angle_same == Approx(angle).epsilon(1e-9));
   }
 

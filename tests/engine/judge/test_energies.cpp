@@ -80,7 +80,7 @@ TEST_SUITE("unit") {
       Squares squares({{}, {3 * dp + apart, 0, 0}});
       squares.set_speeds(0, 1, 0);
       EnergyTest test = squares.test();
-      squares.set_speeds(0, 0.5, 0.4);  // zigzags of 1.3 J; before, 4 J in the frame of both bodies
+      squares.set_speeds(0, 0.5, 0.4);  // zigzags of 1.3 J; the common energy was 4 J
       CHECK(squares.diverges(test, 0.01) == (apart > 1));
       squares.move(1, 100);
       CHECK(squares.diverges(test, 0.02) == (apart > 1));

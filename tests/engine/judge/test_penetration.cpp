@@ -114,7 +114,7 @@ Snapshot folded_sheet(double r) {
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "penetration: the widest gap between neighbouring directions is an angle, 2 π for one direction or none") {
+      "penetration: the widest gap is the greatest angle between neighbouring directions, 2π for fewer than two") {
     const auto gap = [](std::vector<double> directions) { return widest_gap(directions) / std::numbers::pi; };
     CHECK(gap({}) == 2);
     CHECK(gap({1}) == 2);

@@ -46,7 +46,7 @@ TEST_SUITE("unit") {
               x[1] += (i % 2 ? amplitude : -amplitude) * dp;
             }) == (amplitude > 0.03 ? Verdict::hourglass : Verdict::stable));
     }
-    // a half circle; the inner face is compressed to a quarter
+    // half circle with its inner face compressed to a quarter
     CHECK(verdict([&](std::size_t, double x0, double y0, double* x) {
             const double radius = 2 * 1.9 / 3.14159265358979 / 2, angle = x0 / radius;
             x[0] = (radius + y0 - 0.45) * std::sin(angle);
@@ -173,7 +173,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("judge: the ends of a broken bond may be eight bonds apart, not nine") {
     const Scene scene = one_body(2);
-    for (const int bonds : {8, 9}) {  // of a straightened ring, without the broken bond
+    for (const int bonds : {8, 9}) {  // unbroken bonds of a ring that is opened and straightened
       const int n = bonds + 1;
       const double turn = 2 * 3.14159265358979 / n, radius = 0.5 * dp / std::sin(0.5 * turn);
       std::vector<Point> places;

@@ -62,7 +62,7 @@ TEST_SUITE("unit") {
     CHECK(other.verdict() == Verdict::diverged);
   }
 
-  TEST_CASE("judge: a body at rest on which nothing acts diverges at speeds of 1.5e-4 sound speeds") {
+  TEST_CASE("judge: a body at rest on which nothing acts diverges from speeds of 1.5e-4 sound speeds") {
     const Scene scene = one_body(2);
     for (const double speed : {1e-9, 1.3e-4, 1.5e-4, 1.0}) {
       CAPTURE(speed);

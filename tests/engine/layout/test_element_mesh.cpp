@@ -98,7 +98,7 @@ TEST_SUITE("unit") {
         CHECK(is_straight == (one.shape.as<Box>() != nullptr || one.shape.as<Turned>() != nullptr));
         if (!is_straight) {
           CHECK(coarse < (order == 1 ? 0.05 : 0.003));
-          CHECK(fine < (order == 1 ? 0.35 : 0.12) * coarse);  // orders 2 and 4
+          CHECK(fine < (order == 1 ? 0.35 : 0.12) * coarse);  // convergence of orders 2 and 4
         }
       }
   }

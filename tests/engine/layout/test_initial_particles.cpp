@@ -87,7 +87,7 @@ TEST_SUITE("unit") {
     CHECK(least > 0.99 * 0.001);
   }
 
-  TEST_CASE("layout: a mirrored body is the mirror image of the other, particle by particle") {
+  TEST_CASE("layout: a mirrored ring is the mirror image of the other ring, particle by particle") {
     const Scene scene = colliding_rings();
     const InitialParticles rings = make_initial_particles(scene);
     const int n = rings.first[1];
@@ -175,7 +175,7 @@ TEST_SUITE("unit") {
     CHECK(contains(error, "0.4"));
   }
 
-  TEST_CASE("layout: bodies in 3D overlap only if they do in depth too") {
+  TEST_CASE("layout: bodies in 3D overlap only if they overlap in depth, too") {
     Scene scene = one_body(3, 1, {Box{{0, 0, 0}, {2, 2, 2}}});
     scene.bodies.push_back(scene.bodies[0]);
     scene.bodies[1].shapes = {Box{{0, 0, 1.8}, {2, 2, 3.8}}};

@@ -63,7 +63,7 @@ void check_faces(const Scene& scene, double length) {
     }
     CHECK(one == Approx(1).epsilon(1e-12));
     CHECK(std::hypot(x - outline.x[n][0], y - outline.x[n][1]) < 1e-12);
-    CHECK(square < 3);  // light nodes would make steps unstable
+    CHECK(square < 3);
   }
 }
 

@@ -199,7 +199,8 @@ TEST_SUITE("unit") {
     check_follows_faces(relaxed_body({octahedron(0.5)}, {}, 3), on_octahedron, 0.3);
   }
 
-  TEST_CASE("relaxation: the particles of a shape have its volume, and those of a combination nearly") {
+  TEST_CASE(
+      "relaxation: particles have the volume of one shape to round-off, and of combined shapes within 2e-4") {
     const auto total = [](const Scene& scene) { return volume(make_initial_particles(scene)); };
     CHECK(total(relaxed_body({Disc{{0.01, 0.02, 0}, 1}})) == relative(std::numbers::pi, 1e-12));
     CHECK(total(relaxed_body({Disc{{0, 0, 0}, 0.3}}, {}, 3)) == relative(0.036 * std::numbers::pi, 1e-12));
@@ -270,7 +271,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("determinism") {
-  TEST_CASE("relaxation: 1 and 3 threads give the same bytes") {
+  TEST_CASE("relaxation: 1 and 3 threads give the same positions") {
     Scene scene = small_collision();
     for (Body& body : scene.bodies) body.relaxed = true;
     Settings settings;

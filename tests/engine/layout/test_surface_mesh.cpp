@@ -107,7 +107,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("surface mesh: adjacent shapes, and adjacent cut-outs, have the same faces as their union") {
-    // the spacing divides neither side: lattice corners at seams must be moved to the faces
+    // the spacing divides neither side
     const double width = 0.0083, height = 0.0066;
     const auto box = [&](double from, double to, double bottom, double top) {
       return Box{{from, 0, bottom}, {to, width, top}};

@@ -191,8 +191,7 @@ void check_plane(const L& law, double J_per_det = 1) {
 M2 rate_of_cofactor(const M2&, const M2& rate) { return cofactor(rate); }
 M3 rate_of_cofactor(const M3& F, const M3& rate) { return tensor_cross(F, rate); }
 
-/// Checks P(F, cof F, J) = P(F, J), and that P is the slope of ψ(F, H, J) along the rates of [Lee2016] Eq. 33, so
-/// that mixed methods have an energy.
+/// Checks P(F, cof F, J) = P(F, J), and that P is the slope of ψ(F, H, J) along the rates of [Lee2016] Eq. 33.
 template <int Dim, class L>
 void check_own_cofactor(const L& law) {
   constexpr double step = 1e-6;

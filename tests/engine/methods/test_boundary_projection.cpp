@@ -208,7 +208,7 @@ TEST_SUITE("analytic") {
       "boundary projection: after five steps interpolated velocities fulfil clamps, rollers and drives") {
     struct Row {
       int dim;
-      double h, without;  // least miss without projection; a shorter kernel weighs neighbours less
+      double h, without;  // least miss without projection
     };
     for (const auto& [dim, h, without] :
          {Row{2, h_over_dp(2), 1e-4}, Row{2, 1.05, 1e-3}, Row{3, h_over_dp(3), 1e-3}}) {
@@ -244,7 +244,8 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("determinism") {
-  TEST_CASE("boundary projection: two threads and a checkpoint after a drive's end give the same bytes") {
+  TEST_CASE(
+      "boundary projection: two threads and a checkpoint after a drive's end give the same positions and velocities") {
     Scene scene = clamped_and_driven(2);
     Settings settings = projected("pfj-jst");
     settings.step = 2e-6;

@@ -115,7 +115,6 @@ TEST_SUITE("term") {
           CHECK(linear.p[i] == relative(linear.p[0], 1e-10));
           CHECK(linear.deviator(i).xy == relative(linear.deviator(0).xy, 1e-10));
         }
-        // forces act on the face only
         const auto inside = [&](const Point& x) { return distance_between(x, {0.3, 0.2, 0.1}, dim) < 0.95; };
         CHECK(greatest_speed(moved, inside) <
               1e-10 * greatest_speed(moved, [](const Point&) { return true; }));
@@ -190,7 +189,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("stability") {
-  TEST_CASE("finite elements: the default step is stable and at least a third of the critical one") {
+  TEST_CASE("finite elements: the default step is stable and at least a third of the critical step") {
     for (const std::string& method : both)
       for (const int dim : {2, 3}) {
         CAPTURE(method);

@@ -51,7 +51,7 @@ Spin spin(const std::string& method, int across, double until, double surface_ar
   const double start = balance(simulation->snapshot(), scene).angular_momentum[2];
   simulation->advance_to(until);
   const auto& corner = simulation->series().value;
-  // finite elements (neo-Hookean)
+  // reference: neo-Hookean finite elements
   return {std::hypot(corner[0].back() + 0.00375, corner[1].back() + 0.73400),
           std::abs(balance(simulation->snapshot(), scene).angular_momentum[2] / start - 1)};
 }
@@ -142,7 +142,7 @@ TEST_SUITE("failure") {
     CHECK(weak.pressure > 10 * tic.pressure);
     CHECK(strong.hourglass > 5 * tic.hourglass);
     CHECK(noise("d-ulsph-r-as", 25).pressure < 2 * tic.pressure);
-    // with ∇u at the start of the step, as printed, (0.15, 8) do not suffice
+    // with ∇u at the start of the step, as printed, ε = 0.15 and n = 8 do not suffice
     const Noise printed_as = noise("d-ulsph-r-as", 25, {{"geometry", 0}}, 0.25);
     const Noise printed_tic = noise("d-ulsph-r-tic", 25, {{"geometry", 0}}, 0.25);
     CHECK(printed_as.pressure > 10 * printed_tic.pressure);

@@ -166,7 +166,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("laws: under every law the work of the forces of tl and oenog is the loss of their energies") {
+  TEST_CASE("laws: under every law the forces of tl and oenog do work equal to the loss of energy") {
     for (const Law law : choices) {
       for (const std::string method : {"tl", "oenog"}) {
         CAPTURE(law_row(law).choice);
@@ -177,8 +177,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE(
-      "laws: under a linear displacement the energy of oenog is that of the law, and bonds add nothing") {
+  TEST_CASE("laws: under a linear displacement the energy of oenog equals the energy of the law") {
     for_each_law(rubber(0.4), [](const LawRow& row, const auto& law) {
       CAPTURE(row.choice);
       const auto check = [&]<int Dim>() {
@@ -193,7 +192,7 @@ TEST_SUITE("term") {
     });
   }
 
-  TEST_CASE("laws: mixed methods start with the forces of tl, whatever the law") {
+  TEST_CASE("laws: mixed methods start with the forces of tl under every law that they support") {
     for (const Law law : choices) {
       CAPTURE(law_row(law).choice);
       const auto first = [&]<int Dim>(const std::string& method) {

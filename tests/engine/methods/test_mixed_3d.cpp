@@ -338,7 +338,7 @@ TEST_SUITE("convergence") {
     CHECK(coarse < 1e-3 * scene.spacing);
     CHECK(coarse / fine == relative(4, 0.15));
   }
-  TEST_CASE("mixed: H in 2D is determined by F") {
+  TEST_CASE("mixed: in 2D pfj-jst and pfhj-jst give the same positions and pressures") {
     const Snapshot a = state_after(60, small_collision(), with_method("pfj-jst"));
     const Snapshot b = state_after(60, small_collision(), with_method("pfhj-jst"));
     CHECK(a.x == b.x);

@@ -122,7 +122,6 @@ void check_mixed(const Scene& scene, const std::string& name, double projection,
     drift_H = std::max(drift_H, (a.H - j * a.F.inverse().transpose()).norm());
     rho.push_back(run.rho0 / (run.with_J ? a.J : j));
   }
-  // J and H differ from det F and cof F
   CHECK((!run.with_J || drift_J > 1e-4));
   CHECK(drift_H > 1e-6);
   check_field("x", now.x, x);
@@ -130,7 +129,6 @@ void check_mixed(const Scene& scene, const std::string& name, double projection,
   check_field("rho", now.rho, rho);
 }
 
-/// Penalty contact and a given step: face contact and the CFL step have other tests.
 void check_oenog(Scene scene, bool meets) {
   CAPTURE(scene.name);
   scene.contact = ContactLaw::penalty;

@@ -127,7 +127,7 @@ TEST_SUITE("reference") {
     for (const char* method : current_configuration) check_method<2>(two_materials(), method, 25);
   }
   TEST_CASE("naive: in 3D updated-Lagrangian methods follow the transcription in collisions and at a clamp") {
-    Scene clamped = small_clamped_block();  // so thick that some particles are inside
+    Scene clamped = small_clamped_block();  // has particles outside the surface vicinity
     const double dp = clamped.spacing;
     clamped.bodies[0].shapes = {Box{{-3 * dp, -2.5 * dp, -2.5 * dp}, {6 * dp, 2.5 * dp, 2.5 * dp}}};
     clamped.bodies[1].shapes = {Disc{{0.0003, 0.0052, 0.0002}, 0.0021}};

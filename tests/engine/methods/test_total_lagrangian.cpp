@@ -197,7 +197,8 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("term") {
-  TEST_CASE("initial pairs: one-sided forces are exact for differences of stress but not opposite in sum") {
+  TEST_CASE(
+      "initial pairs: one-sided forces are exact for linear differences of stress, and their sum does not vanish") {
     const Cloud cloud;
     const InitialPairs<2> pairs = cloud.pairs();
     const PairLanes<2> of_four = four_at_a_time(pairs);

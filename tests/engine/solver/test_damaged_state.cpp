@@ -82,7 +82,7 @@ void damage(std::string& bytes, std::size_t at, int kind, int particles) {
     case 3:
       return put<std::int32_t>(bytes, at, particles);
     case 4:
-      return put<std::int32_t>(bytes, at, 1000000);  // far outside, but often inside the program's memory
+      return put<std::int32_t>(bytes, at, 1000000);  // beyond the arrays
     case 5:
       return put(bytes, at, std::numeric_limits<double>::quiet_NaN());
     case 6:

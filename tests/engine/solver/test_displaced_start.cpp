@@ -167,7 +167,7 @@ TEST_SUITE("unit") {
     scene.bodies[0].displacement[0] = [=](const Point& x) { return 1.2 * c * x[0] - s * x[1] - x[0]; };
     scene.bodies[0].displacement[1] = [=](const Point& x) { return 1.2 * s * x[0] + c * x[1] - x[1]; };
     CHECK_FALSE(starts(-0.0501, 0.016));
-    CHECK(starts(-0.035, 0.001));  // inside the other's undisplaced layout
+    CHECK(starts(-0.035, 0.001));  // inside the undisplaced layout of the other body
   }
 }
 
@@ -182,7 +182,6 @@ TEST_SUITE("analytic") {
     for (const char* method : {"tl", "pf-jst", "pfj-jst", "oenog"}) {
       CAPTURE(method);
       const Snapshot pulled = at_start(stretched, method), spun = at_start(turned, method);
-      // s_yy = G J^(−5/3) (1 − (λ² + 2)/3)
       const double s_yy = G * std::pow(1.1, -5.0 / 3) * (1 - (1.21 + 2) / 3);
       for (std::size_t i = 0; i < pulled.size(); ++i) {
         CHECK(pulled.deviator(i).yy == Approx(s_yy).epsilon(1e-6));

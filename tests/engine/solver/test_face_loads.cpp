@@ -120,7 +120,7 @@ std::vector<FaceShare> shares_of(FaceRule rule, const Scene& scene, const Load& 
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "face loads: columns give force and moment of a linear traction, the uniform rule of a uniform one") {
+      "face loads: by_column has the moment of a linear traction within 0.2 %, uniform is exact for a uniform one") {
     const Scene scene = pulled_block(
         10, 0.03, [](double y) { return 3 + 200 * y; }, 1);
     const InitialParticles initial = make_initial_particles(scene);
@@ -128,7 +128,6 @@ TEST_SUITE("unit") {
     const auto by_column = sums(shares_of(FaceRule::by_column, scene, load), initial);
     CHECK(by_column[0] == relative(3 * H));
     CHECK(by_column[1] == 0);
-    // 0.15 % short; the midpoint rule alone is 1 % short
     CHECK(by_column[2] == relative(-200 * H * H * H / 12 * (1 - 0.0015)));
     load.value[0] = constant(3);
     load.value[1] = constant(2);
@@ -156,7 +155,6 @@ TEST_SUITE("unit") {
     const auto sum = sums(shares_of(FaceRule::by_column, scene, load), make_initial_particles(scene));
     const double torque = 2 * std::numbers::pi * 0.04 * 0.04;
     CHECK(std::abs(sum[0]) < 1e-9 * torque);
-    // second order: chords replace the circle, and the force acts in layers below the face
     CHECK(sum[2] == relative(torque, 1e-3));
   }
 
@@ -171,7 +169,7 @@ TEST_SUITE("unit") {
         const auto sum = sums(shares, initial);
         CHECK(sum[0] == relative(0.5 * t * A));
         CHECK(sum[1] == relative(t * A));
-        // the scaled columns at the ends spread their force over another depth
+        // scaled columns at the ends have another moment
         CHECK(sum[2] == relative(t * A * (0.5 * A - 0.5 * rows * scene.spacing),
                                  rule == FaceRule::uniform ? 1e-9 : 2e-5));
         for (const auto& [i, f] : shares)
@@ -283,7 +281,6 @@ TEST_SUITE("analytic") {
     CHECK(across("tl", 20) < 0.5 * tl_fine);
     CHECK(across("pf-jst", 10) < 0.006);
     CHECK(across("pfj-jst", 10) < 0.006);
-    // a longer kernel is more one-sided at a face
     CHECK(across("tl", 10, {{"h", 1.05}}) > 0.02);
   }
 }

@@ -123,7 +123,7 @@ TEST_SUITE("unit") {
 
 TEST_SUITE("conservation") {
   TEST_CASE(
-      "guides: except with tic, momentum along a free axis is conserved, and momentum across it is not") {
+      "guides: except with tic, momentum along rollers is conserved, and momentum across rollers is not") {
     const Scene scene = bar_on_rollers(false);
     for (const MethodInfo& method : methods()) {
       if (method.name.ends_with("tic")) continue;

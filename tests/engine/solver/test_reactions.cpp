@@ -358,7 +358,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "stress: in a hanging block at rest it is the weight below divided by the area, also at the clamp") {
+      "stress: in a hanging block at rest σ_yy is the weight below divided by the area, also at the clamp") {
     Scene scene = hanging(2);
     scene.materials[0].poisson_ratio = 0;  // the clamp does not hinder contraction
     scene.damping = 2e4;

@@ -36,7 +36,7 @@ void add_probes(Scene& scene) {
   if (scene.bodies[0].clamped) scene.probes.push_back(make_probe("clamp", Probe::Kind::reaction));
 }
 
-/// In the second scene one body is clamped, loaded and driven half of the time; in the third it is driven to the end.
+/// In the second scene a body is clamped, loaded and driven for half the time, in the third driven to the end.
 std::vector<Scene> watched_scenes() {
   std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
   for (Scene& scene : scenes) add_probes(scene);
@@ -187,7 +187,7 @@ TEST_SUITE("restart") {
     }
   }
 
-  TEST_CASE("archive: values of every kind come back as they were") {
+  TEST_CASE("archive: saved values of every kind are loaded unchanged") {
     const std::map<int, double> map = {{3, 0.5}, {7, -1.0}};
     const std::vector<bool> bits = {true, false, true, true};
     std::vector<std::pair<int, std::string>> pairs = {{1, "one"}, {2, ""}};

@@ -199,7 +199,7 @@ TEST_SUITE("convergence") {
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "blend: state and energies are interpolated linearly, and step number, body and clamping are the later ones") {
+      "blend: state and energies are interpolated linearly, step number, body and clamping are the later snapshot's") {
     Snapshot before;
     before.resize(2, 1);
     before.time = 1, before.step = 6;
@@ -223,7 +223,7 @@ TEST_SUITE("unit") {
     CHECK(same(blend(before, after, 1).s, before.s));
   }
 
-  TEST_CASE("snapshots: after a failed step the snapshot is the last one before the failure") {
+  TEST_CASE("snapshots: after a failed step the snapshot is the last state before the failure") {
     const auto simulation = make_simulation(small_collision(), with_method("enog"));
     make_steps(*simulation, 1);
     const Snapshot before = simulation->snapshot();

@@ -72,7 +72,7 @@ void check_opposite(const Term& term) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("gradient correction: it makes gradients of linear fields exact at a surface") {
+  TEST_CASE("gradient correction: gradients of linear fields are exact at a surface") {
     const std::vector<Neighbor> all = neighbors();
     Mat2 raw{};
     for (const Neighbor& j : all) {
@@ -85,7 +85,7 @@ TEST_SUITE("term") {
     CHECK(std::abs(raw(0, 1) - some_L(0, 1)) > 0.1);
   }
 
-  TEST_CASE("gradient correction: it is 0 for collinear neighbours") {
+  TEST_CASE("gradient correction: the correction is 0 for collinear neighbours") {
     Sym2 moment{};
     add_gradient_moment(moment, 1.0, -0.5, 1.0, Vec2{0.6, 0.8});
     add_gradient_moment(moment, 1.0, -0.5, 2.0, Vec2{-0.6, -0.8});
@@ -94,7 +94,7 @@ TEST_SUITE("term") {
   }
 
   TEST_CASE(
-      "gradient correction: it is 0 for almost collinear or coplanar neighbours, else the inverse moment") {
+      "gradient correction: almost collinear or coplanar neighbours have 0, others the inverse moment") {
     const Sym2 row{1, 0.02, 0.001}, layer_of_two{1, 0, 0.25}, corner{0.3, 0.1, 0.3};
     for (const double c : gradient_correction(row).c) CHECK(c == 0);
     for (const Sym2& M : {layer_of_two, corner})

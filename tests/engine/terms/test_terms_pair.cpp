@@ -194,7 +194,7 @@ TEST_SUITE("term") {
       return pressure_diffusion_term(0.9, dW, p_i, p_j, share, /*ρ0*/ 2.0, /*c0*/ 5.0);
     };
     CHECK(flow(8, 3, 1) == Approx(0.9 * dW * (8 - 3) / (2 * 5)));
-    CHECK(flow(8, 3, 1) < 0);  // particle i becomes thinner
+    CHECK(flow(8, 3, 1) < 0);  // the density of i falls
     CHECK(flow(8, 3, 1) == -flow(3, 8, 1));
     CHECK(flow(8, 3, 0.25) == Approx(0.25 * flow(8, 3, 1)));
     CHECK(flow(8, 3, 0) == 0);

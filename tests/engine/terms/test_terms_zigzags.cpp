@@ -53,12 +53,11 @@ TEST_SUITE("term") {
     const M2& F = stretched_and_turned;
     const V2 x = F * X;
     CHECK(magnitude(hourglass_force(F, F, X, x, 3.0, 2.0)) < 1e-15);
-    // deviations ±D of the two gradients cancel
     const M2 D{{{0.1, 0.2}, {-0.3, 0.05}}};
     CHECK(magnitude(hourglass_force(F + D, F + -1.0 * D, X, x, 2.0, 2.0)) < 1e-15);
     const V2 apart = hourglass_force(F, F, X, 1.1 * x, 3.0, 2.0),
              near = hourglass_force(F, F, X, 0.9 * x, 3.0, 2.0);
-    CHECK(dot(apart, x) < 0);  // F explains a shorter distance
+    CHECK(dot(apart, x) < 0);
     CHECK(dot(near, x) > 0);
     CHECK(magnitude(apart) == relative(0.1 * magnitude(x) * (3 + 2), 1e-12));
     const V2 any{0.7, -0.2};

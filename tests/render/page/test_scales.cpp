@@ -94,7 +94,6 @@ TEST_SUITE("image") {
     CHECK(lowest > 0);
     CHECK(highest - lowest > (end - layout.key.x) / 2);
     CHECK(painted_from(image, static_cast<int>(640 - 0.7 * layout.font), 360) == 0);
-    // arrows at both ends, because both values exceed the range
     const auto beyond = [&](int from, int to) {
       int painted = 0;
       for (int column = from; column < to; ++column)

@@ -60,7 +60,6 @@ TEST_SUITE("unit") {
     CHECK(labels(nice_ticks(0, 2e6, "Pa", 5, two)) == "0.00 0.50 1.00 1.50 2.00 MPa");
     CHECK(labels(nice_ticks(0, 2e6, "Pa", 5, power)) == "0 5.0×10⁵ 1.0×10⁶ 1.5×10⁶ 2.0×10⁶ Pa");
     CHECK(labels(nice_ticks(-2e-3, 0, "m", 3, power)) == "−2.0×10⁻³ −1.0×10⁻³ 0 m");
-    // wider steps, then further decimals
     CHECK(labels(nice_ticks(0, 2e6, "Pa", 5, none)) == "0 1 2 MPa");
     CHECK(labels(nice_ticks(0, 0.6, "", 5, none)) == "0.0 0.2 0.4 0.6 ");
     CHECK(labels(nice_ticks(1.15e6, 1.4e6, "Pa", 5, NumberFormat{0, true})) == "1.2×10⁶ 1.3×10⁶ 1.4×10⁶ Pa");

@@ -49,8 +49,8 @@ Dual<Components> operator/(double a, const Dual<Components>& b) {
   return Dual<Components>(a) / b;
 }
 
-/// Transcription of oenog; shares only the initial particles, bonds and interfaces with the solver. One body in 2D;
-/// in 3D also several of one material, with penalty contact.
+/// Transcription of oenog; shares initial particles, bonds and interfaces with the solver. In 2D one body, in 3D
+/// several bodies of one material.
 template <int Dim>
 class NaiveOenogIn {
  public:
@@ -223,7 +223,7 @@ class NaiveOenogIn {
   const Material& material(int i) const { return scene_.materials[initial_.material[i]]; }
   double K(int i) const { return material(i).bulk_modulus(); }
   double G(int i) const { return material(i).shear_modulus(); }
-  /// Replaces G in bonds: smaller if Lamé's λ is negative.
+  /// Modulus of bonds; below G if Lamé's λ is negative.
   double of_bonds(int i) const {
     const double lambda = K(i) - 2.0 / 3 * G(i);
     return lambda < 0 ? G(i) + (Dim == 2 ? 1 : 1.5) * lambda : G(i);

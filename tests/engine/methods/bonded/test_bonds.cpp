@@ -49,8 +49,8 @@ Gradient gradient(double xx, double xy, double yx, double yy) { return {{{xx, xy
 
 ClosedNeoHookean<double> closed_law() { return {4.6, 1}; }  // moduli divided by G, ν = 0.4
 
-/// Greatest derivative of a force by a homogeneous strain, divided by G dp, for particles deeper than `rows` spacings.
-/// Volumes near a face give forces in three rows, or nine with bonds of two spacings.
+/// Greatest derivative of a force by a homogeneous strain, divided by G dp, for particles deeper than `rows`
+/// spacings.
 double unbalanced(const Scene& scene, const InitialParticles& initial, const std::vector<double>& depth,
                   double rows) {
   constexpr double size = 1e-3;
@@ -194,7 +194,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("bonds: weights at steps and angles of the faces are finite wherever the body lies") {
+  TEST_CASE("bonds: weights at re-entrant corners are finite for any position of the body") {
     const auto step = [](double x, double width, double height, double low, double high) {
       Scene scene = alone(Box{{x, 0, 0}, {x + width, low, 0}}, 0.002);
       scene.bodies[0].shapes.push_back(Box{{x, 0, 0}, {x + high, height, 0}});

@@ -49,7 +49,6 @@ Scene clamped_block(int x, int y, int z) {
   scene.bodies[0].clamped = [](const Point& X) { return X[0] < 0 ? 1.0 : 0.0; };
   return scene;
 }
-/// Particles lie on the faces; x = 0 is clamped.
 Scene block_on_faces(int x, int y, int z) {
   Scene scene = block(x, y, z);
   scene.bodies[0].on_boundary = true;
@@ -214,7 +213,7 @@ TEST_SUITE("unit") {
       CHECK(sum(start.m) == relative(density * sum(initial.V0), 1e-13));
       for (int i = 0; i < initial.size(); ++i) CHECK(start.m[i] == relative(density * bonds.mass[i], 1e-14));
     }
-    // a face's first moment is dp²/15 in volumes and dp²/24 in masses, with particles on faces −dp²/25 and 0
+    // first moment at a face: dp²/15 in volumes and dp²/24 in masses; with particles on faces −dp²/25 and 0
     for (const bool on_faces : {false, true}) {
       CAPTURE(on_faces);
       const int n = on_faces ? 8 : 9;

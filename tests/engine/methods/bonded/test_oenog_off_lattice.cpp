@@ -189,7 +189,7 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("analytic") {
   TEST_CASE(
-      "oenog: a plate within round-off of a lattice vibrates as on it, up to a jitter of 1e-3 within 0.9 %") {
+      "oenog: a plate's period is unchanged by round-off in positions, and within 0.9 % up to a jitter of 1e-3") {
     const Scene plate = oscillating_plate(0.01, 5);
     const double lattice = half_period(plate, 0.15);
     constexpr double exact = 0.25522 / 2;
@@ -205,7 +205,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE(
-      "oenog: a jittered ring vibrates slightly too slowly, a finer ring less so, and a plate by less than 4 %") {
+      "oenog: a jittered ring vibrates slightly too slowly, a finer ring less so, and a plate at most 4 % too slowly") {
     const auto too_slow = [](const Scene& scene, double share, double lattice) {
       return half_period(jittered(scene, share), 1.5 * lattice) / lattice - 1;
     };

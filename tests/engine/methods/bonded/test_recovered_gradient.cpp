@@ -108,7 +108,7 @@ TEST_SUITE("unit") {
         }
       }
       CHECK(worst < 1e-9);
-      CHECK(own < 1e-3);  // limited by the balancing of bonds near a re-entrant corner
+      CHECK(own < 1e-3);
       CHECK(shown > 0);
     }
   }
