@@ -188,8 +188,8 @@ std::vector<std::string> curve(const Chart& chart, const Layout& layout, std::si
         fmt::format("{} with lines linewidth 2 {} notitle", at("$5 == 1 && $4 == 1", y), style.line()));
     for (std::string& each : markers("$5 == 1", y, "1.3", "0.9,0.45")) all.push_back(std::move(each));
     if (std::ranges::any_of(points, &ChartPoint::by_chance))
-      all.push_back(fmt::format("{} with points pointtype 7 linecolor '#ffffff'{} notitle",
-                                at("$8 == 1", y), point_size("0.5")));
+      all.push_back(fmt::format("{} with points pointtype 7 linecolor '#ffffff'{} notitle", at("$8 == 1", y),
+                                point_size("0.5")));
   }
   if (const int place = layout.strip_row[k]; place >= 0)
     for (std::string& each :
@@ -215,8 +215,9 @@ std::vector<std::string> legend(const Chart& chart, const Layout& layout) {
         "keyentry with points pointtype 6 linewidth 1.5{} linecolor '#555555' title 'open, ×: not stable'",
         point_size("1.3")));
   if (chance)
-    all.emplace_back("keyentry with points pointtype 6 linewidth 3.5 pointsize 0.9 linecolor '#555555' "
-                     "title 'dot: finer run worse'");
+    all.emplace_back(
+        "keyentry with points pointtype 6 linewidth 3.5 pointsize 0.9 linecolor '#555555' "
+        "title 'dot: finer run worse'");
   return all;
 }
 
@@ -226,8 +227,9 @@ std::string chart_data(const Chart& chart) {
   std::string text = plot_comment(fmt::format("{} of {}", chart.measure, chart.scene));
   for (const ChartSeries& series : chart.series) {
     text += plot_comment(series.name) +
-            plot_comment(fmt::format("spacing, m; error{}; {}; stable; has an error; verdict; run; a finer run is worse",
-                                     chart.unit.empty() ? "" : ", " + chart.unit, label(chart.cost)));
+            plot_comment(fmt::format(
+                "spacing, m; error{}; {}; stable; has an error; verdict; run; a finer run is worse",
+                chart.unit.empty() ? "" : ", " + chart.unit, label(chart.cost)));
     for (const ChartPoint& point : series.points)
       text += fmt::format("{} {} {} {} {} {} {} {}\n", exact(point.spacing),
                           point.error ? exact(*point.error) : "NaN", exact(point.cost), point.stable ? 1 : 0,

@@ -46,7 +46,6 @@ inline constexpr TlDisplacementFormulation tl_hg{
     {.law = Law::neo_hookean, .others = OtherLaws::all},
     {.pair_force = PairForce::hourglass}};
 
-/// [Wu2023] has no contact.
 inline constexpr TlDisplacementFormulation tl_enog{
     {
         .name = "tl-enog",
@@ -54,8 +53,9 @@ inline constexpr TlDisplacementFormulation tl_enog{
         .summary = "damped shear forces between pairs instead of a stress divergence: no zigzag modes",
         .conserves = "linear momentum",
         .family = Family::tl_displacement,
+        .citations = no_published_contact,
         .deviator = Deviator::plane_strain,
-        .contact = ContactLaw::penalty,
+        .contact = ContactLaw::surface,
         .contact_stiffness = 2,
         .several_materials = true,
         .h_over_dp = 1.3,

@@ -101,6 +101,23 @@ TEST_SUITE("cli") {
     CHECK(chosen(run + "1,,,m,,,s,,,m,0,0.1\n") == "touch_time");
   }
 
+  TEST_CASE("a stable run is marked if a finer run of its line has a larger error") {
+    const TemporaryFolder folder;
+    const taut::cli::Chart chart =
+        chart_of(write_results(folder.path(), converging + "finished,pf,pf,0.4,10,stable,,0.2,2,5,\n"
+                                                           "finished,pf,pf,0.2,10,stable,,0.3,2,9,\n"
+                                                           "finished,pf,pf,0.1,10,stable,,0.1,2,9,\n"));
+    const auto marked = [&](int line) {
+      std::string all;
+      for (const taut::cli::ChartPoint& point : chart.series[static_cast<std::size_t>(line)].points)
+        all += point.by_chance ? '1' : '0';
+      return all;
+    };
+    CHECK(marked(0) == "1100");  // the third run, with the largest error, is fractured
+    CHECK(marked(1) == "00");
+    CHECK(marked(2) == "100");
+  }
+
   TEST_CASE("runs with other settings have separate lines, and the faster of two equal runs counts") {
     const TemporaryFolder folder;
     const std::string first = write_results(folder / "a",
@@ -139,7 +156,7 @@ TEST_SUITE("cli") {
     const auto rows = data_of(folder / "one/a.dat");
     REQUIRE(rows.size() == 4);
     for (const auto& row : rows) {
-      REQUIRE(row.size() == 7);
+      REQUIRE(row.size() == 8);
       const std::string run = row[6].substr(1, row[6].size() - 2);
       const auto record = json_of(run + "/run.json");
       CHECK(std::stod(row[0]) == record["spacing"].get<double>());
@@ -220,18 +237,35 @@ TEST_SUITE("cli") {
     CHECK(contains(script, "set xlabel 'time to solve, s'"));
     CHECK(contains(script, "set ylabel 'error of the bend, % of the reference'"));
     CHECK(contains(script, "'×') with labels offset"));
+    CHECK(contains(script, "title 'dot: finer run worse'"));
     CHECK(contains(script, "set label 'og' at graph 1.01"));
     CHECK_FALSE(contains(script, "set label 'tl' at graph 1.01"));
     // cost ∝ n³, error ∝ n⁻²
     CHECK(contains(script, "**(-0.6666666666666666) with lines"));
     REQUIRE(call({"chart", file, "--methods", "og", "--out", folder.str("og.svg")}).code == 0);
     CHECK_FALSE(contains(text_of(folder / "og.dat"), "# tl"));
+    CHECK_FALSE(contains(text_of(folder / "og.gp"), "dot: finer run worse"));
     const auto color = [](const std::string& text, const std::string& title) {
       const std::size_t at = text.rfind("linecolor '", text.find("title '" + title + "'"));
       return text.substr(at + 11, 7);
     };
     CHECK(color(script, "og") == color(text_of(folder / "og.gp"), "og"));
     CHECK(color(script, "tl") != color(script, "og"));
+  }
+
+  TEST_CASE("a note names the contact law of a chart, or says that methods have different laws") {
+    const TemporaryFolder folder;
+    const auto script_of = [&](const std::string& law) {
+      const std::string file = write_results(folder / law,
+                                             "finished,tl,tl,0.4,10,stable,,0.3,2,4,,penalty\n"
+                                             "finished,og,og,0.4,10,stable,,0.2,2,8,," +
+                                                 law + "\n",
+                                             "rod", "none,contact");
+      REQUIRE(call({"chart", file, "--out", folder.str("c.svg")}).code == 0);
+      return text_of(folder / "c.gp");
+    };
+    CHECK(contains(script_of("penalty"), "all with penalty contact"));
+    CHECK(contains(script_of("sph"), "; each method with its own contact law"));
   }
 
   TEST_CASE("--stable-only excludes unstable runs, and a note counts them") {

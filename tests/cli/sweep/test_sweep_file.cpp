@@ -60,6 +60,15 @@ TEST_SUITE("cli") {
           Texts{"speed=1", "method.zeta=3, speed=2*pi"});
   }
 
+  TEST_CASE("a row beside a grid is run with each combination of the names that it does not set") {
+    using Texts = std::vector<std::string>;
+    const std::string grid = "scene = 'discs.toml'\n[grid]\nspeed = [1, 2]\nmethod = ['tl', 'og']\n";
+    CHECK(rows_of(grid + "[[row]]\nmethod = 'tl'\ncontact = 'surface'\n") ==
+          Texts{"speed=1, method=tl", "speed=1, method=og", "speed=2, method=tl", "speed=2, method=og",
+                "speed=1, method=tl, contact=surface", "speed=2, method=tl, contact=surface"});
+    CHECK(rows_of(grid + "[[row]]\nmethod = 'pf'\nspeed = 3\n").back() == "method=pf, speed=3");
+  }
+
   TEST_CASE("an invalid sweep file is refused with the place") {
     const std::string head = "scene = 'discs.toml'\n";
     check_refused(head + "[grid]\nspeed = @'0:1:0.3'\n", "0.9 or 1.2");
@@ -68,7 +77,7 @@ TEST_SUITE("cli") {
     check_refused(head + "[grid]\nspeed = @[]\n", "no values");
     check_refused(head + "@[grid]\n", "empty");
     check_refused(head + "[grid]\n@method.zeta = 3\n", "\"method.zeta\"");
-    check_refused(head + "[grid]\nspeed = 1\n@[[row]]\nspeed = 2\n", "not both");
+    check_refused(head + "[grid]\nspeed = 1\n@[[row]]\nspeed = 1\n", "twice");
     check_refused("@" + head, "[grid]");
     check_refused(head + "[[row]]\nspeed = @'[1]'\n", "speed");
     check_refused(head + "[[row]]\nspeed = @[1]\n", "a number or a text");
