@@ -34,9 +34,12 @@ void check_scenes(const std::string& source) {
       continue;
     CAPTURE(name);
     const Documented end = documented(name);
-    std::vector<std::string> command{"run", name, "--no-render", "--quiet", "--out", folder.str("run")};
+    std::vector<std::string> command{"run",     name,    "--no-render",    "--quiet",
+                                     "--force", "--out", folder.str("run")};
     if (!end.until.empty()) command.insert(command.end(), {"--until", end.until});
-    CHECK(call(command).code == (end.verdict == "diverged" ? 3 : 0));
+    const Outcome outcome = call(command);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == (end.verdict == "diverged" ? 3 : 0));
     CHECK(json_of(folder / "run/run.json")["verdict"] == end.verdict);
     ++scenes;
   }
