@@ -66,12 +66,13 @@ void check_materials(const Scene& scene, const InitialParticles& initial, const 
   const int first = initial.material.front();
   for (int i = 0; i < initial.size(); ++i) {
     if (same(scene.materials[initial.material[i]], scene.materials[first])) continue;
-    const std::string& body = scene.bodies[initial.body[i]].name;
+    const std::string &body = scene.bodies[initial.body[i]].name, &other = scene.bodies.front().name;
     throw SceneError(
         "body." + body,
-        fmt::format("method '{}' allows only one material; body '{}' has '{}', but body '{}' has '{}'; "
+        fmt::format("method '{}' allows only one material; body '{}' has '{}'{} '{}'; "
                     "methods for several materials: {}",
-                    method.name, body, scene.materials[initial.material[i]].name, scene.bodies.front().name,
+                    method.name, body, scene.materials[initial.material[i]].name,
+                    initial.body[i] == 0 ? " and" : fmt::format(", but body '{}' has", other),
                     scene.materials[first].name, of_several()));
   }
 }

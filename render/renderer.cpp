@@ -181,7 +181,8 @@ void Renderer::Parts::place_discs(const FrameView& frame) {
     const double radius = drawn_radius(size);
     const double reach = radius + 1;
     // false for NaN
-    const bool seen = size > 0 && x > -reach && x < width + reach && y > -reach && y < height + reach;
+    const bool seen = size > 0 && std::isfinite(size) && x > -reach && x < width + reach && y > -reach &&
+                      y < height + reach;
     if (!seen) continue;
     off_scale |= coloring.off_scale(frame.value[i]);
     discs.push_back(

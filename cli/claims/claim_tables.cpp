@@ -45,6 +45,16 @@ std::string quoted(const std::string& text) {
   return text.find_first_of(" *()<>&|\"$") == std::string::npos ? text : fmt::format("'{}'", text);
 }
 
+/// The name by which `taut run` finds this scene file, else its path.
+std::string name_or_path(const std::string& scene) {
+  const std::vector<std::string> names = scene_names();
+  const std::string stem = std::filesystem::path(scene).stem().string();
+  std::error_code error;
+  const bool named = std::ranges::find(names, stem) != names.end() &&
+                     std::filesystem::equivalent(find_scene(stem), scene, error);
+  return named ? stem : scene;
+}
+
 Rows counts_by_paper(const std::vector<Paper>& papers) {
   Rows rows{{"paper", "claims", "hold", "in part", "do not hold"}};
   std::array<long, 4> sums{};
@@ -91,10 +101,7 @@ std::string list_of_claims(const std::vector<const Claim*>& claims, std::optiona
 }
 
 std::string command_of(const Claim& claim, const ClaimRun& run) {
-  const std::vector<std::string> shipped = scene_names();
-  const std::string stem = std::filesystem::path(claim.scene).stem().string();
-  std::string command =
-      "taut run " + quoted(std::ranges::find(shipped, stem) != shipped.end() ? stem : claim.scene);
+  std::string command = "taut run " + quoted(name_or_path(claim.scene));
   for (const Setting& s : run.settings) {
     const bool own_option = s.name == "method" || s.name == "spacing" || s.name == "until";
     command += own_option ? fmt::format(" --{} {}", s.name, quoted(s.value)) : " --set " + quoted(text_of(s));

@@ -26,7 +26,7 @@ void print_help(std::span<const Command> commands, std::ostream& out) {
          "  --version   show version, compiler, libraries and file formats\n\n"
          "Exit codes:\n"
          "  0    success\n"
-         "  1    diff, snapshot: pictures differ; check: a check failed; choose: no run is accurate enough;\n"
+         "  1    diff, snapshot: pictures differ; check: a check failed; choose: no stored run qualifies;\n"
          "       claims: a claim differs from its recorded state\n"
          "  2    wrong command line or scene\n"
          "  3    the simulation diverged, or its verdict is as bad as --fail-on or worse\n"

@@ -65,7 +65,7 @@ constexpr Command table[] = {
      "  taut choose colliding-rings --error 1% --measure rebound_ratio\n"
      "  taut choose oscillating-plate --error 0.5% --seconds 10 --from out/plate-accuracy\n"
      "The command reads the results of sweeps, by default all below out/. It runs nothing.\n"
-     "If no run is accurate enough, it prints the most accurate one and ends with exit code 1.\n",
+     "If no run qualifies, it prints the most accurate one and ends with exit code 1.\n",
      declare_choose},
     {"plot", "draw histories of runs over time, fields along lines, or measures of a sweep over a parameter",
      "  taut plot out/plate-enog --out tip.png    one panel per probe\n"

@@ -31,11 +31,15 @@ struct MovieArguments {
   bool orbit = false;
 };
 
-/// ffmpeg would stop silently at a missing frame.
+/// Throws UsageError for missing frames, at which ffmpeg would stop silently, and for devices, which have no end.
 int count_frames(const fs::path& folder) {
   int whole = 0;
-  while (fs::exists(folder / frame_name(whole))) ++whole;
+  std::error_code error;
+  while (fs::is_regular_file(folder / frame_name(whole), error)) ++whole;
   const std::string missing = frame_name(whole);
+  if (fs::exists(folder / missing, error))
+    throw UsageError(fmt::format("{} in {} is not a regular file; draw all frames again with `taut render`",
+                                 missing, folder.string()));
   const auto is_later_frame = [&](const std::string& name) {
     return name.size() == missing.size() && name.starts_with("frame_") && name > missing;
   };

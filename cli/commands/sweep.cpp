@@ -47,10 +47,14 @@ std::string listing(const SweepPlan& plan) {
                      plan.folder.string());
 }
 
+bool measures_costs(const SweepPlan& plan) {
+  return !plan.runs.empty() && !plan.runs.front().repetitions.empty();
+}
+
 int emit(const SweepOptions& o, const Options& command, const SweepPlan& plan, std::ostream& out) {
   const EmitForm& form = find_emit_form(*o.emit);
   const std::string script = emit_script(form, plan.title, static_cast<int>(plan.runs.size()), o.run.threads,
-                                         command_to_repeat(command));
+                                         measures_costs(plan), command_to_repeat(command));
   if (!o.run.out) {
     out << script;
     return exit_fine;
@@ -65,7 +69,7 @@ int emit(const SweepOptions& o, const Options& command, const SweepPlan& plan, s
 }
 
 int number_of_jobs(const SweepPlan& plan, const SweepOptions& o) {
-  const bool costs = !plan.runs.empty() && !plan.runs.front().repetitions.empty();
+  const bool costs = measures_costs(plan);
   const int most = std::max(1, (costs ? physical_cores() : cores()) / o.run.threads);
   if (costs && o.jobs > most)
     throw UsageError(

@@ -37,7 +37,8 @@ constexpr KeyInfo top_keys[] = {
     {"dim", types::whole(2, 3), "2", "number of dimensions; 2 is plane strain"},
     {"spacing", types::number("m", above(0)), "",
      "particle spacing dp; "
-     "changed to the nearest value that divides the thinnest side of the first shape into whole particles"},
+     "changed to the nearest value that divides the thinnest side of the first shape into whole particles, "
+     "unless that is a polygon, an expression, or a shape from a file"},
     {"jitter", types::number("dp", {0, 0.5, false, true}), "0",
      "largest random shift of a particle to either side along each axis, in spacings. Volumes do not change. "
      "Particles are not shifted along clamped and driven axes, nor across a face with on_boundary"},

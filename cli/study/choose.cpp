@@ -74,12 +74,23 @@ std::string evidence(const Chart& chart, const std::vector<Offer>& all) {
   return text + sources(chart);
 }
 
-std::string nothing_stable(std::optional<double> seconds) {
-  return fmt::format("There is no stable run with a measured error{}.\n", seconds ? " in this time" : "");
+/// Reason why no run within the time limit is offered for any error.
+std::string nothing_offered(const Chart& chart, std::optional<double> seconds) {
+  bool measured = false, quick = false;
+  for (const ChartSeries& series : chart.series)
+    for (const ChartPoint& point : series.points) {
+      if (!point.stable || !point.error) continue;
+      measured = true;
+      quick |= in_time(point, seconds);
+    }
+  const char* const limit = seconds && measured ? " in this time" : "";
+  return quick ? fmt::format("Each stable run{} has a finer run of its method that is unstable or has no error.\n",
+                             limit)
+               : fmt::format("There is no stable run with a measured error{}.\n", limit);
 }
 
-/// Smallest error of a stable run within the time limit.
-std::string nearest_run(const Chart& chart, const ChoiceLimits& limits) {
+/// Smallest error of a stable run within the time limit, and the cheapest suitable run beyond it.
+std::string refusal(const Chart& chart, const ChoiceLimits& limits) {
   const ChartSeries* series = nullptr;
   const ChartPoint* nearest = nullptr;
   for (const ChartSeries& s : chart.series)
@@ -89,12 +100,23 @@ std::string nearest_run(const Chart& chart, const ChoiceLimits& limits) {
         series = &s;
         nearest = &point;
       }
-  if (!nearest) return nothing_stable(limits.seconds);
-  std::string text =
-      fmt::format("The smallest error of a stable run{}: {}, {}.\n", limits.seconds ? " in this time" : "",
-                  settings_of(*series, *nearest), result_of(chart, *nearest));
-  if (*nearest->error <= limits.error) text += "Finer runs of the same method do not confirm this error.\n";
-  return text;
+  const char* const limit = limits.seconds ? " in this time" : "";
+  std::string text;
+  if (!nearest) {
+    text = nothing_offered(chart, limits.seconds);
+  } else {
+    if (*nearest->error > limits.error) text = fmt::format("No run{} is accurate enough. ", limit);
+    text += fmt::format("The smallest error of a stable run{}: {}, {}.\n", limit,
+                        settings_of(*series, *nearest), result_of(chart, *nearest));
+    if (*nearest->error <= limits.error) text += "Finer runs of the same method do not confirm this error.\n";
+  }
+  const std::vector<Offer> slower = suitable_offers(chart, {limits.error, std::nullopt});
+  if (slower.empty() || !(slower.front().point->cost > 0))
+    return text + "Sweep finer spacings or other methods.\n";
+  return text + fmt::format("The cheapest run that is accurate enough takes longer: {}, {}.\n"
+                            "Allow more time, or sweep other methods.\n",
+                            settings_of(*slower.front().series, *slower.front().point),
+                            result_of(chart, *slower.front().point));
 }
 
 }  // namespace
@@ -129,9 +151,7 @@ std::vector<Offer> pareto_front(const Chart& chart, std::optional<double> second
 std::string advice(const Chart& chart, const ChoiceLimits& limits) {
   const std::vector<Offer> all = suitable_offers(chart, limits);
   std::string text = limits_line(chart, limits) + ":\n\n";
-  if (all.empty())
-    return fmt::format("{}No run is accurate enough. {}Sweep finer spacings or other methods.\n", text,
-                       nearest_run(chart, limits));
+  if (all.empty()) return text + refusal(chart, limits);
   const Offer& best = all.front();
   text += fmt::format("  take  {}: {}\n  run   {}\n", settings_of(*best.series, *best.point),
                       result_of(chart, *best.point), best.point->folder);
@@ -144,7 +164,7 @@ std::string price_list(const Chart& chart, std::optional<double> seconds) {
   const std::vector<Offer> all = pareto_front(chart, seconds);
   std::string text = fmt::format("{}, cost of an error of {}{}:\n\n", chart.scene, chart.measure,
                                  seconds ? fmt::format(", within {} s", brief(*seconds)) : "");
-  if (all.empty()) return text + nothing_stable(seconds);
+  if (all.empty()) return text + nothing_offered(chart, seconds);
   std::vector<std::vector<std::string>> rows{
       {"error up to", "s", "method", "spacing, m", "cfl", "finer runs"}};
   for (const Offer& offer : all)

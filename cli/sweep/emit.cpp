@@ -16,7 +16,7 @@ constexpr EmitForm forms[] = {
 #SBATCH --job-name=taut-sweep
 #SBATCH --array=0-@LAST@
 #SBATCH --cpus-per-task=@THREADS@
-# @TITLE@: @RUNS@ runs, one per task of a Slurm array. Submit this file with sbatch. Submit it again to repeat
+@HINT@# @TITLE@: @RUNS@ runs, one per task of a Slurm array. Submit this file with sbatch. Submit it again to repeat
 # failed and stopped runs; finished runs are skipped. When all tasks have ended, the same command without --index
 # collects the results and does the missing runs.
 set -eu
@@ -28,7 +28,7 @@ exec @SWEEP@ --index "$SLURM_ARRAY_TASK_ID"
 # again to repeat failed and stopped runs; finished runs are skipped.
 set -eu
 cd @FOLDER@
-jobs=$(( $(nproc) / @THREADS@ ))
+jobs=$(( @CORES@ / @THREADS@ ))
 [ "$jobs" -gt 0 ] || jobs=1
 # The command is an environment variable, since parallel would replace {} and run {= =} on its own command line.
 TAUT_SWEEP=@QUOTED_SWEEP@
@@ -40,6 +40,10 @@ seq 0 @LAST@ |
 exec @SWEEP@
 )"},
 };
+
+/// With fewer allowed CPUs than physical cores, the number of allowed CPUs.
+constexpr std::string_view physical_cores =
+    "$({ nproc; lscpu --parse=CORE,SOCKET | grep -v '^#' | sort -u | wc -l; } | sort -n | head -n 1)";
 
 std::string quoted(const std::string& word) {
   const auto plain = [](char c) {
@@ -79,12 +83,14 @@ const EmitForm& find_emit_form(const std::string& name) {
 }
 
 std::string emit_script(const EmitForm& form, const std::string& title, int runs, int threads,
-                        const std::vector<std::string>& sweep) {
+                        bool measures_costs, const std::vector<std::string>& sweep) {
   const std::pair<std::string_view, std::string> values[] = {
       {"@TITLE@", one_line(title)},
       {"@RUNS@", std::to_string(runs)},
       {"@LAST@", std::to_string(runs - 1)},
       {"@THREADS@", std::to_string(threads)},
+      {"@HINT@", measures_costs ? "#SBATCH --hint=nomultithread\n" : ""},
+      {"@CORES@", measures_costs ? std::string(physical_cores) : "$(nproc)"},
       {"@FOLDER@", quoted(std::filesystem::current_path().string())},
       {"@SWEEP@", command(sweep)},
       {"@QUOTED_SWEEP@", quoted(command(sweep))},

@@ -97,8 +97,10 @@ int open_new(const std::string& path) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno != EEXIST) return descriptor;
     if (descriptor >= 0) {
-      if (!wait_for_lock(descriptor)) return give_up(descriptor, EWOULDBLOCK);
-      if (still_named(descriptor, path)) return descriptor;  // else removed by another writer
+      const bool locked = wait_for_lock(descriptor), own = still_named(descriptor, path);
+      if (locked && own) return descriptor;  // else removed by another writer
+      if (!locked && own) ::unlink(path.c_str());
+      if (!locked) return give_up(descriptor, EWOULDBLOCK);
       ::close(descriptor);
       continue;
     }
@@ -240,8 +242,12 @@ std::optional<std::string> read_whole(const fs::path& path, std::uint64_t most_b
 }
 
 AppendFile::AppendFile(fs::path path, Start start) : path_(std::move(path)) {
-  constexpr int how = O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
-  descriptor_ = ::open(path_.c_str(), how | (start == Start::empty ? 0 : O_APPEND), 0666);
+  constexpr int how = O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
+  descriptor_ = ::open(path_.c_str(), how | (start == Start::empty ? O_CREAT : O_APPEND), 0666);
+  if (descriptor_ < 0 && errno == ENOENT && start == Start::as_it_is)
+    throw UsageError(fmt::format(
+        "'{}' is missing, and --resume does not write it again; put it back, or start again without --resume",
+        path_.string()));
   if (descriptor_ < 0) fail(path_, errno);
   struct stat found {};
   const bool known = ::fstat(descriptor_, &found) == 0, regular = known && S_ISREG(found.st_mode);

@@ -47,6 +47,7 @@ std::optional<std::string> read_whole(const std::filesystem::path& path,
 class AppendFile {
  public:
   enum class Start { empty, as_it_is };
+  /// Throws OutputError; UsageError if the file `as_it_is` is missing.
   explicit AppendFile(std::filesystem::path path, Start start = Start::empty);
   ~AppendFile();
   AppendFile(const AppendFile&) = delete;

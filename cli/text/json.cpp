@@ -83,12 +83,9 @@ class Builder final : public nlohmann::json_sax<Library> {
     std::set<std::string> keys = {};
   };
 
-  void check_depth() const {
-    constexpr std::size_t deepest = 64;
-    if (open_.size() > deepest) refuse(file_, "is nested more than 64 levels deep, unlike any file of taut");
-  }
   bool start(Json value) {
-    check_depth();
+    constexpr std::size_t deepest = 64;
+    if (open_.size() == deepest) refuse(file_, "is nested more than 64 levels deep, unlike any file of taut");
     open_.push_back({std::move(value)});
     return true;
   }
@@ -98,7 +95,6 @@ class Builder final : public nlohmann::json_sax<Library> {
     return put(std::move(value));
   }
   bool put(Json value) {
-    check_depth();
     if (open_.empty())
       root_ = std::move(value);
     else if (Open& outer = open_.back(); outer.value.is_array())

@@ -43,7 +43,7 @@ std::vector<JsonCursor> JsonCursor::items() const {
   if (is_null() || (texts_are_numbers_ && value_->is_text())) return all;
   if (!value_->is_array()) fail("an array");
   for (const Json& item : value_->items())
-    all.emplace_back(item, *file_, fmt::format("{}.{}", path_, all.size()));
+    all.emplace_back(item, *file_, fmt::format("{}.{}", path_, all.size()), texts_are_numbers_);
   return all;
 }
 

@@ -114,11 +114,17 @@ class BodyNodes {
               what, body_.name));
   }
   void check_regions() const {
+    for (std::size_t k = 0; k < body_.parts.size(); ++k)
+      if (std::ranges::none_of(mesh_.middle,
+                               [&](const Point& x) { return contains(body_.parts[k].where, x); }))
+        throw SceneError(fmt::format("body.{}.parts", body_.name),
+                         fmt::format("parts[{}]: no element of body '{}' is in this region, "
+                                     "because the expression is 0 in the middle of each element",
+                                     k, body_.name));
     const auto check = [&](const auto& regions, const std::string& key) {
       for (std::size_t k = 0; k < regions.size(); ++k)
         refuse_empty(regions[k].where, key, fmt::format("{}[{}]", key, k));
     };
-    check(body_.parts, "parts");
     check(body_.drives, "driven");
     check(body_.loads, "loaded");
     const bool by_component =

@@ -30,7 +30,7 @@ std::vector<TermInfo> terms(const Formulation& m) {
 }
 
 /// `sph` requires a neighbour search, `surface` initial neighbours.
-std::vector<ContactLaw> contact_laws_of(bool searches, bool of_elements = false) {
+std::vector<ContactLaw> contact_laws_of(bool searches, bool of_elements) {
   if (of_elements) return {ContactLaw::surface};
   std::vector<ContactLaw> all;
   for (const ContactLawRow& row : contact_laws)
@@ -172,7 +172,7 @@ ContactLaw published_contact(const Scene& scene, const MethodInfo& method) {
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
   if (scene.contact == ContactLaw::published) return published_contact(scene, method);
   if (needs_faces(scene.contact) && !has_faces(scene)) {
-    std::vector<ContactLaw> others = contact_laws_of(false);
+    std::vector<ContactLaw> others = method.contact_laws;
     std::erase_if(others, needs_faces);
     throw SceneError(
         "contact",

@@ -212,8 +212,11 @@ TEST_SUITE("unit") {
     CHECK_NOTHROW(make_simulation(scene, with_method("enog")));
     scene.materials[1].youngs_modulus *= 2;
     const std::string error = message<SceneError>(scene, with_method("enog"));
-    CHECK(contains(error, "'disc'"));
-    CHECK(contains(error, "one material"));
+    CHECK(contains(error, "one material; body 'disc' has 'rubber', but body 'ring' has 'rubber'; methods"));
+    scene.bodies[0].parts = {{1, [](const Point& x) { return x[0] < -0.0081 ? 1.0 : 0.0; }}};
+    scene.materials[1].name = "hard";
+    CHECK(contains(message<SceneError>(scene, with_method("enog")),
+                   "one material; body 'ring' has 'hard' and 'rubber'; methods"));
   }
 
   TEST_CASE("settings: constants have the bounds of the scene's dimension") {

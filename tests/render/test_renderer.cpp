@@ -291,6 +291,7 @@ TEST_SUITE("image") {
     particles.add(NAN, 0, 0.4, 0.5);
     particles.add(0, INFINITY, 0.4, 0.5);
     particles.add(0, 0, NAN, 0.5);
+    particles.add(0, 0, INFINITY, 0.5);
     particles.add(0, 0, 0, 0.5);
     particles.add(0, 0, -1, 0.5);
     particles.add(1e300, 0, 0.4, 0.5);

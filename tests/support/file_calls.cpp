@@ -1,13 +1,16 @@
 // LD_PRELOAD library: logs writes, renames and syncs to the file that TAUT_FILE_CALLS names. TAUT_NO_LOCKS makes locks
-// fail. The first lock creates the file that TAUT_GATE names, and waits for its removal.
+// fail, TAUT_LOCKED those of written files. The first lock creates the file that TAUT_GATE names, and waits for its
+// removal.
 
 #include <array>
 #include <cerrno>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fcntl.h>
 #include <string>
+#include <sys/file.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -71,6 +74,16 @@ int rename(const char* from, const char* to) {
 int renameat2(int, const char* from, int, const char* to, unsigned how) {
   note("rename", from, to);
   return static_cast<int>(::syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, how));
+}
+
+int flock(int descriptor, int how) noexcept {
+  if (!std::getenv("TAUT_LOCKED")) return static_cast<int>(::syscall(SYS_flock, descriptor, how));
+  errno = EWOULDBLOCK;
+  return -1;
+}
+
+int nanosleep(const timespec* time, timespec* rest) {
+  return std::getenv("TAUT_LOCKED") ? 0 : static_cast<int>(::syscall(SYS_nanosleep, time, rest));
 }
 
 int fcntl(int descriptor, int command, ...) {

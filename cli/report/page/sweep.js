@@ -235,15 +235,11 @@ function chart_section(sweep, title, choices, lines_of, options_of) {
       tall: true,
       label: point_label(sweep),
       ...options_of(),
-      open: ([item]) => {
-        const {row} = lines[item.datasetIndex].points[item.index];
+      open: (item, chart) => {
+        const {row} = chart.data.datasets[item.datasetIndex].data[item.index];
         if (row) sweep.open(row);
       }
     });
-    plot.options.open = (item, chart) => {
-      const {row} = chart.data.datasets[item.datasetIndex].data[item.index];
-      if (row) sweep.open(row);
-    };
     box.replaceChildren(plot.box);
     plot.show();
   };

@@ -83,6 +83,17 @@ TEST_SUITE("cli") {
     const Outcome one = call({"claims", file});
     CHECK(contains(one.out, "Nobody1999.fig-1, Fig. 1: holds"));
     CHECK(contains(one.out, "discs.toml --until 2e-04 --set speed=4"));
+    const std::string own = folder.str("colliding-rings.toml");
+    fs::rename(folder / "discs.toml", own);
+    std::string claim = text_of(file);
+    claim.replace(claim.find("discs.toml"), 5, "colliding-rings");
+    std::ofstream(file) << claim;
+    CHECK(contains(call({"claims", file}).out, "taut run " + own + " --until"));
+    fs::remove(own);
+    claim.replace(claim.find(".toml"), 5, "");
+    claim.replace(claim.find("speed"), 5, "v0");
+    std::ofstream(file) << claim;
+    CHECK(contains(call({"claims", file}).out, "taut run colliding-rings --until"));
     const auto json = nlohmann::ordered_json::parse(call({"claims", file, "--json"}).out);
     CHECK(json["claims"][0]["name"] == "Nobody1999.fig-1");
     CHECK(json["claims"][0]["state"] == "holds");

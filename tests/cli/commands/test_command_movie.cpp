@@ -74,9 +74,13 @@ TEST_SUITE("cli") {
     CHECK(files_in(folder.path()) == 2);
   }
 
-  TEST_CASE("missing frames and unknown formats are refused") {
+  TEST_CASE("missing frames, devices as frames and unknown formats are refused") {
     const TemporaryFolder folder;
     write_frames(folder / "frames", 4);
+    fs::create_symlink("/dev/null", folder / "frames/frame_00004.png");
+    CHECK(contains(call({"movie", folder.str("frames"), "--out", folder.str("m.mp4")}).err,
+                   "frame_00004.png in " + folder.str("frames") + " is not a regular file"));
+    fs::remove(folder / "frames/frame_00004.png");
     fs::create_directories(folder / "empty");
     CHECK(call({"movie", folder.str("empty"), "--out", folder.str("m.mp4")}).code == 2);
     CHECK(call({"movie", folder.str("frames"), "--out", folder.str("m.avi")}).code == 2);

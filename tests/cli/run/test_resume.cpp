@@ -259,6 +259,8 @@ normal = [0, 1]
     write(folder / "out/scene.toml", scene);
     write(folder / "out/history.csv", "t\n");
     check_refused(folder, "has lost lines");
+    fs::remove(folder / "out/history.csv");
+    check_refused(folder, "history.csv' is missing");
   }
 
   TEST_CASE(

@@ -89,8 +89,46 @@ TEST_SUITE("cli") {
     CHECK(far.code == 1);
     CHECK(contains(far.out, "No run is accurate enough"));
     CHECK(contains(far.out, "icb at a spacing of 0.2 m"));
-    CHECK(contains(choose({"1%", "--seconds", "5"}).out,
-                   "Finer runs of the same method do not confirm this error"));
+    CHECK(contains(far.out, "\nSweep finer spacings or other methods.\n"));
+  }
+
+  TEST_CASE("choose says whether accuracy, time, stability or a finer run is the reason for no choice") {
+    const TemporaryFolder folder;
+    const auto choose = [&](const std::string& rows, Texts more) {
+      const std::string file = write_results(folder / "a", rows, "colliding-rings");
+      more.insert(more.begin(), {"choose", "colliding-rings", "--from", file});
+      const Outcome outcome = call(more);
+      CHECK(outcome.code == 1);
+      return outcome.out;
+    };
+    const std::string accurate = "accurate enough", allow = "\nAllow more time, or sweep other methods.\n",
+                      longer = "\nThe cheapest run that is accurate enough takes longer: "
+                               "icb at a spacing of 0.4 m, error 0.8 %, 30 s.",
+                      none = "There is no stable run with a measured error";
+    const std::string contradicted = choose(runs, {"--error", "1%", "--seconds", "5"});
+    CHECK(contains(contradicted, "Finer runs of the same method do not confirm this error.\n"));
+    CHECK_FALSE(contains(contradicted, "No run"));
+    CHECK(contains(contradicted, longer));
+    const std::string slow = choose(runs, {"--error", "1%", "--seconds", "0.5"});
+    CHECK(contains(slow, none + " in this time.\n"));
+    CHECK(contains(slow, allow));
+    CHECK_FALSE(contains(slow, "No run"));
+    const std::string inaccurate =
+        choose("finished,tl,tl,0.2,20,stable,,0.05,2,8,\n" + runs.substr(runs.find("finished,icb")),
+               {"--error", "1%", "--seconds", "9"});
+    CHECK(contains(inaccurate, "No run in this time is accurate enough. "
+                               "The smallest error of a stable run in this time: "
+                               "tl at a spacing of 0.2 m, error 5 %, 8 s.\n"));
+    CHECK(contains(inaccurate, longer));
+    const std::string torn = "finished,og,og,0.2,20,fractured,0.1,0.001,2,2,\n";
+    for (const Texts& limits : {Texts{}, {"--seconds", "9"}, {"--error", "1%"}}) {
+      const std::string unstable = choose(torn, limits);
+      CHECK(contains(unstable, none + ".\n"));
+      CHECK_FALSE(contains(unstable, accurate));
+      CHECK_FALSE(contains(unstable, allow));
+    }
+    CHECK(contains(choose(torn + "finished,og,og,0.4,20,stable,,0.001,2,2,\n", {}),
+                   "Each stable run has a finer run of its method that is unstable or has no error.\n"));
   }
 
   TEST_CASE(

@@ -92,6 +92,29 @@ TEST_SUITE("cli") {
     CHECK(json_of(folder / "out/results.json")["runs"][1]["threads"] == 2);
   }
 
+  TEST_CASE("scripts for a sweep with repetitions use one thread per physical core") {
+    const TemporaryFolder folder;
+    write_parallel(folder);
+    const auto write = [&](const char* name, const char* output) {
+      std::ofstream(folder / "bin" / name) << "#!/bin/sh\nprintf '" << output << "'\n";
+      fs::permissions(folder / "bin" / name, fs::perms::owner_all);
+    };
+    write("lscpu", "# Core,Socket\\n0,0\\n0,0\\n1,0\\n1,0\\n");
+    Texts grid{"--grid", "speed=1", "--until", "1e-5"};
+    const auto jobs = [&](const char* allowed) {
+      write("nproc", allowed);
+      fs::remove(folder / "calls");
+      REQUIRE(shell("PATH=" + folder.str("bin") + ":$PATH sh " + emitted(folder, "parallel", grid)) == 0);
+      return text_of(folder / "calls").substr(0, std::string("--jobs\n4\n").size());
+    };
+    CHECK(jobs("4\\n") == "--jobs\n4\n");
+    CHECK_FALSE(contains(text_of(emitted(folder, "slurm", grid)), "--hint"));
+    grid.insert(grid.end(), {"--repeat", "2"});
+    CHECK(jobs("4\\n") == "--jobs\n2\n");
+    CHECK(jobs("1\\n") == "--jobs\n1\n");
+    CHECK(contains(text_of(emitted(folder, "slurm", grid)), "\n#SBATCH --hint=nomultithread\n# "));
+  }
+
   TEST_CASE("emitted scripts start only their runs, also if names contain special characters") {
     const TemporaryFolder folder;
     write_parallel(folder);
@@ -133,7 +156,7 @@ TEST_SUITE("cli") {
 TEST_SUITE("unit") {
   TEST_CASE("a script quotes special characters of the shell") {
     const std::string script = taut::cli::emit_script(taut::cli::find_emit_form("slurm"), "two\nlines", 3, 4,
-                                                      {"taut", "a b", "it's", "x=1,2:3"});
+                                                      false, {"taut", "a b", "it's", "x=1,2:3"});
     CHECK(contains(script, "exec taut 'a b' 'it'\\''s' x=1,2:3 --index"));
     CHECK(contains(script, "# two lines: 3 runs"));
     CHECK(contains(script, "--cpus-per-task=4\n"));

@@ -108,6 +108,18 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "out/run.lock"));
   }
 
+  TEST_CASE("a file that another process keeps locked is an output error, and no temporary file is left") {
+    const TemporaryFolder folder;
+    const Outcome outcome = watched(tiny_run(folder, "out", {"--no-render"}), "TAUT_LOCKED=1");
+    CHECK(outcome.code == 4);
+    CHECK(contains(outcome.err, "run.json: cannot be written: another process has locked it for a minute"));
+    CHECK_FALSE(fs::exists(folder / "out/run.json.tmp"));
+    fs::create_directories(folder / "out");
+    std::ofstream(folder / "out/run.json.tmp") << "of the other process";
+    CHECK(watched(tiny_run(folder, "out", {"--no-render"}), "TAUT_LOCKED=1").code == 4);
+    CHECK(fs::exists(folder / "out/run.json.tmp"));
+  }
+
   TEST_CASE("a lock on a lock file that another process has just removed does not count") {
     const TemporaryFolder folder;
     std::ostringstream err;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "cli/text/json.hpp"
+#include "cli/text/json_cursor.hpp"
 #include "engine/error.hpp"
 
 using namespace taut;
@@ -36,7 +37,22 @@ TEST_SUITE("unit") {
     // clang-format on
     for (const char* wrong : {"", "{", "[1,]", "{\"a\": 1, \"a\": 2}", "1 2", "1e999", "\"\x80\""})
       CHECK_THROWS_AS(parse_json(wrong, "a.json"), UsageError);
-    CHECK_NOTHROW(parse_json(std::string(65, '[') + std::string(65, ']'), "a.json"));
-    CHECK_THROWS_AS(parse_json(std::string(66, '[') + std::string(66, ']'), "a.json"), UsageError);
+    for (const std::string innermost : {"", "1", "{}"}) {
+      const auto nested = [&](std::size_t levels) {
+        const std::size_t arrays = levels - (innermost == "{}");
+        return std::string(arrays, '[') + innermost + std::string(arrays, ']');
+      };
+      CHECK_NOTHROW(parse_json(nested(64), "a.json"));
+      CHECK_THROWS_AS(parse_json(nested(65), "a.json"), UsageError);
+    }
+  }
+
+  TEST_CASE("a cursor that reads texts as numbers also does so below keys and in arrays") {
+    const std::string file = "a.json";
+    const Json json = parse_json(R"({"a": ["1.5", "x"], "b": "2"})", file);
+    const JsonCursor cursor(json, file, "", /*texts_are_numbers=*/true);
+    CHECK(cursor.at("b").number() == 2.0);
+    CHECK(cursor.at("a").items()[0].number() == 1.5);
+    CHECK(cursor.at("a").items()[1].number() == std::nullopt);
   }
 }

@@ -420,9 +420,9 @@ TEST_SUITE("unit") {
     const std::vector<Point> places = {{0, 0, 0},  {dp, 0, 0},  {0, dp, 0},  {dp, dp, 0},
                                        {0, 0, dp}, {dp, 0, dp}, {0, dp, dp}, {dp, dp, dp}};
     const Shape given = GivenParticles(places, std::vector<double>(8, dp * dp * dp), 3);
-    const auto refusal = [&](const Shape& shape) -> std::string {
+    const auto refusal = [&](const Shape& shape, const char* method = "oenog") -> std::string {
       try {
-        make_simulation(scene_of({shape, block}), with_method("oenog"));
+        make_simulation(scene_of({shape, block}), with_method(method));
       } catch (const SceneError& error) {
         CHECK(error.key == (shape.as<Box>() ? "body.body 0" : "contact"));
         return error.what();
@@ -444,6 +444,8 @@ TEST_SUITE("unit") {
     CHECK(refusal_of_fin().find("too thin") != std::string::npos);
     for (const char* part : {"'surface'", "one by one", "penalty"})
       CHECK(refusal(given).find(part) != std::string::npos);
+    CHECK(refusal(given).ends_with("; allowed: penalty, impulse, lennard-jones"));
+    CHECK(refusal(given, "enog").ends_with("; allowed: sph, impulse, penalty, lennard-jones"));
     Scene scene = scene_of({given, block});
     scene.contact = ContactLaw::published;
     CHECK_NOTHROW(make_simulation(scene, with_method("oenog")));

@@ -151,6 +151,26 @@ TEST_SUITE("unit") {
     CHECK_THROWS_WITH_AS(make_initial_particles(scene), doctest::Contains("no element"), SceneError);
   }
 
+  TEST_CASE("element mesh: a part that contains no middle of an element is refused") {
+    for (const int order : {1, 2}) {
+      CAPTURE(order);
+      Scene scene = scene_of(2, order, {Box{{0, 0, 0}, {1, 0.4, 0}}});
+      scene.materials.push_back(scene.materials[0]);
+      const double size = 0.1 * order;
+      const auto part_to = [&](double x) {
+        scene.bodies[0].parts = {{1, [=](const Point& at) { return at[0] < x ? 1.0 : 0.0; }}};
+      };
+      part_to(0.51 * size);
+      CHECK(std::ranges::count(make_initial_particles(scene).mesh.material, 1) == 4 / order);
+      part_to(0.49 * size);
+      for (const bool on_boundary : {false, true}) {
+        scene.bodies[0].on_boundary = on_boundary;
+        CHECK_THROWS_WITH_AS(make_initial_particles(scene), doctest::Contains("parts[0]: no element of body"),
+                             SceneError);
+      }
+    }
+  }
+
   TEST_CASE("element mesh: a traction acts on the face of its layer, a force on the whole region") {
     for (const int order : {1, 2}) {
       Scene scene = scene_of(3, order, {Box{{0, 0, 0}, {1, 0.4, 0.4}}});

@@ -19,7 +19,7 @@ readers=(
   "sweep/results.csv sweep/results.json|0 2|chart sweep --json"
   "sweep/results.csv sweep/results.json|0 2|map sweep --out map.svg"
   "sweep/results.csv sweep/results.json|0 1 2|choose $scene --set until=0.002 --from sweep"
-  "sweep/* sweep/*/*|0 2|sweep $scene --grid speed=0.4,0.8 --until 0.002 --quiet --out sweep"
+  "sweep/* sweep/*/*|0 2 4|sweep $scene --grid speed=0.4,0.8 --until 0.002 --quiet --out sweep"
   "sweep/* sweep/*/*|0 2|sweep $scene --grid speed=0.4,0.8 --until 0.002 --list --out sweep"
   "sweep/*/run.json|0 2|sweep $scene --grid speed=0.4,0.8 --until 0.002 --index 0 --quiet --out sweep"
   "baseline/*|0 1 2|snapshot $scene --until 0.002 --quiet --out x --baseline baseline"
@@ -97,7 +97,7 @@ trial() {
   cp -a "$ground/all/." .
   choose_file
   choose cut_short cut_short cut_short "flip_bits 1" "flip_bits 1" "flip_bits 1" "flip_bits 20" zeroes twice digits digits \
-    digits lines_mixed empty gone a_folder a_dead_link a_loop other_file
+    digits lines_mixed empty gone a_folder a_dead_link a_loop endless other_file
   damage=$chosen
   before=$(wc -l <"$findings")
   [[ -s $file ]] && $damage 2>/dev/null
