@@ -43,7 +43,7 @@ class DiscPainter {
   std::vector<std::uint32_t> end_;  // 0, then each band's end in `sorted_`
   std::vector<std::uint32_t> sorted_;
   std::vector<std::uint32_t> color_;  // samples of a band; bytes B, G, R, 255
-  // of samples: below 0.5 inside a disc, 0.5 to 1 on its rim, 1 without a disc
+  // [sample] below 0.5 inside a disc, 0.5 to 1 on its rim, 1 without a disc
   std::vector<float> depth_;
   std::vector<std::uint8_t> touched_;  // tiles of the band
   std::vector<std::uint8_t> was_drawn_;

@@ -196,7 +196,9 @@ Json table_schema(std::span<const KeyInfo> keys, int dim) {
   if (!needed.empty()) schema["required"] = needed;
   std::vector<Json> alternatives;
   for (const Keys& choice : choices(keys)) alternatives.push_back(requires_keys(choice));
-  if (!alternatives.empty()) schema["oneOf"] = array_of(std::move(alternatives));
+  const bool both =
+      std::ranges::any_of(keys, [](const KeyInfo& key) { return key.by_default.ends_with(" or both"); });
+  if (!alternatives.empty()) schema[both ? "anyOf" : "oneOf"] = array_of(std::move(alternatives));
   return schema;
 }
 

@@ -216,8 +216,7 @@ std::vector<std::string> legend(const Chart& chart, const Layout& layout) {
         point_size("1.3")));
   if (chance)
     all.emplace_back(
-        "keyentry with points pointtype 6 linewidth 3.5 pointsize 0.9 linecolor '#555555' "
-        "title 'dot: finer run worse'");
+        "keyentry with points pointtype 6 linewidth 3.5 linecolor '#555555' title 'dot: finer run worse'");
   return all;
 }
 

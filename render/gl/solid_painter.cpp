@@ -19,8 +19,7 @@ namespace {
 // per direction
 constexpr int samples = 2;
 
-// of 8 bytes
-constexpr int samples_per_band = 1 << 24;
+constexpr int samples_per_band = 1 << 24;  // 8 bytes each
 
 // x to the right, y downwards, z towards the camera
 constexpr std::array<float, 3> to_light = {-0.32f, -0.44f, 0.839f};

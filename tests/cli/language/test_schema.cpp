@@ -113,7 +113,7 @@ TEST_SUITE("cli") {
     CHECK(verdict("grid.v0 = 1\nchart.cost = 'hours'") == Texts{"chart.cost"});
     CHECK(verdict("grid.v0 = 1\nchrt.cost = 'steps'") == Texts{"chrt"});
     CHECK(verdict("") == Texts{"the file"});
-    CHECK(verdict("grid.v0 = 1\nrow = [{ v0 = 1 }]") == Texts{"the file"});
+    CHECK(verdict("grid.v0 = 1\nrow = [{ v0 = 2 }]") == Texts{"valid"});
   }
 
   TEST_CASE("schema: invalid suites are refused") {

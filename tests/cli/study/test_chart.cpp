@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include "cli/study/chart.hpp"
-#include "cli/study/csv.hpp"
 #include "engine/error.hpp"
 #include "tests/support/path_variable.hpp"
 #include "tests/support/relative.hpp"
@@ -253,21 +252,6 @@ TEST_SUITE("cli") {
     CHECK(color(script, "tl") != color(script, "og"));
   }
 
-  TEST_CASE("a note names the contact law of a chart, or says that methods have different laws") {
-    const TemporaryFolder folder;
-    const auto script_of = [&](const std::string& law) {
-      const std::string file = write_results(folder / law,
-                                             "finished,tl,tl,0.4,10,stable,,0.3,2,4,,penalty\n"
-                                             "finished,og,og,0.4,10,stable,,0.2,2,8,," +
-                                                 law + "\n",
-                                             "rod", "none,contact");
-      REQUIRE(call({"chart", file, "--out", folder.str("c.svg")}).code == 0);
-      return text_of(folder / "c.gp");
-    };
-    CHECK(contains(script_of("penalty"), "all with penalty contact"));
-    CHECK(contains(script_of("sph"), "; each method with its own contact law"));
-  }
-
   TEST_CASE("--stable-only excludes unstable runs, and a note counts them") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", converging);
@@ -508,15 +492,5 @@ TEST_SUITE("cli") {
     CHECK(fs::exists(folder / "chart.gp"));
     CHECK(fs::exists(folder / "chart.dat"));
     CHECK_FALSE(fs::exists(folder / "chart.png"));
-  }
-
-  TEST_CASE("a CSV table is read back as it was written") {
-    const std::string odd = "a \"b\", c\nd";
-    const auto table = taut::cli::parse_csv("x,y\r\n" + taut::cli::csv_cell(odd) + ",\n,2", "t.csv");
-    CHECK(table.columns == Texts{"x", "y"});
-    REQUIRE(table.rows.size() == 2);
-    CHECK(table.rows[0] == Texts{odd, ""});
-    CHECK(table.rows[1] == Texts{"", "2"});
-    CHECK_THROWS_AS(taut::cli::parse_csv("x,y\n\"a\"b,c\n", "t.csv"), taut::UsageError);
   }
 }

@@ -102,8 +102,9 @@ TEST_SUITE("cli") {
       return outcome.out;
     };
     const std::string accurate = "accurate enough", allow = "\nAllow more time, or sweep other methods.\n",
-                      longer = "\nThe cheapest run that is accurate enough takes longer: "
-                               "icb at a spacing of 0.4 m, error 0.8 %, 30 s.",
+                      longer =
+                          "\nThe cheapest run that is accurate enough takes longer: "
+                          "icb at a spacing of 0.4 m, error 0.8 %, 30 s.",
                       none = "There is no stable run with a measured error";
     const std::string contradicted = choose(runs, {"--error", "1%", "--seconds", "5"});
     CHECK(contains(contradicted, "Finer runs of the same method do not confirm this error.\n"));
@@ -116,9 +117,10 @@ TEST_SUITE("cli") {
     const std::string inaccurate =
         choose("finished,tl,tl,0.2,20,stable,,0.05,2,8,\n" + runs.substr(runs.find("finished,icb")),
                {"--error", "1%", "--seconds", "9"});
-    CHECK(contains(inaccurate, "No run in this time is accurate enough. "
-                               "The smallest error of a stable run in this time: "
-                               "tl at a spacing of 0.2 m, error 5 %, 8 s.\n"));
+    CHECK(contains(inaccurate,
+                   "No run in this time is accurate enough. "
+                   "The smallest error of a stable run in this time: "
+                   "tl at a spacing of 0.2 m, error 5 %, 8 s.\n"));
     CHECK(contains(inaccurate, longer));
     const std::string torn = "finished,og,og,0.2,20,fractured,0.1,0.001,2,2,\n";
     for (const Texts& limits : {Texts{}, {"--seconds", "9"}, {"--error", "1%"}}) {

@@ -10,6 +10,7 @@
 #include "cli/study/stored_results.hpp"
 #include "engine/error.hpp"
 #include "tests/support/results_file.hpp"
+#include "tests/support/sweep_folder.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -206,5 +207,30 @@ TEST_SUITE("cli") {
     CHECK(contains(error_of(plot), "history.csv: no row has numbers in both columns 't' and 'energy'"));
     write(folder / "history.csv", "t,energy\n0,inf\n1,3\n");
     CHECK_NOTHROW(plot());
+  }
+
+  TEST_CASE("a CSV table is read back as it was written") {
+    const std::string odd = "a \"b\", c\nd";
+    const auto table = taut::cli::parse_csv("x,y\r\n" + taut::cli::csv_cell(odd) + ",\n,2", "t.csv");
+    CHECK(table.columns == Texts{"x", "y"});
+    REQUIRE(table.rows.size() == 2);
+    CHECK(table.rows[0] == Texts{odd, ""});
+    CHECK(table.rows[1] == Texts{"", "2"});
+    CHECK_THROWS_AS(taut::cli::parse_csv("x,y\n\"a\"b,c\n", "t.csv"), taut::UsageError);
+  }
+
+  TEST_CASE("a note names the contact law of a chart, or says that methods have different laws") {
+    const TemporaryFolder folder;
+    const auto script_of = [&](const std::string& law) {
+      const std::string file = write_results(folder / law,
+                                             "finished,tl,tl,0.4,10,stable,,0.3,2,4,,penalty\n"
+                                             "finished,og,og,0.4,10,stable,,0.2,2,8,," +
+                                                 law + "\n",
+                                             "rod", "none,contact");
+      REQUIRE(call({"chart", file, "--out", folder.str("c.svg")}).code == 0);
+      return text_of(folder / "c.gp");
+    };
+    CHECK(contains(script_of("penalty"), "all with penalty contact"));
+    CHECK(contains(script_of("sph"), "; each method with its own contact law"));
   }
 }

@@ -32,6 +32,12 @@ void lay_particles(Run& run, const Scene& scene, const Lay& lay) {
   }
 }
 
+/// The transcriptions have no contact of faces: `penalty` replaces `surface`.
+inline Scene with_contact_of_particles(Scene scene, const std::string& method) {
+  if (find_method(method)->contact == ContactLaw::surface) scene.contact = ContactLaw::penalty;
+  return scene;
+}
+
 /// Value of a constant in the settings, else its default, else 0.
 inline double constant_of(const Settings& settings, int dim, const std::string& name) {
   const auto set = settings.constants.find(name);

@@ -61,7 +61,8 @@ void check_ulsph_methods(const Scene& scene, Stepping stepping) {
     check_ulsph(scene, name, stepping);
 }
 
-void check_total_lagrangian(const Scene& scene, const std::string& name) {
+void check_total_lagrangian(const Scene& given, const std::string& name) {
+  const Scene scene = with_contact_of_particles(given, name);
   CAPTURE(name);
   naive_reference::Run<3> run = after_steps(naive_total_lagrangian<3>(scene, with_method(name)), steps);
   run.deform();
@@ -95,8 +96,9 @@ void check_total_lagrangian(const Scene& scene, const std::string& name) {
   check_field("stress", engine_sigma, sigma);
 }
 
-void check_mixed(const Scene& scene, const std::string& name, double projection,
+void check_mixed(const Scene& given, const std::string& name, double projection,
                  const char* printed = nullptr) {
+  const Scene scene = with_contact_of_particles(given, name);
   CAPTURE(name);
   const Material& material = scene.materials[0];
   Settings settings = with_method(name);

@@ -22,7 +22,8 @@ namespace {
 constexpr int steps = 60;
 constexpr int mixed_steps = 60;
 
-void check_method(const Scene& scene, const std::string& name, const std::string& law) {
+void check_method(const Scene& given, const std::string& name, const std::string& law) {
+  const Scene scene = with_contact_of_particles(given, name);
   CAPTURE(name);
   CAPTURE(law);
   Settings settings = with_method(name);
@@ -66,7 +67,8 @@ void check_methods(const Scene& scene) {
     check_method(scene, "tl", law);
 }
 
-void check_mixed(const Scene& scene, const std::string& name, const Settings& settings) {
+void check_mixed(const Scene& given, const std::string& name, const Settings& settings) {
+  const Scene scene = with_contact_of_particles(given, name);
   CAPTURE(name);
   naive_lee::Run<2> run = after_steps(naive_mixed<2>(scene, settings), mixed_steps);
   const Snapshot now = state_after(mixed_steps, scene, settings);
