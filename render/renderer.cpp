@@ -163,7 +163,7 @@ void Renderer::Parts::check(const FrameView& frame) const {
   if (frame.x.size() != dim * n || frame.diameter.size() != n ||
       (!frame.cell.empty() && frame.cell.size() != dim * dim * n) || frame.triangle.size() % 3 != 0 ||
       std::ranges::any_of(frame.triangle, [n](std::uint32_t point) { return point >= n; })) {
-    throw std::logic_error("the arrays of a frame do not have the same number of particles");
+    throw std::logic_error("the arrays of a frame differ in length, or its triangles are incomplete");
   }
 }
 

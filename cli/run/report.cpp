@@ -135,7 +135,7 @@ std::string run_report(const RunPlan& plan, const RunResult& result) {
       {"verdict", verdict_line(record)},
       {"indicators", indicators_line(record)},
       {"drift", fmt::format("{}, linear momentum {}, angular momentum {}",
-                            drift.energy ? "energy " + brief(*drift.energy) : "energy none",
+                            drift.energy ? "energy " + brief(*drift.energy) : "energy unknown",
                             share(drift.linear_momentum), share(drift.angular_momentum))},
       {"speed", fmt::format("{} particle-steps/s on {} thread{}",
                             with_prefix(record.particle_steps_per_second().value_or(0)), record.threads,

@@ -53,7 +53,8 @@ Json point_json(const ChartPoint& point) {
 
 std::string orders_table(const Chart& chart) {
   std::vector<std::vector<std::string>> rows{{"method", "order", "runs", "finest, m", "its error",
-                                              is_time(chart.cost) ? "its s" : "its steps", "not stable"}};
+                                              is_time(chart.cost) ? "its s" : "its particles × steps",
+                                              "not stable"}};
   for (const ChartSeries& series : chart.series) {
     const ChartPoint& finest = series.points.back();
     const auto unstable = std::ranges::count(series.points, false, &ChartPoint::stable);
@@ -140,7 +141,7 @@ std::vector<std::string> footnotes(const Chart& chart) {
   if (!chart.fixed.empty()) what += "; all with " + join(chart.fixed);
   if (chart.several_contacts) what += "; each method with its own contact law";
   if (chart.left_out > 0) what += fmt::format("; without {} runs that are not stable", chart.left_out);
-  if (has_zero(chart)) what += "; points on an axis: an error or a cost of 0";
+  if (has_zero(chart)) what += "; points on an axis: an error of 0 or an unknown cost";
   std::vector<std::string> notes{what};
   const std::string references = join(chart.references, "; ");
   if (!chart.against.empty())

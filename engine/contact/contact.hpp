@@ -11,8 +11,8 @@
 namespace taut {
 
 /// Contact of bodies, folds and walls. Forces in N, impulses in N s, energies in J (per metre depth in 2D).
-/// In each step call `prepare`, move positions, call `evaluate`, add `force` if `acting`, call `stop_approach`. After
-/// particles are reordered, call `search`.
+/// In each step call `prepare` before positions change, `evaluate` wherever forces are needed, then `stop_approach`.
+/// Add `force` if `acting`. After particles are reordered, call `search`.
 template <int Dim>
 class Contact {
  public:

@@ -78,7 +78,8 @@ struct ShapeBase {
   /// Closed chains of points on the faces, about dp apart and at each corner, with the solid on the left.
   /// Empty in 3D.
   virtual std::vector<Chain> outline(int dim, double dp) const;
-  /// Combined shapes give their parts a finer dp, not below `finest`.
+  /// Outline of this shape as a part of a combined shape. If it is itself combined, its parts get a finer dp, not below
+  /// `finest`.
   virtual std::vector<Chain> outline_of_part(int dim, double dp, double finest) const;
   virtual FacePatches patches(double dp) const;
   /// Map between lattice and space; a shape may rotate the lattice.

@@ -190,8 +190,7 @@ TEST_SUITE("cli") {
     CHECK(fs::exists(folder / "map.png"));
   }
 
-  TEST_CASE(
-      "sweep --json contains the runs of results.json, and sweep --junit has a test case for each run") {
+  TEST_CASE("sweep --json contains the runs of results.json, and --list refuses --junit") {
     const TemporaryFolder folder;
     const Texts grid{
         "--grid", "cfl=0.5,20", "--until", "0.01", "--json", "--junit", folder.str("new/junit.xml")};

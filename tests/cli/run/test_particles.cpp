@@ -68,7 +68,8 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("saving particles does not alter a run, and only the requested fields are saved") {
+  TEST_CASE(
+      "saving particles does not alter a run, and body and material are saved with the requested fields") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "with", {"--save-particles", "--fields", "speed,pressure"})).code == 0);
     REQUIRE(call(tiny_run(folder, "without")).code == 0);

@@ -65,7 +65,7 @@ struct Particle {
 
 struct Counts {
   long tension = 0, compression = 0, viscous = 0, inner = 0, outer = 0, diffused = 0, contacts = 0;
-  long limited = 0, flattened = 0;  // slopes, per particle of a pair
+  long limited = 0, flattened = 0;  // slopes that a limiter reduced, set to 0
 };
 
 template <int Dim>
