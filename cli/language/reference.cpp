@@ -229,7 +229,7 @@ std::string general_settings() {
 }
 
 const Texts sweep_rules{
-    "A sweep is a TOML file that runs a scene with every combination of its [grid], or once for each [[row]]: "
+    "A sweep is a TOML file that runs a scene with every combination of its [grid], once for each [[row]], or both: "
     "`taut sweep my-sweep.toml`.",
     fmt::format(
         "Names that can be set: the parameters of the scene; method.NAME, a constant of the method; {}.",

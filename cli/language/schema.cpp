@@ -141,8 +141,8 @@ Json schema_of(const KeyInfo& key, int dim) {
   return schema;
 }
 
-/// Sets of keys, such as {bodies} and {body, wall}, of which a table has exactly one. The default text of a key names
-/// the other sets.
+/// Sets of keys, such as {bodies} and {body, wall}, of which a table has exactly one, or at least one (" or both"). The
+/// default text of a key names the other sets.
 std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo> keys) {
   const std::string named = std::string(first.by_default) + " ";
   const auto is_named = [&](const KeyInfo& key) {

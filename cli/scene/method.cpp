@@ -16,7 +16,7 @@ namespace {
 const std::vector<ContactChoice>& contacts() {
   static const auto all = [] {
     std::vector<ContactChoice> choices{
-        {ContactLaw::published, "contact law of the method's paper: `taut describe METHOD`"}};
+        {ContactLaw::published, "default contact law of the method: `taut describe METHOD`"}};
     for (const ContactLawRow& row : contact_rows()) choices.push_back({row.law, row.help});
     return choices;
   }();

@@ -211,10 +211,10 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
   for (ChartSeries& series : chart.series) {
     std::ranges::sort(series.points, std::greater(), &ChartPoint::spacing);
     series.order = convergence_order(series.points);
-    double worst = 0;  // of finer runs
+    double worst = 0;  // of finer stable runs
     for (ChartPoint& point : std::views::reverse(series.points)) {
-      if (!point.error) continue;
-      point.by_chance = point.stable && *point.error < worst;
+      if (!point.stable || !point.error) continue;
+      point.by_chance = *point.error < worst;
       worst = std::max(worst, *point.error);
     }
   }

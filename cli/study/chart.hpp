@@ -40,7 +40,7 @@ struct ChartPoint {
   std::string verdict{}, folder{};
   std::string cfl{}, stepping{};  // empty: unknown
   bool stable = true;
-  bool by_chance = false;  // stable, but a finer run has a larger error
+  bool by_chance = false;  // stable, but a finer stable run has a larger error
 
   /// Unknown costs are the greatest.
   double ranked_cost() const { return cost > 0 ? cost : std::numeric_limits<double>::infinity(); }

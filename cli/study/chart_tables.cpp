@@ -139,7 +139,7 @@ std::vector<std::string> footnotes(const Chart& chart) {
               ? fmt::format(" to {} apart, each line from coarse to fine", shown_spacing(*all.rbegin()))
               : " apart";
   if (!chart.fixed.empty()) what += "; all with " + join(chart.fixed);
-  if (chart.several_contacts) what += "; each method with its own contact law";
+  if (chart.several_contacts) what += "; contact laws differ";
   if (chart.left_out > 0) what += fmt::format("; without {} runs that are not stable", chart.left_out);
   if (has_zero(chart)) what += "; points on an axis: an error of 0 or an unknown cost";
   std::vector<std::string> notes{what};

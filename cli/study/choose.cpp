@@ -84,8 +84,9 @@ std::string nothing_offered(const Chart& chart, std::optional<double> seconds) {
       quick |= in_time(point, seconds);
     }
   const char* const limit = seconds && measured ? " in this time" : "";
-  return quick ? fmt::format("Each stable run{} has a finer run of its method that is unstable or has no error.\n",
-                             limit)
+  return quick ? fmt::format(
+                     "Each stable run{} has a finer run of its method that is unstable or has no error.\n",
+                     limit)
                : fmt::format("There is no stable run with a measured error{}.\n", limit);
 }
 
@@ -112,11 +113,12 @@ std::string refusal(const Chart& chart, const ChoiceLimits& limits) {
   }
   const std::vector<Offer> slower = suitable_offers(chart, {limits.error, std::nullopt});
   if (slower.empty() || !(slower.front().point->cost > 0))
-    return text + "Sweep finer spacings or other methods.\n";
-  return text + fmt::format("The cheapest run that is accurate enough takes longer: {}, {}.\n"
-                            "Allow more time, or sweep other methods.\n",
-                            settings_of(*slower.front().series, *slower.front().point),
-                            result_of(chart, *slower.front().point));
+    return text + "Sweep other spacings or other methods.\n";
+  return text + fmt::format(
+                    "The cheapest run that is accurate enough takes longer: {}, {}.\n"
+                    "Allow more time, or sweep other methods.\n",
+                    settings_of(*slower.front().series, *slower.front().point),
+                    result_of(chart, *slower.front().point));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ struct ContactLaw {
 
   auto operator<=>(const ContactLaw&) const = default;
 
-  static const ContactLaw published;  // the law of the method's paper
+  static const ContactLaw published;  // the default law of the method
   static const ContactLaw sph, impulse, penalty, lennard_jones, surface;
 };
 

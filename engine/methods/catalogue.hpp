@@ -67,7 +67,7 @@ std::string_view material_law(const MethodInfo& method, const Settings& settings
 std::span<const ContactLawRow> contact_rows();
 /// Contact law of a run, never `published`. Throws SceneError if the method cannot use the scene's law.
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method);
-/// The method's published contact law; `penalty` instead of `surface` if bodies have no faces.
+/// The method's default contact law; `penalty` instead of `surface` if bodies have no faces.
 ContactLaw published_contact(const Scene& scene, const MethodInfo& method);
 
 }  // namespace taut

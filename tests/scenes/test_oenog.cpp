@@ -214,7 +214,7 @@ TEST_SUITE("failure") {
   }
 
   TEST_CASE(
-      "colliding rings: at 0.16 c0 pf-jst and pfj-jst survive the crease with a short kernel or dissipation") {
+      "colliding rings: at 0.16 c0 and 1.25 mm pf-jst and pfj-jst survive the crease with a short kernel or dissipation") {
     const auto fastest = [](const char* method, const char* h, const char* eps,
                             const char* contact = "surface") {
       SceneFile file =

@@ -89,7 +89,7 @@ TEST_SUITE("cli") {
     CHECK(far.code == 1);
     CHECK(contains(far.out, "No run is accurate enough"));
     CHECK(contains(far.out, "icb at a spacing of 0.2 m"));
-    CHECK(contains(far.out, "\nSweep finer spacings or other methods.\n"));
+    CHECK(contains(far.out, "\nSweep other spacings or other methods.\n"));
   }
 
   TEST_CASE("choose says whether accuracy, time, stability or a finer run is the reason for no choice") {

@@ -219,7 +219,7 @@ TEST_SUITE("cli") {
     CHECK_THROWS_AS(taut::cli::parse_csv("x,y\n\"a\"b,c\n", "t.csv"), taut::UsageError);
   }
 
-  TEST_CASE("a note names the contact law of a chart, or says that methods have different laws") {
+  TEST_CASE("a note names the contact law of a chart, or says that the laws differ") {
     const TemporaryFolder folder;
     const auto script_of = [&](const std::string& law) {
       const std::string file = write_results(folder / law,
@@ -231,6 +231,6 @@ TEST_SUITE("cli") {
       return text_of(folder / "c.gp");
     };
     CHECK(contains(script_of("penalty"), "all with penalty contact"));
-    CHECK(contains(script_of("sph"), "; each method with its own contact law"));
+    CHECK(contains(script_of("sph"), "; contact laws differ"));
   }
 }
