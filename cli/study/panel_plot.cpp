@@ -108,7 +108,7 @@ std::string legend_of(const PanelPlot& plot, const Layout& layout) {
   return text + "unset key\nset tics\n";
 }
 
-/// Range that shows two ticks.
+/// Range with a margin; the ends differ by a factor of at least 3.
 std::pair<double, double> log_range(double low, double high) {
   const double margin = std::max(1.15, std::sqrt(3 / (high / low)));
   return {low / margin, high * margin};

@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Term j of L_i⁻¹ ∇ρ, kg/m⁴. [Khayyer2024] Eq. 35
+/// Term j of the uncorrected density gradient, kg/m⁴; ∇ρ is L_i times the sum. [Khayyer2024] Eq. 35
 template <class T, int Dim>
 Vec<T, Dim> density_gradient_term(const T& rho_i, const T& rho_j, const T& V_j, const T& dW,
                                   const Vec<T, Dim>& e_ij) {

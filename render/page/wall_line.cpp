@@ -12,7 +12,7 @@ void draw_wall_line(Canvas& canvas, const Rect& plot, double x, double y, double
   const double along = to_middle_x * tx + to_middle_y * ty, off = to_middle_x * nx + to_middle_y * ny;
   const double reach = 0.5 * std::hypot(plot.width, plot.height) + em;
   constexpr double farthest = 1e9;  // pixels; beyond, rounding makes places inexact
-  // false for NaN
+  // returns for NaN, too
   if (!(std::abs(off) < reach && std::abs(along) < farthest)) return;
   cairo_t* cairo = canvas.cairo();
   cairo_save(cairo);

@@ -12,7 +12,7 @@ constexpr const char* usage =
     "standard output; energy and CPU time go to standard error.\n\n"
     "  --refine N    multiplies the number of elements along each axis (default 1)\n"
     "  --courant C   time step over the transit time of a wave between two nodes (default 0.8)\n"
-    "  --until T     time of the last row, s (default: as in the stored table)\n";
+    "  --until T     ends the table at T, s, if the stored table ends later\n";
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // A table that can be sorted and filtered.
 
-/** Words that must all match: "error<0.01", "method!=og" or a text in any cell. */
+/** Words that must all match: "seconds.solve<10", "method!=og" or a text in any cell. A column is named by its label, the
+    beginning of its label, or its key. */
 function filter_of(words, columns) {
   const tests = words.trim().split(/\s+/).filter(Boolean).map((word) => {
     const [, name, sign, value] = word.match(/^(.+?)(<=|>=|!=|<|>|=)(.*)$/) || [];
@@ -28,7 +29,8 @@ function compare_cells(a, b) {
   return String(a).localeCompare(String(b), 'en', {numeric: true});
 }
 
-/** `columns`: {key, label, show(row) → node}; `rows`: objects by key. `listen` gets the rows that the filter leaves. */
+/** `columns`: {key, label, shown: at first, show(row) → node or null}; `rows`: objects by key. `listen` gets the rows that
+    the filter leaves. */
 function data_table(title, columns, rows, listen) {
   let sorted_by = null, ascending = true;
   const chosen = new Set(columns.filter((column) => column.shown).map((column) => column.key));
@@ -37,7 +39,7 @@ function data_table(title, columns, rows, listen) {
   const search = element('input', {
     type: 'search',
     size: 34,
-    placeholder: 'verdict=stable error<0.01',
+    placeholder: 'verdict=stable seconds.solve<10',
     oninput: () => draw(),
     'aria-label': 'Filter: words, or COLUMN=VALUE, COLUMN<NUMBER'
   });

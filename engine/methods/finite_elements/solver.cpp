@@ -216,7 +216,7 @@ void FiniteElements<Dim>::update_rate() {
   if (!(rate_ <= greatest_rate_ratio * first_rate_)) throw_crushed();
 }
 
-/// Throws NumericalError with the first node of the most crushed element.
+/// Throws NumericalError with the first node of the most crushed element, or of the first whose J is not a number.
 template <int Dim>
 void FiniteElements<Dim>::throw_crushed() const {
   const int N = mesh_.nodes_of_each();
@@ -226,7 +226,8 @@ void FiniteElements<Dim>::throw_crushed() const {
   double least = std::numeric_limits<double>::infinity();
   with_strains(groups, [&](int element, const auto& F_at) {
     for (int q = 0; q < N; ++q)
-      if (const double J = determinant(F_at(q)); !(J >= least)) worst = element, least = J;
+      if (const double J = determinant(F_at(q)); !(J >= least) && !std::isnan(least))
+        worst = element, least = J;
   });
   const int node = p_.id[mesh_.node[N * worst]];
   throw NumericalError(common_.run.steps, common_.run.time, node, "deformation",
