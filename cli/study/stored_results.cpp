@@ -18,6 +18,7 @@
 #include "cli/text/shown.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
+#include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {
 namespace {
@@ -366,10 +367,14 @@ std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& ru
 }
 
 std::string series_name(const StoredRun& run, const std::vector<std::string>& columns) {
+  const MethodInfo* const method = find_method(run.method());
   std::string name = run.method();
-  for (const std::string& column : columns)
-    if (const std::string value = value_of(run, without_prefix(column)); !value.empty())
-      name += fmt::format(", {}={}", without_prefix(column), value);
+  for (const std::string& column : columns) {
+    const std::string value = value_of(run, without_prefix(column));
+    const bool is_default_contact = without_prefix(column) == "contact" && run.text("set.contact").empty() &&
+                                    method && value == method->contact.name;
+    if (!value.empty() && !is_default_contact) name += fmt::format(", {}={}", without_prefix(column), value);
+  }
   return name;
 }
 

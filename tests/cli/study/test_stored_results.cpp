@@ -233,4 +233,17 @@ TEST_SUITE("cli") {
     CHECK(contains(script_of("penalty"), "all with penalty contact"));
     CHECK(contains(script_of("sph"), "; contact laws differ"));
   }
+
+  TEST_CASE("the name of a line lacks the default contact law of its method") {
+    const TemporaryFolder folder;
+    const std::string file = write_results(folder.path(),
+                                           "finished,tl,tl,0.4,10,stable,,0.3,2,4,,surface\n"
+                                           "finished,tl,tl,0.4,10,stable,,0.2,2,8,penalty,penalty\n"
+                                           "finished,og,og,0.4,10,stable,,0.2,2,8,,sph\n",
+                                           "rod", "contact,contact");
+    Texts names;
+    for (const ChartSeries& series : make_chart(read_results({file}), {}).series)
+      names.push_back(series.name);
+    CHECK(names == Texts{"tl", "tl, contact=penalty", "og"});
+  }
 }
