@@ -8,7 +8,8 @@
 
 namespace taut {
 
-/// Methods of [Zhang2024], [Zhang2024b] and [SPHinXsys2025] with position Verlet and dual-criteria time stepping (§5).
+/// Methods of [Zhang2024], [Zhang2024b] and [SPHinXsys2025] with the position Verlet and dual-criteria time stepping of
+/// [Zhang2024] §5.
 template <int Dim>
 class UlSplit final : public Scheme<Dim> {
  public:

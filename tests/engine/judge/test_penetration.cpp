@@ -143,7 +143,7 @@ TEST_SUITE("unit") {
     CHECK(penetration(now) == 0);
   }
 
-  TEST_CASE("penetration: a body penetrates another from a depth of 0.29 spacings behind two particles") {
+  TEST_CASE("penetration: a particle penetrates a body from 0.29 spacings behind its outermost row") {
     const Snapshot start = two_blocks();
     const auto inside = [&](double right, double up) {
       Snapshot now = start;

@@ -49,8 +49,8 @@ Dual<Components> operator/(double a, const Dual<Components>& b) {
   return Dual<Components>(a) / b;
 }
 
-/// Transcription of oenog; shares initial particles, bonds and interfaces with the solver. In 2D one body, in 3D
-/// several bodies of one material.
+/// Transcription of oenog; shares initial particles, bonds and interfaces with the solver. In 2D one body; in
+/// 3D, bodies that touch have one material.
 template <int Dim>
 class NaiveOenogIn {
  public:
@@ -80,7 +80,8 @@ class NaiveOenogIn {
   const Interfaces& interfaces() const { return interfaces_; }
   double contacts = 0;  // ordered pairs, summed over steps
 
-  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))], except at interfaces. Bonds use `modulus` for G; λ° must be in ½ … 2.
+  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))], in 2D without the face terms (THEORY.md), and different at interfaces.
+  /// Bonds use `modulus` for G; λ° must be in ½ … 2.
   double energy(const Places& at) const {
     double E = 0;
     for (int i = 0; i < size(); ++i) {
@@ -171,7 +172,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// [TranDuc2023] Eq. 2.13.
+  /// [TranDuc2023] Eq. 2.13 with `contact_stiffness` 2.
   Places push() {
     Places f(x.size());
     const auto near = neighbors_within(scene_.spacing, x);
