@@ -116,11 +116,11 @@ std::string frame(const Chart& chart, const Layout& layout) {
   text += fmt::format("set tmargin screen {}\nset bmargin screen {}\nset lmargin screen 0.075\n",
                       1 - above / height, layout.foot() / height);
   text += fmt::format("set rmargin screen {}\n", right_margin(layout.names));
-  // gnuplot would put entries without room into a column beyond the picture; 4: slopes and kinds of markers
-  const double entries = static_cast<double>(layout.names.size()) + 4, room = field + layout.foot();
+  // gnuplot puts entries beyond the height of the graph into a column beyond the picture; 4: slopes, kinds of markers
+  const double entries = static_cast<double>(layout.names.size()) + 4, graph = height - above - layout.foot();
   text += fmt::format("set key at screen {}, screen {} left top Left reverse samplen 4 spacing {}\n",
-                      right_margin(layout.names) + 0.008, room / height,
-                      brief(std::min(1.2, room / (17.5 * entries))));
+                      right_margin(layout.names) + 0.008, (layout.foot() + field) / height,
+                      brief(std::min(1.2, graph / (17.1 * entries))));
   text += "set border 3 back linecolor '#444444'\nset logscale xy\n";
   text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\n";
   text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", exact(layout.cost.low),
