@@ -67,13 +67,12 @@ void check_materials(const Scene& scene, const InitialParticles& initial, const 
   for (int i = 0; i < initial.size(); ++i) {
     if (same(scene.materials[initial.material[i]], scene.materials[first])) continue;
     const std::string &body = scene.bodies[initial.body[i]].name, &other = scene.bodies.front().name;
-    throw SceneError(
-        "body." + body,
-        fmt::format("method '{}' allows only one material; body '{}' has '{}'{} '{}'; "
-                    "methods for several materials: {}",
-                    method.name, body, scene.materials[initial.material[i]].name,
-                    initial.body[i] == 0 ? " and" : fmt::format(", but body '{}' has", other),
-                    scene.materials[first].name, of_several()));
+    throw SceneError("body." + body,
+                     fmt::format("method '{}' allows only one material; body '{}' has '{}'{} '{}'; "
+                                 "methods for several materials: {}",
+                                 method.name, body, scene.materials[initial.material[i]].name,
+                                 initial.body[i] == 0 ? " and" : fmt::format(", but body '{}' has", other),
+                                 scene.materials[first].name, of_several()));
   }
 }
 
