@@ -173,7 +173,7 @@ TEST_SUITE("determinism") {
       if (std::ranges::find(constants, "cfl_advection", &MethodConstant::name) == constants.end())
         CHECK(difference == 0);  // no geometry is kept between steps
       else
-        CHECK(difference > 1e-3 * scene.spacing);  // far beyond round-off
+        CHECK(difference > 1e-3 * scene.spacing);    // far beyond round-off
       const double most = method == "og" ? 1 : 0.1;  // og tears
       CHECK(difference < most * scene.spacing);
     });
