@@ -371,6 +371,7 @@ std::string series_name(const StoredRun& run, const std::vector<std::string>& co
   std::string name = run.method();
   for (const std::string& column : columns) {
     const std::string value = value_of(run, without_prefix(column));
+    // methods have different default laws, so this column distinguishes them even if nobody set a law
     const bool is_default_contact = without_prefix(column) == "contact" && run.text("set.contact").empty() &&
                                     method && value == method->contact.name;
     if (!value.empty() && !is_default_contact) name += fmt::format(", {}={}", without_prefix(column), value);

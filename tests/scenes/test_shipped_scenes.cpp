@@ -121,6 +121,19 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("analytic") {
+  TEST_CASE(
+      "oblique discs: methods without published contact do not spin smooth discs, but do with penalty") {
+    const auto spin = [](const char* method, const char* contact) {
+      CAPTURE(std::string(method));
+      const auto value = run("oblique-discs", method, 0.002, {}, {{"contact", contact}}).measure.at("spin");
+      REQUIRE(value);
+      return std::abs(*value);
+    };
+    for (const char* method : {"tl", "tl-hg", "tl-enog", "pf-jst", "pfj-jst", "pfhj-jst"})
+      CHECK(spin(method, "published") < 0.01);
+    CHECK(spin("tl", "penalty") > 0.1);
+  }
+
   TEST_CASE("ringing ring: only one mode rings, and its period converges to the exact one with the spacing") {
     const auto period = [](double spacing, double& later) {
       SceneFile file =
