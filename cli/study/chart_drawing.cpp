@@ -116,7 +116,8 @@ std::string frame(const Chart& chart, const Layout& layout) {
   text += fmt::format("set tmargin screen {}\nset bmargin screen {}\nset lmargin screen 0.075\n",
                       1 - above / height, layout.foot() / height);
   text += fmt::format("set rmargin screen {}\n", right_margin(layout.names));
-  // gnuplot puts entries beyond the height of the graph into a column beyond the picture; 4: slopes, kinds of markers
+  // gnuplot puts entries beyond the height of the graph into a column beyond the picture. An entry is 17.1
+  // pixels high at spacing 1; two slopes and two kinds of markers are entries, too
   const double entries = static_cast<double>(layout.names.size()) + 4, graph = height - above - layout.foot();
   text += fmt::format("set key at screen {}, screen {} left top Left reverse samplen 4 spacing {}\n",
                       right_margin(layout.names) + 0.008, (layout.foot() + field) / height,

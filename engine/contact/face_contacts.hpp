@@ -16,8 +16,8 @@
 namespace taut {
 
 /// Contact between overlapping faces in 2D (terms/surface_contact.hpp). Each node is pushed towards its closest point
-/// of the other face. The force is proportional to the length of the half segments at the node that face this point.
-/// Conserves linear and angular momentum.
+/// of the other face. The force is proportional to the length of the node's two half segments, as far as they face this
+/// point. Conserves linear and angular momentum.
 class FaceContacts final : public ContactMechanism<2> {
  public:
   using V = Vec<double, 2>;

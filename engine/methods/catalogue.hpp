@@ -41,7 +41,7 @@ struct MethodInfo {
   std::vector<TermInfo> terms;
   std::vector<MethodConstant> constants;  // in 2D
   double cfl;                             // default
-  ContactLaw contact;                     // published
+  ContactLaw contact;                     // default; scene files call it `published`
   std::vector<ContactLaw> contact_laws;
   bool keeps_neighbors;  // if true, contact also acts within a body
   bool several_materials;

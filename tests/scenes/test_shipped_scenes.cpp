@@ -122,7 +122,7 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("analytic") {
   TEST_CASE(
-      "oblique discs: methods without published contact do not spin smooth discs, but do with penalty") {
+      "oblique discs: total Lagrangian methods do not spin smooth discs by default, and tl does with penalty") {
     const auto spin = [](const char* method, const char* contact) {
       CAPTURE(std::string(method));
       const auto value = run("oblique-discs", method, 0.002, {}, {{"contact", contact}}).measure.at("spin");

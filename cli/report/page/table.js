@@ -29,7 +29,7 @@ function compare_cells(a, b) {
   return String(a).localeCompare(String(b), 'en', {numeric: true});
 }
 
-/** `columns`: {key, label, shown: at first, show(row) → node or null}; `rows`: objects by key. `listen` gets the rows that
+/** `columns`: {key, label, shown (at first), show(row) → node or null}; `rows`: objects by key. `listen` gets the rows that
     the filter leaves. */
 function data_table(title, columns, rows, listen) {
   let sorted_by = null, ascending = true;

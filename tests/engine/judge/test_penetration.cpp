@@ -143,7 +143,7 @@ TEST_SUITE("unit") {
     CHECK(penetration(now) == 0);
   }
 
-  TEST_CASE("penetration: a particle penetrates a body from 0.29 spacings behind its outermost row") {
+  TEST_CASE("penetration: a particle penetrates a body from 0.29 spacings behind the body's outermost row") {
     const Snapshot start = two_blocks();
     const auto inside = [&](double right, double up) {
       Snapshot now = start;

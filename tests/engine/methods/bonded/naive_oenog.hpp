@@ -80,7 +80,7 @@ class NaiveOenogIn {
   const Interfaces& interfaces() const { return interfaces_; }
   double contacts = 0;  // ordered pairs, summed over steps
 
-  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))], in 2D without the face terms (THEORY.md), and different at interfaces.
+  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))], in 2D minus the face terms (THEORY.md). Interfaces have other terms.
   /// Bonds use `modulus` for G; λ° must be in ½ … 2.
   double energy(const Places& at) const {
     double E = 0;
