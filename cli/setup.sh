@@ -1,10 +1,10 @@
-# Sourced by cli/quickstart and tests/run: installs packages and builds.
+# Functions that install packages and build.
 
 build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libosmesa6-dev libpng-dev libisal-dev libcli11-dev libtomlplusplus-dev
                 libmuparser-dev libfmt-dev nlohmann-json3-dev libcairo2-dev libfreetype-dev fonts-dejavu-core zlib1g-dev
                 libedit-dev libchafa-dev libglib2.0-dev libpolyclipping-dev libqhull-dev libjs-chart.js libwebp-dev
                 libassimp-dev gnuplot-nox librsvg2-bin)
-# libegl-dev to libgl1-mesa-dri: a second OpenGL context; chromium to python3-selenium: a browser
+# libegl-dev to libgl1-mesa-dri: for a second OpenGL context; chromium to python3-selenium: for tests in a browser
 test_packages=(doctest-dev help2man python3-junitparser python3-jsonschema dpkg-dev libegl-dev libopengl-dev
                libgl1-mesa-dri chromium chromium-driver python3-selenium)
 
@@ -40,7 +40,7 @@ and then run this script again."
   "${apt[@]}" update && "${install[@]}" || fail "apt-get could not install ${missing[*]}; its messages are above"
 }
 
-# is_configured FOLDER [-DNAME=VALUE...]: whether FOLDER was configured at this path with these options.
+# is_configured FOLDER [-DNAME=VALUE...]: whether FOLDER was configured from this source folder with these options.
 is_configured() {
   local cache=$1/CMakeCache.txt option
   [[ -f $1/build.ninja || -f $1/Makefile ]] && grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$cache" || return 1

@@ -20,7 +20,7 @@ class SceneError : public std::runtime_error {
 
   std::string file;
   int line;    // 1-based, 0 = unknown
-  int column;  // 1-based
+  int column;  // 1-based, 0 = unknown
   std::string key;
 };
 

@@ -20,7 +20,7 @@ struct FrameView {
   std::span<const double> value;     // in `unit`
   std::span<const double> cell;      // edge vectors, n × dim vectors, m; empty: round
   /// Three point numbers per triangle, in 3D anticlockwise from outside. `x` and `value` then belong to points; a
-  /// `diameter` above 0 marks a loose particle. Empty: particles.
+  /// `diameter` above 0 marks a loose particle. If empty, `x` and `value` belong to particles.
   std::span<const std::uint32_t> triangle;
   std::span<const double> outline, undeformed;  // 2D: four coordinates per segment, m
   std::span<const WallFace> walls;

@@ -14,13 +14,13 @@ enum class Stepping { dual, single };
 /// Greatest instruction set to use; all produce identical bytes.
 enum class InstructionSet { baseline, x86_64_v3, x86_64_v4 };
 
-/// Settings of a run; unset members take the method's defaults.
+/// Settings of a run.
 struct Settings {
   std::string method{default_method};
-  std::map<std::string, double> constants;  // by name
+  std::map<std::string, double> constants;  // by name; others take their defaults
   std::string law;                          // of MethodInfo::laws; empty = the first
   Stepping stepping = Stepping::dual;
-  // time step × fastest wave speed / h (oenog: / dp; fe1, fe2: time step / stability limit); 0 = default
+  // CFL number, based on h (oenog: on dp; fe1, fe2: time step / stability limit); 0 = the method's default
   double cfl = 0;
   double step = 0;  // s; 0 = from cfl
   int threads = 0;  // 0 = all cores, fewer in small scenes

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Throws UsageError for invalid settings, SceneError for a scene that the method cannot run.
+/// Throws UsageError for invalid settings, SceneError for a scene that cannot run.
 std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& settings);
 
 }  // namespace taut

@@ -79,9 +79,9 @@ void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene,
 
 void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start,
                               double support) {
-  constexpr double parts = 2 - 1e-6;  // spacings; more distant bodies separate
+  constexpr double separation = 2 - 1e-6;  // spacings; bodies that start farther apart separate
   std::optional<std::pair<int, int>> first;
-  double nearest = std::min(support, parts * scene.spacing);
+  double nearest = std::min(support, separation * scene.spacing);
   for_each_meeting_pair(start, nearest, [&](int i, int j) {
     const std::pair bodies(start.body[static_cast<std::size_t>(i)], start.body[static_cast<std::size_t>(j)]);
     const Point a = start.position(static_cast<std::size_t>(i)),
@@ -111,7 +111,7 @@ struct LatticeCells {
   }
 };
 
-/// Fills a cell if `all` or any of the cells up to `reach` away along the axis are filled.
+/// Fills a cell if any cell up to `reach` away along the axis is filled; with `all`, only if all of them are.
 LatticeCells along_axis(const LatticeCells& cells, std::size_t axis, int reach, bool all) {
   LatticeCells result = cells;
   std::array<int, 3> cell{};

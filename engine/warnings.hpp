@@ -10,7 +10,7 @@
 /// Warnings of one sentence each, without a full stop.
 namespace taut {
 
-/// Warns of `reaction` and `contact_force` probes if the method does not conserve linear momentum.
+/// Warns of `reaction` and `contact_force` probes with tensile instability control; otherwise returns "".
 std::string warning_about_reactions(const Scene& scene, const MethodInfo& method);
 
 /// Warnings about a scene and its initial state.

@@ -13,7 +13,7 @@ struct Camera {
   Vector from = {1, -2, 1};  // towards the camera, any length
   Vector up = {0, 0, 1};     // replaced by y or x if parallel to `from`
   double field_of_view = 0;  // vertical, degrees; 0: parallel projection
-  double front = 0;          // in perspective, coordinate along `from` of the plane drawn to scale, m
+  double front = 0;          // coordinate along `from` of the plane that perspective draws to scale, m
   bool operator==(const Camera&) const = default;
 };
 

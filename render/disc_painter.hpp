@@ -14,8 +14,8 @@ struct Dot {
   std::uint32_t color;  // bytes R, G, B, 255
 };
 
-/// Antialiased discs, the same pixels on every machine. A sample shows the disc with the nearest centre, in radii of
-/// that disc; discs that cover the sample only partly are behind.
+/// Antialiased discs, the same pixels on every machine. A sample shows the disc with the nearest centre, measured in
+/// radii of that disc; discs that cover the sample only partly are behind.
 class DiscPainter {
  public:
   /// Before the first `draw`, the plot must be filled with `background`, or transparent. Nothing else may draw into it.
@@ -42,7 +42,7 @@ class DiscPainter {
   std::size_t stride_;              // between rows
   std::vector<std::uint32_t> end_;  // 0, then each band's end in `sorted_`
   std::vector<std::uint32_t> sorted_;
-  std::vector<std::uint32_t> color_;  // samples of a band; bytes B, G, R, 255
+  std::vector<std::uint32_t> color_;  // samples of a band; bytes B, G, R, opacity
   // [sample] below 0.5 inside a disc, 0.5 to 1 on its rim, 1 without a disc
   std::vector<float> depth_;
   std::vector<std::uint8_t> touched_;  // tiles of the band

@@ -28,7 +28,7 @@ struct Size {
   bool operator==(const Size&) const = default;
 };
 
-/// `view`, `size`, `range` and `colormap` must be set before drawing.
+/// Before drawing, `view` and `size` must be set, and `categories` or both `range` and `colormap`.
 struct Look {
   std::optional<View> view;
   std::optional<Camera> camera{};  // 3D
@@ -43,7 +43,7 @@ struct Look {
   double glyph = 1;
   Rgb background = white;  // texts contrast with it
   bool transparent = false;
-  /// If not empty, values are indices of categories, a legend replaces the bar, and range and colour map may be unset.
+  /// If not empty, values are indices of categories, and a legend replaces the bar.
   std::vector<std::string> categories{};
 };
 

@@ -39,7 +39,7 @@ int pixels(double length) { return static_cast<int>(std::lround(length)); }
 
 struct Grid {
   double em = own_font;
-  int blocks = 1, columns = 0, rows = 0;  // columns of a block
+  int blocks = 1, columns = 0, rows = 0;  // columns: of each block
   std::vector<int> spaces{};              // left of, between and right of the blocks
   int top = 0, bottom = 0;
   int gap_size = 0;
@@ -314,7 +314,7 @@ void Panel::Parts::draw_keys() {
   }
 }
 
-/// Among consecutive blocks of equal scale and camera, the first gets the scale bar and the last the axes.
+/// Consecutive blocks share a scale bar if scale and camera are equal, and axes if the cameras are equal.
 void Panel::Parts::draw_scales() {
   const TextParts& shown = options.look.texts.parts;
   for (int k = 0; k < grid.blocks; ++k) {

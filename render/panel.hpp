@@ -18,7 +18,7 @@ struct Heading {
 
 /// Pictures with equal colours and scales.
 struct PanelBlock {
-  Look look;  // without a size, the panel takes one that is legible at 1:1
+  Look look;
   std::string field, unit;
 };
 
@@ -38,7 +38,7 @@ class Panel {
   explicit Panel(const PanelOptions& options);
   ~Panel();
 
-  /// Columns count over all blocks.
+  /// `column` counts over all blocks.
   void draw(int column, int row, const FrameView& particles);
   void write_corner(int column, int row, const std::string& text);
   void write_middle(int column, int row, const std::string& text);

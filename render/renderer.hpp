@@ -14,8 +14,8 @@ struct OffScale;
 
 class Renderer {
  public:
-  /// The look must be complete, see Look. `until` (last time, s) sets the unit of all times; 0: each has its own.
-  /// Throws UsageError for values out of bounds, OutputError without the font.
+  /// The look must be complete, see Look. `until` (last time, s) sets the unit of all times; if 0, each time has
+  /// its own unit. Throws UsageError for values out of bounds, OutputError without the font.
   explicit Renderer(const Look& look, double until = 0);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
@@ -24,11 +24,11 @@ class Renderer {
   /// Moves camera and view; `view` must have the size of the look's view.
   void look_from(const Camera& camera, const View& view);
 
-  /// The image is valid until the next call. Equal frames give equal bytes. Particles without a finite
-  /// position or a positive size are omitted.
+  /// The image is valid until the next call. Equal frames give equal bytes. Omits particles whose
+  /// position is not finite.
   const Image& draw(const FrameView& frame);
   const OffScale& off_scale() const;
-  /// Texts of drawn pictures that lack room.
+  /// Texts that did not fit into the drawn pictures.
   std::set<std::string> cut_texts() const;
 
  private:

@@ -11,7 +11,7 @@ constexpr double alike = 0.8;  // least cosine between normals that are averaged
 
 Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-/// Outward normals, as long as twice the areas. Downward y reverses the rotation.
+/// Outward normals; their lengths are twice the areas. Since y points down, the triangles are clockwise.
 std::vector<Vector> normals_of(std::span<const Vector> points, std::span<const std::uint32_t> triangles) {
   std::vector<Vector> normals;
   for (std::size_t k = 0; k < triangles.size(); k += 3) {

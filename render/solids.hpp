@@ -17,15 +17,15 @@ class Solids {
   explicit Solids(const PageLayout& layout, double glyph = 1)
       : layout_(layout), glyph_(glyph), cover_(layout.plot.width, layout.plot.height) {}
 
-  /// Omits hidden spheres.
+  /// May omit hidden spheres.
   void place_balls(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
   void place_boxes(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
   /// Adds grid lines; particles in front hide them.
   void place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color);
-  /// Loose particles become balls. `places`: places of points among the colours; if `uniform`, a triangle has the place
-  /// of its first point. No `projection` in 2D.
+  /// Loose particles become balls. `places`: `SurfaceCorner::place` of each point; if `uniform`, a triangle takes the
+  /// place of its first point. No `projection` in 2D.
   void place_surface(const FrameView& frame, const Projection* projection, std::span<const float> places,
                      std::span<const std::uint32_t> colors, bool uniform);
   /// Places 2D cells.

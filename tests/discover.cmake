@@ -1,5 +1,5 @@
-# Writes OUTPUT, which adds the test cases of PROGRAM to CTest: each as "FOLDER: name" with its suite as label and
-# with PROPERTIES. Unlike doctest's own script, it runs the program once and labels names with a comma.
+# Writes the script OUTPUT, which adds each test case of PROGRAM to CTest as "FOLDER: name", with its suite as label
+# and with PROPERTIES. Unlike doctest's script, runs PROGRAM once and also labels test cases with a comma in the name.
 execute_process(COMMAND ${PROGRAM} --list-test-cases --reporters=xml OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 
 # characters that would end a list element, or keep it open

@@ -26,9 +26,9 @@ std::vector<SweepRun*> unfinished_runs(std::vector<PlannedClaim>& claims);
 struct ClaimOutcome {
   const Claim* claim;
   std::vector<std::pair<std::string, std::string>> values{};  // "og.verdict", "fractured"
-  std::optional<ClaimState> state{};                          // none: a problem
+  std::optional<ClaimState> state{};                          // none if there is a `problem`
   bool evidence = true;                                       // condition is true or absent
-  std::string problem{};                                      // broken run or quantity without value
+  std::string problem{};                                      // reason for a missing `state`
 
   bool agrees() const { return state == claim->state && evidence; }
 };

@@ -27,7 +27,7 @@ struct PictureOptions {
 inline void declare_measure(Options& command, std::string& measure) {
   command.add("--measure", "MEASURE", measure,
               "measure whose error is used; default: the one with an error in most runs; "
-              "names in ..._time and errors with a unit only if there are no others");
+              "measures named ..._time or with errors in a unit are chosen last");
 }
 
 }  // namespace taut::cli

@@ -40,7 +40,7 @@ double share(const std::string& text) {
   return percents ? *value / 100 : *value;
 }
 
-/// Files results.csv of the scene below out/.
+/// Paths of results.csv files of `scene` in out/.
 std::vector<std::string> stored_results(const std::string& scene) {
   constexpr int deepest = 3;
   std::vector<std::string> files;

@@ -144,7 +144,7 @@ constexpr Command table[] = {
      "  taut describe colliding-rings             its parameters with units and bounds, bodies, measures\n"
      "  taut describe enog                        its equations, constants with bounds, source\n"
      "  taut describe scene-file                  all sections and keys of a scene file\n"
-     "  taut describe body                        a section of scene files, a shape, a probe or a measure\n"
+     "  taut describe body                        the section [[body]] of scene files\n"
      "  taut describe sweep-file\n"
      "  taut describe scene-file --schema         a JSON Schema, with which editors complete scenes\n",
      declare_describe},

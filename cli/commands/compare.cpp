@@ -296,19 +296,17 @@ int compare_runs(const CompareArguments& options, Streams streams) {
 
 std::function<int(Streams)> declare_compare(Options& command) {
   auto options = std::make_shared<CompareArguments>();
-  command
-      .add("DIR", "...", options->runs,
-           "run folders with particles (`taut run --save-particles`), one column each")
+  command.add("DIR", "...", options->runs, "run folders with particles (`taut run --save-particles`)")
       .required();
   command.add("--out", "panel.png", options->out, "picture to write").required().check(png_name);
   command
       .add("--times", "T,...", options->times,
-           "times to draw, s, one row each; default: 1/4, 1/2, 3/4 and the end of the longest run")
+           "times to draw, s; default: 1/4, 1/2, 3/4 and the end of the longest run")
       .comma_separated()
       .check(not_negative_number);
   command
       .add("--labels", "LABEL,...", options->labels,
-           "headings of the columns, one for each run; default: the settings in which the runs differ")
+           "names of the runs in the picture; default: the settings in which the runs differ")
       .comma_separated();
   command
       .add("--beside", "KEY=VALUE;...", options->beside,

@@ -299,7 +299,7 @@ std::function<int(Streams)> declare_describe(Options& command) {
   command
       .add_argument(
           "SCENE|METHOD|scene-file|sweep-file|claim-file|suite-file|SECTION", options->name,
-          "a name that `taut list all` shows, except equations; a section of scene files; or the path of a scene file")
+          "a name that `taut list all` shows, except equations; a section; or the path of a scene file")
       .required();
   const Option json =
       command.add_flag("--json", options->json, "print JSON, for scripts; not for scenes and methods");

@@ -31,7 +31,7 @@ struct MovieArguments {
   bool orbit = false;
 };
 
-/// Throws UsageError for missing frames, at which ffmpeg would stop silently, and for devices, which have no end.
+/// Throws UsageError if a frame is not a regular file, or is missing, at which ffmpeg would stop silently.
 int count_frames(const fs::path& folder) {
   int whole = 0;
   std::error_code error;

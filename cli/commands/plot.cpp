@@ -226,7 +226,7 @@ int plot_curves(const PlotArguments& options, StoredResults results, const PlotF
   return draw_history(plot, files, streams, look);
 }
 
-/// Adds units and title of the first run's scene file.
+/// Adds missing units and a missing title from the first scene file.
 void add_units(StoredResults& results) {
   std::vector<SceneFile> scenes;
   try {

@@ -60,7 +60,7 @@ std::function<int(Streams)> declare_report(Options& command) {
   command.add_flag("--watch", options->watch,
                    "rewrite the page every two seconds until the runs have ended; an open page follows");
   command.add("--baseline", "DIR", options->request.baseline,
-              "compare the pictures of DIR with those in this folder, which are expected");
+              "compare the pictures of DIR with the expected pictures in this folder");
   declare_difference_options(command, *options);
   command.add_flag("--json", options->json, "print one JSON object, for scripts");
   return [options](Streams streams) { return report(*options, streams); };

@@ -147,7 +147,7 @@ int snapshot_of_scene(SnapshotArguments options, Streams streams) {
   return result.code;
 }
 
-/// nullopt for a scene.
+/// nullopt if `what` is taken for a scene.
 std::optional<fs::path> suite_of(const std::string& what) {
   std::error_code error;
   if (fs::is_regular_file(what, error))

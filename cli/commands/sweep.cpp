@@ -215,7 +215,7 @@ int execute(SweepPlan& plan, const SweepArguments& o, Streams streams) {
   if (!o.index) report_other_runs(plan, streams.err);
   if (end.code != exit_fine) return end.code;
   if (end.interrupted) return Interrupts::exit_code();
-  std::ostream nowhere(nullptr);  // stdout contains only the JSON
+  std::ostream nowhere(nullptr);
   std::ostream& out = o.json ? nowhere : streams.out;
   if (!o.index)
     if (const int code = draw_pictures(plan.pictures, plan.folder, {out, streams.err}); code != exit_fine)

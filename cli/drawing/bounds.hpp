@@ -47,7 +47,7 @@ class SequenceBounds {
   std::optional<render::CameraAxes> axes_;
 };
 
-/// Sets colour map, range and view if they are open.
+/// Completes the look for the values and positions in `shown`.
 Drawing fitted(Drawing drawing, const SequenceBounds& shown);
 
 }  // namespace taut::cli

@@ -23,7 +23,7 @@ enum class Style : std::uint8_t { discs, spheres, cells, surface };
 enum class Outlines : std::uint8_t { none, deformed, undeformed, both };
 
 struct ColorFormula {
-  /// Current and initial coordinates.
+  /// Current and reference coordinates.
   static constexpr std::array<const char*, 6> places{"x", "y", "z", "X", "Y", "Z"};
   using Function = std::function<double(const std::vector<double>&, double t)>;
 
@@ -35,13 +35,13 @@ struct ColorFormula {
                              std::span<const double> x, std::span<const double> x0, double time) const;
 };
 
-/// `fitted` sets members without a value.
+/// `fitted` completes `look`.
 struct Drawing {
   const Field* field = find_field("von_mises");
   render::Look look{};
   int frames = 60;               // evenly spaced after t = 0
   std::optional<Style> style{};  // default: discs, in 3D spheres
-  std::string cut{};             // expression; hides particles where it is not 0 initially
+  std::string cut{};             // expression of the reference position; not 0 hides the particle
   std::string hide{};            // bodies, separated by commas
   Outlines outline = Outlines::none;
   std::string follow{};  // body that stays centred
@@ -54,7 +54,7 @@ struct Drawing {
   std::string formula{};
   bool orbit = false;
 
-  // set by `apply_scene`
+  // from the scene
   Expression is_cut{};
   std::optional<int> followed{};
   std::vector<int> hidden{};
@@ -73,7 +73,7 @@ struct ColorMeaning {
   std::optional<double> middle;  // of a symmetric colour range
 };
 ColorMeaning meaning(const Drawing& drawing);
-/// In the field's unit.
+/// In the unit of `meaning`.
 std::vector<double> color_values(const Drawing& drawing, const Snapshot& snapshot);
 
 std::vector<std::string> names_of_fields();

@@ -30,9 +30,9 @@ FrameView with_texts(FrameView view, const Drawing& drawing, const Captions& cap
   return view;
 }
 
-/// Limits memory; in 3D, OpenGL and Cover store four samples per pixel.
+/// Limits memory.
 int pictures_at_once(const Drawing& drawing, int threads) {
-  constexpr double bytes_of_pixel = 70;
+  constexpr double bytes_of_pixel = 70;  // in 3D, with four samples
   const render::Size size = sized(drawing).look.size.value_or(render::Size{});
   const double bytes = bytes_of_pixel * size.width * size.height;
   return std::clamp(static_cast<int>(Frames::memory_of_pictures / bytes), 1, std::max(threads, 1));

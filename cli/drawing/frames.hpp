@@ -38,7 +38,7 @@ render::Image draw_picture(const Drawing& drawing, const Captions& captions, con
 /// "taut: …" with end of line; empty if all texts fit.
 std::string remark_on_texts(const std::set<std::string>& cut);
 
-/// Draws each frame at once if colours and view are fixed, else all frames at the end. Writes files in order.
+/// Draws frames as they are added if colours and view are fixed, else in `draw_kept`. Writes files in order.
 class Frames {
  public:
   static constexpr double memory_of_pictures = 1e9;  // bytes
@@ -53,7 +53,7 @@ class Frames {
   /// File numbers, ascending; default: 0, 1, …
   void number_files(std::vector<int> numbers) { file_numbers_ = std::move(numbers); }
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
-  /// Waits for pending frames. Errors of drawing threads are rethrown here and by `add`.
+  /// Waits for pending frames. Rethrows the first error of the drawing threads.
   void finish();
 
   int kept() const { return static_cast<int>(kept_.size()); }
@@ -63,7 +63,7 @@ class Frames {
 
   /// Texts that lack room in the pictures. Call after `finish`.
   std::set<std::string> cut_texts() const;
-  /// Call after `finish`.
+  /// Requires that no frame is pending.
   template <class Archive>
   void serialize(Archive& archive) {
     int written = written_;

@@ -9,7 +9,7 @@
 
 namespace taut::cli {
 
-/// File look.json of a baseline: colour range and view of all later frames.
+/// Colour range and view of a baseline, stored in look.json.
 struct KeptLook {
   std::string color;                   // key, or "=EXPRESSION"
   std::optional<render::Range> range;  // none: bodies or materials
@@ -18,11 +18,11 @@ struct KeptLook {
 };
 
 KeptLook look_of(const Drawing& drawn);
-/// Sets a missing view, and a missing range of the same field.
+/// Sets missing range and view, if they apply to `drawing`.
 void set_open(Drawing& drawing, const KeptLook& look);
 
 Json to_json(const KeptLook& look);
-/// Returns nullopt if missing. Throws UsageError if damaged.
+/// Returns nullopt if unreadable. Throws UsageError if damaged.
 std::optional<KeptLook> read_look(const std::filesystem::path& file);
 
 }  // namespace taut::cli

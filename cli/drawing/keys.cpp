@@ -204,7 +204,7 @@ std::optional<Numbers> typed_numbers(const DrawingKey::Numbers& key, std::string
   return values;
 }
 
-/// nullopt for a wrong value. Throws UsageError for an unknown name.
+/// nullopt for wrong numbers. Throws UsageError for unknown words.
 std::optional<DrawingValue> typed_value(const DrawingKey& key, const std::string& text) {
   if (text == automatic && key.placeholder.ends_with("|auto")) return left_open();
   if (key.is_free_text) return text;

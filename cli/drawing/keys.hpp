@@ -36,7 +36,7 @@ struct DrawingKey {
     std::size_t count = 1;
     bool whole = false;
     char between = ':';             // separates typed numbers
-    std::string_view in_file = {};  // in messages: "[low, high]"
+    std::string_view in_file = {};  // "[low, high]"
     std::string typed = {};
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   };
@@ -48,7 +48,7 @@ struct DrawingKey {
   bool allows_auto = false;            // in scene files
   bool counts_frames = false;
   Words words = {};
-  bool is_free_text = false;  // checked by `set` or `apply_scene`
+  bool is_free_text = false;  // not limited to a list of words
   std::string_view pattern = {};
   Numbers numbers = {};
   /// Returns an error message, or "".

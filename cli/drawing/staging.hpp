@@ -30,10 +30,10 @@ struct StagedParticles {
   FrameView view() const;
 };
 
-/// Selects and places the particles of a picture. The cut uses initial positions.
+/// Selects and places the particles of a picture. The cut uses reference positions.
 class Staging {
  public:
-  /// Throws UsageError if `cut` hides all particles.
+  /// Throws UsageError if all particles are hidden.
   Staging(const Drawing& drawing, Origins origins);
 
   int dim() const { return origins_.dim; }

@@ -125,9 +125,10 @@ void Surface::triangulate(const Scene& scene, int body, std::span<const int> fir
   }
 }
 
-/// Rejects long edges, edges between nodes that bridge a groove, and simplices of face points outside the body.
+/// Rejects long edges and edges between nodes that bridge a groove. If all points can lie on faces, also rejects
+/// simplices outside the body.
 bool Surface::fits(const Scene& scene, int body, const Simplex& simplex) const {
-  constexpr double chord = 0.15;  // spacings by which chords of hollow faces are outside
+  constexpr double chord = 0.15;  // tolerance for chords of concave faces, spacings
   const Body& of = scene.bodies[static_cast<std::size_t>(body)];
   Point middle{};
   for (std::size_t a = 0; a <= dim_; ++a) {

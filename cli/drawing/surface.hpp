@@ -16,11 +16,11 @@ struct SurfaceShape {
   std::vector<double> x{}, value{};       // x: dim coordinates per point, m
   std::vector<std::uint32_t> triangle{};  // 3 points each; 3D: anticlockwise from outside
   std::vector<double> outline{};          // 2D: four coordinates per segment, m
-  std::vector<std::uint32_t> loose{};     // particles of no unbroken simplex
+  std::vector<std::uint32_t> loose{};     // particles without an unbroken simplex
 };
 
-/// Delaunay triangles (in 3D tetrahedra) of the initial positions of particles and of nodes on contact faces.
-/// Triangles with an initial edge above two spacings, or with an edge stretched more than threefold, are left out.
+/// Delaunay triangles (in 3D tetrahedra) of the reference positions of particles and of nodes on faces. Triangles with
+/// a reference edge above two spacings, or with an edge stretched more than threefold, are left out.
 class Surface {
  public:
   /// Particle k is `shown[k]` of the scene, ascending. `is_cut` hides nodes.

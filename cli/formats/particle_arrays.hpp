@@ -14,7 +14,7 @@ struct ParticleArray {
   enum class Type : std::uint8_t { real, whole, flag };
 
   std::string_view name;
-  std::string_view unit;  // 2D: per metre of depth; empty: dimensionless
+  std::string_view unit;  // empty: dimensionless
   std::vector<double> values;
   Type type = Type::real;
   std::span<const std::string_view> components{};  // "x", "y", "z" or "xx", "yy" ...; empty: scalar

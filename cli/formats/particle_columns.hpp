@@ -11,7 +11,7 @@ namespace taut::cli {
 std::string extended_xyz_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                               bool single_precision = false);
 
-/// Header such as "time [s],id,x [m],y [m]"; each component has one column.
+/// Header such as "time [s],id,x [m],y [m]".
 std::string particle_csv_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                               bool single_precision = false);
 

@@ -14,9 +14,9 @@ namespace taut::cli {
 std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                                bool single_precision = false);
 
+/// Reader of a .vtp file of taut. Throws UsageError.
 class ParticleFile {
  public:
-  /// Throws UsageError.
   explicit ParticleFile(std::filesystem::path path);
 
   double time() const { return time_; }  // s
@@ -25,7 +25,6 @@ class ParticleFile {
   bool has(const std::string& field) const;
   std::vector<double> positions(int dim) const;  // n × dim, m
   std::vector<double> diameter() const;          // m
-  /// Throws UsageError.
   std::vector<double> field(const std::string& key) const;
 
  private:

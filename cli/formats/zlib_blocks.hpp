@@ -7,7 +7,7 @@
 
 namespace taut::cli {
 
-/// VTK's format: number of blocks, block size, size of a partial last block or 0, compressed sizes (8 bytes each),
+/// VTK's format: 8-byte integers (number of blocks, block size, size of a partial last block or 0, compressed sizes),
 /// then the blocks (zlib).
 std::string to_zlib_blocks(std::span<const std::byte> bytes);
 

@@ -9,7 +9,7 @@ struct Example {
   std::string_view name, text;
 };
 
-/// Examples of top-level keys and of sections with a [header] join to one valid scene, sweep, claim file and suite.
+/// Examples of top-level keys and sections with a [header] together form a valid scene, sweep, claim file and suite.
 constexpr Example examples[] = {
     {"scene", R"toml(title = "A disc hits a bar"
 dim = 2

@@ -241,8 +241,8 @@ const Texts claim_rules{
     "`taut claims PAPER` lists the claims, and `taut claims PAPER --all` runs them.",
     fmt::format(
         "A criterion is an expression, as in scenes, of quantities of the runs. "
-        "Verdicts are compared with their names, from best to worst: {}. "
-        "`RUN.since.VERDICT` is the time in s at which a failure began; it is infinite if it never began. "
+        "Names of verdicts, from best to worst: {}. "
+        "`RUN.since.VERDICT` is the time in s at which a failure began, or infinite if it never began. "
         "If a measure has no value, the claim does not agree with its recorded state.",
         join(names_of_verdicts())),
     "A claim holds if its criterion is true, holds in part if only `part` is true, and otherwise does not hold. "

@@ -13,7 +13,7 @@ struct Topic {
   std::string name;
   std::string header;  // "[[body]]"
   std::string help;
-  std::vector<std::vector<std::string>> rows;  // header first
+  std::vector<std::vector<std::string>> rows;  // column names first
   std::string example;
 };
 
@@ -37,7 +37,7 @@ std::string as_text(const LanguageFile& file, std::optional<std::size_t> columns
 /// Content of scenes/LANGUAGE.md.
 std::string language_page();
 
-// header first
+// column names first
 using Rows = std::vector<std::vector<std::string>>;
 Rows shape_rows();
 Rows probe_rows();

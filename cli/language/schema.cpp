@@ -12,7 +12,7 @@
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/methods/catalogue.hpp"
 
-/// Taplo ignores if/then and skips tables with allOf, so oneOf lists the kinds.
+/// oneOf lists the kinds of shapes, probes and measures: Taplo ignores if/then and skips tables with allOf.
 namespace taut::cli {
 namespace {
 
@@ -141,8 +141,7 @@ Json schema_of(const KeyInfo& key, int dim) {
   return schema;
 }
 
-/// Sets of keys, such as {bodies} and {body, wall}, of which a table has exactly one, or at least one (" or both"). The
-/// default text of a key names the other sets.
+/// Alternative sets of keys, such as {bodies} and {body, wall}. The default text of a key names the other sets.
 std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo> keys) {
   const std::string named = std::string(first.by_default) + " ";
   const auto is_named = [&](const KeyInfo& key) {

@@ -15,8 +15,8 @@ struct Compared {
   std::optional<double> warn{};  // ΔE*ab; see warns()
 };
 
-/// Greatest excess over the limit first; writes difference pictures into `folder`. Throws UsageError for folders
-/// without pictures, OutputError.
+/// Sorts the pictures by excess over the limit, greatest first. Writes difference pictures into `folder`. Throws
+/// UsageError and OutputError.
 Json difference_data(const Compared& compared, const std::filesystem::path& folder, const Links& links);
 
 }  // namespace taut::cli

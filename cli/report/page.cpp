@@ -20,7 +20,7 @@ bool is_page(const fs::path& file) {
   return text && text->substr(0, 500).find(generator) != std::string::npos;
 }
 
-/// Escapes ends of the script element.
+/// Escapes '<', so that no text ends the script element.
 std::string script_text(const Json& json) {
   std::string text;
   for (const char c : json.dump())

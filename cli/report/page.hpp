@@ -8,9 +8,9 @@
 
 namespace taut::cli {
 
-/// Written as scripts, since a page opened from a file cannot read other files.
+/// Written as scripts, since a page opened from a file cannot load JSON files.
 struct PageData {
-  Json report;                  // all but the runs
+  Json report;                  // without runs and particles
   std::vector<Json> runs;       // null: no data
   std::vector<Json> particles;  // may be shorter than `runs`
 };
@@ -19,7 +19,7 @@ struct PageData {
 std::string run_script_name(std::size_t run);
 std::string particle_script_name(std::size_t run);
 
-/// Throws UsageError if `path` exists and is not a page of taut.
+/// Throws UsageError unless `path` is missing, an empty folder or a page of taut.
 void check_page(const std::filesystem::path& path);
 
 /// Throws OutputError.

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-constexpr std::size_t most_particles = 2000000;  // of all times
+constexpr std::size_t most_particles = 2000000;  // summed over the times
 constexpr int colors_of_key = 32;
 
 struct Box {

@@ -28,7 +28,7 @@ struct WrittenPage {
   bool running = false;
 };
 
-/// Throws UsageError for mixed paths or an `out` that is no page; OutputError.
+/// Throws UsageError and OutputError.
 WrittenPage write_report(const ReportRequest& request);
 
 }  // namespace taut::cli

@@ -28,7 +28,7 @@ Json numbers(const std::vector<double>& values) {
   return list;
 }
 
-/// Times in s; null for frames beyond the number in the scene.
+/// Times in s, or null if unknown.
 Json frames_data(const RunFolder& folder, const std::optional<SceneFile>& scene, const Links& links) {
   const std::vector<double> times =
       scene ? times_in_parts(scene->scene.until, scene->drawing.frames) : std::vector<double>();

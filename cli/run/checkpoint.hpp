@@ -18,9 +18,9 @@ struct Checkpoint {
   std::vector<std::string> fields;  // of saved particles; empty: not saved
   ParticleForm particle_form;
   std::optional<double> requested_spacing;  // m
-  double every = 0;                         // simulated s; 0: only when interrupted
+  double every = 0;                         // simulated s; 0: no periodic checkpoints
   bool draws = true;
-  std::string state;  // empty: at the start
+  std::string state;  // empty: start of the run
 
   template <class Archive>
   void serialize(Archive& archive) {

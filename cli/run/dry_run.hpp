@@ -7,8 +7,8 @@
 
 namespace taut::cli {
 
-/// Reports size, step, estimated time and memory after a few steps. Writes the first frame beside the run folder.
-/// Throws NumericalError.
+/// Reports size, step, estimated time and memory after a few steps. Writes the first frame, if any, beside the run
+/// folder. Throws NumericalError.
 std::string dry_run(const RunPlan& plan, std::ostream& err);
 
 }  // namespace taut::cli

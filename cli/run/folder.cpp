@@ -57,7 +57,6 @@ void refuse_missing(int number, const Name& name) {
           name(k).string()));
 }
 
-/// Throws before files change.
 void check_writable(const fs::path& folder) {
   if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0 && errno != ENOENT)
     throw OutputError(folder.string(), fmt::format("cannot be written: {}", std::strerror(errno)));
@@ -77,9 +76,10 @@ void RunFolder::check() const {
   if (fs::is_empty(path_, error) || error) return;
   for (const fs::path& inner : {frames(), particles()})
     if (fs::is_symlink(inner, error))
-      throw UsageError(fmt::format(
-          "'{}' is a link; files would be written and removed in its target; remove it or name another folder with --out",
-          inner.string()));
+      throw UsageError(
+          fmt::format("'{}' is a link; files would be written and removed in its target; "
+                      "remove the link or name another folder with --out",
+                      inner.string()));
   // left by a killed run
   const bool begun = holds_only({run_lock_name, record().filename().string() + ".tmp"});
   if (!read_record(record()) && !begun && !is_damaged())

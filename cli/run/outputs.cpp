@@ -30,7 +30,7 @@ class OutputOf : public RunOutput {
 
 constexpr int judged_parts = 200;
 
-/// Writes history.csv; updates drift, verdict and indicators.
+/// Writes history.csv; updates verdict, indicators and conservation.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
@@ -313,7 +313,7 @@ const Snapshot& LastStep::at(double t) {
 std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
                                                      LastStep& last_step, RunResult& result) {
   std::vector<std::unique_ptr<RunOutput>> all;
-  // first: detects divergence, after which outputs skip states
+  // first: it detects divergence, after which no other output is written
   all.push_back(std::make_unique<HistoryOutput>(plan, simulation, result));
   all.push_back(std::make_unique<MeasuresOutput>(plan, simulation, last_step, result));
   if (plan.drawing) all.push_back(std::make_unique<FramesOutput>(plan, simulation, last_step, result));

@@ -39,7 +39,7 @@ class RunOutput {
   /// False: takes the first step at or after each time.
   virtual bool needs_exact_time() const { return true; }
   virtual bool needs_final_state() const { return false; }
-  /// Called at t = 0, when `next` is reached, and for the final state.
+  /// Called at t = 0, when `next` is reached and, if `needs_final_state`, at the end.
   virtual void write_due() = 0;
   virtual void wait() {}
   virtual void put_on_disk() {}
@@ -58,7 +58,7 @@ class RunOutput {
   virtual void discard_newer() {}
 };
 
-/// Outputs in the order in which they process a state. Throws SceneError for a line that leaves its body.
+/// Outputs in the order in which they process a state. Throws SceneError and UsageError.
 std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
                                                      LastStep& last_step, RunResult& result);
 

@@ -73,7 +73,7 @@ std::optional<std::filesystem::path> run_folder_of(const SceneFile& file) {
   return folder.path();
 }
 
-/// Changed settings: "-spacing=0.002-v0=0.08". `again`: scene.toml lies in its run folder.
+/// Changed settings: "-spacing=0.002-v0=0.08". `again`: the scene is the scene.toml of a run folder.
 std::string changes_text(const SceneFile& file, bool again) {
   constexpr std::size_t longest = 120;
   using enum ResolvedSetting::Source;
@@ -235,8 +235,8 @@ void declare_particle_options(Options& command, RunOptions& o) {
 }
 
 void check_threads(int threads, std::string_view option) {
-  constexpr int few = 8;  // most threads per core
-  const int most = std::max(2 * few, few * cores());
+  constexpr int per_core = 8;
+  const int most = std::max(2 * per_core, per_core * cores());
   if (threads > most)
     throw UsageError(fmt::format("{} is {}; at most {} are allowed, since this machine has {} cores", option,
                                  threads, most, cores()));

@@ -14,13 +14,12 @@ namespace taut::cli {
 
 class Options;
 
-/// Omitted values come from the scene.
 struct RunOptions {
   std::string scene;
   std::vector<Setting> settings;  // also of --method, --spacing and --until
   std::optional<std::string> out;
-  bool out_named = true;  // by the user
-  std::optional<double> every, history;
+  bool out_named = true;                 // by the user
+  std::optional<double> every, history;  // s; none: from the scene
   std::optional<int> frames;
   DrawingOptions drawing;
   std::optional<KeptLook> look;  // range and view of a baseline

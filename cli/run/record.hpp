@@ -47,12 +47,12 @@ struct RunRecord {
   std::string machine;  // processor
   Seconds seconds;
   std::optional<Verdict> verdict = Verdict::stable;
-  std::map<Verdict, double> since;  // start of each verdict, s
+  std::map<Verdict, double> since;  // start of each failure, s
   BeyondLaw beyond_law;
   Excess energy_gain, turn;
   int pieces = 0;
   std::array<IndicatorRecord, indicators.size()> indicator;
-  std::string patch_body;           // body of the worst patch; empty: a whole body is worse
+  std::string patch_body;           // body of the worst patch; empty: none is worse than a whole body
   std::vector<double> patch_place;  // initial middle of the patch, m
   Conservation conservation;
   std::vector<MeasureResult> measures;
@@ -77,7 +77,7 @@ std::vector<RunWarning> warnings(const RunRecord& record);
 /// Explains an energy drift of 1 % or more; else empty.
 std::string energy_note(const RunRecord& record);
 
-/// A key of run.json, results.json and results.csv.
+/// A key of run.json, results.json or results.csv.
 struct RecordField {
   enum class Place {
     everywhere,
@@ -88,7 +88,7 @@ struct RecordField {
   };
   std::string_view key;
   Json (*write)(const RunRecord&);              // non-finite values are null
-  void (*read)(const JsonCursor&, RunRecord&);  // null: empty or NaN; throws UsageError
+  void (*read)(const JsonCursor&, RunRecord&);  // accepts null; throws UsageError
   Place place = Place::everywhere;
 };
 std::span<const RecordField> record_fields();
@@ -104,7 +104,7 @@ struct StoredRecord : RunRecord {
   Json all;
 };
 
-/// Run time in s, or 0. After --resume, a lower bound: the stored wall time is that of the last part.
+/// Run time in s, or 0. After --resume, a lower bound: the stored wall time covers the last part only.
 double seconds_taken(const StoredRecord& record);
 
 /// Returns nullopt without a file. Throws like record_from.

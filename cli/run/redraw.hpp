@@ -13,10 +13,9 @@ namespace taut::cli {
 /// Throws UsageError if the run cannot be redrawn.
 void check_redrawing(const SavedRun& run);
 
-/// `all` is false after an interrupt.
 struct Redrawn {
   int frames = 0;
-  bool all = true;
+  bool all = true;                    // false after an interrupt
   std::set<std::string> cut_texts{};  // without room in the frames
 };
 

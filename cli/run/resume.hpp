@@ -9,8 +9,7 @@ namespace taut::cli {
 /// Throws UsageError unless the folder is a run with work left.
 void check_resumable(const std::filesystem::path& folder, const RunOptions& given);
 
-/// Plan that continues the run from its checkpoint, else from the start. Throws SceneError, and UsageError if `given`
-/// would change the run.
+/// Plan that continues the run from its checkpoint, else from the start. Throws SceneError and UsageError.
 RunPlan resume_plan(const std::filesystem::path& folder, const RunOptions& given);
 
 }  // namespace taut::cli

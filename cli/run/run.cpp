@@ -97,7 +97,7 @@ RunResult Run::execute() {
     const RunRecord::Status status = how_it_ended();
     using enum RunRecord::Status;
     put_on_disk();
-    save(status == finished ? running : status);  // deferred frames are missing
+    save(status == finished ? running : status);  // frames may be missing
     const bool all_done = complete();
     put_on_disk();  // before run.json reports the end
     const bool keeps = final_state_ && (plan_.keep_checkpoint || !all_done);
@@ -257,7 +257,7 @@ void Run::show_what_is_due(bool at_end) {
   }
 }
 
-/// Slices allow interrupts without changing steps.
+/// Advances in slices for progress and run.json. Slices do not change the steps.
 void Run::advance(double target) {
   while (record_.reached < target && !interrupts_.interrupted()) {
     const Stopwatch watch;

@@ -25,7 +25,7 @@ struct RunPlan {
   ParticleForm particle_form;
   std::vector<double> frame_times, history_times;  // s, sorted
   RunFolder folder{"."};
-  std::optional<double> checkpoint_every;  // simulated s; none: only when interrupted
+  std::optional<double> checkpoint_every;  // simulated s; none: no regular checkpoints
   bool keep_checkpoint = false;            // for a later `until`
   std::optional<std::string> state;        // of a checkpoint; none: starts at t = 0
   bool runs_on = false;                    // `state` has an earlier `until`
@@ -43,7 +43,8 @@ struct RunResult {
   std::string failure;
 };
 
-/// Throws OutputError. `setup_seconds`: time spent reading the scene. `before_it_begins` is called after the set-up.
+/// Throws SceneError, UsageError and OutputError. `setup_seconds`: time spent reading the scene. `before_it_begins` is
+/// called after the set-up.
 RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
                     double setup_seconds, const std::function<void()>& before_it_begins = {});
 

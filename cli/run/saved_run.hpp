@@ -19,7 +19,7 @@ struct SavedRun {
   std::vector<int> numbers;  // in the file names
 };
 
-/// Throws UsageError without a run or particles.
+/// Throws SceneError, and UsageError without a run or .vtp files.
 SavedRun open_saved_run(const std::filesystem::path& folder);
 
 /// Missing files below the last number: "particles_00003.vtp".
@@ -33,7 +33,7 @@ struct ColoredParticles {
   FrameView view() const;
 };
 
-/// Throws UsageError for a field that was not saved.
+/// Throws UsageError.
 ColoredParticles read_colored(const ParticleFile& file, const Drawing& drawing, const Origins& origins);
 
 }  // namespace taut::cli

@@ -33,7 +33,7 @@ class Agenda {
   std::size_t done_ = 0;
 };
 
-/// Slices of about 0.2 s of wall clock, for checks of interrupts.
+/// Slices of about 0.2 s of wall clock.
 class Pace {
  public:
   explicit Pace(double until) : slice_(1e-6 * until) {}

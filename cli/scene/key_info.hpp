@@ -34,7 +34,7 @@ struct KeyType {
   static constexpr std::size_t any_size = static_cast<std::size_t>(-1);
 
   Kind kind = Kind::text;
-  std::string_view shown = {};  // in LANGUAGE.md
+  std::string_view shown = {};  // in documentation
   std::string_view unit = {};
   NumberRange bounds = {};
   std::array<std::string_view, 8> words = {};

@@ -131,7 +131,7 @@ std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   return law;
 }
 
-/// The setting, else the file's law, else the method's first law.
+/// Law of the settings, else of the file if `method` supports it, else the first of `method`.
 void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, const Changes& changes,
               SceneFile& file) {
   const std::string own = method.laws.empty() ? "" : std::string(method.laws.front().name);

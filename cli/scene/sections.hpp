@@ -95,7 +95,7 @@ struct ShapeSetting {
   double dp = 0;  // m
   std::filesystem::path folder;
   Layers layers{};
-  bool alone = false;  // only shape of its body
+  bool alone = false;  // only shape of its body, no cut-outs
   int level = 0;       // number of enclosing shapes
 };
 struct ShapeKind {
@@ -145,7 +145,7 @@ struct ContactChoice {
 };
 std::span<const ContactChoice> contact_choices();
 
-/// Law of methods with a 2D deviator, in references and run.json. The key `law` cannot select it.
+/// Law of methods with a 2D deviator, in references and run.json.
 inline constexpr std::string_view in_plane_law = "2d_deviator";
 /// neo_hookean (run.json) to neo-hookean.
 std::string law_name(std::string_view material_law);

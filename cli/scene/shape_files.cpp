@@ -125,11 +125,11 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
   return given;
 }
 
-/// Cell numbers are limited.
 void refuse_far(const GivenSites& given, const std::filesystem::path& file, const ShapeSetting& setting) {
   constexpr double most_sides = 1e6, farthest = 1e9, max_volume_ratio = 1e6;  // lengths in dp
   const double cell = std::pow(setting.dp, setting.dim);
   double room = 1;
+  // cell numbers are limited
   for (std::size_t k = 0; k < static_cast<std::size_t>(setting.dim); ++k) {
     const auto [low, high] = std::ranges::minmax(given.places, {}, [k](const Point& x) { return x[k]; });
     const double side = (high[k] - low[k]) / setting.dp + 1;

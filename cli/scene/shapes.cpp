@@ -75,7 +75,7 @@ Shape read_cylinder(TomlCursor& shape, const ShapeSetting& setting) {
     if (shape.find("layout"))
       shape.fail(shape.need("layout"), "layout",
                  "layout needs a hollow cylinder, one with inner; "
-                 "remove it, because a solid cylinder is cut from a cubic lattice");
+                 "remove layout, because a solid cylinder is cut from a cubic lattice");
     return cylinder;
   }
   cylinder.inner = shape.number("inner");
@@ -131,7 +131,7 @@ constexpr KeyInfo disc_keys[] = {
     ball_keys[0],
     ball_keys[1],
     {"layout", types::word("spaced", "lattice"), "depends on the method",
-     "spaced: a central particle and layers of 6, 12, 18 … particles; lattice: cut from a square lattice"},
+     "spaced: a central particle and layers of 6, 12, 18 … particles; lattice: cut from a lattice"},
 };
 constexpr KeyInfo shell_keys[] = {
     {"centre", types::vector("[x, y]", "m"), "", "centre"},
@@ -147,7 +147,7 @@ constexpr KeyInfo ring_keys[] = {
     shell_keys[2],
     {"layout", types::word("aligned", "spaced", "lattice"), "depends on the method",
      "aligned: layers with the same number of particles; spaced: layers with particles about dp apart; "
-     "lattice: cut from a square lattice. Layers have the exact mass"},
+     "lattice: cut from a lattice. Layers have the exact mass"},
 };
 constexpr KeyInfo ellipse_keys[] = {
     {"centre", types::vector("[x, y]", "m"), "", "centre"},
@@ -218,7 +218,7 @@ constexpr KeyInfo cylinder_keys[] = {
 };
 
 constexpr std::array kinds = {
-    ShapeKind{"rectangle", 2, "sides along the axes, on a square lattice", corner_keys, "box", read_box},
+    ShapeKind{"rectangle", 2, "sides along the axes, on a lattice", corner_keys, "box", read_box},
     ShapeKind{"disc", 2, "a solid circle", disc_keys, "ball", read_disc},
     ShapeKind{"ring", 2, "a circle with a concentric round hole", ring_keys, "shell", read_ring},
     ShapeKind{"ellipse", 2, "an ellipse along the axes, cut from a lattice", ellipse_keys, "ellipsoid",

@@ -7,9 +7,9 @@
 
 namespace taut::cli {
 
-/// In search order: folders of TAUT_SCENES, then the shipped scenes. Throws UsageError for a missing folder.
+/// Folders of TAUT_SCENES, then the shipped scenes. Throws UsageError if TAUT_SCENES contains a missing folder.
 std::vector<std::filesystem::path> scene_folders();
-/// Sorted, then "gallery/NAME". Throws UsageError without scene folders.
+/// Sorted; names in the gallery come last, as "gallery/NAME". Throws UsageError without scene folders.
 std::vector<std::string> scene_names();
 /// `scene`: path or name. Throws UsageError.
 std::filesystem::path find_scene(const std::string& scene);

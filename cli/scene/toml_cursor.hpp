@@ -20,8 +20,8 @@ struct TomlSource {
   std::set<std::string> used;  // names in expressions
 };
 
-/// Typed access to a table, to which it adds defaults. Throws SceneError for a wrong value, std::logic_error for a key
-/// that is not in `keys`.
+/// Typed access to a table; adds defaults to the table. Throws SceneError for a wrong or missing value,
+/// std::logic_error if a reader requests a key outside `keys`.
 class TomlCursor {
  public:
   /// `path` is dotted; `what` is for messages.
@@ -58,7 +58,7 @@ class TomlCursor {
 
   /// Finite value, also of an expression.
   double value_of(const TomlValue& value, std::string_view key);
-  /// Function of position; empty for the number 0. A call throws SceneError for a non-finite value.
+  /// Function of position; empty for the constant 0. A call throws SceneError for a non-finite value.
   Expression function_of(const TomlValue& value, std::string_view key);
   /// Function of time, s.
   std::function<double(double)> function_of_time(const TomlValue& value, std::string_view key);

@@ -72,7 +72,7 @@ void refuse_long_keys(std::string_view text, const std::string& file) {
 
 TomlValue converted(const toml::node& node, const std::string& file, int level = 0);
 
-/// toml++ sorts keys; restores their order in the file.
+/// Restores the order of keys in the file, since toml++ sorts them.
 void add_entries(TomlValue& value, const toml::table& table, const std::string& file, int level) {
   for (const auto& [key, node] : table)
     value.entries.push_back({.key = std::string(key.str()),

@@ -20,11 +20,11 @@ struct TomlValue {
   Kind kind = Kind::table;
   FilePlace place;
   std::string text;
-  bool verbatim = false;  // text without escapes: its offsets are columns of the file
+  bool verbatim = false;  // text as in the file; its offsets give columns
   double number = 0;
   bool whole = false;  // without point and exponent
   bool flag = false;
-  bool section = false;          // under its own [header]
+  bool section = false;          // table that is not inline
   std::list<TomlEntry> entries;  // a list keeps pointers to entries valid
   std::vector<TomlValue> items;
 
@@ -34,7 +34,7 @@ struct TomlValue {
 
   TomlEntry* find(std::string_view key);
   const TomlEntry* find(std::string_view key) const;
-  /// Replaces or appends. The new value gets the place of the old value, or of the table.
+  /// Replaces the value of `key`, keeping its place, or appends an entry.
   void set(std::string_view key, TomlValue value);
   /// "a number", "a table", ...
   std::string_view kind_name() const;
@@ -44,7 +44,7 @@ struct TomlEntry {
   std::string key;
   FilePlace place;
   TomlValue value;
-  bool known = false;  // was read
+  bool known = false;  // read or added
 };
 
 /// Throws SceneError with the place of a syntax error.

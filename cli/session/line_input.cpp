@@ -59,7 +59,7 @@ LineInput::LineInput(Complete complete) : typed_(::isatty(STDIN_FILENO) && ::isa
   if (!typed_) return;
   complete_words = std::move(complete);
   rl_readline_name = "taut";
-  rl_catch_signals = 1;  // libedit restores the terminal first
+  rl_catch_signals = 1;  // at a signal, libedit restores the terminal
   rl_basic_word_break_characters = " \t";
   rl_attempted_completion_function = complete_last_word;
   using_history();

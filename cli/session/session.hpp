@@ -38,7 +38,7 @@ class Session {
   /// Returns to t = 0, keeping settings and drawing.
   void reset();
 
-  /// Changes cfl, or constants that do not affect the initial configuration.
+  /// Changes cfl, or constants that are not fixed at the start.
   void set(const Setting& setting);
   std::vector<std::string> names_to_change() const;
 
@@ -49,15 +49,15 @@ class Session {
   void zoom(double factor);
   /// Orbits the 3D camera, degrees.
   void orbit(double right, double upwards);
-  /// Drawing with all members set for the shown state.
+  /// Drawing fitted to the shown state.
   Drawing drawing() const;
   /// Writes the shown state to a PNG file.
   void frame(const std::filesystem::path& file) const;
-  /// `drawing` must be complete.
+  /// Requires a drawing from `drawing()`.
   render::Image picture(const Drawing& drawing) const;
 
   void save(const std::filesystem::path& file) const;
-  /// Requires a state of the same scene and method.
+  /// Requires a state with the same scene, settings and method.
   void load(const std::filesystem::path& file);
 
  private:

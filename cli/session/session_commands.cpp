@@ -104,7 +104,7 @@ void take_look(Session& session, const DrawingKey& key, const Words& words) {
     return session.set_look(key, join(words, " "));
   const bool one_word = words.size() == 1 && (key.takes_words() || words[0] == automatic);
   if (!one_word && (key.takes_words() || words.size() != key.numbers.count)) wrong_words(key.name);
-  if (!one_word) std::ranges::for_each(words, number);  // throws for other words
+  if (!one_word) std::ranges::for_each(words, number);  // throws unless all words are numbers
   session.set_look(key, join(words, std::string_view(&key.numbers.between, 1)));
 }
 
@@ -149,7 +149,7 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
   drawing.print_width.clear(), drawing.font_points.reset();
   terminal.adapt(look);
   to.out << terminal.text_of(session.picture(drawing));
-  // in place of texts, which coloured characters cannot show
+  // in place of texts, which block characters cannot show
   const ColorMeaning colors = meaning(drawing);
   if (look.bare)
     to.out << colors.name << ' ' << (look.range ? ends(look.range->low, look.range->high) : "by colour")

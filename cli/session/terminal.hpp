@@ -9,10 +9,10 @@
 
 namespace taut::cli {
 
-/// Shows pictures on stdout: as pixels if possible (kitty, iTerm2, sixels), else as coloured characters.
+/// Converts pictures for the terminal: to pixels if possible (kitty, iTerm2, sixels), else to block characters.
 class Terminal {
  public:
-  /// Throws UsageError if `out` is no terminal.
+  /// Throws UsageError unless `out` is std::cout and a terminal.
   explicit Terminal(const std::ostream& out);
   ~Terminal();
   Terminal(const Terminal&) = delete;

@@ -87,7 +87,7 @@ void describe_errors(Chart& chart, const ChartErrors& errors, const StoredRun& r
   chart.dim = run.record.dim;
 }
 
-/// Value of all runs; empty if they differ.
+/// Value of all runs that have one; empty if the values differ.
 std::string common(const StoredResults& results, std::string_view column) {
   std::string value;
   for (const StoredRun& run : results.runs) {
@@ -211,7 +211,7 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
   for (ChartSeries& series : chart.series) {
     std::ranges::sort(series.points, std::greater(), &ChartPoint::spacing);
     series.order = convergence_order(series.points);
-    double worst = 0;  // of finer stable runs
+    double worst = 0;  // error of finer stable runs
     for (ChartPoint& point : std::views::reverse(series.points)) {
       if (!point.stable || !point.error) continue;
       point.by_chance = *point.error < worst;

@@ -84,7 +84,7 @@ std::string shown_error(const Chart& chart, double error);
 /// "-" if unknown.
 std::string shown_cost(double cost);
 
-/// Least-squares slope of log error over log spacing of stable runs; nullopt for fewer than two spacings.
+/// Least-squares slope of log error over log spacing of stable runs with errors > 0; nullopt for fewer than two.
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 
 /// The default measure has the largest number of errors; times (`*_time`) and errors with a unit come last. Of runs

@@ -61,7 +61,7 @@ bool has_errors(const StoredResults& results, const std::string& measure, const 
   return std::ranges::any_of(results.runs, [&](const StoredRun& run) { return errors.of(run).has_value(); });
 }
 
-/// Measures that are errors cannot be used with --against.
+/// Measures that are errors cannot be compared with a run.
 bool is_error(const StoredResults& results, const std::string& measure) {
   return std::ranges::any_of(
       results.runs, [&](const StoredRun& run) { return is_difference(run.record.measure(measure).kind); });

@@ -8,13 +8,13 @@
 
 namespace taut::cli {
 
-/// Errors relative to references or runs.
+/// Errors against references or runs.
 struct ChartErrors {
   std::string measure;
   std::vector<const StoredRun*> against{};  // one per swept scene; empty: references
   std::vector<std::string> swept{};         // names in which the scenes differ
 
-  /// The reference for the scene of `run`, or nullptr.
+  /// The run in `against` with the scene of `run`, or nullptr.
   const StoredRun* reference_of(const StoredRun& run) const;
   std::optional<double> of(const StoredRun& run) const;
   bool measured(const StoredRun& run) const;
@@ -26,7 +26,7 @@ struct ChartErrors {
 /// The same row or folder.
 bool is_same_run(const StoredRun& a, const StoredRun& b);
 
-/// Chooses the measure as make_chart() does.
+/// For the default measure see make_chart().
 ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& request);
 
 /// "0.5 mm".

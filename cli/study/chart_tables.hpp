@@ -9,13 +9,12 @@ namespace taut::cli {
 std::string orders_table(const Chart& chart);
 /// Errors by series and spacing.
 std::string markdown(const Chart& chart);
-/// Cheapest run by accuracy; empty unless errors are shares and costs are times.
+/// Cheapest run of each series by accuracy; may be empty.
 std::string markdown_of_prices(const Chart& chart);
 std::string chart_json(const Chart& chart);
 
 /// "error of period, % of the reference".
 std::string error_label(const Chart& chart);
-/// Fixed settings, reference, machine.
 std::vector<std::string> footnotes(const Chart& chart);
 
 }  // namespace taut::cli

@@ -19,15 +19,15 @@ struct Offer {
   const ChartSeries* series;
   const ChartPoint* point;
   double error = 0;  // greatest of this and the finer runs
-  int finer = 0;     // runs
+  int finer = 0;     // number of finer runs
 };
 
-/// The cheapest of each series, sorted by cost.
+/// The cheapest run of each series within the limits, sorted by cost.
 std::vector<Offer> suitable_offers(const Chart& chart, const ChoiceLimits& limits);
 /// Runs with a smaller error than all cheaper runs, sorted by cost.
 std::vector<Offer> pareto_front(const Chart& chart, std::optional<double> seconds);
 
-/// The cheapest accurate run with its evidence, or the run with the smallest error.
+/// The cheapest run within the limits with its evidence, or the reason why there is none.
 std::string advice(const Chart& chart, const ChoiceLimits& limits);
 std::string price_list(const Chart& chart, std::optional<double> seconds);
 Json to_json(const std::vector<Offer>& offers);

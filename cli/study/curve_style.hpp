@@ -5,7 +5,6 @@
 
 namespace taut::cli {
 
-/// The first line of a method has the same style in all pictures.
 struct CurveStyle {
   std::string color;         // "#0072B2"
   int dash = 1;              // 1: solid
@@ -15,10 +14,11 @@ struct CurveStyle {
   std::string marker() const;
 };
 
+/// The first line of a method has the same style in all pictures.
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& methods);
 /// Number of pairs of a colour and a marker.
 std::size_t most_marked_lines();
-/// For lines without markers. If some would look alike, all get colours from dark to light.
+/// For lines without markers. If some would look alike, or all have one method, all get colours from dark to light.
 std::vector<CurveStyle> line_styles(const std::vector<std::string>& methods);
 /// For lines that stand for no method.
 CurveStyle numbered_style(std::size_t k);

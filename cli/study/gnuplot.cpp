@@ -102,7 +102,7 @@ double right_margin(const std::vector<std::string>& names) {
 std::string plot_head(const PlotFiles& files, int width, int height, double scale) {
   const std::string format = files.picture.extension().string();
   const double w = width * scale, h = height * scale;
-  // sizes of pictures: PDF in inches, else pixels; of fonts: SVG in pixels, else points
+  // picture size: PDF in inches, else pixels; font size: SVG in pixels, else points
   const std::string lines = fmt::format(" linewidth {0:.4g} pointscale {0:.4g}", scale);
   std::string terminal;
   if (format == ".svg")

@@ -21,7 +21,7 @@ struct HistoryPlot {
   struct Curve {
     std::string name;
     std::string method;
-    std::vector<std::vector<double>> rows;  // x, then columns; NaN for an empty cell
+    std::vector<std::vector<double>> rows;  // x, then columns; NaN: not drawn
   };
   std::string title, scene;
   HistoryColumn x{"t", "t", {}, "s"};
@@ -29,7 +29,7 @@ struct HistoryPlot {
   std::vector<Curve> curves;
   std::vector<std::vector<std::size_t>> panels{};  // columns of each; empty: one panel per column
   std::vector<ReferenceCurve> references{};        // over time, or along lines
-  const char* kind = "history";                    // in printed lines
+  const char* kind = "history";                    // in messages
 };
 
 struct NamedRun {

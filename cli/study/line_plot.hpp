@@ -21,8 +21,8 @@ std::string line_unit(const std::string& line, const Scene& scene);
 /// "s" and the coordinates.
 std::vector<std::string> line_axes(int dim);
 
-/// A curve for each run and time, from lines.csv, and the references; lines are the columns of the plot. `scenes`: of
-/// `results.runs`. Prints missing samples on `err`. Throws UsageError for unreadable files, and without any sample.
+/// Plots lines.csv: a curve for each run and time, a column for each line. `scenes[k]` is of `results.runs[k]`.
+/// Prints missing samples on `err`. Throws UsageError for unreadable files, and without any sample.
 HistoryPlot make_line_plot(const StoredResults& results, const std::vector<SceneFile>& scenes,
                            const LineRequest& request, std::ostream& err);
 

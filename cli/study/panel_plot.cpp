@@ -43,7 +43,7 @@ constexpr int least_beside = 900;  // legend above the panels in narrower pictur
 
 struct Layout {
   int width = 0, above = 0, panel = 0;
-  double total = 0, left = 0, right = 1;  // `left` and `right` are shares
+  double total = 0, left = 0, right = 1;  // `left`, `right`: shares of the width
   bool beside = false;
   int legend_columns = 1, legend_height = 0;
 };
@@ -151,7 +151,7 @@ PlotLook plot_look(const PlotLookOptions& typed, const PlotFiles& files) {
   }
   if (width > greatest_side || height.value_or(0) > greatest_side)
     throw UsageError(fmt::format(
-        "the picture would be {:.0f} pixels {}; at most {} are allowed; use a smaller --dpi",
+        "the picture would be {:.0f} pixels {}; at most {} are allowed; use a smaller --width or --dpi",
         std::max(width, height.value_or(0)), width < height.value_or(0) ? "high" : "wide", greatest_side));
   look.width = static_cast<int>(std::lround(width / look.scale));
   if (height) look.height = static_cast<int>(std::lround(*height / look.scale));

@@ -53,7 +53,7 @@ struct AxisScale {
   double factor = 1;
   std::string label;
 };
-/// SI prefix as in frames.
+/// Scales units as in frames.
 AxisScale axis_scale(const std::string& name, const std::string& unit, double greatest, bool is_log);
 /// Ticks at 1, 2 and 5 of each decade, in long ranges at powers of ten.
 std::string log_ticks(double low, double high, std::string (*show)(double));

@@ -12,7 +12,7 @@ namespace taut::cli {
 struct ReferenceCurve {
   std::string column;
   std::string name;               // "finite elements"
-  std::vector<double> t, values;  // t along a line: distance from its first point
+  std::vector<double> t, values;  // t along a line: distance or coordinate
   std::string time = {};          // along a line: ", t = 0.09 s"
 
   bool operator==(const ReferenceCurve&) const = default;

@@ -68,7 +68,7 @@ struct LineNames {
       line, x.name, x.text(a), runs, join(differing), join(by, ",")));
 }
 
-/// Throws UsageError if several parameters are swept, or for runs that are not in a sweep.
+/// Throws UsageError unless one parameter is swept.
 std::string only_parameter(const StoredResults& results) {
   const auto is_swept = [](const StoredRun& run) {
     return std::ranges::any_of(run.cells,
@@ -201,7 +201,7 @@ std::string response_data(const ResponsePlot& plot) {
 
 namespace {
 
-/// Label of an axis without the unit; empty for several columns with a unit, which the legend names.
+/// Label of an axis without the unit. Empty for several columns with a unit: the legend names the columns.
 std::string names_in(const std::vector<ResultColumn>& columns) {
   std::vector<std::string> names;
   if (columns.size() > 1 && !columns.front().unit.empty()) return "";

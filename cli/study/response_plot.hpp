@@ -14,7 +14,7 @@ struct ResponseRequest {
   std::vector<std::string> by{};  // empty: columns that differ
 };
 
-/// Measures or other columns of results.csv over a setting.
+/// Columns of results.csv over another column.
 struct ResponsePlot {
   struct Point {
     double x = 0, y = 0;
@@ -32,7 +32,7 @@ struct ResponsePlot {
   std::string title, scene;
   ResultColumn x;
   std::vector<Panel> panels;
-  int without_value = 0;  // runs that are missing in a panel
+  int without_value = 0;  // runs that lack a number
 };
 
 /// Throws UsageError for unknown names, columns without numbers, different units in a panel, and equal x in a line.

@@ -22,7 +22,7 @@ struct MapCell {
   std::optional<double> value{};
 };
 
-/// Verdicts by parameter and method. A method has a row per combination of other settings.
+/// Verdicts or a measure by parameter and method. A method has a row per combination of other settings.
 struct StabilityMap {
   std::string title, scene;
   std::string parameter;

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_title = 200;
 constexpr std::string_view parameter_prefix = "parameters.";
-constexpr std::string_view fixed_prefix = "fixed.";  // for all runs
+constexpr std::string_view fixed_prefix = "fixed.";  // for all runs of a sweep
 
 fs::path results_file(const std::string& given) {
   std::error_code error;
@@ -46,7 +46,7 @@ void check_columns(const fs::path& file, const CsvTable& table) {
   if (std::ranges::find(table.columns, "status") != table.columns.end() &&
       missing.size() + 1 == needed.size())
     throw UsageError(
-        fmt::format("no run in '{}' has a result yet; `taut sweep` continues it", file.string()));
+        fmt::format("no run in '{}' has a result yet; continue with `taut sweep`", file.string()));
   throw UsageError(fmt::format("'{}' is not the results.csv of a sweep: it has no column {}", file.string(),
                                join(missing)));
 }
@@ -371,7 +371,7 @@ std::string series_name(const StoredRun& run, const std::vector<std::string>& co
   std::string name = run.method();
   for (const std::string& column : columns) {
     const std::string value = value_of(run, without_prefix(column));
-    // methods have different default laws, so this column distinguishes them even if nobody set a law
+    // methods have different default contact laws
     const bool is_default_contact = without_prefix(column) == "contact" && run.text("set.contact").empty() &&
                                     method && value == method->contact.name;
     if (!value.empty() && !is_default_contact) name += fmt::format(", {}={}", without_prefix(column), value);

@@ -22,13 +22,13 @@ struct StoredRun {
   std::string file;
   std::string status = {};  // of the record, or "to do", "error"
   RunRecord record = {};
-  StoredSettings cells = {};  // by column: "set.v0", "fixed.until" (for all runs)
+  StoredSettings cells = {};  // by column: "set.v0", "fixed.until"
   Json all = {};              // of run.json
 
   /// Cell of a column, or "". Prefer the members of `record`.
   std::string text(std::string_view column) const;
   bool has_result() const { return status == "finished" || status == "failed"; }
-  std::string method() const;  // known before a result if swept
+  std::string method() const;  // empty if neither recorded nor swept
   std::string folder() const;
   std::string verdict() const { return record.verdict ? std::string(name(*record.verdict)) : ""; }
   bool is_stable() const { return has_result() && record.verdict == Verdict::stable; }
@@ -38,16 +38,16 @@ struct StoredRun {
   mutable std::vector<std::uint32_t> by_column = {};  // order of `cells` by column, made by `text`
 };
 
-/// Runs of one or several sweeps.
+/// Runs of sweeps or run folders.
 struct StoredResults {
-  std::string title;  // of the first sweep, else the scene's name
+  std::string title;
   std::string scene;
-  std::map<std::string, std::string> units;  // of swept parameters
-  StoredSettings fixed;                      // common settings
+  std::map<std::string, std::string> units;  // by parameter
+  StoredSettings fixed;                      // common to all sweeps
   std::vector<StoredRun> runs;
 
   std::vector<std::string> measures() const;
-  /// Name with unit: "v0, c0".
+  /// Name with unit: "until, s".
   std::string label(const std::string& name) const;
 };
 
@@ -61,17 +61,17 @@ StoredRun read_stored_run(const std::string& path);
 /// Does nothing for empty `methods`. Throws UsageError for a method without runs.
 void keep_methods(StoredResults& results, const std::vector<std::string>& methods);
 
-/// Columns that distinguish runs of equal method and `x`: "set.cfl". A setting also represents parameters
-/// that depend on it.
+/// Columns that distinguish runs of equal method and `x`: "set.cfl".
+/// Omits parameters that follow from listed settings.
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x);
 /// Settings of the scene, not of its simulation: "v0", "until", "law".
 std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs);
 /// Value, set or default; "" if unknown.
 std::string value_of(const StoredRun& run, const std::string& name);
 struct ResultColumn {
-  std::string name;       // "deflection", "deflection (error)", "v0"
-  std::string column;     // empty: no measure, see value_of()
-  std::string unit{};     // SI, or "%"
+  std::string name;    // "deflection", "deflection (error)", "v0"
+  std::string column;  // empty: no measure, see value_of()
+  std::string unit{};
   std::string measure{};  // empty: another quantity
   bool is_share = false;
 

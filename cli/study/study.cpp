@@ -190,7 +190,7 @@ int draw_history(const HistoryPlot& plot, const PlotFiles& files, Streams stream
 
 int draw_response(const ResponsePlot& plot, const PlotFiles& files, Streams streams, const PlotLook& look) {
   if (plot.without_value > 0)
-    streams.err << "taut: " << plot.without_value << " runs lack a number and are not on the plot\n";
+    streams.err << "taut: " << plot.without_value << " runs lack a number, so points are missing\n";
   const int code = draw_plot(files, response_script(plot, files, look), response_data(plot));
   print_files("plot", files, "", streams);
   return code;

@@ -43,7 +43,7 @@ StudyPictures read_pictures(TomlCursor& root);
 /// Names known before the runs start.
 struct AvailableData {
   std::set<std::string> measures;
-  std::set<std::string> referenced;   // with a reference in some run
+  std::set<std::string> referenced;   // measures with a reference
   std::set<std::string> differences;  // measures that are differences from a reference
   std::set<std::string> methods;
   std::set<std::string> columns;  // of history.csv
@@ -60,7 +60,7 @@ int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& fo
 
 /// Prints warnings. Throws UsageError.
 Chart read_chart(const std::vector<std::string>& results, const ChartRequest& request, std::ostream& err);
-/// Draw a picture; print its files and tables. Return the exit code. Throw UsageError and OutputError.
+/// Draw a picture. Return the exit code. Throw UsageError and OutputError.
 int draw_chart(const std::vector<std::string>& results, const ChartRequest& request, const PlotFiles& files,
                Streams streams);
 int draw_history(const HistoryPlot& plot, const PlotFiles& files, Streams streams, const PlotLook& look = {});

@@ -41,7 +41,7 @@ exec @SWEEP@
 )"},
 };
 
-/// With fewer allowed CPUs than physical cores, the number of allowed CPUs.
+/// Number of allowed CPUs or of physical cores, whichever is smaller.
 constexpr std::string_view physical_cores =
     "$({ nproc; lscpu --parse=CORE,SOCKET | grep -v '^#' | sort -u | wc -l; } | sort -n | head -n 1)";
 

@@ -17,7 +17,7 @@ std::vector<std::string> emit_names();
 const EmitForm& find_emit_form(const std::string& name);
 
 /// `sweep`: words of the command. `threads`: of each run.
-/// `measures_costs`: each thread has a physical core.
+/// With `measures_costs`, each thread gets a physical core.
 std::string emit_script(const EmitForm& form, const std::string& title, int runs, int threads,
                         bool measures_costs, const std::vector<std::string>& sweep);
 

@@ -92,7 +92,7 @@ void declare_sweep_options(Options& command, SweepOptions& o) {
               "write a script that does the runs: a Slurm array job, or GNU parallel");
   command.add("--out", "DIR", o.run.out, "folder for results and runs; default: out/FILE or out/SCENE-sweep");
   declare_setting_options(command, o.run);
-  command.add_flag("--render", o.render, "draw frames; every drawing option implies it");
+  command.add_flag("--render", o.render, "draw frames; drawing options imply it");
   declare_output_options(command, o.run);
   declare_particle_options(command, o.run);
   o.run.threads = 1;

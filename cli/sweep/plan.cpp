@@ -206,7 +206,7 @@ void SweepRun::read_folder() {
   const bool same = found->version == build_info.version &&
                     are_of_one_run(read_whole(files.scene()).value_or(""), scene, last_frame >= 0);
   const bool failed = found->status == Status::failed;
-  // another failure, such as a full disk, gives no result
+  // a failure other than divergence, such as a full disk, gives no result
   const bool ended = found->status == Status::finished || (failed && found->verdict == Verdict::diverged);
   std::error_code error;
   const bool drawn = last_frame < 0 || fs::exists(files.frame(failed ? 0 : last_frame), error);

@@ -14,7 +14,7 @@ namespace taut::cli {
 enum class SweepRunState {
   to_do,
   outdated,     // other settings or version
-  interrupted,  // or killed
+  interrupted,  // run.json without a result
   damaged,      // unreadable run.json
   broken,       // crash, kill or error
   done,         // finished or diverged
@@ -79,7 +79,7 @@ struct SweepRequest {
   StudyPictures pictures;
 };
 
-/// Starts no run. Throws SceneError with the place, or UsageError with the run.
+/// Starts no run. Throws SceneError and UsageError.
 SweepPlan plan_sweep(const SweepRequest& request);
 
 }  // namespace taut::cli

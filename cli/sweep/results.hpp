@@ -14,7 +14,7 @@ std::string results_json(const SweepPlan& plan);
 /// `index` selects a run.
 Json results_tree(const SweepPlan& plan, std::optional<int> index = {});
 
-/// RFC 4180, a row per run. Columns are paths: "set.v0", "measures.period.value". Missing values are empty.
+/// A row per run. Columns are paths: "set.v0", "measures.period.value". Missing values are empty.
 std::string results_csv(const SweepPlan& plan);
 
 /// Writes results.csv and results.json, each atomically. Throws OutputError.

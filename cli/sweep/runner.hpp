@@ -13,7 +13,7 @@ namespace taut::cli {
 
 struct SweepEnd {
   bool interrupted = false;
-  int code = 0;  // gravest code of a `broken` run
+  int code = 0;  // gravest exit code of the `broken` runs
 };
 
 struct SweepEvents {

@@ -26,7 +26,7 @@ struct SuiteEntry {
   const std::string& owner() const { return is_control() ? differs_from : name; }
 };
 
-/// Entries include the keys of the suite, and controls the keys of `differs_from`. See scenes/LANGUAGE.md.
+/// Entries inherit keys of the suite, and controls inherit keys of `differs_from`. See scenes/LANGUAGE.md.
 struct SuiteFile {
   std::filesystem::path path, baselines;
   std::string title;

@@ -13,12 +13,11 @@ namespace taut::cli {
 
 /// `columns`: width of the text.
 std::string list_of_entries(const std::vector<PlannedEntry>& entries, std::optional<std::size_t> columns);
-/// Also lists frames that differ, warn or are missing.
 std::string table_of_outcomes(const std::vector<EntryOutcome>& outcomes, std::optional<std::size_t> columns);
 
 /// `outcome`: nullptr if the entry was not run.
 Json entry_json(const PlannedEntry& planned, const EntryOutcome* outcome);
-/// A case per frame, control, updated entry and entry without result.
+/// One case per control, updated entry and entry without result; for other entries, one per frame.
 TestReport suite_report(const SuiteFile& suite, const std::vector<EntryOutcome>& outcomes);
 SuiteRecord record_of(const SuiteFile& suite, const SuiteOptions& options,
                       const std::vector<EntryOutcome>& outcomes);

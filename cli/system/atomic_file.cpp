@@ -105,7 +105,7 @@ int open_new(const std::string& path) {
       continue;
     }
     const int other = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (other < 0 && errno == ENOENT) continue;  // the other writer has renamed it
+    if (other < 0 && errno == ENOENT) continue;  // the other writer has finished
     if (other >= 0 && !wait_for_lock(other)) return give_up(other, EWOULDBLOCK);
     const bool left_behind = other < 0 || still_named(other, path);
     if (left_behind && ::unlink(path.c_str()) != 0 && errno != ENOENT) return give_up(other, errno);

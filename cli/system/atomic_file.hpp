@@ -47,7 +47,7 @@ std::optional<std::string> read_whole(const std::filesystem::path& path,
 class AppendFile {
  public:
   enum class Start { empty, as_it_is };
-  /// Throws OutputError; UsageError if the file `as_it_is` is missing.
+  /// Throws OutputError, and UsageError for a missing file with `as_it_is`.
   explicit AppendFile(std::filesystem::path path, Start start = Start::empty);
   ~AppendFile();
   AppendFile(const AppendFile&) = delete;
@@ -58,7 +58,7 @@ class AppendFile {
   std::int64_t length() const { return length_; }
   /// Throws UsageError if the file is shorter.
   void check_holds(std::int64_t length) const;
-  /// Keeps `length` bytes. Throws like `check_holds`.
+  /// Keeps `length` bytes. Throws UsageError if the file is shorter, and OutputError.
   void cut(std::int64_t length);
   void put_on_disk() const;
 

@@ -11,8 +11,8 @@ enum ExitCode : int {
   exit_fine = 0,
   exit_different = 1,    // `diff`, `snapshot`, `check`, `claims`
   exit_not_granted = 1,  // `choose`
-  exit_wrong_input = 2,  // command line or scene
-  exit_diverged = 3,     // or the verdict is at least as bad as --fail-on
+  exit_wrong_input = 2,
+  exit_diverged = 3,  // or the verdict is at least as bad as --fail-on
   exit_not_written = 4,
   exit_bug = 70,  // EX_SOFTWARE of sysexits.h
 };

@@ -124,7 +124,7 @@ class Workplace {
   const fs::path& file() const { return file_; }
 
  private:
-  /// Follows no link and removes no other file.
+  /// Follows no link.
   void remove() const {
     struct stat found {};
     if (::lstat(folder_.c_str(), &found) != 0) return;

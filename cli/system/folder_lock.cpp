@@ -50,7 +50,7 @@ bool knows_no_locks(int error) {
   return std::ranges::find(all, error) != all.end();
 }
 
-/// Lock file, one line per member.
+/// Contents of a lock file, one line per member.
 struct Holder {
   std::string command, process, host, since;
 
@@ -108,7 +108,7 @@ FolderLock::FolderLock(const fs::path& folder, Of of, std::string_view command, 
 }
 
 FolderLock::~FolderLock() {
-  // still locked: no other process uses this file
+  // removed before close() unlocks it
   if (!kind(of_).stays && is_still_there()) ::unlink(file_.c_str());
   ::close(descriptor_);
   std::error_code filled;

@@ -18,7 +18,7 @@ class FolderLock {
     part_of_sweep,  // excludes writers of the whole sweep
   };
 
-  /// Creates a missing folder. Messages of other processes name `command`. Throws UsageError if another process holds
+  /// Creates a missing folder. Messages of other processes can name `command`. Throws UsageError if another process holds
   /// the lock, and OutputError.
   FolderLock(const std::filesystem::path& folder, Of of, std::string_view command, std::ostream& err);
   /// Removes created folders, if empty.

@@ -16,7 +16,7 @@ namespace {
 constexpr double bar_interval = 0.1;     // s
 constexpr double sure_after = 1.0;       // s before a warning
 constexpr double long_work = 12 * 3600;  // s
-constexpr double line_interval = 10.0;   // shortest time between lines, s
+constexpr double line_interval = 10.0;   // s
 
 /// Some terminals wrap in the last column.
 std::size_t line_width() { return terminal_columns(STDERR_FILENO).value_or(80) - 1; }

@@ -40,7 +40,7 @@ std::string host_name();
 
 class Provenance {
  public:
-  /// Times end at this call.
+  /// Measures times until this call.
   Json to_json() const;
 
  private:

@@ -40,7 +40,7 @@ std::uint64_t hash_of(std::string_view text);
 /// Table. Wraps the widest column if the table is wider than `columns`. Escapes cells with printable().
 std::string in_columns(std::vector<std::vector<std::string>> rows, int indent = 2,
                        std::optional<std::size_t> columns = {});
-/// Lines of at most `columns` characters, including `indent` blanks, without a newline at the end.
+/// Breaks `text` at blanks to fit `columns`. Each line begins with `indent` blanks; the last has no newline.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns);
 
 /// "NAME_00012.EXTENSION"

@@ -11,7 +11,7 @@
 
 namespace taut::cli {
 
-/// Invalid values cause a UsageError with file and path of the key ("measures.period.value").
+/// Its UsageErrors contain the file and the path of the key ("measures.period.value").
 class JsonCursor {
  public:
   /// The arguments must outlive the cursor. With `texts_are_numbers`, as in CSV, number() parses texts.
@@ -32,7 +32,7 @@ class JsonCursor {
 
   void check_object() const;
   std::optional<double> number() const;
-  /// Null gives NaN. For an integer T, null and values beyond ±1e9 (64-bit: ±1e18) give 0.
+  /// Null gives NaN, or 0 for an integer T. Integers beyond ±1e9 (64-bit: ±1e18) give 0.
   template <class T>
   T number_as() const {
     const double value = number().value_or(NAN);

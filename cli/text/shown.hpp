@@ -9,8 +9,8 @@ namespace taut::cli {
 /// Cuts a text longer than `most` bytes, then escapes it like printable(), including line breaks.
 std::string shown(std::string_view text, std::size_t most = 200);
 
-/// Escapes control characters, except line breaks, and bidirectional marks, as in "\x1b". In invalid UTF-8, also escapes
-/// all bytes from 0x80.
+/// Escapes bidirectional marks and all control characters except line breaks, as in "\x1b". In invalid UTF-8, also
+/// escapes all bytes from 0x80.
 std::string printable(std::string_view text);
 
 /// Cuts a text longer than `most` bytes between UTF-8 characters and appends "…".

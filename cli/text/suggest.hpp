@@ -12,7 +12,7 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
 /// " (did you mean 'a' or 'b'?)", or "".
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
-/// End of a message about an unknown name: similar names, or all names if they are few.
+/// End of a message about an unknown name.
 std::string known_names(std::string_view given, const std::vector<std::string>& names);
 
 /// "unknown method 'enogg' (did you mean 'enog'?)".

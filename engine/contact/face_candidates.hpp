@@ -49,7 +49,7 @@ class FaceCandidates {
   }
 
  private:
-  // in spacings
+  // lengths in spacings
   static constexpr double skin = 1;
   static constexpr double horizon = 4;    // search range
   static constexpr double far_apart = 3;  // least initial distance in one body

@@ -102,7 +102,8 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
   }
 }
 
-/// Calls f(node, wall, depth, area, k) for each node behind a wall. `depth`: overlap with the mirror image, m.
+/// Calls f(node, wall, depth, area, k) for nodes that are behind a wall and face it. `depth`: overlap with the mirror
+/// image, m.
 template <class F>
 void FaceContacts::for_each_wall(const WallContacts<2>& walls, const F& f) const {
   for (const auto& [n, wall] : candidates_.near_wall) {

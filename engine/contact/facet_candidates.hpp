@@ -64,7 +64,7 @@ class FacetCandidates {
   }
 
  private:
-  // in spacings
+  // lengths in spacings
   static constexpr double skin = 1.4;
   static constexpr double horizon = 4.25;    // search range
   static constexpr double cluster = 4;       // width of clusters of facets

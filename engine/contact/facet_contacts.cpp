@@ -100,8 +100,8 @@ void FacetContacts::for_each_pair(int row, const int* first, int count, const F&
   }
 }
 
-/// Calls f(facet, wall, depth, projected share, k) for each facet behind a wall. `depth`: overlap with the mirror
-/// image, m.
+/// Calls f(facet, wall, depth, projected share, k) for facets that are behind a wall and face it. `depth`: overlap with
+/// the mirror image, m.
 template <class F>
 void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) const {
   for (const auto& [facet, wall] : candidates_.near_wall) {

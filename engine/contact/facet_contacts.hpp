@@ -99,7 +99,7 @@ class FacetContacts final : public ContactMechanism<3> {
   std::vector<Touch> touches_;               // [row]
   std::vector<int> near_;                    // rows in range of row r, from begin_[r] on
   std::vector<MovingFacets::Slope> slopes_;  // [row]
-  std::vector<int> watched_;                 // ascending
+  std::vector<int> watched_;                 // facets, ascending
   std::vector<int> nodes_;                   // nodes of the facets in `watched_`
   std::vector<V> force_;                     // [node] N
 };

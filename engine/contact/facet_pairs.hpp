@@ -53,7 +53,7 @@ class FacetPairs {
   using V = Vec<double, 3>;
 
   FacetPairs() = default;
-  /// A cluster contains the facets in a cell of this width (in m) with similar initial normals.
+  /// A cluster contains facets in a cell of this width (in m) with similar initial normals.
   FacetPairs(const MovingFacets& facets, double width) {
     using Key = std::tuple<int, int, bool, std::array<double, 3>>;
     std::vector<Key> key;

@@ -13,16 +13,16 @@
 
 namespace taut {
 
-/// The half of a side next to its node, and the share of this half that faces a segment.
+/// Half of a side, next to a node, and the share of this half that faces a segment.
 struct FacingHalf {
   int side = Outline::none;
   double half = 0;              // initial length, m
   double share = 0, slope = 0;  // facing_share and its derivative by the cosine
-  /// Place on the side above each end of the segment: 0 at the node, 1 at the far end of the side.
+  /// Place on the side above each sharp end of the segment: 0 at the node, 1 at the far end of the side.
   std::array<double, 2> at{};
   std::array<double, 2> over{1, 1};  // share of the half inside each end, smoothed
   std::array<double, 2> rise{};      // derivative of `over` by `at`
-  double past = 1;                   // 1 − facing_share of the next face
+  double past = 1;                   // 1 − facing_share of segment `next`
   double past_slope = 0;
   int next = Outline::none;
 
@@ -88,7 +88,7 @@ class MovingFaces {
     for (int n = 0; n < size(); ++n) place(s, n);
     for (int k = 0; k < static_cast<int>(normal_.size()); ++k) set_normal(k);
   }
-  /// Requires current nodes of segment k.
+  /// Requires current places of the nodes.
   void set_normal(int k) {
     const auto& [node, length, sense] = outline_.segments[k];
     const V t = place_[node[1]] - place_[node[0]];
@@ -96,7 +96,7 @@ class MovingFaces {
     normal_[k] = {factor * t[1], -factor * t[0]};
   }
   const std::vector<V>& places() const { return place_; }  // [node] m
-  /// Position of the main particle (of greatest weight) of each node, m.
+  /// Position of the particle of greatest weight of each node, m.
   void follow(const Particles<2>& s, std::vector<V>& x) const {
     x.clear();
     for (const int share : main_share_) x.push_back(s.x[stored_[share]]);
@@ -119,7 +119,7 @@ class MovingFaces {
     return dot(offset, offset);
   }
 
-  /// Initial length in m of the node's sides that faces `normal`.
+  /// Sum over the sides at the node: half the initial length times facing_share, m.
   double facing(int node, const V& normal) const {
     double area = 0;
     for (const int k : outline_.beside[node])
@@ -139,7 +139,8 @@ class MovingFaces {
 
   /// Replaces `best` by the closest point of segment k if the node faces the segment and this point has a lower rank.
   /// The rank is the distance plus up to half the segment's length for oblique sides: a corner is pushed back by the
-  /// face in front of it, not by the face beside it. Beyond a sharp end, the depth is that of the side at this end.
+  /// face in front of it, not by the face beside it. Beyond a sharp end, the distance is the depth of the node's side at
+  /// this end.
   void measure(int node, int k, ClosestPoint& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -164,15 +165,15 @@ class MovingFaces {
     if (closest.rank < best.rank) best = closest;
   }
 
-  /// `share`: factor of the energy; `slope`: its derivative by `cosine`; `cosine`: between the offset and the mean
-  /// normal of both segments at a blunt end.
+  /// `share`: factor of the energy; `slope`: its derivative by `cosine`; `cosine`: between the offset and
+  /// normal_at_end, at a blunt end.
   struct Touch {
     double depth;  // behind the segment, m; negative in front
     V out;
     double share = 1, cosine = 0, slope = 0;
   };
-  /// At blunt ends the sign of the depth depends on `cosine`. With `fades` the energy does not jump there: the flanks of
-  /// a crease would gain energy.
+  /// At blunt ends the sign of the depth depends on `cosine`. With `fades` the energy does not jump there, so that the
+  /// flanks of a crease gain no energy.
   Touch touch(const ClosestPoint& closest, bool fades = false) const {
     if (is_beyond(closest)) {
       const FacingHalf& half = closest.halves[closest.halves[0].side == Outline::none ? 1 : 0];
@@ -271,7 +272,7 @@ class MovingFaces {
     return h;
   }
 
-  /// n + n' of the segments that meet at an end of segment k.
+  /// Sum of the normals of the segments at an end of segment k.
   V normal_at_end(int k, bool second) const {
     const int next = outline_.beside[outline_.segments[k].node[second]][second];
     return next == Outline::none ? normal_of(k) : normal_of(k) + normal_of(next);
@@ -313,7 +314,7 @@ class MovingFaces {
     other(ends[0], turning * closest.normal);
   }
 
-  /// Applies the derivative of the energy by the cosine c between o, the offset from an end, and m = n + n':
+  /// Applies the derivative of the energy by the cosine c between o, the offset from an end, and m, its normal_at_end:
   ///   δc = (m/|m| − c o/|o|)·δo/|o| + (o/|o| − c m/|m|)·δm/|m|
   template <class Own, class Other>
   void push_aside(const ClosestPoint& closest, double cosine, double slope, const Own& own,
@@ -330,7 +331,7 @@ class MovingFaces {
     if (next != Outline::none) turn(next, turning, slope, other);
   }
 
-  /// Applies the derivative of the energy by the cosine of two normals: δn = −t n·δt/|t|².
+  /// Applies the forces of the energy change slope normal·δn, where δn = −t n·δt/|t|².
   template <class Give>
   void turn(int side, const V& normal, double slope, const Give& give) const {
     const auto& ends = outline_.segments[side].node;
@@ -343,7 +344,7 @@ class MovingFaces {
     turn(side, normal_of(segment), slope, own), turn(segment, normal_of(side), slope, other);
   }
 
-  /// Marks ends where the face turns outwards by over 60°.
+  /// Marks ends at convex corners where the face turns by over 60°.
   void find_sharp_ends() {
     for (int k = 0; k < static_cast<int>(outline_.segments.size()); ++k) {
       std::array<bool, 2>& sharp = sharp_.emplace_back();
@@ -366,7 +367,7 @@ class MovingFaces {
   Outline outline_;
   std::vector<std::array<bool, 2>> sharp_;  // [segment][end]
   std::vector<int> stored_;                 // [share] storage index of its particle
-  std::vector<int> main_share_;             // [node] share of the main particle
+  std::vector<int> main_share_;             // [node] share of greatest weight
   std::vector<V> place_;                    // [node] m
   std::vector<V> normal_;                   // [segment]
 };

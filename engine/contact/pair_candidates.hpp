@@ -17,7 +17,7 @@ namespace taut {
 template <int Dim>
 class PairCandidates {
  public:
-  /// `reach`: range of pairs of two bodies, m; beyond one spacing for gap probes only.
+  /// `reach`: range of pairs of two bodies, m; only gap probes need pairs beyond one spacing.
   PairCandidates(const SolverInput& input, bool between_bodies, double reach)
       : between_bodies_(between_bodies),
         dp_(input.constants.dp),

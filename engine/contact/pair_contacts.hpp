@@ -12,9 +12,9 @@
 namespace taut {
 
 /// Contact of particles less than a spacing apart, of two bodies or of distant parts of one body. Forces are equal and
-/// opposite along the pair. Departures of `impulse` from [Khayyer2024] Eq. 53–54: the approach of the new velocities is
-/// stopped, since pressed faces would otherwise creep into each other; the contact distance is one spacing, as the
-/// paper gives none.
+/// opposite along the pair. Departures of `stop_approach` from [Khayyer2024] Eq. 53–54: the approach of the new
+/// velocities is stopped, since pressed faces would otherwise creep into each other; the contact distance is one
+/// spacing, as the paper gives none.
 template <int Dim>
 class PairContacts final : public ContactMechanism<Dim> {
  public:

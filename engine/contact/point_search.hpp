@@ -55,9 +55,9 @@ class PointSearch {
   int size() const { return static_cast<int>(X_.size()); }
   const std::vector<int>& bodies() const { return body_; }
 
-  /// Calls found(a, b) once for each pair within a body that is nearer than `listed` and was initially farther apart
-  /// than `far`. Returns the distance of the nearest other such pair, at most `horizon`. `x`: current positions, in the
-  /// order of `add`. Lengths in m.
+  /// Considers pairs within a body that were initially farther apart than `far`. Calls found(a, b) once for each pair
+  /// nearer than `listed`. Returns the least distance of the other pairs, at most `horizon`. `x`: current positions, in
+  /// the order of `add`. Lengths in m.
   template <class Found>
   double find(const std::vector<V>& x, double listed, double horizon, double far, const Found& found) {
     if (x.empty()) return horizon;

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Rigid frictionless walls, each a half-space. A wall acts on a particle like its mirror image.
+/// Rigid frictionless walls, each a half-space. A wall acts on a particle like the particle's mirror image.
 template <int Dim>
 class WallContacts {
  public:

@@ -30,7 +30,7 @@ inline bool has_lzcnt_movbe_f16c() {
 }
 #endif
 
-/// Checks each instruction set of x86-64-v3, since a virtual machine may hide some.
+/// Checks the extensions one by one, since a virtual machine may hide some.
 inline bool has_x86_64_v3() {
 #if defined(__x86_64__)
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&

@@ -5,13 +5,12 @@
 
 namespace taut {
 
-/// Four doubles: four neighbours of one particle, or one neighbour of each of four particles. Results are bit-identical
-/// with and without AVX.
+/// Four doubles. Results are bit-identical with and without AVX.
 inline constexpr int lanes = 4;
 typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
 
-/// Argument if the caller applies the actual factor elsewhere.
+/// Factor 1: the caller applies the actual factor elsewhere.
 inline constexpr Pack one = {1, 1, 1, 1};
 
 typedef double UnalignedPack __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double))));

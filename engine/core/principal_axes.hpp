@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// A = Σ_k value_k axis_k ⊗ axis_k, orthonormal, unsorted.
+/// A = Σ_k value_k axis_k ⊗ axis_k; the axes are orthonormal, the values unsorted.
 struct Principal {
   double value[3];
   Vec<double, 3> axis[3];

@@ -12,8 +12,8 @@
 
 namespace taut {
 
-/// Helper threads that share their owner's loops. A sleeping helper delays no loop. Each thread begins with the same
-/// chunks in every loop, which keeps its data in its cache.
+/// Helper threads that share their owner's loops. A sleeping helper delays no loop. Each thread begins with its own
+/// part of a loop, so that the data of this part stay in its cache.
 class Team {
  public:
   static constexpr int most_threads = 1000, most_chunks = Threads::most_chunks;
@@ -25,7 +25,7 @@ class Team {
   Team& operator=(const Team&) = delete;
 
   static Team& own();
-  /// Calls work(of, chunk) once per chunk, in any order. Nested loops run on the calling thread.
+  /// Calls work(of, chunk) once per chunk, in any order. A nested call runs on the calling thread.
   void run(int threads, int chunks, Work work, const void* of);
   double cpu_seconds();
 

@@ -4,7 +4,7 @@
 
 #include "engine/core/pack.hpp"
 
-/// Small vectors and tensors over T = double or Pack; not Eigen's, whose alignment depends on the instruction set.
+/// Small vectors and tensors; not Eigen's, whose alignment depends on the instruction set.
 namespace taut {
 
 /// Alignment, equal in all builds.
@@ -271,7 +271,7 @@ Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
   return C;
 }
 
-/// Inverse, or 0 if not clearly positive definite.
+/// Inverse of a positive semidefinite tensor; 0 if nearly singular.
 inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
   const double det = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);
   const double scale = trace(a) * trace(a);

@@ -18,7 +18,7 @@ using Matrix = Eigen::Matrix3d;
 
 constexpr double adjacent = 1.35;  // in Cell::spacing, greatest distance of cells that share a side
 constexpr double torn = 1.5;       // stretch from which a neighbour no longer covers a cell
-constexpr double straight = 0.8;   // least cosine between a neighbour and an axis
+constexpr double straight = 0.8;   // cosine from which a direction counts as along an axis
 
 Vector vector(const Point& a) { return {a[0], a[1], a[2]}; }
 Point point(const Vector& a) { return {a[0], a[1], a[2]}; }

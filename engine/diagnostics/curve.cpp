@@ -40,7 +40,7 @@ double crossing_time(const Curve& curve, std::size_t k, double level) {
 }
 
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level) {
-  constexpr double round_off = 1e-9;  // of the greatest value
+  constexpr double round_off = 1e-9;  // of the greatest deviation
   constexpr double least = 1.0 / 20;  // of the previous peak
   std::vector<HalfCycle> found;
   const auto deviation = [&](std::size_t k) { return curve.y[k] - level; };

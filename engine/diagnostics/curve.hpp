@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Quantity over time, linear between samples.
+/// Samples of a quantity over time.
 struct Curve {
   std::span<const double> t, y;
   bool of_steps = false;  // samples are means over steps
@@ -17,6 +17,7 @@ struct Curve {
 
 Curve finite_part(Curve curve);
 
+/// Linear between samples.
 double value_at(const Curve& curve, double time);
 
 double crossing_time(const Curve& curve, std::size_t k, double level);
@@ -27,8 +28,8 @@ struct HalfCycle {
   double peak_at;     // s
 };
 
-/// Complete half cycles, from the start if it is at the level, else from the first crossing. Excursions below 1/20 of
-/// the previous peak are noise.
+/// Complete half cycles, from the start if it is at the level, else from the first crossing. Excursions that stay below
+/// 1/20 of the previous peak and return are noise.
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level = 0);
 
 /// Mean over whole periods between crossings of this mean; none without a whole period.
@@ -39,7 +40,7 @@ double integral(const Curve& curve, double begin, double end);
 
 std::vector<double> joint_times(std::span<const Curve> curves, double begin, double end);
 
-/// RMS of a − b, computed exactly; requires begin < end within both curves.
+/// RMS of a − b, exact for linear interpolation; requires begin < end within both curves.
 double rms_difference(const Curve& a, const Curve& b, double begin, double end);
 /// RMS with three Gauss points between samples of `a`.
 double rms_difference(const Curve& a, const std::function<double(double)>& b, double begin, double end);

@@ -20,13 +20,14 @@ struct LineSample {
   }
 };
 
-/// Point k; its initial position unless `in_space`.
+/// Position of point k; the initial one unless `in_space`.
 Point line_point(const SampleLine& line, int k);
 double length_of(const SampleLine& line);  // m
 
 class LineRecorder {
  public:
-  /// `support`: radius of interaction, m. Throws SceneError for an unknown field or too few particles around a point.
+  /// `support`: radius of interaction, m. Throws SceneError for an unknown field or too few particles around a material
+  /// point.
   LineRecorder(const Scene& scene, const Snapshot& start, double support);
 
   /// Next time to sample, s; may be infinite.

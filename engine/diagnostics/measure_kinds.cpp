@@ -97,7 +97,7 @@ Measured rmse(const Source& source) {
   return difference / std::abs(source.measure->scale);
 }
 
-/// Compares at the times of a reference table, since paths are curved between them.
+/// Compares with a table at its times only, since paths are curved between them.
 Measured path_error(const Source& source) {
   const auto time = common_time(source);
   if (!time) return without_common_time(source);
@@ -126,7 +126,7 @@ std::vector<double> component(const std::vector<Curve>& point, const Point& alon
   return y;
 }
 
-/// Requires equal times. `axis`: only in 3D.
+/// Requires equal times of all curves. `axis`: only in 3D.
 Value turn_until(const std::vector<Curve>& point, const Point& axis, double until) {
   if (!std::ranges::all_of(point, [=](const Curve& c) { return c.t.back() >= until; })) return std::nullopt;
   if (point.size() < 3) return turn(point[0], point[1], until);
@@ -302,7 +302,7 @@ const std::vector<MeasureKind> kinds = {
      .value = value_then,
      .reference = given_then},
     {.name = "minimum",
-     .help = "least value; none if the series ends at it",
+     .help = "least value; none if the series ends at it, except for a mirror_asymmetry",
      .keys = {"probe"},
      .number = true,
      .value = minimum,
@@ -379,14 +379,14 @@ const std::vector<MeasureKind> kinds = {
      .value = at_rest,
      .reference = as_given},
     {.name = "field_rmse",
-     .help = "root mean square of |fields − reference| over the free particles of the body at the end, "
+     .help = "root mean square of |fields − reference| over the unclamped particles of the body at the end, "
              "divided by the greatest |reference|",
      .keys = {"body", "fields", "rigid_motion"},
      .solution = true,
      .value = field_rmse,
      .reference = zero},
     {.name = "field_error",
-     .help = "greatest |fields − reference| of a free particle of the body at the end, "
+     .help = "greatest |fields − reference| of an unclamped particle of the body at the end, "
              "divided by the greatest |reference|",
      .keys = {"body", "fields", "rigid_motion"},
      .solution = true,

@@ -67,7 +67,7 @@ struct MeasureKind {
   std::string_view name, help;
   /// Keys beside `name`, `of` and `unit`. `probes`: one per axis.
   std::vector<std::string_view> keys;
-  /// Possible references. A solution can also give the number.
+  /// Possible references; `number` includes a solution.
   bool number = false, table = false, solution = false;
   Value value;
   Reference reference;

@@ -15,8 +15,8 @@ struct FieldError {
   double greatest = 0;
 };
 
-/// Error of the components of one vector at unclamped particles; none if `exact` is 0. Throws SceneError for an unknown
-/// field.
+/// Error of the vector `measure.fields` at unclamped particles; none if `exact` is 0 at all of them. Throws SceneError
+/// for an unknown field.
 std::optional<FieldError> field_error(const Measure& measure, const Snapshot& now,
                                       const std::vector<Solution>& exact);
 

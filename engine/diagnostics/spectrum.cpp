@@ -20,7 +20,7 @@ constexpr std::size_t padding = 4;
 /// Returns `n` evenly spaced samples minus their windowed linear fit, multiplied by the window.
 std::vector<double> windowed(const Curve& curve, double begin, double end, std::size_t n) {
   std::vector<double> window(n), y(n);
-  double weights = 0, sum = 0, moment = 0, square = 0;  // sums: window, y, s y, s²; s: −1 to 1
+  double weights = 0, sum = 0, moment = 0, square = 0;  // Σ window · (1, y, s y, s²); s: −1 to 1
   const auto place = [n](std::size_t k) { return 2 * static_cast<double>(k) / static_cast<double>(n) - 1; };
   for (std::size_t k = 0; k < n; ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(n);
@@ -42,7 +42,7 @@ double vertex(double left, double middle, double right) {
   return bend < 0 ? 0.5 * (left - right) / bend : 0;
 }
 
-/// Greatest height within 1/(end − begin), which bridges the zeros of the window's spectrum.
+/// Greatest height within 1/(end − begin) of each frequency. This bridges the zeros of the window's spectrum.
 template <class Height>
 std::vector<double> without_zeros(std::size_t n, const Height& height) {
   std::vector<double> hull(n);
@@ -80,7 +80,7 @@ class Lines {
   static constexpr std::size_t width = 3 * padding, slowest = 2 * padding;
 
  private:
-  /// Twice the greatest side lobe of the highest line near k: |sin(π d)/(π d (1 − d²))|², d in 1/(end − begin).
+  /// Twice the envelope of the side lobes |sin(π d)/(π d (1 − d²))|² of the highest line, d in 1/(end − begin).
   double of_highest(std::size_t k) const {
     const double d = std::abs(static_cast<double>(k) - static_cast<double>(highest_)) / padding;
     if (d <= 2) return 0;

@@ -15,7 +15,7 @@
 namespace taut {
 namespace {
 
-/// V B W′ on an unbounded lattice with spacing 1.
+/// Gradient weights V B W′ on an unbounded lattice with spacing 1.
 template <const TlDisplacementFormulation& M, int Dim>
 class Lattice {
  public:

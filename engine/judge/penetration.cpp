@@ -187,7 +187,7 @@ template <int Dim>
 bool Penetration::lists_hold(const Snapshot& now) const {
   if (at_search_.empty()) return false;
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  constexpr int lanes = Dim == 2 ? 2 : 1;  // doubles per instruction on any x86-64
+  constexpr int lanes = Dim == 2 ? 2 : 1;  // divides Dim; any x86-64 has vectors of two doubles
   typedef double Several __attribute__((vector_size(lanes * sizeof(double))));
   constexpr int packs = Dim / lanes;
   Several low[packs], high[packs];

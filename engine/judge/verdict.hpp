@@ -28,7 +28,7 @@ std::vector<std::string> names_of_verdicts();
 std::vector<std::string> names_of_failures();
 
 /// Hourglass error above which the verdict is `hourglass`. Runs of [Zhang2024], [Khayyer2024] and [Lee2016] have less
-/// than 0.012 if their figures are smooth, and more than 0.04 if they show zigzags.
+/// than 0.012 if the figures of the paper are smooth, and more than 0.04 if the figures show zigzags.
 inline constexpr double hourglass_threshold = 0.03;
 
 /// Bonds stretched beyond the range in which the method follows its elastic law.

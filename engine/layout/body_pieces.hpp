@@ -28,7 +28,7 @@ struct BodyPieces {
   std::vector<Point> face_points;
 };
 
-/// `box`: bounds in lattice coordinates, m. Details smaller than a cube are lost.
+/// `box`: bounds along the lattice axes, m. Details smaller than a cube are lost.
 BodyPieces make_pieces(const LatticeFrame& frame, const Bounds& box);
 
 }  // namespace taut

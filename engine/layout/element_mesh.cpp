@@ -234,7 +234,7 @@ Blocks blocks_of(const Body& body, int dim, double size) {
   return blocks;
 }
 
-/// Joins coincident nodes of different blocks.
+/// Joins coincident nodes on the edges of blocks.
 class NodeJoiner {
  public:
   NodeJoiner(std::vector<Point>& x, double dp) : x_(x), side_(0.1 * dp), near_(1e-5 * dp) {}

@@ -13,8 +13,8 @@ namespace taut {
 /// both clamped and driven, and overlapping bodies.
 InitialParticles make_element_nodes(const Scene& scene);
 
-/// Weight of each node of a body in a load: its volume in the loaded cells, m^dim; for tractions its share of the
-/// face, m^(dim − 1). The face is the local side of elements with the most boundary facets of loaded cells.
+/// Weight of each node of a body in a load: its loaded volume, m^dim; for tractions its share of the face,
+/// m^(dim − 1). The face consists of the loaded boundary facets with the most frequent MeshFacet::side.
 std::vector<double> load_weights(const Load& load, const Body& body, const InitialParticles& initial,
                                  int index);
 

@@ -237,7 +237,7 @@ unsigned char guide_at(const Body& body, const Point& x) {
   return static_cast<unsigned char>(guide);
 }
 
-/// Whether all unclamped particles of a face are guided along its normal or along all other axes.
+/// Whether a face has unclamped particles, all guided along its normal or along all other axes.
 template <class OnFace>
 bool may_mirror(const InitialParticles& layout, int first, int axis, int dim, const OnFace& on_face) {
   const unsigned normal = 1u << axis, others = ((1u << dim) - 1) & ~normal;

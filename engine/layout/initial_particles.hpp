@@ -38,14 +38,13 @@ struct InitialParticles {
 
 inline constexpr double greatest_particle_number = 20e6;
 
-/// Fills bodies with a lattice, or whole round bodies with layers (RoundLayout). In a box with particles on its
-/// faces, the n + 1 particles along n cells represent ½ − δ, 1 + δ, 1 … cells, δ = n/(12 (n − 1)), as in Gregory's
-/// rule. Planes of symmetry keep half cells. Throws SceneError for no or too many particles, overlapping bodies, and
-/// regions, loads or cut-outs in conflict or without particles.
+/// Fills bodies with particles. In a box with particles on its faces, the n + 1 particles along n cells represent
+/// ½ − δ, 1 + δ, 1 … cells, as in Gregory's rule. Planes of symmetry keep half cells. Throws SceneError for no or too
+/// many particles, overlapping bodies, and regions, loads or cut-outs in conflict or without particles.
 InitialParticles make_initial_particles(const Scene& scene);
 
-/// Fills the union of shapes minus cut-outs with a lattice that begins half a pitch from the anchor of the first shape.
-/// `body` is not placed (unplaced_body).
+/// Fills the union of shapes minus cut-outs with a lattice about the anchor of the first shape. Requires an unplaced
+/// body (unplaced_body).
 std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp);
 
 }  // namespace taut

@@ -28,7 +28,7 @@ inline constexpr double link_of_neighbors = 1.8;
 std::vector<int> linked_to_nearest(const std::vector<Point>& x, const std::vector<int>& some, const Point& at,
                                    double link);
 
-/// Weights of a material point. Ignores particles beyond a slot. With Body::on_boundary interpolates in a lattice cell.
+/// Weights of a material point. Ignores particles beyond a slot.
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, const Scene& scene, int body);
 
@@ -43,13 +43,13 @@ struct Surroundings {
   int dim;
 };
 
-/// Replaces a `point` with several materials, clamped or driven particles. Extrapolates linearly from free particles
-/// of one material, or from driven ones if none is free. Empty if all are clamped.
+/// If `point` mixes materials or contains clamped or driven particles, extrapolates from the free particles of one
+/// material instead, or from driven ones if none is free. Empty if all are clamped.
 std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const Surroundings& all,
                                          const Point& at);
 
-/// At kinks of the displacement, replaces `point` by particles with the motion or the material of the nearest
-/// particle. `motion_group[i]`: number of the joint motion of particle i; 0 = free.
+/// At kinks of the displacement, replaces `point` by weights of particles with the motion or the material of the
+/// nearest particle. `motion_group[i]`: number of the joint motion of particle i; 0 = free.
 std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const Surroundings& all,
                                          const std::vector<int>& motion_group, const Point& at);
 

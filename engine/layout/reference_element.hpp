@@ -38,7 +38,7 @@ struct LineElement {
       return Row{5.0 / 9, 8.0 / 9, 5.0 / 9};
   }();
 
-  /// Lagrange polynomial that is 1 at at[a] and 0 at the other points.
+  /// Lagrange polynomial that is 1 at point a of `at` and 0 at the others.
   static constexpr double value(const Row& at, std::size_t a, double x) {
     double product = 1;
     for (std::size_t k = 0; k < n; ++k)
@@ -77,7 +77,7 @@ struct LineElement {
 
 constexpr int power_of(int n, int dim) { return dim == 2 ? n * n : n * n * n; }
 
-/// Index along `axis` of node or point k of an element with n per axis.
+/// Index along `axis` of node or Gauss point k in an element with n per axis.
 constexpr int index_along(int axis, int k, int n) {
   return axis == 0 ? k % n : axis == 1 ? k / n % n : k / (n * n);
 }

@@ -17,8 +17,8 @@ namespace {
 // lengths in spacings
 constexpr int layers = 3;
 constexpr int steps = 8;        // more steps turn rows inside into hexagonal grains
-constexpr double beside = 0.6;  // least distance to particles of other layers at the start
-/// A place farther than this from all particles has room for one.
+constexpr double beside = 0.6;  // least distance of a new layer to existing particles
+/// Least distance of a hole to all particles.
 double hole(int dim) { return 0.6 * std::sqrt(dim); }
 constexpr double least_depth_of_hole = 0.35;
 
@@ -27,7 +27,8 @@ struct VoronoiCell {
   Point middle{};  // centre of mass
 };
 
-/// Points at least `apart` from each other, picked from nearby candidates first, so that rows are dense.
+/// Indices of candidates at least `apart` from each other. Prefers candidates near those already picked, so that rows
+/// are dense.
 std::vector<int> picked(const PointGrid& candidates, const std::vector<int>& component, double apart) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   std::vector<double> distance(candidates.points().size(), infinite);

@@ -251,7 +251,7 @@ class BodyMesh {
     return corners;
   }
 
-  /// Corner of several lattice-aligned faces; the point nearest to one face may not lie on the others.
+  /// Point where several lattice-aligned faces meet; the nearest point of one face may not lie on the others.
   std::optional<Point> on_rim(const Cell& cell, const Point& outwards) const {
     if (std::ranges::count(outwards, 0.0) > dim - 2) return std::nullopt;
     Point off{};  // in pitches
@@ -351,7 +351,7 @@ class BodyMesh {
   std::vector<int> node_;
 };
 
-/// Facets between neighbouring nodes on faces of finite elements.
+/// Facets between neighbouring nodes on the boundary of finite elements.
 SurfaceMesh surface_of(const Scene& scene, const InitialParticles& initial) {
   SurfaceMesh mesh;
   std::vector<int> known(initial.x.size(), -1);

@@ -25,8 +25,8 @@ struct SurfaceMesh : FaceNodes {
 /// Area vector ½ (x2 − x0) × (x3 − x1), outwards, m².
 Point vector_area(const std::array<Point, 4>& corner);
 
-/// Facets are the patches of layered shapes; on a lattice, the sides of cells without a neighbour cell, moved to the
-/// faces of the shapes. Omits facets where a body is too thin. Empty in 2D.
+/// Facets of layered shapes are their patches. Facets of a lattice are the outer sides of its cells, moved to the faces
+/// of the shapes. Omits facets where a body is too thin. Empty in 2D.
 SurfaceMesh make_surface_mesh(const Scene& scene, const InitialParticles& initial, int threads = 1);
 
 /// Returns false if a body has particles listed one by one.

@@ -16,11 +16,11 @@ enum class Law : std::uint8_t {
 /// Whether the law permits the volume ratio and the cofactor of F as unknowns.
 constexpr bool takes_volume_ratio(Law law) { return law == Law::neo_hookean || law == Law::mooney_rivlin; }
 
-/// Laws that users may choose.
+/// Laws that users may choose instead of the method's own.
 enum class OtherLaws : std::uint8_t { none, all, with_volume_ratio };
 
 struct ElasticSwitches {
-  Law law = Law::neo_hookean;  // published
+  Law law = Law::neo_hookean;  // the method's own
   OtherLaws others = OtherLaws::none;
 };
 

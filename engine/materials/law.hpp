@@ -12,7 +12,7 @@
 ///   stiffness_bound(F, J) upper bound of ρ0 c² of all waves, Pa; c in initial lengths per time (THEORY.md)
 /// J is det F or an unknown ([Lee2016] Eq. 33c). A law that takes_volume_ratio also has
 ///   piola(F, H, J)        H is cof F or an unknown ([Lee2016] Eq. 12)
-///   shear_energy(F, H, j) shear part of the energy, with j from shear_ratio()
+///   shear_energy(F, H, j) shear part of the energy; j: volume ratio
 ///   slopes(F, H, j)       derivatives of shear_energy by F, H and j, Pa; the first two divided by F and H
 namespace taut {
 

@@ -99,7 +99,7 @@ struct RotatedPiola {
     const PrincipalStretches<T> l = principal_stretches(F);
     const double lambda = K - 2.0 / 3 * G;
     const T sum = lambda * trace(green_strain(F));
-    const auto turning = [&](int k, int m) -> T {  // (t_k + t_m)/2(λ_k + λ_m)
+    const auto turning = [&](int k, int m) -> T {  // ½ (t_k + t_m)/(λ_k + λ_m)
       return (sum + 0.5 * G * (l[k] * l[k] + l[m] * l[m] - 2)) / (l[k] + l[m]);
     };
     return greatest_stiffness<Dim>(

@@ -35,7 +35,7 @@ struct MethodInfo {
   std::string_view paper;
   std::string_view summary;
   std::string_view material_law;  // of the reference solution
-  std::vector<LawChoice> laws;    // the published one first
+  std::vector<LawChoice> laws;    // the default first
   Law law;                        // none: a stress rate or shear acceleration is integrated
   std::string_view conserves;
   std::vector<TermInfo> terms;

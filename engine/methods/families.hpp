@@ -20,7 +20,7 @@ struct FamilyRow {
   bool keeps_neighbors;  // the particles of a body keep their initial neighbours
   std::vector<TermInfo> (*terms)(const Formulation& m);
   std::vector<MethodConstant> (*constants)(const Formulation& m, int dim);
-  // null: no elastic law
+  // returns nullptr without an elastic law
   const ElasticSwitches* (*elastic)(const Formulation& m);
   bool (*carries_stress)(const Formulation& m);  // forces use an integrated stress
   std::unique_ptr<Simulation> (*make)(const SolverInput& input);

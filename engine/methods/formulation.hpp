@@ -20,7 +20,7 @@ enum class Family : std::uint8_t {
   finite_elements,  // particles are nodes
 };
 
-/// Share of the trace removed from the strain rate.
+/// Share of the trace that the deviator removes.
 enum class Deviator : std::uint8_t {
   in_plane,      // 1/d, [Zhang2024] Eq. 7; in 2D s_zz = 0
   plane_strain,  // 1/3, [Khayyer2024] Eq. 6
@@ -33,10 +33,10 @@ struct Formulation {
   std::string_view summary;
   std::string_view conserves;
   Family family = Family::ul_split;
-  std::span<const Citation> citations = {};  // replace sources of terms
+  std::span<const Citation> citations = {};  // replace sources and tests of terms
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
-  ContactLaw contact = ContactLaw::sph;  // published
+  ContactLaw contact = ContactLaw::sph;  // unless the scene chooses another
   double contact_stiffness = 1;          // see the contact law in terms/
   bool several_materials = false;
   double h_over_dp = 1.3;

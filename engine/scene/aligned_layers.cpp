@@ -34,7 +34,7 @@ long layers_of(double inner, double outer, double dp) {
   return std::max(1L, std::lround((outer - inner) / dp));
 }
 
-/// Surface of a cube of side 2 n with n × n cells per face; grid lines are at equal angles from the centre.
+/// Surface of a cube of side 2 n with n × n cells per face. Seen from the centre, grid lines are at equal angles.
 class RoundCube {
  public:
   using Place = std::array<long, 3>;  // the greatest |component| is n

@@ -21,15 +21,15 @@ struct PlaceGrid {
   }
 };
 
-/// Contours of the region where inside(column, row) is true, by marching squares, with the solid on the left. They pass
-/// through face(in, out) between neighbours. Parts that touch at a corner are separate.
+/// Contours of the region where inside(column, row) is true, by marching squares, with the solid on the left. Between
+/// the neighbours `in` and `out` they pass through face(in, out). Parts that touch at a corner are separate.
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(long, long)>& inside,
                             const std::function<Point(const Point&, const Point&)>& face);
 
 /// Contours of `inside`, bisected to 1e-9 of the pitch.
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(const Point&)>& inside);
 
-/// Omits points that deviate by at most `tolerance` (in m) [Douglas, Peucker 1973].
+/// Omits points that deviate by at most `tolerance` [Douglas, Peucker 1973].
 Chain simplified(const Chain& chain, double tolerance);
 
 /// Points about dp apart, including all corners (turns by more than 40°).
@@ -45,7 +45,7 @@ enum class Combination : std::uint8_t {
   common,      // intersection
   difference,  // first without the others
 };
-/// Accurate to 1e-5 dp; drops parts thinner than 0.1 dp.
+/// Rounds coordinates to 2⁻¹⁶ dp; drops slivers.
 std::vector<Chain> combined(Combination how, const std::vector<std::vector<Chain>>& solids, double dp);
 
 }  // namespace taut

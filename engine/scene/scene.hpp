@@ -17,7 +17,7 @@ namespace taut {
 
 /// Function of the reference position, evaluated at set-up only; empty = 0. A region is where it is not 0.
 using Expression = std::function<double(const Point&)>;
-/// Function of the reference position and the time, s.
+/// Function of the position and the time, s.
 using Solution = std::function<double(const Point&, double)>;
 
 struct Material {
@@ -25,7 +25,7 @@ struct Material {
   double density = 0;             // ρ0, kg/m³
   double youngs_modulus = 0;      // E, Pa
   double poisson_ratio = 0;       // ν
-  double given_bulk_modulus = 0;  // Pa; 0 = from E and ν. [Khayyer2024] Eq. 57: K = E
+  double given_bulk_modulus = 0;  // Pa; 0 = from E and ν. K = E in [Khayyer2024] Eq. 57
   std::map<std::string, double, std::less<>> law_parameters{};  // LawRow::parameters
 
   double bulk_modulus() const {  // K, Pa
@@ -51,7 +51,7 @@ struct Load {
   enum class Kind : std::uint8_t {
     force,          // N (2D: N/m), shared by volume
     force_density,  // N/m³ of initial volume
-    traction,       // Pa, on the outer face of a layer one spacing deep
+    traction,       // Pa, on an outer face
   };
   Expression where;
   Kind kind{};
@@ -74,7 +74,7 @@ enum class Lattice : std::uint8_t {
   hexagonal,  // 2D only; rows along the longer side
 };
 std::string_view name(Lattice lattice);
-/// Row distance in spacings, √(√3/2); its inverse is the distance in a row.
+/// Row distance in spacings, √(√3/2); its inverse is the distance within a row.
 inline constexpr double hexagonal_row = 0.93060485910209959893;
 
 /// Right-handed rotation; `angle` in degrees.
@@ -83,7 +83,7 @@ struct Rotation {
   Point about{};        // m
   double angle = 0;
 };
-/// Sines and cosines of quarter turns are exact; mirror images rotate to mirror images to the last bit.
+/// Sines and cosines of quarter turns are exact; mirrored rotations of mirrored points give exact mirror images.
 Point rotated(const Rotation& rotation, const Point& x);
 
 /// Random displacement, uniform within ± `share` spacings.
@@ -106,7 +106,7 @@ struct Body {
   std::vector<Load> loads;             // add up
   std::array<Expression, 3> velocity;  // m/s
   Expression clamped;
-  std::array<Expression, 3> guided;        // fixed along this axis
+  std::array<Expression, 3> guided;        // [axis] region fixed along that axis
   std::array<bool, 3> mirror{};            // about the first shape's centre
   std::optional<Rotation> rotation;        // after reflection
   std::array<Expression, 3> displacement;  // m
@@ -137,13 +137,13 @@ struct Probe {
     static const Kind distance;                      // from `at` to `to`, m
     static const Kind mean_velocity, mean_position;  // mass-weighted
     static const Kind greatest_position;
-    // least distance between particles minus their mean diameter, or between faces, m
+    // least distance between faces, or between particles minus their mean diameter, m
     static const Kind gap;
     // greatest |x_a − mirror(x_b)| of two bodies or of one body, mirror plane ⊥ axis, m
     static const Kind mirror_asymmetry;
     // angle of `at` about `turns_about`, with whole turns, rad
     static const Kind turn;
-    static const Kind stress;  // Pa
+    static const Kind stress;  // `part`, Pa
     // on clamped, guided or driven particles, N
     static const Kind reaction;
     static const Kind contact_force;  // on `bodies[0]`, from `bodies[1]` or `wall`, N
@@ -186,7 +186,7 @@ struct SampleLine {
 struct Measure {
   std::string name;
   std::string kind;                 // see diagnostics/measure_kinds.hpp
-  std::vector<std::string> probes;  // one per axis
+  std::vector<std::string> probes;  // one, or one per axis
   std::string line;
   int body = 0;
   std::vector<std::string> fields;  // compared components
@@ -207,14 +207,14 @@ struct Measure {
 /// Values over time, one column per probe, or along a line; linearly interpolated.
 struct ReferenceTable {
   std::vector<double> t;                   // s, or m along a line
-  std::vector<std::vector<double>> value;  // [probe]
+  std::vector<std::vector<double>> value;  // [column][row]
 };
 
 struct Reference {
   std::string name;                       // lists all sources
   std::map<std::string, double> value{};  // by measure
   std::map<std::string, ReferenceTable> table{};
-  std::map<std::string, std::vector<Solution>> solution{};  // by measure; [probe], [field] or one for a line
+  std::map<std::string, std::vector<Solution>> solution{};  // by measure; one per probe, field or line
   std::map<std::string, std::string> names{};               // by measure
 
   bool has(const std::string& measure) const {
@@ -265,7 +265,7 @@ bool has_guides(const Scene& scene);
 bool has_gravity(const Scene& scene);
 bool has_loads(const Scene& scene);
 
-/// Nearest spacing that divides the thinnest extent of the first shape into whole particles or rows.
+/// Returns `spacing` adjusted to divide `extent_to_divide` of the first shape into whole particles or rows.
 double fitted_spacing(const Body& first, int dim, double spacing);
 
 }  // namespace taut

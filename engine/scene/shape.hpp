@@ -68,9 +68,9 @@ struct ShapeBase {
   /// Area or volume, m^dim; an upper bound if not exact.
   virtual double measure(int dim) const = 0;
   virtual bool has_exact_measure() const;
-  /// Extent that is divided into a whole number of spacings, m; 0 = none.
+  /// Extent to divide into whole particles or rows, m; 0 = none.
   virtual double extent_to_divide(int dim) const;
-  /// Centre of reflections and rotations, m.
+  /// Centre of reflections, m.
   virtual Point middle() const;
   virtual Point anchor() const;
   /// Sites in a body that has only this shape; empty if the lattice fills the body.
@@ -78,8 +78,8 @@ struct ShapeBase {
   /// Closed chains of points on the faces, about dp apart and at each corner, with the solid on the left.
   /// Empty in 3D.
   virtual std::vector<Chain> outline(int dim, double dp) const;
-  /// Outline of this shape as a part of a combined shape. If it is itself combined, its parts get a finer dp, not below
-  /// `finest`.
+  /// Outline of this shape as a part of a combined shape. A combined shape gives its parts a finer dp, not
+  /// below `finest`.
   virtual std::vector<Chain> outline_of_part(int dim, double dp, double finest) const;
   virtual FacePatches patches(double dp) const;
   /// Map between lattice and space; a shape may rotate the lattice.

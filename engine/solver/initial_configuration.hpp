@@ -16,7 +16,7 @@ class InitialConfiguration {
  public:
   using V = Vec<double, Dim>;
 
-  /// Moves particles to their start. `normalised`: see TlDisplacementConstants. `corrected_forces`: forces as in
+  /// Moves particles to their start. `normalised`: `share` in gradient_correction. `corrected_forces`: forces as in
   /// internal_force_info, otherwise as in pair_shear_force. Throws SceneError if a body is too thin.
   InitialConfiguration(Common<Dim>& common, const SolverInput& input,
                        GradientCorrection gradient = GradientCorrection::corrected, double normalised = 0,

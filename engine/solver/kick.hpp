@@ -96,7 +96,7 @@ template <int Dim>
 struct Steering {
   static constexpr unsigned char driven = 1 << 7;
 
-  const unsigned char* axes;  // [id] bit k: guided along axis k, or `driven`; may be null
+  const unsigned char* axes;  // [id] bit k: a guide constrains axis k; or `driven`; may be null
 
   bool drives(int id) const { return axes && (axes[id] & driven) != 0; }
   /// The particle must not be driven.

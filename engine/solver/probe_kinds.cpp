@@ -252,7 +252,7 @@ double angle(const ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
 }
 template <int Dim>
 double turn(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
-  // counts whole turns, since a step turns by less than half a turn
+  // a step turns by less than half a turn
   f.last = f.last + std::remainder(angle(f, now) - f.last, 2 * std::numbers::pi);
   return f.last;
 }

@@ -35,7 +35,7 @@ struct ProbeFollower {
   std::vector<PointWeight> at, to;
   Vec<double, Dim> beside{}, to_beside{};  // offset from a single particle, m
   std::vector<std::pair<int, int>> pairs;  // storage indices of particles of both bodies within `support`
-  std::vector<int> image;                  // [particle] id of its mirror image
+  std::vector<int> image;                  // [particle of the first body] id of its mirror image
   double last = 0;                         // m or rad
 };
 

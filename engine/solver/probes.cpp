@@ -34,8 +34,7 @@ void ProbeRecorder<Dim>::record(const Particles<Dim>& s, double time, ProbeSourc
   const double dt = series.time.empty() ? 0 : time - series.time.back();
   series.value.resize(followers_.size());
   series.time.push_back(time);
-  // steps
-  constexpr std::size_t now_and_then = 32;
+  constexpr std::size_t now_and_then = 32;  // steps
   std::vector<int> stressed = stressed_;
   for (int& i : stressed) i = storage_of_id_[i];
   std::vector<double> values;

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Algorithm and fields of one method.
+/// Algorithm and fields of a family.
 template <int Dim>
 class Scheme {
  public:

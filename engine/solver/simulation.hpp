@@ -32,7 +32,7 @@ struct RunState {
   double time = 0;  // s
   long steps = 0;
   Series series;
-  long pairs = 0;                // directed neighbour pairs at the last rebuild
+  long pairs = 0;                // directed neighbour pairs, or nodes of all elements
   double support = 0;            // radius of interaction, m
   bool keeps_neighbors = false;  // particles of a body keep their initial neighbours
   /// Greatest stretch of a neighbour pair at which the method follows its elastic law.

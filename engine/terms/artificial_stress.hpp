@@ -8,8 +8,8 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// Gray's artificial stress repels close particles in tension. Departure: equations and constants are from Gray et
-/// al. 2001, since [Zhang2024] gives none.
+/// Gray's artificial stress repels close particles in tension. Departure: [Zhang2024] gives no equations and constants;
+/// they are from Gray et al. 2001.
 namespace taut {
 
 /// σ⁺ = Σ_k max(σ_k, 0) n_k ⊗ n_k

@@ -12,7 +12,7 @@ Vec<T, Dim> density_gradient_term(const T& rho_i, const T& rho_j, const T& V_j, 
   return T((rho_j - rho_i) * V_j * dW) * e_ij;
 }
 
-/// Term j of the diffusion, kg/m⁵; 0 for linear ρ. In [Khayyer2024] Eq. 34, ρ_ij is a difference.
+/// Term j of the diffusion, kg/m⁵; 0 for linear ρ. [Khayyer2024] Eq. 34, where ρ_ij is a difference.
 template <class T, int Dim>
 T density_diffusion_term(const T& rho_i, const T& rho_j, const Vec<T, Dim>& gradient_i,
                          const Vec<T, Dim>& gradient_j, const T& V_j, const T& dW, const T& r,

@@ -4,7 +4,7 @@
 #include "engine/term_info.hpp"
 
 /// Along e_ij (from j to i), left state i: U_L = −v_i·e_ij, U_R = −v_j·e_ij. Departure: linearised, since [Zhang2024]
-/// prints neither U* nor P*.
+/// prints no formula for U* and P*.
 namespace taut {
 
 struct Dissipation {
@@ -13,8 +13,8 @@ struct Dissipation {
   double least;    // lower bound of β
 };
 
-/// P* = ½ (p_i + p_j) + ½ β ρ0 c0 (U_L − U_R) in Pa, [Zhang2024] Eq. 12. Departure: the paper prints no β. β = 1 is
-/// the linearised solver; the cited solver has β = min(3 max(U_L − U_R, 0)/c0, 1).
+/// P* of [Zhang2024] Eq. 12, Pa: ½ (p_i + p_j) + ½ β ρ0 c0 (U_L − U_R). β = 1 is the linearised solver; the solver that
+/// the paper cites has β = min(3 max(U_L − U_R, 0)/c0, 1).
 template <class T>
 T riemann_pressure(const T& p_i, const T& p_j, const T& closing_speed, const Dissipation& d) {
   T impedance = filled<T>(d.rho0_c0);
@@ -25,7 +25,7 @@ inline constexpr TermInfo riemann_pressure_info{"pressure force", "dv/dt = −2 
                                                 "[Zhang2024] Eq. 12", "terms/riemann.hpp:riemann_pressure",
                                                 "riemann: P* is symmetric in the two states"};
 
-/// Term j of (dρ_i/dt)/ρ_i, 1/s. [Zhang2024] Eq. 11. Departure: pressures in U* are separate.
+/// Term j of (dρ_i/dt)/ρ_i, 1/s. [Zhang2024] Eq. 11. The pressures in U* are in pressure_diffusion_term.
 template <class T>
 T compression_term(const T& V_j, const T& dW, const T& closing_speed) {
   return -V_j * dW * closing_speed;
@@ -34,8 +34,8 @@ inline constexpr TermInfo compression_info{
     "continuity", "dρ/dt = ρ_i Σ V_j v_ij·∇W", "[Zhang2024] Eq. 11", "terms/riemann.hpp:compression_term",
     "riemann: approaching pairs grow denser, and rotating pairs do not"};
 
-/// Term of the pressures in U* of Eq. 11, 1/s. Departure: share = 0 by default, as in the authors' program, since it
-/// softens bending.
+/// Term of the pressures in U* of Eq. 11, 1/s. Departure: share = 0 by default, as in the authors' program, since the
+/// term softens bending.
 template <class T>
 T pressure_diffusion_term(const T& V_j, const T& dW, const T& p_i, const T& p_j, double share, double rho0,
                           double c0) {

@@ -47,7 +47,7 @@ inline double near_slope(double p, double reach, double fade = 0.3) {  // 1/m
   return (p < 0 ? 1 : -1) * 6 / (fade * reach) * t * (1 - t);
 }
 
-inline constexpr double fade_2d = 1.0 / 6;  // from one spacing to 1.2
+inline constexpr double fade_2d = 1.0 / 6;  // fades from 1 to 1.2 spacings
 /// Energy in J that fades to 0 at `reach`.
 inline double near_energy(double depth, double area, double k, double reach) {
   return near_share(depth, reach, fade_2d) * surface_energy(depth, area, k);
@@ -69,7 +69,7 @@ inline constexpr ContactLawRow surface_contact{
     .touching = 0,
 };
 
-/// Weight of a piece of a face. `cosine`: of the outward normals, −1 if the faces are opposite.
+/// Weight of a piece of a face. `cosine` of the angle between the outward normals: −1 if the faces are opposite.
 inline double facing_share(double cosine) { return std::clamp(-4 * cosine - 1, 0.0, 1.0); }
 inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.25 ? -4 : 0; }
 
@@ -99,7 +99,7 @@ inline double lateral_slope_in_radius(double l2, double radius) {  // dw/dR, 1/m
   return u > 0 ? 6 / (std::numbers::pi * square * radius) * u * (2 - 3 * u) : 0;
 }
 
-/// Energy that stiffens towards a depth of dp, since the pressure under an edge is unbounded.
+/// Energy in J whose stiffness grows with the depth, since the pressure under an edge is unbounded.
 inline double hard_energy(double depth, double area, double k, double dp) {
   const double u = depth / dp;
   return (1 + u * u) * surface_energy(depth, area, k);

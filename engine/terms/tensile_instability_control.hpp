@@ -25,6 +25,6 @@ Vec<double, Dim> tensile_control(const Mat<double, Dim>& R_L, const Vec<double, 
 inline constexpr TermInfo tensile_control_info{
     "tensile control, inside", "dv/dt = Σ m_j 2 R_i·L_i/(ρ_i ρ_j)·∇W, R = −σ⁺", "[Khayyer2024] Eq. 49–51",
     "terms/tensile_instability_control.hpp:tensile_control",
-    "tensile control: the sum of equal tensions becomes their difference"};
+    "tensile control: equal tensions exert no force"};
 
 }  // namespace taut

@@ -7,7 +7,7 @@
 
 namespace taut::render {
 
-/// OpenGL 3.3 core in software. The CMake option TAUT_GL selects the source file.
+/// OpenGL 3.3 core in software. TAUT_GL in CMake selects the source file.
 class GlContext {
  public:
   explicit GlContext(int width, int height);

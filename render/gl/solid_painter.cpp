@@ -110,7 +110,7 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
 // very different depth belong to other objects.
 constexpr const char* resolve_fragment_shader = "#version 330 core\n" TAUT_LIGHT R"(
 uniform sampler2D colors, depths;
-uniform ivec2 corner;    // of the picture's part, pixels
+uniform ivec2 corner;    // bottom left of the band, pixels
 uniform ivec2 top_edge;  // last column and row of samples
 uniform float range;     // of depths, pixels
 uniform float reach;     // radius of the shading, pixels

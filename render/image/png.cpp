@@ -111,7 +111,8 @@ void put_row(const Image& image, int row, std::uint8_t* to) {
     to[0] = from[2], to[1] = from[1], to[2] = from[0];
 }
 
-/// ISA-L at level 0: in 2.30, the output of levels 1 and 2 may depend on memory addresses. Too large for the stack.
+/// ISA-L at level 0: in 2.30, the output of levels 1 and 2 may depend on memory addresses. A Deflater is too
+/// large for the stack.
 struct Deflater {
   isal_zstream stream;
   isal_hufftables code;

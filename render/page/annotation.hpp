@@ -18,7 +18,7 @@ class ColorKey {
   explicit ColorKey(ColorBar bar) : key_(std::move(bar)) {}
   explicit ColorKey(Legend legend) : key_(std::move(legend)) {}
 
-  /// Draws an upright key at the left edge of `room`, or a key below a plot along the width of `room`.
+  /// Draws an upright key at the left edge of `room`, or a horizontal key along its width.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& off_scale);
   /// Width in em, for a height in pixels.

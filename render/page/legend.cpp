@@ -49,7 +49,7 @@ void Legend::draw(Canvas& canvas, const Rect& room, double em, std::string_view 
   if (across_)
     draw_across(canvas, room, em);
   else
-    draw_below(canvas, room, em);
+    draw_upright(canvas, room, em);
 }
 
 namespace {
@@ -66,7 +66,7 @@ void write(Canvas& canvas, const std::string& text, double left, double middle, 
 
 }  // namespace
 
-void Legend::draw_below(Canvas& canvas, const Rect& room, double em) const {
+void Legend::draw_upright(Canvas& canvas, const Rect& room, double em) const {
   const std::size_t written = shown(room.height, em);
   double middle = room.y + (title_height + 0.5 * line_height) * em;
   const auto write_line = [&](const std::string& text) {

@@ -25,7 +25,7 @@ class Legend {
  private:
   std::size_t shown(int height, double em) const;
   std::string rest(std::size_t shown) const;
-  void draw_below(Canvas& canvas, const Rect& room, double em) const;
+  void draw_upright(Canvas& canvas, const Rect& room, double em) const;
   void draw_across(Canvas& canvas, const Rect& room, double em) const;
 
   std::vector<Entry> entries_;

@@ -7,7 +7,7 @@
 
 namespace taut::render {
 
-/// Visible region, m; extended to the aspect ratio of the picture.
+/// Visible region, m; extended to the aspect ratio of the plot.
 struct View {
   double x_min = 0, x_max = 1, y_min = 0, y_max = 1;
   bool operator==(const View&) const = default;
@@ -20,7 +20,7 @@ struct PageLayout {
   double font = 0;  // em in pixels; 0: no texts
   Rect plot;
   Rect key;
-  double left = 0, right = 0;  // ends of the texts, pixels
+  double left = 0, right = 0;  // ends of the header, pixels
   double pixels_per_metre = 1;
   double x_origin = 0, y_origin = 0;  // of the scene, from the plot's top left, pixels
 

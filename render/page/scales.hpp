@@ -26,7 +26,7 @@ class ColorBar {
 
   /// Width in em of an upright bar, for a height in pixels.
   double width(int height, double em, std::string_view unit) const;
-  /// Omits numbers that do not fit.
+  /// May omit label and numbers for lack of room.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
   /// Replaces the arrows at exceeded ends and the swatch for NaN.
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& found) const;

@@ -35,7 +35,7 @@ std::string power_of_ten(int exponent) {
   return text;
 }
 
-/// Least 1, 2 or 5 times a power of ten that is not below `length` > 0.
+/// Rounds `length` > 0 up to 1, 2 or 5 × 10ⁿ.
 double nice_step(double length) {
   const double power = std::pow(10.0, decade(length));
   for (const double digit : {1.0, 2.0, 5.0}) {

@@ -13,8 +13,8 @@ struct Scale {
   std::string unit;
 };
 
-/// Chooses an SI prefix, f to T (but no ks), with which `greatest` has at most three digits before the point.
-/// Units that take no prefix, such as 1/s, get a power of ten below 0.01 and from 1e4 on.
+/// Chooses an SI prefix from f to T, but no ks. Units that take no prefix, such as 1/s, get a power of ten below 0.01
+/// and from 1e4 on.
 Scale scale_for(double greatest, std::string_view unit);
 
 struct Tick {
@@ -33,11 +33,11 @@ struct NumberFormat {
   bool operator==(const NumberFormat&) const = default;
 };
 
-/// At most `most` (2 or more) ticks at multiples of 1, 2 or 5 times a power of ten. Numbers are exact: if `format` has
-/// too few decimals, ticks are farther apart or have more decimals.
+/// Up to `most` ≥ 2 ticks at multiples of 1, 2 or 5 × 10ⁿ. Numbers are exact: if `format` has too few decimals,
+/// ticks are farther apart or have more decimals.
 Ticks nice_ticks(double low, double high, std::string_view unit, int most, const NumberFormat& format = {});
 
-/// Greatest 1, 2 or 5 times a power of ten up to `length` > 0.
+/// Rounds `length` > 0 down to 1, 2 or 5 × 10ⁿ.
 double nice_length(double length);
 
 /// Formats with a typographic minus; never "−0".

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Runs twelve situations that have known answers with six methods, and writes a table of the ratios of results to
-# answers.
+# Runs situations with known answers by several methods, and compares results and answers in a table.
 #
 #     scenes/studies/known-answers.sh                      # all, into results/known-answers.md; two minutes of CPU time
 #     scenes/studies/known-answers.sh FILE SITUATION ...   # some situations, into FILE

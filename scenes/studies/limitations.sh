@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the `taut run` commands of engine/METHODS.md, and writes verdicts and measures as Markdown.
+# Runs the `taut run` commands of engine/METHODS.md, and writes excerpts of their reports as Markdown.
 #
 #     scenes/studies/limitations.sh                    # all, into results/limitations.md; some minutes
 #     scenes/studies/limitations.sh FILE PATTERN       # commands that match PATTERN, into FILE

@@ -3,8 +3,8 @@
 #
 #     scenes/studies/numbers-in-ci.sh [OPTION OF taut run ...]
 #
-# Exit code 0: as expected; 1: a value differs, see the table; 2 or more: the scene or the command is invalid. Uses
-# build/taut, or the program in TAUT. In GitHub Actions, for example:
+# Exit code 0: as expected; 1: a check failed, see the table; 2 or more: nothing was checked. Uses build/taut, or the
+# program in TAUT. In GitHub Actions, for example:
 #
 #     - run: scenes/studies/numbers-in-ci.sh
 #

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Reproduces figures of the papers as panels, with a column for each run and a row for each time.
+# Reproduces figures of the papers. A panel has a column for each run and a row for each time.
 #
 #     scenes/studies/paper-figures.sh FIGURE [FOLDER [SPACING]]
 #
@@ -34,8 +34,8 @@
 # COLUMNS are columns of history.csv, such as tip or total_energy, joined by commas (default: all probes); TIMES are
 # sampled times of the lines in s, joined by commas (default: all).
 #
-# FOLDER receives the runs and the panel FIGURE.png (default: out/FIGURE); SPACING is the particle spacing in m
-# (default: as published). Uses build/taut, or the program in TAUT.
+# FOLDER receives all files (default: out/FIGURE); SPACING is the particle spacing in m (default: as published). Uses
+# build/taut, or the program in TAUT.
 set -eu
 taut=${TAUT:-$(dirname "$0")/../../build/taut}
 figure=${1:?which figure? the head of this script lists them}
@@ -56,7 +56,7 @@ run() {
 
 # panel TIMES [WIDTHxHEIGHT]
 panel() {
-  # shellcheck disable=SC2086  # a list of folders without blanks of their own
+  # shellcheck disable=SC2086  # a list of folders whose names have no blanks
   "$taut" compare $runs --times "$1" --color $field ${2:+--size "$2"} --out "$folder/$figure.png"
 }
 

@@ -5,8 +5,8 @@
 #
 # The first call creates the folder BASELINE (default: baselines/colliding-rings): inspect its pictures and commit
 # them (about 20 kB each). Later calls run the scene and compare. Exit code 0: alike; 1: different, the last lines
-# name the picture of the difference; 2 or more: the scene or the command is invalid. Uses build/taut, or the program
-# in TAUT. In GitHub Actions, for example:
+# name the picture of the difference; 2 or more: nothing was compared. Uses build/taut, or the program in TAUT.
+# In GitHub Actions, for example:
 #
 #     - run: scenes/studies/snapshot-in-ci.sh baselines/colliding-rings
 #     - uses: actions/upload-artifact@v4
@@ -18,8 +18,8 @@ set -eu
 taut=${TAUT:-$(dirname "$0")/../../build/taut}
 baseline=${1:-baselines/colliding-rings}
 
-# few particles and small frames, during contact; for your own scene, write its path
 [ $# -eq 0 ] || shift
+# few particles and small frames, during contact; for your own scene, write its path
 set -- colliding-rings --baseline "$baseline" --spacing 0.002 --until 0.006 --frames 4 --size 320x180 "$@"
 
 if [ ! -d "$baseline" ]; then

@@ -106,7 +106,7 @@ TEST_SUITE("conservation") {
           stress = std::max(stress, std::abs(each));
       }
       CHECK(now.x[0] - now.x0[0] > scene.spacing);
-      // strains from positions have the round-off of x divided by the spacing
+      // strains computed from positions have the round-off of x, relative to the spacing
       const double bound = keeps_neighbors(method) ? 100 * round_off : round_off;
       CHECK(change_of_v < bound * speed);
       CHECK(stress < bound * scene.materials[0].youngs_modulus);

@@ -60,7 +60,7 @@ TEST_SUITE("determinism") {
   TEST_CASE("threads: 1, 2 and 3 threads give the same bytes") {
     for_each_run([](const Scene& scene, const std::string& method) {
       Settings settings = with_method(method);
-      // one thread takes the first 16 steps
+      // at first, up to 16 steps run on one thread
       const int few = 32;
       const auto alone = make_simulation(scene, settings);
       make_steps(*alone, few);

@@ -1,7 +1,7 @@
 # Functions shared by the kinds of faults; sourced by run. A kind is a file in kinds/ with the functions
 #
 #   prepare   makes, once, the files that all trials compare with or copy, in the folder $ground
-#   trial     injects one fault in the empty folder $here (the current one), and checks the result
+#   trial     injects faults in the empty current folder $here, and checks the results
 #
 # and a line `harm="..."`, its description for --list. Trials report findings with lost, torn, crashed, hung and
 # wrong.
@@ -65,7 +65,7 @@ start() {
 }
 going() { kill -0 "$victim" 2>/dev/null; }
 
-# await CONDITION...: polls until the command succeeds; returns 1 if the victim has ended before
+# await CONDITION...: polls until CONDITION succeeds; returns 1 if the victim has ended before
 await() {
   until "$@" 2>/dev/null; do
     going || return 1
@@ -105,7 +105,7 @@ strike_at_random() {
   finish "taut ${*:3} (SIG$1 after $picked ms)"
 }
 
-# how_long ARGUMENT...: sets $took to the duration of the undisturbed program, in ms
+# how_long ARGUMENT...: runs the program and sets $took to its duration, in ms
 how_long() {
   local from=${EPOCHREALTIME/./}
   taut "$@"
@@ -153,7 +153,7 @@ part_of_run() {
 frames_are="cmp -s"
 whole_png() { [[ $(tail -c 8 "$1" | od -An -tx1) == " 49 45 4e 44 ae 42 60 82" ]]; }
 
-# as_in_one SAME FILE GOOD...: the file passes SAME with the file of the same name in one of the folders GOOD
+# as_in_one SAME FILE GOOD...: the command SAME accepts FILE and the file of the same name in one of the folders GOOD
 as_in_one() {
   local good
   for good in "${@:3}"; do $1 "$2" "$good/${2#"$folder/"}" && return; done
@@ -171,7 +171,7 @@ same_rows() {
 # whole_json FILE: the file is complete
 whole_json() { [[ $(tail -n 1 "$1") == "}" && $(head -n 1 "$1") == "{" ]] || torn "$1 is incomplete"; }
 
-# old_or_new PATH OLD NEW: a file, or a whole folder, equals OLD or NEW; "": it does not exist
+# old_or_new PATH OLD NEW: the file or folder PATH equals OLD or NEW, or does not exist if one of them is ""
 old_or_new() {
   local state
   for state in "$2" "$3"; do

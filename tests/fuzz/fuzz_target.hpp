@@ -18,7 +18,7 @@ struct Target {
 
 std::span<const Target> targets();
 
-/// Runs the target in an empty folder; accepts taut's own errors.
+/// Runs the target in an empty folder and ignores taut's own errors.
 void feed(const Target& target, std::string_view bytes);
 
 /// A fault of the reader, not of the input.

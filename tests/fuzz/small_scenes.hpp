@@ -7,20 +7,20 @@
 
 namespace taut::fuzz {
 
-/// Larger scenes are valid, but too slow to fuzz.
+/// Whether a scene is small enough to fuzz.
 bool is_small(const Scene& scene);
 
 struct SmallScene {
   std::string_view method, text;
 };
 
-inline constexpr std::string_view two_discs = R"(title = "Two discs"
+inline constexpr std::string_view disc_and_square = R"(title = "Disc and square"
 method = "enog"
 spacing = 0.25
 until = 0.2
 damping = 1
 [parameters]
-speed = { value = 1, unit = "m/s", help = "of each", min = 0, max = 5 }
+speed = { value = 1, unit = "m/s", help = "of the disc", min = 0, max = 5 }
 [material.rubber]
 density = 1
 youngs_modulus = 100
@@ -54,12 +54,12 @@ frames = 3
 size = [64, 64]
 )";
 
-inline constexpr std::string_view two_blocks = R"(title = "Two blocks"
+inline constexpr std::string_view block_and_ball = R"(title = "Block and ball"
 dim = 3
 spacing = 0.34
 until = 0.2
 [parameters]
-speed = { value = 1, unit = "m/s", help = "of the upper one" }
+speed = { value = 1, unit = "m/s", help = "of the ball" }
 [material.rubber]
 density = 1
 youngs_modulus = 100
@@ -81,10 +81,10 @@ size = [64, 64]
 
 /// Scenes for each family except finite elements; some are in 3D.
 inline constexpr std::array small_scenes = {
-    SmallScene{"enog", two_discs},          SmallScene{"oenog", two_discs},
-    SmallScene{"d-ulsph-r-tic", two_discs}, SmallScene{"tl", two_discs},
-    SmallScene{"pfhj-jst", two_discs},      SmallScene{"oenog", two_blocks},
-    SmallScene{"pfj-jst", two_blocks},      SmallScene{"enog", two_blocks},
+    SmallScene{"enog", disc_and_square},          SmallScene{"oenog", disc_and_square},
+    SmallScene{"d-ulsph-r-tic", disc_and_square}, SmallScene{"tl", disc_and_square},
+    SmallScene{"pfhj-jst", disc_and_square},      SmallScene{"oenog", block_and_ball},
+    SmallScene{"pfj-jst", block_and_ball},        SmallScene{"enog", block_and_ball},
 };
 
 }  // namespace taut::fuzz

@@ -62,7 +62,7 @@ TEST_SUITE("fuzz") {
       cli::ChildProcess child([&] { return feed_all(target, files); });
       while (child.read_output()) continue;
       const cli::ChildProcess::End end = child.wait();
-      CHECK_MESSAGE((end.code == 0 && end.signal == 0), "signal ", end.signal, "; input by input:\n",
+      CHECK_MESSAGE((end.code == 0 && end.signal == 0), "signal ", end.signal, "; files and errors:\n",
                     end.output);
     }
   }

@@ -37,7 +37,7 @@ std::function<double(const Solid<3>&)> twist(const Solid<3>& solid, const Vector
   };
 }
 
-/// Writes the columns every `interval` s until `until`.
+/// Advances `solid` and writes a row every `interval`, in s.
 template <int d>
 void run(Solid<d>& solid, const Settings& settings, double interval, double until, const Columns<d>& columns,
          std::ostream& table) {

@@ -11,10 +11,10 @@ namespace references {
 struct Settings {
   int refine = 1;        ///< multiplies the number of elements along each axis
   double courant = 0.8;  ///< time step over the transit time of a wave between two nodes
-  double until = std::numeric_limits<double>::infinity();  ///< time of the last row, s
+  double until = std::numeric_limits<double>::infinity();  ///< end of the table, s, if the case ends later
 };
 
-/// Writes a table: a head with the names of the columns, then rows.
+/// Writes a table: a line with the names of the columns, then rows.
 using Case = std::function<void(const Settings& settings, std::ostream& table)>;
 
 /// Cases by the name of their table in scenes/references/.

@@ -30,7 +30,7 @@ struct Material {
   }
   /// Speed of pressure waves in the unstrained 3D material, m/s; an upper bound for both laws in 2D.
   double wave_speed() const { return std::sqrt((bulk + 4 * shear / 3) / density); }
-  /// Speed of sound that the papers scale with, m/s.
+  /// Reference speed of sound of the papers, m/s.
   double c0() const { return std::sqrt(bulk / density); }
 
   /// Power m of J in the isochoric term J^(-m) tr C.

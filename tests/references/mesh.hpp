@@ -59,7 +59,7 @@ Mesh<d> grid(
     mesh.nodes.push_back(map(x));
   }
   for (int element = 0; element < elements; ++element) {
-    std::array<int, points_per_element<d>> corners;
+    std::array<int, points_per_element<d>> element_nodes;
     for (int point = 0; point < points_per_element<d>; ++point) {
       int node = 0, stride = 1;
       for (int a = 0, rest = element, place = point; a < d; ++a) {
@@ -69,9 +69,9 @@ Mesh<d> grid(
         rest /= count;
         place /= n;
       }
-      corners[point] = node;
+      element_nodes[point] = node;
     }
-    mesh.elements.push_back(corners);
+    mesh.elements.push_back(element_nodes);
   }
   return mesh;
 }

@@ -25,7 +25,7 @@ Image picture(const Particles& particles, const Look& with) { return Renderer(wi
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("a diverging map has its middle at its middle value if this value lies inside the range") {
+  TEST_CASE("a diverging map has its middle colour at `middle` if this value lies inside the range") {
     const Colormap& coolwarm = *find_colormap("coolwarm");
     struct Case {
       Range range;
@@ -63,7 +63,7 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE(
-      "only particles in the picture put an arrow at the bar's end, in 2D, in cells, in 3D and in a panel") {
+      "only particles in the picture put an arrow at the bar's end, in 2D and 3D, with cells, and in a panel") {
     const PageLayout layout = make_layout(640, 360, unit_view);
     const int middle = layout.key.x + static_cast<int>(0.5 * 1.15 * layout.font), above = layout.key.y - 4;
     const std::vector<double> cell{0.1, 0, 0, 0.1}, cell_in_space{0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1};

@@ -97,7 +97,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("category colours differ from each other and from the colour of NaN") {
+  TEST_CASE("the 16 category colours differ from each other and from the colour of NaN") {
     for (std::size_t i = 0; i < 16; ++i) {
       CAPTURE(i);
       CHECK(color_difference(category_color(i), not_a_number_color) > 30);

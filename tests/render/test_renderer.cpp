@@ -52,7 +52,7 @@ TEST_SUITE("image") {
     CHECK(renderer.draw(Particles().frame()) == Image(160, 100));
   }
 
-  TEST_CASE("an arrow marks an end of the bar while a value lies beyond it by more than half a colour") {
+  TEST_CASE("an arrow marks an end of the bar if a value lies beyond it by more than half a colour step") {
     const Look with = look(640, 360, unit_view);
     const PageLayout layout = make_layout(640, 360, unit_view);
     const int middle = layout.key.x + static_cast<int>(0.5 * 1.15 * layout.font);
@@ -127,8 +127,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE(
-      "title, method and time leave their place blank if left out, and a font without room is refused") {
+  TEST_CASE("texts and bar leave their place blank if left out, and a font without room is refused") {
     Particles particles;
     particles.add(0.2, 0.4, 0.6, 0.5);
     FrameView frame = particles.frame();
@@ -142,7 +141,7 @@ TEST_SUITE("image") {
           if (image.at(column, row) != white) return false;
       return true;
     };
-    const int above = layout.plot.y - 8;  // the bar's first number rises above the bar
+    const int above = layout.plot.y - 8;  // the bar's uppermost number rises above the bar
     const Rect title{layout.plot.x, 0, 200, above}, time{440, 0, 200, above},
         foot{0, layout.plot.y + layout.plot.height, 300, 360 - layout.plot.y - layout.plot.height};
     for (const auto& [place, parts] : {std::pair{title, TextParts{.title = false, .method = false}},
@@ -298,7 +297,7 @@ TEST_SUITE("image") {
     CHECK(drawn(particles, look(100, 100, unit_view)) == Image(100, 100));
   }
 
-  TEST_CASE("a line with an end that is not finite or far away is left out") {
+  TEST_CASE("a line with a non-finite or far-away end is left out") {
     const Look with = look(100, 100, unit_view);
     for (const double wrong : {std::nan(""), HUGE_VAL, 1e300})
       for (std::size_t k = 0; k < 4; ++k) {

@@ -75,7 +75,7 @@ int difference(Rgb a, Rgb b) {
 
 TEST_SUITE("image") {
   TEST_CASE("a stretched surface and a bent surface have no gap") {
-    // both maps keep |X|, |Y| < 0.7 inside the picture
+    // both maps keep |X|, |Y| ≤ 0.7 inside the picture
     const auto stretched = [](double X, double Y) { return std::array{1.2 * X, 0.7 * Y}; };
     const auto bent = [](double X, double Y) { return std::array{X, 0.8 * Y + 0.2 * X * X}; };
     const auto gaps = [](const auto& map) {

@@ -9,7 +9,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Greatest pressure checkerboard in the first swing at ν = 0.499.
+/// Greatest pressure checkerboard at ν = 0.499.
 double pressure_checkerboard(const TemporaryFolder& folder, const std::vector<std::string>& more) {
   std::vector<std::string> arguments{
       "run", "bending-column", "--set", "poisson_ratio=0.499", "--until", "0.6", "--out", folder.str("out")};

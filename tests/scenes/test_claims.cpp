@@ -14,7 +14,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Runs the quick claims of a paper about these scenes; all scenes if none is given.
+/// Runs the quick claims of a paper about `scenes`; about all scenes if `scenes` is empty.
 void check_quick_claims(const std::string& paper, const std::vector<std::string>& scenes = {}) {
   const TemporaryFolder folder;
   std::vector<std::string> command{"claims", "--run"};
@@ -32,7 +32,7 @@ void check_quick_claims(const std::string& paper, const std::vector<std::string>
 }  // namespace
 
 TEST_SUITE("failure") {
-  // in several cases, which run at the same time
+  // test cases run in parallel, so the claims are distributed over several
   TEST_CASE("the quick claims of Zhang2024 about plates have their recorded state") {
     check_quick_claims("Zhang2024", {"oscillating-plate", "oscillating-plate-3d"});
   }

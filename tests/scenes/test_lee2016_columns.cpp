@@ -158,7 +158,7 @@ TEST_SUITE("failure") {
   }
 
   // §8.7, Fig. 18, 20
-  TEST_CASE("punch cube: tl and pf, which have no dissipation, fracture, and pf-jst survives") {
+  TEST_CASE("punch cube: tl and pf, which have no dissipation, fail, and pf-jst survives") {
     const Run smooth = run("punch-cube", "pf-jst");
     CHECK(smooth.verdict <= Verdict::hourglass);
     CHECK(smooth.gain < 1e-9);

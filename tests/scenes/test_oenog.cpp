@@ -197,8 +197,7 @@ TEST_SUITE("failure") {
     CHECK(std::abs(tl.since().at(Verdict::penetrated) - 4.05e-3) < 0.1e-3);
   }
 
-  TEST_CASE(
-      "colliding rings: walls that meet at 0.1 c0 separate again with oenog, and stick together with enog") {
+  TEST_CASE("colliding rings: at 0.1 c0 the rings rebound with oenog, and hardly with enog") {
     const auto rebound = [](const char* method) {
       return Whole(scene("colliding-rings", 0.002, {{"v0", "0.1"}}, method)).measured("rebound_ratio");
     };

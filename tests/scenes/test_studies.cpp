@@ -33,7 +33,7 @@ bool ffmpeg_is_there() { return std::system("ffmpeg -version >/dev/null 2>&1") =
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("the study of an image sequence writes frames, a panel and movies") {
+  TEST_CASE("the study of an image sequence writes frames and a panel, and movies if ffmpeg is there") {
     const TemporaryFolder folder;
     const Outcome outcome = study(folder, "rings-movie.sh rings 0.005 12");
     CAPTURE(outcome.err);
@@ -91,7 +91,7 @@ TEST_SUITE("cli") {
     CHECK(contains(none.err, "no claim is about 'Lee2016.fig-99'"));
   }
 
-  TEST_CASE("one command makes the tables of a study from its stored results") {
+  TEST_CASE("one command runs a study and makes its tables") {
     const TemporaryFolder folder;
     const auto write_study = [&](const std::string& name, const std::string& more) {
       std::ofstream(folder / (name + ".toml")) << "title = \"Small\"\nscene = \"colliding-rings\"\n" + more;
@@ -129,7 +129,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "the study of limitations reproduces its results of the truss, and has stored every run that METHODS.md names") {
+      "the study of limitations reproduces the stored results of the truss, and every run in METHODS.md is stored") {
     const TemporaryFolder folder;
     const Outcome outcome = study(folder, "limitations.sh made.md truss");
     CAPTURE(outcome.err);
@@ -158,7 +158,7 @@ TEST_SUITE("cli") {
     for (std::string line; std::getline(lines, line);) CHECK_MESSAGE(contains(stored, line + "\n"), line);
   }
 
-  TEST_CASE("every situation with a known answer has its rows and an answer for each measure") {
+  TEST_CASE("every situation with a known answer has a stored verdict and an answer for each measure") {
     const std::string stored = text_of(known_answers);
     int situations = 1;  // oblique-discs
     for (const auto& entry :
@@ -169,7 +169,8 @@ TEST_SUITE("cli") {
       const Scene scene = read_scene(entry.path()).scene;
       CHECK_FALSE(scene.measures.empty());
       for (const std::string law : {"neo_hookean", "2d_deviator"}) {
-        if (name == "shrink-fit" && law == "2d_deviator") continue;  // methods of this law refuse the start
+        if (name == "shrink-fit" && law == "2d_deviator")
+          continue;  // methods of this law refuse `displacement`
         CAPTURE(law);
         for (const Measure& measure : scene.measures) CHECK(scene.references.at(law).has(measure.name));
       }

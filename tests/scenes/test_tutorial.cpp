@@ -20,12 +20,12 @@ struct PageCommand {
   int code = 0;
 };
 
-/// Writes the files of a page's fenced blocks and runs its commands.
+/// Files and commands of a page.
 class Reader {
  public:
   explicit Reader(const fs::path& page) : text_(text_of(page)) {}
 
-  /// Calls `run` for each command, after the preceding files are written.
+  /// Writes each file into `folder` and calls `run` with each indented command, in the order of the page.
   template <class Run>
   void follow(const TemporaryFolder& folder, const Run& run) {
     static const std::regex target(R"((Write|Append) this (?:in)?to `([^`]+)`:$)");
@@ -64,7 +64,7 @@ int shell(const TemporaryFolder& folder, const std::string& command) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("every command of the tutorial runs and ends with the exit code that the page announces") {
+  TEST_CASE("every indented taut command of the tutorial ends with the announced exit code, else 0") {
     const TemporaryFolder folder;
     int commands = 0;
     Reader(fs::path(TAUT_SOURCE_DIR) / "scenes/TUTORIAL.md").follow(folder, [&](const PageCommand& command) {
@@ -77,7 +77,7 @@ TEST_SUITE("cli") {
       CHECK(fs::exists(folder / picture));
   }
 
-  TEST_CASE("every indented taut command of the front page runs with coarse particles") {
+  TEST_CASE("every indented taut command of the front page succeeds") {
     const TemporaryFolder folder;
     int commands = 0;
     Reader(fs::path(TAUT_SOURCE_DIR) / "README.md").follow(folder, [&](const PageCommand& command) {

@@ -14,7 +14,7 @@ struct RoomRow {
 };
 
 /// First table of a README.md with a column "may include", lowest room first. Files of one row may include each other,
-/// rooms of one row may not.
+/// folders of one row may not.
 ///
 ///     | room | what for | may include |
 ///     |---|---|---|

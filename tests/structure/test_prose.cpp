@@ -118,7 +118,7 @@ TEST_SUITE("structure") {
           FAIL_CHECK((part + "/" + source + ":" + std::to_string(line)));
   }
 
-  TEST_CASE("prose: lines of documents have at most 120 columns outside tables, code and links") {
+  TEST_CASE("prose: running text that is not generated has at most 120 columns") {
     constexpr std::size_t most_columns = 120;
     for (const std::string& document : files_below(top, {".md"})) {
       if (is_generated(document)) continue;

@@ -9,7 +9,7 @@
 
 namespace taut::test {
 
-/// Two arms on a foot, `gap` apart, `height` long; each tip moves inwards with `speed`, in sound speeds.
+/// Two arms on a foot, `gap` apart, `height` long. Each tip starts inwards at `speed`, in sound speeds.
 inline Scene closing_arms(int dim, double dp, double gap, double height, double speed) {
   const double in = 0.5 * gap, width = 0.005, out = in + width, deep = dim == 3 ? width : 0;
   Scene scene = scene_of_shapes({Box{{-out, 0, 0}, {-in, height, deep}}}, dim, dp);
@@ -22,7 +22,7 @@ inline Scene closing_arms(int dim, double dp, double gap, double height, double 
   return scene;
 }
 
-/// Greatest x_i − x_j, m, of opposite particles i of the left and j of the right arm (upper halves).
+/// Greatest x_i − x_j, m, of opposite particles i and j in the upper halves of the left and the right arm.
 inline double penetration(const Snapshot& now, int dim, double dp, double height) {
   const auto n = static_cast<std::size_t>(dim);
   double most = -1;

@@ -1,5 +1,5 @@
-// LD_PRELOAD library: logs writes, renames and syncs to the file that TAUT_FILE_CALLS names. TAUT_NO_LOCKS makes locks
-// fail, TAUT_LOCKED those of written files. The first lock creates the file that TAUT_GATE names, and waits for its
+// LD_PRELOAD library. Logs writes, renames and syncs in the file that TAUT_FILE_CALLS names. TAUT_NO_LOCKS makes folder
+// locks fail, TAUT_LOCKED file locks. The first folder lock creates the file that TAUT_GATE names, and waits for its
 // removal.
 
 #include <array>
@@ -25,7 +25,7 @@ std::string path_of(int descriptor) {
 
 void note(const std::string& call, const std::string& path, const std::string& other = "") {
   const char* const log = std::getenv("TAUT_FILE_CALLS");
-  if (!log || path.empty() || path[0] != '/') return;  // streams, pipes
+  if (!log || path.empty() || path[0] != '/') return;  // such as "pipe:[42]"
   const int file = ::open(log, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
   const std::string line = call + '\t' + path + '\t' + other + '\n';
   ::syscall(SYS_write, file, line.data(), line.size());

@@ -109,7 +109,7 @@ class Pressed {
   std::vector<V> force_;
 };
 
-/// Bends the face x = 0 onto a circle of radius |r|, with the column (x > 0) inside the circle if r > 0.
+/// Bends the face x = 0 onto a circle of radius |r|. The body, x > 0, is inside the circle if r > 0.
 template <int Dim>
 Vec<double, Dim> bent(Vec<double, Dim> x, double r) {
   const double angle = x[1] / r, away = r - x[0];
@@ -117,7 +117,8 @@ Vec<double, Dim> bent(Vec<double, Dim> x, double r) {
   return x;
 }
 
-/// Number of touching particles of a moved 20 mm × 6 mm column that start at least `inside` from its ends.
+/// Applies `motion` to a block, 20 mm long along y. Returns the number of touching particles that started at least
+/// `inside` from its ends.
 template <int Dim, class Motion>
 int touching_after(const Motion& motion, double dp, double inside) {
   constexpr double height = 0.02;

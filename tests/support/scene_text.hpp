@@ -99,7 +99,7 @@ struct MarkedScene {
   }
 };
 
-/// `small_scene` with `new_part` for `old_part` must fail at the '@' with a message that contains all `parts`.
+/// Replaces `old_part` of `small_scene`. Checks that reading fails at the '@' with a message that contains all `parts`.
 inline void check_error(std::string_view old_part, std::string_view new_part,
                         std::initializer_list<const char*> parts) {
   const MarkedScene scene(old_part, new_part);

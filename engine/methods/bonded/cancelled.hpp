@@ -122,7 +122,7 @@ struct CancelledView {
   const Storage* thirds = nullptr;  // ⅓ G V0_i w_ij in J
   const CancelledOnLattice<Dim>* on_lattice = nullptr;
 
-  /// Returns G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e for C = Fᵀ F, in J. λ°: stretch of the bond by F alone.
+  /// Returns G V0_i Σ_j w_ij φ_c′(λ°)/λ° e ⊗ e for C = Fᵀ F, in J. λ°: stretch of the bond by F alone.
   Sym<Pack, Dim> slopes(int group, const Sym<Pack, Dim>& C) const;
   /// Returns G V0_i Σ_j w_ij φ_c(s°), in J; s° = λ°² = e·C e.
   Pack energy(int group, const Sym<Pack, Dim>& C) const;

@@ -38,7 +38,7 @@ class Clamps {
 
   bool has_driven() const { return !driven_.empty(); }
 
-  /// Moves places on driven regions. `ahead`: 3 τ, s.
+  /// Moves places on driven regions. `ahead`: 3 τ in s.
   void follow(const Particles<Dim>& s, double ahead, const ColumnsView<2 * Dim>& places) const {
     for (const auto& [place, rigid_particle, from_rigid_particle] : driven_)
       for (int k = 0; k < Dim; ++k) {

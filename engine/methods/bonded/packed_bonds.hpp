@@ -53,11 +53,11 @@ struct BondToClamp {
   int group, lane, bond, place;
 };
 
-/// Bonds of groups of four particles: first bonds with an a_ij, then the others, each part in storage order. Storage
+/// Bonds of groups of four particles: first bonds with a_ij ≠ 0, then the others, each part in storage order. Storage
 /// is AlignedPack, or HalfPack off-lattice in 3D.
 template <int Dim, class Storage>
 struct PackedBondsView {
-  struct GroupRows {  // first indices, numbers of bonds
+  struct GroupRows {  // first indices, numbers of slots
     int slot, count, spring, scale;
     int a, a_count;
   };

@@ -26,7 +26,7 @@ struct StrainOfFour {
   Pack root;             // c^(−1/3) of the default law (THEORY.md)
 };
 
-/// Advances x and `places` by `dt`, half a step.
+/// Advances x by `dt`, half a step, and sets the particles' `places`.
 template <const BondedFormulation&, int Dim>
 void half_drift(const BondedFields<Dim>& f, double dt, const Threads& threads) {
   parallel_for(f.group_count(), threads, [&](int group) {
@@ -169,7 +169,7 @@ void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threa
   });
 }
 
-/// Fills `now` and returns energies, J.
+/// Returns the energies of four particles, J.
 template <const BondedFormulation& M, int Dim>
 Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>& now) {
   return f.with_bonds([&](const auto& bonds) {
@@ -211,11 +211,11 @@ void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const
     const int group = groups[k];
     StrainOfFour<Dim> now;
     out[k].energy = strain_and_energy<M>(f, group, now);
-    // F is undetermined where B is 0
+    // the identity replaces F where the bonds determine none
     const PackIndex has_own = f.law(group).V > 0;
     for (int a = 0; a < Dim; ++a) now.F(a, a) = has_own ? now.F(a, a) : filled<Pack>(1);
-    // no force controls the volume ratio of the recovered F
     Mat<Pack, Dim> F = recovered_deformations<Dim>(recovered, u, f.size, lanes * group, now.F);
+    // no force controls the volume ratio of the recovered F
     if constexpr (Dim == 3)
       keep_volume(recovered, f.size, lanes * group, F, has_own ? determinant(now.F) : determinant(F));
     out[k].stress = stress_of_four<M>(f, group, F);

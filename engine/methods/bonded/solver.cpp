@@ -196,7 +196,7 @@ void Bonded<Dim>::renew_recovered() const {
                                   common_.run.threads, f_.halved);
 }
 
-/// Returns the fields with `places` at the current time; f_.places are half a step old.
+/// Returns the fields with `places` at the current time; `step` leaves f_.places at mid-step.
 template <int Dim>
 BondedFields<Dim> Bonded<Dim>::fields_now(Columns<2 * Dim>& places) const {
   places.resize(places_.size());

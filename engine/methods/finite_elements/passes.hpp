@@ -97,7 +97,7 @@ void strain_pass(const FiniteElementFields<Dim>& f, const int* groups, int count
   });
 }
 
-/// Greatest squared frequency of an element, 1/s², from its mean deformation gradient.
+/// Bound of the squared frequencies of all elements, 1/s², from their mean deformation gradients.
 template <const FiniteElementFormulation& M, int Dim>
 double rate_pass(const FiniteElementFields<Dim>& f, const Threads& threads) {
   constexpr int N = nodes_of_element<M, Dim>;

@@ -62,7 +62,7 @@ struct OneElement {
   }
 
  private:
-  /// Orthonormalises 1, ξ, η, ζ under the weights.
+  /// Orthonormalises the first `modes` of 1, ξ, η, ζ under the weights.
   void set_modes() {
     for (int m = 0; m < modes; ++m) {
       for (int q = 0; q < N; ++q) mode[q][m] = m == 0 ? 1 : LineElement<n>::gauss[index_along(m - 1, q, n)];
@@ -216,7 +216,7 @@ void FiniteElements<Dim>::update_rate() {
   if (!(rate_ <= greatest_rate_ratio * first_rate_)) throw_crushed();
 }
 
-/// Throws NumericalError with the first node of the most crushed element, or of the first whose J is not a number.
+/// Throws NumericalError with the first node of the most crushed element, or of the first element whose J is NaN.
 template <int Dim>
 void FiniteElements<Dim>::throw_crushed() const {
   const int N = mesh_.nodes_of_each();

@@ -43,7 +43,7 @@ class FiniteElements final : public Scheme<Dim> {
   std::vector<V> X_, u_;
   std::vector<int> node_, material_;
   // std::vector<Pack> would misalign packs without AVX; Vec aligns them
-  std::vector<Vec<Pack, 1>> points_;  // memory of ElementPoint structs, cast in solver.cpp
+  std::vector<Vec<Pack, 1>> points_;  // memory of ElementPoint structs
   std::vector<Vec<Pack, 1>> rates_;   // [group]
   std::vector<double> force_;
   std::vector<int> begin_, slot_;

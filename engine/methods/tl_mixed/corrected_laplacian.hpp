@@ -67,7 +67,7 @@ std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
 inline constexpr TermInfo corrected_laplacian_info{
     "dissipation", "D(U) = c_p dp (ε₂ L[U] − ε₄ dp² L*[L[U]]), L corrected", "[Lee2016] Eq. 36, 37, A.1–A.5",
     "methods/tl_mixed/corrected_laplacian.hpp:corrected_laplacian",
-    "corrected Laplacian: linear fields give 0 and in 2D the squared distance 4, also at surfaces"};
+    "corrected Laplacian: in 2D it is 0 for linear fields and 4 for the squared distance, also at surfaces"};
 
 /// Weights V_j w_ji/V_i of the adjoint L* (THEORY.md).
 template <int Dim>
@@ -124,7 +124,7 @@ DifferencesAndLaplacian<Dim, N> differences_and_laplacian(const LaplacianView<Di
   return sum;
 }
 
-/// L*[U], or L[U] with `adjoint` = 0.
+/// L*[U]; L[U] if `pairs` were made with `adjoint` = 0.
 template <int Dim, int N>
 Vec<Pack, N> second_laplacian(const LaplacianView<Dim>& pairs, const ColumnsView<N>& U, int group) {
   const int first = lanes * group;
@@ -138,7 +138,7 @@ Vec<Pack, N> second_laplacian(const LaplacianView<Dim>& pairs, const ColumnsView
   return sum;
 }
 
-/// Spectral radius of dp⁴ L*[L[·]], 1 to 2 % low, by power iteration.
+/// Spectral radius of the biharmonic term, times dp⁴, 1 to 2 % low, by power iteration.
 template <int Dim>
 double biharmonic_spectral_radius(const LaplacianView<Dim>& pairs, int particles, int threads) {
   constexpr int fields = 2;

@@ -25,8 +25,8 @@ struct TlMixedConstants : Constants {
   double eps_v2 = 0, eps_v4 = 0;
   double eps_J2 = 0, eps_J4 = 0;
   double adjoint = 0;         // 1: adjoint, 0: as printed
-  double internal_force = 0;  // of internal_force_names
-  double deviator_ratio = 0;  // of deviator_ratio_names
+  double internal_force = 0;  // index in internal_force_names
+  double deviator_ratio = 0;  // index in deviator_ratio_names
   double projection = 0;
   double boundary_projection = 0;
 };

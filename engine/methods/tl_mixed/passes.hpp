@@ -74,7 +74,7 @@ double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// stiffness_bound of each group, Pa.
+/// stiffness_bound of each particle, Pa.
 template <const TlMixedFormulation& M, int Dim>
 void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   using U = UnknownsOf<M, Dim>;
@@ -104,7 +104,7 @@ void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Computes all rates and, with dissipation, dp² L[U].
+/// Computes rates without dissipation; for methods with dissipation also dp² L[U].
 template <const TlMixedFormulation& M, int Dim>
 void gather_pass(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -138,7 +138,7 @@ inline constexpr TermInfo cofactor_info{
     "methods/tl_mixed/passes.hpp:gather_pass",
     "mixed: in 3D collisions and a block hit on its clamp follow the transcription"};
 
-/// Adds the dissipation of velocity and J. [Lee2016] Eq. 35–38
+/// Adds the dissipation of velocity to `a`, and computes the dissipation of J. [Lee2016] Eq. 35–38
 template <const TlMixedFormulation& M, int Dim>
 void dissipation_pass(const TlMixedFields<Dim>& f, const TlMixedConstants& c, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;

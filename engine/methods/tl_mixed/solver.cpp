@@ -111,8 +111,8 @@ double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
   return 0.9 * 2 * c_.dp / (body_.wave_speed * rate);
 }
 
-/// Time step, s; in 3D with the fastest wave in the strained bodies. Departure: [Lee2016] Eq. 44 has dp instead of
-/// h, and 0.3 dp/c_p is unstable at free faces of cell-centred particles (limit 0.25).
+/// Time step, s; in 3D with the fastest wave in the strained bodies. Departure: h instead of dp in [Lee2016] Eq. 44,
+/// since 0.3 dp/c_p is unstable at free faces of cell-centred particles.
 template <int Dim>
 double TlMixed<Dim>::step_size() const {
   if (Dim == 2) return common_.fixed_or_stable_step(std::min(body_.step_size(), dissipation_limit_));
@@ -135,7 +135,7 @@ void TlMixed<Dim>::throw_crushed() const {
       failed_id = std::min(failed_id, p_.id[i]);
   throw NumericalError(common_.run.steps, common_.run.time, failed_id, "deformation",
                        fmt::format("particle {} is crushed or turned inside out: "
-                                   "waves in it are more than {:g} times as fast as at the start, "
+                                   "waves in it are more than {:g} times as fast as in the unstrained body, "
                                    "or its deformation is not a number",
                                    failed_id, greatest_wave_ratio));
 }

@@ -14,8 +14,8 @@
 namespace taut {
 
 /// Mixed total-Lagrangian methods, [Lee2016] Algorithm 1. Momentum is stored as the velocity p/ρ0. Departures:
-/// L*[L[U]] replaces L[L[U]] (Eq. 37b), which can add energy at surfaces. Step 9 requires `boundary_projection` = 1.
-/// The sum of force and dissipation is projected (Eq. 49), contact and loads are not.
+/// L*[L[U]] with `adjoint` = 1, because L[L[U]] (Eq. 37b) can add energy at surfaces; step 9 only with
+/// `boundary_projection` = 1. Contact and loads are not projected (Eq. 49).
 template <int Dim>
 class TlMixed final : public Scheme<Dim> {
  public:

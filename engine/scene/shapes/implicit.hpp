@@ -7,11 +7,11 @@
 
 namespace taut {
 
-/// Part of a box where an expression is not 0. Tolerances are tested along the axes.
+/// Part of a box where an expression is not 0. `holds` tests the tolerance along the axes.
 struct Implicit final : ShapeBase {
   Box within;
   Expression inside;
-  Point by{};  // m
+  Point by{};  // shift, m
 
   Implicit(const Box& within, Expression inside) : within(within), inside(std::move(inside)) {}
 

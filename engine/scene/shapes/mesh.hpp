@@ -13,7 +13,7 @@ struct Triangles {
   std::vector<std::array<int, 3>> corners;
 };
 
-/// Edges of an odd number of triangles, and edges whose triangles face opposite sides.
+/// Number of edges with an odd number of triangles (`open`), and of other edges whose triangles face opposite sides.
 struct MeshFaults {
   int open = 0, turned = 0;
 };

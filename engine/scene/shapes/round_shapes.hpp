@@ -8,8 +8,8 @@
 namespace taut {
 
 enum class RoundLayout : std::uint8_t {
-  aligned,  // equally many per layer; hollow only
-  spaced,   // about dp apart
+  aligned,  // equal numbers of particles in all layers; only for hollow shapes
+  spaced,   // particles about dp apart in each layer
   lattice,
 };
 std::string_view name(RoundLayout);

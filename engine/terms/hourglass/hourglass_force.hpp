@@ -22,6 +22,6 @@ Vec<T, Dim> hourglass_force(const Mat<T, Dim>& F_i, const Mat<T, Dim>& F_j, cons
 inline constexpr TermInfo hourglass_force_info{
     "hourglass force", "f_i += ½ α Σ V_i V_j W (E_i δ_i + E_j δ_j)/|X|² e, δ_i = (F_i X − x)·e, e = x/|x|",
     "[Ganzenmueller2015]", "terms/hourglass/hourglass_force.hpp:hourglass_force",
-    "hourglass force: the force is 0 in an affine motion and opposes a zigzag along pairs"};
+    "hourglass force: the force is 0 in an affine motion, acts along pairs and opposes zigzags"};
 
 }  // namespace taut

@@ -76,8 +76,7 @@ TEST_SUITE("cli") {
     CHECK(contains(wrong.out, "no result: slow: unknown measure or number of run.json 'touch_tim'"));
   }
 
-  TEST_CASE(
-      "claims: text contains state and command, JSON name and state, Markdown the number of claims per state") {
+  TEST_CASE("claims: text, JSON and Markdown contain the recorded states, and text the commands") {
     const TemporaryFolder folder;
     const std::string file = claim_file(folder, two_runs + "criterion = '" + more_energy + "'");
     const Outcome one = call({"claims", file});

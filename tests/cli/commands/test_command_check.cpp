@@ -63,7 +63,7 @@ TEST_SUITE("cli") {
     CHECK(call({"check", stopped, "--measure", "period=0.255±1%"}).code == 1);
   }
 
-  TEST_CASE("check against a baseline compares its verdict and all its measures with a value") {
+  TEST_CASE("check against a baseline tests the verdict and each measure that has a value") {
     const TemporaryFolder folder;
     const std::string good = write_record(folder, "good", 0.255), near = write_record(folder, "near", 0.2555),
                       torn = write_record(folder, "torn", 0.255, "finished", "fractured");

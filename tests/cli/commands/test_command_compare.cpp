@@ -258,7 +258,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("a run without particles cannot be compared") {
+  TEST_CASE("a run without saved particles cannot be compared") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "plain", {"--no-render"})).code == 0);
     const Outcome outcome = compare(folder, {"plain"});

@@ -46,7 +46,7 @@ TEST_SUITE("cli") {
     CHECK(call({"render", folder.str("out"), "--quiet", "--title", "Short"}).err.empty());
   }
 
-  TEST_CASE("two folders are alike if their pictures have the same names and are alike") {
+  TEST_CASE("diff compares the pictures of equal names in two folders") {
     const TemporaryFolder folder;
     for (const std::string name : {"frame_00000.png", "frame_00001.png", "frame_00002.png"}) {
       write_picture(folder / ("a/" + name), 10);
@@ -88,7 +88,8 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("diff refuses folders without pictures, pictures of unequal size, and a folder beside an image") {
+  TEST_CASE(
+      "diff refuses folders without pictures, pictures of unequal size, and a folder compared with an image") {
     const TemporaryFolder folder;
     write_picture(folder / "a/one.png", 5);
     write_picture(folder / "wide/one.png", 5, 65);
@@ -171,7 +172,7 @@ TEST_SUITE("cli") {
     CHECK(files_in(folder.path()) == 4);
   }
 
-  TEST_CASE("an invalid update never removes a baseline") {
+  TEST_CASE("a diverged or refused update leaves the baseline unchanged") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_snapshot(folder, {"--update"})).code == 0);
     const std::string frame = text_of(folder / "base/frame_00004.png");

@@ -333,7 +333,7 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "out/frames/mine.png") == "mine");
   }
 
-  TEST_CASE("a folder with foreign contents is refused") {
+  TEST_CASE("a folder with foreign contents is refused, and a run with an invalid run.json is replaced") {
     const TemporaryFolder folder;
     fs::create_directories(folder / "out");
     CHECK(call(tiny_run(folder, "out", {"--frames", "1"})).code == 0);

@@ -20,7 +20,7 @@ void leave_run(const TemporaryFolder& folder, const std::string& run = "run") {
   REQUIRE(call(tiny_run(folder, run, {"--until", "1e-5", "--frames", "1", "--save-particles"})).code == 0);
 }
 
-/// True if `work` preserves a file behind `link`.
+/// Makes `link` a symbolic link; returns true if `work` does not change its target.
 bool leaves_alone(const fs::path& link, const std::function<void()>& work) {
   const fs::path victim = link.parent_path() / "victim";
   std::ofstream(victim) << "mine";
@@ -60,7 +60,7 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "chart.png.part/other.png") == "mine");
   }
 
-  TEST_CASE("files larger than any that taut writes are refused before they are read") {
+  TEST_CASE("scene, record, results and checkpoint files of 1 GiB of zeros are refused") {
     const TemporaryFolder folder;
     leave_run(folder);
     fs::copy(folder / "run", folder / "again", fs::copy_options::recursive);
@@ -177,11 +177,11 @@ TEST_SUITE("cli") {
     is_clean(call({"describe", with("[material.rubber]", "[material.\"" + quoted + "\"]")}));
   }
 
-  TEST_CASE("an unreadable disk gives exit code 4 and the reason") {
+  TEST_CASE("a file that the system fails to read gives exit code 4 and the reason") {
     const TemporaryFolder folder;
     leave_run(folder);
     fs::remove(folder / "run/run.json");
-    fs::create_symlink("/proc/self/mem", folder / "run/run.json");  // the beginning cannot be read
+    fs::create_symlink("/proc/self/mem", folder / "run/run.json");  // a read at offset 0 fails
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"check", folder.str("run"), "--verdict", "stable"},
           {"plot", folder.str("run"), "--out", folder.str("a.png")},

@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// `measures` is JSON.
+/// Writes a run.json; `measures` is JSON text.
 std::string write_measured(const TemporaryFolder& folder, const std::string& name,
                            const std::string& measures, const std::string& status = "finished") {
   fs::create_directories(folder / name);
@@ -219,7 +219,7 @@ TEST_SUITE("cli") {
     CHECK(answer_of(list, "sweep").find("runs")->items().size() == 2);
   }
 
-  TEST_CASE("test tools can read JUnit files of checks, pictures and runs with any characters in names") {
+  TEST_CASE("Python reads JUnit files of checks, pictures and runs, also with control characters in names") {
     if (!python_is_installed()) {
       MESSAGE("skipped: there is no Python 3 (Debian's package python3)");
       return;
@@ -294,7 +294,7 @@ TEST_SUITE("cli") {
     CHECK(files_in(folder.path()) == 2);
   }
 
-  TEST_CASE("on GitHub each failure is an annotation on stderr, at most ten") {
+  TEST_CASE("on GitHub at most ten failures are annotations on stderr") {
     const TemporaryFolder folder;
     const std::string run = write_measured(folder, "run", R"({"a:b,c\n%": {"value": 1, "unit": "1"}})"),
                       good = write_measured(folder, "good", R"({"a:b,c\n%": {"value": 2, "unit": "1"}})");

@@ -37,7 +37,7 @@ Outcome snapshot(std::string_view field, const fs::path& baseline, const fs::pat
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("every field matches its golden pictures") {
+  TEST_CASE("every field matches its golden pictures in 2D") {
     const TemporaryFolder folder;
     const bool update = std::getenv("TAUT_UPDATE_GOLDEN") != nullptr;
     for (const Field& field : fields(2)) {

@@ -127,8 +127,7 @@ TEST_SUITE("image") {
     }
   }
 
-  TEST_CASE(
-      "pictures too large to be drawn by many threads at once are the same bytes for one thread and eight") {
+  TEST_CASE("pictures so large that one is drawn at a time have the same bytes for one thread and eight") {
     std::string first;
     for (const int threads : {1, 8}) {
       const TemporaryFolder folder;

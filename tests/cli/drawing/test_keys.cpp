@@ -51,7 +51,7 @@ DrawingOptions typed(const std::string& key, const std::string& text) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("keys of drawing: each key reads and writes its whole value and no other key") {
+  TEST_CASE("keys of drawing: each key reads and writes its whole value") {
     const Drawing other = other_drawing();
     Drawing copy;
     for (const DrawingKey& key : drawing_keys()) {
@@ -251,7 +251,7 @@ TEST_SUITE("unit") {
     CHECK(range_of({0, 0}, 0.0) == render::Range{-1, 1});
     CHECK(range_of({NAN, INFINITY}) == render::Range{0, 1});
     CHECK(range_of({NAN, 2, INFINITY, 0}) == render::Range{0, 2});
-    CHECK(range_of({1e300, 2, -1e300, 0}) == render::Range{0, 2});  // values above 1e100 do not count
+    CHECK(range_of({1e300, 2, -1e300, 0}) == render::Range{0, 2});  // magnitudes above 1e100 do not count
     CHECK(range_of({1200, 1200.000001}) == render::Range{1200, 1200.000001});
     std::vector<double> many;
     for (int k = 0; k < 9000000; ++k) many.push_back(k % 1000);
@@ -286,7 +286,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("cli") {
-  TEST_CASE("every key of drawing is an option of run and a line of its scene.toml, in the same order") {
+  TEST_CASE("every key of drawing is an option of run and a line of its scene.toml") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out", {"--no-render"})).code == 0);
     const std::string scene = text_of(folder / "out/scene.toml");

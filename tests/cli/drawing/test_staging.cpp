@@ -83,7 +83,7 @@ TEST_SUITE("unit") {
     CHECK(Staging(drawing, origins)(frame(moved, origins, {1, 2, 3, 4})).x == Numbers{-7, -3.5, -6, -3.5});
   }
 
-  TEST_CASE("particles in style cells are drawn as pieces of their bodies, with their values") {
+  TEST_CASE("in style cells, particles are drawn as deformed cells, with their values") {
     Drawing drawing;
     drawing.style = Style::cells;
     Origins origins = two_pairs();
@@ -118,7 +118,7 @@ TEST_SUITE("unit") {
     CHECK(right == Approx(1.5));
   }
 
-  TEST_CASE("walls keep their place, and move past a followed body") {
+  TEST_CASE("walls keep their place, or move past a followed body") {
     const Origins origins = two_pairs();
     for (const Style style : {Style::discs, Style::cells}) {
       Drawing drawing;

@@ -176,7 +176,7 @@ TEST_SUITE("unit") {
           Approx(determinant(3) * 4 / 3 * std::numbers::pi * std::pow(0.06, 3)).epsilon(0.05));
   }
 
-  TEST_CASE("values at faces continue a linear field, within the values around them") {
+  TEST_CASE("values at faces continue a linear field, within the range of the particles") {
     const Covered body(scene_of({Box{{0, 0, 0}, {0.1, 0.06, 0}}}));
     const Numbers x = body.mapped({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
     Numbers value;
@@ -219,7 +219,7 @@ TEST_SUITE("unit") {
     const Covered half(scene_of({Box{{0, 0, 0}, {0.06, 0.06, 0.04}}}, 3),
                        [](const Point& x) { return static_cast<double>(x[1] < 0.029); });
     const SurfaceShape shape = half.at(half.mapped({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));
-    // remaining layer at y = 0.035, rim at 0.03
+    // between the first remaining layer, y = 0.035, and half-way to the removed one, y = 0.03
     CHECK(measure(shape, 3) > 0.06 * 0.04 * 0.025);
     CHECK(measure(shape, 3) < 0.06 * 0.04 * 0.03);
   }
@@ -249,7 +249,7 @@ TEST_SUITE("unit") {
     CHECK(left(drawn.undeformed) == Approx(-7.05));
   }
 
-  TEST_CASE("hidden bodies have no particles") {
+  TEST_CASE("particles of hidden bodies are not drawn") {
     Scene scene = scene_of({Box{{0, 0, 0}, {0.1, 0.06, 0}}});
     scene.bodies.push_back(scene.bodies[0]);
     scene.bodies[1].shapes = {Box{{1, 0, 0}, {1.05, 0.06, 0}}};

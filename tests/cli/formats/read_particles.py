@@ -1,4 +1,4 @@
-"""Prints what VTK reads from a .vtp file, or ASE from an .xyz file: a line for each array, its name and all values."""
+"""Prints what VTK reads from a .vtp file, or ASE from an .xyz file."""
 import sys
 
 

@@ -88,7 +88,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("particles are read back bit by bit") {
+  TEST_CASE("particles are read back bit for bit") {
     const TemporaryFolder folder;
     for (const int dim : {2, 3}) {
       Snapshot now = some_particles(dim, 3000);

@@ -199,7 +199,7 @@ TEST_SUITE("unit") {
     CHECK(file.time() == now.time);
   }
 
-  TEST_CASE("a csv file has a column with a unit for each component, with the values of the snapshot") {
+  TEST_CASE("a csv file has a column for each component, with the values of the snapshot") {
     const TemporaryFolder folder;
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
@@ -293,7 +293,7 @@ TEST_SUITE("unit") {
     CHECK(read_by_python(folder, write(folder, many, {}, {find_field("speed")}))["tensors"] == "none");
   }
 
-  TEST_CASE("ASE reads back every value of an xyz file") {
+  TEST_CASE("ASE reads back positions, vectors, tensors and scalars of an xyz file") {
     if (!has_python_module("ase.io")) {
       MESSAGE("skipped: there is no ASE for Python (Debian's package python3-ase)");
       return;

@@ -11,12 +11,12 @@ NAMED = {"body", "wall", "probe", "line", "measure"}  # taut names these by thei
 
 
 def is_other_kind(error):
-    """The value is of another type than this branch, or of another kind of shape, probe or measure."""
+    """Whether the value is of another type than this branch, or of another kind of shape, probe or measure."""
     return not error.relative_path and error.validator == "type" or error.validator == "const"
 
 
 def reason(error):
-    """The error in the one branch of anyOf or oneOf that is meant; the error itself if there is no such branch."""
+    """The error in the branch of anyOf or oneOf that the file most likely means."""
     branches = {}
     for inner in error.context:
         branches.setdefault(inner.relative_schema_path[0], []).append(inner)

@@ -16,13 +16,15 @@ using namespace taut::test;
 
 namespace {
 
-bool has_header(const Section& section) { return section.header.empty() || section.header.starts_with('['); }
+bool is_top_level(const Section& section) {
+  return section.header.empty() || section.header.starts_with('[');
+}
 
-/// Examples of all sections with a header except `without`.
+/// Examples of all top-level sections except `without`.
 std::string whole_file(std::span<const Section> sections, std::string_view without = "") {
   std::string text;
   for (const Section& section : sections)
-    if (has_header(section) && section.name != without) text.append(example_of(section.name)) += "\n";
+    if (is_top_level(section) && section.name != without) text.append(example_of(section.name)) += "\n";
   return text;
 }
 
@@ -55,7 +57,7 @@ TEST_SUITE("cli") {
     for (const Section& section : scene_sections()) {
       CAPTURE(section.name);
       CHECK_FALSE(example_of(section.name).empty());
-      if (has_header(section)) continue;
+      if (is_top_level(section)) continue;
       const char* const header = section.name == "tables" ? "[[reference]]" : "[[body]]";
       std::string changed = with_key(whole, header, section.name, example_of(section.name));
       if (section.name == "driven") changed = replaced(changed, "abs(x) > 0.05 - 4*dp", "x < -0.05 + 4*dp");
@@ -64,7 +66,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("language: the example of every shape that needs no file can be read") {
+  TEST_CASE("language: the example of every shape except svg, mask and mesh can be read") {
     std::ofstream(scratch_folder() / "places.csv") << "x,y\n0,0\n0.002,0\n0,0.002\n";
     for (const ShapeKind& kind : shape_kinds()) {
       CAPTURE(kind.name);
@@ -134,7 +136,7 @@ TEST_SUITE("cli") {
     const std::filesystem::path page = std::filesystem::path(TAUT_SOURCE_DIR) / "scenes/LANGUAGE.md";
     if (std::getenv("TAUT_UPDATE_GOLDEN")) std::ofstream(page, std::ios::binary) << language_page();
     CHECK_MESSAGE(taut::test::text_of(page) == language_page(),
-                  "it is out of date; TAUT_UPDATE_GOLDEN=1 cli_tests -tc='language*' rewrites it");
+                  "the page is out of date; TAUT_UPDATE_GOLDEN=1 cli_tests -tc='language*' rewrites it");
   }
 
   TEST_CASE("describe explains files, sections and their entries, as text and as JSON") {

@@ -164,7 +164,7 @@ class Browser:
             time.sleep(0.02)
 
     def errors(self):
-        """Messages of the console, without the warnings of the driver that draws without a graphics card."""
+        """Errors and warnings of the console, except those of the software renderer."""
         return [entry["message"] for entry in self.driver.get_log("browser")
                 if entry["level"] in ("SEVERE", "WARNING") and "GL Driver Message" not in entry["message"]]
 
@@ -247,7 +247,7 @@ def check_texts(browser):
 
 
 def check_errors(browser):
-    """Only an error with a reference number is a share."""
+    """The error of a value is a share of its reference; the error of a curve has a unit."""
     rows = {row.text.split()[0]: row.text for row in browser.all("section[aria-label=Measures] tbody tr")}
     assert rows["gap_rmse"].endswith(" m") and rows["gap_value"].endswith(" %"), rows
 
@@ -310,11 +310,11 @@ def check_sweep(browser, taut, folder):
     head("gap_value, m").click()
     assert column() == ascending[::-1]
     browser.select("Of", "gap_value")
-    signs = [one.text for one in browser.all(".legend .sign")]  # of methods; the reference has a line only
+    signs = [one.text for one in browser.all(".legend .sign")]  # the reference has none
     assert len(set(signs) - {""}) == 3, signs
     points = browser.script("return [...document.querySelectorAll('.plot canvas')].map((one) =>"
                             " Chart.getChart(one).data.datasets.flatMap((line) => line.data).filter((point) => point.row).length)")
-    assert points == [4, 6], points  # error over cost: og has another material law and no reference; response: all
+    assert points == [4, 6], points  # error over cost: without og, which has no reference; response: all runs
     error_axis = lambda: browser.script("return Chart.getChart(document.querySelector('.plot canvas')).options.scales.y.title.text")
     for measure, unit in (("gap_rmse", "m"), ("gap_value", "share of the reference")):
         browser.select("Measure", measure)
@@ -330,7 +330,7 @@ def check_sweep(browser, taut, folder):
 
 
 def read_rows(browser):
-    """The table of runs: for each row, numbers and texts by the head of their column, up to its comma."""
+    """Rows of the table of runs; keys are the column heads up to the first comma."""
     heads = [one.text.split(",")[0].strip(" ▲▼") for one in browser.all(".wide thead button")]
     cells = browser.script("return [...document.querySelectorAll('.wide tbody tr')].map((row) =>"
                            " [...row.cells].map((cell) => cell.title || cell.textContent))")

@@ -96,7 +96,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("report: an older page is replaced, and other files never are") {
+  TEST_CASE("report: an older page is replaced, and other folders and files are refused") {
     const TemporaryFolder folder;
     const std::string run = run_with_title(folder, "Two discs"), out = folder.str("page");
     REQUIRE(call({"report", run, run, "--out", out}).code == 0);

@@ -1,4 +1,4 @@
-"""Reads a folder that taut left, as other programs do: CSV, JSON, TOML and XML. Prints what it has read."""
+"""Reads the CSV, JSON, TOML and XML files of a run or sweep folder with the standard library of Python."""
 import csv
 import json
 import sys

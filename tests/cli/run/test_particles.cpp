@@ -46,7 +46,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "out/particles"));
   }
 
-  TEST_CASE("particles saved more often than there are steps each have their own time") {
+  TEST_CASE("particles saved between two steps have the time and the positions of that moment") {
     const TemporaryFolder folder;
     const std::vector<std::string> all{"--save-particles", "--no-render", "--fields", "speed",
                                        "--until",          "1e-4"};

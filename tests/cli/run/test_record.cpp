@@ -56,7 +56,7 @@ TEST_SUITE("cli") {
     CHECK(to_json(full_record()).members().size() + 1 == record_fields().size());  // all but other_load
   }
 
-  TEST_CASE("numbers that are not finite read back as null") {
+  TEST_CASE("numbers that are not finite are written as null") {
     RunRecord record = full_record();
     record.mass = NAN, record.since[Verdict::fractured] = INFINITY, record.conservation.energy = -INFINITY;
     record.indicator[1].greatest_part = NAN;

@@ -42,7 +42,7 @@ std::set<std::string> files_below(const fs::path& folder) {
   return names;
 }
 
-/// Compares all files except for times, threads and provenance in run.json.
+/// Compares all files; ignores times, speed, threads and provenance in run.json.
 void check_same_run(const fs::path& a, const fs::path& b) {
   REQUIRE(files_below(a) == files_below(b));
   for (const std::string& name : files_below(a)) {
@@ -200,7 +200,7 @@ normal = [0, 1]
     CHECK(contains(call(resume(folder, "with")).err, "has failed"));
   }
 
-  TEST_CASE("a run stopped before its first checkpoint restarts to the same bytes") {
+  TEST_CASE("a run stopped before its first saved state restarts to the same bytes") {
     const TemporaryFolder folder;
     const Arguments all = long_run + Arguments{"--no-render", "--spacing", "0.0021"};
     REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
@@ -264,7 +264,7 @@ normal = [0, 1]
   }
 
   TEST_CASE(
-      "a checkpoint with wrong contents and a correct checksum is refused with no file touched, or resumes") {
+      "a checkpoint with wrong contents and a correct checksum is refused, with history.csv unchanged, or resumes") {
     const TemporaryFolder folder;
     const Arguments all{"--until",          "0.01",     "--frames", "20", "--range", "auto",
                         "--save-particles", "--fields", "speed"};
@@ -382,7 +382,7 @@ normal = [0, 1]
     check_same_run(folder / "straight", folder / "out");
   }
 
-  TEST_CASE("the first checkpoint is written at the end of the first interval") {
+  TEST_CASE("a checkpoint contains no state before the end of the first interval") {
     const TemporaryFolder folder;
     std::vector<std::size_t> sizes;
     Watch watch([&] {

@@ -58,8 +58,7 @@ TEST_SUITE("restart") {
           text_of(folder / "straight/frames/frame_00020.png"));
   }
 
-  TEST_CASE(
-      "a finished run continues to a later end, with the motion and frames of a run that goes there at once") {
+  TEST_CASE("a finished run continues to a later end, with the motion and frames of an uninterrupted run") {
     for (const std::string range : {"0:4", "auto"}) {
       CAPTURE(range);
       const TemporaryFolder folder;
@@ -89,7 +88,7 @@ TEST_SUITE("restart") {
     }
   }
 
-  TEST_CASE("a finished run is not continued without a later end or a checkpoint, and keeps its files") {
+  TEST_CASE("a finished run is not continued without a later end or a checkpoint, and keeps its history") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out", {"--keep-checkpoint"})).code == 0);
     const std::string history = text_of(folder / "out/history.csv");
@@ -126,7 +125,7 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "out/run.json") != before);
   }
 
-  TEST_CASE("a dry run reports size and step, draws the first picture and touches no run") {
+  TEST_CASE("a dry run reports size and step, draws the first picture and creates no run folder") {
     const TemporaryFolder folder;
     const Outcome dry = call(tiny_run(folder, "out", {"--dry-run"}));
     CAPTURE(dry.err);

@@ -38,14 +38,14 @@ struct StandingSimulation : Simulation {
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "output times start at 0, include an end that is a multiple of the interval, and survive rounding") {
+      "output times start at 0 and, despite rounding, include an end that is a multiple of the interval") {
     CHECK(times_in_parts(0.75, 3) == std::vector<double>{0, 0.25, 0.5, 0.75});
     CHECK(times_every(0.3, 0.1) == std::vector<double>{0, 0.1, 0.2, 0.3});  // although 0.3 / 0.1 < 3
     CHECK(times_every(0.35, 0.1).back() == Approx(0.3));
     CHECK(times_every(1, 2) == std::vector<double>{0});
   }
 
-  TEST_CASE("an agenda returns every time once") {
+  TEST_CASE("an agenda returns each of its times once") {
     Agenda agenda({0, 1, 2, 5});
     CHECK(agenda.reached(0).size() == 1);
     CHECK(agenda.next() == 1);
@@ -164,7 +164,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(record.particle_steps_per_second());
   }
 
-  TEST_CASE("a run.json that is not of a run is not read") {
+  TEST_CASE("an invalid run.json is not read") {
     const TemporaryFolder folder;
     const auto read = [&](const std::string& text) {
       write_atomically(folder / "run.json", text);

@@ -116,7 +116,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(is_told("oenog", "reaction"));
   }
 
-  TEST_CASE("a scene can come through a pipe, with settings that name its folder") {
+  TEST_CASE("a scene can be read from a pipe, and the run folder's name contains the settings") {
     const TemporaryFolder folder;
     const std::string text = text_of(write_tiny_scene(folder));
     int ends[2];

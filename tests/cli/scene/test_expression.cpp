@@ -127,7 +127,7 @@ TEST_SUITE("cli") {
     CHECK(says(error_of(std::string(20001, '1')), "has 20001 letters; at most 20000 are allowed"));
   }
 
-  TEST_CASE("a message shortens long text and escapes unprintable text to one line") {
+  TEST_CASE("a message shortens long texts and escapes unprintable characters") {
     const std::string deep = std::string(2000, '(') + "1";
     CHECK(says(error_of(deep), "((…"));
     CHECK(std::string(error_of(deep).what()).size() < 600);

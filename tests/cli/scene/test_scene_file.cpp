@@ -65,7 +65,7 @@ TEST_SUITE("unit") {
     CHECK(file.drawing.frames == 60);
   }
 
-  TEST_CASE("expressions of a body can use the names of its material") {
+  TEST_CASE("expressions of a body can use the constants of its material") {
     const Scene scene = read_text(small_scene).scene;
     REQUIRE(scene.bodies.size() == 2);
     const double c0 = std::sqrt(1e7 / (3 * (1 - 2 * 0.4)) / 1200);
@@ -134,7 +134,6 @@ TEST_SUITE("unit") {
     const std::string when = replaced(text, "let =", "when = { v0 = 0.06 }\nlet =");
     CHECK(peak(when) == Approx(16.2).epsilon(1e-14));
     CHECK(read_text(when, set({{"v0", "0.5"}})).scene.references.empty());
-    // values hold only for default parameters
     const std::string valued = replaced(text, "let =", "values = { peak = 3 }\nlet =");
     CHECK(read_text(valued).scene.references.at("neo_hookean").value.at("peak") == 3);
     CHECK(peak(valued) == Approx(16.2).epsilon(1e-14));
@@ -331,7 +330,7 @@ TEST_SUITE("unit") {
         CHECK(std::abs(exact({L, 0, 0}, t) - u) < 1e-4 * std::abs(U) * L / (4 * c));
       }
     }
-    // the 2D deviator subtracts 1/2 of the trace, so M = 4KG/(K + G)
+    // the 2D deviator subtracts 1/2 of the trace, so the modulus of the rod is 4KG/(K + G)
     const Scene scene = shipped("elastic-cable").scene;
     const double K = scene.materials.at(0).bulk_modulus(), G = scene.materials[0].shear_modulus();
     const double c = std::sqrt(4 * K * G / (K + G) / 8000);

@@ -53,7 +53,7 @@ double volume(const InitialParticles& layout) {
   return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
 }
 
-/// The resolved text gives the same particles and text.
+/// Checks that the scene read from the resolved text of `file` has the same particles and resolved text.
 void check_resolved(const SceneFile& file) {
   const std::string text = resolved_text(file, scratch_folder());
   const SceneFile again = read_text(text);
@@ -123,7 +123,7 @@ TEST_SUITE("cli") {
                       {"low.z = 1 must be less than high.z = 0"});
   }
 
-  TEST_CASE("scene in 3D: hollow round bodies are laid out in layers for methods with fixed neighbours") {
+  TEST_CASE("scene in 3D: thin round walls are laid out in layers for methods with fixed neighbours") {
     const auto volume_of = [](const std::string& shape, const std::string& method) {
       const SceneFile file = read_text("method = \"" + method + "\"\n" + solid_scene(shape));
       check_resolved(file);
@@ -154,7 +154,7 @@ TEST_SUITE("cli") {
         {"layout", "inner"});
   }
 
-  TEST_CASE("scene: a shape of the other dimension is refused with the nearest shape") {
+  TEST_CASE("scene: a shape of the other dimension is refused, and the message names a shape to use") {
     const auto solid = [](const char* type, const char* instead) {
       check_solid_error(solid_scene(std::string("{ type = @\"") + type + "\" }"),
                         {type, "is a shape with dim = 2, but the scene has dim = 3; use ", instead});
@@ -253,8 +253,7 @@ TEST_SUITE("cli") {
     CHECK(constant(small_scene, "enog", "zeta") == relative(0.7 * 2 + 2.1));
   }
 
-  TEST_CASE(
-      "scene: the plate in 3D has a reference per mode, and the paper's references on the published ring") {
+  TEST_CASE("scene: the reference of the plate in 3D depends on the mode, the method and the support") {
     const auto period = [](const char* method, const char* m, const char* n, const char* ring) {
       const SceneFile file =
           read_scene(find_scene("oscillating-plate-3d"), {{.name = "method", .value = method},

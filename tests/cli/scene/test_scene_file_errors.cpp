@@ -134,7 +134,7 @@ TEST_SUITE("cli") {
     check_error("[render]", "@" + parts + "b = 1\n[render]", {"a key has more than 16 parts"});
     check_error("v0 = {", "v0 = { @" + parts + "b = 1, ", {"a key has more than 16 parts"});
     CHECK_NOTHROW(read_text(replaced(small_scene, "\"Small\"", "'" + std::string(100, '.') + "'")));
-    // [TOML 1.0, String]: up to five quotes at the end
+    // [TOML 1.0, String]: a multi-line string ends in three to five quotes
     for (const std::string text : {R"("""x"""")", R"("""x""""")", "'''x''''", "'''x'''''", R"("""\"""")"}) {
       CAPTURE(text);
       check_error("\"Small\"", text + " # \\\n@" + parts + "b = 1", {"a key has more than 16 parts"});
@@ -236,7 +236,7 @@ TEST_SUITE("cli") {
     check_error("color = \"von_mises\"", "colormap = @\"virdis\"", {"unknown colour map", "'viridis'"});
   }
 
-  TEST_CASE("scene: duplicate names, empty names and unused sections are refused") {
+  TEST_CASE("scene: duplicate names, empty names and unused materials are refused") {
     check_error("name = \"ring\"", "name = @\"block\"", {"'block' is already in use"});
     check_error("name = \"ring\"", "name = @\"\"", {"'' is not a valid name"});
     check_error("[[body]]", "[material.@steel]\ndensity = 1\nyoungs_modulus = 1\npoisson_ratio = 0\n[[body]]",

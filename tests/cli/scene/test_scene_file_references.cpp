@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// The small scene with other references; `peak` is the tip at rest.
+/// The small scene with other references and a measure `peak` of the kind `at_rest`.
 std::string with_references(const std::string& references) {
   const std::string old = "[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nvalues = { peak = 3 }\n";
   return replaced(replaced(small_scene, "of = \"maximum\"", "of = \"at_rest\""), old, references);
@@ -72,7 +72,7 @@ TEST_SUITE("cli") {
     CHECK(both.name_for("least") == "other");
     CHECK(both.solution.contains("peak"));
     CHECK(both.value.at("least") == 1);
-    // a solution may be the value of a measure and use constants of the only material
+    // a solution can use the constants of the only material
     const std::string modulus =
         reference("modulus", "let = { m = \"E/(1 - nu^2)\" }\nsolutions = { peak = \"m/E\" }");
     const Reference named = read_text(with_references(modulus)).scene.references.at("neo_hookean");

@@ -165,7 +165,7 @@ TEST_SUITE("cli") {
     check_error("poisson_ratio = 0.4", "poisson_ratio = 0.4\nbulk_modulus = \"@c0\"", {"unknown name 'c0'"});
   }
 
-  TEST_CASE("scene: walls have a place and a normal of any length") {
+  TEST_CASE("scene: walls have a place and a normal") {
     const auto with_wall = [](const std::string& keys) {
       return small_scene + "\n[[wall]]\nname = \"floor\"\n" + keys + "\n";
     };
@@ -200,7 +200,7 @@ TEST_SUITE("cli") {
     CHECK_THROWS_AS(read_text(replaced(small_scene, "of = \"maximum\"", kind)), SceneError);
   }
 
-  TEST_CASE("scene: the law of elasticity must be one that the method supports") {
+  TEST_CASE("scene: a law of elasticity that the method does not support is refused or replaced") {
     const auto with_law = [](const std::string& method, const std::string& law) {
       return replaced(small_scene, "until = 2", "until = 2\nmethod = \"" + method + "\"" + law);
     };

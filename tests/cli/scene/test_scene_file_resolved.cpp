@@ -45,7 +45,7 @@ bool equal_as(const Shape& a, const Shape& b) {
   return ((a.as<Kinds>() && b.as<Kinds>() && *a.as<Kinds>() == *b.as<Kinds>()) || ...);
 }
 
-/// True if the shape is compared by its members; other shapes are compared by their particles.
+/// True if the shape is compared by its members.
 bool is_simple(const Shape& shape) { return equal_as<Box, Disc, Ring, Cylinder>(shape, shape); }
 
 void check_same(const Body& a, const Body& b) {
@@ -232,7 +232,7 @@ TEST_SUITE("unit") {
     check_round_trip(read_text(text, set({{"until", "3"}})));
   }
 
-  TEST_CASE("a method set by an override has its own constants and CFL number") {
+  TEST_CASE("the constants and CFL number of a scene hold only for its method") {
     const std::string text =
         replaced(small_scene, "until = 2",
                  "until = 2\nmethod = \"enog\"\ncfl = 0.123\nmethod_constants = { zeta = 4.25 }");
@@ -278,7 +278,7 @@ TEST_SUITE("unit") {
     const std::string text = replaced(small_scene, "\"Small\"", "\"a \\\"b\\\" \\\\ c ν\"");
     CHECK(read_text(text).scene.title == "a \"b\" \\ c ν");
     check_round_trip(read_text(text));
-    // titles are limited to one line
+    // a line break, which a title cannot contain
     TomlValue lines;
     lines.set("a", TomlValue(std::string("b\n\t\x01 ν")));
     CHECK(parse_toml(print_toml(lines), "").find("a")->value.text == "b\n\t\x01 ν");

@@ -188,7 +188,8 @@ TEST_SUITE("cli") {
         {"greater than 0"});
   }
 
-  TEST_CASE("scene: `touching` in 3D is 0.1 dp for listed particles and 0 for a body with faces") {
+  TEST_CASE(
+      "scene: with oenog in 3D, `touching` is 0.1 dp for listed particles and 0 for a body with faces") {
     write_file("given.csv", "x,y,z\n0,0,0\n0.05,0,0\n");
     const std::string_view probe_and_measure = R"([[probe]]
 name = "tip"
@@ -345,7 +346,7 @@ unit = "s"
                       {"larger than 4 MiB"});
   }
 
-  TEST_CASE("shapes: a mesh of an OBJ or STL file is filled, scaled and placed, and an open one is refused") {
+  TEST_CASE("shapes: a mesh is filled, scaled and placed, and an open one is refused") {
     const std::string points = "v 0 0 0\nv 1000 0 0\nv 0 1000 0\nv 0 0 1000\n";
     const std::string three = "f 1 3 2\nf 1 2 4\nf 2 3 4\n";
     write_file("tetrahedron.obj", points + three + "f 1 4 3\n");

@@ -46,7 +46,7 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "four.png") == text_of(folder / "out/frames/frame_00004.png"));
   }
 
-  TEST_CASE("colours, range, map and view of a session equal those of the options of run") {
+  TEST_CASE("colour, range, map and view of a session give the same picture as the options of run") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out",
                           {"--color", "pressure", "--range", "-1000:2000", "--colormap", "rainbow", "--view",
@@ -170,7 +170,7 @@ TEST_SUITE("cli") {
     CHECK(session(folder, "help exit\n").out == session(folder, "help quit\n").out);
   }
 
-  TEST_CASE("reset returns a session to the start with its settings") {
+  TEST_CASE("reset returns a session to the start and keeps its settings") {
     const TemporaryFolder folder;
     const std::string once = session(folder, "set cfl=0.1\nstep 5\nprobe\n").out;
     CHECK(session(folder, "set cfl=0.1\nstep 9\nreset\nstep 5\nprobe\n")
@@ -205,7 +205,7 @@ TEST_SUITE("cli") {
     CHECK(contains(out, "error: usage: plot FILE.png [PROBE ...]"));
   }
 
-  TEST_CASE("a session confirms each setting, and reports that a requested time is past") {
+  TEST_CASE("a session confirms changes of the picture, and reports that a requested time is past") {
     const TemporaryFolder folder;
     CHECK(session(folder, "range 0 2\n").out == "range=0 2\nok\n");
     CHECK(session(folder, "color pressure\n").out == "color=pressure\nok\n");
@@ -214,7 +214,7 @@ TEST_SUITE("cli") {
                    "# the session is past 0.0005 s; `reset` returns to the start\n"));
   }
 
-  TEST_CASE("info, probe, help and quit answer as documented") {
+  TEST_CASE("info, probe and help print their answers, and quit ends the session") {
     const TemporaryFolder folder;
     const Outcome outcome = session(folder, "# a remark\n\ninfo\nprobe gap\nhelp\nquit\nstep\n");
     CAPTURE(outcome.out);

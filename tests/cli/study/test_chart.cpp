@@ -79,7 +79,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "the measure with errors of the most runs is the default, and event times and errors with a unit come last") {
+      "the default measure is the one with the most errors, and event times and errors with a unit come last") {
     const TemporaryFolder folder;
     const auto chosen = [&](const std::string& rows) {
       std::ofstream(folder / "results.csv")
@@ -122,7 +122,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(contains(text_of(folder / "two.gp"), "finer run worse"));
   }
 
-  TEST_CASE("runs with other settings have separate lines, and the faster of two equal runs counts") {
+  TEST_CASE("runs with different settings have separate lines, and the faster of two equal runs counts") {
     const TemporaryFolder folder;
     const std::string first = write_results(folder / "a",
                                             "finished,tl,tl,0.4,10,stable,,0.3,2,4,0.5\n"
@@ -243,7 +243,7 @@ TEST_SUITE("cli") {
     CHECK(contains(script, "'×') with labels offset"));
     CHECK(contains(script, "set label 'og' at graph 1.01"));
     CHECK_FALSE(contains(script, "set label 'tl' at graph 1.01"));
-    // cost ∝ n³, error ∝ n⁻²
+    // cost ∝ dp⁻³, error ∝ dp²
     CHECK(contains(script, "**(-0.6666666666666666) with lines"));
     REQUIRE(call({"chart", file, "--methods", "og", "--out", folder.str("og.svg")}).code == 0);
     CHECK_FALSE(contains(text_of(folder / "og.dat"), "# tl"));
@@ -255,7 +255,7 @@ TEST_SUITE("cli") {
     CHECK(color(script, "tl") != color(script, "og"));
   }
 
-  TEST_CASE("--stable-only excludes unstable runs, and a note counts them") {
+  TEST_CASE("--stable-only excludes unstable runs, and a note mentions them") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", converging);
     REQUIRE(call({"chart", file, "--stable-only", "--out", folder.str("c.svg")}).code == 0);
@@ -285,8 +285,7 @@ TEST_SUITE("cli") {
     CHECK_FALSE(chart.series[0].order.has_value());
   }
 
-  TEST_CASE(
-      "without a reference runs are compared with the finest stable run of a method, and that run gets no point") {
+  TEST_CASE("--against compares runs with the finest stable run of a method, and that run gets no point") {
     const TemporaryFolder folder;
     const std::string head =
         "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.bend.value,"
@@ -445,7 +444,7 @@ TEST_SUITE("cli") {
     CHECK(files_in(folder.path()) == 1 + 3 * 9);
   }
 
-  TEST_CASE("charts of unrelated or missing results are refused with the reason") {
+  TEST_CASE("charts that cannot be drawn are refused with the reason") {
     const TemporaryFolder folder;
     const std::string good = write_results(folder / "good", converging);
     const std::string other = write_results(folder / "other", converging, "ring");

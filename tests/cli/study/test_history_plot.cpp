@@ -92,7 +92,7 @@ TEST_SUITE("cli") {
     CHECK(twice[1].line() != twice[0].line());
   }
 
-  TEST_CASE("a legend omits a method that all runs share, and the title names it") {
+  TEST_CASE("the title names the method that a legend omits") {
     const std::string script = script_of(falling(speeds_of("oenog", 3)));
     CHECK(contains(script, "title 'speed=2'"));
     CHECK(contains(script, "set multiplot title 'A rod, oenog'"));

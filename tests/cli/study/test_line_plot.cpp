@@ -167,7 +167,7 @@ TEST_SUITE("cli") {
     CHECK(one[1].rows.back()[0] == Approx(0.017));
   }
 
-  TEST_CASE("lines of different lengths share a panel, and a line has the reference of its table") {
+  TEST_CASE("lines of different lengths share a panel, and a reference can be a table") {
     const TemporaryFolder folder;
     run_block(folder, "a");
     REQUIRE(plot_lines(folder, {folder.str("a"), "--lines", "along+across", "--times", "2e-4"}).code == 0);
@@ -187,7 +187,7 @@ TEST_SUITE("cli") {
     CHECK(blocks[1].rows[1][0] == Approx(0.009));
   }
 
-  TEST_CASE("plot draws a line of the runs that reached the time, and names the others") {
+  TEST_CASE("plot draws a line for each run that reached its time, and names the others") {
     const TemporaryFolder folder;
     run_block(folder, "a");
     run_block(folder, "b", {"--until", "1.5e-4"});

@@ -47,7 +47,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "a verdict that no run has is left out of the data of a map, so that gnuplot's numbers of blocks match") {
+      "a verdict that no run has is left out of the data of a map, so that gnuplot's block indices match") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", speeds, "rod", "speed");  // no hourglass
     REQUIRE(call({"map", file, "--out", folder.str("map.png")}).code == 0);

@@ -46,7 +46,7 @@ std::string deep(std::size_t levels) { return std::string(levels, '[') + std::st
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("a damaged or foreign run.json is refused with the file and the key") {
+  TEST_CASE("a damaged or foreign run.json is refused with the file and the reason") {
     const TemporaryFolder folder;
     const std::string file = folder.str("run.json");
     write(file, record);
@@ -108,7 +108,7 @@ TEST_SUITE("cli") {
     CHECK(contains(error_of([&] { read_stored_run(folder.str("run.json")); }), "64 levels deep"));
   }
 
-  TEST_CASE("a results.json with wrong types is refused with the file and the key") {
+  TEST_CASE("a damaged results.json is refused with the file and the reason") {
     const TemporaryFolder folder;
     const std::string table = write_results(folder.path(), one_row);
     const std::string file = folder.str("results.json");
@@ -168,7 +168,7 @@ TEST_SUITE("cli") {
     CHECK(read_results({law, plain}).fixed.empty());
   }
 
-  TEST_CASE("a CSV table with more bytes or columns than taut writes is refused") {
+  TEST_CASE("a CSV table with more than 256 MiB or 10000 columns is refused") {
     const TemporaryFolder folder;
     write(folder / "a.csv", "");
     fs::resize_file(folder / "a.csv", std::uintmax_t{300} << 20);  // sparse
@@ -234,7 +234,7 @@ TEST_SUITE("cli") {
     CHECK(contains(script_of("sph"), "; contact laws differ"));
   }
 
-  TEST_CASE("the name of a line lacks the default contact law of its method") {
+  TEST_CASE("the name of a series omits the default contact law of its method") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder.path(),
                                            "finished,tl,tl,0.4,10,stable,,0.3,2,4,,surface\n"

@@ -58,7 +58,7 @@ TEST_SUITE("cli") {
     for (const auto& [name, text] : bytes) CHECK(text_of(folder / "out" / name) == text);
   }
 
-  TEST_CASE("a mistake in a study is refused before anything runs") {
+  TEST_CASE("a mistake in a study is refused with the reason") {
     const TemporaryFolder folder;
     const std::map<std::string, std::string> wrong{
         {"[chart]\nmeasure = \"touch_tim\"\n", ":8:11: unknown measure 'touch_tim' (did you mean"},

@@ -109,7 +109,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "suite: --only renews the chosen baselines, and an unknown name is refused with the nearest name") {
+      "suite: --update --only renews no other baseline, and an unknown name is refused with the nearest name") {
     const TemporaryFolder folder;
     REQUIRE(run_suite(folder, short_runs + entries_of_discs, {"--update"}).code == 0);
     const auto frame = [&](const char* entry) {
@@ -175,7 +175,7 @@ TEST_SUITE("cli") {
     CHECK(contains(junit, "classname=\"taut.snapshot\" name=\"faster\"/>"));
   }
 
-  TEST_CASE("suite: a mistake in a suite file is refused with its place and the nearest name") {
+  TEST_CASE("suite: an invalid suite file is refused with the reason") {
     const std::string entry = "[[entry]]\nname = 'discs'\nscene = 'discs.toml'\n";
     CHECK(contains(refusal_of_suite("titel = 'x'\n" + entry), "suite.toml:1:1: "));
     CHECK(contains(refusal_of_suite("titel = 'x'\n" + entry), "did you mean 'title'"));

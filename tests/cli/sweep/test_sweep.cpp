@@ -28,7 +28,7 @@ TEST_SUITE("cli") {
     CHECK(contains(text_of(folder / "out/sweep.slurm"), "exec " TAUT_BINARY_DIR "/taut sweep "));
   }
 
-  TEST_CASE("a run of a sweep that was drawn again later is not repeated") {
+  TEST_CASE("a sweep does not repeat a run that was drawn later by `render`") {
     const TemporaryFolder folder;
     const Texts grid{"--grid", "speed=1,2", "--set", "until=1e-4", "--save-particles"};
     REQUIRE(program(tiny_sweep(folder, "out", grid)).code == 0);
@@ -58,7 +58,7 @@ TEST_SUITE("cli") {
     CHECK(json_of(folder / "out/results.json")["runs"].size() == 1);
   }
 
-  TEST_CASE("a sweep creates a folder for each run and a row in the order of the grid") {
+  TEST_CASE("a sweep creates a folder for each run, and rows in the order of the grid") {
     const TemporaryFolder folder;
     // the second of the three values takes longest
     const Outcome outcome = program(tiny_sweep(
@@ -92,7 +92,7 @@ TEST_SUITE("cli") {
     CHECK(lines[4].starts_with("3,0.004,enog,finished,,until=0.004_method=enog,discs,enog,"));
   }
 
-  TEST_CASE("results are the same for any number of parallel runs") {
+  TEST_CASE("results are the same with 1 and 4 parallel runs") {
     const TemporaryFolder folder;
     const Texts grid{"--grid", "speed=1:3:1", "--grid", "method=og,enog", "--jobs"};
     for (const std::string jobs : {"1", "4"}) {
@@ -104,7 +104,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE(
-      "a finished run is kept unless its settings have changed, a frame is missing or --force is given") {
+      "a finished run is kept unless its settings have changed, an output is missing or --force is given") {
     const TemporaryFolder folder;
     const auto sweep = [&](Texts more) {
       more.insert(more.begin(), {"--grid", "speed=1,2"});

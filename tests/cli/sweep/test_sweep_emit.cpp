@@ -16,8 +16,8 @@ const std::string strange =
     "-a b {} {#} {= `touch ran`; =} $(touch ran) `touch ran` 'q' \"r\" \\ %d @x # ;[y]\n"
     "#SBATCH -z\ntouch ran";
 
-/// Writes a substitute for GNU parallel, which ignores options up to -q and runs the command once per input line,
-/// replacing {} and {#}. A word with {= runs `touch ran`.
+/// Writes a substitute for GNU parallel. The substitute ignores the options before -q and runs the command once per
+/// input line, replacing {} and {#}. A word with {= runs `touch ran`.
 void write_parallel(const TemporaryFolder& folder) {
   fs::create_directories(folder / "bin");
   std::ofstream(folder / "bin/parallel") << R"(#!/bin/sh
@@ -92,7 +92,7 @@ TEST_SUITE("cli") {
     CHECK(json_of(folder / "out/results.json")["runs"][1]["threads"] == 2);
   }
 
-  TEST_CASE("scripts for a sweep with repetitions use one thread per physical core") {
+  TEST_CASE("scripts for a sweep with repetitions use at most one thread per physical core") {
     const TemporaryFolder folder;
     write_parallel(folder);
     const auto write = [&](const char* name, const char* output) {

@@ -98,7 +98,7 @@ TEST_SUITE("cli") {
     check_refused(head + "set = { pul = @1 }\n[grid]\nspeed = 1\n", "did you mean 'pull'");
   }
 
-  TEST_CASE("the command line overrides the settings of a sweep file for all runs") {
+  TEST_CASE("the command line overrides the settings of a sweep file, but not its grid") {
     const TemporaryFolder folder;
     write_sweep(folder, "scene = 'discs.toml'\nset = { until = 1e-5, method = 'og' }\n[grid]\nspeed = 1\n");
     const std::vector<std::string> sweep{"sweep", folder.str("sweep.toml"), "--quiet", "--out",

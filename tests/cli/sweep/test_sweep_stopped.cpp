@@ -79,12 +79,13 @@ TEST_SUITE("cli") {
     sweep.send(SIGTERM);
     const int code = sweep.exit_code();
     CHECK((code == 130 || code == 143));  // either handler can run first
-    std::ostringstream err;               // a surviving run would hold the lock
+    std::ostringstream err;
+    // a surviving run would hold the lock
     CHECK_NOTHROW(taut::cli::FolderLock(folder / "out", taut::cli::FolderLock::Of::sweep, "taut test", err));
     CHECK(statuses(folder / "out").size() == 2);
   }
 
-  TEST_CASE("a run that crashes is reported and does not end the sweep") {
+  TEST_CASE("a run that crashes is an error in the results, and its sweep exits with code 70") {
     const TemporaryFolder folder;
     ChildProgram sweep(endless_sweep(folder));
     wait_until_the_short_run_has_ended(folder / "out");

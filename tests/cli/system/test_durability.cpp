@@ -38,7 +38,7 @@ class Disk {
     }
   }
 
-  /// For each renaming, by the new name: whether all files, and whether the renamed file, were on disk.
+  /// By new name, for each renaming: true if all files (`itself_before`: the renamed file) were on disk before.
   std::map<std::string, std::vector<bool>> all_before, itself_before;
   std::set<std::string> lacking;  // not on disk at the end
 
@@ -72,7 +72,7 @@ TEST_SUITE("cli") {
       CAPTURE(outcome.err);
       REQUIRE(outcome.code == 0);
       const Disk disk(folder / "calls");
-      // checkpoints: an empty one at the start, then one after each quarter but the last
+      // checkpoints: an empty one at the start, then one after each quarter of the run but the last
       const std::vector<bool>& checkpoints = disk.all_before.at("checkpoint.bin");
       CHECK(checkpoints.size() >= 4);
       CHECK(checkpoints == std::vector<bool>(checkpoints.size(), true));
@@ -108,7 +108,8 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "out/run.lock"));
   }
 
-  TEST_CASE("a file that another process keeps locked is an output error, and no temporary file is left") {
+  TEST_CASE(
+      "a run that cannot lock its temporary file fails, and removes the file only if the run created it") {
     const TemporaryFolder folder;
     const Outcome outcome = watched(tiny_run(folder, "out", {"--no-render"}), "TAUT_LOCKED=1");
     CHECK(outcome.code == 4);

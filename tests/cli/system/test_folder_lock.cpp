@@ -70,7 +70,7 @@ TEST_SUITE("unit") {
     CHECK(refusal(folder.path(), Of::run).empty());
   }
 
-  TEST_CASE("a lock ends with its process, and the next process reuses its file") {
+  TEST_CASE("the lock of a killed process does not block the next lock") {
     const TemporaryFolder folder;
     fs::create_directory(folder / "run");
     const pid_t child = ::fork();

@@ -37,9 +37,9 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("cli") {
-  TEST_CASE("Ctrl-C during the set-up of a run ends the run at once, before any file is touched") {
+  TEST_CASE("Ctrl-C during the set-up of a run ends the run and leaves at most a lock file") {
     const TemporaryFolder folder;
-    // with 230 000 particles bonds take seconds
+    // the bonds of 230 000 particles take seconds to compute
     TerminalProgram program(
         {"run", "colliding-balls", "--method", "oenog", "--spacing", "1.1e-3", "--out", folder.str("run")},
         folder.str("state"));

@@ -122,7 +122,7 @@ TEST_SUITE("unit") {
       for (const bool in_second_half : {false, true}) {
         OrderedWork work(workers);
         std::vector<int> order;
-        Gate gate;  // keeps later pieces in progress
+        Gate gate;  // holds piece 5 until piece 7 is added
         if (workers == 0) gate.open();
         const auto fail_at = [&](int number) {
           if (number == 5 || number == 6) throw std::runtime_error("piece " + std::to_string(number));

@@ -9,7 +9,7 @@
 using namespace taut::cli;
 
 TEST_SUITE("cli") {
-  TEST_CASE("progress: work of half a day or more is reported as long, once some of it is done") {
+  TEST_CASE("progress: only a time left of half a day or more counts as long") {
     constexpr double hour = 3600, day = 24 * hour;
     CHECK(long_time_left(0.5, 0.5, hour).empty());
     CHECK(long_time_left(1e-3, 0.999, 60) == "17 hours");

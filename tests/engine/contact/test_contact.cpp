@@ -174,8 +174,7 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE(
-      "impulse contact: densities of pf and pf-jst follow from the positions, of pfj-jst and pfhj-jst within 15 %") {
+  TEST_CASE("impulse contact: densities follow from the positions, for pfj-jst and pfhj-jst within 15 %") {
     Scene scene;
     scene.name = "blocks";
     scene.spacing = dp;

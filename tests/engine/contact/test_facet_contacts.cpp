@@ -131,7 +131,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE(
-      "contact of faces: in 3D the force of a wall is 2k times depth times area, and its impulse is recorded") {
+      "contact of faces: in 3D a wall presses a body like the body's mirror image, and its impulse is recorded") {
     const double depth = 0.1 * dp, area = 36 * dp * dp, k = modulus() / (2 * dp);
     Scene scene = scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0.006}}});
     scene.walls = {{"wall", {0, 0, 0}, {-1, 0, 0}}};

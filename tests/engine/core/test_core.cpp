@@ -135,7 +135,7 @@ TEST_SUITE("unit") {
     check_products<3>();
   }
 
-  TEST_CASE("tensor: a moment times its inverse is the identity in any unit") {
+  TEST_CASE("tensor: a symmetric tensor times its inverse is the identity in any unit") {
     for (const double scale : {1e-12, 1.0, 1e9}) {
       const Sym<double, 2> a = scale * Sym<double, 2>{2.0, -0.7, 1.3};
       const Sym<double, 2> b = inverse(a);
@@ -257,7 +257,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("growth: a list whose size is predicted from a part is not copied again") {
+  TEST_CASE("growth: a list whose size is predicted from its first rows is not copied again") {
     std::vector<int> list;
     constexpr std::size_t rows = 6400, of_each = 10;
     const int* place = nullptr;

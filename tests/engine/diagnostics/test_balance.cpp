@@ -45,7 +45,7 @@ void scale(std::vector<double>& values, double factor) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("balance: one particle under pressure and shear has the exact energies") {
+  TEST_CASE("balance: one particle has the exact kinetic and strain energies") {
     const Scene scene = made_scene(2, 1, {unit_bulk()});  // K = 1, G = 1.5
     Snapshot now = made_snapshot(2, {{0, 0, 0}});
     now.m = {6};

@@ -20,7 +20,7 @@ Snapshot particle(bool clamped) {
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "conservation: drift is relative to the greatest scale, and no momentum drift is given for clamped bodies") {
+      "conservation: drift is relative to the greatest scale, and momentum drift is absent for a clamped body") {
     Balance start;
     start.kinetic = 4;
     start.linear_momentum = {1, 0, 0};

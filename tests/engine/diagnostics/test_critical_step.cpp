@@ -91,7 +91,7 @@ TEST_SUITE("analytic") {
       REQUIRE(limits.size() == 1);  // the sufficient limit of [Zhang2020] is for 2D
       CHECK(critical(cube, with_h(h, 0)) == Approx(limits[0].step).epsilon(0.05));
     }
-    // the corrected V W' is 1/2 for dp = 1; |κ| is greatest, √3, for the wave vector (1, 1, 1) π/2
+    // with six neighbours the wave number is greatest, √3/dp, for the wave vector (1, 1, 1) π/(2 dp)
     Settings six = with_method("tl");
     six.constants["h"] = 0.6;
     const Material& m = cube.materials[0];
@@ -102,7 +102,7 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("convergence") {
   TEST_CASE(
-      "critical step: medium h has the smallest step, normalising raises steps for short h and lowers them for long h") {
+      "critical step: it is smallest for medium h, and normalising raises it for short h and lowers it for long h") {
     const auto step = [](double h, double normalised) { return critical(square(), with_h(h, normalised)); };
     const double uncorrected[] = {step(0.55, 0), step(0.75, 0), step(1.3, 0)};
     const double normalised[] = {step(0.55, 1), step(0.75, 1), step(1.3, 1)};

@@ -48,7 +48,8 @@ void move(Snapshot& now) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("field_error: the error is relative to the greatest value of the solution at that time") {
+  TEST_CASE(
+      "field_error: the error is relative to the greatest value of the solution at the snapshot's time") {
     Snapshot now = sheared({0.03, -0.04});
     now.time = 0.1;
     const auto error = field_error(displacement(), now, shear());

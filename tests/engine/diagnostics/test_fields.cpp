@@ -64,7 +64,7 @@ TEST_SUITE("unit") {
     CHECK(find_field("") == nullptr);
   }
 
-  TEST_CASE("fields: stresses in 2D equal the particle's stress, including s_zz") {
+  TEST_CASE("fields: in 2D stress components are s − p I, and the von Mises stress includes s_zz") {
     Snapshot now = made_snapshot(2, {{0, 0, 0}, {1, 0, 0}});
     now.p = {0, 10};
     now.s = {0, 0, 0, 0, 3, 5, 1, -4};
@@ -217,7 +217,7 @@ TEST_SUITE("unit") {
     CHECK(value("body", now, n) == 1);
   }
 
-  TEST_CASE("fields: a single particle has no strain") {
+  TEST_CASE("fields: an isolated particle has no strain") {
     Snapshot now = made_snapshot(2, {{0, 0, 0}, {9, 0, 0}});
     now.x = {1, 1, 0, 0};
     CHECK(value("J", now) == 1);

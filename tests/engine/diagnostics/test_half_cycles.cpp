@@ -35,7 +35,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "period: a sample that is exactly 0 at a change of sign counts as one crossing, and a touch of 0 as none") {
+      "period: a sample that is 0 at a change of sign counts as one crossing, and a touch of 0 as none") {
     expect(value("period", {0, 1, 2, 3, 4, 5}, {0, 1, 0, -1, 0, 1}), 4);
     expect(value("period", {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 0, 1, -1, 0, -1, 1}), 6.5);
     expect(value("period", {0, 1, 2, 3, 4, 5, 6}, {-1e-18, 1, -1e-17, 1, 0, -1, 1}), 5.5);
@@ -92,7 +92,7 @@ TEST_SUITE("unit") {
     CHECK(std::abs(*found) < 1e-6);
   }
 
-  TEST_CASE("decay: the measure is absent with fewer than two peaks on one side") {
+  TEST_CASE("decay: the measure is absent until two half cycles of the same sign are over") {
     const auto wave = [](double t) { return std::sin(2 * pi * t); };
     CHECK_FALSE(value("decay", sampled(unequal_times(1.49, 1e-3), wave)));
     CHECK(value("decay", sampled(unequal_times(1.51, 1e-3), wave)));

@@ -220,7 +220,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "checkerboards: a relative amplitude ε on a smooth field gives ε/√(1 + ε²), and 1 without the field") {
+      "pressure checkerboard: relative amplitude ε on a smooth field gives ε/√(1 + ε²), a checkerboard alone gives 1") {
     const double dp = 0.02;
     const Sample body = lattice(50, 50, dp);
     const ScalarField smooth = [](const Point& X) {
@@ -249,7 +249,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("checkerboards: a smooth field gives a small share that decreases at least as dp²") {
+  TEST_CASE("pressure checkerboard: a smooth field gives a small share that decreases at least as dp²") {
     const ScalarField wave = [](const Point& X) { return std::sin(3 * X[0]) * std::cosh(3 * X[1]); };
     const double coarse = pressure_share(lattice(20, 20, 0.1), wave);
     const double fine = pressure_share(lattice(40, 40, 0.05), wave);
@@ -258,7 +258,7 @@ TEST_SUITE("unit") {
     CHECK(pressure_share(ring(0.5, 1, 0.05), wave) < 0.002);
   }
 
-  TEST_CASE("checkerboards: zero stress gives 0 and round-off stress less than 1e-3") {
+  TEST_CASE("pressure checkerboard: zero pressure gives 0 and round-off less than 1e-3") {
     const Sample body = lattice(10, 10, 1);
     const auto noise = [](double scale) -> ScalarField {
       return [=](const Point& X) { return scale * test::shake(X, 1.3); };
@@ -365,7 +365,8 @@ TEST_SUITE("unit") {
       CHECK(pressure_share(lattice(n, 1, 1), [](const Point& X) { return 1 + X[0]; }) == 0);
   }
 
-  TEST_CASE("indicators: the record divides the greatest part by the greatest whole, and skips NaN") {
+  TEST_CASE(
+      "indicators: the greatest share is the greatest part over the greatest whole, and NaN does not change it") {
     IndicatorRecord record;
     CHECK(record.greatest() == 0);
     record.take({0.1, 1}, 0);

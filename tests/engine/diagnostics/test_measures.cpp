@@ -18,7 +18,7 @@ using namespace taut;
 using namespace taut::test;
 
 TEST_SUITE("unit") {
-  TEST_CASE("rmse: series and table are compared over their common time only") {
+  TEST_CASE("rmse: series and table are compared over their common time up to `until` only") {
     Scene scene = scene_of("rmse");
     scene.references["neo_hookean"] = {"a table", {}, {{"number", {{0.5, 0.8, 2.5}, {{1.5, 1.8, 3.5}}}}}};
     scene.until = 2;
@@ -136,7 +136,7 @@ TEST_SUITE("unit") {
     expect(result(scene, series).value, 2 * std::sin(0.05), 1e-2);
   }
 
-  TEST_CASE("turn: whole turns count with their sign up to the end") {
+  TEST_CASE("turn: whole turns count with their sign up to `until`") {
     Scene scene = scene_of("turn");
     scene.measures[0].probes = {"y", "gap"};
     scene.until = 3;
@@ -244,7 +244,8 @@ TEST_SUITE("unit") {
     CHECK(result(scene, Series{t, {speed, {nan, -1, 1}}}).why == "the series is not finite at its start");
   }
 
-  TEST_CASE("value: series and solution are taken at one time, and there is no value before it") {
+  TEST_CASE(
+      "value: series and solution are evaluated at `time`, and a series that ends earlier has no value") {
     Scene scene = scene_of("value");
     scene.until = 4;
     scene.measures[0].time = 1.5;

@@ -68,7 +68,7 @@ TEST_SUITE("analytic") {
     CHECK(!curve.peak(146, 149));
     CHECK(!curve.peak(151.5, 154));
     CHECK(!peak_frequency({}, 0, 1, {1, 2}));
-    // the window's first side lobe
+    // the first side lobe of the window is no line
     std::vector<double> t, y;
     for (int k = 0; k <= 2000; ++k) {
       t.push_back(1e-4 * k);

@@ -8,7 +8,7 @@ namespace taut::test {
 
 inline constexpr double dp = 0.1;
 inline constexpr double support = 2.6 * dp;
-inline constexpr bool kept = true, searched = false;  // whether neighbour lists are kept or searched anew
+inline constexpr bool kept = true, searched = false;  // values of `keeps_neighbors`
 
 inline Snapshot lattice(int dim, int columns, int rows, int layers = 1) {
   std::vector<Point> places;

@@ -169,7 +169,7 @@ TEST_SUITE("unit") {
     CHECK(penetration(hairpin(1.2 * dp)) > 0);
   }
 
-  TEST_CASE("penetration: initial neighbours never count, however a body is strained and rotated") {
+  TEST_CASE("penetration: a body that is strained and rotated does not penetrate itself") {
     const Snapshot start = hairpin(1e9);
     Penetration penetration(start, dp);
     for (const double stretch : {0.4, 0.6, 1.0, 1.7})
@@ -226,8 +226,7 @@ TEST_SUITE("unit") {
         }
   }
 
-  TEST_CASE(
-      "penetration in 3D: behind four particles penetration begins at a depth from 0.3 to 0.5 spacings") {
+  TEST_CASE("penetration in 3D: penetration begins at a depth from 0.3 to 0.5 spacings") {
     const Snapshot start = two_cubes();
     const auto inside = [&](double right, double up, double turn = 0) {
       Snapshot now = start;

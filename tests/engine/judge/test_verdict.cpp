@@ -29,7 +29,7 @@ TEST_SUITE("unit") {
     CHECK(Verdict::fractured < Verdict::diverged);
   }
 
-  TEST_CASE("judge: a zigzag is found, and smooth bending into a half circle is not") {
+  TEST_CASE("judge: a zigzag above the threshold is found, and smooth bending into a half circle is not") {
     const Scene scene = one_body(2);
     const Snapshot start = lattice(2, 20, 10);
     IndicatorGauge gauge(scene, start);
@@ -54,7 +54,7 @@ TEST_SUITE("unit") {
           }) == Verdict::stable);
   }
 
-  TEST_CASE("judge: a zigzag in one patch of a large body is found, also beside another body") {
+  TEST_CASE("judge: a strong zigzag in one patch of a large body is found, also beside another body") {
     const Scene scene = made_scene(2, dp, {unit_bulk(), unit_bulk()});
     constexpr std::size_t of_first = 60 * 30;
     for (const bool bystander : {false, true})
@@ -104,7 +104,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "judge: rows bent to a radius of one spacing exceed the hourglass threshold, rows bent to two do not") {
+      "judge: rows bent to a radius of one spacing exceed the hourglass threshold, to a radius of two they do not") {
     const Scene scene = one_body(2);
     const auto reading = [&](int rows, double radius) {
       const Snapshot start = lattice(2, 40, rows);
@@ -156,7 +156,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "judge: in 3D bonds join neighbours along face diagonals, not along space diagonals or two spacings") {
+      "judge: in 3D bonds join neighbours along face diagonals, not along space diagonals or over two spacings") {
     const Scene scene = one_body(3);
     const Snapshot corner = made_snapshot(3, {{0, 0, 0}, {dp, dp, 0}, {-dp, 0, -dp}});
     CHECK(Judge(scene, corner, support, searched).pieces() == 1);
@@ -280,7 +280,8 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("judge: bonds stretched beyond the method's law are counted, with their start time") {
+  TEST_CASE(
+      "judge: the share of bonds stretched beyond the method's law is recorded, and the time when it first exceeds 0") {
     Scene scene = made_scene(2, 0.001, {{"rubber", 1000, 1e6, 0.3}});
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.008, 0.006, 0}}};
     Settings settings;

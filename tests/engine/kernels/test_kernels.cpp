@@ -85,7 +85,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("kernel: the kernel falls from its maximum at 0 to 0 at the support and stays there") {
+  TEST_CASE("kernel: w falls from q = 0 to the support and is 0 from there on") {
     for_each_kernel([]<class K>() {
       CHECK(K::w(0.0) > 0);
       CHECK(K::dw(0.0) == 0);

@@ -171,7 +171,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("element mesh: a traction acts on the face of its layer, a force on the whole region") {
+  TEST_CASE("element mesh: a traction acts on one face of its region, a force on the whole region") {
     for (const int order : {1, 2}) {
       Scene scene = scene_of(3, order, {Box{{0, 0, 0}, {1, 0.4, 0.4}}});
       const InitialParticles nodes = make_initial_particles(scene);

@@ -157,7 +157,8 @@ TEST_SUITE("unit") {
     CHECK(fitted_spacing(body_of(Box{{0, 0, 0}, {0.2, 0.02, 0}}), 2, 0.003) == relative(0.02 / 7));
     CHECK(fitted_spacing(body_of(Box{{0, 0, 0}, {0.2, 0.02, 0.01}}), 3, 0.003) == relative(0.01 / 3));
     CHECK(fitted_spacing(body_of(Disc{{0, 0, 0}, 0.05}), 2, 0.03) == relative(0.1 / 3));
-    CHECK(fitted_spacing(body_of(Ring{{0, 0, 0}, 0.03, 0.04}), 2, 0.001) == 0.001);  // 0.04 − 0.03 ≠ 0.01
+    CHECK(fitted_spacing(body_of(Ring{{0, 0, 0}, 0.03, 0.04}), 2, 0.001) ==
+          0.001);  // round-off: 0.04 − 0.03 ≠ 0.01
     CHECK(fitted_spacing(body_of(Box{{0, 0, 0}, {1, 1, 0}}), 2, 40) == 1);
   }
 
@@ -175,7 +176,7 @@ TEST_SUITE("unit") {
     CHECK(contains(error, "0.4"));
   }
 
-  TEST_CASE("layout: bodies in 3D overlap only if they overlap in depth, too") {
+  TEST_CASE("layout: the distance between particles of two bodies in 3D includes the depth") {
     Scene scene = one_body(3, 1, {Box{{0, 0, 0}, {2, 2, 2}}});
     scene.bodies.push_back(scene.bodies[0]);
     scene.bodies[1].shapes = {Box{{0, 0, 1.8}, {2, 2, 3.8}}};

@@ -82,7 +82,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "jitter: clamped, driven and, in a rotated body, guided particles stay, and free components of others move") {
+      "jitter: clamped and driven particles stay, as do guided ones in a rotated body, and other free components move") {
     Scene scene = brick(2);
     Body& body = scene.bodies[0];
     body.clamped = [](const Point& x) { return x[0] < dp ? 1.0 : 0.0; };
@@ -100,7 +100,7 @@ TEST_SUITE("unit") {
       CHECK((moved.x[i][0] == lattice.x[i][0]) == (row < 2 * dp));
       CHECK((moved.x[i][1] == lattice.x[i][1]) == (row < 2 * dp || row > 1 - dp));
     }
-    body.rotation = Rotation{.about = {0.5, 0.5, 0}, .angle = 90};  // guided particles stay on their face
+    body.rotation = Rotation{.about = {0.5, 0.5, 0}, .angle = 90};
     const InitialParticles turned = make_initial_particles(scene);
     int guided = 0;
     for (int i = 0; i < turned.size(); ++i) {

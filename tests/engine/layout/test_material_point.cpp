@@ -39,7 +39,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE(
-      "material point: weights sum to one and have no first moment, and only given particles have weights") {
+      "material point: weights sum to one, have no first moment, and belong to particles of the given range") {
     const std::vector<Point> x = lattice();
     for (const Point& at : {Point{0.03, -0.07, 0}, Point{2.5 * dp, 0.04, 0}}) {
       double one = 0, along = 0, across = 0;
@@ -60,7 +60,7 @@ TEST_SUITE("analytic") {
     CHECK(material_point(x, 10, 15, {0, 0, 0}, 2.6 * dp, 2).empty());
   }
 
-  TEST_CASE("material point: a boundary point is a particle or lies between the particles of its cell") {
+  TEST_CASE("material point: a point on a face is interpolated between the particles of its cell") {
     Scene scene;
     scene.spacing = 0.99 * dp;  // the fitted spacing is dp
     scene.bodies.resize(1);

@@ -168,8 +168,7 @@ struct TwistingBall {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE(
-      "relaxation: outer particles of round, turned and combined shapes are about half a spacing inside") {
+  TEST_CASE("relaxation: outer particles of shapes in 2D are about half a spacing inside") {
     Scene scene;
     double least_depth = 0.35;
     SUBCASE("disc") { scene = relaxed_body({Disc{{0.01, 0.02, 0}, 1}}); }

@@ -365,7 +365,7 @@ TEST_SUITE("term") {
       const M2 R = rotation(angle), U{{{1.4, 0.2}, {0.2, 0.6}}};
       CHECK(greatest(minus(nearest_rotation(times(R, U)), R)) < 1e-14);
     }
-    const M2 reflection{{{1, 0}, {0, -1}}};  // two rotations are equally near
+    const M2 reflection{{{1, 0}, {0, -1}}};  // all rotations are equally near
     CHECK(greatest(minus(nearest_rotation(reflection), M2{{{1, 0}, {0, 1}}})) == 0);
     // for half turns the iteration starts with zero torque
     const M3 U{{{1.4, 0.2, 0.1}, {0.2, 0.6, -0.1}, {0.1, -0.1, 0.9}}};

@@ -146,7 +146,7 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("stiffness: at rest waves have the stiffnesses K + 4G/3 and G, for any cofactor_share") {
+  TEST_CASE("stiffness: at rest, waves have the stiffnesses K + 4G/3 and G") {
     constexpr double K = 9.67;
     const auto check = [&](const auto& law) {
       const Mat<double, 3> rest = diagonal(1, 1, 1);

@@ -11,8 +11,8 @@
 #include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
-/// Transcribes [Khayyer2024] and [TranDuc2023] §2.2 in 2D; the 3D form is ours. r_ij = r_j − r_i, u_ij = u_j − u_i,
-/// ∇w = ∇_i w. Choices: tests/README.md (Transcriptions).
+/// Transcribes [Khayyer2024] and [TranDuc2023] §2.2 in 2D; the 3D form is ours. r_ij = r_j − r_i, ∇w = ∇_i w. Choices:
+/// tests/README.md (Transcriptions).
 namespace taut::test::naive_cauchy {
 
 template <int Dim>
@@ -65,7 +65,7 @@ struct Particle {
 
 struct Counts {
   long tension = 0, compression = 0, viscous = 0, inner = 0, outer = 0, diffused = 0, contacts = 0;
-  long limited = 0, flattened = 0;  // slopes that a limiter reduced, set to 0
+  long limited = 0, flattened = 0;  // slopes reduced by a limiter; slopes set to 0
 };
 
 template <int Dim>

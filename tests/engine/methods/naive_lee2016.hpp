@@ -1,8 +1,7 @@
 #pragma once
 
 // Transcription of [Lee2016]: Eq. 8–12 (stress), 29c (force), 33a–c (F, H, J), 35–38, A.1–A.5 (dissipation), 43
-// (time), 45–51 (projections, full Eq. 48); contact of [TranDuc2023] Eq. 2.13. p is the momentum per initial
-// volume.
+// (time), 45–51 (projections); contact of [TranDuc2023] Eq. 2.13. p is the momentum per initial volume.
 
 #include <algorithm>
 #include <array>
@@ -146,7 +145,7 @@ struct Run {
     return 2 * zeta * std::pow(j, -2.0 / 3) * a.F + Sigma_J * H;
   }
 
-  /// ε₂ c h_min L[U] − ε₄ c h_min³ L[L[U]] of (p, J).
+  /// ε₂ c h_min L[U] − ε₄ c h_min³ L′[L[U]], U = (p, J); L′ is L or its adjoint.
   std::vector<Field> dissipation() const {
     const auto L = [&](const std::vector<Field>& U) {
       std::vector<Field> out(U.size(), Field::Zero());
@@ -167,7 +166,7 @@ struct Run {
     return D;
   }
 
-  /// Adjoint of L with respect to Σ V; the paper has L.
+  /// Adjoint of L in the inner product Σ V f·g; the paper has L.
   std::vector<Field> adjoint_of_L(const std::vector<Field>& g) const {
     std::vector<Field> out(g.size(), Field::Zero());
     for (std::size_t a = 0; a < g.size(); ++a)

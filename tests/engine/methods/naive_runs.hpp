@@ -10,7 +10,7 @@
 #include "tests/engine/methods/naive_total_lagrangian.hpp"
 #include "tests/engine/methods/naive_zhang2024.hpp"
 
-/// Only this file connects the transcriptions of papers with the engine.
+/// Connects the transcriptions of papers with the engine.
 namespace taut::test {
 
 template <class Vector>
@@ -47,7 +47,7 @@ inline double constant_of(const Settings& settings, int dim, const std::string& 
   return 0;
 }
 
-/// [Zhang2024], [Zhang2024b]
+/// [Zhang2024], [Zhang2024b], [SPHinXsys2025]
 template <int Dim>
 naive::Run<Dim> naive_split(const Scene& scene, const Settings& settings) {
   const Material& material = scene.materials[0];
@@ -87,7 +87,7 @@ naive_cauchy::Run<Dim> naive_current(const Scene& scene, const Settings& setting
   return run;
 }
 
-/// tl except with Mooney–Rivlin, icb, tl-hg, tl-enog, tl-small-strain
+/// Methods and laws of naive_reference::Method.
 template <int Dim>
 naive_reference::Run<Dim> naive_total_lagrangian(const Scene& scene, const Settings& settings) {
   const Material& material = scene.materials[0];

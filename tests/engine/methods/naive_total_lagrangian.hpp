@@ -3,7 +3,7 @@
 // Transcriptions of total-Lagrangian methods:
 //   tl               [Lee2016] Eq. 21 (corrected gradient), 29c (internal force), 34 (F), 8–12 (neo-Hookean)
 //   icb              [TranDuc2023] §2.3: N, F, ε, σ⁰, iteration for R, acceleration
-//   tl-hg            [Ganzenmueller2015], with one hourglass amplitude for both errors of a pair
+//   tl-hg            [Ganzenmueller2015] for one material
 //   tl-enog          [Wu2023]: Kirchhoff stress in two parts and the damping stress
 //   tl-small-strain  [Zhang2020] Eq. 3, 4, 7–9; sums of Eq. 7 and 9 divided by Σ V W, so that the force has an energy
 // Contact: [TranDuc2023] Eq. 2.13, for tl-small-strain [Zhang2020] Eq. 12. Time: x to mid-step, v, x to the end.
@@ -148,7 +148,8 @@ struct Run {
     }
   }
 
-  /// In 2D [TranDuc2023] §2.3: R ← E(v, α) R, v = Σ r_j × a_j / Σ r_j·a_j. In 3D the polar rotation.
+  /// In 2D the iteration of [TranDuc2023] §2.3, which adds Σ r_j × a_j / Σ r_j·a_j to the angle of R. In 3D the polar
+  /// rotation.
   static Matrix rotation(const Matrix& A) {
     if constexpr (Dim == 3) {
       return rotation_by_singular_values(A);

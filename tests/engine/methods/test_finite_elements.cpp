@@ -22,7 +22,7 @@ namespace {
 
 const std::vector<std::string> both = {"fe1", "fe2"};
 
-/// Disc or ball: no element is a parallelogram.
+/// Disc or ball, meshed with distorted elements.
 Scene round_body(int dim, double dp = 0.25) {
   Scene scene;
   scene.dim = dim;

@@ -58,7 +58,7 @@ Mat<double, Dim> pressed_strain(double share) {
   return F;
 }
 
-/// Block with the initial gradient F plus a smooth displacement up to `off` spacings; `share`: `cofactor_share`.
+/// Block with the initial deformation gradient F plus a smooth displacement up to `off` spacings.
 template <int Dim>
 Scene strained_block(const Mat<double, Dim>& F, double off, double share = 0.4) {
   Scene scene;
@@ -144,7 +144,8 @@ void check_closed(const L& law) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("oenog: below J = 1/2 the stress of any law is its energy's slope and repulsive") {
+  TEST_CASE(
+      "oenog: the stress of each closed law is the derivative of its energy, and repulsive below J = 1/2") {
     for_each_law({1, 1, 4.6, 1, {0.4}}, [](const LawRow& row, const auto& law) {
       CAPTURE(row.choice);
       check_closed<2>(law);
@@ -192,7 +193,7 @@ TEST_SUITE("term") {
     });
   }
 
-  TEST_CASE("laws: mixed methods start with the forces of tl under every law that they support") {
+  TEST_CASE("laws: mixed methods without dissipation and projection start with the forces of tl") {
     for (const Law law : choices) {
       CAPTURE(law_row(law).choice);
       const auto first = [&]<int Dim>(const std::string& method) {

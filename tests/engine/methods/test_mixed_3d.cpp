@@ -303,7 +303,7 @@ TEST_SUITE("stability") {
     }
   }
 
-  TEST_CASE("mixed: in 3D cell-centred plates of two and three layers are stable") {
+  TEST_CASE("pf-jst: the energy of cell-centred 3D plates of two and three layers decreases") {
     for (const double layers : {2, 3}) {
       CAPTURE(layers);
       Scene scene = pressed_block(1);

@@ -126,9 +126,10 @@ TEST_SUITE("reference") {
   TEST_CASE("naive: ccb and ccbwat follow the transcription for a plate of two materials hit by a disc") {
     for (const char* method : current_configuration) check_method<2>(two_materials(), method, 25);
   }
-  TEST_CASE("naive: in 3D updated-Lagrangian methods follow the transcription in collisions and at a clamp") {
-    Scene clamped = small_clamped_block();  // has particles outside the surface vicinity
+  TEST_CASE("naive: in 3D the ladder, ccb and ccbwat follow the transcription in collisions and at a clamp") {
+    Scene clamped = small_clamped_block();
     const double dp = clamped.spacing;
+    // thick enough for particles outside the surface vicinity
     clamped.bodies[0].shapes = {Box{{-3 * dp, -2.5 * dp, -2.5 * dp}, {6 * dp, 2.5 * dp, 2.5 * dp}}};
     clamped.bodies[1].shapes = {Disc{{0.0003, 0.0052, 0.0002}, 0.0021}};
     for (const Scene& scene : {small_solid_collision(), clamped}) {
@@ -142,7 +143,7 @@ TEST_SUITE("reference") {
     Settings settings = with_method("d-ulsph-r-tic");
     settings.constants["riemann_factor"] = 2;
     const naive_cauchy::Run<2> run = after_steps(naive_current<2>(scene, settings), 16);
-    settings.step = run.time / 16;  // shorter in the engine, see riemann_step_speed()
+    settings.step = run.time / 16;  // the engine's step is shorter, see riemann_step_speed()
     const Snapshot engine = state_after(16, scene, settings);
     check_agreement(engine, run);
     CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);
@@ -158,7 +159,8 @@ TEST_SUITE("reference") {
     check_variant<2>(two_materials(), "ccbwat", "repulsion_weight", 1);
     check_variant<3>(small_solid_collision(), "ccbwat", "repulsion_weight", 1);
   }
-  TEST_CASE("naive: with density diffusion of order 0 the ladder follows the transcription in 2D and 3D") {
+  TEST_CASE(
+      "naive: with density diffusion of order 0 d-ulsph methods follow the transcription in 2D and 3D") {
     check_variant<2>(two_materials(), "d-ulsph-av-tic", "delta_order", 0);
     check_variant<3>(small_solid_collision(), "d-ulsph-r-as", "delta_order", 0);
   }

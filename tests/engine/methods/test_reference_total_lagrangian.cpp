@@ -108,7 +108,7 @@ TEST_SUITE("reference") {
     for (const std::string name : {"pf", "pf-jst", "pfj-jst"})
       check_mixed(small_collision(), name, with_method(name));
   }
-  TEST_CASE("mixed: with one-sided forces, and with J in the deviator, the transcription is followed") {
+  TEST_CASE("mixed: variants with one-sided forces or J in the deviator follow the transcription") {
     for (const std::string name : {"pf", "pfj-jst"}) {
       for (const Scene& scene : {small_collision(), small_clamped_plate()}) {
         Settings settings = with_method(name);

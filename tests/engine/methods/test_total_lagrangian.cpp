@@ -198,7 +198,7 @@ TEST_SUITE("term") {
 
 TEST_SUITE("term") {
   TEST_CASE(
-      "initial pairs: one-sided forces are exact for linear differences of stress, and their sum does not vanish") {
+      "initial pairs: one-sided forces are exact for differences of a linear stress, and their sum does not vanish") {
     const Cloud cloud;
     const InitialPairs<2> pairs = cloud.pairs();
     const PairLanes<2> of_four = four_at_a_time(pairs);
@@ -229,7 +229,8 @@ TEST_SUITE("term") {
     CHECK(length(opposite) < 1e-12 * cloud.dp * pairs.size());
   }
 
-  TEST_CASE("corrected Laplacian: linear fields give 0 and in 2D the squared distance 4, also at surfaces") {
+  TEST_CASE(
+      "corrected Laplacian: in 2D it is 0 for linear fields and 4 for the squared distance, also at surfaces") {
     const Cloud cloud;
     const InitialPairs<2> pairs = cloud.pairs();
     const std::vector<double> w = corrected_laplacian<Wendland>(
@@ -286,7 +287,7 @@ TEST_SUITE("analytic") {
     CHECK(symbol_on_lattice(pf_jst.h_over_dp, {pi, 0}) == relative(-4, 0.001));
     CHECK(symbol_on_lattice(1.05, {pi, 0}) == relative(-3.66, 0.002));
     CHECK(symbol_on_lattice(pf_jst.h_over_dp, {pi, pi}) ==
-          relative(-7.78, 0.002));  // its square is the decay rate
+          relative(-7.78, 0.002));  // decay is proportional to its square
     CHECK(symbol_on_lattice(1.05, {pi, pi}) == relative(-1.93, 0.002));
   }
   TEST_CASE("total Lagrangian: rotation creates no stress except with the linear law") {
@@ -298,7 +299,7 @@ TEST_SUITE("analytic") {
       CHECK(stress_when_turned(LawOf<Law::linear_elastic>{{1, 1}}, angle) > 0.1);
     }
   }
-  TEST_CASE("total Lagrangian: a plate rotating by 180 degrees is stressed by its inertia only") {
+  TEST_CASE("total Lagrangian: a plate rotating by 3.1 rad is stressed by its inertia only") {
     for (const std::string method : {"tl", "icb", "pf-jst", "pfj-jst"}) {
       CAPTURE(method);
       const double stress = stress_of_turning(method, 3.1);
@@ -331,7 +332,8 @@ TEST_SUITE("failure") {
 TEST_SUITE("conservation") {
   TEST_CASE("pf-jst: the projection conserves both momenta of a rotating plate") {
     Scene scene = rotating_plate(0.2);
-    const auto turn = scene.bodies[0].velocity[0];  // symmetry alone would conserve the momenta
+    const auto turn = scene.bodies[0].velocity[0];
+    // breaks the symmetry, which alone would conserve the momenta
     scene.bodies[0].velocity[0] = [=](const Point& x) { return turn(x) + 2 * shake(x, 0.007); };
     struct Change {
       double linear, angular;

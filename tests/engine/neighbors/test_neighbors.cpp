@@ -113,7 +113,7 @@ TEST_SUITE("neighbors") {
     for (const int n : {1, 2, 3, 4, 5}) check_against_brute_force(random_points<2>(n, support, 7));
   }
 
-  TEST_CASE("neighbors: collinear points along axes and diagonals have the lists of brute force") {
+  TEST_CASE("neighbors: collinear points along axes and an oblique line have the lists of brute force") {
     for (const Vec<double, 2> direction : {Vec<double, 2>{1, 0}, {0, 1}, {-0.6, 0.8}}) {
       Points<2> x;
       for (int k = 0; k < 200; ++k) x.push_back((0.3 * support * k) * direction);
@@ -133,7 +133,7 @@ TEST_SUITE("neighbors") {
     CHECK(check_against_brute_force(x) == 50 * 49);
   }
 
-  TEST_CASE("neighbors: distant outliers do not remove pairs or allocate the space between") {
+  TEST_CASE("neighbors: distant outliers do not remove pairs or need memory for the space between") {
     const long before = peak_memory();
     for (const double far : {1e3, 1e7, 1e300}) {
       CAPTURE(far);

@@ -120,7 +120,7 @@ std::vector<FaceShare> shares_of(FaceRule rule, const Scene& scene, const Load& 
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "face loads: by_column has the moment of a linear traction within 0.2 %, uniform is exact for a uniform one") {
+      "face loads: by_column has the moment of a linear traction within 0.2 %, uniform is exact for uniform traction") {
     const Scene scene = pulled_block(
         10, 0.03, [](double y) { return 3 + 200 * y; }, 1);
     const InitialParticles initial = make_initial_particles(scene);
@@ -169,7 +169,7 @@ TEST_SUITE("unit") {
         const auto sum = sums(shares, initial);
         CHECK(sum[0] == relative(0.5 * t * A));
         CHECK(sum[1] == relative(t * A));
-        // scaled columns at the ends have another moment
+        // by_column is exact in force only
         CHECK(sum[2] == relative(t * A * (0.5 * A - 0.5 * rows * scene.spacing),
                                  rule == FaceRule::uniform ? 1e-9 : 2e-5));
         for (const auto& [i, f] : shares)

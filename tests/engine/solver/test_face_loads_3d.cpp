@@ -157,7 +157,8 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("patch test in 3D: a bar under traction has the stress of its law up to its ends") {
+  TEST_CASE(
+      "patch test in 3D: in tl, pf-jst and pfj-jst a bar under traction has a uniform stress up to its ends") {
     const double sigma = 0.01 * E;
     for (const char* method : {"tl", "pf-jst", "pfj-jst"}) {
       CAPTURE(std::string(method));

@@ -110,7 +110,7 @@ TEST_SUITE("unit") {
     CHECK_FALSE(takes({-0.0011, 0.01, 0}, 0.001));
   }
 
-  TEST_CASE("probes: a point follows a linear field exactly") {
+  TEST_CASE("probes: a point follows a linear field") {
     Scene scene = rotating_plate(1e-6);
     const Point at = {0.0093, 0.01, 0};
     scene.probes = {at_point(Probe::Kind::displacement, 0, at, 0),
@@ -316,7 +316,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("probes: the gap of bodies with particles on their faces is 0 when pair forces begin") {
+  TEST_CASE("probes: if a body has particles on its faces, its gap to another is 0 when pair forces begin") {
     for (const bool first : {true, false}) {
       Scene scene = two_blocks(0.0014, 2);
       scene.contact = ContactLaw::penalty;
@@ -344,7 +344,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
-      "probes: a point of a rotated body with particles on its faces is located in its unrotated layout") {
+      "probes: points of a rotated body with particles on its faces have the values of the unrotated body") {
     const auto last_values = [](double angle) {
       constexpr double pitch = 0.25;
       const Rotation turn{{0, 0, 1}, {0.3, -0.2, 0}, angle}, back{{0, 0, 1}, {0.3, -0.2, 0}, -angle};

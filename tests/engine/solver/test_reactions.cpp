@@ -148,7 +148,7 @@ TEST_SUITE("conservation") {
     CHECK(free > 10);
   }
 
-  TEST_CASE("reaction: a drive to the end of the run still acts in the last step, which ends later") {
+  TEST_CASE("reaction: a drive until the end of the run acts in the whole last step") {
     for (const std::optional<double> until : {std::optional<double>(), std::optional<double>(3e-4)}) {
       Scene scene = lifted(until);
       scene.until = 3e-4;
@@ -159,7 +159,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("reaction: a roller has a force along its axis only, and each region has a separate force") {
+  TEST_CASE("reaction: a roller reacts along its axis only, and the reactions of its two halves add up") {
     Scene scene = hanging(2);
     scene.bodies[0].clamped = {};
     scene.bodies[0].guided[1] = [](const Point& x) { return x[1] > 0 ? 1.0 : 0.0; };
@@ -180,7 +180,7 @@ TEST_SUITE("conservation") {
     CHECK_THROWS_AS(make_simulation(scene, with_method("oenog")), SceneError);
   }
 
-  TEST_CASE("contact_force: contact forces of every law equal the momentum changes of two bodies") {
+  TEST_CASE("contact_force: contact forces equal the momentum changes of two bodies") {
     using Law = ContactLaw;
     const std::vector<std::pair<std::string, Law>> runs = {
         {"oas", Law::published},    {"enog", Law::published},        {"enog", Law::penalty},
@@ -267,7 +267,7 @@ TEST_SUITE("conservation") {
     }
   }
 
-  TEST_CASE("contact_force: under sph d-ulsph-av-as refuses the probe, and enog accepts it") {
+  TEST_CASE("contact_force: with sph contact d-ulsph-av-as refuses the probe, and enog accepts the probe") {
     Scene scene = small_collision();
     scene.contact = ContactLaw::sph;
     scene.probes = {component(Probe::Kind::contact_force, {0, 1}, 0)};
@@ -360,7 +360,7 @@ TEST_SUITE("unit") {
   TEST_CASE(
       "stress: in a hanging block at rest σ_yy is the weight below divided by the area, also at the clamp") {
     Scene scene = hanging(2);
-    scene.materials[0].poisson_ratio = 0;  // the clamp does not hinder contraction
+    scene.materials[0].poisson_ratio = 0;  // no contraction that the clamp would hinder
     scene.damping = 2e4;
     scene.probes.clear();
     for (const double y : {-0.008, -0.004, 0.0}) {

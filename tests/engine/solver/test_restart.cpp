@@ -187,7 +187,7 @@ TEST_SUITE("restart") {
     }
   }
 
-  TEST_CASE("archive: saved values of every kind are loaded unchanged") {
+  TEST_CASE("archive: saved containers and optional values are loaded unchanged") {
     const std::map<int, double> map = {{3, 0.5}, {7, -1.0}};
     const std::vector<bool> bits = {true, false, true, true};
     std::vector<std::pair<int, std::string>> pairs = {{1, "one"}, {2, ""}};

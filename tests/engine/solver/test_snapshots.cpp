@@ -23,7 +23,7 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// Path of one particle; a snapshot has the velocity from the time `lag` earlier, in s.
+/// Path of one particle. `at` returns x at t and v at t − lag; `lag` in s.
 struct Path {
   std::function<Point(double)> x, v;
   double lag = 0;
@@ -60,8 +60,7 @@ double difference(const Snapshot& a, const Snapshot& b, std::vector<double> Snap
 }  // namespace
 
 TEST_SUITE("determinism") {
-  TEST_CASE(
-      "snapshots: a run stopped before a time lacks one step and continues to the same state in every method") {
+  TEST_CASE("snapshots: a run can stop one step before a time and continue to the same state") {
     for (const Scene& scene : {small_collision(), small_clamped_plate()}) {
       for (const MethodInfo& method : methods()) {
         CAPTURE(scene.name);
@@ -83,7 +82,7 @@ TEST_SUITE("determinism") {
     }
   }
 
-  TEST_CASE("snapshots: two runs whose steps differ by round-off agree at a time in every method") {
+  TEST_CASE("snapshots: runs whose steps differ by round-off have the same interpolated state") {
     const Scene scene = small_collision();
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
@@ -93,7 +92,7 @@ TEST_SUITE("determinism") {
       settings.step = first->time();
       const auto exact = make_simulation(scene, settings);
       make_steps(*exact, 12);
-      settings.step *= 1 - 1e-12;  // the step ends short by round-off
+      settings.step *= 1 - 1e-12;  // step 12 ends just before exact->time()
       const auto shorter = make_simulation(scene, settings);
       const Snapshot shown = state_at(exact->time(), *shorter);
       CHECK(shown.time == exact->time());
@@ -160,7 +159,7 @@ TEST_SUITE("convergence") {
                       }};
     CHECK(flight.errors(0.1).first < 1e-15);
     CHECK(flight.errors(0.1).second < 1e-14);
-    for (const double lag : {0.0, 0.5}) {  // velocities at mid-step
+    for (const double lag : {0.0, 0.5}) {  // 0.5: velocities at mid-step
       CAPTURE(lag);
       const auto turn = [&](double dt) {
         return Path{[](double t) {
@@ -176,12 +175,12 @@ TEST_SUITE("convergence") {
       const auto [finer_x, finer_v] = turn(0.01);
       CHECK(x / finer_x == relative(8, 0.02));
       CHECK(v / finer_v == relative(4, 0.02));
-      // θ (1 − θ) (1 − 2θ)/12 dt³ at θ = 0.2, less the part of the lagging acceleration
+      // θ (1 − θ) (1 − 2θ)/12 dt³ at θ = 0.2, less the error from the lag of v
       CHECK(x == relative(std::abs(0.096 / 12 - lag * 0.16 / 2) * 8e-6, 0.02));
     }
   }
 
-  TEST_CASE("blend: a rotation loses angular momentum of second order in the angle") {
+  TEST_CASE("blend: in a rotation the loss of angular momentum is of second order in the angle") {
     const Path turn{[](double t) {
                       return Point{std::cos(t), std::sin(t), 0};
                     },
@@ -199,7 +198,7 @@ TEST_SUITE("convergence") {
 
 TEST_SUITE("unit") {
   TEST_CASE(
-      "blend: state and energies are interpolated linearly, step number, body and clamping are the later snapshot's") {
+      "blend: state and energies are linear in time, and step, body and clamping are from the later snapshot") {
     Snapshot before;
     before.resize(2, 1);
     before.time = 1, before.step = 6;
@@ -238,7 +237,7 @@ TEST_SUITE("unit") {
     CHECK(simulation->snapshot().step == before.step + 3);
   }
 
-  TEST_CASE("snapshots: vectors and stresses of a particle have their components in 2D and 3D") {
+  TEST_CASE("snapshots: vectors and stresses are read from the right array elements in 2D and 3D") {
     Snapshot plane;
     plane.resize(2, 2);
     plane.x = {1, 2, 3, 4};
@@ -262,7 +261,7 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("unit") {
-  TEST_CASE("snapshots: a particle's diameter is the side of the square of its initial volume") {
+  TEST_CASE("snapshots: the square of a particle's diameter is its initial volume in 2D") {
     const Scene scene = small_collision();
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));

@@ -94,7 +94,7 @@ TEST_SUITE("term") {
   }
 
   TEST_CASE(
-      "gradient correction: almost collinear or coplanar neighbours have 0, others the inverse moment") {
+      "gradient correction: the result is 0 for almost collinear or coplanar neighbours, else the inverse moment") {
     const Sym2 row{1, 0.02, 0.001}, layer_of_two{1, 0, 0.25}, corner{0.3, 0.1, 0.3};
     for (const double c : gradient_correction(row).c) CHECK(c == 0);
     for (const Sym2& M : {layer_of_two, corner})
@@ -115,7 +115,7 @@ TEST_SUITE("term") {
     CHECK(dot(stress_divergence_term(tension, tension, 1.0, dW, e), e) == Approx(10 * dW));
   }
 
-  TEST_CASE("xsph: momentum and the angular momentum of the transported motion are conserved") {
+  TEST_CASE("xsph: the transport velocity conserves momentum and angular momentum") {
     const auto term = [](const PairedParticle& i, const PairedParticle& j) {
       return i.m * xsph_term(Seen(i, j).v_ij, i.rho(), j.rho(), j.V, 0.7);
     };
@@ -166,7 +166,7 @@ TEST_SUITE("term") {
     CHECK(to_i == Approx(-(2 * 2 + 0.5 * (4 * 0.6 - 1 * 0.8)) * dW / 0.5));
   }
 
-  TEST_CASE("density diffusion: with order 0 a linear density diffuses, and most at a surface") {
+  TEST_CASE("density diffusion: with order 0 a linear density diffuses at a surface") {
     const Vec2 slope = {3, -2};
     double sum = 0;
     for (const Neighbor& j : neighbors()) {
@@ -221,7 +221,7 @@ TEST_SUITE("term") {
     CHECK(limited_closing_speed(0.7, D, D, 1.0, Vec2{1, 0}, Limiter::first_order) == 0.7);
   }
 
-  TEST_CASE("tensile control: the sum of equal tensions becomes their difference") {
+  TEST_CASE("tensile control: equal tensions exert no force") {
     const std::vector<Neighbor> all = neighbors();
     const Mat2 tension = {{{4, 1}, {2, 3}}};  // σ·L
     Vec2 force{}, sum_gradient{};

@@ -49,7 +49,7 @@ V2 penalty_on_checkerboard(const M2& L_sum, bool central = false) {
 }  // namespace
 
 TEST_SUITE("term") {
-  TEST_CASE("hourglass force: the force is 0 in an affine motion and opposes a zigzag along pairs") {
+  TEST_CASE("hourglass force: the force is 0 in an affine motion, acts along pairs and opposes zigzags") {
     const M2& F = stretched_and_turned;
     const V2 x = F * X;
     CHECK(magnitude(hourglass_force(F, F, X, x, 3.0, 2.0)) < 1e-15);

@@ -71,8 +71,7 @@ of_session() {
   [[ ! -e state ]] || { input=../load; ends 0 session "$scene" --strict; input=/dev/null; }
 }
 
-# overwrite NAME OLD NEW ARGUMENT...: runs the command, which must leave NAME unchanged if the new version does not
-# fit
+# overwrite NAME OLD NEW ARGUMENT...: runs the command, which must replace OLD by NEW, or keep OLD and exit with 4
 overwrite() {
   local name=$1 old=$2 new=$3
   shift 3

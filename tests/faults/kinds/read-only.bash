@@ -1,4 +1,4 @@
-harm="read-only folders: commands that read work, commands that write exit with 4 and the path, and nothing changes"
+harm="read-only folders: reading works, writing ends with exit code 4 and names the path, and nothing changes"
 
 # with `all` read-only and `here` writable: exit code | path that the message must contain | command
 works=(

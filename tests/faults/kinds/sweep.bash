@@ -4,7 +4,7 @@ grid=(sweep "$scene" --grid speed=0.2,0.4,0.8 --grid method=enog,oenog --until 0
 
 prepare() { how_long "${grid[@]}"; }
 
-# results FOLDER: prints results.csv without the columns that vary between repetitions
+# results FOLDER: prints the columns of results.csv before the first that varies between repetitions
 results() {
   local last
   last=$(head -n 1 "$1/results.csv" | tr ',' '\n' | grep -nE '^(seconds|particle_steps|machine|threads)' | head -n 1 | cut -d: -f1)

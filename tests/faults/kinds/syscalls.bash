@@ -46,7 +46,7 @@ trial() {
   timeout --kill-after 1 "$patience" strace -f -o trace -e trace="$call" -e inject="$call:$how:when=$at" \
     "$program" "${command[@]}" >said 2>complained </dev/null || code=$?
   ! grep -qE 'INJECTED|SIGKILL' trace || harmed
-  local what="$work, $how at the $at. $call"
+  local what="$work, $how at $call number $at"
   [[ $code != 124 ]] || hung "$what"
   sound "$what"
   # 127: the fault hit the loader

@@ -1,6 +1,6 @@
-harm="two programs use one folder at once: one is refused and names the lock holder, the other completes"
+harm="two programs use one folder at once: one completes, the other is refused with the reason"
 
-# first command | second command, started during the first; A and B are two scenes
+# first command | second command, started during the first; A and B differ in the speed
 pairs=(
   "run A|run B" "run A|run A" "run A|snapshot B" "snapshot B|run A" "run A|resume" "resume|resume" "resume|run B"
   "run A|render" "render|run B" "render|render" "sweep|sweep" "sweep|run in it" "run in it|sweep" "sweep|render in it"

@@ -113,7 +113,7 @@ TEST_SUITE("unit") {
     CHECK_THROWS_AS(difference_picture(Image(4, 5), Image(4, 6)), UsageError);
   }
 
-  TEST_CASE("the picture of a difference shows different pixels in red and the others in gray") {
+  TEST_CASE("a difference picture shows a different pixel in red and an equal one in gray") {
     const Image a(60, 60);
     Image b = a;
     b.set(30, 31, {0, 0, 0});

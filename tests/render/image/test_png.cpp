@@ -133,7 +133,7 @@ TEST_SUITE("unit") {
     CHECK(read_png(folder / "a.png") == gradient(5, 4));
   }
 
-  TEST_CASE("a link with the name of the unfinished picture is not followed") {
+  TEST_CASE("a symbolic link with the name of the temporary file is not followed") {
     const TemporaryFolder folder;
     std::ofstream(folder / "mine") << "mine";
     std::filesystem::create_symlink("mine", folder / ("a.png.part" + std::to_string(::getpid())));

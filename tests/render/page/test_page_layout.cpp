@@ -82,7 +82,7 @@ TEST_SUITE("unit") {
     CHECK(both.key.x + both.key.width < both.plot.x + both.plot.width - 5 * all.font);
   }
 
-  TEST_CASE("plot and colour bar lie in the picture, side by side, at sizes from 64 to 8192 pixels") {
+  TEST_CASE("the plot lies in the picture, left of any colour bar, at sizes from 64 to 8192 pixels") {
     for (int width = least_size; width <= greatest_size; width += width / 7) {
       for (int height = least_size; height <= greatest_size; height += height / 7) {
         CAPTURE(width);

@@ -11,7 +11,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Non-white pixels right of `left` and above `bottom`.
+/// Number of non-white pixels from column `left` on and above row `bottom`.
 int painted_from(const Image& image, int left, int bottom) {
   int count = 0;
   for (int row = 0; row < bottom; ++row)
@@ -85,7 +85,8 @@ TEST_SUITE("image") {
     with.texts.bar = BarPosition::bottom;
     const PageLayout layout = make_layout(640, 360, unit_view, true, room_of_bar, with.texts);
     const Image image = Renderer(with).draw(particles.frame());
-    const int row = layout.key.y, end = layout.key.x + layout.key.width;  // above the points of the arrows
+    // the row is above the tips of the arrows
+    const int row = layout.key.y, end = layout.key.x + layout.key.width;
     int lowest = 0, highest = 0;
     for (int column = 0; column < 640; ++column) {
       if (image.at(column, row) == with.colormap->at(0) && lowest == 0) lowest = column;

@@ -70,7 +70,7 @@ TEST_SUITE("unit") {
     CHECK(nice_ticks(0, 1.0 / 0.0, "Pa", 5).at.empty());
   }
 
-  TEST_CASE("a unit gets an SI prefix or, if it takes none, a power of ten for very small or large values") {
+  TEST_CASE("a unit gets an SI prefix or, if it takes none, a power of ten for small or large values") {
     CHECK(scale_for(2e6, "Pa").unit == "MPa");
     CHECK(scale_for(1000, "m").unit == "km");
     CHECK(scale_for(999.99, "m").unit == "m");

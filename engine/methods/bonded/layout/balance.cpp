@@ -262,12 +262,12 @@ class Sector {
   void for_each_bond(int i, const F& f) const {
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) f(b);
   }
-  Eigen::Matrix2d area_of_unit(int i) const {  // V_i B_i
+  Eigen::Matrix2d area_of_unit(int i) const {  // V0_i B_i
     Eigen::Matrix2d B;
     B << bonds_.B[i][0][0], bonds_.B[i][0][1], bonds_.B[i][1][0], bonds_.B[i][1][1];
     return initial_.V0[i] * B;
   }
-  /// Rows that keep Σ_j a_ij ⊗ X_ij and make the stress term 0 (THEORY.md, Balance).
+  /// Rows of the conditions on a_ij (THEORY.md, Balance).
   void add_area_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     const Eigen::Matrix2d mine = area_of_unit(i);
     const double scale = mine.trace() / (2 * initial_.V0[i]);
@@ -382,7 +382,7 @@ class Sector {
   // [particle − first_]
   std::vector<unsigned char> at_surface_, inside_;
   std::vector<Vector> along_face_;  // unit tangent near flat faces, else 0
-  std::vector<int> chosen_;         // one per orbit of the rotation
+  std::vector<int> chosen_;         // one particle per orbit of the rotation
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ Point point_of(const Eigen::Vector<double, Dim>& v) {
   return p;
 }
 
-/// Rounds to the nearest float in bits, because GCC 12 removes casts to float in vectorised loops.
+/// Rounds to float by bit operations, because GCC 12 removes casts to float in vectorised loops.
 inline double single_precision(double a) {
   constexpr std::uint64_t dropped = 1ULL << 29;
   return std::bit_cast<double>((std::bit_cast<std::uint64_t>(a) + dropped / 2) & ~(dropped - 1));

@@ -31,7 +31,7 @@ int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
   return found;
 }
 
-/// Makes face terms at each particle with five bonds and at the two particles behind it (THEORY.md, Faces).
+/// Makes face terms at particles with five bonds and at the two particles behind each (THEORY.md, Faces).
 std::vector<FaceTerm> make_face_terms(const Scene& scene, const InitialParticles& initial, const Bonds& uncut,
                                       const std::vector<Point>& S) {
   constexpr int inside = 8, at_face = 5;

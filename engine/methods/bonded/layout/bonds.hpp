@@ -81,11 +81,11 @@ inline Bonds make_bonds(const Scene& scene, const InitialParticles& initial, dou
 
 /// Modulus of bonds, at most G, in Pa (terms/bond.hpp).
 double modulus_of_bonds(int dim, const Elasticity& m);
-/// G of bond b of particle i, Pa: the harmonic mean of both ends. A rigid end counts like the other end.
+/// G of bond b from i to j, Pa: the harmonic mean of both ends. A rigid j counts like i.
 double modulus_of_bond(const Bonds& bonds, const InitialParticles& initial,
                        const std::vector<Elasticity>& materials, int i, int b);
 
-/// Surface S_j of each particle (THEORY.md, Volumes and masses).
+/// Surface S_j of each particle for the volumes V (THEORY.md, Volumes and masses).
 std::vector<Point> surface(const Bonds& bonds);
 
 inline constexpr double least_bond_reach = 2, wide_bond_reach = 2.625;  // in h

@@ -43,7 +43,7 @@ class LayoutBonds {
   }
 
  private:
-  /// Least allowed strength (V_i w_ij + V_j w_ji)/V_i of a pair.
+  /// Strength (V0_i w_ij + V0_j w_ji)/V0_i below which a pair is weak.
   static constexpr double least_strength = 0.4;
   static constexpr double not_selected = -1;
   static constexpr double greatest_at_surface = 1;  // w in irregular bodies

@@ -53,7 +53,7 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
 }
 
 constexpr int rigid = 1;
-/// Motions (THEORY.md, Recovered gradient): 0 free, 1 rigid, else a number per drive and guide.
+/// Motions (THEORY.md, Recovered gradient): 0 free, 1 rigid, else a number per drive or guide.
 template <int Dim>
 std::vector<int> motions(const InitialParticles& initial, const Constraints& constraints,
                          const std::vector<int>& drive, double spacing, int threads) {
@@ -179,7 +179,7 @@ class Rows {
     std::vector<double> g;
     bool between = false;
   };
-  /// Called on several threads at once.
+  /// Thread-safe.
   Row make(int k) const {
     Row row;
     const int i = id_[k];

@@ -36,7 +36,7 @@ double greatest_wave_speed(const InitialParticles& initial, const std::vector<El
 
 double damping_lead(const InitialParticles& initial, const std::vector<Elasticity>& materials, double damping,
                     double dp) {
-  double shear_speed = 0, greatest_share = 0;  // m/s; of modulus_of_bonds/G
+  double shear_speed = 0, greatest_share = 0;  // m/s; maximum of modulus_of_bonds/G
   for (const int used : initial.material) {
     const Elasticity& m = materials[used];
     shear_speed = std::max(shear_speed, std::sqrt(m.G / m.rho0));

@@ -23,7 +23,7 @@ struct CancelledTerm {
   double strength;  // G V0_i w_ij in J
 };
 
-/// Point on the face of a rigid region where a bond ends, and the particle behind it.
+/// Point where a bond into a rigid region ends, and the rigid particle.
 struct ClampPlace {
   Point x;             // at the start, m
   int rigid_particle;  // id
@@ -47,7 +47,7 @@ struct BondedSetup {
 
 BondedSetup make_bonded_setup(const SolverInput& input, double damping);
 
-/// Marks rigid particles as clamped, but no pins.
+/// Copy in which exactly the rigid particles are clamped.
 InitialParticles with_rigid_clamped(const InitialParticles& initial, const Bonds& bonds);
 
 }  // namespace taut

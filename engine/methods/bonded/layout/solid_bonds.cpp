@@ -134,7 +134,7 @@ class SolidBonds {
     });
   }
   void choose_gradients(int threads) {
-    // least det A/(tr A/3)³ with A = Σ_j a_ij ⊗ X_ij; 1 if isotropic
+    // minimum of det A/(tr A/3)³ with A = Σ_j a_ij ⊗ X_ij; isotropic neighbours have 1
     constexpr double least = 0.5, least_of_irregular = 0.7;
     using enum SolidGeometry::Gradient;
     geometry_.gradient.assign(initial_.size(), of_axes);

@@ -49,8 +49,8 @@ Dual<Components> operator/(double a, const Dual<Components>& b) {
   return Dual<Components>(a) / b;
 }
 
-/// Transcription of oenog; shares initial particles, bonds and interfaces with the solver. In 2D one body; in
-/// 3D, bodies that touch have one material.
+/// Transcription of oenog; shares initial particles, bonds and interfaces with the solver. In 2D the scene must have one
+/// body, in 3D touching bodies the same material.
 template <int Dim>
 class NaiveOenogIn {
  public:
@@ -146,7 +146,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// V0 G w τ q̇/r0² (x_j − x_i) for each bond from both ends, q = ½ (r²/r0² − 1).
+  /// Dashpot forces V0 G w τ q̇/r0² (x_j − x_i), summed over both ends of each bond; q = ½ (r²/r0² − 1).
   Places drag(double damping) const {
     double shear_speed = 0, share = 0;
     for (int i = 0; i < size(); ++i) {

@@ -47,7 +47,7 @@ using Gradient = Mat<double, 2>;
 
 Gradient gradient(double xx, double xy, double yx, double yy) { return {{{xx, xy}, {yx, yy}}}; }
 
-ClosedNeoHookean<double> closed_law() { return {4.6, 1}; }  // moduli divided by G, ν = 0.4
+ClosedNeoHookean<double> closed_law() { return {4.6, 1}; }  // moduli divided by G
 
 /// Greatest derivative of a force by a homogeneous strain, divided by G dp, for particles deeper than `rows`
 /// spacings.
@@ -194,7 +194,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("bonds: weights at re-entrant corners are finite for any position of the body") {
+  TEST_CASE("bonds: in bodies with re-entrant corners weights and areas are finite, and volumes positive") {
     const auto step = [](double x, double width, double height, double low, double high) {
       Scene scene = alone(Box{{x, 0, 0}, {x + width, low, 0}}, 0.002);
       scene.bodies[0].shapes.push_back(Box{{x, 0, 0}, {x + high, height, 0}});
@@ -265,7 +265,7 @@ TEST_SUITE("unit") {
     CHECK(ends == 3 * 5 - 2);
   }
 
-  TEST_CASE("bonds: volumes sum to the body's volume and integrate y² better than lattice volumes") {
+  TEST_CASE("bonds: volumes keep the total of a section and integrate y² better than lattice volumes") {
     Scene scene = small_clamped_plate();
     scene.bodies.pop_back();
     scene.bodies[0].clamped = {};

@@ -48,7 +48,8 @@ double turned(const Scene& scene, const char* method, double t) {
   return simulation->series().value[0].back();
 }
 
-/// Reaction of a bar (ν = 0), divided by E A u/L. The other end is clamped or, with `both`, driven at speed 0.
+/// Reaction at the pulled end of a bar (ν = 0), divided by E A u/L. The left end is clamped or, with `both`, driven at
+/// speed 0.
 double resistance(double spacing, bool both, const char* method, std::optional<double> until = {}) {
   constexpr double E = 1e6, clamp = 0.004, width = 0.012, free = 0.032, u = 1e-5;
   Scene scene;
@@ -81,7 +82,7 @@ double resistance(double spacing, bool both, const char* method, std::optional<d
 
 TEST_SUITE("analytic") {
   TEST_CASE(
-      "driven: with oenog a region driven to the end is a clamp, a region released later a clamp 0.4 dp farther away") {
+      "driven: in oenog a region driven to the end acts as a clamp, one released later as a clamp 0.4 dp farther away") {
     for (const double spacing : {0.002, 0.001}) {
       CAPTURE(spacing);
       const double length = 0.032, later = 1;
@@ -97,7 +98,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("driven: a driven face has the body's stress, whether it is released later or not") {
+  TEST_CASE("driven: a driven face has stress, and a later release does not change the earlier state") {
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
       Scene scene = bar(dim, 0);
@@ -149,7 +150,7 @@ TEST_SUITE("analytic") {
       CHECK(turned(scene, "oenog", t) == relative(omega * t, 2e-3));
       CHECK(turned(scene, "tl", t) == relative(omega * t, 2e-3));
     }
-    CHECK(std::abs(turned(bar(2, 1.2 * dp), "oenog", t)) < 0.2 * omega * t);  // five pins act as a clamp
+    CHECK(std::abs(turned(bar(2, 1.2 * dp), "oenog", t)) < 0.2 * omega * t);  // a clamped block of five
   }
 
   TEST_CASE("pins: the reaction at a pin is the centripetal force of the bar's mass") {

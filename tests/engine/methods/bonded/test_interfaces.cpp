@@ -79,7 +79,7 @@ double lowest_frequency(double ratio) {
   return above / (2 * std::numbers::pi);
 }
 
-/// Frequency of the length of the vibrating bar in Hz, from five periods.
+/// Frequency at which the length of the bar oscillates, in Hz, from five periods.
 double measured_frequency(double ratio, double spacing) {
   Scene scene = bar(ratio, matched(ratio), 0, spacing, H / 2);
   const double expected = lowest_frequency(ratio), omega = 2 * std::numbers::pi * expected;

@@ -338,7 +338,7 @@ std::size_t middle_of(const Snapshot& now) {
 }  // namespace
 
 TEST_SUITE("analytic") {
-  TEST_CASE("oenog: output pressure, stress and density are neo-Hookean") {
+  TEST_CASE("oenog: output pressure and stress are neo-Hookean, and the density is ρ0/J") {
     const Material rubber = ring_rubber();
     const double rate = rubber.sound_speed() / 0.01, K = rubber.bulk_modulus(), G = rubber.shear_modulus();
     Mat<double, 2> drawn, pressed, shut;

@@ -203,7 +203,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("bonds: in 3D volumes and masses add up to the body, with first moments of the faces") {
+  TEST_CASE("bonds: in 3D volumes and masses sum to the body's, with an end correction at faces") {
     for (const Scene& scene : {block(5, 4, 3), ball(), block_on_faces(5, 4, 3)}) {
       const InitialParticles initial = make_initial_particles(scene);
       const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
@@ -213,7 +213,7 @@ TEST_SUITE("unit") {
       CHECK(sum(start.m) == relative(density * sum(initial.V0), 1e-13));
       for (int i = 0; i < initial.size(); ++i) CHECK(start.m[i] == relative(density * bonds.mass[i], 1e-14));
     }
-    // first moment at a face: dp²/15 in volumes and dp²/24 in masses; with particles on faces −dp²/25 and 0
+    // added first moment per face area: dp²/15 in volumes and dp²/24 in masses; with particles on faces −dp²/25 and 0
     for (const bool on_faces : {false, true}) {
       CAPTURE(on_faces);
       const int n = on_faces ? 8 : 9;
@@ -276,7 +276,7 @@ TEST_SUITE("analytic") {
     CHECK(greatest < 1e-10);
   }
 
-  TEST_CASE("oenog: in 3D the energy of a homogeneous strain is the neo-Hookean one of the body") {
+  TEST_CASE("oenog: in 3D the energy of a homogeneous strain is neo-Hookean") {
     const Scene scene = ball();
     const InitialParticles initial = make_initial_particles(scene);
     const Material& material = scene.materials[0];
@@ -388,7 +388,7 @@ TEST_SUITE("determinism") {
     }
   }
 
-  TEST_CASE("oenog: in 3D a resumed run gives the same bytes, even compressed to short steps") {
+  TEST_CASE("oenog: in 3D a resumed run of a strongly compressed cube gives the same bytes") {
     const Scene scene = cube_at_wall();
     const auto before = make_simulation(scene, with_method("oenog"));
     make_steps(*before, 30);

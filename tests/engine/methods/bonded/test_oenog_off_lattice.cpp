@@ -42,7 +42,7 @@ Scene square(int n) {
   return scene;
 }
 
-/// Body-centred lattice with the particle density of a cubic one.
+/// Body-centred lattice with one particle per dp³.
 Scene body_centred(int n) {
   Scene scene = block(n);
   const double cell = std::cbrt(2.0) * dp;
@@ -163,7 +163,7 @@ TEST_SUITE("failure") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("oenog: jittered bodies start without stress") {
-    for (const int n : {40, 55}) {  // the second exceeds 12000 rows, so its balancing stops after 100 steps
+    for (const int n : {40, 55}) {  // at 55 the balance has over 12000 equations
       CAPTURE(n);
       Scene scene = jittered(square(n), 0.1);
       const Snapshot now = make_simulation(scene, with_method("oenog"))->snapshot();
@@ -175,7 +175,7 @@ TEST_SUITE("analytic") {
     }
   }
 
-  TEST_CASE("oenog: jitter prolongs the bending period of a bar, by less than 6.6 %") {
+  TEST_CASE("oenog: jitter prolongs the bending period of a bar, to less than 6.6 % above finite elements") {
     constexpr double period = 0.27691;  // finite elements
     const double lattice = error_of_period(bending_cantilever(5), period),
                  little = error_of_period(jittered(bending_cantilever(5), 0.1), period),
