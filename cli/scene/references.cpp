@@ -218,7 +218,7 @@ bool counts_before(const Part& a, const Part& b) {
   return std::pair(a.of_method, a.specificity) > std::pair(b.of_method, b.specificity);
 }
 
-/// Merges the parts of a law. For each measure, the first [[reference]] counts.
+/// Merges the parts of a law, added by falling rank. For each measure, the first part that has it counts.
 class Merged {
  public:
   void add(const Part& part) {

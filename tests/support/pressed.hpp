@@ -117,8 +117,8 @@ Vec<double, Dim> bent(Vec<double, Dim> x, double r) {
   return x;
 }
 
-/// Applies `motion` to a block, 20 mm long along y. Returns the number of touching particles that started at least
-/// `inside` from its ends.
+/// Applies `motion` to a block, 20 mm long along y. Returns the number of particles that may touch and started at
+/// least `inside` from its ends.
 template <int Dim, class Motion>
 int touching_after(const Motion& motion, double dp, double inside) {
   constexpr double height = 0.02;

@@ -1,4 +1,4 @@
-"""Reads a JUnit file as test tools do, with junitparser if it is installed. Prints its content as JSON."""
+"""Prints the content of a JUnit file as JSON. If junitparser is installed, checks that it reads the same."""
 import json
 import sys
 import xml.etree.ElementTree
