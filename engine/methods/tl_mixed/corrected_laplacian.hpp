@@ -67,7 +67,7 @@ std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
 inline constexpr TermInfo corrected_laplacian_info{
     "dissipation", "D(U) = c_p dp (ε₂ L[U] − ε₄ dp² L*[L[U]]), L corrected", "[Lee2016] Eq. 36, 37, A.1–A.5",
     "methods/tl_mixed/corrected_laplacian.hpp:corrected_laplacian",
-    "corrected Laplacian: in 2D it is 0 for linear fields and 4 for the squared distance, also at surfaces"};
+    "corrected Laplacian: in 2D linear fields give 0, and the squared distance 4, at surfaces too"};
 
 /// Weights V_j w_ji/V_i of the adjoint L* (THEORY.md).
 template <int Dim>

@@ -229,8 +229,7 @@ TEST_SUITE("term") {
     CHECK(length(opposite) < 1e-12 * cloud.dp * pairs.size());
   }
 
-  TEST_CASE(
-      "corrected Laplacian: in 2D it is 0 for linear fields and 4 for the squared distance, also at surfaces") {
+  TEST_CASE("corrected Laplacian: in 2D linear fields give 0, and the squared distance 4, at surfaces too") {
     const Cloud cloud;
     const InitialPairs<2> pairs = cloud.pairs();
     const std::vector<double> w = corrected_laplacian<Wendland>(
