@@ -258,9 +258,8 @@ std::vector<Column> make_columns(const Drawing& chosen, const std::vector<SavedR
 
 int compare_runs(const CompareArguments& options, Streams streams) {
   if (!options.labels.empty() && options.labels.size() != options.runs.size())
-    throw UsageError(
-        fmt::format("--labels has {} labels, but there are {} runs; give one label for each run",
-                    options.labels.size(), options.runs.size()));
+    throw UsageError(fmt::format("--labels has {} labels, but there are {} runs; give one label for each run",
+                                 options.labels.size(), options.runs.size()));
   const std::vector<SavedRun> runs = open_runs(options.runs);
   const Drawing chosen = chosen_drawing(runs, options);
   const double until = longest(runs);
