@@ -245,7 +245,7 @@ std::vector<Column> make_columns(const Drawing& chosen, const std::vector<SavedR
     apply_scene(drawing, run.file);  // body numbers may differ
     if (drawing.look.categories != chosen.look.categories)
       throw UsageError(
-          fmt::format("'{}' has {}, '{}' has {}, so they cannot have a common legend; choose another --color",
+          fmt::format("'{}' has {}, '{}' has {}, so they cannot have a common legend; choose another color",
                       runs.front().folder.path().string(), join(chosen.look.categories),
                       run.folder.path().string(), join(drawing.look.categories)));
     const Origins origins = origins_of(run.file.scene);

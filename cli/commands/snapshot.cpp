@@ -45,7 +45,7 @@ void declare_options(Options& command, SnapshotArguments& o) {
   command.add("--baseline", "DIR", o.baseline,
               "folder of the frames to compare with, or of all baselines of a suite; "
               "default for a suite: `baselines` of its file, else its name without .toml");
-  command.add_flag("--update", o.update, "replace the baseline by the frames of this run; check them first");
+  command.add_flag("--update", o.update, "replace the baseline by the frames of this run");
   command
       .add("--only", "ENTRY,...", o.only,
            "for a suite: entries to run; with --update: entries whose baselines are renewed")
@@ -173,8 +173,8 @@ void check_options(const Options& command, bool suite) {
     if (suite && !in(of_suites, option))
       throw UsageError(
           option.name() +
-          " is for scenes; "
-          "write it into the suite file: settings into `set`, drawing into `render`, the limit as `fail`");
+          " is for scenes; leave it out, "
+          "or write it into the suite file: settings into `set`, drawing into `render`, the limit as `fail`");
   }
 }
 

@@ -35,7 +35,7 @@ struct ColorFormula {
                              std::span<const double> x, std::span<const double> x0, double time) const;
 };
 
-/// `fitted` completes `look`.
+/// `look` may be incomplete; fitted() of bounds.hpp completes it.
 struct Drawing {
   const Field* field = find_field("von_mises");
   render::Look look{};

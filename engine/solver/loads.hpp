@@ -12,7 +12,7 @@
 
 namespace taut {
 
-/// Loads, gravity and damping −c m v, on free particles only. In each step call `set_time`, then `act` and `count` for
+/// Loads, gravity and damping −c m v. They move free particles only. In each step call `set_time`, then `act` and `count` for
 /// each velocity, or `acceleration` in each stage and `count` at the end.
 template <int Dim>
 class Loads {

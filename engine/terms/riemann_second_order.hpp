@@ -61,7 +61,7 @@ inline double riemann_step_speed(double rho_i, double c_i, double rho_j, double 
 }
 
 inline constexpr TermInfo riemann_dissipation_info{
-    "Riemann term", "dv/dt = −Σ m_j p**/(ρ_i ρ_j) ∇W, p** = C_ij (u_i − u_j) reconstructed",
+    "Riemann term", "dv/dt = −Σ m_j p**/(ρ_i ρ_j) ∇W, p** = C_ij times the reconstructed closing speed",
     "[Khayyer2024] Eq. 39–45", "terms/riemann_second_order.hpp:riemann_dissipation",
     "Riemann term: a linear velocity has no dissipation, and forces are opposite"};
 

@@ -32,7 +32,7 @@ Words words_for(const Words& typed) {
 /// Words that bash offers with the cursor at the end of `line`.
 Words offered_by_bash(const TemporaryFolder& folder, const std::string& line) {
   std::ofstream(folder / "ask.sh") << "source <(\"$1\"/taut completion bash)\n"
-                                      "compopt() { :; }  # bash defines it only during a completion\n"
+                                      "compopt() { :; }  # that of bash fails outside a completion\n"
                                       "PATH=$1:$PATH COMP_LINE=$2 COMP_POINT=${#2}\n"
                                       "cd \"$3\"\n_taut\nprintf '%s\\n' \"${COMPREPLY[@]}\" | sort -u\n";
   const std::string ask = "bash '" + folder.str("ask.sh") + "' '" TAUT_BINARY_DIR "' '" + line + "' '" +

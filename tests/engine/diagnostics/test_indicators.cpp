@@ -128,7 +128,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("alternating part: inside a lattice a checkerboard is reproduced and noise is scaled by κ") {
+  TEST_CASE("alternating part: inside a lattice a checkerboard is reproduced and white noise is reduced") {
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
       std::vector<Point> places;
@@ -149,7 +149,7 @@ TEST_SUITE("unit") {
         squares += w * w;
       }
       CHECK(checkerboard == Approx(1).epsilon(1e-12));
-      // κ by hand: √(11/8)/2 and √(207/170) 85/128
+      // κ of THEORY.md by hand: √(11/8)/2 and √(207/170) 85/128
       CHECK(std::sqrt(squares) == Approx(dim == 2 ? 0.5863019699779287 : 0.7327733).epsilon(1e-6));
     }
   }
