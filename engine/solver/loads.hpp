@@ -12,8 +12,8 @@
 
 namespace taut {
 
-/// Loads, gravity and damping −c m v. They move free particles only. In each step call `set_time`, then `act` and `count` for
-/// each velocity, or `acceleration` in each stage and `count` at the end.
+/// Loads, gravity and damping −c m v. They move free particles only. In each step call `set_time`, then `act` and
+/// `count` for each velocity, or `acceleration` in each stage and `count` at the end.
 template <int Dim>
 class Loads {
  public:
