@@ -13,7 +13,7 @@ namespace {
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-constexpr double reach = 1.6;  // of neighbours, spacings
+constexpr double reach = 1.6;  // in spacings
 
 InitialPositions initial_positions(const Snapshot& now) { return {now.dim, now.x0, now.diameter, now.body}; }
 

@@ -35,7 +35,7 @@ struct FirstNeighbors {
 };
 FirstNeighbors first_neighbors(const InitialPositions& start);
 
-/// Regularised inverse of Σ X ⊗ X, 1/m²; in 2D without the third axis.
+/// Regularised inverse of Σ X ⊗ X, 1/m²; in 2D with 1 for the third axis.
 LinearMap inverse_moment(const LinearMap& moment, int dim);
 
 /// Least-squares F from the first neighbours, in 2D with F_zz = 1. Meaningless where a body has torn.

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Positions `x`, n × Dim, sorted by cells.
+/// Search grid around positions `x`, n × Dim, m.
 template <int Dim>
 class PlacesInCells {
  public:

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Neighbour lists by id, ascending.
+/// Neighbours of each particle, as ascending ids.
 struct NeighborLists {
   std::vector<std::size_t> begin;  // [n + 1]
   std::vector<int> j;

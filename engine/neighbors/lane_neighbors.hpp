@@ -8,8 +8,8 @@
 
 #include "engine/core/columns.hpp"
 
-/// Slots: neighbours of four consecutive particles, one per lane. Most slots contain consecutive neighbours, which one
-/// load gathers. Each lane takes its neighbours in ascending order.
+/// Slots: neighbours of four consecutive particles, one per lane. A single load reads consecutive neighbours. Each lane
+/// takes its neighbours in ascending order.
 namespace taut {
 
 struct LaneSlot {
@@ -36,7 +36,7 @@ template <int N>
 struct LaneSlots {
   using Taken = std::array<int, lanes>;
   std::vector<LaneSlot> slots;
-  /// Index of each lane's neighbour; −1: any particle is loaded, and the pair's factor must be 0.
+  /// Index in the neighbour list of each lane; −1: an arbitrary particle is loaded, and the pair's factor must be 0.
   std::vector<Taken> taken;
 };
 
@@ -56,7 +56,7 @@ inline std::vector<LaneSlots::Taken> in_turn(const Neighbors& neighbors) {
   }
 }
 
-/// Slots of equal distances in storage.
+/// Each slot takes neighbours at the same distance in storage.
 inline std::vector<LaneSlots::Taken> by_distance(const Neighbors& neighbors) {
   std::vector<LaneSlots::Taken> taken;
   std::size_t at[lanes] = {};

@@ -6,8 +6,8 @@
 
 namespace taut {
 
-/// Jaumann rate of the deviatoric stress, Pa/s. n = d in [Zhang2024] Eq. 7, n = 3 in [Khayyer2024] Eq. 6. Departure:
-/// [Zhang2024] lacks the rotation terms and would not be objective.
+/// Rate of the deviatoric stress, 2G (D − tr D/n I) + ω s − s ω, Pa/s. n = d in [Zhang2024] Eq. 7, n = 3 in
+/// [Khayyer2024] Eq. 6. Departure: [Zhang2024] lacks the rotation terms; its rate is not objective.
 template <Deviator deviator, int Dim>
 Sym<double, Dim> jaumann_rate(const Mat<double, Dim>& L, const Sym<double, Dim>& s, double G) {
   constexpr double n = deviator == Deviator::in_plane ? Dim : 3;
@@ -38,7 +38,7 @@ inline constexpr TermInfo jaumann_rate_info{
     "stress rate: stretch and shear give values computed by hand, for both deviators"};
 
 /// Stress after dt, R s Rᵀ + 2G (D − tr D/n I) dt, R = (I − ½ dt ω)⁻¹ (I + ½ dt ω). Departure: with [Khayyer2024] Eq.
-/// 24 a rigid rotation multiplies s by 1 + 2 (ω dt)² in each step.
+/// 24, a rigid rotation enlarges s in each step.
 template <Deviator deviator>
 Sym<double, 2> turned_stress(const Mat<double, 2>& L, const Sym<double, 2>& s, double G, double dt) {
   const double half = 0.25 * dt * (L(0, 1) - L(1, 0)), scale = 1 / (1 + half * half);

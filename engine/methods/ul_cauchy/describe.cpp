@@ -9,7 +9,7 @@ namespace taut::ul_cauchy {
 namespace {
 
 constexpr TermInfo time_info{
-    "time", "symplectic Euler, rates at the point of the step that `geometry` sets, by default the middle",
+    "time", "symplectic Euler, ∇û at the positions that `geometry` sets, by default in mid-step",
     "[Khayyer2024] Eq. 22–26", "methods/ul_cauchy/solver.cpp:step",
     "naive: the ladder follows the transcription for a plate of two materials hit by a disc"};
 
@@ -78,7 +78,7 @@ std::vector<ConstantRow<UlCauchyConstants>> constants(const UlCauchyFormulation&
   }
   c.push_back({&C::geometry,
                {"geometry", 0.5, 0.0, 1.0,
-                "point of the step at which ∇u is evaluated: 0 start, as printed; 1 end"}});
+                "positions at which ∇u is evaluated: 0 start of the step, as printed; 1 end"}});
   if (m.transport_velocity) c.push_back({&C::xsph, {"xsph", 0.5, 0.0, 1.0, "ε of the transport velocity"}});
   if (m.density_diffusion) {
     c.push_back({&C::delta, {"delta", 0.002, 0.0, 0.1, "δ of the density diffusion"}});

@@ -146,7 +146,7 @@ struct StressRow {
   }
 };
 
-/// −σ⁺, in the form of StressRow::T.
+/// StressRow::T with −σ⁺ in place of σ.
 template <int Dim>
 struct RepulsionRow : Row<Dim * Dim> {
   using Row<Dim * Dim>::c;

@@ -42,7 +42,7 @@ struct UlCauchyConstants : Constants {
   double alpha = 0;
   double riemann_factor = 0;
   double limiter = 0;   // Limiter of the reconstruction
-  double geometry = 0;  // time of ∇u; 0: start, 1: end of the step
+  double geometry = 0;  // positions for ∇u; 0: start, 1: end of the step
   double xsph = 0;
   double delta = 0;
   double delta_order = 1;  // factor of ∇ρ in ψ
@@ -51,10 +51,10 @@ struct UlCauchyConstants : Constants {
   double surface_colour = 0;
   double vicinity = 0;  // in spacings
   double surface_artificial_stress = 0;
-  double step_speed = 0;  // wave speed for steps, m/s
+  double step_speed = 0;  // in the CFL condition, m/s
 };
 
-/// [TranDuc2023] and [Khayyer2024] print different f_ij.
+/// [TranDuc2023] and [Khayyer2024] print different weights f_ij.
 constexpr bool chooses_repulsion_weight(const UlCauchyFormulation& m) {
   return m.artificial_stress && m.pair_stress == PairStress::squares;
 }
@@ -65,8 +65,8 @@ constexpr bool consistent(const UlCauchyFormulation& m) {
   // terms that need corrected gradients
   const bool second_order = m.density_diffusion || m.viscosity == Viscosity::riemann || m.tensile_control;
   return m.artificial_stress == (m.epsilon > 0) && (m.corrected || !second_order) &&
-         (!m.tensile_control || m.artificial_stress) &&           // acts at surfaces
-         (m.pair_stress == PairStress::product || !m.corrected);  // no paper corrects squares
+         (!m.tensile_control || m.artificial_stress) &&           // artificial stress acts at surfaces
+         (m.pair_stress == PairStress::product || !m.corrected);  // no paper corrects `squares`
 }
 
 }  // namespace taut

@@ -93,8 +93,7 @@ inline constexpr Citation tranduc2023_citations[] = {
      "naive: ccb and ccbwat follow the transcription for a plate of two materials hit by a disc"},
 };
 
-/// Common settings of the methods of [TranDuc2023] §2.2, kernel of §2.1. The "artificial stresses" of the paper include
-/// viscosity (§3.1).
+/// Adds the common settings of [TranDuc2023] §2.1 and §2.2.
 constexpr UlCauchyFormulation current_configuration(Formulation m, UlCauchySwitches switches = {}) {
   m.family = Family::ul_cauchy;
   m.citations = tranduc2023_citations;
@@ -115,6 +114,7 @@ inline constexpr UlCauchyFormulation ccb = current_configuration({
     .summary = "current configuration, no cure for tensile instability: fractures in tension",
     .conserves = "linear momentum",
 });
+/// The "artificial stresses" of [TranDuc2023] include viscosity (§3.1).
 inline constexpr UlCauchyFormulation ccbwat = current_configuration(
     {
         .name = "ccbwat",

@@ -19,7 +19,7 @@
 namespace taut {
 namespace {
 
-/// Maximum riemann_step_speed() in a body (`sph`: in the scene), m/s.
+/// Maximum riemann_step_speed() of two materials in one body, or with `sph` in the scene, m/s.
 double riemann_speed(const SolverInput& input) {
   const std::vector<Elasticity>& materials = input.materials;
   const InitialParticles& initial = input.initial;
@@ -117,7 +117,7 @@ double UlCauchy<Dim>::step_size() const {
 }
 
 /// Symplectic Euler step. Departure: with rates of the old state ([Khayyer2024] Eq. 22–25) waves grow, and with ∇u at
-/// the start of a step rotating bodies swell.
+/// the old positions rotating bodies swell.
 template <int Dim>
 void UlCauchy<Dim>::step(double dt) {
   if (2 * relative_distance_ > skin * c_.dp) rebuild();

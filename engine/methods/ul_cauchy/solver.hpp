@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Methods of [Khayyer2024] and [TranDuc2023]. Neighbour lists are valid until a particle has moved half a skin
+/// Methods of [Khayyer2024] and [TranDuc2023] §2.2. Neighbour lists are valid until a particle has moved half a skin
 /// relative to its body's rigid motion.
 template <int Dim>
 class UlCauchy final : public Scheme<Dim> {

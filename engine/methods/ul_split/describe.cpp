@@ -56,8 +56,8 @@ std::vector<ConstantRow<UlSplitConstants>> constants(const UlSplitFormulation& m
     c.push_back(
         {&C::penalty_rotation,
          {"penalty_rotation", 0.0, 0.0, 1.0,
-          "1 rotates the accumulated penalty with the spin of each particle, as the first public version does: "
-          "it then changes linear momentum"}});
+          "1 rotates the accumulated penalty with the spin of each particle, as the first public version does; "
+          "linear momentum then changes"}});
   if (m.artificial_stress) {
     c.push_back({&C::epsilon, {"epsilon", m.epsilon, 0.0, 10.0, "ε of the artificial stress"}});
     c.push_back({&C::exponent, {"exponent", m.exponent, 0.0, 20.0, "n of the artificial stress"}});

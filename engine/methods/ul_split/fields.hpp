@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Velocity (or another vector), pressure, volume.
+/// Velocity in m/s, pressure in Pa and volume in m^Dim; some passes store another vector and scalar.
 template <int Dim>
 struct FlowRow : Row<Dim + 2> {
   using Row<Dim + 2>::c;
@@ -19,9 +19,9 @@ struct FlowRow : Row<Dim + 2> {
 };
 template <int Dim, class T>
 struct Flow {
-  Vec<T, Dim> v;  // m/s
-  T p;            // Pa
-  T V;            // m^Dim
+  Vec<T, Dim> v;
+  T p;
+  T V;
 };
 
 template <int Dim>
@@ -109,8 +109,8 @@ struct PairGeometry {
   Pack inverse_distance;    // (1/r)/(∂W/∂r); 0 between bodies: no shear
 };
 
-/// Pair geometry, cached until the next rebuild; 0 in padding. The gradients of (i, j) and (j, i) are exactly opposite.
-/// Single precision saves memory in 3D; kernel units fit its range.
+/// Cached pair geometry. Gradients are 0 in padding; the gradients of (i, j) and (j, i) are exactly opposite. Single
+/// precision saves memory in 3D; kernel units fit its range.
 template <int Dim>
 struct PairCache {
   static constexpr bool single_precision = Dim == 3;
@@ -165,9 +165,9 @@ struct UlSplitFields {
   const double *m, *mobile;
   const int *id, *body;
   double *rho, *drho;     // kg/m³ and its rate
-  V *a_shear, *da_shear;  // accumulated shear acceleration, m/s², and its rate
+  V *a_shear, *da_shear;  // accumulated acceleration, m/s², and its rate
   S *s, *ds;              // deviatoric stress, Pa, and its rate
-  bool sph_contact;       // bodies interact as one
+  bool sph_contact;       // pairs of two bodies interact
 
   FlowRow<Dim>* flow;         // v at the start of the step, p and V at mid-step
   FlowRow<Dim>* flow_new;     // with the new velocity

@@ -37,7 +37,7 @@ struct UlSplitConstants : Constants {
   double step_speed = 0;  // wave speed for steps, m/s
 };
 
-/// False if stress is only recovered for display.
+/// False if stress is only recovered for snapshots.
 constexpr bool carries_stress(const UlSplitFormulation& m) {
   return m.shear == Shear::nested_stress || m.shear == Shear::nested_with_penalty;
 }

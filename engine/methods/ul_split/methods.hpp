@@ -44,7 +44,7 @@ inline constexpr UlSplitFormulation enog_nonconservative{
     },
     {.shear = Shear::laplacian_velocity_nonconservative}};
 
-/// [Zhang2024b] and [SPHinXsys2025], with the pressure of `enog`.
+// Departure: `gnog` and `gnog_amc` have the pressure of `enog`.
 inline constexpr UlSplitFormulation gnog{
     {
         .name = "gnog",

@@ -290,8 +290,8 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
     rate_pass<M, Dim, true>(s, c, steering, dt, threads);
 }
 
-/// Recovers the stress of particles[k] (k if null) into out[k] from the displacement since the last recovery,
-/// [Zhang2024] Eq. 6–8, 26, 27. Departure: volumes and correction are cached, too.
+/// Sets out[k] to the stress of particle particles[k], or of k if `particles` is null, recovered from the displacement
+/// since the last recovery, [Zhang2024] Eq. 6–8, 26, 27. Departure: volumes and gradient correction are also cached.
 template <const UlSplitFormulation& M, int Dim>
 void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const FlowRow<Dim>* displacement,
                     const int* particles, int count, Sym<double, Dim>* out, const Threads& threads) {

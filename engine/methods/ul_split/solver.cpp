@@ -55,13 +55,13 @@ UlSplit<Dim>::UlSplit(Common<Dim>& common, const SolverInput& input, const Kerne
   greatest_speed_ = common_.vmax;
 }
 
-/// Time step, s, [Zhang2024] Eq. 22, shorter for materials stiffer in shear.
+/// Time step, s, [Zhang2024] Eq. 22, shorter for materials stiff in shear.
 template <int Dim>
 double UlSplit<Dim>::step_size() const {
   return common_.fixed_or_stable_step(c_.cfl * c_.h / (c_.step_speed + common_.vmax));
 }
 
-/// One acoustic step, [Zhang2024] Eq. 22–25.
+/// One acoustic step, [Zhang2024] Eq. 23–25.
 template <int Dim>
 void UlSplit<Dim>::step(double dt) {
   // Eq. 21 with the greatest speed so far, in case a body speeds up or turns back
@@ -202,7 +202,6 @@ void UlSplit<Dim>::show(Snapshot& out, std::span<const int> groups) const {
   });
 }
 
-/// Under `sph`, bodies interact by pressure and artificial stress.
 template <int Dim>
 auto UlSplit<Dim>::contact_force(const Probe& probe, double dt) const -> V {
   if (probe.wall >= 0 || !sph_contact_) return common_.contact_force(probe, dt);

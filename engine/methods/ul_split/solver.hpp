@@ -8,8 +8,7 @@
 
 namespace taut {
 
-/// Methods of [Zhang2024], [Zhang2024b] and [SPHinXsys2025] with the position Verlet and dual-criteria time stepping of
-/// [Zhang2024] §5.
+/// Methods of [Zhang2024], [Zhang2024b] and [SPHinXsys2025] with the position Verlet scheme of [Zhang2024] §5.
 template <int Dim>
 class UlSplit final : public Scheme<Dim> {
  public:
@@ -54,7 +53,7 @@ class UlSplit final : public Scheme<Dim> {
   std::vector<double> rho_, drho_;
   std::vector<V> a_shear_, da_shear_;
   std::vector<S> s_, ds_;
-  // positions at the last update of the stress, m
+  // positions at the last stress recovery, m
   std::vector<V> x_recovered_;
   std::vector<FlowRow<Dim>> flow_, flow_new_;
   std::vector<TensorRow<Dim>> stress_, repulsion_, recovery_;
