@@ -50,7 +50,8 @@ inline constexpr UlSplitFormulation gnog{
         .name = "gnog",
         .paper = "Zhang2024b",
         .summary =
-            "og with corrected velocity gradients and a penalty on velocities that they do not explain",
+            "og with the dissipation of enog, corrected velocity gradients, "
+            "and a penalty on velocities that they do not explain",
         .conserves = "linear momentum",
         .family = Family::ul_split,
     },
