@@ -49,9 +49,8 @@ inline constexpr UlSplitFormulation gnog{
     {
         .name = "gnog",
         .paper = "Zhang2024b",
-        .summary =
-            "og with the dissipation of enog, corrected velocity gradients, "
-            "and a penalty on velocities that they do not explain",
+        .summary = "og with the dissipation of enog, corrected velocity gradients, "
+                   "and a penalty on velocities that they do not explain",
         .conserves = "linear momentum",
         .family = Family::ul_split,
     },
