@@ -32,7 +32,7 @@ class Contact {
   /// Evaluates the forces at the current positions and their impulses over `dt` (in s).
   void evaluate(const Particles<Dim>& s, double dt, int threads);
 
-  /// Contact stiffness relative to the material, at least 1.
+  /// Stiffness of contact between faces relative to the material, at least 1; otherwise 1.
   double stiffening() const { return mechanism_->stiffening(); }
 
   /// Last evaluated force. Requires `acting`.

@@ -7,8 +7,8 @@
 
 namespace taut {
 
-/// Contact modulus of two materials, Pa. With stiffness = 2 the layer between two faces is as stiff as the material;
-/// [TranDuc2023] Eq. 2.13 has 1. Symmetric to the last bit.
+/// Contact modulus of two materials, Pa; [TranDuc2023] Eq. 2.13 has stiffness = 1. For K1 = K2 = K and stiffness = 2 it
+/// is K. Symmetric to the last bit.
 inline double contact_modulus(double K1, double K2, double stiffness) {
   const double softer = std::min(K1, K2), harder = std::max(K1, K2);
   return stiffness * (softer * (harder / (softer + harder)));

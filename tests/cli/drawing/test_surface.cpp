@@ -202,7 +202,7 @@ TEST_SUITE("unit") {
     CHECK(whole == Approx(0.32));
     CHECK(length(body.surface.undeformed()) == Approx(0.32));
     for (std::size_t i = 0; i < body.shown.size(); ++i)
-      if (x[2 * i] > 0.05) x[2 * i] += 0.05;  // a gap of 6 spacings
+      if (x[2 * i] > 0.05) x[2 * i] += 0.05;  // centres of the columns beside the gap: 6 spacings
     const SurfaceShape torn = body.at(x);
     CHECK(torn.loose.empty());
     CHECK(length(torn.outline) > whole + 0.03);
@@ -224,7 +224,7 @@ TEST_SUITE("unit") {
     CHECK(measure(shape, 3) < 0.06 * 0.04 * 0.03);
   }
 
-  TEST_CASE("outlines of the body and of its initial shape move with a followed body") {
+  TEST_CASE("outlines of a followed body and of its initial shape are drawn relative to the body") {
     const Scene scene = scene_of({Box{{0, 0, 0}, {0.1, 0.06, 0}}});
     Drawing drawing;
     drawing.outline = Outlines::both;

@@ -64,7 +64,7 @@ TEST_SUITE("cli") {
     }
   }
 
-  TEST_CASE("a map of many columns has texts only where they fit, and complete names") {
+  TEST_CASE("a map has texts only where they fit, and room for long names of methods") {
     const auto script_of = [](int columns, const std::string& method) {
       const TemporaryFolder folder;
       std::string lines;

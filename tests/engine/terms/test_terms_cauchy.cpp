@@ -172,7 +172,7 @@ TEST_SUITE("term") {
     for (const Neighbor& j : neighbors()) {
       const double change = dot(slope, j.x());
       const double flow = density_diffusion_term(10.0, 10 + change, Vec2{}, Vec2{}, j.V, j.dW, j.r, j.e);
-      CHECK(flow == Approx(-2 * change * j.dW / j.r * j.V));  // Eq. B.3
+      CHECK(flow == Approx(-2 * change * j.dW / j.r * j.V));  // [Khayyer2024] Eq. B.3
       sum += flow;
     }
     CHECK(std::abs(sum) > 0.1);
