@@ -144,7 +144,8 @@ constexpr std::array numbers = {
     MeasureKey{{"axis", types::vector_of(3, "[x, y, z]"), "[0, 0, 1]",
                 "axis of rotation through the origin; only in 3D"},
                read_axis},
-    MeasureKey{{"threshold", types::number(), "0", "threshold, in the unit of the series, or of `free`"}, read_threshold},
+    MeasureKey{{"threshold", types::number(), "0", "threshold, in the unit of the series, or of `free`"},
+               read_threshold},
     MeasureKey{{"scale", types::number(), "1",
                 "divisor of the result, not 0. "
                 "With the range of the reference, rmse is a relative error with unit \"1\""},
