@@ -15,7 +15,9 @@ namespace {
 
 const CLI::Option* greedy_option(const CLI::App& app) {
   for (const CLI::Option* o : app.get_options())
-    if (!o->get_positional() && o->get_items_expected_max() > 1 && o->count() > 1) return o;
+    if (!o->get_positional() && o->get_allow_extra_args() && o->get_items_expected_max() > 1 &&
+        o->count() > 1)
+      return o;
   return nullptr;
 }
 

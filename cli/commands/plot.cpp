@@ -18,6 +18,7 @@
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
+#include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {
 namespace {
@@ -39,6 +40,16 @@ SceneFile scene_of(const StoredRun& run) {
     throw UsageError(fmt::format(
         "'{}' contains no scene.toml, which is needed for the units; name a run folder", run.folder()));
   return read_scene(folder.scene());
+}
+
+/// run.json lacks the constants of the method and the contact law.
+void add_settings(StoredRun& run, const SceneFile& scene) {
+  const std::string_view own_contact = name(find_method(scene.settings.method)->contact);
+  for (const ResolvedSetting& each : scene.resolved)
+    if (const std::string column = std::string(set_prefix) + each.name; run.text(column).empty())
+      if (each.name == "contact" ? each.value != own_contact
+                                 : each.name.starts_with(constant_prefix) && each.value != each.default_value)
+        run.cells.emplace_back(column, each.value);
 }
 
 struct PlotPaths {
@@ -197,7 +208,10 @@ int plot_curves(const PlotArguments& options, StoredResults results, const PlotF
     return fs::path(run.file).filename() == "results.csv" && !run.has_result();
   });
   std::vector<SceneFile> scenes;
-  for (const StoredRun& run : results.runs) scenes.push_back(scene_of(run));
+  for (StoredRun& run : results.runs) {
+    scenes.push_back(scene_of(run));
+    add_settings(run, scenes.back());
+  }
   add_titles(results, scenes);
   const Scene& first = scenes.front().scene;
   const bool along_lines = !options.lines.empty();

@@ -45,7 +45,7 @@ struct PanelPlot {
   bool has_markers = false;  // kept away from the frame
 };
 
-/// The legend is right of the panels, in a narrow picture above them.
+/// The legend is to the right of the panels; in a narrow picture it is above them.
 std::string panel_script(const PanelPlot& plot, const PlotFiles& files, const PlotLook& look);
 
 /// Factor of an axis, and its label: "deflection, mm".
@@ -53,7 +53,7 @@ struct AxisScale {
   double factor = 1;
   std::string label;
 };
-/// Scales units as in frames.
+/// Chooses an SI prefix or a power of ten, as render::scale_for does.
 AxisScale axis_scale(const std::string& name, const std::string& unit, double greatest, bool is_log);
 /// Ticks at 1, 2 and 5 of each decade, in long ranges at powers of ten.
 std::string log_ticks(double low, double high, std::string (*show)(double));

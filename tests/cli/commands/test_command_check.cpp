@@ -114,6 +114,9 @@ TEST_SUITE("cli") {
     CHECK(taken.code == 2);
     CHECK(contains(taken.err, "DIR is required: --measure takes all words that follow it"));
     CHECK(call({"check", "--verdict", "stable", run, "--measure", "period<1", "period>0"}).code == 0);
+    const Outcome none = call({"sweep", "--grid", "cfl=1", "--grid", "until=1"});
+    CHECK(contains(none.err, "SWEEP is required"));
+    CHECK_FALSE(contains(none.err, "takes all words"));
     REQUIRE(call(tiny_run(folder, "a", {"--no-render"})).code == 0);
     CHECK(call({"plot", "--columns", "step", folder.str("a"), "--out", folder.str("p.png")}).code == 0);
   }
