@@ -28,11 +28,13 @@ const std::regex& dotted_name() {
   return name;
 }
 
-/// muParser allows no dots in names.
+/// muParser allows no dots in names. Different names stay different: "a_b.c" becomes "a_0b__c".
 std::string without_dots(const std::string& name) {
-  return std::regex_replace(name, std::regex("\\."), "__");
+  return std::regex_replace(std::regex_replace(name, std::regex("_"), "_0"), std::regex("\\."), "__");
 }
-std::string with_dots(const std::string& name) { return std::regex_replace(name, std::regex("__"), "."); }
+std::string with_dots(const std::string& name) {
+  return std::regex_replace(std::regex_replace(name, std::regex("__"), "."), std::regex("_0"), "_");
+}
 
 double result_of(const std::string& criterion, const std::map<std::string, double>& values) {
   Names names;
@@ -69,10 +71,12 @@ QuantityValue value_of_history(const std::string& folder, const std::string& kin
     values.push_back(parsed<double>(row[static_cast<std::size_t>(found - table.columns.begin())])
                          .value_or(std::numeric_limits<double>::quiet_NaN()));
   if (values.empty()) throw UsageError("history.csv has no rows");
-  const double value = kind == "first"  ? values.front()
-                       : kind == "last" ? values.back()
-                       : kind == "min"  ? *std::ranges::min_element(values)
-                                        : *std::ranges::max_element(values);
+  const auto nan = std::ranges::find_if(values, [](double value) { return std::isnan(value); });
+  const double value = kind == "first"       ? values.front()
+                       : kind == "last"      ? values.back()
+                       : nan != values.end() ? *nan
+                       : kind == "min"       ? *std::ranges::min_element(values)
+                                             : *std::ranges::max_element(values);
   if (!std::isfinite(value)) throw UsageError(fmt::format("{}.{} is not finite", kind, column));
   return {value, six_digits(value)};
 }

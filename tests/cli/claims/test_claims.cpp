@@ -143,5 +143,15 @@ TEST_SUITE("cli") {
     CHECK(quantities[1].path == "since.fractured");
     CHECK(is_met("a.verdict >= fractured && a.x < -0.5", {{"a.verdict", 4}, {"a.x", -1}}));
     CHECK_FALSE(is_met("a.verdict < fractured", {{"a.verdict", 3}}));
+    CHECK(is_met("a__b.c > a.b__c", {{"a__b.c", 2}, {"a.b__c", 1}}));
+  }
+
+  TEST_CASE("claims: the extremes of a history column with NaN have no value") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "history.csv") << "t,tip\n0,1\n1,nan\n2,3\n";
+    CHECK(value_of(folder.str(""), "last.tip").number == 3);
+    for (const char* path : {"min.tip", "max.tip"})
+      CHECK_THROWS_WITH_AS(value_of(folder.str(""), path), doctest::Contains("tip is not finite"),
+                           UsageError);
   }
 }
