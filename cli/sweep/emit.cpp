@@ -41,9 +41,13 @@ exec @SWEEP@
 )"},
 };
 
-/// Number of allowed CPUs or of physical cores, whichever is smaller.
-constexpr std::string_view physical_cores =
-    "$({ nproc; lscpu --parse=CORE,SOCKET | grep -v '^#' | sort -u | wc -l; } | sort -n | head -n 1)";
+/// Number of physical cores with an allowed CPU, at most nproc.
+constexpr std::string_view physical_cores = R"sh($(
+  allowed=$(sed -n 's/^Cpus_allowed_list:[[:space:]]*//p' /proc/self/status | tr , '\n' |
+    while IFS=- read -r first last; do seq "$first" "${last:-$first}"; done | paste -s -d '|')
+  { nproc; lscpu --parse=CPU,CORE,SOCKET | grep -E "^($allowed)," | cut -d , -f 2- | sort -u | wc -l; } |
+    sort -n | head -n 1
+))sh";
 
 std::string quoted(const std::string& word) {
   const auto plain = [](char c) {

@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <cstdlib>
 
 #include <doctest/doctest.h>
+#include <fmt/core.h>
 
 #include "cli/sweep/emit.hpp"
+#include "engine/core/machine.hpp"
 #include "tests/support/sweep_folder.hpp"
 
 using namespace taut::cli;
@@ -99,7 +102,12 @@ TEST_SUITE("cli") {
       std::ofstream(folder / "bin" / name) << "#!/bin/sh\nprintf '" << output << "'\n";
       fs::permissions(folder / "bin" / name, fs::perms::owner_all);
     };
-    write("lscpu", "# Core,Socket\\n0,0\\n0,0\\n1,0\\n1,0\\n");
+    const auto write_cores = [&](int cpus_of_core) {
+      std::string list = "# CPU,Core,Socket\\n";
+      for (int cpu = 0; cpu < 2048; ++cpu) list += fmt::format("{},{},0\\n", cpu, cpu / cpus_of_core);
+      write("lscpu", list.c_str());
+    };
+    write_cores(1024);
     Texts grid{"--grid", "speed=1", "--until", "1e-5"};
     const auto jobs = [&](const char* allowed) {
       write("nproc", allowed);
@@ -110,7 +118,9 @@ TEST_SUITE("cli") {
     CHECK(jobs("4\\n") == "--jobs\n4\n");
     CHECK_FALSE(contains(text_of(emitted(folder, "slurm", grid)), "--hint"));
     grid.insert(grid.end(), {"--repeat", "2"});
-    CHECK(jobs("4\\n") == "--jobs\n2\n");
+    CHECK(jobs("4\\n") == "--jobs\n1\n");
+    write_cores(1);
+    CHECK(jobs("4\\n") == fmt::format("--jobs\n{}\n", std::min(4, taut::cores())));
     CHECK(jobs("1\\n") == "--jobs\n1\n");
     CHECK(contains(text_of(emitted(folder, "slurm", grid)), "\n#SBATCH --hint=nomultithread\n# "));
   }
