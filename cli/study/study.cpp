@@ -84,7 +84,8 @@ void check_chart(const StudyPictures::Charted& chart, const std::filesystem::pat
                      request.measure));
   if (!request.against.empty()) return;
   const std::string way_out =
-      " with these parameters, so no run has an error; against = METHOD compares with the finest stable run of a method";
+      " with these parameters and methods, so no run has an error; "
+      "against = METHOD compares with the finest stable run of a method";
   if (request.measure.empty() && available.referenced.empty()) fail("no measure has a reference" + way_out);
   if (!request.measure.empty() && !available.referenced.contains(request.measure))
     fail(fmt::format("'{}' has no reference{}", request.measure, way_out));
@@ -159,7 +160,7 @@ int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& fo
 Chart read_chart(const std::vector<std::string>& results, const ChartRequest& request, std::ostream& err) {
   Chart chart = make_chart(read_results(results), request);
   if (chart.without_result > 0)
-    err << "taut: " << chart.without_result << " runs have no result and are not on the chart\n";
+    err << "taut: runs without a result, which are not on the chart: " << chart.without_result << '\n';
   if (chart.lacks_cpu)
     err << "taut: some runs were stored without CPU seconds, so the cost is the wall time; "
            "repeat the sweep for --cost cpu\n";
@@ -190,7 +191,7 @@ int draw_history(const HistoryPlot& plot, const PlotFiles& files, Streams stream
 
 int draw_response(const ResponsePlot& plot, const PlotFiles& files, Streams streams, const PlotLook& look) {
   if (plot.without_value > 0)
-    streams.err << "taut: " << plot.without_value << " runs lack a number, so points are missing\n";
+    streams.err << "taut: runs without a number, whose points are missing: " << plot.without_value << '\n';
   const int code = draw_plot(files, response_script(plot, files, look), response_data(plot));
   print_files("plot", files, "", streams);
   return code;

@@ -13,6 +13,7 @@
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/error.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
 
 namespace taut::cli {
@@ -99,14 +100,17 @@ void check_folder(const fs::path& folder) {
 }
 
 void add_available(AvailableData& available, const SceneFile& file) {
-  for (const Measure& measure : file.scene.measures) {
+  const Scene& scene = file.scene;
+  const std::string_view law = material_law(*find_method(file.settings.method), file.settings, scene.dim);
+  const auto reference = scene.references.find(std::string(law));
+  for (const Measure& measure : scene.measures) {
     available.measures.insert(measure.name);
     if (is_difference(measure.kind)) available.differences.insert(measure.name);
-    for (const auto& [law, reference] : file.scene.references)
-      if (reference.has(measure.name)) available.referenced.insert(measure.name);
+    if (reference != scene.references.end() && reference->second.has(measure.name))
+      available.referenced.insert(measure.name);
   }
   available.methods.insert(file.settings.method);
-  for (const std::string& column : history_columns(file.scene)) available.columns.insert(column);
+  for (const std::string& column : history_columns(scene)) available.columns.insert(column);
 }
 
 void add_swept(AvailableData& available, const std::string& name, const std::vector<GridRow>& rows) {

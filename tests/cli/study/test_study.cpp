@@ -90,6 +90,8 @@ TEST_SUITE("cli") {
       CHECK(outcome.code == 2);
       CHECK(contains(outcome.err, message));
     }
+    std::ofstream(folder / "study.toml") << "scene = \"loaded-square\"\n[grid]\nmethod = [\"og\"]\n[chart]\n";
+    CHECK(contains(sweep(folder, folder.str("study.toml"), {"--list"}).err, "no measure has a reference"));
     CHECK_FALSE(fs::exists(folder / "out"));
   }
 }
