@@ -108,7 +108,7 @@ std::string chart_json(const Chart& chart) {
   Json json{{"title", chart.title},
             {"scene", chart.scene},
             {"measure", chart.measure},
-            {"error", error_label(chart)},
+            {"error", error_label(chart, "share")},
             {"unit", chart.unit.empty() ? "1" : chart.unit},
             {"cost", label(chart.cost)},
             {"against", chart.against.empty() ? Json() : Json(chart.against)},
@@ -124,12 +124,12 @@ std::string chart_json(const Chart& chart) {
   return json.dump(2) + "\n";
 }
 
-std::string error_label(const Chart& chart) {
-  const std::string unit = chart.unit.empty() ? "%" : chart.unit;
+std::string error_label(const Chart& chart, std::string_view share) {
+  const std::string unit = chart.unit.empty() ? std::string(share) : chart.unit;
   if (!chart.against.empty())
     return fmt::format("{}, difference from {}, {}", chart.measure, chart.against, unit);
   if (!chart.unit.empty() || !chart.relative) return fmt::format("{}, {}", chart.measure, unit);
-  return fmt::format("error of {}, % of the reference", chart.measure);
+  return fmt::format("error of {}, {} of the reference", chart.measure, share);
 }
 
 std::vector<std::string> footnotes(const Chart& chart) {

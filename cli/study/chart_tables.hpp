@@ -13,8 +13,8 @@ std::string markdown(const Chart& chart);
 std::string markdown_of_prices(const Chart& chart);
 std::string chart_json(const Chart& chart);
 
-/// "error of period, % of the reference".
-std::string error_label(const Chart& chart);
+/// "error of period, % of the reference". `share`: unit of errors without a unit.
+std::string error_label(const Chart& chart, std::string_view share = "%");
 std::vector<std::string> footnotes(const Chart& chart);
 
 }  // namespace taut::cli

@@ -385,6 +385,7 @@ TEST_SUITE("cli") {
     const Outcome json = call({"chart", file, "--json"});
     REQUIRE(json.code == 0);
     const auto tree = nlohmann::json::parse(json.out);
+    CHECK(tree["error"] == "error of bend, share of the reference");
     CHECK(tree["series"][0]["order"].get<double>() == Approx(2));
     CHECK(tree["series"][0]["runs"][2]["stable"] == false);
     CHECK(tree["series"][1]["runs"][1]["error"].is_null());
