@@ -55,7 +55,8 @@ std::set<std::string> names_below(const std::string& folder) {
   for (const fs::path& scenes : scene_folders()) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(scenes / folder, error))
-      if (entry.path().extension() == ".toml") names.insert(entry.path().stem().string());
+      if (entry.path().extension() == ".toml" && !entry.is_fifo(error))
+        names.insert(entry.path().stem().string());
   }
   return names;
 }

@@ -138,6 +138,8 @@ std::string find_scene_of(TomlCursor& root, const fs::path& file) {
   std::error_code error;
   const fs::path beside = file.parent_path() / scene;
   if (fs::is_regular_file(beside, error)) return beside.string();
+  if (fs::is_fifo(scene, error))
+    root.fail(*root.find("scene"), "scene", fmt::format("'{}' is a named pipe; name a scene file", scene));
   try {
     return find_scene(scene).string();
   } catch (const UsageError& problem) {

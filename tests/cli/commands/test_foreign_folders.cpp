@@ -131,6 +131,14 @@ TEST_SUITE("cli") {
       CHECK(child.exit_code() == 2);
       fs::rename(folder / "kept", folder / file);
     }
+    REQUIRE(::mkfifo((folder / "pipe.toml").c_str(), 0666) == 0);
+    std::ofstream(folder / "sweep.toml") << "scene = '" << folder.str("pipe.toml") << "'\ngrid.cfl = [0.5]\n";
+    ChildProgram sweep({"sweep", folder.str("sweep.toml"), "--list"});
+    CHECK(sweep.exit_code() == 2);
+    ::setenv("TAUT_SCENES", folder.path().c_str(), 1);
+    ChildProgram list({"list", "scenes"});
+    ::unsetenv("TAUT_SCENES");
+    CHECK(list.exit_code() == 0);
     ChildProgram begun(
         tiny_run(folder, "killed",
                  {"--until", "1000", "--frames", "1", "--checkpoint-every", "0.001", "--set", "speed=0"}));
