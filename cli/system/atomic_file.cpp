@@ -242,8 +242,8 @@ std::optional<std::string> read_whole(const fs::path& path, std::uint64_t most_b
 }
 
 AppendFile::AppendFile(fs::path path, Start start) : path_(std::move(path)) {
-  constexpr int how = O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
-  descriptor_ = ::open(path_.c_str(), how | (start == Start::empty ? O_CREAT : O_APPEND), 0666);
+  constexpr int how = O_WRONLY | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
+  descriptor_ = ::open(path_.c_str(), how | (start == Start::empty ? O_CREAT : 0), 0666);
   if (descriptor_ < 0 && errno == ENOENT && start == Start::as_it_is)
     throw UsageError(fmt::format(
         "'{}' is missing, and --resume does not write it again; put it back, or start again without --resume",

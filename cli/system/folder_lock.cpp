@@ -62,11 +62,6 @@ struct Holder {
   }
 };
 
-std::string printable(std::string text) {
-  std::erase_if(text, [](char c) { return c < ' ' || c == 127; });
-  return text;
-}
-
 Holder read_holder(int descriptor) {
   std::array<char, 1024> text{};
   const ssize_t size = ::pread(descriptor, text.data(), text.size(), 0);
@@ -74,7 +69,7 @@ Holder read_holder(int descriptor) {
   Holder holder;
   for (std::string* line : {&holder.command, &holder.process, &holder.host, &holder.since}) {
     const std::size_t end = rest.find('\n');
-    *line = printable(std::string(rest.substr(0, end)));
+    *line = rest.substr(0, end);
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
   }
   return holder;

@@ -58,6 +58,16 @@ TEST_SUITE("unit") {
     CHECK(text_of(path) == "new");
   }
 
+  TEST_CASE("lines appended after a cut follow the kept lines") {
+    const TemporaryFolder folder;
+    cli::AppendFile file(folder / "history.csv");
+    file.append("kept");
+    file.append("removed");
+    file.cut(5);
+    file.append("new");
+    CHECK(text_of(folder / "history.csv") == "kept\nnew\n");
+  }
+
   TEST_CASE("a program that is slower than its time limit is stopped") {
     const TemporaryFolder folder;
     const cli::Interrupts interrupts;

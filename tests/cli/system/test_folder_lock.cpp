@@ -43,11 +43,11 @@ TEST_SUITE("unit") {
     fs::create_directory_symlink(folder / "run", folder / "link");
     {
       std::ostringstream err;
-      const FolderLock lock(folder / "run", Of::run, "taut test", err);
+      const FolderLock lock(folder / "run", Of::run, "taut tést", err);
       for (const char* path : {"run", "link", "run/../run", "link/"}) {
         const std::string said = refusal(folder / path, Of::run);
         CAPTURE(said);
-        CHECK(contains(said, path + std::string("' is in use by `taut test` (process ")));
+        CHECK(contains(said, path + std::string("' is in use by `taut tést` (process ")));
         CHECK(contains(said, " " + std::to_string(::getpid()) + " on "));
         CHECK(contains(said, ", since 20"));
       }
