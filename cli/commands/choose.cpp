@@ -40,7 +40,7 @@ double share(const std::string& text) {
   return percents ? *value / 100 : *value;
 }
 
-/// Paths of results.csv files of `scene` in out/.
+/// Paths of results.csv files of `scene` within three levels of folders below out/.
 std::vector<std::string> stored_results(const std::string& scene) {
   constexpr int deepest = 3;
   std::vector<std::string> files;
@@ -56,9 +56,10 @@ std::vector<std::string> stored_results(const std::string& scene) {
     }
   }
   if (files.empty())
-    throw UsageError(fmt::format(
-        "there are no results of {} below out/; make some with `taut sweep`, or name others with --from",
-        scene));
+    throw UsageError(
+        fmt::format("there are no results of {} within three levels of folders below out/; "
+                    "make some with `taut sweep`, or name others with --from",
+                    scene));
   std::ranges::sort(files);
   return files;
 }
@@ -185,7 +186,8 @@ std::function<int(Streams)> declare_choose(Options& command) {
       "--against", "METHOD|DIR", options->against,
       "method or run folder that replaces the references of the scene; of a method, the finest stable run");
   command.add("--from", "FILE ...", options->from,
-              "results.csv files of sweeps, or the folders of sweeps; default: all below out/");
+              "results.csv files of sweeps, or the folders of sweeps; "
+              "default: all within three levels of folders below out/");
   options->declare_json(command);
   return [options](Streams streams) { return choose(*options, streams); };
 }

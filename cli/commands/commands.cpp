@@ -64,7 +64,8 @@ constexpr Command table[] = {
      "  taut choose colliding-rings               list the cost of each accuracy\n"
      "  taut choose colliding-rings --error 1% --measure rebound_ratio\n"
      "  taut choose oscillating-plate --error 0.5% --seconds 10 --from out/plate-accuracy\n"
-     "The command reads the results of sweeps, by default all below out/. It runs nothing.\n"
+     "The command reads the results of sweeps, by default all within three levels of folders below out/.\n"
+     "It runs nothing.\n"
      "If no run qualifies, it prints the most accurate one and ends with exit code 1.\n",
      declare_choose},
     {"plot", "draw histories of runs over time, fields along lines, or measures of a sweep over a parameter",

@@ -104,15 +104,13 @@ Drawing chosen_drawing(const std::vector<SavedRun>& runs, const CompareArguments
   return drawing;
 }
 
-void check_followed_body(const Drawing& drawing, const std::vector<SavedRun>& runs) {
+void check_followed_body(const Drawing& drawing, const std::vector<SavedRun>& runs, std::string_view advice) {
   for (const SavedRun& run : runs) {
     std::vector<std::string> names;
     for (const Body& body : run.file.scene.bodies) names.push_back(body.name);
     if (drawing.followed && std::ranges::find(names, drawing.follow) == names.end())
-      throw UsageError(
-          fmt::format("the picture follows body '{}', but '{}' has only the bodies {}; "
-                      "choose another body with --follow, or --follow none",
-                      drawing.follow, run.folder.path().string(), join(names)));
+      throw UsageError(fmt::format("the picture follows body '{}', but '{}' has only the bodies {}; {}",
+                                   drawing.follow, run.folder.path().string(), join(names), advice));
   }
 }
 
@@ -266,7 +264,9 @@ int compare_runs(const CompareArguments& options, Streams streams) {
   const std::vector<double> times = chosen_times(options, until);
   std::vector<Block> blocks = make_blocks(chosen, options, runs.front().file);
   for (Block& block : blocks) {
-    check_followed_body(block.drawing, runs);
+    check_followed_body(block.drawing, runs,
+                        &block == &blocks.front() ? "choose another body with --follow, or --follow none"
+                                                  : "choose another body in --beside, or follow=none");
     block.columns = make_columns(block.drawing, runs, times, until);
     block.drawing = fitted_to(block.drawing, block.bounded, runs, block.columns);
     if (block.bounded)

@@ -170,6 +170,11 @@ void check_options(const Options& command, bool suite) {
     if (option.is_positional() || option.values().empty() || in(of_both, option)) continue;
     if (!suite && in(of_suites, option))
       throw UsageError(option.name() + " is for suites, and this is a scene; leave it out");
+    if (suite && option.has_name("--every"))
+      throw UsageError(
+          "--every is for scenes; leave it out, or write `frames` into `render` of the suite file");
+    if (suite && option.has_name("--history"))
+      throw UsageError("--history is for scenes; leave it out, or write `history` into the scene file");
     if (suite && !in(of_suites, option))
       throw UsageError(
           option.name() +

@@ -102,7 +102,7 @@ std::string no_use(const RunOptions& options) {
   if (!options.no_render) return "";
   std::vector<std::string> names;
   for (const auto& [key, value] : options.drawing.typed)
-    if (value) names.push_back("--" + key);
+    if (value) names.push_back(drawing_key(key).option());
   if (options.save_particles.empty()) {
     if (options.frames) names.emplace_back("--frames");
     if (options.every) names.emplace_back("--every");

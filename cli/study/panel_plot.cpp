@@ -19,7 +19,7 @@ constexpr int least_side = 64, greatest_side = 8192;
 double within(const char* option, double value, double low, double high, const char* unit) {
   if (value >= low && value <= high) return value;
   throw UsageError(
-      fmt::format("--{} is {}; it must be from {} to {} {}", option, brief(value), low, high, unit));
+      fmt::format("--{} is {}; it must be from {} to {}{}", option, brief(value), low, high, unit));
 }
 
 std::pair<int, int> typed_size(const std::string& text) {
@@ -134,7 +134,7 @@ PlotLook plot_look(const PlotLookOptions& typed, const PlotFiles& files) {
   }
   const bool printed = typed.width.has_value(), pixels = files.picture.extension() == ".png";
   const double font =
-      within("font-size", typed.font_size.value_or(printed ? print_font : axis_font), 1, 100, "points");
+      within("font-size", typed.font_size.value_or(printed ? print_font : axis_font), 1, 100, " points");
   double dpi = within("dpi", typed.dpi.value_or(printed ? print_dpi : screen_dpi), 30, 2400, "");
   if (!pixels) dpi = screen_dpi;  // SVG and PDF sizes are lengths
   look.scale = font / axis_font * dpi / screen_dpi;

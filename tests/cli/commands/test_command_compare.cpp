@@ -119,6 +119,9 @@ TEST_SUITE("cli") {
         "the picture follows body 'left', but '" + folder.str("b") +
             "' has only the bodies first, right; choose another body with --follow, or --follow none"));
     CHECK(compare(folder, {"a", "b"}, {"--follow", "none"}).code == 0);
+    CHECK(contains(compare(folder, {"a", "b"}, {"--follow", "none", "--beside", "follow=left"}).err,
+                   "has only the bodies first, right; choose another body in --beside, or follow=none"));
+    CHECK(compare(folder, {"a", "b"}, {"--follow", "none", "--beside", "follow=none"}).code == 0);
     CHECK(compare(folder, {"b", "a"}).code == 0);
   }
 

@@ -405,9 +405,10 @@ TEST_SUITE("cli") {
 
   TEST_CASE("options without effect, a view without particles and a cfl above its limit are reported") {
     const TemporaryFolder folder;
-    const Outcome drawn = call(tiny_run(folder, "out", {"--no-render", "--color", "speed", "--frames", "3"}));
+    const Outcome drawn = call(
+        tiny_run(folder, "out", {"--no-render", "--color", "speed", "--font-size", "9", "--frames", "3"}));
     CHECK(drawn.code == 0);
-    CHECK(contains(drawn.err, "without effect, since no frames are drawn: --color, --frames"));
+    CHECK(contains(drawn.err, "without effect, since no frames are drawn: --color, --font-size, --frames"));
     const Outcome beside = call(tiny_run(folder, "beside", {"--view", "5:6:0:1"}));
     CHECK(beside.code == 0);
     CHECK(contains(beside.err, "the view shows no particle in any frame"));

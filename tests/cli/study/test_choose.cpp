@@ -244,6 +244,7 @@ TEST_SUITE("cli") {
     CHECK(contains(text_of(folder / "text"), "Results: out/rings/results.csv\n"));
     const int status = std::system((there + "elastic-rings --error 1% 2>" + folder.str("text")).c_str());
     CHECK(WEXITSTATUS(status) == 2);
-    CHECK(contains(text_of(folder / "text"), "no results of elastic-rings below out/"));
+    CHECK(contains(text_of(folder / "text"),
+                   "no results of elastic-rings within three levels of folders below out/"));
   }
 }

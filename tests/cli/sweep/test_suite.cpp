@@ -203,6 +203,8 @@ TEST_SUITE("cli") {
     CHECK(contains(error, "there is no baseline of discs, discs-og in"));
     CHECK(contains(error, "--update --only discs,discs-og"));
     CHECK(contains(refusal_of_suite(entries_of_discs, {"--method", "og"}), "--method is for scenes"));
+    CHECK(contains(refusal_of_suite(entries_of_discs, {"--every", "1"}), "write `frames` into `render`"));
+    CHECK(contains(refusal_of_suite(entries_of_discs, {"--history", "1"}), "into the scene file"));
     const TemporaryFolder folder;
     const Outcome list = run_suite(folder, entries_of_discs, {"--list"});
     CHECK(list.code == 0);
