@@ -170,7 +170,7 @@ class OrbitView {
     });
     this.canvas.addEventListener('pointermove', (event) => {
       if (!last) return;
-      this.turn(-(event.clientX - last.clientX) / 150, (event.clientY - last.clientY) / 150);
+      this.turn((event.clientX - last.clientX) / 150, (event.clientY - last.clientY) / 150);
       last = event;
     });
     this.canvas.addEventListener('pointerup', () => {
