@@ -115,7 +115,7 @@ double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
 /// since 0.3 dp/c_p is unstable at free faces of cell-centred particles.
 template <int Dim>
 double TlMixed<Dim>::step_size() const {
-  if (Dim == 2) return common_.fixed_or_stable_step(std::min(body_.step_size(), dissipation_limit_));
+  if (Dim == 2) return std::min(body_.step_size(), common_.fixed_or_stable_step(dissipation_limit_));
   const double fastest = std::sqrt(kernels_.greatest_stiffness(f_, common_.threads_now()) / c_.rho0);
   const double at_least = body_.wave_speed;  // softened bodies may stiffen again
   if (!(fastest <= greatest_wave_ratio * at_least)) throw_crushed();

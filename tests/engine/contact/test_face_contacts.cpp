@@ -192,18 +192,24 @@ TEST_SUITE("stability") {
   TEST_CASE(
       "surface contact: the greatest allowed stiffness shortens the steps and keeps the energy within 10 %") {
     Scene scene = two_blocks_that_meet();
-    Settings settings = with_method("oenog");
-    const auto run = [&](double stiffness) {
-      settings.constants["contact_stiffness"] = stiffness;
-      const auto simulation = make_simulation(scene, settings);
-      const double start = total_energy(*simulation, scene);
-      simulation->advance_to(4e-4);
-      CHECK(std::abs(total_energy(*simulation, scene) / start - 1) < 0.1);
-      return simulation->steps();
-    };
-    const long usual = run(2);
-    CHECK(run(1) <= usual);
-    CHECK(run(100) > 2 * usual);
+    const double shorter = std::sqrt(100 / 2 / 1.5);
+    for (const char* method : {"oenog", "tl", "pf"}) {
+      CAPTURE(method);
+      Settings settings = with_method(method);
+      const auto run = [&](double stiffness) {
+        settings.constants["contact_stiffness"] = stiffness;
+        const auto simulation = make_simulation(scene, settings);
+        const double start = total_energy(*simulation, scene);
+        simulation->advance_to(4e-4);
+        CHECK(std::abs(total_energy(*simulation, scene) / start - 1) < 0.1);
+        return simulation->steps();
+      };
+      const long usual = run(2);
+      CHECK(run(1) <= usual);
+      const long stiff = run(100);
+      CHECK(stiff > 2 * usual);
+      CHECK(stiff < 1.2 * shorter * usual);
+    }
   }
 }
 
