@@ -192,18 +192,30 @@ void warn_about_thin_parts(std::vector<std::string>& warnings, const Scene& scen
   }
 }
 
+/// Reason why pair forces are not equal and opposite, or "".
+std::string reason_for_unbalanced_forces(const MethodInfo& method, const Settings& settings) {
+  const auto value = [&](const char* constant, double by_default) {
+    const auto found = settings.constants.find(constant);
+    return found == settings.constants.end() ? by_default : found->second;
+  };
+  const auto* cauchy = as<UlCauchyFormulation>(method.formulation);
+  if (cauchy && cauchy->tensile_control)  // [Khayyer2024] §3.4
+    return "tensile instability control does not conserve momentum: "
+           "they are 0.63 to 0.98 of the load in a bent bar, 0.95 of the weight of a block on a wall (METHODS.md)";
+  if (value("penalty_rotation", 0) != 0) return "penalty_rotation does not conserve momentum";
+  if (value("internal_force", 0) != 0 && value("projection", 1) < 1)
+    return "internal_force = \"one-sided\" without projection does not conserve momentum";
+  return "";
+}
+
 }  // namespace
 
-std::string warning_about_reactions(const Scene& scene, const MethodInfo& method) {
+std::string warning_about_reactions(const Scene& scene, const MethodInfo& method, const Settings& settings) {
   const auto is_force = [](const Probe& probe) { return probe.kind.is_force; };
-  // [Khayyer2024] §3.4: pair forces are not equal and opposite
-  const auto* cauchy = as<UlCauchyFormulation>(method.formulation);
-  if (!cauchy || !cauchy->tensile_control || std::ranges::none_of(scene.probes, is_force)) return "";
-  return fmt::format(
-      "reaction and contact forces of {} do not balance the loads, "
-      "since tensile instability control does not conserve momentum: "
-      "they are 0.63 to 0.98 of the load in a bent bar, 0.95 of the weight of a block on a wall (METHODS.md)",
-      method.name);
+  const std::string reason = reason_for_unbalanced_forces(method, settings);
+  if (reason.empty() || std::ranges::none_of(scene.probes, is_force)) return "";
+  return fmt::format("reaction and contact forces of {} do not balance the loads, since {}", method.name,
+                     reason);
 }
 
 std::vector<std::string> warnings_at_start(const Scene& scene, const MethodInfo& method,

@@ -266,8 +266,9 @@ RunPlan make_plan(const RunOptions& options) {
   plan.folder = options.out ? RunFolder(*options.out, options.out_named)
                             : RunFolder(default_folder(file), /*named=*/false);
   refuse_second_columns(file);
-  for (const std::string& remark : {no_use(options), lines_without_samples(file.scene),
-                                    warning_about_reactions(file.scene, *find_method(file.settings.method))})
+  for (const std::string& remark :
+       {no_use(options), lines_without_samples(file.scene),
+        warning_about_reactions(file.scene, *find_method(file.settings.method), file.settings)})
     if (!remark.empty()) file.remark += (file.remark.empty() ? "" : "; ") + remark;
   plan.requested_spacing = file.requested_spacing;
   plan.checkpoint_every = options.checkpoint_every;

@@ -96,15 +96,19 @@ TEST_SUITE("cli") {
   TEST_CASE(
       "a probe of a reaction or contact force gives a warning if the method does not conserve momentum") {
     const TemporaryFolder folder;
-    const auto is_told = [&](const std::string& method, const std::string& probe) {
+    const auto is_told = [&](const std::string& method, const std::string& probe,
+                             const std::vector<std::string>& more = {}) {
       std::ofstream(folder / "scene.toml")
           << "title = \"Held\"\nuntil = 1e-6\nspacing = 0.1\n[material.rubber]\ndensity = 1000\n"
              "youngs_modulus = 1e7\npoisson_ratio = 0.4\n[[body]]\nname = \"a\"\nmaterial = \"rubber\"\n"
              "held = \"x < 0.2\"\nshape = { type = \"rectangle\", low = [0, 0], high = [1, 0.5] }\n"
              "[[probe]]\nname = \"f\"\nbody = \"a\"\ncomponent = \"x\"\nof = \""
           << probe << "\"\n[[wall]]\nname = \"floor\"\nat = [0, -1]\nnormal = [0, 1]\n";
-      const Outcome outcome = call({"run", folder.str("scene.toml"), "--method", method, "--no-render",
-                                    "--quiet", "--out", folder.str("out")});
+      std::vector<std::string> arguments{
+          "run",   folder.str("scene.toml"), "--method", method, "--no-render", "--quiet",
+          "--out", folder.str("out")};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      const Outcome outcome = call(arguments);
       CHECK(outcome.code == 0);
       return outcome.err.find("reaction and contact forces of " + method + " do not balance the loads") !=
              std::string::npos;
@@ -114,6 +118,11 @@ TEST_SUITE("cli") {
     CHECK_FALSE(is_told("d-ulsph-r-tic", "mean_velocity"));
     CHECK_FALSE(is_told("d-ulsph-av-as", "reaction"));
     CHECK_FALSE(is_told("oenog", "reaction"));
+    CHECK(is_told("gnog-amc", "reaction", {"--set", "method.penalty_rotation=1"}));
+    CHECK_FALSE(is_told("gnog-amc", "reaction"));
+    const std::vector<std::string> one_sided{"--set", "method.internal_force=one-sided"};
+    CHECK_FALSE(is_told("pf", "reaction", one_sided));  // projection restores momentum
+    CHECK(is_told("pf", "reaction", {one_sided[0], one_sided[1], "--set", "method.projection=0"}));
   }
 
   TEST_CASE("a scene can be read from a pipe, and the run folder's name contains the settings") {
