@@ -8,6 +8,7 @@
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/run/plan.hpp"
+#include "cli/run/report.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
@@ -45,6 +46,8 @@ CriticalStep search(const SceneFile& file, const CriticalStepArguments& options,
     return found;
   } catch (const SceneError& error) {
     throw locate(file, error);
+  } catch (const NumericalError& error) {  // in the step that determines the default step
+    throw NumericalError(error.step, error.time, error.particle, error.field, describe_divergence(error));
   }
 }
 

@@ -82,14 +82,14 @@ std::string motion_text(const Body& body) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   if (const std::string along = axes_of(body.guided); !along.empty())
-    add(fmt::format("partly clamped along {}", along));
+    add(fmt::format("clamped along {} in a region", along));
   else if (body.clamped)
-    add("partly clamped");
+    add("clamped in a region");
   if (const std::string along = axes_of(body.displacement); !along.empty())
     add(fmt::format("displaced along {} at the start", along));
   for (const Drive& drive : body.drives)
-    add("partly driven" + (drive.until ? fmt::format(" until {} s", brief(*drive.until)) : ""));
-  for (const Load& load : body.loads) add("partly loaded: " + std::string(name(load.kind)));
+    add("driven in a region" + (drive.until ? fmt::format(" until {} s", brief(*drive.until)) : ""));
+  for (const Load& load : body.loads) add("loaded in a region: " + std::string(name(load.kind)));
   return text;
 }
 

@@ -69,4 +69,11 @@ TEST_SUITE("cli") {
     CHECK(call({"critical-step"}).code == 2);
     CHECK(contains(call({"critical-step", "--help"}).out, "taut critical-step colliding-rings"));
   }
+
+  TEST_CASE("critical-step: a failure of the first step is reported with its time, with exit code 3") {
+    const TemporaryFolder folder;
+    const Outcome outcome = search(folder, {"--set", "pull=1e6"});
+    CHECK(outcome.code == 3);
+    CHECK(contains(outcome.err, "taut: the simulation diverged at t = 0 s, step 0: particle "));
+  }
 }

@@ -197,7 +197,7 @@ TEST_SUITE("cli") {
            "[[wall]]\nname = \"floor\"\nat = [0, 0, -3]\nnormal = [0, 0, 2]\n";
     const Outcome scene = call({"describe", (folder / "brick.toml").string()});
     CHECK(scene.code == 0);
-    for (const std::string part : {"partly clamped along x and z, displaced along y at the start",
+    for (const std::string part : {"clamped along x and z in a region, displaced along y at the start",
                                    "through (0, 0, -3) m", "normal (0, 0, 1)"})
       CHECK(contains(scene.out, part));
   }
