@@ -238,8 +238,11 @@ constexpr std::array kinds = {
         cylinder_keys, "disc or rectangle", read_cylinder},
     ShapeKind{"ellipsoid", 3, "an ellipsoid along the axes, cut from a cubic lattice", ellipse_keys,
               "ellipse", read_ellipse},
-    ShapeKind{"mesh", 3, "a closed mesh of an STL or OBJ file, cut from a cubic lattice", mesh_keys,
-              "polygon or svg", read_mesh_file},
+    ShapeKind{
+        "mesh", 3,
+        "a closed mesh of an STL or OBJ file, cut from a cubic lattice; "
+        "where parts of the mesh overlap, relaxed layouts and the warning about the mass count the volume twice",
+        mesh_keys, "polygon or svg", read_mesh_file},
     ShapeKind{"expression", 0, "the region where an expression is not 0, cut from a lattice", expression_keys,
               "", read_expression},
     ShapeKind{"particles", 0, "particles from a file, as the only shape of a body", particles_keys, "",

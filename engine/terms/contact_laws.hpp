@@ -14,7 +14,7 @@ namespace taut {
 /// The method's own sums act between bodies, `force` at walls.
 inline constexpr ContactLawRow sph_contact{
     .law = ContactLaw::sph,
-    .help = "particles of two bodies interact like particles of one body, [Zhang2024]",
+    .help = "forces of the method also act between bodies, [Zhang2024]; needs searched neighbours",
     .between = ContactBetween::all_neighbors,
     .touching = 0.9,  // particles repel each other before faces meet
     .force = penalty_force,

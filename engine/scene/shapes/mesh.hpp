@@ -27,7 +27,7 @@ class Mesh final : public ShapeBase {
 
   Bounds bounds() const override;
   bool holds(const Point& x, int dim, double tolerance) const override;
-  double measure(int) const override { return volume_; }
+  double measure(int) const override { return volume_; }  // counts overlaps of parts repeatedly
   void shift(std::size_t axis, double by) override { from_[axis] += by; }
 
  private:
