@@ -32,8 +32,9 @@ trial() {
   code=$?
   harmed
   sound "taut $work, ulimit -$option $value"
+  is_one_of "$code" "124 137" && { hung "no end after $patience s: taut $work, ulimit -$option $value"; return; }
   # 127: the system could not load the program
-  is_one_of "$code" "0 2 4 124 127" || wrong "exit code $code: taut $work, ulimit -$option $value: $(complaint)"
+  is_one_of "$code" "0 2 4 127" || wrong "exit code $code: taut $work, ulimit -$option $value: $(complaint)"
   [[ $code == 0 || -s complained || -s said ]] || wrong "exit code $code without a message: taut $work, ulimit -$option $value"
   if [[ $code == 0 && -e out/run.json ]]; then [[ $work != *save-particles* ]] || same_run "$ground/out" out; fi
   [[ ! -d out/frames ]] || part_of_run out "$ground/out"
