@@ -230,7 +230,10 @@ TEST_SUITE("cli") {
       REQUIRE(call(again).code == 0);
       const std::string record = text_of(folder / "out/run.json");
       const TinyDisk disk(folder / ("out/" + inner));
-      if (!disk.mounted()) return;
+      if (!disk.mounted()) {
+        MESSAGE("skipped: only root can mount a small file system");
+        return;
+      }
       REQUIRE(::mount(nullptr, (folder / ("out/" + inner)).c_str(), nullptr, MS_REMOUNT | MS_RDONLY,
                       nullptr) == 0);
       const Outcome outcome = call(again);
@@ -339,7 +342,10 @@ times = [0]
       CHECK(text_of(folder / "closed" / file) == text_of(folder / "out" / file));
     CHECK(shell("", tiny_run(folder, "full"), " >/dev/full 2>/dev/null") == 4);
     CHECK(json_of(folder / "full/run.json")["status"] == "finished");
-    CHECK(shell("", {"list"}, " 2>'" + folder.str("err") + "' | head -1 >/dev/null") == 0);
+    // a pipe without a reader; SIGPIPE is no error, so no message
+    const std::string pipe = "'" + folder.str("pipe") + "'";
+    CHECK(shell("mkfifo " + pipe + "; exec 3<>" + pipe + " 4>" + pipe + " 3>&-; ", {"list"},
+                " >&4 2>'" + folder.str("err") + "'; exit $?") == 128 + SIGPIPE);
     CHECK(text_of(folder / "err").empty());
   }
 }

@@ -12,8 +12,11 @@ using namespace taut::test;
 
 namespace {
 
+/// Reports the test as skipped if it returns false.
 bool jsonschema_is_there() {
-  return std::system("/usr/bin/python3 -c 'import tomllib, jsonschema' 2>/dev/null") == 0;
+  const bool there = std::system("/usr/bin/python3 -c 'import tomllib, jsonschema' 2>/dev/null") == 0;
+  if (!there) MESSAGE("skipped: there is no jsonschema for Python (Debian's package python3-jsonschema)");
+  return there;
 }
 
 /// For each file "valid" or the keys that the schema refuses.
@@ -59,10 +62,7 @@ const fs::path scenes = fs::path(TAUT_SOURCE_DIR) / "scenes";
 TEST_SUITE("cli") {
   TEST_CASE(
       "schema: shipped scenes, studies, claims and suites are valid, and scenes also with every default") {
-    if (!jsonschema_is_there()) {
-      MESSAGE("skipped: there is no jsonschema for Python (Debian's package python3-jsonschema)");
-      return;
-    }
+    if (!jsonschema_is_there()) return;
     std::vector<fs::path> files = toml_files(scenes);
     CHECK(files.size() > 30);
     const TemporaryFolder folder;

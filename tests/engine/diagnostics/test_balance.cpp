@@ -118,7 +118,10 @@ TEST_SUITE("unit") {
 
 #if defined(__x86_64__)
   TEST_CASE("particle loops: sums do not depend on the instruction set") {
-    if (!has_x86_64_v3()) return;
+    if (!has_x86_64_v3()) {
+      MESSAGE("skipped: the processor lacks the instructions of x86-64-v3");
+      return;
+    }
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
       std::vector<Point> places;
