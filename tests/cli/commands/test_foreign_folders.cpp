@@ -60,14 +60,13 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "chart.png.part/other.png") == "mine");
   }
 
-  TEST_CASE("scene, record, results and checkpoint files of 1 GiB of zeros are refused") {
+  TEST_CASE("scene, record, results and checkpoint files of zeros above their limits are refused") {
     const TemporaryFolder folder;
     leave_run(folder);
-    fs::copy(folder / "run", folder / "again", fs::copy_options::recursive);
     const std::string results = write_results(folder / "a", one_result);
-    const auto grow = [&](const std::string& name) {
+    const auto grow = [&](const std::string& name, std::uintmax_t gibibytes = 1) {
       std::ofstream(folder / name).close();
-      fs::resize_file(folder / name, std::uintmax_t{1} << 30);
+      fs::resize_file(folder / name, gibibytes << 30);
     };
     const auto refuses = [&](const std::vector<std::string>& arguments, const std::string& message) {
       const Outcome outcome = call(arguments);
@@ -75,7 +74,8 @@ TEST_SUITE("cli") {
       CHECK(outcome.code == 2);
       CHECK(contains(outcome.err, message));
     };
-    grow("run/checkpoint.bin");
+    // A whole checkpoint may take half the memory. This one is larger, so only its beginning can have been read.
+    grow("run/checkpoint.bin", 1024);
     refuses({"run", "--resume", folder.str("run"), "--until", "1000", "--quiet"},
             "is not a checkpoint of taut");
     grow("run/scene.toml");
@@ -111,7 +111,6 @@ TEST_SUITE("cli") {
   TEST_CASE("a pipe in the place of a file is refused, not waited for") {
     const TemporaryFolder folder;
     leave_run(folder);
-    REQUIRE(call(tiny_run(folder, "stopped", {"--checkpoint-every", "1e-4"})).code == 0);
     const std::string run = folder.str("run"), frame = "run/frames/frame_00000.png";
     const std::vector<std::pair<std::string, std::vector<std::string>>> readers = {
         {"run/scene.toml", {"render", run, "--quiet"}},

@@ -62,11 +62,11 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     const std::map<std::string, std::string> wrong{
         {"[chart]\nmeasure = \"touch_tim\"\n", ":8:11: unknown measure 'touch_tim' (did you mean"},
-        {"[chart]\nmeasure = [\"touch_time\", 3]\n", ":8:26: "},
+        {"[chart]\nmeasure = [\"touch_time\", 3]\n", ":8:26: measure must be a text"},
         {"[chart]\nmeasure = []\n", "empty list"},
-        {"[chart]\ncost = \"money\"\n", ":8:8: "},
+        {"[chart]\ncost = \"money\"\n", ":8:8: unknown cost 'money'"},
         {"[chart]\ncosts = \"steps\"\n", "did you mean 'cost'"},
-        {"[chart]\nagainst = 3\n", ":8:11: "},
+        {"[chart]\nagainst = 3\n", ":8:11: against must be a text"},
         {"[map]\nparameter = \"spacin\"\n",
          ":8:13: unknown swept parameter 'spacin' (did you mean 'spacing'"},
         {"[chart]\nmethods = [\"oenog\", \"tl\"]\n", ":8:21: unknown method 'tl'"},
@@ -75,7 +75,7 @@ TEST_SUITE("cli") {
          ":9:11: 'touch_time' has no reference with these parameters"},
         {"v0 = [0.05, 0.06]\n[map]\n", ":8:1: several parameters are swept (spacing, v0); name one of them"},
         {"[history]\n", "[history] is empty"},
-        {"[history]\ntip = 3\n", ":8:7: "},
+        {"[history]\ntip = 3\n", ":8:7: tip must be a text"},
         {"[history]\ndiametre = \"d, m\"\n",
          ":8:1: unknown history column 'diametre' (did you mean 'diameter'"},
         {"[map]\nparameter = \"method\"\n", ":8:13: unknown swept parameter 'method'"},
@@ -85,7 +85,7 @@ TEST_SUITE("cli") {
         {"[histroy]\n", "did you mean 'history'"},
     };
     for (const auto& [sections, message] : wrong) {
-      const Outcome outcome = sweep(folder, write_study(folder, sections), {"--list"});
+      const Outcome outcome = sweep(folder, write_study(folder, sections));
       CAPTURE(outcome.err);
       CHECK(outcome.code == 2);
       CHECK(contains(outcome.err, message));
