@@ -18,7 +18,6 @@
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
-#include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {
 namespace {
@@ -42,14 +41,13 @@ SceneFile scene_of(const StoredRun& run) {
   return read_scene(folder.scene());
 }
 
-/// run.json lacks the constants of the method and the contact law.
-void add_settings(StoredRun& run, const SceneFile& scene) {
-  const std::string_view own_contact = name(find_method(scene.settings.method)->contact);
+/// run.json lacks the constants of the method.
+void add_constants(StoredRun& run, const SceneFile& scene) {
   for (const ResolvedSetting& each : scene.resolved)
-    if (const std::string column = std::string(set_prefix) + each.name; run.text(column).empty())
-      if (each.name == "contact" ? each.value != own_contact
-                                 : each.name.starts_with(constant_prefix) && each.value != each.default_value)
-        run.cells.emplace_back(column, each.value);
+    if (const std::string column = std::string(set_prefix) + each.name;
+        each.name.starts_with(constant_prefix) && each.value != each.default_value &&
+        run.text(column).empty())
+      run.cells.emplace_back(column, each.value);
 }
 
 struct PlotPaths {
@@ -210,7 +208,7 @@ int plot_curves(const PlotArguments& options, StoredResults results, const PlotF
   std::vector<SceneFile> scenes;
   for (StoredRun& run : results.runs) {
     scenes.push_back(scene_of(run));
-    add_settings(run, scenes.back());
+    add_constants(run, scenes.back());
   }
   add_titles(results, scenes);
   const Scene& first = scenes.front().scene;

@@ -1,9 +1,15 @@
 #include "cli/system/ordered_work.hpp"
 
+#include <exception>
+
 namespace taut::cli {
 
 OrderedWork::OrderedWork(int workers) {
-  for (int worker = 0; worker < workers; ++worker) workers_.emplace_back([this, worker] { work(worker); });
+  workers_.reserve(static_cast<std::size_t>(workers));
+  try {
+    for (int worker = 0; worker < workers; ++worker) workers_.emplace_back([this, worker] { work(worker); });
+  } catch (const std::exception&) {  // too little memory, or too many threads: fewer workers
+  }
 }
 
 OrderedWork::~OrderedWork() {
@@ -21,6 +27,7 @@ void OrderedWork::add(Piece piece) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return added_ - done_ < room(); });
     throw_failure();
+    results_.try_emplace(added_);  // here, since workers must not fail to store a failure
     waiting_.push_back(std::move(piece));
     ++added_;
   }
@@ -44,35 +51,32 @@ void OrderedWork::work(int worker) {
     if (is_closing_) return;
     const Piece piece = std::move(waiting_.front());
     waiting_.pop_front();
-    const long number = begun_++;
+    Result& result = results_.at(begun_++);
     lock.unlock();
-    SecondHalf second;
     try {
-      second = piece(worker);
+      result.second = piece(worker);
     } catch (...) {
-      second = [failure = std::current_exception()] { std::rethrow_exception(failure); };
+      result.failure = std::current_exception();
     }
     lock.lock();
-    seconds_.emplace(number, std::move(second));
+    result.is_ready = true;
     do_seconds(lock);
   }
 }
 
 void OrderedWork::do_seconds(std::unique_lock<std::mutex>& lock) {
-  for (auto next = seconds_.begin(); next != seconds_.end() && next->first == done_;
-       next = seconds_.begin()) {
-    const SecondHalf second = std::move(next->second);
-    seconds_.erase(next);
-    const bool is_wanted = !failure_;
+  while (!results_.empty() && results_.begin()->first == done_ && results_.begin()->second.is_ready) {
+    const auto next = results_.extract(results_.begin());
+    Result& result = next.mapped();
+    const bool is_wanted = !failure_ && !result.failure;
     lock.unlock();
-    std::exception_ptr failure;
     try {
-      if (is_wanted) second();
+      if (is_wanted) result.second();
     } catch (...) {
-      failure = std::current_exception();
+      result.failure = std::current_exception();
     }
     lock.lock();
-    if (failure) failure_ = failure;
+    if (!failure_) failure_ = result.failure;
     ++done_;
     changed_.notify_all();
   }

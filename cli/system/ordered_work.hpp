@@ -18,7 +18,7 @@ class OrderedWork {
   /// `worker` counts from 0 and differs between concurrent pieces.
   using Piece = std::function<SecondHalf(int worker)>;
 
-  /// With 0 workers, `add` does all work.
+  /// Starts at most `workers` threads, fewer if the system refuses them; without any, `add` does all work.
   explicit OrderedWork(int workers);
   /// Drops pieces that have not begun; waits for the others.
   ~OrderedWork();
@@ -33,6 +33,12 @@ class OrderedWork {
   void finish();
 
  private:
+  struct Result {
+    SecondHalf second;
+    std::exception_ptr failure;
+    bool is_ready = false;
+  };
+
   void work(int worker);
   void do_seconds(std::unique_lock<std::mutex>& lock);
   void throw_failure() const;
@@ -40,7 +46,7 @@ class OrderedWork {
   std::mutex mutex_;  // guards the members from `waiting_` to `failure_`
   std::condition_variable changed_;
   std::deque<Piece> waiting_;
-  std::map<long, SecondHalf> seconds_;
+  std::map<long, Result> results_;  // by number of the piece
   long added_ = 0, begun_ = 0, done_ = 0;
   bool is_closing_ = false;
   std::exception_ptr failure_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <new>
 #include <stdexcept>
 #include <vector>
 
@@ -31,10 +32,10 @@ void Canvas::begin() { cairo_surface_mark_dirty(surface_.get()); }
 
 void Canvas::end() {
   cairo_surface_flush(surface_.get());
-  if (cairo_status(cairo_.get()) != CAIRO_STATUS_SUCCESS) {
-    throw std::runtime_error(std::string("Cairo failed to draw: ") +
-                             cairo_status_to_string(cairo_status(cairo_.get())));
-  }
+  const cairo_status_t status = cairo_status(cairo_.get());
+  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error(std::string("Cairo failed to draw: ") + cairo_status_to_string(status));
 }
 
 void Canvas::gray(double level) {

@@ -119,6 +119,21 @@ TEST_SUITE("cli") {
     CHECK(WEXITSTATUS(status) == 2);
     CHECK(contains(said, "no memory for a picture of 8000x8000; use a smaller --size"));
   }
+
+  TEST_CASE("a program without memory for its threads does not abort") {
+    const TemporaryFolder folder;
+    REQUIRE(run(folder, "a", {"--save-particles", "--no-render"}).code == 0);
+    for (const char* limit :
+         {"230000", "240000", "250000", "260000"}) {  // KiB; libraries alone need about 225 000
+      const std::string command = std::string("ulimit -c 0; ulimit -v ") + limit +
+                                  "; timeout 60 " TAUT_BINARY_DIR "/taut render " + folder.str("a") +
+                                  " --threads 4 --quiet 2>" + folder.str("said");
+      const int code = WEXITSTATUS(std::system(command.c_str()));
+      CAPTURE(limit);
+      CAPTURE(text_of(folder / "said"));
+      CHECK((code == 0 || code == 2 || code == 4 || code == 127));  // 127: the program did not start
+    }
+  }
 #endif
 
   TEST_CASE(
